@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string_view>
+
+namespace rubble {
+
+/// Version of the program, as in the changelog: "0.1.0".
+std::string_view versionText();
+
+/// Names what can change a result bit for bit: program version, compiler, word size and flags of this build.
+/// Part of every fingerprint.
+std::string_view buildText();
+
+}  // namespace rubble

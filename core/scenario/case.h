@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/fe/frame.h"
+#include "core/scenario/scenario.h"
+
+namespace rubble {
+
+enum class InputRole { Fe, Terrain, Photograph, Survey };
+
+/// A file that a case stands on, by relative path and SHA-256.
+struct CaseInput {
+    std::string id;  ///< "fe-1"
+    InputRole role = InputRole::Fe;
+    std::string path;    ///< relative to the case file, with forward slashes
+    std::string sha256;  ///< hex; empty until first read
+    friend bool operator==(const CaseInput&, const CaseInput&) = default;
+};
+
+/// A named scenario of a case.
+struct CaseScenario {
+    std::string id;  ///< "scenario-1"
+    std::string name;
+    std::string note;
+    std::string feInput;  ///< id of its FE input
+    Scenario scenario;
+    friend bool operator==(const CaseScenario&, const CaseScenario&) = default;
+};
+
+/// What a case file (*.rubble) holds.
+struct Case {
+    std::string title;
+    Frame frame;
+    std::vector<CaseInput> inputs;
+    std::vector<CaseScenario> scenarios;
+    std::string activeScenario;  ///< id
+    friend bool operator==(const Case&, const Case&) = default;
+};
+
+}  // namespace rubble

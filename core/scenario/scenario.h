@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/fe/components.h"
+#include "core/fe/regrouping.h"
+
+namespace rubble {
+
+enum class BirthTime { State, Exact };
+enum class Revival { Latch, Follow, Refuse };
+enum class BirthVelocity { Fe, Rest };
+enum class ClusterShape { AxisBox, OrientedBox, Hull, Compound };
+enum class PieceKind { None, ComponentBox, GridBoxes, Surface };
+enum class SolverKind { Bullet };
+
+/// What the reader is told about the FE file; empty means: recognise it.
+struct ImportSettings {
+    std::string statusVariable;      ///< name of the active flag
+    std::optional<int> activeValue;  ///< its value on active elements
+    std::string displacement;        ///< prefix of the displacement components; "none": nodes do not move
+    friend bool operator==(const ImportSettings&, const ImportSettings&) = default;
+};
+
+struct FragmentSettings {
+    BirthTime birthTime = BirthTime::State;
+    Revival revival = Revival::Latch;
+    BirthVelocity birthVelocity = BirthVelocity::Fe;
+    double minimumThicknessRatio = 0.025;  ///< smallest half extent of a fragment over its longest
+    double minimumHalfExtent = 0.005;      ///< m
+    double birthShift = 0.0;               ///< m, every birth place moved at random by this much (repeat floor)
+    std::int64_t seed = 1;                 ///< of the birth shift
+    friend bool operator==(const FragmentSettings&, const FragmentSettings&) = default;
+};
+
+struct GridSettings {
+    double fpsTarget = 24.0;          ///< live FPS
+    std::int64_t bodiesMax = 4500;    ///< N_A^max
+    std::optional<double> multiple;   ///< common multiple of the mean distance; unset: searched
+    std::optional<double> length;     ///< l, m along x; unset: from the multiple
+    std::optional<double> width;      ///< w, m along y
+    std::optional<double> height;     ///< h, m along z
+    bool acrossComponents = false;    ///< the paper's failure mode
+    bool oneBodyPerFragment = false;  ///< the reference run
+    double velocityTolerance = 0.5;   ///< m/s from the cluster's rigid motion; 0: no split
+    friend bool operator==(const GridSettings&, const GridSettings&) = default;
+};
+
+struct SimulationSettings {
+    SolverKind solver = SolverKind::Bullet;
+    double stepRate = 60.0;  ///< steps per second at least
+    int iterations = 10;     ///< solver iterations per step
+    ClusterShape shape = ClusterShape::OrientedBox;
+    PieceKind pieces = PieceKind::GridBoxes;
+    double pieceSize = 4.0;    ///< m, cells of the grid boxes
+    double gravity = 9.80665;  ///< m/s2, downwards
+    bool ground = true;
+    double groundHeight = 0.0;  ///< m
+    double friction = 0.6;
+    double restitution = 0.1;
+    bool freeze = true;
+    double freezeSpeed = 0.02;  ///< m/s of the fastest corner
+    double freezeDelay = 0.5;   ///< s below it
+    double overlapSpeed = 0.2;  ///< m/s at which overlap at birth is bled off
+    double settleTime = 10.0;   ///< s at most after the last FE state
+    double frameRate = 25.0;    ///< recorded frames per second
+    friend bool operator==(const SimulationSettings&, const SimulationSettings&) = default;
+};
+
+/// Everything a user can set for one run, as one value. Every member is reached through the parameter table
+/// (core/scenario/parameters.h), except the list of regrouping steps, which is a structure of its own.
+struct Scenario {
+    ImportSettings import;
+    std::vector<RegroupStep> regrouping;
+    std::map<std::string, ComponentSettings> components;  ///< by component name, after regrouping
+    MaterialAssumptions assumptions;
+    FragmentSettings fragments;
+    GridSettings grid;
+    SimulationSettings simulation;
+
+    friend bool operator==(const Scenario&, const Scenario&) = default;
+};
+
+}  // namespace rubble

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/execution.h"
+#include "core/base/finding.h"
+#include "core/base/hash.h"
+#include "core/trajectory/trajectory.h"
+
+namespace rubble {
+
+/// Where one fragment went.
+struct FragmentOutcome {
+    Vec3 birthPosition = Vec3::Zero();  ///< m, at its birth time (on the trajectory)
+    double birthSpeed = 0.0;            ///< m/s, then
+    Vec3 finalPosition = Vec3::Zero();  ///< m, at the end
+    double impactSpeed = 0.0;           ///< m/s, of its centre just before the hardest hit of its body; 0 if it never hit anything
+};
+
+/// Relative errors of what must be conserved at a hand-over, the largest over all hand-overs. Momentum is relative to sum(m |v|),
+/// angular momentum to sum(|x| m |v|), of what is handed over.
+struct LedgerErrors {
+    double mass = 0.0;  ///< fragments against FE
+    double momentum = 0.0;
+    double angularMomentum = 0.0;
+    double bodyMass = 0.0;  ///< engine, as read back, against FE
+    double bodyMomentum = 0.0;
+    double bodyAngularMomentum = 0.0;
+};
+
+/// Births in space that older bodies or pieces occupy already.
+struct OccupiedBirths {
+    std::int64_t births = 0;         ///< bodies that entered
+    std::int64_t occupied = 0;       ///< of these, deeper than 5 % of their own smallest side inside another body or piece
+    double medianDepth = 0.0;        ///< of the occupied ones: depth over the own smallest side
+    double work = 0.0;               ///< J, done by resolving all overlap at birth
+    double piecePushWork = 0.0;      ///< J, done by moving pieces on bodies
+    std::int64_t piecesYielded = 0;  ///< contacts in which a moving piece gave way
+};
+
+/// Parts of the structure that are alive at the end of the FE result without a path to a support.
+struct LiveIslands {
+    std::int64_t islands = 0;
+    std::int64_t elements = 0;
+    double mass = 0.0;        ///< kg
+    std::int64_t moving = 0;  ///< elements of these still faster than 0.1 m/s at the last FE state
+};
+
+struct StepTimes {
+    double meanMs = 0.0;  ///< from the first to the last birth
+    double p95Ms = 0.0;
+    double worstMs = 0.0;
+    double shareInTime = 0.0;     ///< share of steps from first to last birth that took less than the time they simulate
+    double realTimeFactor = 0.0;  ///< simulated over wall time, first to last birth, recording included
+};
+
+struct EnergyBalance {
+    double gravityWork = 0.0;  ///< J, potential energy lost so far by all bodies
+    double kineticIn = 0.0;    ///< J, brought in at hand-overs
+    double kineticNow = 0.0;   ///< J
+    double dissipated = 0.0;   ///< J, lost in contacts; negative would be a gain
+    double drift = 0.0;        ///< largest gain so far beyond gravity, births, overlap and piece work, over gravity work; 0 if none
+};
+
+/// The outcome of a simulation. Everything except the times is bit-identical from run to run.
+struct SimulationResult {
+    std::vector<FragmentOutcome> fragments;  ///< [fragments]
+    std::int64_t bodiesPeak = 0;
+    std::int64_t steps = 0;
+    double firstTime = 0.0;  ///< s, first hand-over
+    double feEndTime = 0.0;  ///< s, last FE state
+    double endTime = 0.0;    ///< s, the end
+    StepTimes stepTimes;
+    EnergyBalance energy;
+    LedgerErrors ledger;
+    OccupiedBirths births;
+    LiveIslands islands;
+    double penetrationMax = 0.0;   ///< m, deepest contact of a body, overlap at birth excepted
+    double asleepAtEnd = 0.0;      ///< share of bodies
+    std::int64_t stillMoving = 0;  ///< bodies awake at the end
+    double maxSpeed = 0.0;         ///< m/s, fastest body ever
+    double bulkingFactor = 0.0;    ///< volume under the pile's surface over volume of material, 1 m cells; NaN without fragments
+    Digest trajectoryHash;         ///< of every committed frame, in double precision
+    Findings findings;
+};
+
+/// Simulates a clustered scene from the first hand-over to the end (DESIGN.md 2.4). Steps have equal length within an FE interval,
+/// at most 1 / stepRate, and meet every FE state exactly. Deterministic: the same description gives the same trajectory hash.
+/// Throws Cancelled (all committed frames stay in the sink) and whatever the sink throws.
+SimulationResult simulate(const RunDescription& description, TrajectorySink& sink, const Execution& execution);
+
+}  // namespace rubble

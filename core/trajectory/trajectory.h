@@ -1,0 +1,142 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/base/hash.h"
+#include "core/base/ids.h"
+#include "core/clusters/clustering.h"
+#include "core/clusters/sizing.h"
+#include "core/fe/components.h"
+#include "core/fe/fe_result.h"
+#include "core/fragments/fragment_set.h"
+#include "core/scenario/scenario.h"
+
+namespace rubble {
+
+/// What a frame shows: an FE state, a simulated instant, something between two frames, or something only for the eye.
+enum class FrameKind : std::uint8_t { Fe, Simulated, Interpolated, Illustrative };
+
+enum class BodyState : std::uint8_t { Awake = 1, Frozen = 2, Removed = 3 };
+
+/// A rigid body as it entered the engine.
+struct BodyRecord {
+    BodyId body{};
+    ClusterId cluster{};
+    double from = 0.0;                                    ///< s, hand-over
+    double to = std::numeric_limits<double>::infinity();  ///< s, when it left again
+    double mass = 0.0;                                    ///< kg
+    Pose atBirth;                                         ///< centre of mass and axes at `from`
+};
+
+/// A fragment is carried by a body over an interval of time. While carried, a point of the fragment that lay at p (world) at
+/// hand-over lies at body pose * handOverToBody * p.
+struct Carrier {
+    FragmentId fragment{};
+    BodyId body{};
+    double from = 0.0;  ///< s
+    double to = std::numeric_limits<double>::infinity();
+    Pose handOverToBody;
+};
+
+/// All bodies at one instant. Arrays are indexed by BodyId and hold the bodies that entered up to then.
+struct TrajectoryFrame {
+    double time = 0.0;  ///< s, on the file's clock
+    FrameKind kind = FrameKind::Simulated;
+    std::vector<Eigen::Vector3f> positions;  ///< centre of mass, local frame, m
+    std::vector<Eigen::Quaternionf> orientations;
+    std::vector<float> speeds;  ///< m/s
+    std::vector<BodyState> states;
+
+    std::size_t bodies() const { return positions.size(); }
+};
+
+/// One row of the mass, momentum and energy ledger, at one FE state (or one second, after the last).
+struct LedgerRow {
+    double time = 0.0;
+    std::uint32_t state = 0;
+    Momenta fe;                         ///< of the elements handed over here, by quadrature from the file
+    Momenta fragments;                  ///< of their rigid fragments
+    Momenta clusters;                   ///< of the clusters they form
+    Momenta bodies;                     ///< of the new bodies, as read back from the engine
+    double droppedKineticEnergy = 0.0;  ///< J, fe - bodies: deformation and spin that a rigid cluster cannot carry
+    Momenta all;                        ///< of all bodies in the engine at this instant
+    double potentialEnergy = 0.0;       ///< J, of all bodies, above the ground
+    double pieceWork = 0.0;             ///< J, cumulated: done by moving pieces on bodies
+    double overlapWork = 0.0;           ///< J, cumulated: done by resolving overlap at birth
+};
+
+/// What a run consists of before its first step.
+struct RunDescription {
+    std::shared_ptr<const FeResult> fe;
+    Scenario scenario;
+    std::shared_ptr<const Components> components;
+    std::shared_ptr<const FragmentSet> fragments;
+    std::shared_ptr<const Sizing> sizing;
+    std::shared_ptr<const Clustering> clustering;
+    Digest fingerprint;  ///< of inputs, scenario and build
+};
+
+struct SimulationResult;
+
+/// Takes a run as it is made. Calls come from one thread in this order: begin, then any number of addBodies, commit and addLedger,
+/// then finish (not after a cancel or an error). What was committed stays readable whatever happens next.
+class TrajectorySink {
+public:
+    virtual ~TrajectorySink() = default;
+    virtual void begin(const RunDescription& description) = 0;
+    virtual void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) = 0;
+    virtual void commit(const TrajectoryFrame& frame) = 0;
+    virtual void addLedger(const LedgerRow& row) = 0;
+    virtual void finish(const SimulationResult& result) = 0;
+};
+
+/// Reads committed frames while a run is made or after; thread-safe. Frames come through a bounded cache.
+class TrajectoryReader {
+public:
+    virtual ~TrajectoryReader() = default;
+    virtual std::size_t frameCount() const = 0;
+    virtual double frameTime(std::size_t i) const = 0;
+    virtual std::shared_ptr<const TrajectoryFrame> frame(std::size_t i) const = 0;
+    virtual std::vector<BodyRecord> bodies() const = 0;  ///< those that entered up to now
+    virtual std::vector<Carrier> carriers() const = 0;   ///< in the order in which they were added
+    virtual bool complete() const = 0;                   ///< finish() was called
+
+    /// Index of the last frame at or before a time; 0 if there is none.
+    std::size_t frameAt(double time) const;
+};
+
+/// Position and orientation of all bodies at any time: the frame at that time, or linear (position) and spherical (orientation)
+/// interpolation between its two neighbours, marked Interpolated. Bodies that enter between the two stand at their birth place.
+/// Empty before the first frame.
+TrajectoryFrame frameAtTime(const TrajectoryReader& reader, double time);
+
+/// Keeps a whole trajectory in memory: for tests, and for runs nobody wants as a file.
+class MemoryTrajectory : public TrajectorySink, public TrajectoryReader {
+public:
+    MemoryTrajectory();
+    ~MemoryTrajectory() override;
+    void begin(const RunDescription& description) override;
+    void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) override;
+    void commit(const TrajectoryFrame& frame) override;
+    void addLedger(const LedgerRow& row) override;
+    void finish(const SimulationResult& result) override;
+    std::size_t frameCount() const override;
+    double frameTime(std::size_t i) const override;
+    std::shared_ptr<const TrajectoryFrame> frame(std::size_t i) const override;
+    std::vector<BodyRecord> bodies() const override;
+    std::vector<Carrier> carriers() const override;
+    bool complete() const override;
+    std::vector<LedgerRow> ledger() const;
+
+private:
+    struct Store;
+    std::unique_ptr<Store> m_store;
+};
+
+}  // namespace rubble

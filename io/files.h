@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace rubble::io {
+
+/// SHA-256 of a file's content, lower-case hex. Throws WorldError.
+std::string sha256OfFile(const std::string& path);
+
+/// Writes a file so that it is either the old one or the whole new one: temporary file beside it, flush to disk, rename.
+/// Throws WorldError naming the path and the remedy; nothing is left behind.
+void writeAtomically(const std::string& path, const std::function<void(std::ostream&)>& write);
+
+/// Writes NAME.provenance.json beside an exported file.
+void writeProvenance(const std::string& exportedPath, std::string_view text);
+
+}  // namespace rubble::io

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/scenario/case.h"
+#include "core/simulation/simulation.h"
+#include "core/trajectory/trajectory.h"
+
+namespace rubble::io {
+
+/// Where a run came from, kept inside the run file so that it can be verified and exported later.
+struct RunOrigin {
+    std::string fePath;  ///< absolute
+    std::string feSha256;
+    Frame frame;
+    Scenario scenario;
+    std::string scenarioName;
+    std::string build;
+    Digest fingerprint;
+};
+
+/// Writes a run as it is made (*.run.h5): HDF5, chunked, compressed, single writer with readers (SWMR); every dataset exists before
+/// the first frame, so a killed run reopens at its last complete frame. Throws WorldError naming file and remedy (disk full, no
+/// right to write); frames committed before stay readable.
+std::unique_ptr<TrajectorySink> createRun(const std::string& path, const RunOrigin& origin);
+
+/// A run file opened for reading, complete or still growing, in this or another process.
+class RunReader : public TrajectoryReader {
+public:
+    virtual const RunOrigin& origin() const = 0;
+    /// Looks for frames that were committed since.
+    virtual void refresh() = 0;
+    virtual std::vector<LedgerRow> ledger() const = 0;
+    /// The solids, components and clusters of the run, so that it can be shown and exported without its FE file.
+    virtual std::shared_ptr<const FragmentSet> fragments() const = 0;
+    virtual std::shared_ptr<const Clustering> clustering() const = 0;
+    virtual std::vector<std::string> componentNames() const = 0;
+    virtual std::vector<std::int64_t> elementIds() const = 0;  ///< user's element number of each fragment
+    /// The outcome; null while the run is not complete.
+    virtual std::shared_ptr<const SimulationResult> result() const = 0;
+    virtual std::shared_ptr<const Sizing> sizing() const = 0;
+};
+
+/// @param cacheBytes  frames kept in memory at most
+/// Throws WorldError, ParseError.
+std::shared_ptr<RunReader> openRun(const std::string& path, std::size_t cacheBytes = std::size_t{128} << 20);
+
+/// Checks that the content of a complete run file is what was written: recomputes the digest over all its datasets.
+/// Throws ParseError naming the dataset that differs.
+void checkRunDigest(const std::string& path, const Execution& execution);
+
+}  // namespace rubble::io

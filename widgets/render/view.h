@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/geometry.h"
+
+namespace rubble::render {
+
+/// What a pane shows: the conventional FE result, or the fragments with the active structure.
+enum class PaneContent : std::uint8_t { Fe, Fragments };
+enum class Layout : std::uint8_t { Beside, Stacked, FeOnly, FragmentsOnly };
+enum class ColourBy : std::uint8_t { Highlight, Component, BirthTime, Speed, Cluster };
+enum class Theme : std::uint8_t { Light, Dark, Print };
+
+/// Camera in the case's local frame.
+struct Camera {
+    Vec3 position = Vec3(0, -100, 30);
+    Vec3 focalPoint = Vec3::Zero();
+    Vec3 up = Vec3::UnitZ();
+    double viewAngle = 30.0;  ///< degrees, vertical
+    bool parallel = false;
+    double parallelScale = 1.0;  ///< m, half the height of the view
+
+    friend bool operator==(const Camera&, const Camera&) = default;
+};
+
+/// Everything that decides a picture apart from the data: a value that window, command line and movie share.
+struct View {
+    Layout layout = Layout::Beside;
+    std::array<Camera, 2> cameras;  ///< of the FE pane and the fragments pane
+    bool camerasLinked = true;      ///< both panes use cameras[0]
+    double time = 0.0;              ///< s, on the file's clock
+    ColourBy colourBy = ColourBy::Highlight;
+    Theme theme = Theme::Light;
+    bool captions = true;
+    bool legends = true;
+    bool scaleBar = true;
+
+    friend bool operator==(const View&, const View&) = default;
+};
+
+}  // namespace rubble::render

@@ -1,0 +1,211 @@
+#include "io/files.h"
+
+#include <fcntl.h>
+#include <openssl/evp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <locale>
+#include <memory>
+#include <streambuf>
+#include <utility>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace rubble::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// strerror() follows the locale; messages are English until the window translates them.
+std::string reason(int error) {
+    const char* text = strerrordesc_np(error);
+    return text ? text : "unknown reason";
+}
+
+[[noreturn]] void failRead(const std::string& path, int error) {
+    throw WorldError(Message{"io.file.unreadable", "Cannot read {0}: {1}", {path, reason(error)}},
+                     Message{"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+}
+
+[[noreturn]] void failWrite(const std::string& path, int error) {
+    throw WorldError(
+        Message{"io.file.unwritable", "Cannot write {0}: {1}", {path, reason(error)}},
+        Message{"io.file.unwritable.remedy",
+                "Check free space and rights of the folder, or choose another place; what was there before is unchanged.",
+                {}});
+}
+
+// A file descriptor that closes itself.
+class Descriptor {
+public:
+    explicit Descriptor(int fd) : m_fd(fd) {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int get() const { return m_fd; }
+    int close() {
+        const int fd = std::exchange(m_fd, -1);
+        return fd < 0 ? 0 : ::close(fd);
+    }
+
+private:
+    int m_fd;
+};
+
+// Buffers writes to a descriptor and remembers why one failed, which a standard file stream forgets.
+class DescriptorBuffer : public std::streambuf {
+public:
+    explicit DescriptorBuffer(int fd) : m_fd(fd), m_buffer(std::size_t{1} << 16) {
+        setp(m_buffer.data(), m_buffer.data() + m_buffer.size());
+    }
+    int error() const { return m_error; }
+
+protected:
+    int_type overflow(int_type character) override {
+        if (!flush()) {
+            return traits_type::eof();
+        }
+        if (!traits_type::eq_int_type(character, traits_type::eof())) {
+            sputc(traits_type::to_char_type(character));
+        }
+        return traits_type::not_eof(character);
+    }
+    int sync() override { return flush() ? 0 : -1; }
+
+private:
+    bool flush() {
+        const char* from = pbase();
+        while (from < pptr()) {
+            const ssize_t written = ::write(m_fd, from, static_cast<std::size_t>(pptr() - from));
+            if (written < 0 && errno == EINTR) {
+                continue;
+            }
+            if (written <= 0) {
+                m_error = written < 0 ? errno : ENOSPC;
+                return false;
+            }
+            from += written;
+        }
+        setp(m_buffer.data(), m_buffer.data() + m_buffer.size());
+        return true;
+    }
+
+    int m_fd;
+    int m_error = 0;
+    std::vector<char> m_buffer;
+};
+
+// Unique within the machine: process and a counter; O_EXCL settles the rest.
+std::string temporaryName(const std::string& target) {
+    static std::atomic<unsigned> counter{0};
+    return target + "." + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
+}
+
+// Writing through a link must change the file it points to, not replace the link.
+std::string targetOf(const std::string& path) {
+    std::error_code ignored;
+    if (fs::is_symlink(path, ignored)) {
+        const fs::path real = fs::weakly_canonical(path, ignored);
+        return ignored ? path : real.string();
+    }
+    return path;
+}
+
+struct RemoveUnlessKept {
+    std::string path;
+    bool kept = false;
+    ~RemoveUnlessKept() {
+        if (!kept) {
+            ::unlink(path.c_str());
+        }
+    }
+};
+
+void flushFolder(const std::string& file) {
+    const fs::path folder = fs::path(file).parent_path();
+    const Descriptor handle(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (handle.get() >= 0) {
+        ::fsync(handle.get());
+    }
+}
+
+}  // namespace
+
+std::string sha256OfFile(const std::string& path) {
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (file.get() < 0) {
+        failRead(path, errno);
+    }
+    const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(), &EVP_MD_CTX_free);
+    EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr);
+    std::vector<unsigned char> block(std::size_t{1} << 20);
+    for (;;) {
+        const ssize_t got = ::read(file.get(), block.data(), block.size());
+        if (got < 0 && errno == EINTR) {
+            continue;
+        }
+        if (got < 0) {
+            failRead(path, errno);
+        }
+        if (got == 0) {
+            break;
+        }
+        EVP_DigestUpdate(context.get(), block.data(), static_cast<std::size_t>(got));
+    }
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned size = 0;
+    EVP_DigestFinal_ex(context.get(), digest.data(), &size);
+    static constexpr char digits[] = "0123456789abcdef";
+    std::string hex;
+    for (unsigned i = 0; i < size; ++i) {
+        hex += digits[digest[i] >> 4];
+        hex += digits[digest[i] & 15];
+    }
+    return hex;
+}
+
+void writeAtomically(const std::string& path, const std::function<void(std::ostream&)>& write) {
+    const std::string target = targetOf(path);
+    RemoveUnlessKept temporary{temporaryName(target)};
+    Descriptor file(::open(temporary.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.get() < 0) {
+        temporary.kept = true;
+        failWrite(path, errno);
+    }
+    struct stat before{};
+    if (::stat(target.c_str(), &before) == 0) {
+        if (S_ISDIR(before.st_mode)) {
+            failWrite(path, EISDIR);
+        }
+        // The new file keeps the rights of the old one where the file system lets it.
+        (void)!::fchmod(file.get(), before.st_mode & 07777);
+    }
+    DescriptorBuffer buffer(file.get());
+    std::ostream stream(&buffer);
+    stream.imbue(std::locale::classic());
+    write(stream);
+    stream.flush();
+    if (!stream) {
+        failWrite(path, buffer.error() ? buffer.error() : EIO);
+    }
+    if (::fsync(file.get()) != 0 || file.close() != 0 || ::rename(temporary.path.c_str(), target.c_str()) != 0) {
+        failWrite(path, errno);
+    }
+    temporary.kept = true;
+    flushFolder(target);
+}
+
+void writeProvenance(const std::string& exportedPath, std::string_view text) {
+    writeAtomically(exportedPath + ".provenance.json", [&](std::ostream& out) { out << text << '\n'; });
+}
+
+}  // namespace rubble::io

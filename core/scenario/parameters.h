@@ -61,7 +61,8 @@ void setParameterText(Scenario& scenario, std::string_view key, std::string_view
 /// A value as text that setParameterText() reads back to the same value ("auto", "true", "4500", "0.5", "oriented_box").
 std::string valueText(const ParameterValue& value);
 
-/// Applies a named preset: "paper" (the published method as printed) or "default". Throws UsageError for others.
+/// Applies a named preset: "default", "paper" (the published method as printed) or "reference" (a body per fragment). Throws
+/// UsageError for others.
 void applyPreset(Scenario& scenario, std::string_view name);
 std::span<const std::string_view> presetNames();
 

@@ -1,0 +1,122 @@
+#include "core/pipeline/pipeline.h"
+
+#include <cassert>
+#include <chrono>
+
+#include "core/base/build.h"
+#include "core/scenario/parameters.h"
+
+namespace rubble {
+
+namespace {
+
+/// Raised by one whenever the code of a stage changes what it makes from the same scenario.
+constexpr std::array<int, stageCount> stageVersions{1, 1, 1, 1, 1, 1};
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// One run of the pipeline: makes each part or takes it over, and keeps the account of keys and times.
+class PipelineRun {
+public:
+    PipelineRun(const Inputs& inputs, const Scenario& scenario, const Results& previous, const Execution& execution)
+        : m_inputs(inputs), m_scenario(scenario), m_previous(previous), m_execution(execution) {}
+
+    template <class Part, class Make>
+    void stage(Stage stage, std::shared_ptr<const Part> Results::* part, Make make) {
+        m_execution.check();
+        const std::size_t i = static_cast<std::size_t>(stage);
+        results.keys[i] = stageKey(m_inputs, m_scenario, stage);
+        if (m_previous.*part && m_previous.keys[i] == results.keys[i]) {
+            results.*part = m_previous.*part;
+            results.wallSeconds[i] = m_previous.wallSeconds[i];
+            return;
+        }
+        const auto start = std::chrono::steady_clock::now();
+        results.*part = std::make_shared<const Part>(make());
+        results.wallSeconds[i] = secondsSince(start);
+    }
+
+    Results results;
+
+private:
+    const Inputs& m_inputs;
+    const Scenario& m_scenario;
+    const Results& m_previous;
+    const Execution& m_execution;
+};
+
+}  // namespace
+
+bool Results::has(Stage stage) const {
+    switch (stage) {
+        case Stage::Import:
+            return keys[0] != Digest{};
+        case Stage::Components:
+            return components != nullptr;
+        case Stage::Fragments:
+            return fragments != nullptr;
+        case Stage::Sizing:
+            return sizing != nullptr;
+        case Stage::Clusters:
+            return clustering != nullptr;
+        case Stage::Simulation:
+            return simulation != nullptr;
+    }
+    return false;
+}
+
+Digest stageKey(const Inputs& inputs, const Scenario& scenario, Stage stage) {
+    assert(inputs.fe);
+    Hasher hasher;
+    hasher.text(buildText()).digest(inputs.fe->contents().fingerprint);
+    for (int i = 0; i <= static_cast<int>(stage); ++i) {
+        hasher.value(stageVersions[static_cast<std::size_t>(i)]).digest(scenarioSlice(scenario, static_cast<Stage>(i)));
+    }
+    return hasher.finish();
+}
+
+Results run(const Inputs& inputs, const Scenario& scenario, Stage last, const Results& previous, TrajectorySink* sink,
+            const Execution& execution) {
+    assert(inputs.fe);
+    assert(sink || last < Stage::Simulation);
+    const FeResult& fe = *inputs.fe;
+    PipelineRun pipeline(inputs, scenario, previous, execution);
+    Results& results = pipeline.results;
+    results.keys[0] = stageKey(inputs, scenario, Stage::Import);
+    results.wallSeconds[0] = previous.wallSeconds[0];
+
+    if (last >= Stage::Components) {
+        pipeline.stage(Stage::Components, &Results::components,
+                       [&] { return groupComponents(fe.mesh(), scenario.regrouping, scenario.components, scenario.assumptions); });
+    }
+    if (last >= Stage::Fragments) {
+        pipeline.stage(Stage::Fragments, &Results::fragments,
+                       [&] { return makeFragments(fe, *results.components, scenario.fragments, execution); });
+    }
+    if (last >= Stage::Sizing) {
+        pipeline.stage(Stage::Sizing, &Results::sizing,
+                       [&] { return sizeBasicGrid(*results.fragments, fe.mesh(), *results.components, scenario.grid, execution); });
+    }
+    if (last >= Stage::Clusters) {
+        pipeline.stage(Stage::Clusters, &Results::clustering,
+                       [&] { return makeClusters(*results.fragments, fe.mesh(), results.sizing->grid, scenario.grid, execution); });
+    }
+    if (last >= Stage::Simulation) {
+        pipeline.stage(Stage::Simulation, &Results::simulation, [&] {
+            RunDescription description;
+            description.fe = inputs.fe;
+            description.scenario = scenario;
+            description.components = results.components;
+            description.fragments = results.fragments;
+            description.sizing = results.sizing;
+            description.clustering = results.clustering;
+            description.fingerprint = stageKey(inputs, scenario, Stage::Simulation);
+            return simulate(description, *sink, execution);
+        });
+    }
+    return std::move(pipeline.results);
+}
+
+}  // namespace rubble

@@ -1,0 +1,288 @@
+#include "core/scenario/parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/error.h"
+
+namespace rubble {
+
+namespace {
+
+/// Number of single-character edits between two words (Levenshtein).
+std::size_t editDistance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, substituted});
+        }
+    }
+    return row.back();
+}
+
+std::string nearestKeys(std::string_view key) {
+    std::vector<std::pair<std::size_t, std::string_view>> ranked;
+    for (const Parameter& row : parameterTable()) {
+        ranked.emplace_back(editDistance(key, row.key), row.key);
+    }
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::string result;
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, ranked.size()); ++i) {
+        result += (i ? ", " : "") + std::string(ranked[i].second);
+    }
+    return result;
+}
+
+[[noreturn]] void refuse(const Parameter& row, std::string_view key, std::string_view value) {
+    Message remedy{"parameter.text", "Give a text.", {}};
+    switch (row.kind) {
+        case ParameterKind::Switch:
+            remedy = {"parameter.switch", "Give true or false.", {}};
+            break;
+        case ParameterKind::Integer:
+            remedy = {"parameter.integer",
+                      "Give a whole number from {0} to {1}.",
+                      {static_cast<std::int64_t>(row.low), static_cast<std::int64_t>(row.high)}};
+            break;
+        case ParameterKind::Number:
+            remedy = {"parameter.number", "Give a number from {0} to {1}.", {Argument(row.low), Argument(row.high, row.unit)}};
+            break;
+        case ParameterKind::Choice: {
+            std::string all;
+            for (const std::string_view choice : row.choices) {
+                all += (all.empty() ? "" : ", ") + std::string(choice);
+            }
+            remedy = {"parameter.choice", "Choose one of {0}.", {all}};
+            break;
+        }
+        case ParameterKind::Text:
+            break;
+    }
+    if (row.automatic) {
+        remedy.id += "_or_auto";
+        remedy.pattern.insert(remedy.pattern.size() - 1, ", or auto");
+    }
+    throw UsageError({"parameter.refused", "{0} cannot be \"{1}\".", {key, value}}, remedy);
+}
+
+bool inRange(const Parameter& row, const ParameterValue& value) {
+    if (std::holds_alternative<std::monostate>(value)) {
+        return row.automatic;
+    }
+    switch (row.kind) {
+        case ParameterKind::Switch:
+            return std::holds_alternative<bool>(value);
+        case ParameterKind::Integer: {
+            const auto* number = std::get_if<std::int64_t>(&value);
+            return number && static_cast<double>(*number) >= row.low && static_cast<double>(*number) <= row.high;
+        }
+        case ParameterKind::Number: {
+            const auto* number = std::get_if<double>(&value);
+            return number && std::isfinite(*number) && *number >= row.low && *number <= row.high;
+        }
+        case ParameterKind::Choice: {
+            const auto* name = std::get_if<std::string>(&value);
+            return name && std::find(row.choices.begin(), row.choices.end(), *name) != row.choices.end();
+        }
+        case ParameterKind::Text:
+            return std::holds_alternative<std::string>(value);
+    }
+    return false;
+}
+
+template <class T>
+std::optional<T> wholeNumber(std::string_view text) {
+    T number{};
+    const char* last = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), last, number);
+    return result.ec == std::errc() && result.ptr == last ? std::optional<T>(number) : std::nullopt;
+}
+
+std::optional<ParameterValue> parse(const Parameter& row, std::string_view text) {
+    if (row.automatic && text == "auto") {
+        return ParameterValue{};
+    }
+    switch (row.kind) {
+        case ParameterKind::Switch:
+            if (text == "true" || text == "on" || text == "yes" || text == "1") {
+                return true;
+            }
+            if (text == "false" || text == "off" || text == "no" || text == "0") {
+                return false;
+            }
+            return std::nullopt;
+        case ParameterKind::Integer:
+            if (const auto number = wholeNumber<std::int64_t>(text)) {
+                return *number;
+            }
+            return std::nullopt;
+        case ParameterKind::Number:
+            if (const auto number = wholeNumber<double>(text)) {
+                return *number;
+            }
+            return std::nullopt;
+        case ParameterKind::Choice:
+        case ParameterKind::Text:
+            return std::string(text);
+    }
+    return std::nullopt;
+}
+
+void hashRegrouping(Hasher& hasher, const std::vector<RegroupStep>& steps) {
+    hasher.value(static_cast<std::uint64_t>(steps.size()));
+    for (const RegroupStep& step : steps) {
+        hasher.value(static_cast<std::uint64_t>(step.index()));
+        if (const auto* connectivity = std::get_if<SplitByConnectivity>(&step)) {
+            hasher.text(connectivity->component);
+        } else if (const auto* box = std::get_if<SplitByBox>(&step)) {
+            hasher.text(box->component).text(box->newName).bytes(box->low.data(), 24).bytes(box->high.data(), 24);
+        } else if (const auto* plane = std::get_if<SplitByPlane>(&step)) {
+            hasher.text(plane->component).text(plane->newName).bytes(plane->point.data(), 24).bytes(plane->normal.data(), 24);
+        } else if (const auto* merge = std::get_if<MergeComponents>(&step)) {
+            hasher.value(static_cast<std::uint64_t>(merge->components.size()));
+            for (const std::string& component : merge->components) {
+                hasher.text(component);
+            }
+            hasher.text(merge->newName);
+        } else if (const auto* rename = std::get_if<RenameComponent>(&step)) {
+            hasher.text(rename->component).text(rename->newName);
+        }
+    }
+}
+
+}  // namespace
+
+std::pair<const Parameter*, std::string> findParameter(std::string_view key) {
+    const std::size_t open = key.find('[');
+    const std::size_t close = key.rfind(']');
+    const bool bracketed = open != std::string_view::npos && close != std::string_view::npos && close > open + 1;
+    const std::string pattern =
+        bracketed ? std::string(key.substr(0, open)) + "[*]" + std::string(key.substr(close + 1)) : std::string(key);
+    for (const Parameter& row : parameterTable()) {
+        if (row.key == pattern && row.keyed() == bracketed) {
+            return {&row, bracketed ? std::string(key.substr(open + 1, close - open - 1)) : std::string()};
+        }
+    }
+    throw UsageError({"parameter.unknown", "There is no parameter \"{0}\".", {key}},
+                     {"parameter.near", "Did you mean one of {0}? `rubble-cli parameters` lists all.", {nearestKeys(key)}});
+}
+
+ParameterValue parameterValue(const Scenario& scenario, std::string_view key) {
+    const auto [row, subject] = findParameter(key);
+    return row->get(scenario, subject);
+}
+
+void setParameter(Scenario& scenario, std::string_view key, const ParameterValue& value) {
+    const auto [row, subject] = findParameter(key);
+    if (!inRange(*row, value)) {
+        refuse(*row, key, valueText(value));
+    }
+    row->set(scenario, subject, value);
+}
+
+void setParameterText(Scenario& scenario, std::string_view key, std::string_view value) {
+    if (key == "preset") {
+        applyPreset(scenario, value);
+        return;
+    }
+    const auto [row, subject] = findParameter(key);
+    const std::optional<ParameterValue> parsed = parse(*row, value);
+    if (!parsed || !inRange(*row, *parsed)) {
+        refuse(*row, key, value);
+    }
+    row->set(scenario, subject, *parsed);
+}
+
+std::string valueText(const ParameterValue& value) {
+    struct Visitor {
+        std::string operator()(std::monostate) const { return "auto"; }
+        std::string operator()(bool flag) const { return flag ? "true" : "false"; }
+        std::string operator()(std::int64_t number) const { return std::to_string(number); }
+        std::string operator()(double number) const {
+            std::array<char, 40> buffer{};
+            const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
+            return {buffer.data(), result.ptr};
+        }
+        std::string operator()(const std::string& text) const { return text; }
+    };
+    return std::visit(Visitor{}, value);
+}
+
+std::span<const std::string_view> presetNames() {
+    static constexpr std::array<std::string_view, 3> names{"default", "paper", "reference"};
+    return names;
+}
+
+void applyPreset(Scenario& scenario, std::string_view name) {
+    // A preset settles the method; what describes the scene (file, components, materials, ground) stays.
+    const Scenario defaults;
+    const auto method = [&scenario, &defaults] {
+        scenario.fragments.birthVelocity = defaults.fragments.birthVelocity;
+        scenario.grid.acrossComponents = defaults.grid.acrossComponents;
+        scenario.grid.oneBodyPerFragment = defaults.grid.oneBodyPerFragment;
+        scenario.grid.velocityTolerance = defaults.grid.velocityTolerance;
+        scenario.simulation.solver = defaults.simulation.solver;
+        scenario.simulation.shape = defaults.simulation.shape;
+        scenario.simulation.pieces = defaults.simulation.pieces;
+        scenario.simulation.freeze = defaults.simulation.freeze;
+    };
+    if (name == "default") {
+        method();
+    } else if (name == "reference") {
+        method();
+        scenario.grid.oneBodyPerFragment = true;
+        scenario.simulation.shape = ClusterShape::OrientedBox;
+    } else if (name == "paper") {
+        method();
+        scenario.fragments.birthVelocity = BirthVelocity::Rest;
+        scenario.grid.velocityTolerance = 0.0;
+        scenario.simulation.solver = SolverKind::Bullet;
+        scenario.simulation.shape = ClusterShape::AxisBox;
+        scenario.simulation.pieces = PieceKind::ComponentBox;
+        scenario.simulation.freeze = false;
+    } else {
+        throw UsageError({"preset.unknown", "There is no preset \"{0}\".", {name}},
+                         {"preset.names", "Choose one of default, paper, reference.", {}});
+    }
+}
+
+Digest scenarioSlice(const Scenario& scenario, Stage stage) {
+    Hasher hasher;
+    hasher.text(stageName(stage));
+    for (const Parameter& row : parameterTable()) {
+        if (row.stage != stage) {
+            continue;
+        }
+        if (!row.keyed()) {
+            hasher.text(row.key).text(valueText(row.get(scenario, {})));
+            continue;
+        }
+        for (const auto& [name, settings] : scenario.components) {
+            hasher.text(row.key).text(name).text(valueText(row.get(scenario, name)));
+        }
+    }
+    if (stage == Stage::Components) {
+        hashRegrouping(hasher, scenario.regrouping);
+    }
+    return hasher.finish();
+}
+
+std::optional<Stage> firstStale(const Scenario& before, const Scenario& after) {
+    for (int i = 0; i < stageCount; ++i) {
+        const Stage stage = static_cast<Stage>(i);
+        if (scenarioSlice(before, stage) != scenarioSlice(after, stage)) {
+            return stage;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace rubble

@@ -1,1 +1,18 @@
 #pragma once
+
+#include <string>
+#include <string_view>
+
+#include "widgets/render/view.h"
+
+namespace rubble::figures {
+
+/// A view as JSON: versioned, sorted keys, numbers that read back to the same value.
+std::string toJson(const render::View& view);
+
+/// Reads what toJson() wrote. Missing keys keep their defaults; refuses newer versions.
+/// @param source  file or place the text came from, for messages
+/// Throws ParseError naming source, key and remedy.
+render::View viewFromJson(std::string_view json, std::string_view source);
+
+}  // namespace rubble::figures

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/base/ids.h"
 
 namespace rubble::render {
 
@@ -35,11 +36,17 @@ struct View {
     double time = 0.0;              ///< s, on the file's clock
     ColourBy colourBy = ColourBy::Highlight;
     Theme theme = Theme::Light;
+    bool ground = true;
     bool captions = true;
     bool legends = true;
     bool scaleBar = true;
+    std::vector<ElementIndex> selection;  ///< drawn in the accent colour in both panes, active or fragment
 
     friend bool operator==(const View&, const View&) = default;
 };
+
+/// The camera that a pane of this view uses.
+const Camera& cameraOf(const View& view, PaneContent content);
+Camera& cameraOf(View& view, PaneContent content);
 
 }  // namespace rubble::render

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QImage>
+#include <QSize>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/execution.h"
+#include "widgets/render/scene_data.h"
+#include "widgets/render/view.h"
+
+namespace rubble::figures {
+
+/// Makes a QGuiApplication with the platform "offscreen" if there is none: text in figures needs one. Call once from the main
+/// thread.
+void ensureGuiApplication();
+
+/// True if an off-screen GL window can be opened: DISPLAY names an X server that answers.
+bool displayAvailable();
+
+/// Size and place of a figure.
+struct FigureStyle {
+    QSize pixels{1600, 1000};
+    double dpi = 200.0;      ///< decides the size of text: 9 pt
+    bool framed = true;      ///< figure style: white background, captions below; false: as in the window
+    std::string provenance;  ///< one line in 6 pt at the foot, empty for none
+};
+
+/// Draws views off-screen. Opens its GL window once and keeps it: use one studio for many pictures (movie frames).
+class Studio {
+public:
+    /// Throws WorldError (remedy: an X display, or Xvfb) when no display answers; call ensureGuiApplication() first.
+    explicit Studio(const render::SceneData& data);
+    ~Studio();
+    Studio(const Studio&) = delete;
+    Studio& operator=(const Studio&) = delete;
+
+    /// The picture of a view. A framed figure takes the Print theme whatever the view says.
+    QImage picture(const render::View& view, const FigureStyle& style);
+    /// The status that the last picture showed.
+    const render::PaneStatus& status(render::PaneContent content) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// Draws one view and writes it as PNG (resolution and provenance inside). Throws WorldError naming the path.
+void writeFigure(const std::string& path, const render::View& view, const render::SceneData& data, const FigureStyle& style);
+
+/// Writes an image as PNG, atomically. Throws WorldError naming the path.
+void writePng(const std::string& path, const QImage& image);
+
+}  // namespace rubble::figures

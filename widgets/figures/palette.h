@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QColor>
+
+#include <array>
+#include <vector>
+
+#include "widgets/render/colours.h"
+#include "widgets/render/view.h"
+
+namespace rubble::figures {
+
+/// All colours of the program: window, views, charts and figures. One table per theme.
+struct Palette {
+    QColor window;        ///< behind panels
+    QColor panel;         ///< panels and bars
+    QColor field;         ///< editable fields
+    QColor hairline;      ///< between areas
+    QColor text;          ///< running text
+    QColor muted;         ///< units, subtitles, axis labels
+    QColor accent;        ///< selection and primary action
+    QColor accentText;    ///< on accent
+    QColor accentTint;    ///< selected row
+    QColor fragment;      ///< vermilion, everywhere
+    QColor fragmentTint;  ///< area under a curve of fragments
+    QColor structure;     ///< stone grey of the active structure in legends
+    QColor finding;       ///< amber
+    QColor findingTint;   ///< behind a finding
+    QColor error;         ///< errors only
+    QColor good;          ///< good only
+    QColor chip;          ///< behind captions and legends in views (may be translucent)
+    QColor chipText;
+    QColor skyTop, skyHorizon, ground, groundGrid;  ///< background of views
+    std::vector<QColor> structureGreys;             ///< by component, in turn
+    std::vector<QColor> categories;                 ///< Okabe-Ito family, in turn
+};
+
+const Palette& palette(render::Theme theme);
+
+/// Colour of the birth-time and the speed scale at a place in [0, 1]; lightness rises all the way, so they read in grey too.
+QColor birthColour(double place);
+QColor speedColour(double place);
+
+/// What the scene draws with, from the palette.
+render::SceneColours sceneColours(render::Theme theme);
+
+}  // namespace rubble::figures

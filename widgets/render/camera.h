@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/base/geometry.h"
+#include "widgets/render/view.h"
+
+namespace rubble::render {
+
+/// Standard directions of view: from the side along +y and slightly from above, straight along +y, straight down.
+enum class Preset : std::uint8_t { Side, Front, Top };
+
+/// A camera that shows a box whole, with a small margin.
+/// @param bounds  m; an empty box gives the default camera
+/// @param aspect  width over height of the pane
+Camera fitCamera(const Aabb& bounds, double aspect, Preset preset = Preset::Side);
+/// The same direction, moved so that the box fits.
+Camera refit(const Camera& camera, const Aabb& bounds, double aspect);
+
+/// Half-line from the eye (or the parallel picture plane) through a point of a pane.
+struct Ray {
+    Vec3 origin = Vec3::Zero();
+    Vec3 direction = Vec3::UnitY();  ///< unit length
+};
+/// @param u, v  place in the pane, from its left and top edge, in [0, 1]
+Ray rayThrough(const Camera& camera, double u, double v, double aspect);
+
+/// Turns about the focal point: yaw about z, then pitch about the camera's right; stops short of straight up and down. Radians.
+Camera orbit(const Camera& camera, double yaw, double pitch);
+/// Moves with the mouse, so that what lies in the plane of the focal point stays under the cursor.
+/// @param dx, dy  pixels, y downwards
+Camera pan(const Camera& camera, double dx, double dy, double paneHeight);
+/// Zooms by a factor (> 1 nears) keeping the point under the cursor in place. Place of the cursor as in rayThrough().
+Camera zoom(const Camera& camera, double factor, double u, double v, double aspect);
+/// Makes a point the new focal point, keeping direction and distance.
+Camera centreOn(const Camera& camera, const Vec3& point);
+/// Between two cameras, for moves of the view; t in [0, 1].
+Camera between(const Camera& from, const Camera& to, double t);
+
+/// Metres that one pixel covers in the plane of the focal point.
+double metresPerPixel(const Camera& camera, double paneHeight);
+
+}  // namespace rubble::render

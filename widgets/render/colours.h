@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace rubble::render {
+
+struct Rgb {
+    std::uint8_t r = 0;
+    std::uint8_t g = 0;
+    std::uint8_t b = 0;
+
+    friend bool operator==(const Rgb&, const Rgb&) = default;
+};
+
+/// Colours of a scene, given from outside (the palette of figures): render decides none.
+struct SceneColours {
+    Rgb skyTop, skyHorizon;
+    Rgb ground, grid;
+    Rgb divider;                       ///< between panes
+    Rgb fragment;                      ///< plain highlight
+    Rgb selection;                     ///< accent
+    std::vector<Rgb> structure;        ///< stone greys, taken in turn by component
+    std::vector<Rgb> categories;       ///< by component or cluster, taken in turn
+    std::array<Rgb, 256> birthRamp{};  ///< first birth .. last birth
+    std::array<Rgb, 256> speedRamp{};  ///< 0 .. Scene::speedTop()
+    double ambient = 0.4;              ///< share of light that comes from everywhere
+
+    friend bool operator==(const SceneColours&, const SceneColours&) = default;
+};
+
+}  // namespace rubble::render

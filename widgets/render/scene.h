@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "widgets/render/colours.h"
+#include "widgets/render/panes.h"
+#include "widgets/render/scene_data.h"
+#include "widgets/render/view.h"
+
+class vtkRenderWindow;
+
+namespace rubble::render {
+
+/// What a pane showed when it was last updated: for captions, legends and the status line.
+struct PaneStatus {
+    double time = 0.0;          ///< s, of what is shown (a growing run may not have reached the view's time)
+    std::uint32_t state = 0;    ///< last FE state at or before it, 0-based
+    std::uint32_t states = 0;   ///< of the FE result
+    bool interpolated = false;  ///< between two FE states (FE pane) or two frames (fragments pane)
+    bool afterFeEnd = false;    ///< the structure is held at the last FE state
+    bool waitsForRun = false;   ///< the run has not got to the view's time; the last computed instant is shown
+    bool simulated = false;     ///< bodies come from a trajectory; else fragments stand at their birth place
+    FrameKind kind = FrameKind::Fe;
+    std::size_t elements = 0;                  ///< of the model
+    std::size_t active = 0;                    ///< shown as active structure
+    std::size_t fragments = 0;                 ///< shown as born
+    std::vector<std::size_t> bornByComponent;  ///< fragments shown as born, of each component
+    std::size_t clusters = 0;                  ///< with at least one fragment born
+    std::size_t faces = 0;                     ///< drawn
+};
+
+/// What lies under a pixel.
+struct Pick {
+    PaneContent pane = PaneContent::Fe;
+    ElementIndex element{};
+    std::optional<FragmentId> fragment;  ///< set when the element is shown as a fragment
+    Vec3 position = Vec3::Zero();        ///< m, where the ray meets it
+};
+
+/// Two views of a collapse as renderers in one VTK window that the caller owns: a vtkGenericOpenGLRenderWindow inside a widget, or
+/// an off-screen window. One polydata per view; only faces that can be seen are made. To be used from one thread.
+class Scene {
+public:
+    Scene();
+    ~Scene();
+    Scene(const Scene&) = delete;
+    Scene& operator=(const Scene&) = delete;
+
+    /// Puts the renderers into a window (not owned; detach before it dies).
+    void attach(vtkRenderWindow& window);
+    /// Takes them out and frees their GL resources. The window's GL context must be current.
+    void detach();
+
+    void setData(const SceneData& data);
+    const SceneData& data() const;
+    void setColours(const SceneColours& colours);
+
+    /// Draw every face, hidden ones too (what leaving them out brings is measured with this). Default off.
+    void setAllFaces(bool all);
+
+    /// Brings all panes to a view: positions, colours, cameras, layout. Draws nothing; call the window's Render() after.
+    /// @param width, height  of the window, device pixels
+    void update(const View& view, int width, int height);
+    /// As of the last update().
+    const PaneStatus& status(PaneContent content) const;
+    /// The element or fragment under a pixel (y downwards) as of the last update(); nothing where there is only ground or sky.
+    std::optional<Pick> pick(int x, int y) const;
+    /// The point of the ground under a pixel, as of the last update().
+    std::optional<Vec3> groundAt(int x, int y) const;
+
+    /// Box of the model at rest, down to the ground; empty without data.
+    Aabb bounds() const;
+    /// Speed at the upper end of the speed colours, m/s: a fall from the model's full height, rounded up.
+    double speedTop() const;
+    /// First and last birth time, s; both 0 without fragments.
+    std::pair<double, double> birthSpan() const;
+    /// Index into SceneColours::categories for a component and for a cluster.
+    std::size_t categoryOf(ComponentId component) const;
+    std::size_t categoryOf(ClusterId cluster) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// A sensible view of data that was just opened: layout by the model's proportions, both cameras fitted, time at the first state.
+View defaultView(const SceneData& data, int width, int height);
+
+}  // namespace rubble::render

@@ -1,0 +1,90 @@
+#include <cassert>
+#include <mutex>
+
+#include "core/trajectory/trajectory.h"
+
+namespace rubble {
+
+struct MemoryTrajectory::Store {
+    mutable std::mutex mutex;
+    std::vector<std::shared_ptr<const TrajectoryFrame>> frames;
+    std::vector<BodyRecord> bodies;
+    std::vector<Carrier> carriers;
+    std::vector<LedgerRow> ledger;
+    bool complete = false;
+};
+
+MemoryTrajectory::MemoryTrajectory() : m_store(std::make_unique<Store>()) {}
+MemoryTrajectory::~MemoryTrajectory() = default;
+
+void MemoryTrajectory::begin(const RunDescription&) {
+    const std::scoped_lock lock(m_store->mutex);
+    m_store->frames.clear();
+    m_store->bodies.clear();
+    m_store->carriers.clear();
+    m_store->ledger.clear();
+    m_store->complete = false;
+}
+
+void MemoryTrajectory::addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) {
+    const std::scoped_lock lock(m_store->mutex);
+    assert(!m_store->complete);
+    m_store->bodies.insert(m_store->bodies.end(), bodies.begin(), bodies.end());
+    m_store->carriers.insert(m_store->carriers.end(), carriers.begin(), carriers.end());
+}
+
+void MemoryTrajectory::commit(const TrajectoryFrame& frame) {
+    assert(frame.orientations.size() == frame.bodies() && frame.speeds.size() == frame.bodies() &&
+           frame.states.size() == frame.bodies());
+    auto kept = std::make_shared<const TrajectoryFrame>(frame);
+    const std::scoped_lock lock(m_store->mutex);
+    assert(!m_store->complete && (m_store->frames.empty() || m_store->frames.back()->time <= frame.time));
+    m_store->frames.push_back(std::move(kept));
+}
+
+void MemoryTrajectory::addLedger(const LedgerRow& row) {
+    const std::scoped_lock lock(m_store->mutex);
+    m_store->ledger.push_back(row);
+}
+
+void MemoryTrajectory::finish(const SimulationResult&) {
+    const std::scoped_lock lock(m_store->mutex);
+    m_store->complete = true;
+}
+
+std::size_t MemoryTrajectory::frameCount() const {
+    const std::scoped_lock lock(m_store->mutex);
+    return m_store->frames.size();
+}
+
+double MemoryTrajectory::frameTime(std::size_t i) const {
+    return frame(i)->time;
+}
+
+std::shared_ptr<const TrajectoryFrame> MemoryTrajectory::frame(std::size_t i) const {
+    const std::scoped_lock lock(m_store->mutex);
+    assert(i < m_store->frames.size());
+    return m_store->frames[i];
+}
+
+std::vector<BodyRecord> MemoryTrajectory::bodies() const {
+    const std::scoped_lock lock(m_store->mutex);
+    return m_store->bodies;
+}
+
+std::vector<Carrier> MemoryTrajectory::carriers() const {
+    const std::scoped_lock lock(m_store->mutex);
+    return m_store->carriers;
+}
+
+bool MemoryTrajectory::complete() const {
+    const std::scoped_lock lock(m_store->mutex);
+    return m_store->complete;
+}
+
+std::vector<LedgerRow> MemoryTrajectory::ledger() const {
+    const std::scoped_lock lock(m_store->mutex);
+    return m_store->ledger;
+}
+
+}  // namespace rubble

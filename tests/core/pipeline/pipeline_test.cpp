@@ -1,0 +1,113 @@
+#include "core/pipeline/pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/scenario/parameters.h"
+#include "tests/scenes/fe_scenes.h"
+
+namespace rubble {
+namespace {
+
+std::string keyFor(const Parameter& row) {
+    std::string key(row.key);
+    const std::size_t star = key.find("[*]");
+    return star == std::string::npos ? key : key.replace(star, 3, "[wall]");
+}
+
+/// A legal value near the default that a run still works with.
+ParameterValue changed(const Parameter& row, const Scenario& scenario) {
+    const ParameterValue now = parameterValue(scenario, keyFor(row));
+    switch (row.kind) {
+        case ParameterKind::Switch:
+            return !(std::holds_alternative<bool>(now) ? std::get<bool>(now) : true);
+        case ParameterKind::Integer:
+            return std::holds_alternative<std::int64_t>(now) ? std::get<std::int64_t>(now) + 1 : std::int64_t{1};
+        case ParameterKind::Number:
+            return std::holds_alternative<double>(now) ? std::get<double>(now) * 0.9 + 0.01 : 1.7;
+        case ParameterKind::Choice:
+            return std::string(std::get<std::string>(now) == row.choices.front() ? row.choices.back() : row.choices.front());
+        case ParameterKind::Text:
+            return std::string("other");
+    }
+    return now;
+}
+
+class Pipeline : public testing::Test {
+protected:
+    Inputs inputs{scenes::collapsingWall(), {}};
+    Execution execution;
+    Scenario scenario;
+
+    void SetUp() override { scenario.simulation.settleTime = 0.2; }
+    Results runTo(Stage last, const Results& previous = {}) {
+        MemoryTrajectory sink;
+        return run(inputs, scenario, last, previous, &sink, execution);
+    }
+};
+
+TEST_F(Pipeline, StopsAtTheStageAskedFor) {
+    for (int i = 0; i < stageCount; ++i) {
+        const Results results = runTo(static_cast<Stage>(i));
+        for (int j = 0; j < stageCount; ++j) {
+            EXPECT_EQ(results.has(static_cast<Stage>(j)), j <= i) << i << " " << j;
+        }
+    }
+}
+
+TEST_F(Pipeline, ReusesEverythingWhenNothingChanged) {
+    const Results first = runTo(Stage::Simulation);
+    const Results second = runTo(Stage::Simulation, first);
+    EXPECT_EQ(first.components, second.components);
+    EXPECT_EQ(first.simulation, second.simulation);
+    EXPECT_EQ(first.keys, second.keys);
+    EXPECT_EQ(first.wallSeconds, second.wallSeconds);
+}
+
+TEST_F(Pipeline, EveryParameterDropsItsStageAndAllLaterOnes) {
+    const Results before = runTo(Stage::Clusters);
+    const Scenario original = scenario;
+    for (const Parameter& row : parameterTable()) {
+        if (row.kind == ParameterKind::Choice && row.choices.size() == 1) {
+            continue;  // has no other value
+        }
+        SCOPED_TRACE(row.key);
+        scenario = original;
+        setParameter(scenario, keyFor(row), changed(row, scenario));
+        for (int i = 0; i < stageCount; ++i) {
+            const Stage stage = static_cast<Stage>(i);
+            EXPECT_EQ(stageKey(inputs, scenario, stage) == stageKey(inputs, original, stage), stage < row.stage);
+        }
+        const Results after = runTo(Stage::Clusters, before);
+        EXPECT_EQ(before.components == after.components, row.stage > Stage::Components);
+        EXPECT_EQ(before.fragments == after.fragments, row.stage > Stage::Fragments);
+        EXPECT_EQ(before.sizing == after.sizing, row.stage > Stage::Sizing);
+        EXPECT_EQ(before.clustering == after.clustering, row.stage > Stage::Clusters);
+    }
+}
+
+TEST_F(Pipeline, AnotherFileDropsEverything) {
+    const Results first = runTo(Stage::Clusters);
+    inputs.fe = scenes::collapsingWall(5, 3);
+    const Results second = runTo(Stage::Clusters, first);
+    for (int i = 0; i < stageCount - 1; ++i) {
+        EXPECT_NE(first.keys[static_cast<std::size_t>(i)], second.keys[static_cast<std::size_t>(i)]);
+    }
+    EXPECT_NE(first.fragments, second.fragments);
+}
+
+TEST_F(Pipeline, IsPure) {
+    const Results a = runTo(Stage::Simulation);
+    const Results b = runTo(Stage::Simulation);
+    EXPECT_EQ(a.keys, b.keys);
+    EXPECT_EQ(a.simulation->trajectoryHash, b.simulation->trajectoryHash);
+    EXPECT_EQ(a.fragments->size(), 12u);
+}
+
+TEST_F(Pipeline, CancelLeavesByTheCancelledException) {
+    execution.cancel();
+    EXPECT_THROW(runTo(Stage::Components), Cancelled);
+}
+
+}  // namespace
+}  // namespace rubble

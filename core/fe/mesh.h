@@ -44,7 +44,7 @@ struct Mesh {
     std::vector<std::uint32_t> corners;    ///< node indices, corner nodes only (midside nodes are left out)
     std::vector<double> density;           ///< kg/m3, NaN where the file does not say [elements]
     std::vector<double> section;           ///< shells: thickness m; beams: area m2; NaN where unknown or not applicable [elements]
-    std::vector<Part> parts;
+    std::vector<Part> parts;               ///< names are unique and not empty
 
     std::size_t nodeCount() const { return nodes.size(); }
     std::size_t elementCount() const { return shapes.size(); }

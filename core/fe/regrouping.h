@@ -4,12 +4,14 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/finding.h"
 #include "core/base/geometry.h"
+#include "core/fe/mesh.h"
 
 namespace rubble {
 
 /// Splits a component into its pieces that hang together by shared nodes; pieces are named "NAME 1", "NAME 2", ... from the
-/// largest.
+/// largest (most elements; ties: lowest element). A component of one piece keeps its name.
 struct SplitByConnectivity {
     std::string component;
     friend bool operator==(const SplitByConnectivity&, const SplitByConnectivity&) = default;
@@ -44,5 +46,19 @@ struct RenameComponent {
 
 /// One step of regrouping; a scenario holds them in order and they are applied to the parts of the file.
 using RegroupStep = std::variant<SplitByConnectivity, SplitByBox, SplitByPlane, MergeComponents, RenameComponent>;
+
+/// A named set of elements while components are being made.
+struct ElementGroup {
+    std::string name;
+    std::vector<ElementIndex> elements;  ///< ascending
+};
+
+/// The parts of the file that hold elements, in file order, after the steps were applied in order. A piece split off stands behind
+/// its source; a group left without elements goes. A step that moves nothing is a finding.
+/// Throws UsageError if a step names a component that does not exist, or gives a name that another one has.
+std::vector<ElementGroup> regroup(const Mesh& mesh, const std::vector<RegroupStep>& steps, Findings& findings);
+
+/// The error for a component name that does not exist: names it and the ones that come nearest.
+[[noreturn]] void throwUnknownComponent(const std::string& name, const std::vector<std::string>& existing);
 
 }  // namespace rubble

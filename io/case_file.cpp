@@ -1,0 +1,252 @@
+#include "io/case_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "io/case_migrations.h"
+#include "io/files.h"
+#include "io/json_cursor.h"
+#include "io/scenario_json.h"
+
+namespace rubble::io {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::string_view formatName = "rubble-case";
+// No case comes near this; a larger file is something else and is not read into memory.
+constexpr std::uintmax_t sizeLimit = std::uintmax_t{64} << 20;
+
+constexpr std::array<std::pair<InputRole, std::string_view>, 4> roleNames{{
+    {InputRole::Fe, "fe"},
+    {InputRole::Terrain, "terrain"},
+    {InputRole::Photograph, "photograph"},
+    {InputRole::Survey, "survey"},
+}};
+
+std::string roleName(InputRole role) {
+    return std::string(
+        std::find_if(roleNames.begin(), roleNames.end(), [role](const auto& entry) { return entry.first == role; })->second);
+}
+
+InputRole roleFrom(const JsonCursor& cursor) {
+    const std::string name = cursor.text();
+    for (const auto& [role, known] : roleNames) {
+        if (known == name) {
+            return role;
+        }
+    }
+    cursor.fail("fe, terrain, photograph or survey");
+}
+
+bool isSha256(const std::string& text) {
+    return text.empty() || (text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos);
+}
+
+// What is wrong with the ids of a case and where; an empty reason if nothing is.
+struct Flaw {
+    std::string place;
+    std::string reason;
+};
+
+Flaw flawOf(const Case& theCase) {
+    if (!(theCase.frame.metresPerUnit > 0.0) || !std::isfinite(theCase.frame.metresPerUnit)) {
+        return {"/frame/metres_per_unit", "the unit must be a number above zero"};
+    }
+    std::set<std::string> feInputs;
+    std::set<std::string> ids;
+    for (std::size_t i = 0; i < theCase.inputs.size(); ++i) {
+        const CaseInput& input = theCase.inputs[i];
+        if (input.id.empty() || !ids.insert(input.id).second) {
+            return {"/inputs/" + std::to_string(i) + "/id", "an id must not be empty and must be the only one of its kind"};
+        }
+        if (input.path.empty()) {
+            return {"/inputs/" + std::to_string(i) + "/path", "an input needs a path"};
+        }
+        if (!isSha256(input.sha256)) {
+            return {"/inputs/" + std::to_string(i) + "/sha256", "a SHA-256 has 64 lower-case hexadecimal digits"};
+        }
+        if (input.role == InputRole::Fe) {
+            feInputs.insert(input.id);
+        }
+    }
+    std::set<std::string> scenarios;
+    for (std::size_t i = 0; i < theCase.scenarios.size(); ++i) {
+        const CaseScenario& scenario = theCase.scenarios[i];
+        const std::string place = "/scenarios/" + std::to_string(i);
+        if (scenario.id.empty() || !scenarios.insert(scenario.id).second) {
+            return {place + "/id", "an id must not be empty and must be the only one of its kind"};
+        }
+        if (!scenario.feInput.empty() && !feInputs.contains(scenario.feInput)) {
+            return {place + "/fe_input", "there is no FE input \"" + scenario.feInput + "\""};
+        }
+    }
+    if (!theCase.activeScenario.empty() && !scenarios.contains(theCase.activeScenario)) {
+        return {"/active_scenario", "there is no scenario \"" + theCase.activeScenario + "\""};
+    }
+    return {};
+}
+
+json caseJson(const Case& theCase) {
+    json inputs = json::array();
+    for (const CaseInput& input : theCase.inputs) {
+        inputs.push_back({{"id", input.id}, {"role", roleName(input.role)}, {"path", input.path}, {"sha256", input.sha256}});
+    }
+    json scenarios = json::array();
+    for (const CaseScenario& scenario : theCase.scenarios) {
+        json entry = scenarioJson(scenario.scenario);
+        entry["id"] = scenario.id;
+        entry["name"] = scenario.name;
+        entry["note"] = scenario.note;
+        entry["fe_input"] = scenario.feInput;
+        scenarios.push_back(std::move(entry));
+    }
+    return {{"format", formatName},
+            {"version", caseVersion},
+            {"title", theCase.title},
+            {"frame", frameJson(theCase.frame)},
+            {"inputs", std::move(inputs)},
+            {"scenarios", std::move(scenarios)},
+            {"active_scenario", theCase.activeScenario}};
+}
+
+Case caseFromJson(const JsonCursor& top) {
+    top.allowOnly({"format", "version", "title", "frame", "inputs", "scenarios", "active_scenario"});
+    Case theCase;
+    theCase.title = top["title"].text();
+    theCase.frame = frameFromJson(top["frame"]);
+    for (const JsonCursor& input : top["inputs"].elements()) {
+        input.allowOnly({"id", "role", "path", "sha256"});
+        theCase.inputs.push_back({input["id"].text(), roleFrom(input["role"]), input["path"].text(), input["sha256"].text()});
+    }
+    for (const JsonCursor& entry : top["scenarios"].elements()) {
+        entry.allowOnly({"id", "name", "note", "fe_input", "settings", "regrouping"});
+        theCase.scenarios.push_back(
+            {entry["id"].text(), entry["name"].text(), entry["note"].text(), entry["fe_input"].text(), scenarioFromJson(entry)});
+    }
+    theCase.activeScenario = top["active_scenario"].text();
+    return theCase;
+}
+
+// The version decides how everything else is read, so it is looked at before anything else.
+void bringUpToDate(json& document, const std::string& file) {
+    const JsonCursor top(document, file);
+    const auto format = document.is_object() ? document.find("format") : document.end();
+    if (!document.is_object() || format == document.end() || *format != formatName) {
+        throw ParseError(Message{"io.case.not_a_case", "{0} is JSON, but not a case of Rubble", {file}},
+                         Message{"io.case.not_a_case.remedy", "Open a *.rubble file or an FE result.", {}});
+    }
+    const std::int64_t version = top["version"].integer();
+    if (version > caseVersion) {
+        throw ParseError(Message{"io.case.newer",
+                                 "{0} was written by a newer Rubble: case version {1}, this program reads up to {2}",
+                                 {file, version, caseVersion}},
+                         Message{"io.case.newer.remedy", "Open it with a newer Rubble; the file is unchanged.", {}});
+    }
+    if (version < 1 || !migrateCase(document, static_cast<int>(version), caseVersion, caseMigrations())) {
+        top["version"].fail("a case version from 1 to " + std::to_string(caseVersion));
+    }
+}
+
+[[noreturn]] void failRead(const std::string& path) {
+    throw WorldError(Message{"io.case.unreadable", "Cannot read the case {0}", {path}},
+                     Message{"io.case.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+}
+
+}  // namespace
+
+bool isCaseFile(const std::string& path) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored)) {
+        return false;
+    }
+    std::ifstream in(path, std::ios::binary);
+    if (in.peek() == 0xEF) {
+        in.ignore(3);
+    }
+    in >> std::ws;
+    return in.peek() == '{';
+}
+
+Case caseFromText(const std::string& text, const std::string& nameForErrors) {
+    json document = parseJson(text, nameForErrors);
+    bringUpToDate(document, nameForErrors);
+    const JsonCursor top(document, nameForErrors);
+    Case theCase = caseFromJson(top);
+    if (const Flaw flaw = flawOf(theCase); !flaw.reason.empty()) {
+        const JsonCursor place(document, nameForErrors, flaw.place);
+        place.refuse(flaw.reason, "Correct it in the file, or take the last good copy.");
+    }
+    return theCase;
+}
+
+std::string caseText(const Case& theCase) {
+    if (const Flaw flaw = flawOf(theCase); !flaw.reason.empty()) {
+        throw UsageError(Message{"io.case.flawed", "The case cannot be saved: at {0}: {1}", {flaw.place, flaw.reason}},
+                         Message{"io.case.flawed.remedy", "Correct the inputs and scenarios of the case.", {}});
+    }
+    try {
+        return caseJson(theCase).dump(2) + "\n";
+    } catch (const json::type_error&) {
+        throw UsageError(Message{"io.case.not_utf8", "The case cannot be saved: a name or a path in it is not valid UTF-8", {}},
+                         Message{"io.case.not_utf8.remedy", "Rename the file or the component in question.", {}});
+    }
+}
+
+Case loadCase(const std::string& path) {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (error) {
+        failRead(path);
+    }
+    if (size > sizeLimit) {
+        throw ParseError(Message{"io.case.too_large", "{0} is too large for a case", {path}},
+                         Message{"io.case.not_a_case.remedy", "Open a *.rubble file or an FE result.", {}});
+    }
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in || in.bad()) {
+        failRead(path);
+    }
+    return caseFromText(text.str(), path);
+}
+
+void saveCase(const std::string& path, const Case& theCase) {
+    Case complete = theCase;
+    for (CaseInput& input : complete.inputs) {
+        std::error_code ignored;
+        if (input.sha256.empty() && fs::is_regular_file(inputPath(path, input), ignored)) {
+            input.sha256 = sha256OfFile(inputPath(path, input));
+        }
+    }
+    const std::string text = caseText(complete);
+    writeAtomically(path, [&text](std::ostream& out) { out << text; });
+}
+
+Case caseForFe(const std::string& fePath, const std::string& casePath) {
+    const fs::path folder = fs::absolute(casePath.empty() ? fs::path("case") : fs::path(casePath)).parent_path();
+    const fs::path relative = fs::absolute(fePath).lexically_normal().lexically_relative(folder.lexically_normal());
+    Case theCase;
+    theCase.title = fs::path(fePath).stem().string();
+    theCase.inputs.push_back({"fe-1", InputRole::Fe, relative.generic_string(), {}});
+    theCase.scenarios.push_back({"scenario-1", "As computed", {}, "fe-1", Scenario{}});
+    theCase.activeScenario = "scenario-1";
+    return theCase;
+}
+
+std::string inputPath(const std::string& casePath, const CaseInput& input) {
+    return (fs::absolute(casePath.empty() ? fs::path("case") : fs::path(casePath)).parent_path() / input.path)
+        .lexically_normal()
+        .string();
+}
+
+}  // namespace rubble::io

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+
+namespace rubble::io {
+
+/// Turns a case document of version `from` into one of version from + 1.
+struct CaseMigration {
+    int from;
+    void (*step)(nlohmann::json&);
+};
+
+inline constexpr int caseVersion = 1;
+
+/// The known steps, one for each older version, oldest first.
+std::span<const CaseMigration> caseMigrations();
+
+/// Brings a document from version `from` to version `to`, one step at a time, and writes the new version into it.
+/// @return false if a step between the two is missing
+bool migrateCase(nlohmann::json& document, int from, int to, std::span<const CaseMigration> steps);
+
+}  // namespace rubble::io

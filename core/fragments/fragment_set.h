@@ -36,12 +36,12 @@ struct Fragment {
     double handOverTime = 0.0;            ///< s, time of handOverState
     double birthTime = 0.0;               ///< s, when it is shown and reported as born (state or exact, by setting)
     double endTime = 0.0;                 ///< s, when its element comes back to life (policy follow); infinity otherwise
-    double mass = 0.0;                    ///< kg, volume at rest x density
+    double mass = 0.0;                    ///< kg, volume at rest x density; positive
     Vec3 centre = Vec3::Zero();           ///< m, centre of mass
     Mat3 inertia = Mat3::Zero();          ///< kg m2 about the centre, world axes, from the consistent mass
     Vec3 velocity = Vec3::Zero();         ///< m/s of the centre
     Vec3 angularVelocity = Vec3::Zero();  ///< rad/s
-    OrientedBox box;                      ///< around the solid, axes from the element's own rotation
+    OrientedBox box;                      ///< tight around the solid, axes from the element's own rotation
     Aabb bounds;                          ///< of the solid, world axes
     Momenta fe;                           ///< of the element by quadrature of the nodal velocity field, before the rigid fit
 };
@@ -60,9 +60,13 @@ struct FragmentSet {
     }
 };
 
-/// Turns every deactivated element into a fragment (DESIGN.md 2.1). Elements inactive at the first state, or never active, give
-/// none and are counted. Reads each state of the FE result at most once, in order. Throws Cancelled; UsageError when an element
-/// comes back to life under the policy refuse.
+/// Turns every deactivated element into a fragment (DESIGN.md 2.1). An element that is never active gives none and is counted; one
+/// that appears after the first state is counted and gives one if it dies later. A dying element whose positions are not numbers is
+/// refused and counted. Mass, inertia and momenta come from the element at its last active state with its own thickness or section;
+/// solid and box are what an engine can bear: never thinner than the settings say, not folded, not inside out. Fragments close with
+/// their `fe` in mass, linear and angular momentum to rounding, unless they are born at rest by setting. A birth shift moves the
+/// element before anything is taken from it, so that both sides of the ledger move. Reads each state of the FE result at most once,
+/// in order. Throws Cancelled; UsageError when an element comes back to life under the policy refuse, or has no positive density.
 FragmentSet makeFragments(const FeResult& fe, const Components& components, const FragmentSettings& settings,
                           const Execution& execution);
 

@@ -1,1 +1,13 @@
-int main() {}
+#include <unistd.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "app/cli/command_line.h"
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const bool progress = isatty(STDERR_FILENO) == 1;
+    return static_cast<int>(rubble::cli::performCommandLine(words, std::cout, std::cerr, progress));
+}

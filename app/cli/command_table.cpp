@@ -1,0 +1,42 @@
+#include "app/cli/commands.h"
+
+namespace rubble::cli {
+
+const std::vector<Command>& commandTable() {
+    static const std::vector<Command> table = [] {
+        std::vector<Command> rows{inspectCommand(), sizeCommand(),   runCommand(),       exportCommand(),
+                                  figureCommand(),  verifyCommand(), parametersCommand()};
+        for (Command& row : rows) {
+            row.options.push_back(jsonOption());
+            row.options.push_back(helpOption());
+        }
+        return rows;
+    }();
+    return table;
+}
+
+Option helpOption() {
+    return {"--help", "", false, "print this help"};
+}
+
+Option jsonOption() {
+    return {"--json", "", false, "print one JSON object instead of tables; its keys are in the manual"};
+}
+
+Option csvOption(std::string_view help) {
+    return {"--csv", "FILE", false, help};
+}
+
+Option setOption() {
+    return {"--set", "KEY=VALUE", true, "change a parameter (see rubble-cli parameters); preset=paper applies a preset"};
+}
+
+Option scenarioOption() {
+    return {"--scenario", "ID", false, "scenario of a case, by id or name (default: its active one)"};
+}
+
+Option feOption() {
+    return {"--fe", "FILE", false, "where the FE file of the run is now"};
+}
+
+}  // namespace rubble::cli

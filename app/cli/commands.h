@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "app/cli/command.h"
+
+namespace rubble::cli {
+
+// One row of the command table each.
+Command inspectCommand();
+Command sizeCommand();
+Command runCommand();
+Command exportCommand();
+Command figureCommand();
+Command verifyCommand();
+Command parametersCommand();
+
+/// Every command, in the order in which the help lists them.
+const std::vector<Command>& commandTable();
+
+// Options that several commands share.
+Option helpOption();
+Option jsonOption();
+Option csvOption(std::string_view help);
+Option setOption();
+Option scenarioOption();
+Option feOption();
+
+}  // namespace rubble::cli

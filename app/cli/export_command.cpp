@@ -1,0 +1,89 @@
+#include "app/cli/commands.h"
+#include "app/cli/export_request.h"
+#include "app/cli/json_output.h"
+#include "app/cli/output_file.h"
+#include "app/cli/run_inputs.h"
+#include "core/base/error.h"
+
+namespace rubble::cli {
+
+namespace {
+
+void reportFiles(const Arguments& arguments, Session& session, const io::RunReader& run, const std::vector<std::string>& files) {
+    if (!run.complete()) {
+        session.err() << "rubble-cli: note: this run is not complete; it holds " << run.frameCount() << " frames\n";
+    }
+    if (arguments.json()) {
+        Json object;
+        object["run"] = arguments.operand();
+        object["complete"] = run.complete();
+        object["frames"] = run.frameCount();
+        object["exports"] = files;
+        printJson(session, object);
+        return;
+    }
+    for (const std::string& path : files) {
+        session.out() << path << '\n';
+    }
+}
+
+ExitCode exportRun(const Arguments& arguments, Session& session) {
+    const std::vector<std::string> inputs{arguments.operand()};
+    const ExportRequest exports(arguments, inputs);
+    if (exports.empty()) {
+        throw UsageError({"cli.no_export", "Nothing was asked for.", {}},
+                         {"cli.no_export.remedy", "Say what to write: --export KIND=PATH.", {}});
+    }
+    const std::shared_ptr<io::RunReader> run = io::openRun(arguments.operand());
+    std::shared_ptr<const FeResult> fe;
+    if (exports.needsFe()) {
+        fe = openFeOfRun(arguments.operand(), run->origin(), arguments.value("--fe"), session);
+    }
+    exports.perform(run, fe, session);
+    reportFiles(arguments, session, *run, exports.paths());
+    return ExitCode::Ok;
+}
+
+ExitCode figure(const Arguments& arguments, Session& session) {
+    const FigureRequest request(arguments);
+    const std::optional<std::string> path = arguments.value("--out");
+    if (!path) {
+        throw UsageError({"cli.no_figure", "rubble-cli figure does not know where to write.", {}},
+                         {"cli.no_figure.remedy", "Name the picture: --out F.png.", {}});
+    }
+    checkOutputPath(*path, std::vector<std::string>{arguments.operand()});
+    const std::shared_ptr<io::RunReader> run = io::openRun(arguments.operand());
+    const auto fe = openFeOfRun(arguments.operand(), run->origin(), arguments.value("--fe"), session);
+    request.write(*path, run, fe);
+    reportFiles(arguments, session, *run, {*path});
+    return ExitCode::Ok;
+}
+
+std::vector<Option> withFigureOptions(std::vector<Option> options) {
+    for (const Option& option : FigureRequest::options()) {
+        options.push_back(option);
+    }
+    return options;
+}
+
+}  // namespace
+
+Command exportCommand() {
+    return {"export",
+            "RUN",
+            "tables, ParaView series and figures of a run",
+            "Writes files from a recorded run. The FE file is found by its path and SHA-256.",
+            withFigureOptions({ExportRequest::option(), feOption()}),
+            exportRun};
+}
+
+Command figureCommand() {
+    return {"figure",
+            "RUN",
+            "one picture of a run at one instant",
+            "Draws the conventional FE view, the fragment view or both. Where no display answers, Xvfb is started for the purpose.",
+            withFigureOptions({{"--out", "F.png", false, "the picture to write"}, feOption()}),
+            figure};
+}
+
+}  // namespace rubble::cli

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/cli/arguments.h"
+#include "app/cli/figure_request.h"
+#include "app/cli/session.h"
+#include "io/run_file.h"
+
+namespace rubble::cli {
+
+/// The files asked for by --export KIND=PATH.
+class ExportRequest {
+public:
+    /// The option itself, for the command table.
+    static Option option();
+
+    /// Throws UsageError for an unknown kind, WorldError for a path that cannot be written.
+    ExportRequest(const Arguments& arguments, std::span<const std::string> inputs);
+
+    bool empty() const { return m_rows.empty(); }
+    /// The FE file is needed for everything but tables.
+    bool needsFe() const;
+    /// Writes the files in the order given; throws what the exporters throw, and Cancelled.
+    /// @param fe  may be null unless needsFe()
+    void perform(const std::shared_ptr<const io::RunReader>& run, const std::shared_ptr<const FeResult>& fe,
+                 Session& session) const;
+    /// Paths in the order given.
+    std::vector<std::string> paths() const;
+
+private:
+    enum class Kind { Fragments, Series, Figure };
+    struct Row {
+        Kind kind;
+        std::string path;
+    };
+
+    std::vector<Row> m_rows;
+    FigureRequest m_figure;
+};
+
+}  // namespace rubble::cli

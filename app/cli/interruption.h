@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/base/execution.h"
+
+namespace rubble::cli {
+
+/// While it lives, the first SIGINT or SIGTERM cancels an execution; a second one ends the program at once. One at a time.
+class Interruption {
+public:
+    explicit Interruption(const Execution& execution);
+    ~Interruption();
+    Interruption(const Interruption&) = delete;
+    Interruption& operator=(const Interruption&) = delete;
+};
+
+}  // namespace rubble::cli

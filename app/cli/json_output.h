@@ -1,0 +1,33 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/session.h"
+#include "core/base/finding.h"
+#include "core/clusters/sizing.h"
+
+namespace rubble::cli {
+
+/// Keys stay in the order in which the manual lists them.
+using Json = nlohmann::ordered_json;
+
+/// Writes the one object of --json; numbers that are not finite as null. Throws WorldError if the output does not take it.
+void printJson(Session& session, const Json& object);
+
+/// [{id, count, what, example, remedy}]
+Json findingsJson(const Findings& findings);
+
+/// Adds the keys that size and run share: grid, multiple, bounds, stopped_by, clamped_by and what belongs to them.
+void addSizingJson(Json& object, const Sizing& sizing);
+
+/// {x, y, z} of one value for each axis.
+template <class Get>
+Json axesJson(const Sizing& sizing, Get get) {
+    Json axes;
+    axes["x"] = get(sizing.axis[0]);
+    axes["y"] = get(sizing.axis[1]);
+    axes["z"] = get(sizing.axis[2]);
+    return axes;
+}
+
+}  // namespace rubble::cli

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <ostream>
+#include <string>
+
+#include "core/base/execution.h"
+
+namespace rubble::cli {
+
+/// One line on a terminal that is rewritten in place: stage, per cent done, time left. Writes nothing when switched off.
+class ProgressLine {
+public:
+    ProgressLine(std::ostream& stream, bool on) : m_stream(stream), m_on(on) {}
+    ~ProgressLine() { clear(); }
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    void show(const Progress& progress);
+    /// Wipes the line, so that other text can follow.
+    void clear();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    std::ostream& m_stream;
+    const bool m_on;
+    std::mutex m_mutex;
+    bool m_shown = false;
+    std::string m_stage;
+    double m_firstFraction = 0.0;
+    Clock::time_point m_stageStart;
+};
+
+}  // namespace rubble::cli

@@ -1,0 +1,129 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/cli/commands.h"
+#include "app/cli/export_request.h"
+#include "app/cli/output_file.h"
+#include "app/cli/run_report.h"
+#include "app/cli/run_sinks.h"
+#include "app/cli/subject.h"
+#include "app/cli/temporary_run.h"
+#include "core/base/build.h"
+#include "core/base/error.h"
+#include "io/run_file.h"
+
+namespace rubble::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An existing file is replaced only if it is a run: what a slip of the keyboard names must survive it.
+void checkRunPath(const std::string& path, const Subject& subject) {
+    checkOutputPath(path, subject.files);
+    std::error_code ignored;
+    if (!fs::exists(path, ignored) || fs::file_size(path, ignored) == 0) {
+        return;
+    }
+    try {
+        io::openRun(path);
+    } catch (const ParseError&) {
+        throw UsageError({"cli.out_not_a_run", "--out {0}: this file exists and is not a run.", {path}},
+                         {"cli.out_not_a_run.remedy", "Choose another name, or delete the file first.", {}});
+    }
+}
+
+io::RunOrigin originOf(const Subject& subject) {
+    io::RunOrigin origin;
+    origin.fePath = subject.fePath;
+    origin.feSha256 = subject.inputs.fe->contents().sha256;
+    origin.frame = subject.inputs.frame;
+    origin.scenario = subject.scenario;
+    origin.scenarioName = subject.scenarioName;
+    origin.build = std::string(buildText());
+    origin.fingerprint = stageKey(subject.inputs, subject.scenario, Stage::Simulation);
+    return origin;
+}
+
+/// Tells what a cancelled run leaves behind.
+ExitCode reportPartial(const Arguments& arguments, Session& session, const LedgerRecorder& recorder) {
+    const std::optional<std::string> out = arguments.value("--out");
+    const bool kept = out && recorder.frames() > 0;
+    if (kept) {
+        session.err() << "rubble-cli: cancelled; " << recorder.frames()
+                      << " frames up to t = " << englishNumber(recorder.lastTime()) << " s are kept in " << *out << '\n';
+    } else {
+        session.err() << "rubble-cli: cancelled; nothing is kept (--out keeps the frames simulated so far)\n";
+    }
+    if (arguments.json()) {
+        Json object;
+        object["cancelled"] = true;
+        object["run"] = kept ? Json(*out) : Json();
+        object["frames"] = recorder.frames();
+        object["time_s"] = recorder.lastTime();
+        printJson(session, object);
+    }
+    return ExitCode::Cancelled;
+}
+
+ExitCode runScenario(const Arguments& arguments, Session& session) {
+    const Subject subject = openSubject(arguments, session);
+    checkCsvPath(arguments, subject.files);
+    const ExportRequest exports(arguments, subject.files);
+    std::string runPath = arguments.value("--out").value_or("");
+    if (arguments.has("--out")) {
+        checkRunPath(runPath, subject);
+    }
+    // Without --out the trajectory goes to disk only if an export reads it, and never into memory.
+    std::optional<TemporaryRun> temporary;
+    if (runPath.empty() && !exports.empty()) {
+        runPath = temporary.emplace().path();
+    }
+    std::unique_ptr<TrajectorySink> file;
+    if (!runPath.empty()) {
+        file = io::createRun(runPath, originOf(subject));
+    }
+    LedgerRecorder recorder(file.get());
+    Results results;
+    try {
+        results = runTo(subject, Stage::Simulation, &recorder, session.execution());
+    } catch (const Cancelled&) {
+        file.reset();
+        return reportPartial(arguments, session, recorder);
+    }
+    file.reset();
+    if (!exports.empty()) {
+        exports.perform(io::openRun(runPath), subject.inputs.fe, session);
+    }
+    writeCsv(arguments, ledgerTable(recorder.ledger()));
+    const RunReport report{subject,        results, recorder.ledger(), allFindings(subject, results), temporary ? "" : runPath,
+                           exports.paths()};
+    if (arguments.json()) {
+        printJson(session, report.json());
+    } else {
+        report.print(session.out());
+    }
+    return ExitCode::Ok;
+}
+
+}  // namespace
+
+Command runCommand() {
+    std::vector<Option> options{
+        setOption(), scenarioOption(), {"--out", "RUN.h5", false, "keep the run in this file"}, ExportRequest::option()};
+    for (const Option& option : FigureRequest::options()) {
+        options.push_back(option);
+    }
+    options.push_back(csvOption("write the ledger, one row for each FE state and each second after"));
+    return {
+        "run",
+        "FE|CASE",
+        "fragments, Basic Grid, clusters, and where they go",
+        "Simulates the whole collapse and prints its tables. Ctrl-C stops it: with --out what was simulated so far is kept, and "
+        "the run file reopens at its last complete frame.",
+        std::move(options),
+        runScenario};
+}
+
+}  // namespace rubble::cli

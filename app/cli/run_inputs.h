@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/cli/session.h"
+#include "core/fe/fe_result.h"
+#include "io/run_file.h"
+
+namespace rubble::cli {
+
+/// Path of the FE file that a run was made from: the path in the run file or, where that is gone or another file now, any file
+/// with the right SHA-256 beside the run file.
+/// @param given  a path from --fe, which must have the right SHA-256
+/// Throws WorldError naming the file and the remedy.
+std::string findFeOfRun(const std::string& runPath, const io::RunOrigin& origin, const std::optional<std::string>& given);
+
+/// The same, opened with the settings of the run.
+std::shared_ptr<const FeResult> openFeOfRun(const std::string& runPath, const io::RunOrigin& origin,
+                                            const std::optional<std::string>& given, Session& session);
+
+}  // namespace rubble::cli

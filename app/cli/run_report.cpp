@@ -1,0 +1,283 @@
+#include "app/cli/run_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/cli/text_output.h"
+#include "core/base/message.h"
+
+namespace rubble::cli {
+
+namespace {
+
+constexpr std::size_t ledgerRows = 12;
+
+std::string whole(std::size_t number) {
+    return englishInteger(static_cast<std::int64_t>(number));
+}
+
+std::string withUnit(double number, const char* unit) {
+    return std::isfinite(number) ? englishNumber(number) + ' ' + unit : "-";
+}
+
+std::string percent(double share) {
+    return std::isfinite(share) ? englishNumber(100.0 * share) + " %" : "-";
+}
+
+Json wallSecondsJson(const Results& results) {
+    Json seconds;
+    for (int i = 0; i < stageCount; ++i) {
+        seconds[std::string(stageName(static_cast<Stage>(i)))] = results.wallSeconds[static_cast<std::size_t>(i)];
+    }
+    return seconds;
+}
+
+Json ledgerJson(const SimulationResult& run, const std::vector<LedgerRow>& ledger) {
+    Json object;
+    object["mass_error"] = run.ledger.mass;
+    object["momentum_error"] = run.ledger.momentum;
+    object["angular_momentum_error"] = run.ledger.angularMomentum;
+    object["body_mass_error"] = run.ledger.bodyMass;
+    object["body_momentum_error"] = run.ledger.bodyMomentum;
+    object["body_angular_momentum_error"] = run.ledger.bodyAngularMomentum;
+    double dropped = 0.0;
+    for (const LedgerRow& row : ledger) {
+        dropped += row.droppedKineticEnergy;
+    }
+    object["dropped_kinetic_energy_j"] = dropped;
+    return object;
+}
+
+void addSimulationJson(Json& object, const SimulationResult& run) {
+    object["steps"] = run.steps;
+    object["time_first_s"] = run.firstTime;
+    object["time_fe_end_s"] = run.feEndTime;
+    object["time_end_s"] = run.endTime;
+    object["ms_per_step"] = {{"mean", run.stepTimes.meanMs}, {"p95", run.stepTimes.p95Ms}, {"worst", run.stepTimes.worstMs}};
+    object["share_of_steps_in_time"] = run.stepTimes.shareInTime;
+    object["real_time_factor"] = run.stepTimes.realTimeFactor;
+    object["energy_drift"] = run.energy.drift;
+    object["energy"] = {{"gravity_work_j", run.energy.gravityWork},
+                        {"kinetic_in_j", run.energy.kineticIn},
+                        {"kinetic_now_j", run.energy.kineticNow},
+                        {"dissipated_j", run.energy.dissipated}};
+    object["occupied_births"] = {{"births", run.births.births},
+                                 {"occupied", run.births.occupied},
+                                 {"median_depth", run.births.medianDepth},
+                                 {"work_j", run.births.work},
+                                 {"piece_push_work_j", run.births.piecePushWork},
+                                 {"pieces_yielded", run.births.piecesYielded}};
+    object["penetration_max_m"] = run.penetrationMax;
+    object["speed_max_m_s"] = run.maxSpeed;
+    object["bulking_factor"] = run.bulkingFactor;
+    object["asleep_at_end"] = run.asleepAtEnd;
+    object["still_moving"] = run.stillMoving;
+    object["live_islands"] = run.islands.islands;
+    object["live_island_elements"] = run.islands.elements;
+    object["live_island_mass_kg"] = run.islands.mass;
+    object["live_island_elements_moving"] = run.islands.moving;
+}
+
+void printFragments(std::ostream& out, const FragmentSet& fragments, const Components& components) {
+    struct Row {
+        std::int64_t fragments = 0;
+        double mass = 0.0;
+        double firstBirth = INFINITY;
+        double lastBirth = -INFINITY;
+        double fastest = 0.0;
+    };
+    std::vector<Row> rows(components.list.size());
+    for (const Fragment& fragment : fragments.list) {
+        Row& row = rows[at(fragment.component)];
+        ++row.fragments;
+        row.mass += fragment.mass;
+        row.firstBirth = std::min(row.firstBirth, fragment.birthTime);
+        row.lastBirth = std::max(row.lastBirth, fragment.birthTime);
+        row.fastest = std::max(row.fastest, fragment.velocity.norm());
+    }
+    printHeading(out, "Fragments: " + whole(fragments.size()));
+    TextTable table({{"component", ""},
+                     {"fragments", ""},
+                     {"mass [kg]", ""},
+                     {"first birth [s]", ""},
+                     {"last birth [s]", ""},
+                     {"fastest [m/s]", ""}});
+    for (std::size_t c = 0; c < rows.size(); ++c) {
+        if (rows[c].fragments > 0) {
+            table.add({textCell(components.list[c].name), integerCell(rows[c].fragments), numberCell(rows[c].mass),
+                       numberCell(rows[c].firstBirth), numberCell(rows[c].lastBirth), numberCell(rows[c].fastest)});
+        }
+    }
+    table.print(out);
+}
+
+void printClusters(std::ostream& out, const Clustering& clustering) {
+    printHeading(out, "Clusters");
+    std::size_t largest = 0;
+    std::size_t single = 0;
+    for (const Cluster& cluster : clustering.list) {
+        largest = std::max<std::size_t>(largest, cluster.memberCount);
+        single += cluster.memberCount == 1 ? 1 : 0;
+    }
+    FactList facts;
+    facts.add("clusters", whole(clustering.list.size()));
+    facts.add("of the Basic Grid", whole(clustering.productGroups));
+    facts.add("added by component", whole(clustering.splitByComponent));
+    facts.add("added by velocity", whole(clustering.splitByVelocity));
+    facts.add("largest", whole(largest) + " fragments");
+    facts.add("of one fragment", whole(single));
+    facts.print(out);
+}
+
+void printRun(std::ostream& out, const SimulationResult& run, const std::array<double, stageCount>& wallSeconds) {
+    printHeading(out, "Run");
+    FactList facts;
+    facts.add("time", englishNumber(run.firstTime) + " s to " + withUnit(run.endTime, "s") + "; the FE result ends at " +
+                          withUnit(run.feEndTime, "s"));
+    facts.add("bodies", englishInteger(run.bodiesPeak) + " at most");
+    facts.add("steps", englishInteger(run.steps) + ", mean " + withUnit(run.stepTimes.meanMs, "ms") + ", 95 % below " +
+                           withUnit(run.stepTimes.p95Ms, "ms") + ", worst " + withUnit(run.stepTimes.worstMs, "ms"));
+    facts.add("real-time factor", englishNumber(run.stepTimes.realTimeFactor) + " from first to last birth; " +
+                                      percent(run.stepTimes.shareInTime) + " of the steps took less than the time they simulate");
+    std::string stages;
+    for (int i = 0; i < stageCount; ++i) {
+        stages += (i > 0 ? ", " : "") + std::string(stageName(static_cast<Stage>(i))) + ' ' +
+                  withUnit(wallSeconds[static_cast<std::size_t>(i)], "s");
+    }
+    facts.add("wall time", stages);
+    facts.add("at the end", percent(run.asleepAtEnd) + " asleep, " + englishInteger(run.stillMoving) + " bodies still move");
+    facts.add("births in occupied space", englishInteger(run.births.occupied) + " of " + englishInteger(run.births.births) +
+                                              ", median depth " + percent(run.births.medianDepth) +
+                                              " of the smallest side, resolving them did " + withUnit(run.births.work, "J"));
+    facts.add("pieces", "did " + withUnit(run.births.piecePushWork, "J") + " on bodies, gave way " +
+                            englishInteger(run.births.piecesYielded) + " times");
+    facts.add("deepest penetration", withUnit(run.penetrationMax, "m"));
+    facts.add("fastest body", withUnit(run.maxSpeed, "m/s"));
+    facts.add("bulking factor", std::isfinite(run.bulkingFactor) ? englishNumber(run.bulkingFactor) : "-");
+    facts.add("live islands", englishInteger(run.islands.islands) + " with " + englishInteger(run.islands.elements) +
+                                  " elements, " + tonnesText(run.islands.mass) + ", held; " + englishInteger(run.islands.moving) +
+                                  " elements were still moving");
+    facts.add("trajectory hash", run.trajectoryHash.hex());
+    facts.print(out);
+}
+
+void printLedger(std::ostream& out, const SimulationResult& run, const std::vector<LedgerRow>& ledger) {
+    printHeading(out, "Ledger");
+    // A hundred rows tell a reader less than a dozen; all of them are in the table of --csv.
+    std::vector<LedgerRow> shown;
+    const std::size_t stride = std::max<std::size_t>(1, (ledger.size() + ledgerRows - 1) / ledgerRows);
+    for (std::size_t i = 0; i < ledger.size(); ++i) {
+        if (i % stride == 0 || i + 1 == ledger.size()) {
+            shown.push_back(ledger[i]);
+        }
+    }
+    TextTable table({{"time [s]", ""},
+                     {"handed over [kg]", ""},
+                     {"kinetic in [J]", ""},
+                     {"dropped [J]", ""},
+                     {"bodies [kg]", ""},
+                     {"kinetic [J]", ""},
+                     {"potential [J]", ""},
+                     {"piece work [J]", ""},
+                     {"overlap work [J]", ""}});
+    for (const LedgerRow& row : shown) {
+        table.add({numberCell(row.time), numberCell(row.bodies.mass), numberCell(row.bodies.kineticEnergy),
+                   numberCell(row.droppedKineticEnergy), numberCell(row.all.mass), numberCell(row.all.kineticEnergy),
+                   numberCell(row.potentialEnergy), numberCell(row.pieceWork), numberCell(row.overlapWork)});
+    }
+    table.print(out);
+    if (shown.size() < ledger.size()) {
+        out << "  (" << shown.size() << " of " << ledger.size() << " rows; --csv writes all)\n";
+    }
+    FactList facts;
+    facts.add("fragments against FE", "mass " + englishNumber(run.ledger.mass) + ", momentum " +
+                                          englishNumber(run.ledger.momentum) + ", angular momentum " +
+                                          englishNumber(run.ledger.angularMomentum));
+    facts.add("bodies against FE", "mass " + englishNumber(run.ledger.bodyMass) + ", momentum " +
+                                       englishNumber(run.ledger.bodyMomentum) + ", angular momentum " +
+                                       englishNumber(run.ledger.bodyAngularMomentum) + " (largest relative errors)");
+    facts.add("energy", "gravity did " + withUnit(run.energy.gravityWork, "J") + ", hand-overs brought " +
+                            withUnit(run.energy.kineticIn, "J") + ", contacts took " + withUnit(run.energy.dissipated, "J") +
+                            "; gain beyond these " + percent(run.energy.drift) + " of the gravity work");
+    facts.print(out);
+}
+
+}  // namespace
+
+Json RunReport::json() const {
+    const SimulationResult& run = *results.simulation;
+    Json object;
+    object["elements"] = subject.inputs.fe->mesh().elementCount();
+    object["fragments"] = results.fragments->size();
+    object["clusters"] = results.clustering->list.size();
+    object["bodies_peak"] = run.bodiesPeak;
+    addSizingJson(object, *results.sizing);
+    addSimulationJson(object, run);
+    object["wall_s"] = wallSecondsJson(results);
+    object["ledger"] = ledgerJson(run, ledger);
+    object["warnings"] = findingsJson(findings);
+    object["trajectory_hash"] = run.trajectoryHash.hex();
+    object["scenario"] = subject.scenarioName;
+    object["fe"] = {{"path", subject.fePath}, {"sha256", subject.inputs.fe->contents().sha256}};
+    object["run"] = runPath.empty() ? Json() : Json(runPath);
+    object["exports"] = files;
+    return object;
+}
+
+void RunReport::print(std::ostream& out) const {
+    out << subject.fePath << ", scenario \"" << subject.scenarioName << "\"\n";
+    if (results.fragments->list.empty()) {
+        out << "\nNo element dies in this result: there are no fragments, and nothing moves.\n";
+    } else {
+        printFragments(out, *results.fragments, *results.components);
+    }
+    printSizing(out, *results.sizing, *results.fragments, *results.components, subject.inputs.fe->mesh());
+    printClusters(out, *results.clustering);
+    printRun(out, *results.simulation, results.wallSeconds);
+    printLedger(out, *results.simulation, ledger);
+    printFindings(out, findings);
+    if (!runPath.empty() || !files.empty()) {
+        printHeading(out, "Files");
+        for (const std::string& path : files) {
+            out << "  " << path << '\n';
+        }
+        if (!runPath.empty()) {
+            out << "  " << runPath << '\n';
+        }
+    }
+}
+
+TextTable ledgerTable(const std::vector<LedgerRow>& ledger) {
+    std::vector<TextTable::Column> columns{{"", "time_s"}, {"", "state"}};
+    for (const char* who : {"fe", "fragments", "clusters", "bodies", "all"}) {
+        for (const char* what :
+             {"mass_kg", "momentum_x_kg_m_s", "momentum_y_kg_m_s", "momentum_z_kg_m_s", "angular_momentum_x_kg_m2_s",
+              "angular_momentum_y_kg_m2_s", "angular_momentum_z_kg_m2_s", "kinetic_energy_j"}) {
+            columns.push_back({"", std::string(who) + '_' + what});
+        }
+    }
+    for (const char* what : {"dropped_kinetic_energy_j", "potential_energy_j", "piece_work_j", "overlap_work_j"}) {
+        columns.push_back({"", what});
+    }
+    TextTable table(std::move(columns));
+    for (const LedgerRow& row : ledger) {
+        std::vector<Cell> cells{numberCell(row.time), integerCell(row.state)};
+        for (const Momenta* momenta : {&row.fe, &row.fragments, &row.clusters, &row.bodies, &row.all}) {
+            cells.push_back(numberCell(momenta->mass));
+            for (int i = 0; i < 3; ++i) {
+                cells.push_back(numberCell(momenta->linear[i]));
+            }
+            for (int i = 0; i < 3; ++i) {
+                cells.push_back(numberCell(momenta->angular[i]));
+            }
+            cells.push_back(numberCell(momenta->kineticEnergy));
+        }
+        for (const double value : {row.droppedKineticEnergy, row.potentialEnergy, row.pieceWork, row.overlapWork}) {
+            cells.push_back(numberCell(value));
+        }
+        table.add(std::move(cells));
+    }
+    return table;
+}
+
+}  // namespace rubble::cli

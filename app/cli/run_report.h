@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/json_output.h"
+#include "app/cli/subject.h"
+#include "app/cli/text_table.h"
+#include "core/pipeline/pipeline.h"
+#include "core/trajectory/trajectory.h"
+
+namespace rubble::cli {
+
+/// A finished run, as its tables and its JSON object report it.
+struct RunReport {
+    const Subject& subject;
+    const Results& results;
+    const std::vector<LedgerRow>& ledger;
+    Findings findings;
+    std::string runPath;             ///< empty if the run was not kept
+    std::vector<std::string> files;  ///< exported
+
+    Json json() const;
+    /// Tables for people: fragments, Basic Grid, clusters, run, ledger, findings, files.
+    void print(std::ostream& out) const;
+};
+
+/// One row for each row of the ledger.
+TextTable ledgerTable(const std::vector<LedgerRow>& ledger);
+
+}  // namespace rubble::cli

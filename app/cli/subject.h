@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/cli/arguments.h"
+#include "app/cli/session.h"
+#include "core/base/finding.h"
+#include "core/pipeline/pipeline.h"
+#include "core/scenario/case.h"
+
+namespace rubble::cli {
+
+/// What a command works on: an FE file, or one scenario of a case with its FE file.
+struct Subject {
+    Inputs inputs;
+    Scenario scenario;
+    std::string fePath;              ///< absolute
+    std::string scenarioName;        ///< "As computed" for a plain FE file
+    std::vector<std::string> files;  ///< everything that was read: never written over
+    double openSeconds = 0.0;        ///< wall time of opening the FE file
+    Findings findings;               ///< of opening: an input that changed since the case was saved
+};
+
+/// Opens the operand of a command, recognised by content, and applies --scenario and --set in the order given.
+/// Throws UsageError, WorldError, ParseError, Cancelled.
+Subject openSubject(const Arguments& arguments, Session& session);
+
+/// Runs the pipeline on a subject up to a stage, with the time of opening as the time of its first stage.
+Results runTo(const Subject& subject, Stage last, TrajectorySink* sink, const Execution& execution);
+
+/// Findings of the file, the subject and every stage that ran, in the order data flows; one row for each kind.
+Findings allFindings(const Subject& subject, const Results& results);
+
+}  // namespace rubble::cli

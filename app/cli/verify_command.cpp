@@ -1,0 +1,135 @@
+#include "app/cli/arguments.h"
+#include "app/cli/commands.h"
+#include "app/cli/json_output.h"
+#include "app/cli/run_inputs.h"
+#include "app/cli/run_sinks.h"
+#include "app/cli/text_output.h"
+#include "core/base/build.h"
+#include "core/base/error.h"
+#include "core/pipeline/pipeline.h"
+#include "io/case_file.h"
+#include "io/files.h"
+
+namespace rubble::cli {
+
+namespace {
+
+/// One thing that was compared.
+struct Check {
+    std::string name;
+    std::string recorded;
+    std::string found;
+    bool same = false;
+};
+
+Check compare(std::string name, std::string recorded, std::string found) {
+    const bool same = recorded == found;
+    return {std::move(name), std::move(recorded), std::move(found), same};
+}
+
+ExitCode report(const Arguments& arguments, Session& session, const std::vector<Check>& checks, const std::string& verdict,
+                const std::string& note, bool good) {
+    if (arguments.json()) {
+        Json object;
+        object["file"] = arguments.operand();
+        object["verdict"] = verdict;
+        object["ok"] = good;
+        object["checks"] = Json::array();
+        for (const Check& check : checks) {
+            object["checks"].push_back(
+                {{"name", check.name}, {"same", check.same}, {"recorded", check.recorded}, {"found", check.found}});
+        }
+        object["note"] = note;
+        printJson(session, object);
+    } else {
+        FactList facts;
+        for (const Check& check : checks) {
+            facts.add(check.name,
+                      check.same ? "same: " + check.found : "differs: recorded " + check.recorded + ", now " + check.found);
+        }
+        session.out() << arguments.operand() << ": " << verdict << '\n';
+        facts.print(session.out());
+        if (!note.empty()) {
+            session.out() << "  " << note << '\n';
+        }
+    }
+    return good ? ExitCode::Ok : ExitCode::Failed;
+}
+
+ExitCode verifyCase(const Arguments& arguments, Session& session) {
+    const Case theCase = io::loadCase(arguments.operand());
+    std::vector<Check> checks;
+    bool good = true;
+    for (const CaseInput& input : theCase.inputs) {
+        session.execution().check();
+        Check check;
+        try {
+            check = compare(input.id + " " + input.path, input.sha256, io::sha256OfFile(io::inputPath(arguments.operand(), input)));
+        } catch (const WorldError& error) {
+            check = {input.id + " " + input.path, input.sha256, englishText(error.message()), false};
+        }
+        good = good && check.same;
+        checks.push_back(std::move(check));
+    }
+    return report(arguments, session, checks, good ? "inputs unchanged" : "inputs differ", "", good);
+}
+
+std::string differenceText(const FrameComparison& comparison) {
+    if (!comparison.firstDifference()) {
+        return "";
+    }
+    const FrameComparison::Difference& difference = *comparison.firstDifference();
+    const std::string when = "The first difference is at t = " + englishNumber(difference.time) + " s: ";
+    if (difference.body < 0) {
+        return when + "the frames have other times or another number of bodies.";
+    }
+    return when + "body " + englishInteger(difference.body) + " is " + englishNumber(difference.distance) + " m away.";
+}
+
+ExitCode verifyRun(const Arguments& arguments, Session& session) {
+    const std::string& path = arguments.operand();
+    const std::shared_ptr<io::RunReader> recorded = io::openRun(path);
+    if (!recorded->complete()) {
+        throw ParseError({"cli.run_incomplete",
+                          "{0} is not complete: it holds {1} frames and no outcome to compare with.",
+                          {path, recorded->frameCount()}},
+                         {"cli.run_incomplete.remedy", "What it holds can be shown and exported; simulate again to verify.", {}});
+    }
+    io::checkRunDigest(path, session.execution());
+    const io::RunOrigin& origin = recorded->origin();
+    Inputs inputs;
+    inputs.fe = openFeOfRun(path, origin, arguments.value("--fe"), session);
+    inputs.frame = origin.frame;
+    FrameComparison comparison(*recorded);
+    const Results again = run(inputs, origin.scenario, Stage::Simulation, {}, &comparison, session.execution());
+    const SimulationResult& before = *recorded->result();
+    const SimulationResult& now = *again.simulation;
+    std::vector<Check> checks;
+    checks.push_back(compare("build", origin.build, std::string(buildText())));
+    checks.push_back(compare("clusters", englishInteger(static_cast<std::int64_t>(recorded->clustering()->list.size())),
+                             englishInteger(static_cast<std::int64_t>(again.clustering->list.size()))));
+    checks.push_back(compare("frames", englishInteger(static_cast<std::int64_t>(recorded->frameCount())),
+                             englishInteger(static_cast<std::int64_t>(comparison.frames()))));
+    checks.push_back(compare("steps", englishInteger(before.steps), englishInteger(now.steps)));
+    checks.push_back(compare("trajectory hash", before.trajectoryHash.hex(), now.trajectoryHash.hex()));
+    const bool good = checks.back().same;
+    return report(arguments, session, checks, good ? "bit-equal" : "not equal", differenceText(comparison), good);
+}
+
+ExitCode verify(const Arguments& arguments, Session& session) {
+    return io::isCaseFile(arguments.operand()) ? verifyCase(arguments, session) : verifyRun(arguments, session);
+}
+
+}  // namespace
+
+Command verifyCommand() {
+    return {
+        "verify",
+        "RUN|CASE",
+        "does a run repeat bit by bit; are the inputs of a case unchanged",
+        "RUN: checks the digest of the whole file, then simulates again and compares. CASE: compares the SHA-256 of its inputs.",
+        {feOption()},
+        verify};
+}
+
+}  // namespace rubble::cli

@@ -15,7 +15,8 @@ namespace rubble {
 /// @param low, high, centre  [n] m
 /// @param order key for full ties: elementId [n]
 /// @return group of each interval [n], numbered in the order in which the greedy choice takes them
-/// O(n log n); gives the same groups as the plain matrix version.
+/// O(n log n) unless fragments are wider than `size` (see AxisGrouping); gives the same groups as the plain matrix version. An
+/// interval wider than `size` is in a group with others only if a row takes it in or it takes in narrower ones.
 std::vector<std::uint32_t> groupAlongAxis(std::span<const double> low, std::span<const double> high, std::span<const double> centre,
                                           std::span<const std::int64_t> elementId, double size);
 
@@ -49,6 +50,10 @@ struct Clustering {
     }
 };
 
+/// Among the fragments of one birth (taken over at one state, ending at one time) those with the same groups along all three axes
+/// are one cluster; then split by component, unless settings.acrossComponents, and by velocity (splitByVelocity()). Every fragment
+/// is in exactly one cluster; mass, momentum and angular momentum are those of the members to rounding. With
+/// settings.oneBodyPerFragment the grid is not read. Throws Cancelled.
 Clustering makeClusters(const FragmentSet& fragments, const Mesh& mesh, const BasicGrid& grid, const GridSettings& settings,
                         const Execution& execution);
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+
+#include "core/clusters/sizing.h"
+
+namespace rubble {
+
+/// Mean distances and bounds of the Basic Grid along x, y and z (DESIGN.md 2.2); nothing is chosen yet. Without a structural
+/// component accuracyMax is infinite; without fragments the rest is zero.
+std::array<AxisSizing, 3> boundGrid(const FragmentSet& fragments, const Mesh& mesh, const Components& components,
+                                    std::int64_t bodiesMax);
+
+/// Size of the box around all fragments along each axis [m]: the size at which nothing is left to join.
+std::array<double, 3> fragmentExtent(const FragmentSet& fragments);
+
+/// Where the bounds along an axis leave the search no room.
+enum class BoundConflict {
+    None,
+    Spacing,       ///< d exceeds h_acc_max
+    FragmentSize,  ///< h_acc_min exceeds h_acc_max
+};
+BoundConflict conflictOf(const AxisSizing& axis);
+
+/// Tells of a conflict of bounds, naming the largest fragment's element and the smallest component.
+void reportConflict(const AxisSizing& sizing, int axis, const FragmentSet& fragments, const Mesh& mesh,
+                    const Components& components, Findings& findings);
+
+/// Tells where a size set by hand lies outside the bounds.
+void reportOutside(const AxisSizing& sizing, int axis, const FragmentSet& fragments, const Mesh& mesh, const Components& components,
+                   Findings& findings);
+
+}  // namespace rubble

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/execution.h"
+#include "core/clusters/axis_grouping.h"
+#include "core/clusters/axis_order.h"
+#include "core/clusters/rigid_motion.h"
+#include "core/fragments/fragment_set.h"
+
+namespace rubble {
+
+/// Which fragments move together at one grid: members cluster by cluster.
+struct Partition {
+    std::vector<std::uint32_t> members;  ///< fragment indices, ascending within each cluster
+    std::vector<std::uint32_t> sizes;    ///< members of each cluster
+    std::size_t productGroups = 0;       ///< before the splits
+    std::size_t splitByComponent = 0;    ///< clusters added by the split
+    std::size_t splitByVelocity = 0;
+
+    std::size_t clusters() const { return sizes.size(); }
+};
+
+/// Divides the fragments of a set into clusters at any number of grids. What no grid changes (the births, the orders along the
+/// axes) is made once, and the labels along an axis are kept while its size stays: a search costs little more than the axes it
+/// moves. Keeps no reference to what it was made of.
+class Partitioner {
+public:
+    Partitioner(const FragmentSet& fragments, const Mesh& mesh);
+
+    /// Product of the groups along the axes, then split by component and velocity as the settings say. @param size  [3] m
+    /// The reference stays valid until the next call. Throws Cancelled.
+    const Partition& at(const std::array<double, 3>& size, const GridSettings& settings, const Execution& execution);
+
+    std::size_t births() const { return m_births.size(); }
+    std::span<const MovingMass> masses() const { return m_masses; }
+
+private:
+    /// Fragments taken over at one state that end at one time: only these may share a cluster.
+    struct Birth {
+        std::vector<std::uint32_t> fragments;  ///< ascending
+        std::array<AxisOrder, 3> order;
+    };
+    /// Labels of all fragments along one axis at one size.
+    struct AxisLabels {
+        double size = -1.0;                 ///< m; negative: none yet
+        std::vector<std::uint32_t> label;   ///< birth by birth [fragments]
+        std::vector<std::uint32_t> groups;  ///< [births]
+    };
+
+    void groupAxis(int axis, double size, const Execution& execution);
+    void divideBirth(std::size_t birth, std::size_t offset, const GridSettings& settings);
+    void sortStably(std::span<const std::uint32_t> key, std::uint32_t keys);
+
+    std::vector<MovingMass> m_masses;        ///< [fragments]
+    std::vector<std::uint32_t> m_component;  ///< [fragments]
+    std::uint32_t m_components = 0;
+    std::vector<Birth> m_births;
+    std::array<AxisLabels, 3> m_axis;
+    AxisGrouping m_grouping;
+    Partition m_partition;
+    std::vector<std::uint32_t> m_order;   ///< places within the birth at hand
+    std::vector<std::uint32_t> m_sorted;  ///< working copy of the order
+    std::vector<std::uint32_t> m_starts;  ///< counts of keys
+    std::vector<std::uint32_t> m_componentOf;
+};
+
+}  // namespace rubble

@@ -29,7 +29,7 @@ std::string englishInteger(std::int64_t number) {
     const bool negative = number < 0;
     std::string digits = std::to_string(negative ? ~static_cast<std::uint64_t>(number) + 1 : static_cast<std::uint64_t>(number));
     for (std::size_t i = digits.size(); i > 3; i -= 3) {
-        digits.insert(i - 3, ",");
+        digits.insert(i - 3, 1, ',');
     }
     return negative ? "-" + digits : digits;
 }

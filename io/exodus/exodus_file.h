@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rubble::io {
+
+/// One element block as the file has it. Its elements follow those of the blocks before it.
+struct ExodusBlock {
+    std::int64_t id = 0;
+    std::string name;      ///< empty where the file gives none
+    std::string topology;  ///< "HEX8"
+    std::int64_t elements = 0;
+    std::int64_t nodesPerElement = 0;
+    std::vector<std::string> attributes;  ///< names, empty strings where the file gives none
+    std::int64_t first = 0;               ///< position of its first element in the file
+};
+
+enum class ExodusEntity { Node, Element };
+
+/// An Exodus II file open for reading. Every member may be called from any thread; calls into the library are serialised.
+/// All indices are 0-based. Reads throw ParseError naming the file and what was being read.
+class ExodusFile {
+public:
+    /// Checks the layout (see checkExodusLayout) and opens. Throws WorldError, ParseError.
+    explicit ExodusFile(const std::string& path);
+    ~ExodusFile();
+    ExodusFile(const ExodusFile&) = delete;
+    ExodusFile& operator=(const ExodusFile&) = delete;
+
+    const std::string& path() const { return m_path; }
+    int dimensions() const { return m_dimensions; }
+    std::size_t nodeCount() const { return m_nodes; }
+    std::size_t elementCount() const { return m_elements; }
+    const std::vector<double>& times() const { return m_times; }  ///< s, as in the file
+    const std::vector<ExodusBlock>& blocks() const { return m_blocks; }
+    const std::vector<std::string>& variables(ExodusEntity entity) const {
+        return entity == ExodusEntity::Node ? m_nodeVariables : m_elementVariables;
+    }
+    /// Whether a block has values of an element variable.
+    bool has(std::size_t block, int variable) const;
+
+    /// Coordinates along one axis [nodes].
+    std::vector<double> coordinates(int axis) const;
+    /// User's numbers [nodes or elements].
+    std::vector<std::int64_t> numbers(ExodusEntity entity) const;
+    /// Node numbers of a block's elements, 1-based as in the file and not yet checked [elements x nodesPerElement].
+    std::vector<std::int64_t> connectivity(std::size_t block) const;
+    std::vector<double> attribute(std::size_t block, std::size_t index) const;
+    /// Values of a nodal variable at a state [nodes].
+    void readNodal(std::size_t state, int variable, std::span<double> values) const;
+    /// Values of an element variable on one block at a state [elements of the block].
+    void readElement(std::size_t state, int variable, std::size_t block, std::span<double> values) const;
+
+private:
+    void readHeader();
+    void readBlocks();
+    void readVariables();
+    void readTimes();
+    /// Throws ParseError for a library status that is an error. @param what  "the coordinates"
+    void require(int status, const std::string& what) const;
+
+    std::string m_path;
+    int m_id = -1;
+    int m_dimensions = 0;
+    std::size_t m_nodes = 0;
+    std::size_t m_elements = 0;
+    std::vector<double> m_times;
+    std::vector<ExodusBlock> m_blocks;
+    std::vector<std::string> m_nodeVariables;
+    std::vector<std::string> m_elementVariables;
+    std::vector<int> m_truthTable;  // [blocks x element variables]
+};
+
+}  // namespace rubble::io

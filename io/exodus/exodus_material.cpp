@@ -1,0 +1,86 @@
+#include "io/exodus/exodus_material.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "io/exodus/exodus_names.h"
+
+namespace rubble::io {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// Where a property of one part comes from.
+std::vector<double> fromFile(const ExodusFile& file, std::size_t block, const std::vector<std::string_view>& attributes,
+                             const std::vector<std::string_view>& variables) {
+    const int attribute = findAny(file.blocks()[block].attributes, attributes);
+    if (attribute >= 0) {
+        return file.attribute(block, static_cast<std::size_t>(attribute));
+    }
+    const int variable = findAny(file.variables(ExodusEntity::Element), variables);
+    std::vector<double> values;
+    if (variable >= 0 && !file.times().empty() && file.has(block, variable)) {
+        values.resize(static_cast<std::size_t>(file.blocks()[block].elements));
+        file.readElement(0, variable, block, values);
+    }
+    return values;
+}
+
+// The format's convention: the first attribute of shells is their thickness, that of bars and beams their area.
+std::vector<double> byConvention(const ExodusFile& file, std::size_t block, const std::string& part, Findings& findings) {
+    const std::vector<std::string>& names = file.blocks()[block].attributes;
+    const bool unnamed = !names.empty() && std::all_of(names.begin(), names.end(), [](const auto& name) { return name.empty(); });
+    if (!unnamed) {
+        return {};
+    }
+    findings.add(
+        {"exodus.unnamed_attribute", "Blocks without attribute names: their first attribute was taken for thickness or area", {}},
+        {"exodus.unnamed_attribute.remedy", "Check it, or set component[NAME].section.", {}}, part);
+    return file.attribute(block, 0);
+}
+
+// A file in millimetres says its density in t/mm3 or kg/mm3; no building material is that light in kg/m3.
+double densityInSi(double value, double metresPerUnit, Findings& findings, const std::string& part) {
+    if (std::abs(metresPerUnit - 0.001) > 1e-9 || !(value > 1e-11 && value < 3e-5)) {
+        return value;
+    }
+    const bool tonnes = value < 3e-8;
+    findings.add({"exodus.density_unit", "Densities of a file in millimetres were taken for t/mm3 or kg/mm3", {}},
+                 {"exodus.density_unit.remedy", "Check the masses, or set component[NAME].density.", {}}, part);
+    return value * (tonnes ? 1e12 : 1e9);
+}
+
+}  // namespace
+
+void readExodusMaterial(const ExodusFile& file, const FrameTransform& frame, ExodusMesh& result) {
+    Mesh& mesh = result.mesh;
+    mesh.density.assign(mesh.elementCount(), nothing);
+    mesh.section.assign(mesh.elementCount(), nothing);
+    for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
+        const std::size_t block = result.blocks[p], first = result.first[p];
+        const ElementShape shape = mesh.shapes[first];
+        const std::string& name = mesh.parts[p].name;
+        const std::vector<double> density =
+            fromFile(file, block, {"density", "rho", "mass_density"}, {"density", "rho", "mass_density"});
+        for (std::size_t e = 0; e < density.size(); ++e) {
+            mesh.density[first + e] = densityInSi(density[e], frame.metresPerUnit(), result.findings, name);
+        }
+        if (isSolid(shape)) {
+            continue;
+        }
+        std::vector<double> section = isShell(shape) ? fromFile(file, block, {"thickness", "shell_thickness", "thick"},
+                                                                {"thickness", "shell_thickness", "thick"})
+                                                     : fromFile(file, block, {"area", "cross_section", "section_area"}, {"area"});
+        if (section.empty()) {
+            section = byConvention(file, block, name, result.findings);
+        }
+        const double unit = isShell(shape) ? frame.metresPerUnit() : frame.metresPerUnit() * frame.metresPerUnit();
+        for (std::size_t e = 0; e < section.size(); ++e) {
+            mesh.section[first + e] = section[e] * unit;
+        }
+    }
+}
+
+}  // namespace rubble::io

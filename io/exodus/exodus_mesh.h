@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/finding.h"
+#include "core/fe/mesh.h"
+#include "io/exodus/exodus_file.h"
+#include "io/frame_transform.h"
+
+namespace rubble::io {
+
+/// The mesh of an Exodus file and where its elements stand in the file.
+struct ExodusMesh {
+    Mesh mesh;
+    std::vector<std::size_t> blocks;  ///< block of each part [parts]
+    std::vector<std::size_t> first;   ///< first element of each part in the mesh [parts + 1]
+    Findings findings;
+};
+
+/// Reads coordinates, blocks and materials. Blocks that are no structure are left out and counted; solids numbered the other way
+/// round at rest are turned and counted. Throws ParseError for two-dimensional files, files without elements, nodes that do not
+/// exist and elements at nodes without a finite place.
+ExodusMesh readExodusMesh(const ExodusFile& file, const FrameTransform& frame);
+
+/// True for a length [file unit] that can be a place or a displacement: finite and below 1e9.
+bool usableLength(double value);
+
+}  // namespace rubble::io

@@ -77,9 +77,6 @@ public:
     double speedTop() const;
     /// First and last birth time, s; both 0 without fragments.
     std::pair<double, double> birthSpan() const;
-    /// Index into SceneColours::categories for a component and for a cluster.
-    std::size_t categoryOf(ComponentId component) const;
-    std::size_t categoryOf(ClusterId cluster) const;
 
 private:
     struct Impl;

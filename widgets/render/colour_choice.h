@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/base/ids.h"
+#include "widgets/render/colours.h"
+
+/// Which of the scene's colours a thing takes; scene and legends ask here, so that they agree.
+namespace rubble::render::colour_choice {
+
+/// Stone greys that take turns.
+constexpr std::uint32_t greys = 5;
+
+/// Grey of the active structure of a component.
+Rgb structure(const SceneColours& colours, std::uint32_t component);
+/// Colour of a component.
+Rgb category(const SceneColours& colours, std::size_t index);
+/// Colour of a cluster: neighbours in number look different.
+Rgb clusterColour(const SceneColours& colours, ClusterId cluster);
+/// Colour of a value on a scale; clamped at both ends, and the first colour for a scale without length.
+Rgb onRamp(const std::array<Rgb, 256>& ramp, double low, double high, double value);
+
+}  // namespace rubble::render::colour_choice

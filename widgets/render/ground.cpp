@@ -1,0 +1,166 @@
+#include "widgets/render/ground.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace rubble::render {
+namespace {
+
+constexpr int sectors = 64;
+constexpr double planeReach = 14.0;  // model lengths until ground and sky are one
+constexpr double gridReach = 1.1;    // model lengths until the grid has faded
+
+vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data) {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    mapper->SetColorModeToDirectScalars();
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    actor->PickableOff();
+    actor->ForceOpaqueOn();
+    return actor;
+}
+
+Rgb mixed(const Rgb& a, const Rgb& b, double share) {
+    const auto channel = [share](std::uint8_t x, std::uint8_t y) {
+        return static_cast<std::uint8_t>(std::lround((1 - share) * x + share * y));
+    };
+    return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
+}
+
+/// Share of the horizon's colour in the ground at a distance, both in model lengths.
+double haze(double distance) {
+    return 1.0 - std::exp(-std::pow(distance / 4.5, 2));
+}
+
+void addColour(vtkUnsignedCharArray& colours, const Rgb& c) {
+    const std::array<unsigned char, 4> rgba{c.r, c.g, c.b, 255};
+    colours.InsertNextTypedTuple(rgba.data());
+}
+
+}  // namespace
+
+Ground::Ground()
+    : m_plane(vtkSmartPointer<vtkPolyData>::New()),
+      m_grid(vtkSmartPointer<vtkPolyData>::New()),
+      m_planeActor(flatActor(m_plane)),
+      m_gridActor(flatActor(m_grid)) {
+    m_planeActor->GetProperty()->BackfaceCullingOn();
+    auto* mapper = m_planeActor->GetMapper();
+    // The plane steps back so that the grid and what lies on the ground win.
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, 2.0);
+}
+
+Ground::~Ground() = default;
+
+void Ground::addTo(vtkRenderer& renderer) {
+    renderer.AddActor(m_planeActor);
+    renderer.AddActor(m_gridActor);
+}
+
+void Ground::setVisible(bool visible) {
+    m_planeActor->SetVisibility(visible);
+    m_gridActor->SetVisibility(visible);
+}
+
+double Ground::spacing(const Aabb& bounds) {
+    const double length = std::max(bounds.sizes().x(), bounds.sizes().y());
+    if (!(length > 0)) {
+        return 1.0;
+    }
+    const double power = std::pow(10.0, std::floor(std::log10(length / 10.0)));
+    const double mantissa = length / 10.0 / power;
+    return power * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
+}
+
+void Ground::set(const Aabb& bounds, const SceneColours& colours) {
+    const Vec3 centre(bounds.center().x(), bounds.center().y(), bounds.min().z());
+    const double size = std::max(bounds.sizes().norm(), 1e-3);
+    m_reach = planeReach * size;
+    makePlane(centre, colours);
+    makeGrid(centre, size, spacing(bounds), colours);
+}
+
+void Ground::makePlane(const Vec3& centre, const SceneColours& colours) {
+    constexpr std::array<double, 10> rings{0.6, 1.0, 1.6, 2.3, 3.2, 4.3, 5.6, 7.5, 10.0, planeReach};
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    vtkNew<vtkUnsignedCharArray> rgba;
+    rgba->SetNumberOfComponents(4);
+    points->InsertNextPoint(centre.data());
+    addColour(*rgba, colours.ground);
+    const double unit = m_reach / planeReach;
+    for (const double ring : rings) {
+        for (int s = 0; s < sectors; ++s) {
+            const double angle = 2.0 * std::numbers::pi * s / sectors;
+            points->InsertNextPoint(centre.x() + unit * ring * std::cos(angle), centre.y() + unit * ring * std::sin(angle),
+                                    centre.z());
+            addColour(*rgba, ring == planeReach ? colours.skyHorizon : mixed(colours.ground, colours.skyHorizon, haze(ring)));
+        }
+    }
+    for (int s = 0; s < sectors; ++s) {
+        const vtkIdType next = (s + 1) % sectors;
+        const std::array<vtkIdType, 3> first{0, 1 + s, 1 + next};
+        cells->InsertNextCell(3, first.data());
+        for (std::size_t r = 0; r + 1 < rings.size(); ++r) {
+            const vtkIdType inner = 1 + static_cast<vtkIdType>(r) * sectors;
+            const vtkIdType outer = inner + sectors;
+            const std::array<vtkIdType, 4> quad{inner + s, outer + s, outer + next, inner + next};
+            cells->InsertNextCell(4, quad.data());
+        }
+    }
+    m_plane->SetPoints(points);
+    m_plane->SetPolys(cells);
+    m_plane->GetPointData()->SetScalars(rgba);
+    m_plane->Modified();
+}
+
+void Ground::makeGrid(const Vec3& centre, double size, double step, const SceneColours& colours) {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> lines;
+    vtkNew<vtkUnsignedCharArray> rgba;
+    rgba->SetNumberOfComponents(4);
+    const double reach = gridReach * size;
+    const int count = static_cast<int>(std::ceil(reach / step));
+    const auto line = [&](int axis, double across) {
+        // Short pieces let the line fade with the distance from the model.
+        for (int i = -count; i <= count; ++i) {
+            Vec3 p(centre.x(), centre.y(), centre.z());
+            p[1 - axis] = across;
+            p[axis] = step * (std::round(centre[axis] / step) + i);
+            const double distance = std::hypot(p.x() - centre.x(), p.y() - centre.y());
+            const double faded = std::clamp(std::pow(distance / reach, 2.0), 0.0, 1.0);
+            const Rgb under = mixed(colours.ground, colours.skyHorizon, haze(distance / size));
+            const vtkIdType id = points->InsertNextPoint(p.data());
+            addColour(*rgba, mixed(colours.grid, under, faded));
+            if (i > -count) {
+                const std::array<vtkIdType, 2> piece{id - 1, id};
+                lines->InsertNextCell(2, piece.data());
+            }
+        }
+    };
+    for (int axis = 0; axis < 2; ++axis) {
+        for (int i = -count; i <= count; ++i) {
+            line(axis, step * (std::round(centre[1 - axis] / step) + i));
+        }
+    }
+    m_grid->SetPoints(points);
+    m_grid->SetLines(lines);
+    m_grid->GetPointData()->SetScalars(rgba);
+    m_grid->Modified();
+}
+
+}  // namespace rubble::render

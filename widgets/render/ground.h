@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include "core/base/geometry.h"
+#include "widgets/render/colours.h"
+
+class vtkActor;
+class vtkPolyData;
+class vtkRenderer;
+
+namespace rubble::render {
+
+/// The ground of a pane: a plane that fades into the horizon, with a quiet grid of round spacing around the model.
+class Ground {
+public:
+    Ground();
+    ~Ground();
+
+    void addTo(vtkRenderer& renderer);
+    /// @param bounds  of the model, m; the ground lies at its lower end
+    void set(const Aabb& bounds, const SceneColours& colours);
+    void setVisible(bool visible);
+    /// How far the ground reaches from the model's centre, m.
+    double reach() const { return m_reach; }
+    /// Distance of grid lines, m.
+    static double spacing(const Aabb& bounds);
+
+private:
+    void makePlane(const Vec3& centre, const SceneColours& colours);
+    void makeGrid(const Vec3& centre, double size, double step, const SceneColours& colours);
+
+    double m_reach = 0.0;
+    vtkSmartPointer<vtkPolyData> m_plane;
+    vtkSmartPointer<vtkPolyData> m_grid;
+    vtkSmartPointer<vtkActor> m_planeActor;
+    vtkSmartPointer<vtkActor> m_gridActor;
+};
+
+}  // namespace rubble::render

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "widgets/render/camera.h"
+#include "widgets/render/colours.h"
+#include "widgets/render/debris_geometry.h"
+#include "widgets/render/node_motion.h"
+#include "widgets/render/scene.h"
+#include "widgets/render/scene_data.h"
+#include "widgets/render/structure_faces.h"
+
+namespace rubble::render {
+
+/// What the scene knows about all data, for colours.
+struct ColourScale {
+    SceneColours colours;
+    double firstBirth = 0.0;  ///< s
+    double lastBirth = 0.0;   ///< s
+    double speedTop = 1.0;    ///< m/s
+};
+
+/// The triangles of one pane at one instant, free of any graphics library: points, colours, triangles and who owns them.
+/// Positions change every frame, triangles only at events (births, deaths), so each has its own version.
+class PaneGeometry {
+public:
+    static constexpr std::uint32_t none = 0xffffffffu;
+
+    PaneGeometry(PaneContent content, const SceneData& data, bool allFaces);
+
+    /// Moves to a time on the file's clock, s. Throws what reading a state or a frame throws; the picture before then stays.
+    void update(double time, ColourBy colourBy, const ColourScale& scale, const std::vector<ElementIndex>& selection);
+
+    const PaneStatus& status() const { return m_status; }
+    const std::vector<float>& points() const { return m_points; }               ///< xyz
+    const std::vector<std::uint8_t>& colours() const { return m_colours; }      ///< rgba by point
+    const std::vector<std::int32_t>& triangles() const { return m_triangles; }  ///< three points each
+    const std::vector<std::int32_t>& lines() const { return m_lines; }          ///< two points each (beams)
+    const std::vector<std::int32_t>& selected() const { return m_selected; }    ///< triangles of the selection, three points each
+    std::uint64_t pointsVersion() const { return m_pointsVersion; }
+    std::uint64_t coloursVersion() const { return m_coloursVersion; }
+    std::uint64_t trianglesVersion() const { return m_trianglesVersion; }
+    std::uint64_t selectionVersion() const { return m_selectionVersion; }
+
+    /// The nearest element or fragment that a ray meets from outside.
+    std::optional<Pick> cast(const Ray& ray) const;
+
+private:
+    struct Owner {
+        ElementIndex element{};
+        std::uint32_t fragment = none;
+    };
+    struct StructurePoint {
+        std::uint32_t node = 0;
+        std::uint32_t grey = 0;
+    };
+
+    void makeFaces(bool carried);
+    double shownTime(double time);
+    void followTrajectory();
+    void rebuildTriangles(double time);
+    void addStructure();
+    void addDebris(double time);
+    void place(double time);
+    void colour(ColourBy colourBy, const ColourScale& scale);
+    Rgb debrisColour(FragmentId fragment, std::size_t group, const std::vector<float>& speeds, ColourBy colourBy,
+                     const ColourScale& scale) const;
+    void select(const std::vector<ElementIndex>& selection);
+    void countShown(double time);
+    std::uint32_t componentOf(ElementIndex element) const;
+
+    PaneContent m_content;
+    SceneData m_data;
+    bool m_allFaces;
+    bool m_carried = false;  ///< bodies carry fragments from their hand-over
+    NodeMotion m_motion;
+    ShowTimes m_showTimes;
+    std::unique_ptr<StructureFaces> m_structure;
+    std::unique_ptr<DebrisGeometry> m_debris;
+    std::vector<double> m_debrisEvents;
+    TrajectoryFrame m_frame;
+    std::size_t m_boundBodies = 0;
+
+    std::uint64_t m_structureSlot = ~std::uint64_t{0};
+    std::uint64_t m_debrisSlot = ~std::uint64_t{0};
+    std::size_t m_groupsShown = 0;
+    std::size_t m_debrisPoints = 0;
+    std::vector<std::uint8_t> m_born;  ///< by fragment
+    std::vector<std::uint32_t> m_groupOfPoint;
+    std::vector<StructurePoint> m_structurePoints;
+    std::vector<Owner> m_owners;  ///< by triangle
+    double m_placedTime = 0.0;
+    bool m_placed = false;
+    ColourBy m_colourBy = ColourBy::Highlight;
+    SceneColours m_colouredWith;
+    bool m_coloured = false;
+    std::vector<ElementIndex> m_selection;
+
+    PaneStatus m_status;
+    std::vector<float> m_points;
+    std::vector<std::uint8_t> m_colours;
+    std::vector<std::int32_t> m_triangles;
+    std::vector<std::int32_t> m_lines;
+    std::vector<std::int32_t> m_selected;
+    std::uint64_t m_pointsVersion = 0;
+    std::uint64_t m_coloursVersion = 0;
+    std::uint64_t m_trianglesVersion = 0;
+    std::uint64_t m_selectionVersion = 0;
+};
+
+}  // namespace rubble::render

@@ -1,0 +1,185 @@
+#include "widgets/render/pane_renderer.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCullerCollection.h>
+#include <vtkFloatArray.h>
+#include <vtkLight.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble::render {
+namespace {
+
+vtkSmartPointer<vtkActor> modelActor(vtkPolyData* data) {
+    vtkNew<vtkOpenGLPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    mapper->SetColorModeToDirectScalars();
+    // The local frame keeps coordinates small; a scan of all points every frame to shift them would cost as much as moving them.
+    mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->ForceOpaqueOn();  // else every frame scans all colours for transparent ones
+    actor->GetProperty()->SetInterpolationToFlat();
+    actor->GetProperty()->BackfaceCullingOn();
+    actor->GetProperty()->SetSpecular(0.0);
+    return actor;
+}
+
+vtkSmartPointer<vtkCellArray> cells(const std::vector<std::int32_t>& connectivity, int corners) {
+    const auto count = static_cast<vtkIdType>(connectivity.size()) / corners;
+    vtkNew<vtkTypeInt32Array> offsets;
+    offsets->SetNumberOfValues(count + 1);
+    for (vtkIdType i = 0; i <= count; ++i) {
+        offsets->SetValue(i, static_cast<std::int32_t>(i * corners));
+    }
+    vtkNew<vtkTypeInt32Array> points;
+    points->SetNumberOfValues(static_cast<vtkIdType>(connectivity.size()));
+    std::copy(connectivity.begin(), connectivity.end(), points->GetPointer(0));
+    auto array = vtkSmartPointer<vtkCellArray>::New();
+    array->SetData(offsets, points);
+    return array;
+}
+
+double channel(std::uint8_t value) {
+    return value / 255.0;
+}
+
+}  // namespace
+
+PaneRenderer::PaneRenderer()
+    : m_renderer(vtkSmartPointer<vtkRenderer>::New()),
+      m_points(vtkSmartPointer<vtkPoints>::New()),
+      m_coordinates(vtkSmartPointer<vtkFloatArray>::New()),
+      m_rgba(vtkSmartPointer<vtkUnsignedCharArray>::New()),
+      m_model(vtkSmartPointer<vtkPolyData>::New()),
+      m_selection(vtkSmartPointer<vtkPolyData>::New()) {
+    makeActors();
+    m_ground.addTo(*m_renderer);
+    m_renderer->AddActor(m_modelActor);
+    m_renderer->AddActor(m_selectionActor);
+    m_renderer->GradientBackgroundOn();
+    m_renderer->GetCullers()->RemoveAllItems();  // they ask every frame for the bounds of all points
+    m_renderer->AutomaticLightCreationOff();
+    // One lamp behind the viewer's left shoulder shows the three faces of a block in three tones.
+    vtkNew<vtkLight> key;
+    key->SetLightTypeToCameraLight();
+    key->SetPosition(-0.55, 0.85, 1.0);
+    key->SetFocalPoint(0.0, 0.0, 0.0);
+    key->SetIntensity(1.0);
+    m_renderer->AddLight(key);
+}
+
+PaneRenderer::~PaneRenderer() = default;
+
+void PaneRenderer::makeActors() {
+    m_coordinates->SetNumberOfComponents(3);
+    m_rgba->SetNumberOfComponents(4);
+    m_points->SetData(m_coordinates);
+    m_model->SetPoints(m_points);
+    m_model->GetPointData()->SetScalars(m_rgba);
+    m_selection->SetPoints(m_points);
+    m_modelActor = modelActor(m_model);
+    m_selectionActor = modelActor(m_selection);
+    m_selectionActor->GetMapper()->ScalarVisibilityOff();
+    m_selectionActor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
+    m_selectionActor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -2.0);
+    m_modelActor->GetProperty()->SetLineWidth(2.0f);
+}
+
+void PaneRenderer::setColours(const SceneColours& colours, const Aabb& bounds) {
+    const auto& low = colours.skyHorizon;
+    const auto& high = colours.skyTop;
+    m_renderer->SetBackground(channel(low.r), channel(low.g), channel(low.b));
+    m_renderer->SetBackground2(channel(high.r), channel(high.g), channel(high.b));
+    for (vtkActor* actor : {m_modelActor.Get(), m_selectionActor.Get()}) {
+        actor->GetProperty()->SetAmbient(colours.ambient);
+        actor->GetProperty()->SetDiffuse(1.0 - colours.ambient);
+    }
+    m_selectionActor->GetProperty()->SetColor(channel(colours.selection.r), channel(colours.selection.g),
+                                              channel(colours.selection.b));
+    if (!bounds.isEmpty()) {
+        m_ground.set(bounds, colours);
+    }
+}
+
+void PaneRenderer::setGround(bool visible) {
+    m_ground.setVisible(visible);
+}
+
+void PaneRenderer::setTriangles(const PaneGeometry& geometry) {
+    m_model->SetPolys(cells(geometry.triangles(), 3));
+    m_model->SetLines(cells(geometry.lines(), 2));
+    m_trianglesVersion = geometry.trianglesVersion();
+}
+
+void PaneRenderer::show(const PaneGeometry* geometry) {
+    const bool other = geometry != m_shown;
+    m_shown = geometry;
+    m_modelActor->SetVisibility(geometry != nullptr && !geometry->points().empty());
+    m_selectionActor->SetVisibility(geometry != nullptr && !geometry->selected().empty());
+    if (!geometry || geometry->points().empty()) {
+        return;
+    }
+    if (other || geometry->pointsVersion() != m_pointsVersion) {
+        m_pointsVersion = geometry->pointsVersion();
+        // VTK only reads these arrays; its interface has no const.
+        m_coordinates->SetArray(const_cast<float*>(geometry->points().data()), static_cast<vtkIdType>(geometry->points().size()),
+                                1);
+        m_coordinates->Modified();
+        m_points->Modified();
+        m_model->Modified();
+    }
+    if (other || geometry->coloursVersion() != m_coloursVersion) {
+        m_coloursVersion = geometry->coloursVersion();
+        m_rgba->SetArray(const_cast<std::uint8_t*>(geometry->colours().data()), static_cast<vtkIdType>(geometry->colours().size()),
+                         1);
+        m_rgba->Modified();
+        m_model->Modified();
+    }
+    if (other || geometry->trianglesVersion() != m_trianglesVersion) {
+        setTriangles(*geometry);
+    }
+    if (other || geometry->selectionVersion() != m_selectionVersion) {
+        m_selectionVersion = geometry->selectionVersion();
+        m_selection->SetPolys(cells(geometry->selected(), 3));
+    }
+    m_selection->Modified();
+}
+
+void PaneRenderer::place(const Pane& pane, int width, int height) {
+    const double w = std::max(width, 1);
+    const double h = std::max(height, 1);
+    m_renderer->SetViewport(pane.x / w, 1.0 - (pane.y + pane.height) / h, (pane.x + pane.width) / w, 1.0 - pane.y / h);
+}
+
+void PaneRenderer::look(const Camera& camera, const Aabb& bounds) {
+    vtkCamera* target = m_renderer->GetActiveCamera();
+    target->SetPosition(camera.position.data());
+    target->SetFocalPoint(camera.focalPoint.data());
+    target->SetViewUp(camera.up.data());
+    target->SetViewAngle(camera.viewAngle);
+    target->SetParallelProjection(camera.parallel);
+    target->SetParallelScale(camera.parallelScale);
+    // Set by hand: asking VTK would scan all points every frame.
+    const Vec3 centre = bounds.isEmpty() ? camera.focalPoint : bounds.center();
+    const double size = bounds.isEmpty() ? 1.0 : bounds.sizes().norm();
+    const double away = (centre - camera.position).norm();
+    const double distance = (camera.focalPoint - camera.position).norm();
+    const double far = away + std::max(m_ground.reach(), 3.0 * size);
+    const double near = camera.parallel ? away - far : std::max({0.02 * distance, away - 2.0 * size, 1e-4 * far});
+    target->SetClippingRange(near, far);
+}
+
+}  // namespace rubble::render

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <cstdint>
+
+#include "widgets/render/ground.h"
+#include "widgets/render/pane_geometry.h"
+#include "widgets/render/panes.h"
+
+class vtkActor;
+class vtkFloatArray;
+class vtkPoints;
+class vtkPolyData;
+class vtkRenderer;
+class vtkUnsignedCharArray;
+
+namespace rubble::render {
+
+/// One pane in VTK: a renderer with one polydata for all that moves, one for the selection, and the ground.
+class PaneRenderer {
+public:
+    PaneRenderer();
+    ~PaneRenderer();
+
+    vtkRenderer& renderer() { return *m_renderer; }
+
+    /// Hands the geometry's arrays to VTK (not copied: the geometry must outlive the next Render()); null shows an empty pane.
+    void show(const PaneGeometry* geometry);
+    void setColours(const SceneColours& colours, const Aabb& bounds);
+    void setGround(bool visible);
+    /// @param pane  place in a window of width x height device pixels
+    void place(const Pane& pane, int width, int height);
+    void look(const Camera& camera, const Aabb& bounds);
+
+private:
+    void makeActors();
+    void setTriangles(const PaneGeometry& geometry);
+
+    vtkSmartPointer<vtkRenderer> m_renderer;
+    vtkSmartPointer<vtkPoints> m_points;
+    vtkSmartPointer<vtkFloatArray> m_coordinates;
+    vtkSmartPointer<vtkUnsignedCharArray> m_rgba;
+    vtkSmartPointer<vtkPolyData> m_model;
+    vtkSmartPointer<vtkPolyData> m_selection;
+    vtkSmartPointer<vtkActor> m_modelActor;
+    vtkSmartPointer<vtkActor> m_selectionActor;
+    Ground m_ground;
+    const PaneGeometry* m_shown = nullptr;
+    std::uint64_t m_pointsVersion = 0;
+    std::uint64_t m_coloursVersion = 0;
+    std::uint64_t m_trianglesVersion = 0;
+    std::uint64_t m_selectionVersion = 0;
+};
+
+}  // namespace rubble::render

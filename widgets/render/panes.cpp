@@ -1,0 +1,52 @@
+#include "widgets/render/panes.h"
+
+#include <algorithm>
+
+#include "widgets/render/camera.h"
+
+namespace rubble::render {
+
+std::vector<Pane> panesOf(Layout layout, int width, int height, int gap) {
+    width = std::max(width, 1);
+    height = std::max(height, 1);
+    switch (layout) {
+        case Layout::FeOnly:
+            return {{PaneContent::Fe, 0, 0, width, height}};
+        case Layout::FragmentsOnly:
+            return {{PaneContent::Fragments, 0, 0, width, height}};
+        case Layout::Stacked: {
+            const int first = std::max((height - gap) / 2, 1);
+            return {{PaneContent::Fe, 0, 0, width, first},
+                    {PaneContent::Fragments, 0, first + gap, width, std::max(height - gap - first, 1)}};
+        }
+        case Layout::Beside:
+            break;
+    }
+    const int first = std::max((width - gap) / 2, 1);
+    return {{PaneContent::Fe, 0, 0, first, height},
+            {PaneContent::Fragments, first + gap, 0, std::max(width - gap - first, 1), height}};
+}
+
+std::optional<Pane> paneAt(Layout layout, int width, int height, int x, int y) {
+    for (const Pane& pane : panesOf(layout, width, height)) {
+        if (pane.contains(x, y)) {
+            return pane;
+        }
+    }
+    return std::nullopt;
+}
+
+Layout suggestLayout(const Aabb& bounds, int width, int height) {
+    if (bounds.isEmpty()) {
+        return Layout::Beside;
+    }
+    // The layout in which the model comes out larger: fit it into a pane of each.
+    const auto nearness = [&](Layout layout) {
+        const Pane pane = panesOf(layout, width, height).front();
+        const Camera camera = fitCamera(bounds, pane.aspect());
+        return pane.height / (camera.focalPoint - camera.position).norm();
+    };
+    return nearness(Layout::Stacked) > nearness(Layout::Beside) ? Layout::Stacked : Layout::Beside;
+}
+
+}  // namespace rubble::render

@@ -1,0 +1,250 @@
+#include "widgets/render/scene.h"
+
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "widgets/render/camera.h"
+#include "widgets/render/pane_geometry.h"
+#include "widgets/render/pane_renderer.h"
+
+namespace rubble::render {
+namespace {
+
+constexpr double standardGravity = 9.80665;
+
+std::size_t indexOf(PaneContent content) {
+    return content == PaneContent::Fe ? 0 : 1;
+}
+
+Aabb boundsOf(const SceneData& data) {
+    Aabb bounds;
+    if (!data.fe) {
+        return bounds;
+    }
+    for (const Vec3& node : data.fe->mesh().nodes) {
+        bounds.extend(node);
+    }
+    if (!bounds.isEmpty()) {
+        bounds.min().z() = std::min(bounds.min().z(), data.groundHeight);
+    }
+    return bounds;
+}
+
+/// 1, 2, 2.5 or 5 times a power of ten, at least the value.
+double roundedUp(double value) {
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double step : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 10.0}) {
+        if (value <= step * power) {
+            return step * power;
+        }
+    }
+    return 10.0 * power;
+}
+
+/// True if the FE pane looks the same with either.
+bool sameStructure(const SceneData& a, const SceneData& b) {
+    return a.fe == b.fe && a.components == b.components && a.groundHeight == b.groundHeight;
+}
+
+}  // namespace
+
+struct Scene::Impl {
+    SceneData data;
+    bool allFaces = false;
+    Aabb bounds;
+    ColourScale scale;
+    bool coloursChanged = true;
+    vtkRenderWindow* window = nullptr;
+    vtkSmartPointer<vtkRenderer> backdrop;  ///< colours what lies between the panes
+    std::array<PaneRenderer, 2> renderers;
+    std::array<std::unique_ptr<PaneGeometry>, 2> geometries;
+    std::array<PaneStatus, 2> statuses;
+    View view;
+    int width = 1;
+    int height = 1;
+
+    void settleScale() {
+        bounds = boundsOf(data);
+        const double height_ = bounds.isEmpty() ? 0.0 : bounds.sizes().z();
+        scale.speedTop = height_ > 0 ? roundedUp(std::sqrt(2.0 * standardGravity * height_)) : 1.0;
+        scale.firstBirth = scale.lastBirth = 0.0;
+        if (data.fragments && data.fragments->size() > 0) {
+            const auto [first, last] =
+                std::minmax_element(data.fragments->list.begin(), data.fragments->list.end(),
+                                    [](const Fragment& a, const Fragment& b) { return a.birthTime < b.birthTime; });
+            scale.firstBirth = first->birthTime;
+            scale.lastBirth = last->birthTime;
+        }
+    }
+
+    void applyColours() {
+        for (PaneRenderer& renderer : renderers) {
+            renderer.setColours(scale.colours, bounds);
+        }
+        const Rgb& c = scale.colours.divider;
+        backdrop->SetBackground(c.r / 255.0, c.g / 255.0, c.b / 255.0);
+        coloursChanged = false;
+    }
+
+    void drop(std::size_t pane) {
+        renderers[pane].show(nullptr);
+        geometries[pane].reset();
+        statuses[pane] = {};
+    }
+
+    PaneGeometry* geometryFor(PaneContent content) {
+        auto& geometry = geometries[indexOf(content)];
+        if (!geometry && data.fe) {
+            geometry = std::make_unique<PaneGeometry>(content, data, allFaces);
+        }
+        return geometry.get();
+    }
+};
+
+Scene::Scene() : m_impl(std::make_unique<Impl>()) {
+    m_impl->backdrop = vtkSmartPointer<vtkRenderer>::New();
+}
+
+Scene::~Scene() {
+    if (m_impl->window) {
+        detach();
+    }
+}
+
+void Scene::attach(vtkRenderWindow& window) {
+    if (m_impl->window) {
+        detach();
+    }
+    m_impl->window = &window;
+    window.AddRenderer(m_impl->backdrop);
+    for (PaneRenderer& pane : m_impl->renderers) {
+        window.AddRenderer(&pane.renderer());
+    }
+}
+
+void Scene::detach() {
+    if (!m_impl->window) {
+        return;
+    }
+    for (PaneRenderer& pane : m_impl->renderers) {
+        pane.renderer().ReleaseGraphicsResources(m_impl->window);
+        m_impl->window->RemoveRenderer(&pane.renderer());
+    }
+    m_impl->backdrop->ReleaseGraphicsResources(m_impl->window);
+    m_impl->window->RemoveRenderer(m_impl->backdrop);
+    m_impl->window = nullptr;
+}
+
+void Scene::setData(const SceneData& data) {
+    if (data == m_impl->data) {
+        return;
+    }
+    if (!sameStructure(data, m_impl->data)) {
+        m_impl->drop(0);
+    }
+    m_impl->drop(1);
+    m_impl->data = data;
+    m_impl->settleScale();
+    m_impl->coloursChanged = true;
+}
+
+const SceneData& Scene::data() const {
+    return m_impl->data;
+}
+
+void Scene::setColours(const SceneColours& colours) {
+    if (!(colours == m_impl->scale.colours)) {
+        m_impl->scale.colours = colours;
+        m_impl->coloursChanged = true;
+    }
+}
+
+void Scene::setAllFaces(bool all) {
+    if (all != m_impl->allFaces) {
+        m_impl->allFaces = all;
+        m_impl->drop(0);
+        m_impl->drop(1);
+    }
+}
+
+void Scene::update(const View& view, int width, int height) {
+    m_impl->view = view;
+    m_impl->width = width;
+    m_impl->height = height;
+    if (m_impl->coloursChanged) {
+        m_impl->applyColours();
+    }
+    for (PaneRenderer& renderer : m_impl->renderers) {
+        renderer.renderer().DrawOff();
+    }
+    for (const Pane& pane : panesOf(view.layout, width, height)) {
+        const std::size_t i = indexOf(pane.content);
+        PaneRenderer& renderer = m_impl->renderers[i];
+        PaneGeometry* geometry = m_impl->geometryFor(pane.content);
+        if (geometry) {
+            geometry->update(view.time, view.colourBy, m_impl->scale, view.selection);
+            m_impl->statuses[i] = geometry->status();
+        }
+        renderer.renderer().DrawOn();
+        renderer.show(geometry);
+        renderer.setGround(view.ground && geometry);
+        renderer.place(pane, width, height);
+        renderer.look(cameraOf(view, pane.content), m_impl->bounds);
+    }
+}
+
+const PaneStatus& Scene::status(PaneContent content) const {
+    return m_impl->statuses[indexOf(content)];
+}
+
+std::optional<Pick> Scene::pick(int x, int y) const {
+    const auto pane = paneAt(m_impl->view.layout, m_impl->width, m_impl->height, x, y);
+    if (!pane || !m_impl->geometries[indexOf(pane->content)]) {
+        return std::nullopt;
+    }
+    const Ray ray = rayThrough(cameraOf(m_impl->view, pane->content), (x + 0.5 - pane->x) / pane->width,
+                               (y + 0.5 - pane->y) / pane->height, pane->aspect());
+    return m_impl->geometries[indexOf(pane->content)]->cast(ray);
+}
+
+std::optional<Vec3> Scene::groundAt(int x, int y) const {
+    const auto pane = paneAt(m_impl->view.layout, m_impl->width, m_impl->height, x, y);
+    if (!pane || m_impl->bounds.isEmpty()) {
+        return std::nullopt;
+    }
+    const Ray ray = rayThrough(cameraOf(m_impl->view, pane->content), (x + 0.5 - pane->x) / pane->width,
+                               (y + 0.5 - pane->y) / pane->height, pane->aspect());
+    const double distance = (m_impl->bounds.min().z() - ray.origin.z()) / ray.direction.z();
+    if (!std::isfinite(distance) || distance <= 0) {
+        return std::nullopt;
+    }
+    return ray.origin + distance * ray.direction;
+}
+
+Aabb Scene::bounds() const {
+    return m_impl->bounds;
+}
+
+double Scene::speedTop() const {
+    return m_impl->scale.speedTop;
+}
+
+std::pair<double, double> Scene::birthSpan() const {
+    return {m_impl->scale.firstBirth, m_impl->scale.lastBirth};
+}
+
+View defaultView(const SceneData& data, int width, int height) {
+    View view;
+    const Aabb bounds = boundsOf(data);
+    view.layout = suggestLayout(bounds, width, height);
+    const Pane pane = panesOf(view.layout, width, height).front();
+    view.cameras.fill(fitCamera(bounds, pane.aspect()));
+    view.time = data.fe ? data.fe->times().front() : 0.0;
+    return view;
+}
+
+}  // namespace rubble::render

@@ -1,0 +1,249 @@
+#include "widgets/case_panel.h"
+
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QTableWidget>
+#include <cmath>
+
+#include "widgets/theme.h"
+#include "widgets/wording.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+enum Column { Name, Kind, Elements, Dead, Density, ColumnCount };
+
+QTableWidgetItem* cell(const QString& text, bool number) {
+    auto* item = new QTableWidgetItem(text);
+    item->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    return item;
+}
+
+QString joined(const std::vector<std::string>& names) {
+    QStringList list;
+    for (const std::string& name : names) {
+        list << QString::fromStdString(name);
+    }
+    return list.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+QString regroupText(const RegroupStep& step) {
+    const auto name = [](const std::string& text) { return QString::fromStdString(text); };
+    if (const auto* merge = std::get_if<MergeComponents>(&step)) {
+        return CasePanel::tr("%1 joined into %2").arg(joined(merge->components), name(merge->newName));
+    }
+    if (const auto* rename = std::get_if<RenameComponent>(&step)) {
+        return CasePanel::tr("%1 renamed to %2").arg(name(rename->component), name(rename->newName));
+    }
+    if (const auto* box = std::get_if<SplitByBox>(&step)) {
+        return CasePanel::tr("%1 split by a box into %2").arg(name(box->component), name(box->newName));
+    }
+    if (const auto* plane = std::get_if<SplitByPlane>(&step)) {
+        return CasePanel::tr("%1 split by a plane into %2").arg(name(plane->component), name(plane->newName));
+    }
+    return CasePanel::tr("%1 split into what hangs together").arg(name(std::get<SplitByConnectivity>(step).component));
+}
+
+CasePanel::CasePanel(QWidget* parent)
+    : Panel(tr("Case"), tr("What was computed, and of what the structure is made."), parent),
+      m_table(new QTableWidget(0, ColumnCount)),
+      m_regroup(new RegroupForm),
+      m_steps(new QLabel),
+      m_clear(new QPushButton(tr("Back to the parts of the file"))),
+      m_findings(new FindingList) {
+    buildFile();
+    buildTable();
+    addRemaining(Stage::Import, tr("How the file is read"));
+    addRemaining(Stage::Components, tr("Assumed where nothing is known"));
+    addWide(m_findings);
+    setContent(nullptr, nullptr);
+}
+
+void CasePanel::buildFile() {
+    PanelGroup* file = addGroup(tr("File"));
+    m_note = file->addNote(tr("Open a case or an FE result, or drop one anywhere in the window. The sample is in the Case menu."));
+    m_name = file->addValue(tr("Name"));
+    m_format = file->addValue(tr("Format"));
+    m_elements = file->addValue(tr("Elements"));
+    m_dead = file->addValue(tr("Deactivated"), {}, tr("Inactive at the last state and active before"));
+    m_nodes = file->addValue(tr("Nodes"));
+    m_states = file->addValue(tr("States"));
+    m_span = file->addValue(tr("Time"), tr("s"));
+    m_flag = file->addValue(tr("Active flag"), {}, tr("How the file says which elements are active"));
+    m_velocity = file->addValue(tr("Velocity"), {}, tr("Nodal velocities; else differences of positions at active states"));
+}
+
+void CasePanel::buildTable() {
+    PanelGroup* group = addGroup(tr("Components"));
+    m_table->setHorizontalHeaderLabels({tr("name"), tr("kind"), tr("elements"), tr("dead"), tr("kg/m³")});
+    m_table->horizontalHeaderItem(Density)->setToolTip(tr("Density; double-click to change, empty for what the file says"));
+    for (int column = Elements; column < ColumnCount; ++column) {
+        m_table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    m_table->horizontalHeaderItem(Name)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->horizontalHeaderItem(Kind)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 9);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setMinimumSectionSize(24);
+    m_table->horizontalHeader()->setFont(headingFont());
+    m_table->setFont(headingFont());
+    m_table->setShowGrid(false);
+    m_table->setWordWrap(false);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->setAccessibleName(tr("Components"));
+    m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                             QAbstractItemView::AnyKeyPressed);
+    group->addWide(m_table);
+    group->addWide(m_regroup);
+    m_steps->setObjectName(QStringLiteral("muted"));
+    m_steps->setWordWrap(true);
+    group->addWide(m_steps);
+    group->addWide(m_clear);
+    connect(m_table, &QTableWidget::cellChanged, this, &CasePanel::densityTyped);
+    connect(m_table, &QTableWidget::itemSelectionChanged, this, [this] {
+        QStringList all;
+        for (int row = 0; row < m_table->rowCount(); ++row) {
+            all << m_table->item(row, Name)->text();
+        }
+        const QStringList selected = selectedComponents();
+        m_regroup->setSelection(selected, all);
+        if (selected.size() == 1 && m_components != nullptr) {
+            for (const Component& component : m_components->list) {
+                if (component.name == selected.front().toStdString()) {
+                    m_regroup->setBounds(component.bounds);
+                }
+            }
+        }
+    });
+    connect(m_regroup, &RegroupForm::regroupRequested, this, &CasePanel::regroupRequested);
+    connect(m_clear, &QPushButton::clicked, this, &CasePanel::regroupingCleared);
+}
+
+QStringList CasePanel::selectedComponents() const {
+    QStringList names;
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        if (m_table->item(row, Name) != nullptr && m_table->item(row, Name)->isSelected()) {
+            names << m_table->item(row, Name)->text();
+        }
+    }
+    return names;
+}
+
+void CasePanel::setContent(const std::shared_ptr<const FeResult>& fe, const std::shared_ptr<const Components>& components) {
+    m_components = components;
+    showFile(fe.get());
+    showComponents(fe.get(), components.get());
+    Findings findings;
+    if (fe != nullptr) {
+        findings.append(fe->contents().findings);
+    }
+    if (components != nullptr) {
+        findings.append(components->findings);
+    }
+    m_findings->set(findings);
+}
+
+void CasePanel::showFile(const FeResult* fe) {
+    const QString none(QChar(0x2013));
+    m_note->setVisible(fe == nullptr);
+    if (fe == nullptr || fe->stateCount() == 0) {
+        for (QLabel* label : {m_name, m_format, m_elements, m_nodes, m_states, m_span, m_flag, m_velocity, m_dead}) {
+            label->setText(none);
+        }
+        return;
+    }
+    const FeResult::Contents& c = fe->contents();
+    const QString path = QString::fromStdString(c.path);
+    m_name->setText(m_name->fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, 150));
+    m_name->setToolTip(path);
+    m_format->setText(QString::fromStdString(c.format));
+    m_elements->setText(shownCount(static_cast<std::int64_t>(fe->mesh().elementCount())));
+    m_nodes->setText(shownCount(static_cast<std::int64_t>(fe->mesh().nodeCount())));
+    m_states->setText(shownCount(static_cast<std::int64_t>(fe->stateCount())));
+    m_span->setText(QStringLiteral("%1 – %2").arg(QLocale().toString(fe->times().front(), 'f', 2),
+                                                  QLocale().toString(fe->times().back(), 'f', 2)));
+    m_flag->setText(QString::fromStdString(c.activityFrom));
+    m_flag->setWordWrap(true);
+    m_velocity->setText(c.hasVelocity ? tr("in the file") : tr("from positions"));
+    std::int64_t dead = 0;
+    for (std::size_t e = 0; e < fe->mesh().elementCount(); ++e) {
+        const auto element = idAt<ElementIndex>(e);
+        dead += fe->activity().active(0, element) && !fe->activity().active(fe->stateCount() - 1, element) ? 1 : 0;
+    }
+    m_dead->setText(shownCount(dead));
+}
+
+void CasePanel::showComponents(const FeResult* fe, const Components* components) {
+    m_filling = true;
+    m_table->clearSelection();
+    m_table->setRowCount(components != nullptr ? static_cast<int>(components->list.size()) : 0);
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const Component& component = components->list[static_cast<std::size_t>(row)];
+        std::int64_t dead = 0;
+        for (const ElementIndex e : component.elements) {
+            dead += fe != nullptr && !fe->activity().active(fe->stateCount() - 1, e) ? 1 : 0;
+        }
+        m_table->setItem(row, Name, cell(QString::fromStdString(component.name), false));
+        m_table->setItem(row, Kind, cell(QString::fromStdString(component.kind), false));
+        m_table->setItem(row, Elements, cell(shownCount(static_cast<std::int64_t>(component.elements.size())), true));
+        m_table->setItem(row, Dead, cell(shownCount(dead), true));
+        auto* density = cell(shownNumber(component.density, 4), true);
+        density->setFlags(density->flags() | Qt::ItemIsEditable);
+        m_table->setItem(row, Density, density);
+        const Vec3 size = component.bounds.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(component.bounds.sizes());
+        m_table->item(row, Name)->setToolTip(tr("%1: %2 t, %3 × %4 × %5 m")
+                                                 .arg(QString::fromStdString(component.name), shownNumber(component.mass / 1000.0),
+                                                      shownNumber(size.x()), shownNumber(size.y()), shownNumber(size.z())));
+    }
+    const int lines = std::min(12, std::max(1, m_table->rowCount()));
+    m_table->setFixedHeight((lines + 1) * (m_table->fontMetrics().height() + 9) + 8);
+    m_filling = false;
+    m_regroup->setSelection({}, {});
+}
+
+void CasePanel::setScenario(const Scenario& scenario) {
+    Panel::setScenario(scenario);
+    QStringList steps;
+    for (const RegroupStep& step : scenario.regrouping) {
+        steps << regroupText(step);
+    }
+    m_steps->setText(steps.join(QLatin1Char('\n')));
+    m_steps->setVisible(!steps.isEmpty());
+    m_clear->setVisible(!steps.isEmpty());
+}
+
+void CasePanel::densityTyped(int row, int column) {
+    if (m_filling || column != Density || m_components == nullptr) {
+        return;
+    }
+    const Component& component = m_components->list[static_cast<std::size_t>(row)];
+    const QString text = m_table->item(row, column)->text().trimmed();
+    const QString key = QStringLiteral("component[%1].density").arg(QString::fromStdString(component.name));
+    bool ok = false;
+    const double density = QLocale().toDouble(text, &ok);
+    const Parameter& parameter = *findParameter(key.toStdString()).first;
+    m_filling = true;
+    m_table->item(row, column)->setText(shownNumber(component.density, 4));
+    m_filling = false;
+    if (text.isEmpty()) {
+        emit edited(key, ParameterValue());
+    } else if (ok && density >= parameter.low && density <= parameter.high && text != shownNumber(component.density, 4)) {
+        emit edited(key, ParameterValue(density));
+    } else if (!ok || density < parameter.low || density > parameter.high) {
+        setError(
+            tr("“%1” is not a density from %2 to %3 kg/m³.").arg(text, shownNumber(parameter.low), shownNumber(parameter.high, 5)),
+            tr("The density of %1 stays as it was.").arg(QString::fromStdString(component.name)));
+    }
+}
+
+}  // namespace rubble::widgets

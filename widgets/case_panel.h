@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+
+#include "core/fe/components.h"
+#include "core/fe/fe_result.h"
+#include "widgets/panel.h"
+#include "widgets/regroup_form.h"
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace rubble::widgets {
+
+/// What was computed, and of what the structure is made: the file, how it is read, the components and their regrouping.
+class CasePanel : public Panel {
+    Q_OBJECT
+
+public:
+    explicit CasePanel(QWidget* parent = nullptr);
+
+    /// @param fe, components  null while there are none
+    void setContent(const std::shared_ptr<const FeResult>& fe, const std::shared_ptr<const Components>& components);
+    void setScenario(const Scenario& scenario);
+    QStringList selectedComponents() const;
+
+signals:
+    void regroupRequested(const rubble::RegroupStep& step);
+    /// Back to the parts of the file.
+    void regroupingCleared();
+
+private:
+    void buildFile();
+    void buildTable();
+    void showFile(const FeResult* fe);
+    void showComponents(const FeResult* fe, const Components* components);
+    void densityTyped(int row, int column);
+
+    QLabel* m_name;
+    QLabel* m_format;
+    QLabel* m_elements;
+    QLabel* m_nodes;
+    QLabel* m_states;
+    QLabel* m_span;
+    QLabel* m_flag;
+    QLabel* m_velocity;
+    QLabel* m_dead;
+    QLabel* m_note;
+    QTableWidget* m_table;
+    RegroupForm* m_regroup;
+    QLabel* m_steps;
+    QPushButton* m_clear;
+    FindingList* m_findings;
+    std::shared_ptr<const Components> m_components;
+    bool m_filling = false;
+};
+
+/// A regrouping step in words: "deck 1, deck 2 joined into deck".
+QString regroupText(const RegroupStep& step);
+
+}  // namespace rubble::widgets

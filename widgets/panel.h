@@ -1,0 +1,101 @@
+#pragma once
+
+#include <QHash>
+#include <QScrollArea>
+#include <vector>
+
+#include "core/base/finding.h"
+#include "core/scenario/parameters.h"
+
+class QGridLayout;
+class QLabel;
+class QVBoxLayout;
+
+namespace rubble::widgets {
+
+class ParameterEditor;
+
+/// A sentence that needs attention, in place: a finding (amber), an error (red) or a plain note.
+class Notice : public QFrame {
+    Q_OBJECT
+
+public:
+    enum class Kind { Note, Finding, Error };
+    explicit Notice(QWidget* parent = nullptr);
+    /// Shows a sentence and what to do about it; hides itself when both are empty.
+    void set(Kind kind, const QString& what, const QString& remedy = {});
+    QString text() const;
+
+private:
+    QLabel* m_label;
+};
+
+/// Findings of a stage, one notice each, with count, example and remedy.
+class FindingList : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FindingList(QWidget* parent = nullptr);
+    void set(const Findings& findings);
+
+private:
+    QVBoxLayout* m_column;
+};
+
+/// A group of a panel: small heading, then rows of label, value and unit.
+class PanelGroup : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PanelGroup(const QString& heading, QWidget* parent = nullptr);
+
+    /// A row whose value is shown, right-aligned, in tabular figures; returns the label that shows it.
+    QLabel* addValue(const QString& label, const QString& unit = {}, const QString& tip = {});
+    ParameterEditor* addParameter(const Parameter& row, const std::string& subject = {});
+    /// A widget over the full width.
+    void addWide(QWidget* widget);
+    /// A note in the muted colour over the full width.
+    QLabel* addNote(const QString& text);
+    void setHeading(const QString& heading);
+
+private:
+    QLabel* m_heading;
+    QGridLayout* m_grid;
+};
+
+/// A panel of the rail: a title, one question, groups. Scrolls vertically when the window is low.
+class Panel : public QScrollArea {
+    Q_OBJECT
+
+public:
+    Panel(const QString& title, const QString& question, QWidget* parent = nullptr);
+
+    PanelGroup* addGroup(const QString& heading);
+    void addWide(QWidget* widget);
+    /// Says in place that what the panel shows is older than the settings.
+    void setStale(bool stale, const QString& why = {});
+    /// Shows an error in place, or removes it with an empty text.
+    void setError(const QString& what, const QString& remedy = {});
+    /// Shows the values of a scenario in all editors of the panel.
+    void setScenario(const Scenario& scenario);
+    ParameterEditor* editor(const QString& key) const { return m_editors.value(key); }
+    QSize sizeHint() const override;
+
+signals:
+    /// The user changed a parameter.
+    void edited(const QString& key, const rubble::ParameterValue& value);
+
+protected:
+    /// A row for a parameter by key; its edits leave through edited().
+    ParameterEditor* addParameter(PanelGroup* group, const std::string& key);
+    /// Rows for all unkeyed parameters of a stage that the panel does not show yet; nothing if there are none.
+    void addRemaining(Stage stage, const QString& heading);
+
+private:
+    QVBoxLayout* m_column;
+    Notice* m_error;
+    Notice* m_stale;
+    QHash<QString, ParameterEditor*> m_editors;
+};
+
+}  // namespace rubble::widgets

@@ -1,0 +1,226 @@
+#include "widgets/parameter_editor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QToolButton>
+#include <cmath>
+
+#include "widgets/wording.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+QString qt(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+}  // namespace
+
+ParameterEditor::ParameterEditor(const Parameter& row, std::string subject, QWidget* parent)
+    : QWidget(parent), m_row(row), m_subject(std::move(subject)) {
+    build();
+    setToolTip(tip());
+    setObjectName(key());
+}
+
+QString ParameterEditor::key() const {
+    return qt(m_row.key).replace(QStringLiteral("[*]"), QStringLiteral("[%1]").arg(QString::fromStdString(m_subject)));
+}
+
+QString ParameterEditor::label() const {
+    return qt(m_row.label);
+}
+
+QString ParameterEditor::unit() const {
+    return qt(m_row.unit)
+        .replace(QStringLiteral("m2"), QStringLiteral("m²"))
+        .replace(QStringLiteral("m3"), QStringLiteral("m³"))
+        .replace(QStringLiteral("s2"), QStringLiteral("s²"));
+}
+
+QString ParameterEditor::tip() const {
+    QString text = QStringLiteral("<p>") + qt(m_row.help).toHtmlEscaped() + QStringLiteral("</p>");
+    if (std::isfinite(m_row.low) || std::isfinite(m_row.high)) {
+        const QString low = std::isfinite(m_row.low) ? QLocale().toString(m_row.low, 'g', 6) : QStringLiteral("−∞");
+        const QString high = std::isfinite(m_row.high) ? QLocale().toString(m_row.high, 'g', 6) : QStringLiteral("∞");
+        text += QStringLiteral("<p>") + tr("From %1 to %2 %3").arg(low, high, unit()) + QStringLiteral("</p>");
+    }
+    return text + QStringLiteral("<p><i>") + key().toHtmlEscaped() + QStringLiteral("</i></p>");
+}
+
+void ParameterEditor::build() {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    auto* line = new QHBoxLayout;
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(4);
+    column->addLayout(line);
+    if (m_row.kind == ParameterKind::Switch) {
+        m_switch = new QCheckBox;
+        m_switch->setAccessibleName(label());
+        line->addStretch();
+        line->addWidget(m_switch);
+        connect(m_switch, &QCheckBox::clicked, this, [this](bool on) {
+            m_value = on;
+            emit edited(key(), m_value);
+        });
+        setFocusProxy(m_switch);
+    } else if (m_row.kind == ParameterKind::Choice && m_row.choices.size() < 2) {
+        // Nothing to choose yet: told, not offered.
+        m_only = new QLabel;
+        m_only->setObjectName(QStringLiteral("value"));
+        m_only->setAlignment(Qt::AlignRight);
+        line->addWidget(m_only, 1);
+    } else if (m_row.kind == ParameterKind::Choice) {
+        m_choice = new QComboBox;
+        m_choice->setAccessibleName(label());
+        m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        m_choice->setMinimumContentsLength(8);
+        for (const std::string_view choice : m_row.choices) {
+            m_choice->addItem(shownName(choice), qt(choice));
+        }
+        line->addWidget(m_choice, 1);
+        connect(m_choice, &QComboBox::activated, this, [this] {
+            m_value = m_choice->currentData().toString().toStdString();
+            emit edited(key(), m_value);
+        });
+        setFocusProxy(m_choice);
+    } else {
+        buildField();
+        line->addWidget(m_field, 1);
+        if (m_auto != nullptr) {
+            line->addWidget(m_auto);
+        }
+        m_complaint = new QLabel;
+        m_complaint->setObjectName(QStringLiteral("complaint"));
+        m_complaint->setWordWrap(true);
+        m_complaint->hide();
+        column->addWidget(m_complaint);
+        setFocusProxy(m_field);
+    }
+}
+
+void ParameterEditor::buildField() {
+    m_field = new QLineEdit;
+    m_field->setAccessibleName(label());
+    m_field->setMinimumWidth(56);
+    if (m_row.kind != ParameterKind::Text) {
+        m_field->setAlignment(Qt::AlignRight);
+    }
+    connect(m_field, &QLineEdit::editingFinished, this, &ParameterEditor::commitText);
+    if (m_row.automatic) {
+        m_auto = new QToolButton;
+        m_auto->setText(tr("auto"));
+        m_auto->setCheckable(true);
+        m_auto->setObjectName(QStringLiteral("autoMark"));
+        m_auto->setToolTip(tr("Let Rubble choose this value"));
+        connect(m_auto, &QToolButton::clicked, this, [this] {
+            if (!std::holds_alternative<std::monostate>(m_value)) {
+                m_value = std::monostate{};
+                emit edited(key(), m_value);
+            }
+            show(m_value);
+        });
+    }
+}
+
+void ParameterEditor::setValue(const ParameterValue& value) {
+    m_value = value;
+    show(value);
+}
+
+void ParameterEditor::setAutomaticValue(double value) {
+    m_automatic = std::isfinite(value) ? shownNumber(value, 3) : QString();
+    if (std::holds_alternative<std::monostate>(m_value)) {
+        show(m_value);
+    }
+}
+
+void ParameterEditor::show(const ParameterValue& value) {
+    if (m_switch != nullptr) {
+        m_switch->setChecked(std::holds_alternative<bool>(value) && std::get<bool>(value));
+        return;
+    }
+    if (m_only != nullptr) {
+        m_only->setText(shownValue(value));
+        return;
+    }
+    if (m_choice != nullptr) {
+        const auto* text = std::get_if<std::string>(&value);
+        m_choice->setCurrentIndex(m_choice->findData(text != nullptr ? QString::fromStdString(*text) : QString()));
+        return;
+    }
+    const bool automatic = std::holds_alternative<std::monostate>(value);
+    if (const auto* text = std::get_if<std::string>(&value)) {
+        m_field->setText(QString::fromStdString(*text));
+    } else {
+        m_field->setText(automatic ? QString() : shownValue(value));
+    }
+    m_field->setPlaceholderText(automatic ? (m_automatic.isEmpty() ? tr("auto") : m_automatic) : QString());
+    if (m_auto != nullptr) {
+        m_auto->setChecked(automatic);
+    }
+    m_field->setProperty("wrong", false);
+    m_complaint->hide();
+}
+
+void ParameterEditor::refuse(const QString& why) {
+    m_field->setProperty("wrong", true);
+    m_complaint->setText(why);
+    m_complaint->show();
+}
+
+void ParameterEditor::commitText() {
+    const QString text = m_field->text().trimmed();
+    if (m_row.kind == ParameterKind::Text) {
+        if (ParameterValue typed = text.toStdString(); typed != m_value) {
+            m_value = typed;
+            emit edited(key(), m_value);
+        }
+        return;
+    }
+    if (text.isEmpty() && m_row.automatic) {
+        show(m_value = std::monostate{});
+        emit edited(key(), m_value);
+        return;
+    }
+    bool ok = false;
+    double number = QLocale().toDouble(text, &ok);
+    if (!ok) {
+        number = QLocale::c().toDouble(text, &ok);
+    }
+    if (!ok || !std::isfinite(number)) {
+        refuse(tr("“%1” is not a number.").arg(text));
+        return;
+    }
+    if (m_row.kind == ParameterKind::Integer && number != std::floor(number)) {
+        refuse(tr("A whole number is needed."));
+        return;
+    }
+    if (number < m_row.low || number > m_row.high) {
+        refuse(tr("Between %1 and %2, please.").arg(QLocale().toString(m_row.low, 'g', 6), QLocale().toString(m_row.high, 'g', 6)));
+        return;
+    }
+    const ParameterValue typed =
+        m_row.kind == ParameterKind::Integer ? ParameterValue(static_cast<std::int64_t>(number)) : ParameterValue(number);
+    // What the field shows is rounded: leaving it untouched must not change the value.
+    const bool changed = typed != m_value && text != shownValue(m_value);
+    show(changed ? typed : m_value);
+    if (changed) {
+        m_value = typed;
+        emit edited(key(), m_value);
+    }
+}
+
+void ParameterEditor::setAvailable(bool available, const QString& reason) {
+    setEnabled(available);
+    setToolTip(available ? tip() : reason);
+}
+
+}  // namespace rubble::widgets

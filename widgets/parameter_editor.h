@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+#include "core/scenario/parameters.h"
+
+class QAbstractButton;
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QToolButton;
+
+namespace rubble::widgets {
+
+/// Edits one row of the parameter table: the same widget wherever a parameter appears. Shows what is wrong with a typed value in
+/// place and keeps the old one. An automatic value is shown as such; typing takes it over and the auto mark gives it back.
+class ParameterEditor : public QWidget {
+    Q_OBJECT
+
+public:
+    /// @param row      a row of parameterTable()
+    /// @param subject  what stands in the brackets of a keyed row
+    explicit ParameterEditor(const Parameter& row, std::string subject = {}, QWidget* parent = nullptr);
+
+    const Parameter& row() const { return m_row; }
+    QString key() const;
+    QString label() const;
+    QString unit() const;
+    /// Shows a value without emitting edited().
+    void setValue(const ParameterValue& value);
+    /// What the automatic value comes to, shown while the value is automatic.
+    void setAutomaticValue(double value);
+    const ParameterValue& value() const { return m_value; }
+    /// Keys of parameters that switch this one off could grey it out; the reason becomes its tooltip.
+    void setAvailable(bool available, const QString& reason = {});
+
+signals:
+    /// The user settled on a value (never emitted by setValue).
+    void edited(const QString& key, const rubble::ParameterValue& value);
+
+private:
+    void build();
+    void buildField();
+    void commitText();
+    void refuse(const QString& why);
+    void show(const ParameterValue& value);
+    QString tip() const;
+
+    const Parameter& m_row;
+    std::string m_subject;
+    ParameterValue m_value;
+    QString m_automatic;
+    QCheckBox* m_switch = nullptr;
+    QComboBox* m_choice = nullptr;
+    QLineEdit* m_field = nullptr;
+    QToolButton* m_auto = nullptr;
+    QLabel* m_complaint = nullptr;
+    QLabel* m_only = nullptr;
+};
+
+}  // namespace rubble::widgets
+
+Q_DECLARE_METATYPE(rubble::ParameterValue)

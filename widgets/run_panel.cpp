@@ -1,0 +1,128 @@
+#include "widgets/run_panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <algorithm>
+
+#include "widgets/wording.h"
+
+namespace rubble::widgets {
+
+RunPanel::RunPanel(QWidget* parent)
+    : Panel(tr("Run"), tr("Where the fragments go."), parent),
+      m_simulate(new QPushButton(tr("Simulate"))),
+      m_live(new QPushButton(tr("Live"))),
+      m_cancel(new QPushButton(tr("Cancel"))),
+      m_why(new QLabel),
+      m_findings(new FindingList) {
+    auto* buttons = new QWidget;
+    auto* row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_simulate, 2);
+    row->addWidget(m_live, 1);
+    row->addWidget(m_cancel, 1);
+    m_simulate->setObjectName(QStringLiteral("primary"));
+    m_simulate->setToolTip(tr("Simulate the whole collapse as fast as it goes (Ctrl+R)"));
+    m_live->setToolTip(
+        tr("Simulate at the pace of the collapse and watch: each frame simulates one frame time and draws both views"));
+    m_cancel->setToolTip(tr("Stop the run (Esc); what is computed is kept"));
+    m_why->setObjectName(QStringLiteral("muted"));
+    m_why->setWordWrap(true);
+    addWide(buttons);
+    addWide(m_why);
+    connect(m_simulate, &QPushButton::clicked, this, &RunPanel::simulateRequested);
+    connect(m_live, &QPushButton::clicked, this, &RunPanel::liveRequested);
+    connect(m_cancel, &QPushButton::clicked, this, &RunPanel::cancelRequested);
+    buildOutcome();
+    buildSettings();
+    setReady(false, false, tr("Open a result first."));
+    clearOutcome();
+}
+
+void RunPanel::buildSettings() {
+    PanelGroup* engine = addGroup(tr("Engine"));
+    for (const char* key : {"solver", "cluster_shape", "pieces", "piece_size", "step_rate", "iterations"}) {
+        addParameter(engine, key);
+    }
+    PanelGroup* contact = addGroup(tr("Ground and contact"));
+    for (const char* key : {"ground", "ground_height", "gravity", "friction", "restitution", "overlap_speed"}) {
+        addParameter(contact, key);
+    }
+    addRemaining(Stage::Simulation, tr("Rest and recording"));
+}
+
+void RunPanel::buildOutcome() {
+    m_outcome = addGroup(tr("Last run"));
+    m_bodies = m_outcome->addValue(tr("Bodies at most"));
+    m_asleep = m_outcome->addValue(tr("Asleep at the end"), {}, tr("Share of the bodies"));
+    m_moving = m_outcome->addValue(tr("Still moving"), tr("bodies"));
+    m_span = m_outcome->addValue(tr("The end"), tr("s"), tr("When 99 % of the bodies slept, or the settle time was over"));
+    m_wall = m_outcome->addValue(tr("Wall time"));
+    m_step = m_outcome->addValue(tr("Step, mean and worst"), tr("ms"), tr("From the first to the last birth"));
+    m_factor =
+        m_outcome->addValue(tr("Real-time factor"), {}, tr("Simulated over wall time, first to last birth, recording included"));
+    m_liveFps = m_outcome->addValue(tr("Live rate, mean and worst second"), tr("FPS"), tr("Measured in live mode"));
+    m_energy =
+        m_outcome->addValue(tr("Energy drift"), {}, tr("Largest gain beyond gravity, births and pieces, over gravity's work"));
+    m_occupied = m_outcome->addValue(tr("Births in occupied space"), {}, tr("Bodies born inside older debris or pieces"));
+    m_overlap = m_outcome->addValue(tr("Work of resolving overlap"), tr("kJ"));
+    m_penetration = m_outcome->addValue(tr("Deepest contact"), tr("m"));
+    m_islands =
+        m_outcome->addValue(tr("Live islands held"), {}, tr("Parts of the structure alive at the end without a path to a support"));
+    m_ledger = m_outcome->addValue(tr("Ledger, fragments"), {},
+                                   tr("Largest relative error of mass, momentum, angular momentum against the FE result"));
+    m_bodyLedger = m_outcome->addValue(tr("Ledger, bodies"), {}, tr("The same for the bodies, as read back from the engine"));
+    m_hash = m_outcome->addValue(tr("Trajectory"), {}, tr("Hash of every recorded frame: equal runs have equal hashes"));
+    addWide(m_findings);
+}
+
+void RunPanel::clearOutcome() {
+    m_outcome->hide();
+    m_findings->set(Findings());
+}
+
+void RunPanel::setOutcome(const Outcome& outcome) {
+    if (outcome.result == nullptr) {
+        clearOutcome();
+        return;
+    }
+    const SimulationResult& r = *outcome.result;
+    const auto sum = static_cast<double>(std::max<std::int64_t>(1, r.births.births));
+    const auto pair = [](double a, double b) { return QStringLiteral("%1, %2").arg(shownNumber(a, 2), shownNumber(b, 2)); };
+    m_bodies->setText(shownCount(r.bodiesPeak));
+    m_asleep->setText(shownShare(r.asleepAtEnd));
+    m_moving->setText(shownCount(r.stillMoving));
+    m_span->setText(QLocale().toString(r.endTime, 'f', 2));
+    m_wall->setText(shownDuration(outcome.wallSeconds));
+    m_step->setText(pair(r.stepTimes.meanMs, r.stepTimes.worstMs));
+    m_factor->setText(shownNumber(r.stepTimes.realTimeFactor));
+    m_liveFps->setText(outcome.liveMean > 0.0 ? QStringLiteral("%1, %2").arg(QLocale().toString(outcome.liveMean, 'f', 1),
+                                                                             QLocale().toString(outcome.liveWorst, 'f', 0))
+                                              : tr("not measured"));
+    m_energy->setText(shownShare(r.energy.drift, 2));
+    m_occupied->setText(
+        QStringLiteral("%1 (%2)").arg(shownCount(r.births.occupied), shownShare(static_cast<double>(r.births.occupied) / sum, 0)));
+    m_overlap->setText(shownNumber(r.births.work / 1000.0));
+    m_penetration->setText(shownNumber(r.penetrationMax, 2));
+    m_islands->setText(tr("%1 (%2 elements)").arg(shownCount(r.islands.islands), shownCount(r.islands.elements)));
+    m_ledger->setText(shownNumber(std::max({r.ledger.mass, r.ledger.momentum, r.ledger.angularMomentum}), 2));
+    m_bodyLedger->setText(shownNumber(std::max({r.ledger.bodyMass, r.ledger.bodyMomentum, r.ledger.bodyAngularMomentum}), 2));
+    m_hash->setText(QString::fromStdString(r.trajectoryHash.hex()).left(8));
+    m_hash->setToolTip(QString::fromStdString(r.trajectoryHash.hex()));
+    m_outcome->show();
+    m_findings->set(r.findings);
+}
+
+void RunPanel::setReady(bool ready, bool running, const QString& why) {
+    m_simulate->setEnabled(ready && !running);
+    m_live->setEnabled(ready && !running);
+    m_simulate->setVisible(!running);
+    m_live->setVisible(!running);
+    m_cancel->setVisible(running);
+    m_why->setText(why);
+    m_why->setVisible(!why.isEmpty());
+}
+
+}  // namespace rubble::widgets

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace rubble::widgets {
+
+/// The line at the foot of the window: what runs and how long it still takes, then named figures. A figure without a value is not
+/// shown.
+class StatusLine : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Figure { Live, Playback, Bodies, Step, Energy, Findings, Memory };
+
+    explicit StatusLine(QWidget* parent = nullptr);
+
+    /// What runs, in words; fraction < 0 for unknown; empty text when nothing runs.
+    void setActivity(const QString& what, double fraction = -1.0);
+    /// A quiet sentence when nothing runs.
+    void setMessage(const QString& message);
+    /// @param name   "Live"; @param value  "24.6 FPS"; @param aside  muted: "target 24"; an empty value hides the figure
+    void setFigure(Figure figure, const QString& name, const QString& value, const QString& aside = {});
+    QString figureText(Figure figure) const;
+    QString activityText() const;
+
+signals:
+    void cancelRequested();
+
+private:
+    QLabel* m_activity;
+    QProgressBar* m_progress;
+    QPushButton* m_cancel;
+    QString m_message;
+    bool m_running = false;
+    std::array<QLabel*, 7> m_figures{};
+};
+
+}  // namespace rubble::widgets

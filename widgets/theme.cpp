@@ -1,0 +1,160 @@
+#include "widgets/theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace rubble::widgets {
+
+namespace {
+
+render::Theme& themeInForce() {
+    static render::Theme theme = render::Theme::Light;
+    return theme;
+}
+
+QFont sized(double factor, QFont::Weight weight) {
+    QFont font = QApplication::font();
+    const double points = font.pointSizeF() > 0.0 ? font.pointSizeF() : 9.0;
+    font.setPointSizeF(points * factor);
+    font.setWeight(weight);
+    return font;
+}
+
+QPalette paletteOf(const figures::Palette& c) {
+    QPalette p;
+    p.setColor(QPalette::Window, c.panel);
+    p.setColor(QPalette::WindowText, c.text);
+    p.setColor(QPalette::Base, c.field);
+    p.setColor(QPalette::AlternateBase, c.window);
+    p.setColor(QPalette::Text, c.text);
+    p.setColor(QPalette::Button, c.panel);
+    p.setColor(QPalette::ButtonText, c.text);
+    p.setColor(QPalette::ToolTipBase, c.panel);
+    p.setColor(QPalette::ToolTipText, c.text);
+    p.setColor(QPalette::PlaceholderText, c.muted);
+    p.setColor(QPalette::Highlight, c.accent);
+    p.setColor(QPalette::HighlightedText, c.accentText);
+    p.setColor(QPalette::Link, c.accent);
+    p.setColor(QPalette::LinkVisited, c.accent);
+    p.setColor(QPalette::Light, c.field);
+    p.setColor(QPalette::Midlight, c.hairline);
+    p.setColor(QPalette::Mid, c.hairline);
+    p.setColor(QPalette::Dark, c.muted);
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        QColor faint = c.muted;
+        faint.setAlphaF(0.6F);
+        p.setColor(QPalette::Disabled, role, faint);
+    }
+    return p;
+}
+
+/// The style sheet with %name% for the colours of the palette.
+QString sheetOf(const figures::Palette& c) {
+    QString sheet = QStringLiteral(R"(
+QMenuBar, QToolBar, #transportBar, #statusLine { background: %panel%; }
+QMenuBar { border-bottom: 1px solid %hairline%; }
+QMenuBar::item { padding: 4px 8px; background: transparent; }
+QMenuBar::item:selected { background: %accentTint%; }
+QMenu { background: %panel%; border: 1px solid %hairline%; padding: 4px 0; }
+QMenu::item { padding: 5px 24px 5px 28px; }
+QMenu::item:selected { background: %accentTint%; color: %text%; }
+QMenu::item:disabled { color: %muted%; }
+QMenu::separator { height: 1px; background: %hairline%; margin: 4px 0; }
+QToolBar { border: none; border-bottom: 1px solid %hairline%; padding: 4px 6px; spacing: 4px; }
+QToolBar::separator { background: %hairline%; width: 1px; margin: 5px 4px; }
+QToolButton, QPushButton { border: 1px solid %hairline%; border-radius: 4px; padding: 4px 8px; background: %field%; color: %text%; }
+QToolButton:hover, QPushButton:hover { border-color: %muted%; }
+QToolButton:focus, QPushButton:focus { border-color: %accent%; }
+QToolButton:checked { background: %accentTint%; border-color: %accent%; color: %accent%; }
+QToolButton:disabled, QPushButton:disabled { color: %muted%; background: transparent; }
+QPushButton#primary, QToolButton#primary { background: %accent%; border-color: %accent%; color: %accentText%; font-weight: 600; }
+QPushButton#primary:disabled, QToolButton#primary:disabled { background: transparent; border-color: %hairline%; color: %muted%; }
+QToolButton#autoMark { padding: 1px 5px; border-radius: 8px; color: %muted%; background: transparent; }
+QToolButton#autoMark:checked { color: %accent%; background: %accentTint%; border-color: %accentTint%; }
+QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox { border: 1px solid %hairline%; border-radius: 4px; padding: 3px 6px; background: %field%; color: %text%;
+  selection-background-color: %accent%; selection-color: %accentText%; }
+QLineEdit:focus, QComboBox:focus { border-color: %accent%; }
+QLineEdit[wrong="true"] { border-color: %error%; }
+QComboBox QAbstractItemView { background: %field%; color: %text%; border: 1px solid %hairline%; selection-background-color: %accentTint%;
+  selection-color: %text%; outline: none; }
+#complaint { color: %error%; }
+#groupHeading, #muted, #unit { color: %muted%; }
+#rail { background: %panel%; border-right: 1px solid %hairline%; }
+#panelBody, QScrollArea { background: %panel%; }
+#panelStack { background: %panel%; border-right: 1px solid %hairline%; }
+#value { color: %text%; font-weight: 600; }
+#notice { border: none; border-left: 3px solid %muted%; background: %window%; border-radius: 2px; }
+#notice[kind="finding"] { border-left-color: %finding%; background: %findingTint%; }
+#notice[kind="error"] { border-left-color: %error%; }
+#bottom { background: %panel%; border-top: 1px solid %hairline%; }
+#statusLine { border-top: 1px solid %hairline%; }
+#emptyState { background: %window%; }
+QTableView { background: %panel%; alternate-background-color: %panel%; border: none; gridline-color: %hairline%; color: %text%;
+  selection-background-color: %accentTint%; selection-color: %text%; }
+QHeaderView::section { background: %panel%; color: %muted%; border: none; border-bottom: 1px solid %hairline%; padding: 2px 4px; }
+QTableView::item { border-bottom: 1px solid %hairline%; padding: 2px 4px; }
+QToolTip { background: %panel%; color: %text%; border: 1px solid %hairline%; padding: 4px; }
+QProgressBar { border: none; border-radius: 3px; background: %hairline%; max-height: 6px; min-height: 6px; }
+QProgressBar::chunk { background: %accent%; border-radius: 3px; }
+QTextBrowser { background: %panel%; border: none; color: %text%; }
+)");
+    const std::initializer_list<std::pair<const char*, QColor>> names = {{"panel", c.panel},
+                                                                         {"window", c.window},
+                                                                         {"field", c.field},
+                                                                         {"hairline", c.hairline},
+                                                                         {"text", c.text},
+                                                                         {"muted", c.muted},
+                                                                         {"accent", c.accent},
+                                                                         {"accentText", c.accentText},
+                                                                         {"accentTint", c.accentTint},
+                                                                         {"findingTint", c.findingTint},
+                                                                         {"finding", c.finding},
+                                                                         {"error", c.error}};
+    for (const auto& [name, colour] : names) {
+        sheet.replace(QLatin1Char('%') + QLatin1String(name) + QLatin1Char('%'), colour.name());
+    }
+    return sheet;
+}
+
+}  // namespace
+
+render::Theme systemTheme() {
+    static const render::Theme theme =
+        QApplication::palette().color(QPalette::Window).lightness() < 110 ? render::Theme::Dark : render::Theme::Light;
+    return theme;
+}
+
+void applyTheme(render::Theme theme) {
+    systemTheme();
+    themeInForce() = theme == render::Theme::Dark ? render::Theme::Dark : render::Theme::Light;
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setPalette(paletteOf(tints()));
+    qApp->setStyleSheet(sheetOf(tints()));
+}
+
+render::Theme currentTheme() {
+    return themeInForce();
+}
+
+const figures::Palette& tints() {
+    return figures::palette(themeInForce());
+}
+
+QFont titleFont() {
+    return sized(1.25, QFont::DemiBold);
+}
+
+QFont textFont() {
+    return sized(1.0, QFont::Normal);
+}
+
+QFont headingFont() {
+    return sized(0.86, QFont::Normal);
+}
+
+QFont largeFigureFont() {
+    return sized(1.9, QFont::Normal);
+}
+
+}  // namespace rubble::widgets

@@ -1,0 +1,107 @@
+#include "widgets/transport.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QToolButton>
+#include <array>
+#include <cmath>
+
+#include "widgets/icons.h"
+#include "widgets/theme.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+constexpr std::array rates = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
+
+QToolButton* button(Glyph glyph, const QString& name, const QString& tip) {
+    auto* made = new QToolButton;
+    made->setIcon(glyphIcon(glyph));
+    made->setAccessibleName(name);
+    made->setToolTip(tip);
+    made->setFocusPolicy(Qt::TabFocus);
+    return made;
+}
+
+}  // namespace
+
+Transport::Transport(QWidget* parent)
+    : QWidget(parent), m_time(new QLabel), m_span(new QLabel), m_play(button(Glyph::Play, tr("Play"), {})), m_rate(new QComboBox) {
+    setObjectName(QStringLiteral("transportBar"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(14, 8, 8, 8);
+    column->setSpacing(6);
+    auto* figures = new QHBoxLayout;
+    m_time->setFont(largeFigureFont());
+    m_time->setObjectName(QStringLiteral("timeFigures"));
+    m_span->setObjectName(QStringLiteral("muted"));
+    m_span->setFont(headingFont());
+    m_span->setWordWrap(true);
+    figures->addWidget(m_time);
+    figures->addWidget(m_span, 1, Qt::AlignBottom);
+    column->addLayout(figures);
+
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(4);
+    QToolButton* first = button(Glyph::First, tr("First instant"), tr("To the first instant (Home)"));
+    QToolButton* back = button(Glyph::Back, tr("Back"), tr("Back one state (←), ten with Shift"));
+    QToolButton* forward = button(Glyph::Forward, tr("Forward"), tr("Forward one state (→), ten with Shift"));
+    QToolButton* last = button(Glyph::Last, tr("Last instant"), tr("To the last instant (End)"));
+    m_play->setObjectName(QStringLiteral("play"));
+    for (QToolButton* each : {first, back, m_play, forward, last}) {
+        buttons->addWidget(each);
+    }
+    for (const double rate : rates) {
+        m_rate->addItem(QLocale().toString(rate) + QStringLiteral(" ×"), rate);
+    }
+    m_rate->setToolTip(tr("Playback rate: seconds of collapse per second"));
+    m_rate->setAccessibleName(tr("Playback rate"));
+    m_rate->setFocusPolicy(Qt::TabFocus);
+    buttons->addWidget(m_rate);
+    buttons->addStretch();
+    column->addLayout(buttons);
+    column->addStretch();
+
+    connect(first, &QToolButton::clicked, this, &Transport::jumpedToFirst);
+    connect(last, &QToolButton::clicked, this, &Transport::jumpedToLast);
+    connect(back, &QToolButton::clicked, this, [this] { emit stepped(-1); });
+    connect(forward, &QToolButton::clicked, this, [this] { emit stepped(1); });
+    connect(m_play, &QToolButton::clicked, this, &Transport::playToggled);
+    connect(m_rate, &QComboBox::activated, this, [this] { emit ratePicked(m_rate->currentData().toDouble()); });
+    setRate(1.0);
+    setPlaying(false);
+    setTime(0.0);
+}
+
+void Transport::setTime(double time) {
+    m_time->setText(QLocale().toString(time, 'f', 2) + QStringLiteral(" s"));
+}
+
+void Transport::setSpan(double last, double feEnd) {
+    const QString end = tr("of %1 s").arg(QLocale().toString(last, 'f', 2));
+    m_span->setText(last > feEnd + 1e-9 ? end + QLatin1Char('\n') + tr("FE ends at %1 s").arg(QLocale().toString(feEnd, 'f', 2))
+                                        : end);
+}
+
+void Transport::setPlaying(bool playing) {
+    m_play->setIcon(glyphIcon(playing ? Glyph::Pause : Glyph::Play));
+    m_play->setToolTip(playing ? tr("Pause (Space)") : tr("Play (Space)"));
+    m_play->setAccessibleName(playing ? tr("Pause") : tr("Play"));
+}
+
+void Transport::setRate(double rate) {
+    for (int i = 0; i < m_rate->count(); ++i) {
+        if (std::abs(m_rate->itemData(i).toDouble() - rate) < 1e-9) {
+            m_rate->setCurrentIndex(i);
+        }
+    }
+}
+
+void Transport::setAvailable(bool available) {
+    setEnabled(available);
+}
+
+}  // namespace rubble::widgets

@@ -1,0 +1,103 @@
+#include "widgets/wording.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+namespace rubble::widgets {
+
+namespace {
+
+QString shownArgument(const Argument& argument) {
+    QString text;
+    if (const auto* words = std::get_if<std::string>(&argument.value)) {
+        text = QString::fromStdString(*words);
+    } else if (const auto* whole = std::get_if<std::int64_t>(&argument.value)) {
+        text = shownCount(*whole);
+    } else {
+        text = shownNumber(std::get<double>(argument.value), 4);
+    }
+    return argument.unit.empty() ? text : text + QChar(0x00A0) + QString::fromStdString(argument.unit);
+}
+
+}  // namespace
+
+QString worded(const Message& message) {
+    const QString english = QString::fromStdString(message.pattern);
+    // An id without a translation comes back as the id itself.
+    QString pattern = message.id.empty() ? english : qtTrId(message.id.c_str());
+    if (pattern == QString::fromStdString(message.id)) {
+        pattern = english;
+    }
+    QString text;
+    for (qsizetype i = 0; i < pattern.size(); ++i) {
+        const qsizetype close = pattern[i] == u'{' ? pattern.indexOf(u'}', i) : -1;
+        bool isNumber = false;
+        const int index = close > 0 ? pattern.mid(i + 1, close - i - 1).toInt(&isNumber) : -1;
+        if (isNumber && index >= 0 && index < static_cast<int>(message.arguments.size())) {
+            text += shownArgument(message.arguments[static_cast<std::size_t>(index)]);
+            i = close;
+        } else {
+            text += pattern[i];
+        }
+    }
+    return text;
+}
+
+QString shownNumber(double value, int significant) {
+    if (!std::isfinite(value)) {
+        return QString(QChar(0x2013));
+    }
+    if (value == 0.0) {
+        return QStringLiteral("0");
+    }
+    const QLocale locale;
+    const double size = std::abs(value);
+    if (size >= 1e7 || size < 1e-4) {
+        return locale.toString(value, 'e', significant - 1);
+    }
+    const int before = static_cast<int>(std::floor(std::log10(size))) + 1;
+    return locale.toString(value, 'f', std::max(0, significant - before));
+}
+
+QString shownCount(std::int64_t value) {
+    return QLocale().toString(static_cast<qlonglong>(value));
+}
+
+QString shownShare(double share, int decimals) {
+    return std::isfinite(share) ? QLocale().toString(100.0 * share, 'f', decimals) + QStringLiteral(" %") : QString(QChar(0x2013));
+}
+
+QString shownDuration(double seconds) {
+    if (!std::isfinite(seconds)) {
+        return QString(QChar(0x2013));
+    }
+    if (seconds < 10.0) {
+        return QLocale().toString(seconds, 'f', 1) + QStringLiteral(" s");
+    }
+    const auto whole = static_cast<std::int64_t>(std::llround(seconds));
+    return whole < 60 ? QStringLiteral("%1 s").arg(whole)
+                      : QStringLiteral("%1 min %2 s").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
+}
+
+QString shownName(std::string_view name) {
+    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())).replace(u'_', u' ');
+}
+
+QString shownValue(const ParameterValue& value) {
+    if (std::holds_alternative<std::monostate>(value)) {
+        return QCoreApplication::translate("rubble", "auto");
+    }
+    if (const auto* flag = std::get_if<bool>(&value)) {
+        return *flag ? QCoreApplication::translate("rubble", "on") : QCoreApplication::translate("rubble", "off");
+    }
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+        return shownCount(*whole);
+    }
+    if (const auto* number = std::get_if<double>(&value)) {
+        return QLocale().toString(*number, 'g', 6);
+    }
+    return shownName(std::get<std::string>(value));
+}
+
+}  // namespace rubble::widgets

@@ -21,8 +21,10 @@ struct RunOrigin {
 };
 
 /// Writes a run as it is made (*.run.h5): HDF5, chunked, compressed, single writer with readers (SWMR); every dataset exists before
-/// the first frame, so a killed run reopens at its last complete frame. Throws WorldError naming file and remedy (disk full, no
-/// right to write); frames committed before stay readable.
+/// the first frame, so a killed run reopens at its last complete frame. The file stands, and can be opened, once this returns; one
+/// that lay there before is replaced then and not earlier. Frames are compressed on a thread of the sink's own and reach other
+/// processes a few times a second; destroying the sink writes what is left. Throws WorldError naming file and remedy (disk full, no
+/// right to write), from the call that finds it or from the next one; frames committed before stay readable.
 std::unique_ptr<TrajectorySink> createRun(const std::string& path, const RunOrigin& origin);
 
 /// A run file opened for reading, complete or still growing, in this or another process.
@@ -32,7 +34,8 @@ public:
     /// Looks for frames that were committed since.
     virtual void refresh() = 0;
     virtual std::vector<LedgerRow> ledger() const = 0;
-    /// The solids, components and clusters of the run, so that it can be shown and exported without its FE file.
+    /// The solids, components and clusters of the run, so that it can be shown and exported without its FE file; null or empty
+    /// until the run has begun.
     virtual std::shared_ptr<const FragmentSet> fragments() const = 0;
     virtual std::shared_ptr<const Clustering> clustering() const = 0;
     virtual std::vector<std::string> componentNames() const = 0;
@@ -40,6 +43,8 @@ public:
     /// The outcome; null while the run is not complete.
     virtual std::shared_ptr<const SimulationResult> result() const = 0;
     virtual std::shared_ptr<const Sizing> sizing() const = 0;
+    /// What all stages found, from the components to the simulation (the latter once it is complete).
+    virtual Findings findings() const = 0;
 };
 
 /// @param cacheBytes  frames kept in memory at most

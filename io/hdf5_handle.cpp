@@ -1,0 +1,40 @@
+#include "io/hdf5_handle.h"
+
+namespace rubble::io {
+
+Hdf5Session::Hdf5Session() : m_lock(nativeLibraries()) {
+    H5Eget_auto2(H5E_DEFAULT, &m_print, &m_printData);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+Hdf5Session::~Hdf5Session() {
+    H5Eset_auto2(H5E_DEFAULT, m_print, m_printData);
+}
+
+namespace {
+
+// The innermost record stands first when walking upwards; the system's reason hides in its text.
+herr_t takeReason(unsigned depth, const H5E_error2_t* record, void* target) {
+    auto& reason = *static_cast<std::string*>(target);
+    const std::string text = record->desc ? record->desc : "";
+    static const std::string mark = "error message = '";
+    if (const std::size_t start = text.find(mark); start != std::string::npos) {
+        const std::size_t first = start + mark.size();
+        reason = text.substr(first, text.find('\'', first) - first);
+        return 1;
+    }
+    if (depth == 0) {
+        reason = text;
+    }
+    return 0;
+}
+
+}  // namespace
+
+std::string hdf5Reason() {
+    std::string reason;
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, takeReason, &reason);
+    return reason.empty() ? "unknown reason" : reason;
+}
+
+}  // namespace rubble::io

@@ -1,0 +1,233 @@
+#include "io/run_json.h"
+
+#include <optional>
+#include <type_traits>
+
+#include "io/run_members.h"
+#include "io/scenario_json.h"
+
+namespace rubble::io {
+
+using nlohmann::json;
+
+namespace {
+
+json messageJson(const Message& message) {
+    json arguments = json::array();
+    for (const Argument& argument : message.arguments) {
+        json value = std::visit(
+            [](const auto& v) -> json {
+                if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>) {
+                    return {{"number", jsonNumber(v)}};
+                } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::int64_t>) {
+                    return {{"integer", v}};
+                } else {
+                    return {{"text", v}};
+                }
+            },
+            argument.value);
+        value["unit"] = argument.unit;
+        arguments.push_back(std::move(value));
+    }
+    return {{"id", message.id}, {"pattern", message.pattern}, {"arguments", std::move(arguments)}};
+}
+
+Message messageFromJson(const JsonCursor& object) {
+    Message message{object["id"].text(), object["pattern"].text(), {}};
+    for (const JsonCursor& entry : object["arguments"].elements()) {
+        if (entry.has("number")) {
+            message.arguments.emplace_back(entry["number"].anyNumber(), entry["unit"].text());
+        } else if (entry.has("integer")) {
+            message.arguments.emplace_back(entry["integer"].integer());
+            message.arguments.back().unit = entry["unit"].text();
+        } else {
+            message.arguments.emplace_back(entry["text"].text());
+            message.arguments.back().unit = entry["unit"].text();
+        }
+    }
+    return message;
+}
+
+// Choices that have names in core are written by name.
+template <class Choice>
+std::string choiceName(Choice choice) {
+    if constexpr (std::is_same_v<Choice, ClampedBy>) {
+        return std::string(clampedByName(choice));
+    } else {
+        return std::string(stoppedByName(choice));
+    }
+}
+
+template <class Choice>
+Choice choiceFrom(const JsonCursor& cursor, int count) {
+    for (int i = 0; i < count; ++i) {
+        if (choiceName(static_cast<Choice>(i)) == cursor.text()) {
+            return static_cast<Choice>(i);
+        }
+    }
+    cursor.fail("one of the known names");
+}
+
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+template <class T>
+concept Choice = std::is_same_v<T, ClampedBy> || std::is_same_v<T, StoppedBy>;
+
+struct JsonWriter {
+    json object = json::object();
+
+    template <class T>
+    void operator()(const char* name, const T& member) {
+        if constexpr (std::is_same_v<T, double>) {
+            object[name] = jsonNumber(member);
+        } else if constexpr (std::is_integral_v<T>) {
+            object[name] = member;
+        } else if constexpr (Choice<T>) {
+            object[name] = choiceName(member);
+        } else if constexpr (IsOptional<T>::value) {
+            object[name] = member ? json(at(*member)) : json(nullptr);
+        } else if constexpr (std::is_same_v<T, Digest>) {
+            object[name] = member.hex();
+        } else if constexpr (std::is_same_v<T, Findings>) {
+            object[name] = findingsJson(member);
+        } else {
+            JsonWriter inner;
+            Members<T>::each(inner, member);
+            object[name] = std::move(inner.object);
+        }
+    }
+};
+
+Digest digestFromJson(const JsonCursor& cursor) {
+    const std::string hex = cursor.text();
+    Digest digest;
+    if (hex.size() != 2 * digest.bytes.size() || hex.find_first_not_of("0123456789abcdef") != std::string::npos) {
+        cursor.fail("a digest of 32 hexadecimal digits");
+    }
+    for (std::size_t i = 0; i < digest.bytes.size(); ++i) {
+        digest.bytes[i] = static_cast<std::uint8_t>(std::stoul(hex.substr(2 * i, 2), nullptr, 16));
+    }
+    return digest;
+}
+
+struct JsonReader {
+    const JsonCursor& object;
+
+    template <class T>
+    void operator()(const char* name, T& member) {
+        const JsonCursor cursor = object[name];
+        if constexpr (std::is_same_v<T, double>) {
+            member = cursor.anyNumber();
+        } else if constexpr (std::is_integral_v<T>) {
+            member = static_cast<T>(cursor.integer());
+        } else if constexpr (std::is_same_v<T, ClampedBy>) {
+            member = choiceFrom<ClampedBy>(cursor, 4);
+        } else if constexpr (std::is_same_v<T, StoppedBy>) {
+            member = choiceFrom<StoppedBy>(cursor, 3);
+        } else if constexpr (IsOptional<T>::value) {
+            member.reset();
+            if (!cursor.value().is_null()) {
+                member = idAt<typename T::value_type>(static_cast<std::size_t>(cursor.integer()));
+            }
+        } else if constexpr (std::is_same_v<T, Digest>) {
+            member = digestFromJson(cursor);
+        } else if constexpr (std::is_same_v<T, Findings>) {
+            member = findingsFromJson(cursor);
+        } else {
+            JsonReader inner{cursor};
+            Members<T>::each(inner, member);
+        }
+    }
+};
+
+template <class T>
+json membersJson(const T& value) {
+    JsonWriter writer;
+    Members<T>::each(writer, value);
+    return std::move(writer.object);
+}
+
+template <class T>
+T membersFromJson(const JsonCursor& object) {
+    T value{};
+    JsonReader reader{object};
+    Members<T>::each(reader, value);
+    return value;
+}
+
+}  // namespace
+
+json sizingJson(const Sizing& sizing) {
+    return membersJson(sizing);
+}
+
+Sizing sizingFromJson(const JsonCursor& object) {
+    return membersFromJson<Sizing>(object);
+}
+
+json resultJson(const SimulationResult& result) {
+    return membersJson(result);
+}
+
+SimulationResult resultFromJson(const JsonCursor& object) {
+    return membersFromJson<SimulationResult>(object);
+}
+
+json clusteringJson(const Clustering& clustering) {
+    return membersJson(clustering);
+}
+
+Clustering clusteringFromJson(const JsonCursor& object) {
+    return membersFromJson<Clustering>(object);
+}
+
+json findingsJson(const Findings& findings) {
+    json list = json::array();
+    for (const Finding& finding : findings.list()) {
+        list.push_back({{"what", messageJson(finding.what)},
+                        {"remedy", messageJson(finding.remedy)},
+                        {"count", finding.count},
+                        {"example", finding.example}});
+    }
+    return list;
+}
+
+Findings findingsFromJson(const JsonCursor& list) {
+    Findings findings;
+    for (const JsonCursor& entry : list.elements()) {
+        findings.add(messageFromJson(entry["what"]), messageFromJson(entry["remedy"]), entry["example"].text(),
+                     entry["count"].integer());
+    }
+    return findings;
+}
+
+json originJson(const RunOrigin& origin) {
+    json object = scenarioJson(origin.scenario);
+    object["fe_path"] = origin.fePath;
+    object["fe_sha256"] = origin.feSha256;
+    object["frame"] = frameJson(origin.frame);
+    object["scenario_name"] = origin.scenarioName;
+    object["build"] = origin.build;
+    object["fingerprint"] = origin.fingerprint.hex();
+    return object;
+}
+
+RunOrigin originFromJson(const JsonCursor& object) {
+    RunOrigin origin;
+    origin.scenario = scenarioFromJson(object);
+    origin.fePath = object["fe_path"].text();
+    origin.feSha256 = object["fe_sha256"].text();
+    origin.frame = frameFromJson(object["frame"]);
+    origin.scenarioName = object["scenario_name"].text();
+    origin.build = object["build"].text();
+    origin.fingerprint = digestFromJson(object["fingerprint"]);
+    return origin;
+}
+
+std::string jsonText(const json& value) {
+    return value.dump(1, ' ', false, json::error_handler_t::replace);
+}
+
+}  // namespace rubble::io

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/scenario/case.h"
+#include "io/json_cursor.h"
+#include "io/run_file.h"
+
+namespace rubble::io {
+
+/// What a run file keeps as JSON text: everything that is not a long list of numbers. Reading functions throw ParseError with the
+/// place.
+nlohmann::json sizingJson(const Sizing& sizing);
+Sizing sizingFromJson(const JsonCursor& object);
+
+/// Without the outcomes of the fragments.
+nlohmann::json resultJson(const SimulationResult& result);
+SimulationResult resultFromJson(const JsonCursor& object);
+
+/// Without clusters and members.
+nlohmann::json clusteringJson(const Clustering& clustering);
+Clustering clusteringFromJson(const JsonCursor& object);
+
+nlohmann::json findingsJson(const Findings& findings);
+Findings findingsFromJson(const JsonCursor& list);
+
+nlohmann::json originJson(const RunOrigin& origin);
+RunOrigin originFromJson(const JsonCursor& object);
+
+/// JSON as text for the file: sorted; bytes that are not UTF-8 (names of files may hold any) are replaced.
+std::string jsonText(const nlohmann::json& value);
+
+}  // namespace rubble::io

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/hdf5_handle.h"
+
+namespace rubble::io {
+
+inline constexpr const char* runFormatName = "rubble-run";
+inline constexpr int runVersion = 1;
+
+/// Every dataset of a run file. All are lists of rows that only grow; all exist before the first frame, since nothing can be added
+/// once readers may be there (HDF5, single writer with readers).
+enum class RunDataset {
+    Index,         ///< one row per committed frame; written last
+    Positions,     ///< m, of the bodies of all frames, one frame after the other [rows, 3]
+    Orientations,  ///< x, y, z, w [rows, 4]
+    Speeds,        ///< m/s
+    States,        ///< BodyState
+    Bodies,
+    Carriers,
+    Ledger,
+    Fragments,
+    Vertices,       ///< m, solids of the fragments at hand-over [rows, 3]
+    VertexOffsets,  ///< first vertex of each fragment [fragments + 1]
+    Solids,         ///< ElementShape of each solid
+    ElementIds,     ///< user's element number of each fragment
+    Clusters,
+    ClusterMembers,  ///< fragments, cluster by cluster
+    ClusterOf,       ///< cluster of each fragment
+    Outcomes,        ///< where each fragment went; double precision
+    Origin,          ///< JSON text
+    Description,     ///< JSON text: component names, sizing, findings; there once everything before the first step is
+    Result,          ///< JSON text
+    Digests,         ///< JSON text: row count and hash of every other dataset; there once the run is complete
+};
+inline constexpr std::size_t runDatasetCount = 21;
+
+/// One committed frame.
+struct FrameRow {
+    double time = 0.0;
+    std::uint64_t offset = 0;    ///< of its first row in the frame datasets
+    std::uint64_t checksum = 0;  ///< of the four arrays and of the time
+    std::uint32_t bodies = 0;
+    std::uint32_t kind = 0;
+};
+
+/// How a dataset lies in the file.
+struct RunDatasetLayout {
+    RunDataset dataset;
+    const char* path;
+    std::size_t width;      ///< numbers per row
+    std::size_t chunkRows;  ///< rows compressed together
+    std::size_t rowBytes;   ///< in memory
+    std::vector<std::string> columns;
+};
+
+const RunDatasetLayout& layoutOf(RunDataset dataset);
+/// Type of one number (or of one FrameRow) in memory and in the file. The caller holds an Hdf5Session.
+Hdf5Handle memoryTypeOf(RunDataset dataset);
+Hdf5Handle fileTypeOf(RunDataset dataset);
+
+/// The datasets in file order.
+const std::array<RunDataset, runDatasetCount>& runDatasets();
+
+}  // namespace rubble::io

@@ -1,0 +1,243 @@
+#include "io/run_store.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace rubble::io {
+
+namespace {
+
+Hdf5Handle accessList() {
+    Hdf5Handle list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    // Readers beside a writer need the newest form of the file's own structures.
+    H5Pset_libver_bounds(list.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+    H5Pset_file_locking(list.get(), true, true);
+    return list;
+}
+
+Hdf5Handle linkList() {
+    Hdf5Handle list(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+    H5Pset_create_intermediate_group(list.get(), 1);
+    return list;
+}
+
+Hdf5Handle datasetAccess(const RunDatasetLayout& layout) {
+    Hdf5Handle list(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
+    // Room for two chunks; full ones leave first, the one being filled stays.
+    H5Pset_chunk_cache(list.get(), 101, std::max<std::size_t>(2 * layout.chunkRows * layout.rowBytes, std::size_t{1} << 16), 1.0);
+    return list;
+}
+
+bool writeText(hid_t object, const char* name, const std::string& text) {
+    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type.get(), text.size() + 1);
+    H5Tset_cset(type.get(), H5T_CSET_UTF8);
+    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Hdf5Handle attribute(H5Acreate2(object, name, type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    return attribute.valid() && H5Awrite(attribute.get(), type.get(), text.c_str()) >= 0;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) {
+        text += (text.empty() ? "" : " ") + name;
+    }
+    return text;
+}
+
+std::string temporaryName(const std::string& path) {
+    static std::atomic<unsigned> counter{0};
+    return path + "." + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
+}
+
+std::string systemReason(int error) {
+    const char* text = strerrordesc_np(error);
+    return text ? text : "unknown reason";
+}
+
+}  // namespace
+
+RunStore::RunStore(const std::string& path, std::string_view originText) : m_path(path) {
+    const std::string temporary = temporaryName(path);
+    try {
+        create(temporary, originText);
+        if (std::rename(temporary.c_str(), path.c_str()) != 0) {
+            fail(systemReason(errno));
+        }
+    } catch (...) {
+        for (Open& open : m_open) {
+            open.dataset.reset();
+        }
+        m_file.reset();
+        ::unlink(temporary.c_str());
+        throw;
+    }
+}
+
+RunStore::~RunStore() {
+    const Hdf5Session session;
+    for (Open& open : m_open) {
+        open.dataset.reset();
+    }
+    m_file.reset();
+}
+
+void RunStore::fail(const std::string& reason) const {
+    throw WorldError(
+        Message{"io.run.unwritable", "Cannot write the run file {0}: {1}", {m_path, reason}},
+        Message{"io.run.unwritable.remedy",
+                "Free space on that disk or choose another place for the run file, then run again; the frames written so "
+                "far can be read.",
+                {}});
+}
+
+void RunStore::require(bool good) const {
+    if (!good) {
+        fail(hdf5Reason());
+    }
+}
+
+void RunStore::create(const std::string& temporary, std::string_view originText) {
+    const Hdf5Session session;
+    const Hdf5Handle access = accessList();
+    m_file = Hdf5Handle(H5Fcreate(temporary.c_str(), H5F_ACC_EXCL, H5P_DEFAULT, access.get()), H5Fclose);
+    require(m_file.valid());
+    {
+        const Hdf5Handle root(H5Gopen2(m_file.get(), "/", H5P_DEFAULT), H5Gclose);
+        require(writeText(root.get(), "format", runFormatName) && writeText(root.get(), "version", std::to_string(runVersion)));
+    }
+    makeDatasets();
+    openDatasets();
+    appendOpen(RunDataset::Origin, originText.data(), originText.size());
+    // The library wants nothing open when readers are let in.
+    for (Open& open : m_open) {
+        require(open.dataset.reset());
+    }
+    require(H5Fflush(m_file.get(), H5F_SCOPE_GLOBAL) >= 0);
+    require(H5Fstart_swmr_write(m_file.get()) >= 0);
+    openDatasets();
+}
+
+void RunStore::makeDatasets() {
+    const Hdf5Handle links = linkList();
+    for (const RunDataset dataset : runDatasets()) {
+        const RunDatasetLayout& layout = layoutOf(dataset);
+        const int rank = layout.width > 1 ? 2 : 1;
+        const std::array<hsize_t, 2> none{0, layout.width};
+        const std::array<hsize_t, 2> most{H5S_UNLIMITED, layout.width};
+        const std::array<hsize_t, 2> chunk{layout.chunkRows, layout.width};
+        const Hdf5Handle space(H5Screate_simple(rank, none.data(), most.data()), H5Sclose);
+        const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+        H5Pset_chunk(creation.get(), rank, chunk.data());
+        H5Pset_shuffle(creation.get());
+        H5Pset_deflate(creation.get(), 1);
+        H5Pset_obj_track_times(creation.get(), false);
+        const Hdf5Handle type = fileTypeOf(dataset);
+        const Hdf5Handle made(
+            H5Dcreate2(m_file.get(), layout.path, type.get(), space.get(), links.get(), creation.get(), H5P_DEFAULT), H5Dclose);
+        require(made.valid());
+        require(layout.columns.empty() || writeText(made.get(), "columns", joined(layout.columns)));
+    }
+}
+
+void RunStore::openDatasets() {
+    for (const RunDataset dataset : runDatasets()) {
+        const RunDatasetLayout& layout = layoutOf(dataset);
+        Open& open = m_open[static_cast<std::size_t>(dataset)];
+        const Hdf5Handle access = datasetAccess(layout);
+        open.dataset = Hdf5Handle(H5Dopen2(m_file.get(), layout.path, access.get()), H5Dclose);
+        require(open.dataset.valid());
+        open.memoryType = memoryTypeOf(dataset);
+    }
+}
+
+void RunStore::append(RunDataset dataset, const void* rows, std::size_t count) {
+    const Hdf5Session session;
+    appendOpen(dataset, rows, count);
+}
+
+void RunStore::appendOpen(RunDataset dataset, const void* rows, std::size_t count) {
+    if (count == 0) {
+        return;
+    }
+    const RunDatasetLayout& layout = layoutOf(dataset);
+    Open& open = m_open[static_cast<std::size_t>(dataset)];
+    const int rank = layout.width > 1 ? 2 : 1;
+    const std::array<hsize_t, 2> extent{open.rows + count, layout.width};
+    const std::array<hsize_t, 2> start{open.rows, 0};
+    const std::array<hsize_t, 2> size{count, layout.width};
+    require(H5Dset_extent(open.dataset.get(), extent.data()) >= 0);
+    const Hdf5Handle fileSpace(H5Dget_space(open.dataset.get()), H5Sclose);
+    const Hdf5Handle memorySpace(H5Screate_simple(rank, size.data(), nullptr), H5Sclose);
+    require(H5Sselect_hyperslab(fileSpace.get(), H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr) >= 0);
+    require(H5Dwrite(open.dataset.get(), open.memoryType.get(), memorySpace.get(), fileSpace.get(), H5P_DEFAULT, rows) >= 0);
+    open.rows += count;
+    open.hasher.bytes(rows, count * layout.rowBytes);
+}
+
+void RunStore::flush(RunDataset dataset) {
+    const Hdf5Session session;
+    require(H5Dflush(m_open[static_cast<std::size_t>(dataset)].dataset.get()) >= 0);
+}
+
+void RunStore::flushAll() {
+    const Hdf5Session session;
+    require(H5Fflush(m_file.get(), H5F_SCOPE_GLOBAL) >= 0);
+}
+
+void RunStore::close() {
+    const Hdf5Session session;
+    for (Open& open : m_open) {
+        require(open.dataset.reset());
+    }
+    require(m_file.reset());
+}
+
+std::string RunStore::digestsText() const {
+    std::vector<std::pair<std::uint64_t, Digest>> datasets;
+    for (const RunDataset dataset : runDatasets()) {
+        if (dataset != RunDataset::Digests) {
+            const Open& open = m_open[static_cast<std::size_t>(dataset)];
+            datasets.emplace_back(open.rows, open.hasher.finish());
+        }
+    }
+    return io::digestsText(datasets);
+}
+
+std::uint64_t frameChecksum(const TrajectoryFrame& frame) {
+    Hasher hasher;
+    hasher.value(frame.time);
+    hasher.bytes(frame.positions.data(), frame.positions.size() * sizeof(Eigen::Vector3f));
+    hasher.bytes(frame.orientations.data(), frame.orientations.size() * sizeof(Eigen::Quaternionf));
+    hasher.values(std::span(frame.speeds)).values(std::span(frame.states));
+    const Digest digest = hasher.finish();
+    std::uint64_t checksum = 0;
+    std::memcpy(&checksum, digest.bytes.data(), sizeof checksum);
+    return checksum;
+}
+
+std::string digestsText(std::span<const std::pair<std::uint64_t, Digest>> datasets) {
+    nlohmann::json list = nlohmann::json::object();
+    Hasher whole;
+    std::size_t next = 0;
+    for (const RunDataset dataset : runDatasets()) {
+        if (dataset != RunDataset::Digests) {
+            const auto& [rows, digest] = datasets[next++];
+            list[layoutOf(dataset).path] = {{"rows", rows}, {"hash", digest.hex()}};
+            whole.text(layoutOf(dataset).path).value(rows).digest(digest);
+        }
+    }
+    return nlohmann::json{{"datasets", std::move(list)}, {"hash", whole.finish().hex()}}.dump(1);
+}
+
+}  // namespace rubble::io

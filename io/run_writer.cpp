@@ -1,0 +1,296 @@
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "core/base/error.h"
+#include "io/run_file.h"
+#include "io/run_json.h"
+#include "io/run_store.h"
+#include "io/run_tables.h"
+
+namespace rubble::io {
+
+namespace {
+
+// Committed frames reach the operating system this often; more often would compress unfinished chunks again and again.
+constexpr std::chrono::milliseconds flushInterval{400};
+// Rows of the long lists written at a time, so that a reader never waits long for the lock.
+constexpr std::size_t listBlock = 8192;
+// Frames that wait for the writing thread at most; beyond that the simulation waits.
+constexpr std::size_t queueBytes = std::size_t{16} << 20;
+
+static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Eigen::Quaternionf) == 16 && sizeof(BodyState) == 1);
+
+std::size_t sizeOf(const TrajectoryFrame& frame) {
+    return frame.bodies() * 33;
+}
+
+/// Does the writing jobs in the order in which they came, on a thread of its own: compressing a frame takes longer than the
+/// simulation should wait. The first error stops all further work and is thrown at the next call.
+class JobThread {
+public:
+    JobThread() : m_thread([this] { work(); }) {}
+    ~JobThread() {
+        {
+            const std::scoped_lock lock(m_mutex);
+            m_closing = true;
+        }
+        m_changed.notify_all();
+        m_thread.join();
+    }
+
+    /// Waits while more than queueBytes are under way; throws what an earlier job threw.
+    void add(std::size_t bytes, std::function<void()> job) {
+        std::unique_lock lock(m_mutex);
+        m_changed.wait(lock, [this] { return m_bytes <= queueBytes; });
+        rethrow();
+        m_bytes += bytes;
+        m_jobs.push_back({bytes, std::move(job)});
+        m_changed.notify_all();
+    }
+    /// Waits until everything is done; throws what a job threw.
+    void drain() {
+        std::unique_lock lock(m_mutex);
+        m_changed.wait(lock, [this] { return m_jobs.empty() && !m_busy; });
+        rethrow();
+    }
+
+private:
+    struct Job {
+        std::size_t bytes = 0;
+        std::function<void()> work;
+    };
+
+    void rethrow() const {
+        if (m_error) {
+            std::rethrow_exception(m_error);
+        }
+    }
+
+    void work() {
+        std::unique_lock lock(m_mutex);
+        for (;;) {
+            m_changed.wait(lock, [this] { return m_closing || !m_jobs.empty(); });
+            if (m_jobs.empty()) {
+                return;
+            }
+            Job job = std::move(m_jobs.front());
+            m_jobs.pop_front();
+            m_busy = true;
+            const bool failed = m_error != nullptr;
+            lock.unlock();
+            std::exception_ptr error;
+            try {
+                if (!failed) {
+                    job.work();
+                }
+            } catch (...) {
+                error = std::current_exception();
+            }
+            job.work = nullptr;
+            lock.lock();
+            m_busy = false;
+            m_bytes -= job.bytes;
+            if (error) {
+                m_error = error;
+            }
+            m_changed.notify_all();
+        }
+    }
+
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    std::deque<Job> m_jobs;
+    std::size_t m_bytes = 0;
+    bool m_busy = false;
+    bool m_closing = false;
+    std::exception_ptr m_error;
+    std::thread m_thread;  // last: starts when everything else stands
+};
+
+class RunWriter : public TrajectorySink {
+public:
+    RunWriter(const std::string& path, const RunOrigin& origin) : m_store(path, jsonText(originJson(origin))) {}
+    ~RunWriter() override;
+
+    void begin(const RunDescription& description) override;
+    void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) override;
+    void commit(const TrajectoryFrame& frame) override;
+    void addLedger(const LedgerRow& row) override;
+    void finish(const SimulationResult& result) override;
+
+private:
+    template <class T>
+    void writeList(RunDataset dataset, std::span<const T> rows);
+    template <class T>
+    void writeTable(RunDataset dataset, std::span<const T> rows);
+    void writeFragments(const RunDescription& description);
+    void writeFrame(const TrajectoryFrame& frame);
+    void writeResult(const SimulationResult& result);
+    void flushFrames();
+
+    RunStore m_store;
+    std::uint64_t m_rows = 0;
+    std::size_t m_bodies = 0;
+    double m_lastTime = -std::numeric_limits<double>::infinity();
+    bool m_finished = false;
+    std::chrono::steady_clock::time_point m_flushed = std::chrono::steady_clock::now();
+    JobThread m_jobs;  // last: its jobs use what stands above
+};
+
+RunWriter::~RunWriter() {
+    // After a cancel what was committed still goes out; an error here has nobody to go to, and the file stays readable.
+    try {
+        m_jobs.add(0, [this] {
+            if (!m_finished) {
+                flushFrames();
+                m_store.flushAll();
+            }
+        });
+        m_jobs.drain();
+    } catch (const std::exception&) {
+        return;
+    }
+}
+
+template <class T>
+void RunWriter::writeList(RunDataset dataset, std::span<const T> rows) {
+    assert(layoutOf(dataset).rowBytes == sizeof(T));
+    for (std::size_t from = 0; from < rows.size(); from += listBlock) {
+        m_store.append(dataset, rows.data() + from, std::min(listBlock, rows.size() - from));
+    }
+}
+
+template <class T>
+void RunWriter::writeTable(RunDataset dataset, std::span<const T> rows) {
+    for (std::size_t from = 0; from < rows.size(); from += listBlock) {
+        const std::span<const T> block = rows.subspan(from, std::min(listBlock, rows.size() - from));
+        m_store.append(dataset, packRows(block).data(), block.size());
+    }
+}
+
+void RunWriter::writeFragments(const RunDescription& description) {
+    const FragmentSet& fragments = *description.fragments;
+    writeTable<Fragment>(RunDataset::Fragments, fragments.list);
+    writeList<Vec3>(RunDataset::Vertices, fragments.vertices);
+    writeList<std::uint32_t>(RunDataset::VertexOffsets, fragments.vertexOffsets);
+    writeList<ElementShape>(RunDataset::Solids, fragments.solid);
+    std::vector<std::int64_t> elementIds;
+    elementIds.reserve(fragments.size());
+    for (const Fragment& fragment : fragments.list) {
+        const bool known = description.fe && at(fragment.element) < description.fe->mesh().elementIds.size();
+        elementIds.push_back(known ? description.fe->mesh().elementIds[at(fragment.element)]
+                                   : static_cast<std::int64_t>(at(fragment.element)) + 1);
+    }
+    writeList<std::int64_t>(RunDataset::ElementIds, elementIds);
+}
+
+void RunWriter::begin(const RunDescription& given) {
+    m_jobs.add(0, [this, description = given] {
+        nlohmann::json text = {{"components", nlohmann::json::array()},
+                               {"sizing", nullptr},
+                               {"clustering", nullptr},
+                               {"component_findings", nlohmann::json::array()},
+                               {"fragment_findings", nlohmann::json::array()},
+                               {"fingerprint", description.fingerprint.hex()}};
+        if (description.components) {
+            for (const Component& component : description.components->list) {
+                text["components"].push_back(component.name);
+            }
+            text["component_findings"] = findingsJson(description.components->findings);
+        }
+        if (description.fragments) {
+            writeFragments(description);
+            text["fragment_findings"] = findingsJson(description.fragments->findings);
+        }
+        if (description.clustering) {
+            const Clustering& clustering = *description.clustering;
+            writeTable<Cluster>(RunDataset::Clusters, clustering.list);
+            writeList<FragmentId>(RunDataset::ClusterMembers, clustering.members);
+            writeList<ClusterId>(RunDataset::ClusterOf, clustering.of);
+            text["clustering"] = clusteringJson(clustering);
+        }
+        if (description.sizing) {
+            text["sizing"] = sizingJson(*description.sizing);
+        }
+        m_store.appendText(RunDataset::Description, jsonText(text));
+        m_store.flushAll();
+    });
+    m_jobs.drain();
+}
+
+void RunWriter::addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) {
+    m_jobs.add(0, [this, packedBodies = packRows(bodies), packedCarriers = packRows(carriers)] {
+        m_store.append(RunDataset::Bodies, packedBodies.data(), packedBodies.size() / columnCount<BodyRecord>());
+        m_store.append(RunDataset::Carriers, packedCarriers.data(), packedCarriers.size() / columnCount<Carrier>());
+    });
+    m_bodies += bodies.size();
+}
+
+void RunWriter::commit(const TrajectoryFrame& frame) {
+    assert(frame.orientations.size() == frame.bodies() && frame.speeds.size() == frame.bodies() &&
+           frame.states.size() == frame.bodies() && frame.bodies() <= m_bodies);
+    assert(frame.time >= m_lastTime);
+    m_lastTime = frame.time;
+    m_jobs.add(sizeOf(frame), [this, frame] { writeFrame(frame); });
+}
+
+void RunWriter::writeFrame(const TrajectoryFrame& frame) {
+    FrameRow row{frame.time, m_rows, frameChecksum(frame), static_cast<std::uint32_t>(frame.bodies()),
+                 static_cast<std::uint32_t>(frame.kind)};
+    m_store.append(RunDataset::Positions, frame.positions.data(), frame.bodies());
+    m_store.append(RunDataset::Orientations, frame.orientations.data(), frame.bodies());
+    m_store.append(RunDataset::Speeds, frame.speeds.data(), frame.bodies());
+    m_store.append(RunDataset::States, frame.states.data(), frame.bodies());
+    m_store.append(RunDataset::Index, &row, 1);
+    m_rows += frame.bodies();
+    if (std::chrono::steady_clock::now() - m_flushed >= flushInterval) {
+        flushFrames();
+    }
+}
+
+void RunWriter::flushFrames() {
+    // The index goes last: whoever finds a row in it finds the frame as well.
+    for (const RunDataset dataset : {RunDataset::Bodies, RunDataset::Carriers, RunDataset::Ledger, RunDataset::Positions,
+                                     RunDataset::Orientations, RunDataset::Speeds, RunDataset::States, RunDataset::Index}) {
+        m_store.flush(dataset);
+    }
+    m_flushed = std::chrono::steady_clock::now();
+}
+
+void RunWriter::addLedger(const LedgerRow& row) {
+    m_jobs.add(0, [this, packed = packRows(std::span(&row, 1))] { m_store.append(RunDataset::Ledger, packed.data(), 1); });
+}
+
+void RunWriter::writeResult(const SimulationResult& result) {
+    writeTable<FragmentOutcome>(RunDataset::Outcomes, result.fragments);
+    m_store.appendText(RunDataset::Result, jsonText(resultJson(result)));
+    flushFrames();
+    m_store.flushAll();
+    // The digests say that the run is complete, so they are the very last.
+    m_store.appendText(RunDataset::Digests, m_store.digestsText());
+    m_store.flushAll();
+    m_store.close();
+}
+
+void RunWriter::finish(const SimulationResult& result) {
+    m_jobs.add(0, [this, &result] {
+        writeResult(result);
+        m_finished = true;
+    });
+    m_jobs.drain();
+}
+
+}  // namespace
+
+std::unique_ptr<TrajectorySink> createRun(const std::string& path, const RunOrigin& origin) {
+    return std::make_unique<RunWriter>(path, origin);
+}
+
+}  // namespace rubble::io

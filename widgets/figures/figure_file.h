@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/execution.h"
+#include "widgets/render/scene.h"
 #include "widgets/render/scene_data.h"
 #include "widgets/render/view.h"
 

@@ -2,6 +2,7 @@
 
 #include <QPaintDevice>
 #include <QSize>
+#include <QString>
 
 #include "widgets/render/scene.h"
 #include "widgets/render/view.h"
@@ -12,8 +13,8 @@ namespace rubble::figures {
 class Surface {
 public:
     virtual ~Surface() = default;
-    virtual QSize pixels() const = 0;  ///< device pixels
-    virtual double scale() const = 0;  ///< device pixels per logical pixel: 1, 2, ...
+    virtual QSize pixels() const = 0;       ///< device pixels
+    virtual double textHeight() const = 0;  ///< of captions and legends, device pixels: 13 times the screen's scale
     /// Renders the attached scene, then returns the device to paint captions on; valid until the next call.
     virtual QPaintDevice& drawScene() = 0;
 };

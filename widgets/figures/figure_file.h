@@ -5,9 +5,8 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "core/base/execution.h"
+#include "widgets/figures/x_display.h"
 #include "widgets/render/scene.h"
 #include "widgets/render/scene_data.h"
 #include "widgets/render/view.h"
@@ -17,9 +16,6 @@ namespace rubble::figures {
 /// Makes a QGuiApplication with the platform "offscreen" if there is none: text in figures needs one. Call once from the main
 /// thread.
 void ensureGuiApplication();
-
-/// True if an off-screen GL window can be opened: DISPLAY names an X server that answers.
-bool displayAvailable();
 
 /// Size and place of a figure.
 struct FigureStyle {

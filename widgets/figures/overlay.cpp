@@ -1,0 +1,312 @@
+#include "widgets/figures/overlay.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLinearGradient>
+#include <QLocale>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "widgets/figures/draw.h"
+#include "widgets/figures/number_text.h"
+#include "widgets/figures/palette.h"
+#include "widgets/render/camera.h"
+#include "widgets/render/colour_choice.h"
+
+namespace rubble::figures {
+namespace {
+
+constexpr std::size_t longestLegend = 6;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("figures", text);
+}
+
+QColor colourOf(const render::Rgb& c) {
+    return {c.r, c.g, c.b};
+}
+
+/// One line for each component that has most fragments, the rest in one.
+void addComponents(std::vector<LegendEntry>& legend, const render::Scene& scene, const render::PaneStatus& status,
+                   const render::SceneColours& colours) {
+    const auto& components = scene.data().components;
+    if (!components || status.bornByComponent.size() != components->list.size()) {
+        return;
+    }
+    std::vector<std::size_t> order(components->list.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return status.bornByComponent[a] > status.bornByComponent[b]; });
+    std::erase_if(order, [&](std::size_t c) { return status.bornByComponent[c] == 0; });
+    const std::size_t shown = order.size() > longestLegend ? longestLegend - 1 : order.size();
+    std::size_t rest = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::size_t c = order[i];
+        if (i >= shown) {
+            rest += status.bornByComponent[c];
+            continue;
+        }
+        legend.push_back({colourOf(render::colour_choice::category(colours, c)),
+                          QString::fromStdString(components->list[c].name) + " " + countText(status.bornByComponent[c])});
+    }
+    if (rest > 0) {
+        legend.push_back({QColor(), tr("%1 more components %2").arg(order.size() - shown).arg(countText(rest))});
+    }
+}
+
+void addFragments(Overlay& overlay, const render::View& view, const render::Scene& scene, const render::PaneStatus& status,
+                  const render::SceneColours& colours) {
+    const Palette& p = palette(view.theme);
+    const QString count = countText(status.fragments);
+    switch (view.colourBy) {
+        case render::ColourBy::Highlight:
+            overlay.legend.push_back({p.fragment, tr("fragments %1").arg(count)});
+            break;
+        case render::ColourBy::Component:
+            addComponents(overlay.legend, scene, status, colours);
+            if (overlay.legend.empty()) {
+                overlay.legend.push_back({p.fragment, tr("fragments %1").arg(count)});
+            }
+            break;
+        case render::ColourBy::Cluster:
+            overlay.legend.push_back({QColor(), tr("fragments %1 in %2 clusters").arg(count, countText(status.clusters))});
+            break;
+        case render::ColourBy::BirthTime: {
+            const auto [first, last] = scene.birthSpan();
+            overlay.legend.push_back({QColor(), tr("fragments %1").arg(count)});
+            overlay.bars.push_back({true, timeText(first), timeText(last), tr("birth time")});
+            break;
+        }
+        case render::ColourBy::Speed:
+            overlay.legend.push_back({QColor(), tr("fragments %1").arg(count)});
+            overlay.bars.push_back({false, tr("0 m/s"), tr("%1 m/s").arg(numberText(scene.speedTop())), tr("speed")});
+            break;
+    }
+}
+
+/// Metrics that everything over a pane is laid out with.
+struct Look {
+    const Palette& palette;
+    QFont font;
+    double unit;  ///< 4 px of a 13 px font
+    double line;
+};
+
+Look lookFor(render::Theme theme, double textHeight) {
+    QFont font;
+    font.setPixelSize(std::max(6, static_cast<int>(std::lround(textHeight))));
+    const double unit = 4.0 * textHeight / 13.0;
+    return {palette(theme), font, unit, QFontMetricsF(font).height()};
+}
+
+double widthOf(const Look& look, const QString& text) {
+    return QFontMetricsF(look.font).horizontalAdvance(text);
+}
+
+void chip(QPainter& painter, const Look& look, const QRectF& box) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(look.palette.chip);
+    painter.drawRoundedRect(box, 0.75 * look.unit, 0.75 * look.unit);
+}
+
+void write(QPainter& painter, const Look& look, const QRectF& box, const QString& text, Qt::Alignment alignment) {
+    painter.setPen(look.palette.chipText);
+    painter.drawText(box, static_cast<int>(alignment | Qt::AlignVCenter | Qt::TextSingleLine), text);
+}
+
+void paintCaption(QPainter& painter, const Look& look, const QRectF& pane, const QString& caption) {
+    const double pad = 2.0 * look.unit;
+    const double room = pane.width() - 4.0 * pad;
+    const QString text = QFontMetricsF(look.font).elidedText(caption, Qt::ElideRight, room);
+    const QRectF box(pane.left() + pad, pane.top() + pad, widthOf(look, text) + 2.0 * pad, look.line + 1.5 * look.unit);
+    chip(painter, look, box);
+    write(painter, look, box, text, Qt::AlignHCenter);
+}
+
+void swatch(QPainter& painter, const Look& look, const LegendEntry& entry, double x, double middle) {
+    const double side = 2.25 * look.unit;
+    const QRectF square(x, middle - 0.5 * side, side, side);
+    if (entry.outlined) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(entry.colour, 0.5 * look.unit));
+        painter.drawEllipse(square.adjusted(0.25 * look.unit, 0.25 * look.unit, -0.25 * look.unit, -0.25 * look.unit));
+        return;
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(entry.colour);
+    painter.drawRoundedRect(square, 0.4 * look.unit, 0.4 * look.unit);
+}
+
+double entryWidth(const Look& look, const LegendEntry& entry) {
+    return (entry.colour.isValid() ? 4.0 * look.unit : 0.0) + widthOf(look, entry.text);
+}
+
+void paintEntry(QPainter& painter, const Look& look, const LegendEntry& entry, double x, double top) {
+    if (entry.colour.isValid()) {
+        swatch(painter, look, entry, x, top + 0.5 * look.line);
+        x += 4.0 * look.unit;
+    }
+    write(painter, look, QRectF(x, top, 4096.0, look.line), entry.text, Qt::AlignLeft);
+}
+
+double barWidth(const Look& look, const ColourBar& bar) {
+    return widthOf(look, bar.title) + widthOf(look, bar.low) + widthOf(look, bar.high) + 38.0 * look.unit;
+}
+
+void paintBar(QPainter& painter, const Look& look, const ColourBar& bar, double x, double top) {
+    const auto put = [&](const QString& text) {
+        write(painter, look, QRectF(x, top, 4096.0, look.line), text, Qt::AlignLeft);
+        x += widthOf(look, text) + 2.0 * look.unit;
+    };
+    put(bar.title);
+    x += 1.0 * look.unit;
+    put(bar.low);
+    QLinearGradient ramp(x, 0.0, x + 30.0 * look.unit, 0.0);
+    for (int i = 0; i <= 16; ++i) {
+        ramp.setColorAt(i / 16.0, bar.birthTime ? birthColour(i / 16.0) : speedColour(i / 16.0));
+    }
+    painter.setPen(QPen(look.palette.muted, 0.0));
+    painter.setBrush(ramp);
+    painter.drawRect(QRectF(x, top + 0.5 * look.line - 1.25 * look.unit, 30.0 * look.unit, 2.5 * look.unit));
+    x += 32.0 * look.unit;
+    put(bar.high);
+}
+
+/// Legend and colour bar share one chip at the lower left: side by side while there is room, else one under the other.
+void paintLegend(QPainter& painter, const Look& look, const QRectF& pane, const Overlay& overlay, double reservedRight) {
+    if (overlay.legend.empty() && overlay.bars.empty()) {
+        return;
+    }
+    const double pad = 2.0 * look.unit;
+    const double gap = 3.0 * look.unit;
+    double along = 0.0;
+    double widest = 0.0;
+    for (const LegendEntry& entry : overlay.legend) {
+        along += entryWidth(look, entry) + gap;
+        widest = std::max(widest, entryWidth(look, entry));
+    }
+    for (const ColourBar& bar : overlay.bars) {
+        along += barWidth(look, bar) + gap;
+        widest = std::max(widest, barWidth(look, bar));
+    }
+    along -= gap;
+    const bool inRow = along + 4.0 * pad + reservedRight <= pane.width();
+    const double rows = inRow ? 1.0 : static_cast<double>(overlay.legend.size() + overlay.bars.size());
+    const double height = rows * look.line + (rows - 1.0) * look.unit + 1.5 * look.unit;
+    const QRectF box(pane.left() + pad, pane.bottom() - pad - height, (inRow ? along : widest) + 2.0 * pad, height);
+    chip(painter, look, box);
+    double x = box.left() + pad;
+    double y = box.top() + 0.75 * look.unit;
+    const auto next = [&](double width) { inRow ? x += width + gap : y += look.line + look.unit; };
+    for (const LegendEntry& entry : overlay.legend) {
+        paintEntry(painter, look, entry, x, y);
+        next(entryWidth(look, entry));
+    }
+    for (const ColourBar& bar : overlay.bars) {
+        paintBar(painter, look, bar, x, y);
+        next(barWidth(look, bar));
+    }
+}
+
+/// Returns the width it took.
+double paintScaleBar(QPainter& painter, const Look& look, const QRectF& pane, double metresPerPixel) {
+    const double length = roundLength(metresPerPixel, std::min(0.2 * pane.width(), 40.0 * look.unit));
+    if (!(length > 0)) {
+        return 0.0;
+    }
+    const double pixels = length / metresPerPixel;
+    const QString text = lengthText(length);
+    const double pad = 2.0 * look.unit;
+    const double width = std::max(pixels, widthOf(look, text)) + 2.0 * pad;
+    const QRectF box(pane.right() - pad - width, pane.bottom() - pad - look.line - 3.5 * look.unit, width,
+                     look.line + 3.5 * look.unit);
+    chip(painter, look, box);
+    write(painter, look, QRectF(box.left(), box.top() + 0.5 * look.unit, box.width(), look.line), text, Qt::AlignHCenter);
+    const double y = box.bottom() - 1.25 * look.unit;
+    const double x = box.center().x() - 0.5 * pixels;
+    painter.setPen(QPen(look.palette.chipText, std::max(1.0, 0.3 * look.unit), Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.setBrush(Qt::NoBrush);
+    const double tick = 1.25 * look.unit;
+    const std::array<QPointF, 4> points{QPointF(x, y - tick), QPointF(x, y), QPointF(x + pixels, y), QPointF(x + pixels, y - tick)};
+    painter.drawPolyline(points.data(), static_cast<int>(points.size()));
+    return width + pad;
+}
+
+}  // namespace
+
+double roundLength(double metresPerPixel, double maxPixels) {
+    const double longest = metresPerPixel * maxPixels;
+    if (!(longest > 0) || !std::isfinite(longest)) {
+        return 0.0;
+    }
+    const double power = std::pow(10.0, std::floor(std::log10(longest)));
+    const double mantissa = longest / power;
+    return power * (mantissa >= 5.0 ? 5.0 : mantissa >= 2.0 ? 2.0 : 1.0);
+}
+
+QString captionText(render::PaneContent content, const render::PaneStatus& status) {
+    const bool fe = content == render::PaneContent::Fe;
+    const QString name = fe ? tr("Conventional FE result") : tr("Fragments");
+    if (status.states == 0) {
+        return name;
+    }
+    QString how;
+    if (fe) {
+        how = status.interpolated ? tr("interpolated after state %1 of %2")
+              : status.afterFeEnd ? tr("last state, %1 of %2")
+                                  : tr("state %1 of %2");
+        how = how.arg(status.state + 1).arg(status.states);
+    } else if (!status.simulated) {
+        how = tr("not simulated, at their birth places");
+    } else if (status.waitsForRun) {
+        how = tr("simulated so far");
+    } else {
+        how = status.kind == FrameKind::Interpolated ? tr("simulated, interpolated") : tr("simulated");
+    }
+    return tr("%1 · t = %2, %3").arg(name, timeText(status.time), how);
+}
+
+Overlay makeOverlay(const render::View& view, const render::Scene& scene, const render::Pane& pane) {
+    Overlay overlay;
+    const render::PaneStatus& status = scene.status(pane.content);
+    if (view.captions) {
+        overlay.caption = captionText(pane.content, status);
+    }
+    if (view.legends && status.states > 0) {
+        const Palette& p = palette(view.theme);
+        if (pane.content == render::PaneContent::Fragments && scene.data().fragments) {
+            addFragments(overlay, view, scene, status, sceneColours(view.theme));
+            overlay.legend.push_back({p.structure, tr("active structure %1").arg(countText(status.active))});
+        } else {
+            overlay.legend.push_back(
+                {p.structure, tr("active %1 of %2 elements").arg(countText(status.active), countText(status.elements))});
+        }
+        if (!view.selection.empty()) {
+            overlay.legend.push_back({p.accent, tr("selected %1").arg(countText(view.selection.size())), true});
+        }
+    }
+    if (view.scaleBar && status.states > 0) {
+        overlay.metresPerPixel = render::metresPerPixel(render::cameraOf(view, pane.content), pane.height);
+    }
+    return overlay;
+}
+
+void paintOverlay(QPainter& painter, const Overlay& overlay, const render::Pane& pane, render::Theme theme, double textHeight) {
+    const Look look = lookFor(theme, textHeight);
+    const QRectF area(pane.x, pane.y, pane.width, pane.height);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(look.font);
+    painter.setClipRect(area);
+    if (!overlay.caption.isEmpty()) {
+        paintCaption(painter, look, area, overlay.caption);
+    }
+    const double taken = overlay.metresPerPixel > 0 ? paintScaleBar(painter, look, area, overlay.metresPerPixel) : 0.0;
+    paintLegend(painter, look, area, overlay, taken);
+    painter.restore();
+}
+
+}  // namespace rubble::figures

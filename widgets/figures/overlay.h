@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QColor>
+#include <QString>
+
+#include <vector>
+
+#include "widgets/render/panes.h"
+#include "widgets/render/scene.h"
+
+class QPainter;
+
+namespace rubble::figures {
+
+/// One line of a legend: a colour and what it stands for.
+struct LegendEntry {
+    QColor colour;
+    QString text;
+    bool outlined = false;  ///< a ring instead of a filled square, so that shape tells as well
+};
+
+/// A scale of colours beside its end values.
+struct ColourBar {
+    bool birthTime = true;  ///< else speed
+    QString low, high;      ///< with unit
+    QString title;
+};
+
+/// What stands over one pane, apart from its place: made from the scene's status, painted by paintOverlay().
+struct Overlay {
+    QString caption;
+    std::vector<LegendEntry> legend;
+    std::vector<ColourBar> bars;  ///< none or one
+    double metresPerPixel = 0.0;  ///< 0: no scale bar
+};
+
+/// What the pane of a view has to say; parts that the view switches off are empty.
+Overlay makeOverlay(const render::View& view, const render::Scene& scene, const render::Pane& pane);
+
+/// Paints an overlay inside a pane. The painter works in device pixels.
+/// @param textHeight  of the font, device pixels
+void paintOverlay(QPainter& painter, const Overlay& overlay, const render::Pane& pane, render::Theme theme, double textHeight);
+
+}  // namespace rubble::figures

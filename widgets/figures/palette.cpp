@@ -1,0 +1,172 @@
+#include "widgets/figures/palette.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace rubble::figures {
+namespace {
+
+// Categories of Okabe and Ito (2008), "Color Universal Design"; vermilion first, black left out (it reads as shadow).
+const std::vector<QColor> okabeIto{QColor("#d55e00"), QColor("#0072b2"), QColor("#e69f00"), QColor("#009e73"),
+                                   QColor("#cc79a7"), QColor("#56b4e9"), QColor("#f0e442")};
+
+Palette light() {
+    Palette p;
+    p.window = QColor("#ffffff");
+    p.panel = QColor("#ffffff");
+    p.field = QColor("#fbfbfb");
+    p.hairline = QColor("#d9dbde");
+    p.text = QColor("#1f2328");
+    p.muted = QColor("#6b7280");
+    p.accent = QColor("#1f6fb5");
+    p.accentText = QColor("#ffffff");
+    p.accentTint = QColor("#e1eef9");
+    p.fragment = QColor("#d55e00");
+    p.fragmentTint = QColor("#f3d6c0");
+    p.structure = QColor("#a3988a");
+    p.finding = QColor("#b57a00");
+    p.findingTint = QColor("#fff3d6");
+    p.error = QColor("#b3261e");
+    p.good = QColor("#1d8a57");
+    p.chip = QColor(255, 255, 255, 226);
+    p.chipText = p.text;
+    p.skyTop = QColor("#cfd6db");
+    p.skyHorizon = QColor("#eceeed");
+    p.ground = QColor("#cdcdc6");
+    p.groundGrid = QColor("#bdbdb5");
+    p.structureGreys = {QColor("#a89d8e"), QColor("#9a9ba1"), QColor("#b7a98f"), QColor("#8f877c"), QColor("#a5a89f")};
+    p.categories = okabeIto;
+    return p;
+}
+
+Palette dark() {
+    Palette p;
+    p.window = QColor("#2a2d31");
+    p.panel = QColor("#2a2d31");
+    p.field = QColor("#212428");
+    p.hairline = QColor("#42464c");
+    p.text = QColor("#e8eaed");
+    p.muted = QColor("#9aa1a9");
+    p.accent = QColor("#58a8ec");
+    p.accentText = QColor("#0f1720");
+    p.accentTint = QColor("#223a50");
+    p.fragment = QColor("#f0843a");
+    p.fragmentTint = QColor("#5c4333");
+    p.structure = QColor("#b0a594");
+    p.finding = QColor("#e3a43c");
+    p.findingTint = QColor("#3f3522");
+    p.error = QColor("#f07a70");
+    p.good = QColor("#4cc38a");
+    p.chip = QColor(28, 30, 33, 214);
+    p.chipText = p.text;
+    p.skyTop = QColor("#22262b");
+    p.skyHorizon = QColor("#42474d");
+    p.ground = QColor("#383b3d");
+    p.groundGrid = QColor("#484b4d");
+    p.structureGreys = {QColor("#b3a897"), QColor("#a4a6ad"), QColor("#c1b398"), QColor("#9a9286"), QColor("#b0b3a9")};
+    p.categories = okabeIto;
+    p.categories[0] = p.fragment;
+    p.categories[1] = QColor("#3d9be0");
+    return p;
+}
+
+Palette print() {
+    Palette p = light();
+    p.window = p.panel = p.field = QColor("#ffffff");
+    p.text = p.chipText = QColor("#111111");
+    p.muted = QColor("#555555");
+    p.chip = QColor(255, 255, 255, 235);
+    p.skyTop = p.skyHorizon = p.ground = QColor("#ffffff");
+    p.groundGrid = QColor("#d2d2ce");
+    return p;
+}
+
+struct Stop {
+    double place;
+    QColor colour;
+};
+
+template <std::size_t N>
+QColor onStops(const std::array<Stop, N>& stops, double place) {
+    place = std::isfinite(place) ? std::clamp(place, 0.0, 1.0) : 0.0;
+    std::size_t i = 1;
+    while (i + 1 < N && stops[i].place < place) {
+        ++i;
+    }
+    const Stop& a = stops[i - 1];
+    const Stop& b = stops[i];
+    const double share = std::clamp((place - a.place) / (b.place - a.place), 0.0, 1.0);
+    const auto mix = [share](int x, int y) { return static_cast<int>(std::lround((1 - share) * x + share * y)); };
+    return {mix(a.colour.red(), b.colour.red()), mix(a.colour.green(), b.colour.green()), mix(a.colour.blue(), b.colour.blue())};
+}
+
+render::Rgb rgb(const QColor& c) {
+    return {static_cast<std::uint8_t>(c.red()), static_cast<std::uint8_t>(c.green()), static_cast<std::uint8_t>(c.blue())};
+}
+
+std::vector<render::Rgb> rgbs(const std::vector<QColor>& colours) {
+    std::vector<render::Rgb> list;
+    for (const QColor& c : colours) {
+        list.push_back(rgb(c));
+    }
+    return list;
+}
+
+}  // namespace
+
+const Palette& palette(render::Theme theme) {
+    static const Palette lightPalette = light();
+    static const Palette darkPalette = dark();
+    static const Palette printPalette = print();
+    switch (theme) {
+        case render::Theme::Dark:
+            return darkPalette;
+        case render::Theme::Print:
+            return printPalette;
+        case render::Theme::Light:
+            break;
+    }
+    return lightPalette;
+}
+
+QColor birthColour(double place) {
+    static const std::array<Stop, 5> stops{{{0.0, QColor("#3a1247")},
+                                            {0.25, QColor("#8c2450")},
+                                            {0.55, QColor("#d55e00")},
+                                            {0.8, QColor("#f2a93b")},
+                                            {1.0, QColor("#faeeb4")}}};
+    return onStops(stops, place);
+}
+
+QColor speedColour(double place) {
+    static const std::array<Stop, 5> stops{{{0.0, QColor("#14304f")},
+                                            {0.25, QColor("#0b6a9c")},
+                                            {0.55, QColor("#33a7b5")},
+                                            {0.8, QColor("#a5d98c")},
+                                            {1.0, QColor("#fdf7b8")}}};
+    return onStops(stops, place);
+}
+
+render::SceneColours sceneColours(render::Theme theme) {
+    const Palette& p = palette(theme);
+    render::SceneColours c;
+    c.skyTop = rgb(p.skyTop);
+    c.skyHorizon = rgb(p.skyHorizon);
+    c.ground = rgb(p.ground);
+    c.grid = rgb(p.groundGrid);
+    c.divider = rgb(p.hairline);
+    c.fragment = rgb(p.fragment);
+    c.selection = rgb(p.accent);
+    c.structure = rgbs(p.structureGreys);
+    c.categories = rgbs(p.categories);
+    for (std::size_t i = 0; i < c.birthRamp.size(); ++i) {
+        c.birthRamp[i] = rgb(birthColour(static_cast<double>(i) / 255.0));
+        c.speedRamp[i] = rgb(speedColour(static_cast<double>(i) / 255.0));
+    }
+    c.ambient = theme == render::Theme::Dark ? 0.34 : 0.4;
+    return c;
+}
+
+}  // namespace rubble::figures

@@ -1,0 +1,221 @@
+#include "widgets/figures/view_json.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <array>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace rubble::figures {
+namespace {
+
+constexpr int version = 1;
+
+template <class Enum>
+struct Named {
+    Enum value;
+    const char* name;
+};
+
+constexpr std::array<Named<render::Layout>, 4> layouts{{{render::Layout::Beside, "beside"},
+                                                        {render::Layout::Stacked, "stacked"},
+                                                        {render::Layout::FeOnly, "fe_only"},
+                                                        {render::Layout::FragmentsOnly, "fragments_only"}}};
+constexpr std::array<Named<render::ColourBy>, 5> colourings{{{render::ColourBy::Highlight, "highlight"},
+                                                             {render::ColourBy::Component, "component"},
+                                                             {render::ColourBy::BirthTime, "birth_time"},
+                                                             {render::ColourBy::Speed, "speed"},
+                                                             {render::ColourBy::Cluster, "cluster"}}};
+constexpr std::array<Named<render::Theme>, 3> themes{
+    {{render::Theme::Light, "light"}, {render::Theme::Dark, "dark"}, {render::Theme::Print, "print"}}};
+
+template <class Enum, std::size_t N>
+QString nameOf(const std::array<Named<Enum>, N>& table, Enum value) {
+    for (const auto& row : table) {
+        if (row.value == value) {
+            return QString::fromLatin1(row.name);
+        }
+    }
+    return {};
+}
+
+[[noreturn]] void refuse(std::string_view source, const std::string& what, const std::string& wanted) {
+    throw ParseError({"view.content", "{0}: the view's {1}", {source, what}}, {"view.content.remedy", "Give {0}.", {wanted}});
+}
+
+/// Reads members of one JSON object; a missing one keeps what was there.
+class Reader {
+public:
+    Reader(const QJsonObject& object, std::string_view source, std::string place)
+        : m_object(object), m_source(source), m_place(std::move(place)) {}
+
+    void read(const char* key, double& value) const {
+        if (const QJsonValue v = m_object.value(QLatin1String(key)); !v.isUndefined()) {
+            if (!v.isDouble() || !std::isfinite(v.toDouble())) {
+                refuse(m_source, named(key) + " is not a number", "a finite number");
+            }
+            value = v.toDouble();
+        }
+    }
+    void read(const char* key, bool& value) const {
+        if (const QJsonValue v = m_object.value(QLatin1String(key)); !v.isUndefined()) {
+            if (!v.isBool()) {
+                refuse(m_source, named(key) + " is not a switch", "true or false");
+            }
+            value = v.toBool();
+        }
+    }
+    void read(const char* key, Vec3& value) const {
+        const QJsonValue v = m_object.value(QLatin1String(key));
+        if (v.isUndefined()) {
+            return;
+        }
+        const QJsonArray list = v.toArray();
+        Vec3 read = Vec3::Constant(std::nan(""));
+        for (int i = 0; i < 3 && list.size() == 3; ++i) {
+            read[i] = list[i].toDouble(std::nan(""));
+        }
+        if (!read.allFinite()) {
+            refuse(m_source, named(key) + " is not a point", "three finite numbers in metres");
+        }
+        value = read;
+    }
+    template <class Enum, std::size_t N>
+    void read(const char* key, Enum& value, const std::array<Named<Enum>, N>& table) const {
+        const QJsonValue v = m_object.value(QLatin1String(key));
+        if (v.isUndefined()) {
+            return;
+        }
+        std::string choices;
+        for (const auto& row : table) {
+            if (v.toString() == QLatin1String(row.name)) {
+                value = row.value;
+                return;
+            }
+            choices += (choices.empty() ? "" : ", ") + std::string(row.name);
+        }
+        refuse(m_source, named(key) + " is none of its choices", "one of " + choices);
+    }
+    const QJsonObject& object() const { return m_object; }
+    std::string named(const char* key) const { return m_place + key; }
+
+private:
+    QJsonObject m_object;
+    std::string_view m_source;
+    std::string m_place;
+};
+
+QJsonArray pointOf(const Vec3& p) {
+    return {p.x(), p.y(), p.z()};
+}
+
+QJsonObject objectOf(const render::Camera& camera) {
+    return {{"position", pointOf(camera.position)},
+            {"focal_point", pointOf(camera.focalPoint)},
+            {"up", pointOf(camera.up)},
+            {"view_angle", camera.viewAngle},
+            {"parallel", camera.parallel},
+            {"parallel_scale", camera.parallelScale}};
+}
+
+render::Camera cameraFrom(const QJsonValue& value, std::string_view source, const std::string& place) {
+    if (!value.isObject()) {
+        refuse(source, place + " is not an object", "an object with position, focal_point and up");
+    }
+    const Reader reader(value.toObject(), source, place + ".");
+    render::Camera camera;
+    reader.read("position", camera.position);
+    reader.read("focal_point", camera.focalPoint);
+    reader.read("up", camera.up);
+    reader.read("view_angle", camera.viewAngle);
+    reader.read("parallel", camera.parallel);
+    reader.read("parallel_scale", camera.parallelScale);
+    if (!(camera.viewAngle > 0.0 && camera.viewAngle < 180.0)) {
+        refuse(source, place + ".view_angle is out of range", "an angle between 0 and 180 degrees");
+    }
+    if (!(camera.parallelScale > 0.0)) {
+        refuse(source, place + ".parallel_scale is out of range", "a positive length in metres");
+    }
+    if (camera.position == camera.focalPoint || camera.up.norm() == 0.0) {
+        refuse(source, place + " looks nowhere", "a position off the focal point and an up direction of some length");
+    }
+    return camera;
+}
+
+void readSelection(const QJsonValue& value, std::string_view source, render::View& view) {
+    if (!value.isUndefined() && !value.isArray()) {
+        refuse(source, "selection is not a list", "a list of element indices");
+    }
+    for (const QJsonValue& entry : value.toArray()) {
+        const double index = entry.toDouble(-1.0);
+        if (index < 0.0 || index > 4294967295.0 || index != std::floor(index)) {
+            refuse(source, "selection holds something that is no element index", "whole numbers from 0");
+        }
+        view.selection.push_back(idAt<ElementIndex>(static_cast<std::size_t>(index)));
+    }
+}
+
+}  // namespace
+
+std::string toJson(const render::View& view) {
+    QJsonArray selection;
+    for (const ElementIndex e : view.selection) {
+        selection.append(static_cast<qint64>(at(e)));
+    }
+    const QJsonObject object{{"rubble_view", version},
+                             {"layout", nameOf(layouts, view.layout)},
+                             {"cameras", QJsonArray{objectOf(view.cameras[0]), objectOf(view.cameras[1])}},
+                             {"cameras_linked", view.camerasLinked},
+                             {"time", view.time},
+                             {"colour_by", nameOf(colourings, view.colourBy)},
+                             {"theme", nameOf(themes, view.theme)},
+                             {"ground", view.ground},
+                             {"captions", view.captions},
+                             {"legends", view.legends},
+                             {"scale_bar", view.scaleBar},
+                             {"selection", selection}};
+    return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
+}
+
+render::View viewFromJson(std::string_view json, std::string_view source) {
+    QJsonParseError error;
+    const auto document = QJsonDocument::fromJson(QByteArray(json.data(), static_cast<qsizetype>(json.size())), &error);
+    if (!document.isObject()) {
+        throw ParseError({"view.json",
+                          "{0}: not a view in JSON, at character {1}: {2}",
+                          {source, static_cast<std::int64_t>(error.offset), error.errorString().toStdString()}},
+                         {"view.json.remedy", "Save the view again, or mend the file there.", {}});
+    }
+    const Reader reader(document.object(), source, "");
+    const int found = reader.object().value("rubble_view").toInt(version);
+    if (found > version || found < 1) {
+        throw ParseError({"view.version", "{0}: a view of version {1}; this program reads version {2}", {source, found, version}},
+                         {"view.version.remedy", "Open it with a newer Rubble.", {}});
+    }
+    render::View view;
+    reader.read("layout", view.layout, layouts);
+    reader.read("cameras_linked", view.camerasLinked);
+    reader.read("time", view.time);
+    reader.read("colour_by", view.colourBy, colourings);
+    reader.read("theme", view.theme, themes);
+    reader.read("ground", view.ground);
+    reader.read("captions", view.captions);
+    reader.read("legends", view.legends);
+    reader.read("scale_bar", view.scaleBar);
+    if (const QJsonValue cameras = reader.object().value("cameras"); !cameras.isUndefined()) {
+        if (cameras.toArray().size() != 2) {
+            refuse(source, "cameras are not two", "a list of two cameras");
+        }
+        for (int i = 0; i < 2; ++i) {
+            view.cameras[static_cast<std::size_t>(i)] =
+                cameraFrom(cameras.toArray()[i], source, "cameras[" + std::to_string(i) + "]");
+        }
+    }
+    readSelection(reader.object().value("selection"), source, view);
+    return view;
+}
+
+}  // namespace rubble::figures

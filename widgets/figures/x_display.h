@@ -1,0 +1,8 @@
+#pragma once
+
+namespace rubble::figures {
+
+/// True if an off-screen GL window can be opened: DISPLAY names an X server that answers. VTK ends the process otherwise.
+bool displayAvailable();
+
+}  // namespace rubble::figures

@@ -1,0 +1,261 @@
+#include "core/simulation/bullet_world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/simulation/constants.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr int groundGroup = 1;
+constexpr int bodyGroup = 2;
+constexpr int pieceGroup = 4;
+
+/// Bullet takes the product of the two coefficients of a pair.
+double half(double coefficient) {
+    return std::sqrt(std::max(0.0, coefficient));
+}
+
+}  // namespace
+
+BulletWorld::BulletWorld(const WorldSettings& settings)
+    : m_settings(settings), m_dispatcher(&m_configuration, settings.cancelled) {}
+
+BulletWorld::~BulletWorld() {
+    for (const auto* list : {&m_bodies, &m_pieces, &m_ground}) {
+        for (const auto& collider : *list) {
+            if (m_world && collider->object && collider->object->getBroadphaseProxy() != nullptr) {
+                m_world->removeRigidBody(collider->object.get());
+            }
+        }
+    }
+}
+
+void BulletWorld::begin(std::unique_ptr<btDiscreteDynamicsWorld> world) {
+    m_world = std::move(world);
+    if (m_settings.ground) {
+        addGround();
+    }
+}
+
+Collider& BulletWorld::makeCollider(std::vector<std::unique_ptr<Collider>>& list, ColliderKind kind, const CollisionShape& shape) {
+    auto collider = std::make_unique<Collider>();
+    collider->kind = kind;
+    collider->number = m_nextNumber++;
+    collider->index = static_cast<std::uint32_t>(list.size());
+    collider->radius = outerRadius(shape);
+    collider->shape = makeBulletShape(shape);
+    list.push_back(std::move(collider));
+    return *list.back();
+}
+
+void BulletWorld::insert(Collider& collider, int group, int mask) {
+    btRigidBody& object = *collider.object;
+    object.setUserPointer(&collider);
+    object.setFriction(half(m_settings.friction));
+    object.setRestitution(half(m_settings.restitution));
+    object.setFlags(0);
+    m_world->addRigidBody(&object, group, mask);
+}
+
+void BulletWorld::addGround() {
+    const double span = m_settings.reach.isEmpty() ? 0.0 : m_settings.reach.sizes().maxCoeff();
+    const Vec3 centre = m_settings.reach.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(m_settings.reach.center());
+    const double reach = std::max(groundMargin + span, 10.0 * span);
+    ConvexPart box;
+    box.box.halfExtents = Vec3(reach, reach, groundHalfThickness);
+    Collider& ground = makeCollider(m_ground, ColliderKind::Ground, {box});
+    ground.object = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0.0, nullptr, ground.shape.shape.get()));
+    ground.object->setWorldTransform(
+        toBullet(Pose{Vec3(centre.x(), centre.y(), m_settings.groundHeight - groundHalfThickness), Quat::Identity()}));
+    insert(ground, groundGroup, bodyGroup);
+}
+
+BodyId BulletWorld::addBody(const NewBody& body) {
+    Collider& collider = makeCollider(m_bodies, ColliderKind::Body, body.shape);
+    btRigidBody::btRigidBodyConstructionInfo info(body.mass, nullptr, collider.shape.shape.get(), toBullet(body.inertia));
+    info.m_startWorldTransform = toBullet(body.pose);
+    collider.object = std::make_unique<btRigidBody>(info);
+    collider.smallestSide = body.smallestSide;
+    collider.object->setLinearVelocity(toBullet(body.velocity));
+    collider.object->setAngularVelocity(toBullet(body.angularVelocity));
+    insert(collider, bodyGroup, groundGroup | bodyGroup | pieceGroup);
+    entered(collider);
+    return idAt<BodyId>(collider.index);
+}
+
+void BulletWorld::removeBody(BodyId body) {
+    Collider& collider = *m_bodies[at(body)];
+    if (!collider.leaving) {
+        collider.leaving = true;
+        m_leaving.push_back(&collider);
+    }
+}
+
+PieceId BulletWorld::addPiece(const CollisionShape& shape, const Pose& pose) {
+    Collider& collider = makeCollider(m_pieces, ColliderKind::Piece, shape);
+    btRigidBody::btRigidBodyConstructionInfo info(0.0, nullptr, collider.shape.shape.get());
+    info.m_startWorldTransform = toBullet(pose);
+    collider.object = std::make_unique<btRigidBody>(info);
+    collider.object->setCollisionFlags(collider.object->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    collider.object->setActivationState(DISABLE_DEACTIVATION);
+    insert(collider, pieceGroup, bodyGroup);
+    m_presentPieces.push_back(collider.index);
+    return static_cast<PieceId>(collider.index);
+}
+
+void BulletWorld::removePiece(PieceId piece) {
+    Collider& collider = *m_pieces[at(piece)];
+    if (!collider.leaving) {
+        collider.leaving = true;
+        m_leaving.push_back(&collider);
+    }
+}
+
+void BulletWorld::movePiece(PieceId piece, const Pose& atStepEnd) {
+    Collider& collider = *m_pieces[at(piece)];
+    // Bullet takes the piece's velocity from the two transforms; the interpolation transform must stay where the piece was.
+    collider.object->forceActivationState(DISABLE_DEACTIVATION);
+    collider.object->setWorldTransform(toBullet(atStepEnd));
+    collider.moving = true;
+}
+
+void BulletWorld::takeOut() {
+    if (m_leaving.empty()) {
+        return;
+    }
+    aboutToLeave();
+    bool pieces = false;
+    for (Collider* collider : m_leaving) {
+        m_world->removeRigidBody(collider->object.get());
+        if (collider->kind == ColliderKind::Body) {
+            left(*collider);
+        } else {
+            pieces = true;
+            collider->object.reset();
+            collider->shape = {};
+        }
+    }
+    if (pieces) {
+        std::erase_if(m_presentPieces, [&](std::uint32_t i) { return m_pieces[i]->leaving; });
+    }
+    m_leaving.clear();
+}
+
+void BulletWorld::settlePieces() {
+    for (const std::uint32_t i : m_presentPieces) {
+        Collider& piece = *m_pieces[i];
+        piece.newborn = false;
+        if (piece.moving) {
+            piece.moving = false;
+        } else if (piece.object->getActivationState() == DISABLE_DEACTIVATION) {
+            // Still for a whole step: its velocity is zero by now, and it may be skipped until it moves again.
+            piece.object->forceActivationState(ISLAND_SLEEPING);
+        }
+    }
+}
+
+void BulletWorld::step(double dt) {
+    takeOut();
+    m_world->stepSimulation(dt, 0);
+    settlePieces();
+    for (const auto& ground : m_ground) {
+        ground->newborn = false;
+    }
+}
+
+BodyMotion BulletWorld::motion(BodyId body) const {
+    const btRigidBody& object = *m_bodies[at(body)]->object;
+    return {fromBullet(object.getWorldTransform()), fromBullet(object.getLinearVelocity()),
+            fromBullet(object.getAngularVelocity())};
+}
+
+double BulletWorld::kineticEnergy(BodyId body) const {
+    const btRigidBody& object = *m_bodies[at(body)]->object;
+    const btVector3 spin = object.getAngularVelocity() * object.getWorldTransform().getBasis();
+    const btVector3& inverse = object.getInvInertiaDiagLocal();
+    return 0.5 * (object.getMass() * object.getLinearVelocity().length2() + spin.x() * spin.x() / inverse.x() +
+                  spin.y() * spin.y() / inverse.y() + spin.z() * spin.z() / inverse.z());
+}
+
+double BulletWorld::birthDepth(BodyId body) const {
+    const Collider& collider = *m_bodies[at(body)];
+    return collider.smallestSide > 0.0 ? collider.birthDepth / collider.smallestSide : 0.0;
+}
+
+Momenta BulletWorld::momenta(BodyId body) const {
+    if (removed(body)) {
+        return {};
+    }
+    const btRigidBody& object = *m_bodies[at(body)]->object;
+    const btVector3& inverse = object.getInvInertiaDiagLocal();
+    Mat3 axes;
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) {
+            axes(r, c) = object.getWorldTransform().getBasis()[r][c];
+        }
+    }
+    const Vec3 diagonal(1.0 / inverse.x(), 1.0 / inverse.y(), 1.0 / inverse.z());
+    const Mat3 inertia = axes * diagonal.asDiagonal() * axes.transpose();
+    return rigidMomenta(object.getMass(), fromBullet(object.getWorldTransform().getOrigin()), inertia,
+                        fromBullet(object.getLinearVelocity()), fromBullet(object.getAngularVelocity()));
+}
+
+namespace {
+
+/// Bullet with rest offsets, freeze, limits and its stock solver.
+class FreezingWorld : public BulletWorld {
+public:
+    explicit FreezingWorld(const WorldSettings& settings) : BulletWorld(settings) {
+        auto world = std::make_unique<FragmentWorld>(dispatcher(), broadphase(), &m_solver, configuration(), settings);
+        m_fragments = world.get();
+        begin(std::move(world));
+    }
+    BodyState state(BodyId body) const override {
+        if (removed(body)) {
+            return BodyState::Removed;
+        }
+        return m_fragments->freezeClock().resting(at(body)) ? BodyState::Frozen : BodyState::Awake;
+    }
+    const ContactReport& contacts() const override { return m_fragments->report(); }
+
+private:
+    void entered(Collider& body) override { m_fragments->addBody(&body); }
+    void aboutToLeave() override { m_fragments->thawNeighboursOfLeaving(); }
+    void left(Collider& body) override { m_fragments->forget(body.index); }
+
+    FragmentSolver m_solver;
+    FragmentWorld* m_fragments = nullptr;
+};
+
+/// Bullet as it comes.
+class PlainWorld : public BulletWorld {
+public:
+    explicit PlainWorld(const WorldSettings& settings) : BulletWorld(settings) {
+        auto world = std::make_unique<btDiscreteDynamicsWorld>(dispatcher(), broadphase(), &m_solver, configuration());
+        world->setGravity(btVector3(0.0, 0.0, -settings.gravity));
+        world->getSolverInfo().m_numIterations = settings.iterations;
+        begin(std::move(world));
+    }
+
+    BodyState state(BodyId body) const override { return removed(body) ? BodyState::Removed : BodyState::Awake; }
+    const ContactReport& contacts() const override { return m_report; }
+
+private:
+    btSequentialImpulseConstraintSolver m_solver;
+    ContactReport m_report;
+};
+
+}  // namespace
+
+std::unique_ptr<RigidWorld> makeWorld(SolverKind, const WorldSettings& settings) {
+    return std::make_unique<FreezingWorld>(settings);
+}
+
+std::unique_ptr<RigidWorld> makePlainBulletWorld(const WorldSettings& settings) {
+    return std::make_unique<PlainWorld>(settings);
+}
+
+}  // namespace rubble

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <vector>
+
+#include "core/simulation/fragment_world.h"
+#include "core/simulation/rigid_world.h"
+
+namespace rubble {
+
+/// Bodies, pieces and ground in a Bullet world, whichever way that steps.
+class BulletWorld : public RigidWorld {
+public:
+    ~BulletWorld() override;
+
+    BodyId addBody(const NewBody& body) override;
+    void removeBody(BodyId body) override;
+    PieceId addPiece(const CollisionShape& shape, const Pose& pose) override;
+    void removePiece(PieceId piece) override;
+    void movePiece(PieceId piece, const Pose& atStepEnd) override;
+    void step(double dt) override;
+
+    std::size_t bodyCount() const override { return m_bodies.size(); }
+    BodyMotion motion(BodyId body) const override;
+    double mass(BodyId body) const override { return m_bodies[at(body)]->object->getMass(); }
+    double kineticEnergy(BodyId body) const override;
+    Momenta momenta(BodyId body) const override;
+    double birthDepth(BodyId body) const override;
+    bool pushedByPiece(BodyId body) const override { return m_bodies[at(body)]->pushed; }
+
+protected:
+    explicit BulletWorld(const WorldSettings& settings);
+    /// Takes over the Bullet world and puts the ground in.
+    void begin(std::unique_ptr<btDiscreteDynamicsWorld> world);
+    bool removed(BodyId body) const { return m_bodies[at(body)]->leaving; }
+    btDispatcher* dispatcher() { return &m_dispatcher; }
+    btBroadphaseInterface* broadphase() { return &m_broadphase; }
+    btCollisionConfiguration* configuration() { return &m_configuration; }
+
+    /// A body has entered the Bullet world.
+    virtual void entered(Collider&) {}
+    /// Marked objects are about to leave the Bullet world.
+    virtual void aboutToLeave() {}
+    virtual void left(Collider&) {}
+
+private:
+    Collider& makeCollider(std::vector<std::unique_ptr<Collider>>& list, ColliderKind kind, const CollisionShape& shape);
+    void insert(Collider& collider, int group, int mask);
+    void addGround();
+    void takeOut();
+    void settlePieces();
+
+    WorldSettings m_settings;
+    btDefaultCollisionConfiguration m_configuration;
+    FragmentDispatcher m_dispatcher;
+    btDbvtBroadphase m_broadphase;
+    std::unique_ptr<btDiscreteDynamicsWorld> m_world;
+    std::vector<std::unique_ptr<Collider>> m_ground;
+    std::vector<std::unique_ptr<Collider>> m_bodies;
+    std::vector<std::unique_ptr<Collider>> m_pieces;
+    std::vector<std::uint32_t> m_presentPieces;
+    std::vector<Collider*> m_leaving;
+    std::uint32_t m_nextNumber = 0;
+};
+
+}  // namespace rubble

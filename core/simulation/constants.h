@@ -1,0 +1,29 @@
+#pragma once
+
+namespace rubble {
+
+/// What is fixed in the simulation and nobody sets, with what each value endangers.
+
+/// m/s. A hit on a frozen body faster than this thaws it. Lower: the pile wakes for every pebble; higher: hits are swallowed.
+constexpr double thawSpeed = 1.0;
+/// m. A thawed body that has moved this far thaws what it touched. Lower: piles never sleep; higher: blocks hang in the air.
+constexpr double thawTravel = 0.005;
+/// m/s. Deeper contact than the solver asks for is pushed apart at most this fast. Lower: piles squeeze; higher: they burst.
+constexpr double separationSpeed = 2.0;
+/// Share of its own smallest side that a newborn must be inside another solid to count as born in occupied space.
+constexpr double occupiedShare = 0.05;
+/// A moving piece gives a body per step at most this many times the impulse that would carry the free body along with it.
+/// Lower: piles are not lifted; higher: what is trapped between two solids is shot out.
+constexpr double piecePushFactor = 3.0;
+/// A piece that has given way presses with at most this many times the body's weight.
+constexpr double pieceYieldedWeights = 10.0;
+/// m/s. A piece slower than this never gives way: it carries what lies on it.
+constexpr double pieceYieldSpeed = 1.0;
+/// m. A piece of which no corner moves further than this in one FE interval stands still (files round coordinates to 1 mm).
+constexpr double pieceStillTravel = 0.002;
+/// m. Half the thickness of the ground box: more than any body is deep.
+constexpr double groundHalfThickness = 50.0;
+/// m. The ground reaches this far beyond the structure, or ten times its size, whichever is more.
+constexpr double groundMargin = 1000.0;
+
+}  // namespace rubble

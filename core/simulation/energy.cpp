@@ -1,0 +1,32 @@
+#include "core/simulation/energy.h"
+
+#include <algorithm>
+
+namespace rubble {
+
+void EnergyAccount::entered(const Momenta& body, double height) {
+    m_balance.kineticIn += body.kineticEnergy;
+    m_potentialIn += body.mass * m_gravity * (height - m_ground);
+}
+
+void EnergyAccount::leaving(const Momenta& body, double height) {
+    m_kineticOut += body.kineticEnergy;
+    m_potentialIn -= body.mass * m_gravity * (height - m_ground);
+}
+
+void EnergyAccount::update(double kinetic, double massHeight, const ContactReport& contacts) {
+    m_potential = m_gravity * massHeight;
+    m_balance.kineticNow = kinetic;
+    m_balance.gravityWork = m_potentialIn - m_potential;
+    m_balance.dissipated = m_balance.kineticIn - m_kineticOut + m_balance.gravityWork + contacts.overlapWork + contacts.pieceWork -
+                           m_balance.kineticNow;
+    m_dissipatedMost = std::max(m_dissipatedMost, m_balance.dissipated);
+    const double gain = m_dissipatedMost - m_balance.dissipated;
+    // Early on next to no work is done and rounding would be all of the ratio.
+    const double work = std::max(std::abs(m_balance.gravityWork), 1e-3 * m_balance.kineticIn);
+    if (gain > 0.0 && work > 0.0) {
+        m_balance.drift = std::max(m_balance.drift, gain / work);
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,390 @@
+#include "core/simulation/fragment_world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/simulation/constants.h"
+
+namespace rubble {
+
+namespace {
+
+Collider& colliderOf(const btCollisionObject* object) {
+    return *static_cast<Collider*>(object->getUserPointer());
+}
+
+btVector3 pointVelocity(const Collider& collider, const btVector3& at) {
+    return collider.object->getVelocityInLocalPoint(at - collider.object->getWorldTransform().getOrigin());
+}
+
+double inverseMass(const Collider& c, bool awake) {
+    return awake ? c.object->getInvMass() : 0.0;
+}
+
+}  // namespace
+
+FragmentWorld::FragmentWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, FragmentSolver* solver,
+                             btCollisionConfiguration* configuration, const WorldSettings& settings)
+    : btDiscreteDynamicsWorld(dispatcher, broadphase, solver, configuration),
+      m_settings(settings),
+      m_freeze(settings.freezeSpeed, settings.freezeDelay) {
+    setGravity(btVector3(0.0, 0.0, -settings.gravity));
+    getSolverInfo().m_numIterations = settings.iterations;
+    setForceUpdateAllAabbs(false);
+    // Swept boxes are for Bullet's continuous collision, which no body here uses.
+    getDispatchInfo().m_useContinuous = false;
+}
+
+void FragmentWorld::solveConstraints(btContactSolverInfo& info) {
+    const double dt = info.m_timeStep;
+    m_overlaps.beginStep();
+    collectContacts();
+    wakeByContacts();
+    offsetContacts(dt);
+
+    m_solved.clear();
+    for (Collider* body : m_bodies) {
+        if (body != nullptr && awake(*body)) {
+            m_solved.push_back(body->object.get());
+        }
+    }
+    m_manifolds.clear();
+    for (const Contact& contact : m_contacts) {
+        m_manifolds.push_back(contact.manifold);
+    }
+    m_constraintSolver->prepareSolve(static_cast<int>(m_solved.size()), static_cast<int>(m_manifolds.size()));
+    m_constraintSolver->solveGroup(m_solved.data(), static_cast<int>(m_solved.size()), m_manifolds.data(),
+                                   static_cast<int>(m_manifolds.size()), nullptr, 0, info, m_debugDrawer, m_dispatcher1);
+    m_constraintSolver->allSolved(info, m_debugDrawer);
+
+    bookContacts();
+    restoreContacts();
+    bleedOverlaps(dt);
+    m_overlaps.endStep();
+}
+
+void FragmentWorld::collectContacts() {
+    m_contacts.clear();
+    m_report.points = 0;
+    for (int i = 0; i < m_dispatcher1->getNumManifolds(); ++i) {
+        btPersistentManifold* manifold = m_dispatcher1->getManifoldByIndexInternal(i);
+        if (manifold->getNumContacts() == 0) {
+            continue;
+        }
+        Collider& a = colliderOf(manifold->getBody0());
+        Collider& b = colliderOf(manifold->getBody1());
+        // A frozen body takes part only where something awake or moving touches it.
+        const bool stirs = awake(a) || awake(b) || a.moving || b.moving || a.newborn || b.newborn;
+        if (!stirs) {
+            continue;
+        }
+        Contact contact{colliderPair(a.number, b.number), manifold, &a, &b};
+        contact.depth = -manifold->getContactPoint(0).getDistance();
+        for (int j = 1; j < manifold->getNumContacts(); ++j) {
+            const double depth = -manifold->getContactPoint(j).getDistance();
+            if (depth > contact.depth) {
+                contact.depth = depth;
+                contact.deepest = j;
+            }
+        }
+        m_report.points += manifold->getNumContacts();
+        m_contacts.push_back(contact);
+    }
+    m_report.pairs = static_cast<std::int64_t>(m_contacts.size());
+    std::sort(m_contacts.begin(), m_contacts.end(), [](const Contact& x, const Contact& y) { return x.pair < y.pair; });
+}
+
+void FragmentWorld::wakeByContacts() {
+    for (const Contact& contact : m_contacts) {
+        for (auto [sleeper, other] : {std::pair{contact.a, contact.b}, std::pair{contact.b, contact.a}}) {
+            if (sleeper->kind != ColliderKind::Body || awake(*sleeper) || other->kind == ColliderKind::Ground) {
+                continue;
+            }
+            const btManifoldPoint& point = contact.manifold->getContactPoint(contact.deepest);
+            const double along = point.m_normalWorldOnB.dot(pointVelocity(*other, point.getPositionWorldOnB()));
+            const double approach = other == contact.a ? -along : along;
+            const bool carriedOff = other->kind == ColliderKind::Piece && (other->moving || other->newborn);
+            if (carriedOff || (awake(*other) && approach > thawSpeed)) {
+                thaw(*sleeper);
+            }
+        }
+    }
+    linkDependants();
+}
+
+void FragmentWorld::offsetContacts(double dt) {
+    const double deepestSeen = separationSpeed * dt / m_solverInfo.m_erp2;
+    m_stock.clear();
+    for (Contact& contact : m_contacts) {
+        const bool newborn = contact.a->newborn || contact.b->newborn;
+        for (auto [born, other] : {std::pair{contact.a, contact.b}, std::pair{contact.b, contact.a}}) {
+            const bool older = other->kind == ColliderKind::Piece || (other->kind == ColliderKind::Body && !other->newborn);
+            if (born->newborn && older) {
+                born->birthDepth = std::max(born->birthDepth, contact.depth);
+            }
+        }
+        contact.offset = m_overlaps.offset(contact.pair, contact.depth, newborn);
+        limitPiece(contact, dt);
+        if (!contact.yielding) {
+            m_report.penetrationMax = std::max(m_report.penetrationMax, contact.depth - contact.offset);
+        }
+        for (int j = 0; j < contact.manifold->getNumContacts(); ++j) {
+            btManifoldPoint& point = contact.manifold->getContactPoint(j);
+            m_stock.push_back({point.getDistance(), point.m_combinedRestitution});
+            point.setDistance(std::max(point.getDistance() + contact.offset, -deepestSeen));
+            if (contact.offset > 0.0) {
+                point.m_combinedRestitution = 0.0;
+            }
+        }
+    }
+}
+
+void FragmentWorld::limitPiece(Contact& contact, double dt) {
+    const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
+    const Collider& piece = pieceIsA ? *contact.a : *contact.b;
+    const Collider& body = pieceIsA ? *contact.b : *contact.a;
+    const int points = contact.manifold->getNumContacts();
+    if (piece.kind != ColliderKind::Piece || !piece.moving) {
+        for (int j = 0; j < points; ++j) {
+            FragmentSolver::unlimit(contact.manifold->getContactPoint(j));
+        }
+        return;
+    }
+    const double mass = 1.0 / std::max(body.object->getInvMass(), 1e-30);
+    const double carry = pieceYieldedWeights * mass * m_settings.gravity * dt;
+    const bool gaveWay = m_overlaps.yielded(contact.pair);
+    for (int j = 0; j < points; ++j) {
+        btManifoldPoint& point = contact.manifold->getContactPoint(j);
+        const btVector3& at = point.getPositionWorldOnB();
+        // Bullet's normal points from B to A.
+        const btVector3 toBody = pieceIsA ? btVector3(-point.m_normalWorldOnB) : btVector3(point.m_normalWorldOnB);
+        const double pieceSpeed = toBody.dot(pointVelocity(piece, at));
+        const double approach = std::max(0.0, pieceSpeed - toBody.dot(pointVelocity(body, at)));
+        if (std::abs(pieceSpeed) < pieceYieldSpeed) {
+            FragmentSolver::unlimit(point);
+            continue;
+        }
+        contact.yielding = contact.yielding || (gaveWay && approach > 0.0);
+        FragmentSolver::limit(point, (gaveWay ? carry : carry + piecePushFactor * mass * approach) / points);
+    }
+    if (contact.yielding) {
+        m_overlaps.yield(contact.pair, contact.depth);
+        contact.offset = std::max(contact.offset, contact.depth);
+    }
+}
+
+void FragmentWorld::bookContacts() {
+    for (Contact& contact : m_contacts) {
+        bool acted = false;
+        bool atLimit = false;
+        const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
+        Collider& piece = pieceIsA ? *contact.a : *contact.b;
+        Collider& body = pieceIsA ? *contact.b : *contact.a;
+        const bool driven = piece.kind == ColliderKind::Piece && piece.moving;
+        for (int j = 0; j < contact.manifold->getNumContacts(); ++j) {
+            const btManifoldPoint& point = contact.manifold->getContactPoint(j);
+            acted = acted || point.m_appliedImpulse > 0.0;
+            if (driven && point.m_appliedImpulse > 0.0) {
+                const btVector3 impulseOnA =
+                    point.m_normalWorldOnB * point.m_appliedImpulse + point.m_lateralFrictionDir1 * point.m_appliedImpulseLateral1;
+                const btVector3 impulse = pieceIsA ? btVector3(-impulseOnA) : impulseOnA;
+                m_report.pieceWork += impulse.dot(pointVelocity(piece, point.getPositionWorldOnB()));
+                atLimit = atLimit || FragmentSolver::atLimit(point);
+                body.pushed = true;
+            }
+        }
+        contact.a->touched = contact.a->touched || acted;
+        contact.b->touched = contact.b->touched || acted;
+        if (atLimit && !contact.yielding && m_overlaps.yield(contact.pair, contact.depth)) {
+            ++m_report.piecesYielded;
+        }
+    }
+}
+
+void FragmentWorld::restoreContacts() {
+    std::size_t next = 0;
+    for (const Contact& contact : m_contacts) {
+        for (int j = 0; j < contact.manifold->getNumContacts(); ++j) {
+            btManifoldPoint& point = contact.manifold->getContactPoint(j);
+            point.setDistance(m_stock[next].distance);
+            point.m_combinedRestitution = m_stock[next].restitution;
+            ++next;
+        }
+    }
+}
+
+void FragmentWorld::bleedOverlaps(double dt) {
+    if (m_overlaps.empty()) {
+        return;
+    }
+    const double most = m_settings.overlapSpeed * dt;
+    struct Push {
+        const Contact* contact;
+        Vec3 onA, onB, normal;
+    };
+    std::vector<Push> pushes;
+    for (const Contact& contact : m_contacts) {
+        if (contact.offset <= 0.0 || contact.yielding) {
+            continue;
+        }
+        const double a = inverseMass(*contact.a, awake(*contact.a));
+        const double b = inverseMass(*contact.b, awake(*contact.b));
+        if (a + b <= 0.0) {
+            continue;
+        }
+        const Vec3 normal = fromBullet(contact.manifold->getContactPoint(contact.deepest).m_normalWorldOnB);
+        const double distance = std::min(most, contact.offset);
+        pushes.push_back({&contact, normal * (distance * a / (a + b)), -normal * (distance * b / (a + b)), normal});
+        contact.a->shift += pushes.back().onA;
+        contact.b->shift += pushes.back().onB;
+        contact.a->overlapping = contact.b->overlapping = true;
+    }
+    // A body among many overlaps still moves no faster than one pair would move it.
+    const auto share = [&](const Collider& c) {
+        const double length = c.shift.norm();
+        return length > most ? most / length : 1.0;
+    };
+    for (const Push& push : pushes) {
+        const Collider& a = *push.contact->a;
+        const Collider& b = *push.contact->b;
+        double& work = a.kind == ColliderKind::Piece || b.kind == ColliderKind::Piece ? m_report.pieceWork : m_report.overlapWork;
+        for (const auto& [c, part] : {std::pair{&a, &push.onA}, std::pair{&b, &push.onB}}) {
+            if (awake(*c)) {
+                work += m_settings.gravity * part->z() * share(*c) / c->object->getInvMass();
+            }
+        }
+        const double opened = push.normal.dot(a.shift * share(a) - b.shift * share(b));
+        m_overlaps.bleed(push.contact->pair, std::max(0.0, opened));
+    }
+    for (Collider* body : m_bodies) {
+        if (body != nullptr && body->overlapping) {
+            btTransform transform = body->object->getWorldTransform();
+            transform.setOrigin(transform.getOrigin() + toBullet(body->shift * share(*body)));
+            body->object->setWorldTransform(transform);
+        }
+    }
+    for (const Push& push : pushes) {
+        push.contact->a->shift = push.contact->b->shift = Vec3::Zero();
+    }
+}
+
+void FragmentWorld::integrateTransforms(btScalar dt) {
+    const auto inertia = [](const btRigidBody& body) {
+        const btVector3& inverse = body.getInvInertiaDiagLocal();
+        return btVector3(1.0 / inverse.x(), 1.0 / inverse.y(), 1.0 / inverse.z());
+    };
+    for (Collider* collider : m_bodies) {
+        if (collider == nullptr || !awake(*collider)) {
+            continue;
+        }
+        btRigidBody& body = *collider->object;
+        const btVector3 spin = body.getAngularVelocity();
+        const btMatrix3x3& axes = body.getWorldTransform().getBasis();
+        const btVector3 momentum = axes * (inertia(body) * (spin * axes));
+        // Spin of half a step later: turning with it keeps energy to second order.
+        btTransform half;
+        btTransformUtil::integrateTransform(body.getWorldTransform(), btVector3(0, 0, 0), spin, 0.5 * dt, half);
+        body.setAngularVelocity(half.getBasis() * (body.getInvInertiaDiagLocal() * (momentum * half.getBasis())));
+        btTransform next;
+        body.predictIntegratedTransform(dt, next);
+        if (!collider->touched) {
+            // The stock step moves with the new velocity; free flight moves with the mean of old and new.
+            next.setOrigin(next.getOrigin() - 0.5 * dt * dt * body.getGravity());
+        }
+        body.proceedToTransform(next);
+        body.setAngularVelocity(next.getBasis() * (body.getInvInertiaDiagLocal() * (momentum * next.getBasis())));
+    }
+}
+
+void FragmentWorld::updateActivationState(btScalar dt) {
+    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
+        Collider* body = m_bodies[i];
+        if (body == nullptr) {
+            continue;
+        }
+        if (awake(*body)) {
+            const double speed =
+                body->object->getLinearVelocity().length() + body->object->getAngularVelocity().length() * body->radius;
+            if (body->overlapping) {
+                m_freeze.restart(i);
+            } else if (m_freeze.quiet(i, speed, dt) && m_settings.freeze) {
+                freeze(*body);
+            }
+            if (m_freeze.watched(i)) {
+                for (const std::uint32_t dependant :
+                     m_freeze.takeDependants(i, fromBullet(body->object->getWorldTransform().getOrigin()))) {
+                    if (m_bodies[dependant] != nullptr && m_freeze.frozen(dependant)) {
+                        thaw(*m_bodies[dependant]);
+                    }
+                }
+            }
+        }
+        body->newborn = body->overlapping = body->touched = false;
+    }
+    linkDependants();
+}
+
+void FragmentWorld::freeze(Collider& body) {
+    m_freeze.freeze(body.index);
+    body.object->setLinearVelocity(btVector3(0, 0, 0));
+    body.object->setAngularVelocity(btVector3(0, 0, 0));
+    body.object->clearForces();
+    body.object->setLinearFactor(btVector3(0, 0, 0));
+    body.object->setAngularFactor(btVector3(0, 0, 0));
+    body.object->forceActivationState(DISABLE_SIMULATION);
+}
+
+void FragmentWorld::thaw(Collider& body) {
+    body.object->setLinearFactor(btVector3(1, 1, 1));
+    body.object->setAngularFactor(btVector3(1, 1, 1));
+    body.object->forceActivationState(ACTIVE_TAG);
+    m_freeze.thaw(body.index, fromBullet(body.object->getWorldTransform().getOrigin()));
+    body.justThawed = true;
+    m_justThawed.push_back(body.index);
+}
+
+void FragmentWorld::linkDependants() {
+    if (m_justThawed.empty()) {
+        return;
+    }
+    for (int i = 0; i < m_dispatcher1->getNumManifolds(); ++i) {
+        const btPersistentManifold* manifold = m_dispatcher1->getManifoldByIndexInternal(i);
+        const Collider& a = colliderOf(manifold->getBody0());
+        const Collider& b = colliderOf(manifold->getBody1());
+        if (manifold->getNumContacts() > 0 && a.justThawed != b.justThawed) {
+            const Collider& thawed = a.justThawed ? a : b;
+            const Collider& other = a.justThawed ? b : a;
+            if (other.kind == ColliderKind::Body && m_freeze.frozen(other.index)) {
+                m_freeze.addDependant(thawed.index, other.index);
+            }
+        }
+    }
+    for (const std::uint32_t body : m_justThawed) {
+        m_bodies[body]->justThawed = false;
+    }
+    m_justThawed.clear();
+}
+
+void FragmentWorld::thawNeighboursOfLeaving() {
+    std::vector<Collider*> sleepers;
+    for (int i = 0; i < m_dispatcher1->getNumManifolds(); ++i) {
+        const btPersistentManifold* manifold = m_dispatcher1->getManifoldByIndexInternal(i);
+        Collider& a = colliderOf(manifold->getBody0());
+        Collider& b = colliderOf(manifold->getBody1());
+        if (manifold->getNumContacts() > 0 && a.leaving != b.leaving) {
+            Collider& left = a.leaving ? b : a;
+            if (left.kind == ColliderKind::Body && m_freeze.frozen(left.index)) {
+                sleepers.push_back(&left);
+            }
+        }
+    }
+    std::sort(sleepers.begin(), sleepers.end(), [](const Collider* x, const Collider* y) { return x->number < y->number; });
+    for (Collider* sleeper : sleepers) {
+        if (m_freeze.frozen(sleeper->index)) {
+            thaw(*sleeper);
+        }
+    }
+    linkDependants();
+}
+
+}  // namespace rubble

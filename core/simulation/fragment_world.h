@@ -1,0 +1,105 @@
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <vector>
+
+#include "core/simulation/birth_overlap.h"
+#include "core/simulation/bullet_shapes.h"
+#include "core/simulation/fragment_solver.h"
+#include "core/simulation/freeze.h"
+#include "core/simulation/rigid_world.h"
+
+namespace rubble {
+
+enum class ColliderKind : std::uint8_t { Ground, Body, Piece };
+
+/// What stands behind a Bullet object: its place in the order of entry, and what the steps need to know about it.
+struct Collider {
+    ColliderKind kind = ColliderKind::Body;
+    std::uint32_t number = 0;   ///< among all colliders, in order of entry
+    std::uint32_t index = 0;    ///< among those of its kind
+    bool newborn = true;        ///< not yet stepped
+    bool moving = false;        ///< a piece that moves in this step
+    bool pushed = false;        ///< a body that a moving piece has pushed
+    bool leaving = false;       ///< to be taken out before the next step
+    bool overlapping = false;   ///< a body whose overlap at birth is being bled off in this step
+    bool justThawed = false;    ///< its frozen neighbours are not noted yet
+    bool touched = false;       ///< a body that a contact acted on in this step
+    double radius = 0.0;        ///< m, of the farthest corner
+    double birthDepth = 0.0;    ///< m, inside older colliders
+    double smallestSide = 0.0;  ///< m, of a body
+    Vec3 shift = Vec3::Zero();  ///< m, by which this step's bleeding moves the body
+    OwnedShape shape;
+    std::unique_ptr<btRigidBody> object;
+};
+
+/// Bullet's world with what a collapse needs (PHYSICS.md): births that keep their overlap as rest offset, pieces that give way,
+/// freezing per body, a fall without the error of the stock integrator, spin about a conserved angular momentum. Contacts are
+/// solved in the order of the colliders' numbers, all in one group, so that no memory address reaches a result.
+class FragmentWorld : public btDiscreteDynamicsWorld {
+public:
+    FragmentWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, FragmentSolver* solver,
+                  btCollisionConfiguration* configuration, const WorldSettings& settings);
+
+    FreezeClock& freezeClock() { return m_freeze; }
+    const FreezeClock& freezeClock() const { return m_freeze; }
+    const ContactReport& report() const { return m_report; }
+    /// A body that was added to the world, in the order of bodies.
+    void addBody(Collider* body) {
+        m_bodies.push_back(body);
+        m_freeze.addBody();
+    }
+    void forget(std::uint32_t body) { m_bodies[body] = nullptr; }
+    void thaw(Collider& body);
+    /// Thaws the frozen bodies that touch what is marked as leaving.
+    void thawNeighboursOfLeaving();
+
+protected:
+    void calculateSimulationIslands() override {}
+    void createPredictiveContacts(btScalar) override {}
+    void solveConstraints(btContactSolverInfo& info) override;
+    void integrateTransforms(btScalar dt) override;
+    void updateActivationState(btScalar dt) override;
+
+private:
+    struct Contact {
+        ColliderPair pair = 0;
+        btPersistentManifold* manifold = nullptr;
+        Collider* a = nullptr;
+        Collider* b = nullptr;
+        double depth = 0.0;   ///< m, of the deepest point
+        int deepest = 0;      ///< its index
+        double offset = 0.0;  ///< m
+        bool yielding = false;
+    };
+    struct Stock {
+        double distance = 0.0;
+        double restitution = 0.0;
+    };
+
+    void collectContacts();
+    void wakeByContacts();
+    void offsetContacts(double dt);
+    void limitPiece(Contact& contact, double dt);
+    void restoreContacts();
+    void bookContacts();
+    void bleedOverlaps(double dt);
+    void freeze(Collider& body);
+    void linkDependants();
+    bool awake(const Collider& c) const { return c.kind == ColliderKind::Body && !m_freeze.frozen(c.index); }
+
+    WorldSettings m_settings;
+    FreezeClock m_freeze;
+    BirthOverlaps m_overlaps;
+    ContactReport m_report;
+    std::vector<Collider*> m_bodies;  ///< [bodies]; null once removed
+    std::vector<Contact> m_contacts;
+    std::vector<Stock> m_stock;
+    std::vector<btCollisionObject*> m_solved;
+    std::vector<btPersistentManifold*> m_manifolds;
+    std::vector<std::uint32_t> m_justThawed;
+};
+
+}  // namespace rubble

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <limits>
+
+#include "core/base/hash.h"
+#include "core/simulation/rigid_world.h"
+#include "core/trajectory/trajectory.h"
+
+namespace rubble {
+
+/// Makes frames of a world, feeds them to the sink and to the hash of the trajectory.
+class FrameRecorder {
+public:
+    FrameRecorder(TrajectorySink& sink, double frameRate) : m_sink(sink), m_interval(1.0 / frameRate) {}
+
+    /// True when a frame's time has passed since the last one.
+    bool due(double time) const { return !(time - m_last < m_interval - 1e-9); }
+    void commit(const RigidWorld& world, double time, FrameKind kind);
+    /// Digest of time, positions and orientations of every committed frame in double precision.
+    Digest hash() const { return m_hasher.finish(); }
+    double lastTime() const { return m_last; }
+    std::int64_t frames() const { return m_frames; }
+
+private:
+    TrajectorySink& m_sink;
+    double m_interval;
+    double m_last = -std::numeric_limits<double>::infinity();
+    std::int64_t m_frames = 0;
+    Hasher m_hasher;
+};
+
+}  // namespace rubble

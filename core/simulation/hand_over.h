@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/finding.h"
+#include "core/simulation/rigid_world.h"
+#include "core/trajectory/trajectory.h"
+
+namespace rubble {
+
+/// Bodies that entered at one FE state, for the trajectory and the ledger.
+struct HandOver {
+    std::vector<BodyRecord> bodies;
+    std::vector<Carrier> carriers;
+    std::vector<ClusterId> clusters;  ///< of the bodies, in the same order
+};
+
+/// A cluster as the engine takes it, or nothing if its mass, inertia, place or velocity is no number or not positive: such a
+/// cluster is refused and counted, never repaired.
+std::optional<NewBody> bodyOf(const RunDescription& description, ClusterId cluster, Findings& findings);
+
+/// Puts the clusters [first, last) into the world in id order.
+HandOver handOver(const RunDescription& description, std::size_t first, std::size_t last, RigidWorld& world, Findings& findings);
+
+}  // namespace rubble

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "core/simulation/hand_over.h"
+#include "core/simulation/simulation.h"
+
+namespace rubble {
+
+/// Holds the FE side, the fragments, the clusters and the bodies against each other at every hand-over.
+class Ledger {
+public:
+    explicit Ledger(const RunDescription& description) : m_description(description) {}
+
+    /// The row of one FE state, of the bodies that have just entered, as the engine holds them before its next step.
+    LedgerRow handedOver(std::size_t state, double time, const HandOver& handOver, const RigidWorld& world);
+    const LedgerErrors& errors() const { return m_errors; }
+
+private:
+    const RunDescription& m_description;
+    LedgerErrors m_errors;
+};
+
+}  // namespace rubble

@@ -1,0 +1,116 @@
+#include "core/simulation/outcomes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+/// A change of velocity beyond this many times what gravity does in a step is a hit and not the load of lying there.
+constexpr double hitOverRest = 1.5;
+/// Above the speed that gravity can give, by this factor: PHYSICS section 6.
+constexpr double speedMargin = 1.05;
+
+Vec3 velocityAt(const BodyMotion& motion, const Vec3& place) {
+    return motion.velocity + motion.angularVelocity.cross(place - motion.pose.position);
+}
+
+}  // namespace
+
+Outcomes::Outcomes(const RunDescription& description, double gravity) : m_description(description), m_gravity(gravity) {
+    for (const Fragment& f : description.fragments->list) {
+        // What never becomes a body stays where it was.
+        m_fragments.push_back({f.centre, f.velocity.norm(), f.centre, 0.0});
+    }
+}
+
+Vec3 Outcomes::placeOf(const Carrier& carrier, const Pose& body) const {
+    return body * (carrier.handOverToBody * m_description.fragments->list[at(carrier.fragment)].centre);
+}
+
+void Outcomes::entered(const HandOver& handOver, const RigidWorld& world) {
+    std::size_t next = 0;
+    for (const BodyRecord& record : handOver.bodies) {
+        Body body;
+        body.latest = world.motion(record.body);
+        body.birthSpeedSquared = body.latest.velocity.squaredNorm();
+        body.birthHeight = body.latest.pose.position.z();
+        body.firstCarrier = static_cast<std::uint32_t>(m_carriers.size());
+        while (next < handOver.carriers.size() && handOver.carriers[next].body == record.body) {
+            const Carrier& carrier = handOver.carriers[next++];
+            m_pending.push_back(
+                {m_description.fragments->list[at(carrier.fragment)].birthTime, static_cast<std::uint32_t>(m_carriers.size())});
+            m_carriers.push_back(carrier);
+        }
+        body.carriers = static_cast<std::uint32_t>(m_carriers.size()) - body.firstCarrier;
+        m_bodies.push_back(body);
+    }
+}
+
+void Outcomes::stepped(const RigidWorld& world, double time, double dt) {
+    const Vec3 fall(0.0, 0.0, -m_gravity * dt);
+    m_kinetic = m_massHeight = 0.0;
+    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+        const BodyId id = idAt<BodyId>(i);
+        const BodyState state = world.state(id);
+        if (state == BodyState::Removed) {
+            continue;
+        }
+        Body& body = m_bodies[i];
+        const BodyMotion now = world.motion(id);
+        const double hit = (now.velocity - body.latest.velocity - fall).norm();
+        if (hit > hitOverRest * m_gravity * dt && hit > body.hardest) {
+            body.hardest = hit;
+            body.before = body.latest;
+        }
+        body.latest = now;
+        const double speedSquared = now.velocity.squaredNorm();
+        m_maxSpeed = std::max(m_maxSpeed, std::sqrt(speedSquared));
+        const double height = std::max(0.0, body.birthHeight - now.pose.position.z());
+        const double bound = body.birthSpeedSquared + 2.0 * m_gravity * height;
+        body.tooFast = body.tooFast || speedSquared > speedMargin * speedMargin * bound + 1.0;
+        m_kinetic += world.kineticEnergy(id);
+        m_massHeight += world.mass(id) * now.pose.position.z();
+    }
+    std::erase_if(m_pending, [&](const Pending& pending) {
+        if (pending.time > time + 1e-9 * std::abs(time)) {
+            return false;
+        }
+        const Carrier& carrier = m_carriers[pending.carrier];
+        const BodyMotion& motion = m_bodies[at(carrier.body)].latest;
+        const Vec3 place = placeOf(carrier, motion.pose);
+        const Vec3 velocity = velocityAt(motion, place);
+        FragmentOutcome& outcome = m_fragments[at(carrier.fragment)];
+        // An exact birth time may lie within the step that has just ended.
+        outcome.birthPosition = place - std::max(0.0, time - pending.time) * velocity;
+        outcome.birthSpeed = velocity.norm();
+        return true;
+    });
+}
+
+void Outcomes::finish(const RigidWorld& world) {
+    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+        Body& body = m_bodies[i];
+        if (world.state(idAt<BodyId>(i)) != BodyState::Removed) {
+            body.latest = world.motion(idAt<BodyId>(i));
+        }
+        for (std::uint32_t c = body.firstCarrier; c < body.firstCarrier + body.carriers; ++c) {
+            FragmentOutcome& outcome = m_fragments[at(m_carriers[c].fragment)];
+            outcome.finalPosition = placeOf(m_carriers[c], body.latest.pose);
+            if (body.hardest > 0.0) {
+                outcome.impactSpeed = velocityAt(body.before, placeOf(m_carriers[c], body.before.pose)).norm();
+            }
+        }
+    }
+}
+
+std::int64_t Outcomes::tooFast(const RigidWorld& world) const {
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+        count += m_bodies[i].tooFast && !world.pushedByPiece(idAt<BodyId>(i));
+    }
+    return count;
+}
+
+}  // namespace rubble

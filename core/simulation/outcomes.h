@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "core/simulation/hand_over.h"
+#include "core/simulation/simulation.h"
+
+namespace rubble {
+
+/// Follows every body from step to step and knows at the end where each fragment went, how fast it was born and how hard it hit.
+class Outcomes {
+public:
+    Outcomes(const RunDescription& description, double gravity);
+
+    void entered(const HandOver& handOver, const RigidWorld& world);
+    /// Takes note of one step that ended at `time`.
+    void stepped(const RigidWorld& world, double time, double dt);
+    /// Settles the final places; bodies that left keep where they were last.
+    void finish(const RigidWorld& world);
+
+    const std::vector<FragmentOutcome>& fragments() const { return m_fragments; }
+    double maxSpeed() const { return m_maxSpeed; }
+    /// J, of all bodies present after the latest step.
+    double kineticEnergy() const { return m_kinetic; }
+    /// kg m, of all bodies present after the latest step: mass times height above zero.
+    double massHeight() const { return m_massHeight; }
+    /// Bodies that were at some time faster than 1.05 sqrt(v_birth^2 + 2 g h) with no moving piece having pushed them.
+    std::int64_t tooFast(const RigidWorld& world) const;
+
+private:
+    struct Body {
+        std::uint32_t firstCarrier = 0;
+        std::uint32_t carriers = 0;
+        double birthSpeedSquared = 0.0;
+        double birthHeight = 0.0;
+        double hardest = 0.0;  ///< m/s, change of velocity in the hardest hit
+        BodyMotion before;     ///< just before it
+        BodyMotion latest;
+        bool tooFast = false;
+    };
+    struct Pending {
+        double time = 0.0;
+        std::uint32_t carrier = 0;
+    };
+    Vec3 placeOf(const Carrier& carrier, const Pose& body) const;
+
+    const RunDescription& m_description;
+    double m_gravity;
+    std::vector<FragmentOutcome> m_fragments;
+    std::vector<Carrier> m_carriers;
+    std::vector<Body> m_bodies;
+    std::vector<Pending> m_pending;  ///< fragments handed over and not yet born
+    double m_maxSpeed = 0.0;
+    double m_kinetic = 0.0;
+    double m_massHeight = 0.0;
+};
+
+}  // namespace rubble

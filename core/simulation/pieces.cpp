@@ -1,0 +1,257 @@
+#include "core/simulation/pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "core/fragments/solids.h"
+#include "core/simulation/body_shapes.h"
+#include "core/simulation/constants.h"
+#include "core/simulation/tight_box.h"
+
+namespace rubble {
+
+namespace {
+
+/// m. A piece is at least twice this thick.
+constexpr double leastPieceHalfExtent = 0.005;
+
+/// Corners of an element's solid at rest: shells and beams with their section.
+void appendSolid(const Mesh& mesh, ElementIndex e, double section, std::vector<Vec3>& points) {
+    const auto corners = mesh.cornersOf(e);
+    if (isSolid(mesh.shapes[at(e)])) {
+        for (const std::uint32_t node : corners) {
+            points.push_back(mesh.nodes[node]);
+        }
+        return;
+    }
+    Corners positions = Corners::Zero();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        positions.col(static_cast<Eigen::Index>(i)) = mesh.nodes[corners[i]];
+    }
+    const MovingSolid solid = solidOf(mesh.shapes[at(e)], positions, Corners::Zero(), section);
+    for (int i = 0; i < cornerCount(solid.shape); ++i) {
+        points.emplace_back(solid.positions.col(i));
+    }
+}
+
+/// How far the farthest corner of a box goes from one pose to another, m.
+double travel(const Aabb& box, const Pose& a, const Pose& b) {
+    double most = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 p = box.corner(static_cast<Aabb::CornerType>(corner));
+        most = std::max(most, (b * p - a * p).norm());
+    }
+    return most;
+}
+
+}  // namespace
+
+Pieces::Pieces(const FeResult& fe, const Components& components, const Activity& activity, const SimulationSettings& settings)
+    : m_fe(fe), m_components(components), m_activity(activity), m_kind(settings.pieces), m_leastHalfExtent(leastPieceHalfExtent) {
+    makeGroups(settings);
+    if (m_kind == PieceKind::Surface) {
+        findNeighbours();
+    }
+}
+
+void Pieces::makeGroups(const SimulationSettings& settings) {
+    const Mesh& mesh = m_fe.mesh();
+    if (m_kind == PieceKind::None) {
+        return;
+    }
+    // Ordered, so that pieces enter the engine in the same order every time.
+    std::map<std::tuple<std::size_t, std::int64_t, std::int64_t, std::int64_t>, std::size_t> found;
+    for (std::size_t i = 0; i < mesh.elementCount(); ++i) {
+        const ElementIndex e = idAt<ElementIndex>(i);
+        const std::size_t component = at(m_components.of[i]);
+        std::tuple<std::size_t, std::int64_t, std::int64_t, std::int64_t> key{component, 0, 0, 0};
+        if (m_kind == PieceKind::Surface) {
+            key = {component, static_cast<std::int64_t>(i), 0, 0};
+        } else if (m_kind == PieceKind::GridBoxes) {
+            Vec3 centre = Vec3::Zero();
+            for (const std::uint32_t node : mesh.cornersOf(e)) {
+                centre += mesh.nodes[node];
+            }
+            centre /= static_cast<double>(mesh.cornersOf(e).size());
+            const Vec3 cell = (centre - m_components.list[component].bounds.min()) / settings.pieceSize;
+            if (!cell.allFinite()) {
+                continue;
+            }
+            key = {component, std::llround(std::floor(cell.x())), std::llround(std::floor(cell.y())),
+                   std::llround(std::floor(cell.z()))};
+        }
+        found[key];
+        auto& slot = found[key];
+        if (slot == 0) {
+            m_groups.emplace_back();
+            slot = m_groups.size();
+        }
+        m_groups[slot - 1].elements.push_back(e);
+    }
+}
+
+void Pieces::findNeighbours() {
+    const Mesh& mesh = m_fe.mesh();
+    std::map<std::array<std::uint32_t, 4>, std::uint32_t> open;
+    m_faceOffsets.assign(1, 0);
+    std::vector<std::uint32_t> owner;
+    for (std::size_t i = 0; i < mesh.elementCount(); ++i) {
+        const ElementIndex e = idAt<ElementIndex>(i);
+        const auto corners = mesh.cornersOf(e);
+        if (isSolid(mesh.shapes[i])) {
+            for (const auto& face : facesOf(mesh.shapes[i])) {
+                std::array<std::uint32_t, 4> key{};
+                for (std::size_t c = 0; c < 4; ++c) {
+                    key[c] = corners[static_cast<std::size_t>(face[c] < 0 ? face[0] : face[c])];
+                }
+                std::sort(key.begin(), key.end());
+                const auto index = static_cast<std::uint32_t>(m_neighbour.size());
+                m_neighbour.push_back(-1);
+                owner.push_back(static_cast<std::uint32_t>(i));
+                const auto [other, first] = open.emplace(key, index);
+                if (!first) {
+                    m_neighbour[index] = owner[other->second];
+                    m_neighbour[other->second] = static_cast<std::int64_t>(i);
+                }
+            }
+        }
+        m_faceOffsets.push_back(static_cast<std::uint32_t>(m_neighbour.size()));
+    }
+}
+
+bool Pieces::activeThrough(ElementIndex e, std::size_t k) const {
+    return m_activity.active(k, e) && m_activity.active(k + 1, e);
+}
+
+bool Pieces::exposed(ElementIndex e, std::size_t k) const {
+    if (m_faceOffsets[at(e)] == m_faceOffsets[at(e) + 1]) {
+        return true;
+    }
+    for (std::uint32_t face = m_faceOffsets[at(e)]; face < m_faceOffsets[at(e) + 1]; ++face) {
+        if (m_neighbour[face] < 0 || !activeThrough(idAt<ElementIndex>(static_cast<std::size_t>(m_neighbour[face])), k)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<ElementIndex> Pieces::membersOf(const Group& group, std::size_t k) const {
+    std::vector<ElementIndex> members;
+    for (const ElementIndex e : group.elements) {
+        if (activeThrough(e, k) && (m_kind != PieceKind::Surface || exposed(e, k))) {
+            members.push_back(e);
+        }
+    }
+    return members;
+}
+
+std::optional<Pose> Pieces::fit(const Group& group, const FeState& state) const {
+    const Mesh& mesh = m_fe.mesh();
+    Vec3 centre = Vec3::Zero();
+    for (const std::uint32_t node : group.nodes) {
+        centre += state.positions[node];
+    }
+    centre /= static_cast<double>(group.nodes.size());
+    Mat3 covariance = Mat3::Zero();
+    for (const std::uint32_t node : group.nodes) {
+        covariance += (state.positions[node] - centre) * (mesh.nodes[node] - group.restCentre).transpose();
+    }
+    if (!covariance.allFinite() || !centre.allFinite()) {
+        return std::nullopt;
+    }
+    return Pose{centre, Quat(nearestRotation(covariance)).normalized()};
+}
+
+CollisionShape Pieces::shapeOf(const Group& group) const {
+    std::vector<Vec3> points;
+    for (const ElementIndex e : group.members) {
+        appendSolid(m_fe.mesh(), e, m_components.section[at(e)], points);
+    }
+    for (Vec3& p : points) {
+        p -= group.restCentre;
+    }
+    if (m_kind == PieceKind::Surface) {
+        return {hullOf(points, m_leastHalfExtent)};
+    }
+    ConvexPart part;
+    part.box = m_kind == PieceKind::ComponentBox ? boxWithAxes(points, Mat3::Identity()) : tightBox(points, {}, true);
+    part.box.halfExtents = part.box.halfExtents.cwiseMax(m_leastHalfExtent);
+    return {part};
+}
+
+void Pieces::rebuild(RigidWorld& world, Group& group, const FeState& from) {
+    if (group.piece) {
+        world.removePiece(*group.piece);
+        group.piece.reset();
+        --m_present;
+    }
+    if (group.members.empty()) {
+        return;
+    }
+    const Mesh& mesh = m_fe.mesh();
+    group.nodes.clear();
+    for (const ElementIndex e : group.members) {
+        group.nodes.insert(group.nodes.end(), mesh.cornersOf(e).begin(), mesh.cornersOf(e).end());
+    }
+    std::sort(group.nodes.begin(), group.nodes.end());
+    group.nodes.erase(std::unique(group.nodes.begin(), group.nodes.end()), group.nodes.end());
+    group.restCentre = Vec3::Zero();
+    group.box.setEmpty();
+    for (const std::uint32_t node : group.nodes) {
+        group.restCentre += mesh.nodes[node];
+        group.box.extend(mesh.nodes[node]);
+    }
+    group.restCentre /= static_cast<double>(group.nodes.size());
+    group.box.translate(-group.restCentre);
+    const std::optional<Pose> pose = fit(group, from);
+    const CollisionShape shape = shapeOf(group);
+    const bool sound = std::all_of(shape.begin(), shape.end(), [](const ConvexPart& part) {
+        return part.box.centre.allFinite() && part.box.halfExtents.allFinite();
+    });
+    if (pose && sound) {
+        group.pose = *pose;
+        group.piece = world.addPiece(shape, *pose);
+        ++m_present;
+    }
+}
+
+void Pieces::beginInterval(RigidWorld& world, std::size_t k) {
+    m_moving.clear();
+    if (m_groups.empty()) {
+        return;
+    }
+    const std::shared_ptr<const FeState> from = m_fe.state(k);
+    const std::shared_ptr<const FeState> to = m_fe.state(k + 1);
+    for (Group& group : m_groups) {
+        std::vector<ElementIndex> members = membersOf(group, k);
+        if (members != group.members) {
+            group.members = std::move(members);
+            rebuild(world, group, *from);
+        }
+        if (!group.piece) {
+            continue;
+        }
+        const std::optional<Pose> finish = fit(group, *to);
+        if (finish && travel(group.box, group.pose, *finish) > pieceStillTravel) {
+            group.start = group.pose;
+            group.finish = *finish;
+            m_moving.push_back(&group);
+        }
+    }
+}
+
+void Pieces::moveTo(RigidWorld& world, double share) {
+    for (Group* group : m_moving) {
+        group->pose = {group->start.position + share * (group->finish.position - group->start.position),
+                       group->start.orientation.slerp(share, group->finish.orientation)};
+        if (share >= 1.0) {
+            group->pose = group->finish;
+        }
+        world.movePiece(*group->piece, group->pose);
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/fe/activity.h"
+#include "core/fe/components.h"
+#include "core/fe/fe_result.h"
+#include "core/scenario/scenario.h"
+#include "core/simulation/rigid_world.h"
+
+namespace rubble {
+
+/// The active structure as kinematic pieces (DESIGN.md 2.4). A piece of an FE interval holds the elements of its group that are
+/// active at both ends; rigid fits of their nodes at both ends give its motion. A group is a component, the elements of a component
+/// in one cell of a grid laid over it at rest, or a single element.
+class Pieces {
+public:
+    /// @param activity  under the revival policy; must outlive the pieces
+    Pieces(const FeResult& fe, const Components& components, const Activity& activity, const SimulationSettings& settings);
+
+    /// Sets up the interval from state k to k + 1: takes out what lost elements, puts in what is left of it, fits the motion.
+    void beginInterval(RigidWorld& world, std::size_t k);
+    /// Moves every moving piece to where it is at a share of the interval in (0, 1].
+    void moveTo(RigidWorld& world, double share);
+    /// From now on everything stands still (after the last FE state).
+    void hold() { m_moving.clear(); }
+
+    std::size_t present() const { return m_present; }
+    std::size_t moving() const { return m_moving.size(); }
+
+private:
+    struct Group {
+        std::vector<ElementIndex> elements;
+        std::vector<std::uint32_t> nodes;   ///< of the present members, unique
+        Vec3 restCentre = Vec3::Zero();     ///< m, mean of those nodes at rest
+        std::vector<ElementIndex> members;  ///< present in this interval
+        std::optional<PieceId> piece;
+        Pose pose;           ///< where the piece is
+        Pose start, finish;  ///< of this interval
+        Aabb box;            ///< of the members at rest, about restCentre
+    };
+
+    void makeGroups(const SimulationSettings& settings);
+    void findNeighbours();
+    bool exposed(ElementIndex e, std::size_t k) const;
+    bool activeThrough(ElementIndex e, std::size_t k) const;
+    std::vector<ElementIndex> membersOf(const Group& group, std::size_t k) const;
+    void rebuild(RigidWorld& world, Group& group, const FeState& from);
+    CollisionShape shapeOf(const Group& group) const;
+    std::optional<Pose> fit(const Group& group, const FeState& state) const;
+
+    const FeResult& m_fe;
+    const Components& m_components;
+    const Activity& m_activity;
+    PieceKind m_kind;
+    double m_leastHalfExtent;
+    std::vector<Group> m_groups;
+    std::vector<Group*> m_moving;
+    std::vector<std::uint32_t> m_faceOffsets;  ///< first face of each element [elements + 1]; surface pieces only
+    std::vector<std::int64_t> m_neighbour;     ///< element behind each face, -1 for none
+    std::size_t m_present = 0;
+};
+
+}  // namespace rubble

@@ -141,12 +141,24 @@ void AxisGrouping::takeRow(std::uint32_t row) {
 
 void AxisGrouping::removeFragment(std::uint32_t position) {
     const AxisOrder& order = *m_order;
+    // Up each tree only as far as something changes.
     std::size_t node = m_leaves + position;
     m_farthestLow[node] = nowhere;
+    for (node /= 2; node > 0; node /= 2) {
+        const double farthest = std::max(m_farthestLow[2 * node], m_farthestLow[2 * node + 1]);
+        if (farthest == m_farthestLow[node]) {
+            break;
+        }
+        m_farthestLow[node] = farthest;
+    }
+    node = m_leaves + position;
     m_leastRank[node] = none;
     for (node /= 2; node > 0; node /= 2) {
-        m_farthestLow[node] = std::max(m_farthestLow[2 * node], m_farthestLow[2 * node + 1]);
-        m_leastRank[node] = std::min(m_leastRank[2 * node], m_leastRank[2 * node + 1]);
+        const std::uint32_t least = std::min(m_leastRank[2 * node], m_leastRank[2 * node + 1]);
+        if (least == m_leastRank[node]) {
+            break;
+        }
+        m_leastRank[node] = least;
     }
     if (fits(order.high[position], order.low[position])) {
         decrement(m_livingRank, order.highRank[position]);
@@ -257,11 +269,17 @@ std::uint32_t AxisGrouping::nextRecord(std::uint32_t record) const {
 void AxisGrouping::setCount(std::uint32_t position, std::int32_t count) {
     std::size_t node = m_leaves + position;
     m_count[node] = count;
-    for (std::size_t above = node / 2; above > 0; above /= 2) {
-        m_count[node] -= count == noRow ? 0 : m_addition[above];
+    if (count != noRow) {
+        for (std::size_t above = node / 2; above > 0; above /= 2) {
+            m_count[node] -= m_addition[above];
+        }
     }
     for (node /= 2; node > 0; node /= 2) {
-        m_count[node] = std::max(m_count[2 * node], m_count[2 * node + 1]) + m_addition[node];
+        const std::int32_t most = std::max(m_count[2 * node], m_count[2 * node + 1]) + m_addition[node];
+        if (most == m_count[node]) {
+            break;
+        }
+        m_count[node] = most;
     }
 }
 
@@ -280,10 +298,17 @@ void AxisGrouping::addToCounts(std::uint32_t first, std::uint32_t last, std::int
             apply(--right);
         }
     }
-    for (std::size_t end : {m_leaves + first, m_leaves + last}) {
-        for (std::size_t node = end / 2; node > 0; node /= 2) {
-            m_count[node] = std::max(m_count[2 * node], m_count[2 * node + 1]) + m_addition[node];
-        }
+    const auto renew = [&](std::size_t node) {
+        m_count[node] = std::max(m_count[2 * node], m_count[2 * node + 1]) + m_addition[node];
+    };
+    left = (m_leaves + first) / 2;
+    right = (m_leaves + last) / 2;
+    for (; left != right; left /= 2, right /= 2) {
+        renew(left);
+        renew(right);
+    }
+    for (; left > 0; left /= 2) {
+        renew(left);
     }
 }
 

@@ -4,27 +4,14 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
-#include "core/clusters/axis_order.h"
+#include "core/clusters/fragment_order.h"
 
 namespace rubble {
 
 namespace {
-
-double meanDistanceAlong(const FragmentSet& fragments, const Mesh& mesh, int axis) {
-    std::vector<double> low;
-    std::vector<double> high;
-    std::vector<double> centre;
-    std::vector<std::int64_t> elementId;
-    for (const Fragment& fragment : fragments.list) {
-        low.push_back(fragment.bounds.min()[axis]);
-        high.push_back(fragment.bounds.max()[axis]);
-        centre.push_back(fragment.centre[axis]);
-        elementId.push_back(mesh.elementIds[at(fragment.element)]);
-    }
-    return orderAlongAxis(low, high, centre, elementId).meanDistance();
-}
 
 void boundByFragments(AxisSizing& sizing, int axis, const FragmentSet& fragments) {
     for (std::size_t f = 0; f < fragments.size(); ++f) {
@@ -72,9 +59,12 @@ std::array<AxisSizing, 3> boundGrid(const FragmentSet& fragments, const Mesh& me
     assert(bodiesMax > 0);
     std::array<AxisSizing, 3> axes;
     const double perBody = static_cast<double>(fragments.size()) / static_cast<double>(std::max<std::int64_t>(1, bodiesMax));
+    const std::vector<Vec3> centres = orderingCentres(fragments);
+    std::vector<std::uint32_t> everyone(fragments.size());
+    std::iota(everyone.begin(), everyone.end(), 0u);
     for (int axis = 0; axis < 3; ++axis) {
         AxisSizing& sizing = axes[static_cast<std::size_t>(axis)];
-        sizing.meanDistance = meanDistanceAlong(fragments, mesh, axis);
+        sizing.meanDistance = orderFragments(fragments, mesh, centres, everyone, axis).meanDistance();
         sizing.efficiencyMin = sizing.meanDistance * std::cbrt(perBody);
         boundByFragments(sizing, axis, fragments);
         boundByComponents(sizing, axis, components);

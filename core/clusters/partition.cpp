@@ -5,28 +5,10 @@
 #include <numeric>
 #include <utility>
 
+#include "core/clusters/fragment_order.h"
 #include "core/clusters/velocity_split.h"
 
 namespace rubble {
-
-namespace {
-
-AxisOrder orderOf(const FragmentSet& fragments, const Mesh& mesh, std::span<const std::uint32_t> members, int axis) {
-    std::vector<double> low;
-    std::vector<double> high;
-    std::vector<double> centre;
-    std::vector<std::int64_t> elementId;
-    for (const std::uint32_t f : members) {
-        const Fragment& fragment = fragments.list[f];
-        low.push_back(fragment.bounds.min()[axis]);
-        high.push_back(fragment.bounds.max()[axis]);
-        centre.push_back(fragment.centre[axis]);
-        elementId.push_back(mesh.elementIds[at(fragment.element)]);
-    }
-    return orderAlongAxis(low, high, centre, elementId);
-}
-
-}  // namespace
 
 Partitioner::Partitioner(const FragmentSet& fragments, const Mesh& mesh) {
     std::map<std::pair<std::uint32_t, double>, std::size_t> births;
@@ -41,9 +23,10 @@ Partitioner::Partitioner(const FragmentSet& fragments, const Mesh& mesh) {
         }
         m_births[place->second].fragments.push_back(f);
     }
+    const std::vector<Vec3> centres = orderingCentres(fragments);
     for (Birth& birth : m_births) {
         for (int axis = 0; axis < 3; ++axis) {
-            birth.order[static_cast<std::size_t>(axis)] = orderOf(fragments, mesh, birth.fragments, axis);
+            birth.order[static_cast<std::size_t>(axis)] = orderFragments(fragments, mesh, centres, birth.fragments, axis);
         }
     }
 }

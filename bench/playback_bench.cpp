@@ -1,0 +1,147 @@
+// Playback of both views in one window of 1280 x 800 pixels: frames a second at the final state of the stone arch, with what
+// leaving out hidden faces brings. Needs an X display (xvfb-run will do). Optional first argument: an FE file.
+
+#include <benchmark/benchmark.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "core/pipeline/pipeline.h"
+#include "io/fe_reader.h"
+#include "widgets/figures/draw.h"
+#include "widgets/figures/figure_file.h"
+#include "widgets/figures/palette.h"
+#include "widgets/render/camera.h"
+#include "widgets/render/scene.h"
+
+namespace {
+
+using namespace rubble;
+
+constexpr int width = 1280;
+constexpr int height = 800;
+
+/// The clustered run of the sample as its case has it: failing strips merged into their rings.
+Scenario sampleScenario(const FeResult& fe) {
+    Scenario scenario;
+    const auto has = [&](const std::string& name) {
+        for (const Part& part : fe.mesh().parts) {
+            if (part.name == name) {
+                return true;
+            }
+        }
+        return false;
+    };
+    for (const std::string ring : {"arch ring 1", "arch ring 4"}) {
+        if (has(ring) && has(ring + ", failing strip")) {
+            scenario.regrouping.push_back(MergeComponents{{ring, ring + ", failing strip"}, ring});
+        }
+    }
+    return scenario;
+}
+
+class Playback {
+public:
+    explicit Playback(const std::string& path) {
+        const Execution execution;
+        Inputs inputs;
+        inputs.fe = io::openFe(path, {}, {}, execution);
+        auto trajectory = std::make_shared<MemoryTrajectory>();
+        const Results results = run(inputs, sampleScenario(*inputs.fe), Stage::Simulation, {}, trajectory.get(), execution);
+        m_data = {inputs.fe, results.components, results.fragments, results.clustering, trajectory, 0.0};
+        m_window->SetOffScreenRendering(1);
+        m_window->SetMultiSamples(0);
+        m_window->SetSize(width, height);
+        m_scene.attach(*m_window);
+        m_scene.setData(m_data);
+        m_scene.setColours(figures::sceneColours(render::Theme::Light));
+        m_view = render::defaultView(m_data, width, height);
+    }
+
+    double end() const { return m_data.trajectory->frameTime(m_data.trajectory->frameCount() - 1); }
+    render::View& view() { return m_view; }
+    render::Scene& scene() { return m_scene; }
+
+    void draw() {
+        m_scene.update(m_view, width, height);
+        m_window->Render();
+        m_window->WaitForCompletion();
+    }
+
+private:
+    vtkNew<vtkRenderWindow> m_window;
+    render::Scene m_scene;
+    render::SceneData m_data;
+    render::View m_view;
+};
+
+Playback* playback = nullptr;
+
+enum Motion { Still, Moving, Collapse };
+
+/// @param state  range 0: hidden faces drawn too; range 1: what moves
+void playBothViews(benchmark::State& state) {
+    playback->scene().setAllFaces(state.range(0) != 0);
+    const double end = playback->end();
+    const auto timeOf = [&](std::int64_t frame) {
+        switch (state.range(1)) {
+            case Moving:  // new points, nothing is born
+                return end - 1.0 + 0.01 * static_cast<double>(frame % 90);
+            case Collapse:  // new points, births and deaths, as a player at 24 frames a second
+                return std::fmod(4.0 + static_cast<double>(frame) / 24.0, end);
+            default:
+                return end;
+        }
+    };
+    const render::Camera home = playback->view().cameras[0];
+    playback->view().time = timeOf(0);
+    playback->draw();
+    std::int64_t frame = 0;
+    for (auto _ : state) {
+        playback->view().time = timeOf(++frame);
+        // A slow turn of the camera, as somebody looking round would make.
+        playback->view().cameras[0] = render::orbit(home, 0.002 * static_cast<double>(frame % 50), 0.0);
+        playback->draw();
+    }
+    playback->view().cameras[0] = home;
+    state.counters["frames_per_s"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+    state.counters["triangles"] = static_cast<double>(playback->scene().status(render::PaneContent::Fe).faces +
+                                                      playback->scene().status(render::PaneContent::Fragments).faces);
+    state.SetLabel(std::string(state.range(0) ? "every face" : "visible faces") + (state.range(1) == Still ? ", static points"
+                                                                                   : state.range(1) == Moving
+                                                                                       ? ", new points every frame"
+                                                                                       : ", playing from mid-collapse"));
+}
+
+BENCHMARK(playBothViews)
+    ->Args({0, Still})
+    ->Args({0, Moving})
+    ->Args({0, Collapse})
+    ->Args({1, Still})
+    ->Args({1, Moving})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MinTime(2.0);
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    if (!figures::displayAvailable()) {
+        std::fprintf(stderr, "playback_bench: no X display answers; run it under xvfb-run\n");
+        return 1;
+    }
+    try {
+        Playback made(argc > 1 ? argv[1] : RUBBLE_SOURCE_DIR "/resources/samples/stone-arch.exo");
+        playback = &made;
+        benchmark::RunSpecifiedBenchmarks();
+        playback = nullptr;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "playback_bench: %s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "io/run_driver.h"
 
 namespace rubble::io {
 
@@ -50,8 +51,7 @@ void RunColumns::openFile() {
             Message{"io.run.unreadable", "Cannot read the run file {0}: {1}", {m_path, reason ? reason : "not a file"}},
             Message{"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
     }
-    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    H5Pset_file_locking(access.get(), true, true);
+    const Hdf5Handle access = runFileAccess();
     // Opening as a reader beside a writer also opens what a killed writer left.
     m_file = Hdf5Handle(H5Fopen(m_path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()), H5Fclose);
     if (!m_file.valid()) {

@@ -12,18 +12,11 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/run_driver.h"
 
 namespace rubble::io {
 
 namespace {
-
-Hdf5Handle accessList() {
-    Hdf5Handle list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    // Readers beside a writer need the newest form of the file's own structures.
-    H5Pset_libver_bounds(list.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
-    H5Pset_file_locking(list.get(), true, true);
-    return list;
-}
 
 Hdf5Handle linkList() {
     Hdf5Handle list(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
@@ -102,6 +95,9 @@ void RunStore::fail(const std::string& reason) const {
 }
 
 void RunStore::require(bool good) const {
+    if (const int error = runDriverError(m_file.get())) {
+        fail(systemReason(error));
+    }
     if (!good) {
         fail(hdf5Reason());
     }
@@ -109,9 +105,11 @@ void RunStore::require(bool good) const {
 
 void RunStore::create(const std::string& temporary, std::string_view originText) {
     const Hdf5Session session;
-    const Hdf5Handle access = accessList();
+    const Hdf5Handle access = runFileAccess();
     m_file = Hdf5Handle(H5Fcreate(temporary.c_str(), H5F_ACC_EXCL, H5P_DEFAULT, access.get()), H5Fclose);
-    require(m_file.valid());
+    if (!m_file.valid()) {
+        fail(systemReason(runDriverOpenError()));
+    }
     {
         const Hdf5Handle root(H5Gopen2(m_file.get(), "/", H5P_DEFAULT), H5Gclose);
         require(writeText(root.get(), "format", runFormatName) && writeText(root.get(), "version", std::to_string(runVersion)));
@@ -200,7 +198,11 @@ void RunStore::close() {
     for (Open& open : m_open) {
         require(open.dataset.reset());
     }
-    require(m_file.reset());
+    // What closing writes is only bookkeeping: all rows were flushed before.
+    require(true);
+    if (!m_file.reset()) {
+        fail("the file cannot be closed");
+    }
 }
 
 std::string RunStore::digestsText() const {

@@ -41,7 +41,7 @@ TEST(Sha256, AgreesWithThePublishedExamples) {
 
 TEST(Sha256, SaysWhichFileCannotBeRead) {
     const TemporaryFolder folder;
-    for (const std::string path : {folder / "missing", folder.path()}) {
+    for (const std::string& path : {folder / "missing", folder.path()}) {
         try {
             sha256OfFile(path);
             FAIL() << path;

@@ -99,6 +99,38 @@ void becomeBox(SoundSolid& solid) {
 /// Beyond this stretch a shape is noise.
 constexpr double mostStretch = 1e4;
 
+double boxVolume(const Corners& corners, const Mat3& axes) {
+    const Corners local = axes.transpose() * corners;
+    return (local.rowwise().maxCoeff() - local.rowwise().minCoeff()).prod();
+}
+
+/// How much smaller a box must be to win: the even-handed frame keeps every tie.
+constexpr double leaner = 1.0 - 1e-6;
+
+/// The frame along the given unit edge directions whose box around the corners is smallest: between all three, or along one edge
+/// and in the plane of another, which fits sheared elements better.
+Mat3 leanestFrame(const Corners& corners, const Mat3& edges) {
+    Mat3 best = nearestRotation(edges);
+    double least = boxVolume(corners, best);
+    for (int along = 0; along < 3; ++along) {
+        for (int across = 0; across < 3; ++across) {
+            if (across == along) {
+                continue;
+            }
+            Mat3 frame;
+            frame.col(0) = edges.col(along);
+            frame.col(2) = edges.col(along).cross(edges.col(across)).normalized();
+            frame.col(1) = frame.col(2).cross(frame.col(0));
+            const double volume = boxVolume(corners, frame);
+            if (volume < leaner * least) {
+                least = volume;
+                best = frame;
+            }
+        }
+    }
+    return best;
+}
+
 }  // namespace
 
 MovingSolid solidOf(ElementShape element, const Corners& positions, const Corners& velocities, double section) {
@@ -139,7 +171,7 @@ Mat3 boxAxes(const Corners& reference, const Corners& present) {
     }
     const Mat3 deformation = now * atRest.inverse();
     atRest.colwise().normalize();
-    return nearestRotation(deformation) * nearestRotation(atRest);
+    return nearestRotation(deformation) * leanestFrame(reference, atRest);
 }
 
 OrientedBox boxAround(const Corners& corners, int count, const Mat3& axes) {

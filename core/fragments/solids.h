@@ -27,7 +27,9 @@ MovingSolid solidOf(ElementShape element, const Corners& positions, const Corner
 /// The rotation nearest to a matrix (polar decomposition); always a proper rotation, for singular and reflecting matrices too.
 Mat3 nearestRotation(const Mat3& matrix);
 
-/// Axes of an element's box: the edge directions of its reference shape, turned by the rotation of its deformation since.
+/// Axes of an element's box: a frame along the edge directions of its reference shape, turned by the rotation of its deformation
+/// since (polar decomposition). Of the frames that the edges offer it is the one whose box around the reference shape is smallest;
+/// a reference shape without volume leaves the choice to the present one.
 /// @param reference, present  positions as asHexahedron() gives them, m
 Mat3 boxAxes(const Corners& reference, const Corners& present);
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "core/fe/components.h"
@@ -152,6 +151,18 @@ TEST(Solids, BoxOfATurnedAndStretchedBrickIsTheBrick) {
         EXPECT_FALSE(result.thickened || result.boxed);
         EXPECT_EQ(result.corners, solid.positions);
     }
+}
+
+TEST(Solids, BoxOfAShearedBrickLiesAlongItsFaces) {
+    // Sheared along x by half its height: base 2 x 1, height 1; the box along the base is 2.5 x 1 x 1.
+    Corners sheared = brick(Vec3(2, 1, 1));
+    sheared.row(0) += 0.5 * sheared.row(2);
+    std::mt19937 random(12);
+    const Mat3 turn = test::randomRotation(random);
+    const Corners turned = turn * sheared;
+    const OrientedBox box = boxAround(turned, 8, boxAxes(sheared, turned));
+    EXPECT_NEAR(box.volume(), 2.5, 1e-12);
+    EXPECT_NEAR(box.halfExtents.maxCoeff(), 1.25, 1e-12);
 }
 
 TEST(Solids, BoxesAreTightAroundEveryShape) {

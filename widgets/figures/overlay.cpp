@@ -49,11 +49,12 @@ void addComponents(std::vector<LegendEntry>& legend, const render::Scene& scene,
             rest += status.bornByComponent[c];
             continue;
         }
-        legend.push_back({colourOf(render::colour_choice::category(colours, c)),
-                          QString::fromStdString(components->list[c].name) + " " + countText(status.bornByComponent[c])});
+        legend.push_back(
+            {colourOf(render::colour_choice::category(colours, c)),
+             QString::fromStdString(components->list[c].name) + QStringLiteral(" · ") + countText(status.bornByComponent[c])});
     }
     if (rest > 0) {
-        legend.push_back({QColor(), tr("%1 more components %2").arg(order.size() - shown).arg(countText(rest))});
+        legend.push_back({QColor(), tr("%1 more components · %2").arg(order.size() - shown).arg(countText(rest))});
     }
 }
 

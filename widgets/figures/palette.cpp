@@ -165,7 +165,7 @@ render::SceneColours sceneColours(render::Theme theme) {
         c.birthRamp[i] = rgb(birthColour(static_cast<double>(i) / 255.0));
         c.speedRamp[i] = rgb(speedColour(static_cast<double>(i) / 255.0));
     }
-    c.ambient = theme == render::Theme::Dark ? 0.34 : 0.4;
+    c.ambient = theme == render::Theme::Dark ? 0.42 : 0.48;
     return c;
 }
 

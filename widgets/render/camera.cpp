@@ -9,7 +9,8 @@ namespace rubble::render {
 namespace {
 
 constexpr double margin = 1.06;            // the model does not touch the edges of its pane
-constexpr double sideElevation = 0.16;     // rad, slightly from above
+constexpr double sideElevation = 0.12;     // rad, slightly from above
+constexpr double widestAngle = 36.0;       // degrees across; a wider lens bends long bridges
 constexpr double pitchLimit = 1.55;        // rad, short of the pole where "up" loses its meaning
 constexpr double smallestDistance = 1e-3;  // m
 
@@ -93,6 +94,10 @@ Camera fitCamera(const Aabb& bounds, double aspect, Preset preset) {
     }
     if (bounds.isEmpty()) {
         return Camera{};
+    }
+    if (aspect > 0) {
+        const double half = std::tan(0.5 * widestAngle * std::numbers::pi / 180.0) / aspect;
+        camera.viewAngle = std::min(camera.viewAngle, 2.0 * std::atan(half) * 180.0 / std::numbers::pi);
     }
     return refit(camera, bounds, aspect);
 }

@@ -53,8 +53,10 @@ void addColour(vtkUnsignedCharArray& colours, const Rgb& c) {
 }  // namespace
 
 Ground::Ground()
-    : m_plane(vtkSmartPointer<vtkPolyData>::New()),
+    : m_sky(vtkSmartPointer<vtkPolyData>::New()),
+      m_plane(vtkSmartPointer<vtkPolyData>::New()),
       m_grid(vtkSmartPointer<vtkPolyData>::New()),
+      m_skyActor(flatActor(m_sky)),
       m_planeActor(flatActor(m_plane)),
       m_gridActor(flatActor(m_grid)) {
     m_planeActor->GetProperty()->BackfaceCullingOn();
@@ -67,11 +69,13 @@ Ground::Ground()
 Ground::~Ground() = default;
 
 void Ground::addTo(vtkRenderer& renderer) {
+    renderer.AddActor(m_skyActor);
     renderer.AddActor(m_planeActor);
     renderer.AddActor(m_gridActor);
 }
 
 void Ground::setVisible(bool visible) {
+    m_skyActor->SetVisibility(visible);
     m_planeActor->SetVisibility(visible);
     m_gridActor->SetVisibility(visible);
 }
@@ -90,8 +94,39 @@ void Ground::set(const Aabb& bounds, const SceneColours& colours) {
     const Vec3 centre(bounds.center().x(), bounds.center().y(), bounds.min().z());
     const double size = std::max(bounds.sizes().norm(), 1e-3);
     m_reach = planeReach * size;
+    makeSky(centre, colours);
     makePlane(centre, colours);
     makeGrid(centre, size, spacing(bounds), colours);
+}
+
+void Ground::makeSky(const Vec3& centre, const SceneColours& colours) {
+    // A dome stands on the rim of the plane, so that ground and sky meet in one colour whatever the camera does.
+    constexpr std::array<double, 6> rise{0.0, 0.06, 0.14, 0.3, 0.7, 1.4};  // rad above the horizon
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    vtkNew<vtkUnsignedCharArray> rgba;
+    rgba->SetNumberOfComponents(4);
+    for (std::size_t r = 0; r < rise.size(); ++r) {
+        const double share = 1.0 - std::exp(-rise[r] / 0.14);
+        for (int s = 0; s < sectors; ++s) {
+            const double angle = 2.0 * std::numbers::pi * s / sectors;
+            points->InsertNextPoint(centre.x() + m_reach * std::cos(angle), centre.y() + m_reach * std::sin(angle),
+                                    centre.z() + m_reach * std::tan(rise[r]));
+            addColour(*rgba, mixed(colours.skyHorizon, colours.skyTop, share));
+        }
+    }
+    for (std::size_t r = 0; r + 1 < rise.size(); ++r) {
+        for (int s = 0; s < sectors; ++s) {
+            const vtkIdType low = static_cast<vtkIdType>(r) * sectors;
+            const vtkIdType next = (s + 1) % sectors;
+            const std::array<vtkIdType, 4> quad{low + s, low + next, low + sectors + next, low + sectors + s};
+            cells->InsertNextCell(4, quad.data());
+        }
+    }
+    m_sky->SetPoints(points);
+    m_sky->SetPolys(cells);
+    m_sky->GetPointData()->SetScalars(rgba);
+    m_sky->Modified();
 }
 
 void Ground::makePlane(const Vec3& centre, const SceneColours& colours) {

@@ -11,7 +11,7 @@ class vtkRenderer;
 
 namespace rubble::render {
 
-/// The ground of a pane: a plane that fades into the horizon, with a quiet grid of round spacing around the model.
+/// What surrounds the model in a pane: a plane that fades into the horizon, with a quiet grid of round spacing, and the sky above.
 class Ground {
 public:
     Ground();
@@ -27,12 +27,15 @@ public:
     static double spacing(const Aabb& bounds);
 
 private:
+    void makeSky(const Vec3& centre, const SceneColours& colours);
     void makePlane(const Vec3& centre, const SceneColours& colours);
     void makeGrid(const Vec3& centre, double size, double step, const SceneColours& colours);
 
     double m_reach = 0.0;
+    vtkSmartPointer<vtkPolyData> m_sky;
     vtkSmartPointer<vtkPolyData> m_plane;
     vtkSmartPointer<vtkPolyData> m_grid;
+    vtkSmartPointer<vtkActor> m_skyActor;
     vtkSmartPointer<vtkActor> m_planeActor;
     vtkSmartPointer<vtkActor> m_gridActor;
 };

@@ -10,13 +10,26 @@
 namespace rubble::render {
 namespace {
 
-constexpr double sameTime = 1e-6;  // s
+constexpr double sameTime = 1e-6;     // s
+constexpr double sameInstant = 0.01;  // of the interval between two states
 
-/// A time within a microsecond of an FE state is that state, so that births fall where the file puts them.
+/// A time close to an FE state is that state: solvers write it at 5.7602 s when 5.76 s was asked for.
 double snapped(const FeResult& fe, double time) {
     const auto& times = fe.times();
-    const auto next = std::lower_bound(times.begin(), times.end(), time - sameTime);
-    return next != times.end() && std::abs(*next - time) <= sameTime ? *next : time;
+    const auto next = std::lower_bound(times.begin(), times.end(), time);
+    for (const auto state : {next, next == times.begin() ? next : next - 1}) {
+        if (state == times.end()) {
+            continue;
+        }
+        const auto k = static_cast<std::size_t>(state - times.begin());
+        const double before = k > 0 ? times[k] - times[k - 1] : 0.0;
+        const double after = k + 1 < times.size() ? times[k + 1] - times[k] : before;
+        const double interval = k > 0 ? std::min(before, after) : after;
+        if (std::abs(*state - time) <= std::max(sameTime, sameInstant * interval)) {
+            return *state;
+        }
+    }
+    return time;
 }
 
 std::size_t slotAt(const std::vector<double>& events, double time) {

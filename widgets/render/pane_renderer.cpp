@@ -69,7 +69,6 @@ PaneRenderer::PaneRenderer()
     m_ground.addTo(*m_renderer);
     m_renderer->AddActor(m_modelActor);
     m_renderer->AddActor(m_selectionActor);
-    m_renderer->GradientBackgroundOn();
     m_renderer->GetCullers()->RemoveAllItems();  // they ask every frame for the bounds of all points
     m_renderer->AutomaticLightCreationOff();
     // One lamp behind the viewer's left shoulder shows the three faces of a block in three tones.
@@ -77,7 +76,7 @@ PaneRenderer::PaneRenderer()
     key->SetLightTypeToCameraLight();
     key->SetPosition(-0.55, 0.85, 1.0);
     key->SetFocalPoint(0.0, 0.0, 0.0);
-    key->SetIntensity(1.0);
+    key->SetIntensity(1.3);
     m_renderer->AddLight(key);
 }
 
@@ -100,9 +99,7 @@ void PaneRenderer::makeActors() {
 
 void PaneRenderer::setColours(const SceneColours& colours, const Aabb& bounds) {
     const auto& low = colours.skyHorizon;
-    const auto& high = colours.skyTop;
     m_renderer->SetBackground(channel(low.r), channel(low.g), channel(low.b));
-    m_renderer->SetBackground2(channel(high.r), channel(high.g), channel(high.b));
     for (vtkActor* actor : {m_modelActor.Get(), m_selectionActor.Get()}) {
         actor->GetProperty()->SetAmbient(colours.ambient);
         actor->GetProperty()->SetDiffuse(1.0 - colours.ambient);
@@ -177,7 +174,7 @@ void PaneRenderer::look(const Camera& camera, const Aabb& bounds) {
     const double size = bounds.isEmpty() ? 1.0 : bounds.sizes().norm();
     const double away = (centre - camera.position).norm();
     const double distance = (camera.focalPoint - camera.position).norm();
-    const double far = away + std::max(m_ground.reach(), 3.0 * size);
+    const double far = 1.02 * away + std::max(7.0 * m_ground.reach(), 3.0 * size);
     const double near = camera.parallel ? away - far : std::max({0.02 * distance, away - 2.0 * size, 1e-4 * far});
     target->SetClippingRange(near, far);
 }

@@ -41,12 +41,11 @@ Layout suggestLayout(const Aabb& bounds, int width, int height) {
         return Layout::Beside;
     }
     // The layout in which the model comes out larger: fit it into a pane of each.
-    const auto nearness = [&](Layout layout) {
+    const auto pixelsPerMetre = [&](Layout layout) {
         const Pane pane = panesOf(layout, width, height).front();
-        const Camera camera = fitCamera(bounds, pane.aspect());
-        return pane.height / (camera.focalPoint - camera.position).norm();
+        return 1.0 / metresPerPixel(fitCamera(bounds, pane.aspect()), pane.height);
     };
-    return nearness(Layout::Stacked) > nearness(Layout::Beside) ? Layout::Stacked : Layout::Beside;
+    return pixelsPerMetre(Layout::Stacked) > pixelsPerMetre(Layout::Beside) ? Layout::Stacked : Layout::Beside;
 }
 
 }  // namespace rubble::render

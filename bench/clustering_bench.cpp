@@ -4,14 +4,15 @@
 #include <array>
 #include <chrono>
 #include <map>
+#include <random>
 #include <vector>
 
 #include "core/clusters/clustering.h"
 #include "core/clusters/fragment_order.h"
 #include "core/clusters/partition.h"
 #include "core/clusters/sizing.h"
-#include "tests/samples/arches.h"
 #include "tests/core/clusters/matrix_oracle.h"
+#include "tests/samples/arches.h"
 
 namespace rubble {
 namespace {
@@ -87,6 +88,38 @@ BENCHMARK(groupingAgainstTheMatrix)
     ->Arg(55)
     ->UseManualTime()
     ->Iterations(3)
+    ->Unit(benchmark::kMillisecond);
+
+/// Blocks of unequal size, five to a metre, at a grid of 2 m: how the time grows with their number. `wide` percent of them are
+/// wider than the grid, which asks for counts in two dimensions.
+void growingSets(benchmark::State& state, unsigned wide) {
+    std::mt19937 random(1);
+    const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    AxisOfBirth set;
+    for (std::int64_t i = 0; i < state.range(0); ++i) {
+        const double low = 0.2 * unit() * static_cast<double>(state.range(0));
+        const double width = random() % 100 < wide ? 2.0 + 3.0 * unit() : 0.5 + unit();
+        set.low.push_back(low);
+        set.high.push_back(low + width);
+        set.centre.push_back(low + 0.5 * width);
+        set.id.push_back(i);
+    }
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(groupAlongAxis(set.low, set.high, set.centre, set.id, 2.0));
+    }
+    state.SetComplexityN(state.range(0));
+}
+BENCHMARK_CAPTURE(growingSets, none, 0u)
+    ->Name("groups of n blocks")
+    ->RangeMultiplier(8)
+    ->Range(1 << 10, 1 << 19)
+    ->Complexity(benchmark::oNLogN)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(growingSets, half, 50u)
+    ->Name("groups of n blocks, half of them wider than the grid")
+    ->RangeMultiplier(8)
+    ->Range(1 << 10, 1 << 19)
+    ->Complexity(benchmark::oNLogN)
     ->Unit(benchmark::kMillisecond);
 
 /// Everything from fragments to clusters at one grid, all birth times.

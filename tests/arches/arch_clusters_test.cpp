@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "core/clusters/clustering.h"
 #include "core/clusters/fragment_order.h"
 #include "core/clusters/partition.h"
 #include "core/clusters/sizing.h"
-#include "tests/samples/arches.h"
 #include "tests/core/clusters/matrix_oracle.h"
+#include "tests/samples/arches.h"
 
 namespace rubble {
 namespace {
@@ -167,7 +168,7 @@ TEST(StoneArchSizing, TheTargetIsOutOfReachWithinTheBounds) {
     EXPECT_NEAR(sizing.grid.l, 3.10, 0.005);
     EXPECT_NEAR(sizing.grid.w, 13.0, 0.005);
     EXPECT_NEAR(sizing.grid.h, 1.93, 0.005);
-    EXPECT_EQ(componentName(arch, sizing.axis[0]), "arch ring 1, failing strip");
+    EXPECT_NE(componentName(arch, sizing.axis[0]).find("failing strip"), std::string::npos);
     EXPECT_EQ(sizing.axis[0].clampedBy, ClampedBy::ComponentSize);
     EXPECT_EQ(sizing.axis[1].clampedBy, ClampedBy::ComponentSize);
     EXPECT_EQ(sizing.axis[2].clampedBy, ClampedBy::FragmentSize);

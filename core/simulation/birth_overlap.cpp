@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/simulation/constants.h"
+
 namespace rubble {
 
 double BirthOverlaps::offset(ColliderPair pair, double depth, bool newborn) {
@@ -9,33 +11,39 @@ double BirthOverlaps::offset(ColliderPair pair, double depth, bool newborn) {
         if (depth <= 0.0) {
             return 0.0;
         }
-        m_entries[pair] = {depth, m_step, 0};
+        m_entries[pair] = {depth, m_step, 0, 0, true};
         return depth;
     }
     const auto entry = m_entries.find(pair);
     if (entry == m_entries.end()) {
         return 0.0;
     }
-    entry->second.offset = std::min(entry->second.offset, depth);
-    if (entry->second.offset > 0.0) {
-        entry->second.seen = m_step;
-        return entry->second.offset;
-    }
-    return 0.0;
-}
-
-bool BirthOverlaps::yield(ColliderPair pair, double depth) {
-    Entry& entry = m_entries[pair];
-    const bool first = entry.yielded + 1 < m_step || entry.yielded == 0;
-    entry.offset = std::max(entry.offset, depth);
-    entry.seen = m_step;
-    entry.yielded = m_step;
-    return first;
+    entry->second.offset = std::clamp(depth, 0.0, entry->second.offset);
+    entry->second.seen = m_step;
+    return entry->second.offset;
 }
 
 bool BirthOverlaps::yielded(ColliderPair pair) const {
     const auto entry = m_entries.find(pair);
-    return entry != m_entries.end() && entry->second.yielded != 0 && entry->second.yielded + 1 >= m_step;
+    return entry != m_entries.end() && entry->second.yielded;
+}
+
+void BirthOverlaps::follow(ColliderPair pair, double depth) {
+    Entry& entry = m_entries[pair];
+    entry.offset = std::max(entry.offset, depth);
+    entry.seen = m_step;
+}
+
+bool BirthOverlaps::pushedInVain(ColliderPair pair, double depth) {
+    Entry& entry = m_entries[pair];
+    entry.pushes = entry.pushed + 1 == m_step ? entry.pushes + 1 : 1;
+    entry.pushed = entry.seen = m_step;
+    if (entry.pushes < piecePushes) {
+        return false;
+    }
+    entry.yielded = true;
+    entry.offset = std::max(entry.offset, depth);
+    return true;
 }
 
 void BirthOverlaps::bleed(ColliderPair pair, double distance) {
@@ -46,7 +54,9 @@ void BirthOverlaps::bleed(ColliderPair pair, double distance) {
 }
 
 void BirthOverlaps::endStep() {
-    std::erase_if(m_entries, [&](const auto& item) { return item.second.seen != m_step || item.second.offset <= 0.0; });
+    std::erase_if(m_entries, [&](const auto& item) {
+        return item.second.seen != m_step || (item.second.offset <= 0.0 && item.second.pushed != m_step);
+    });
 }
 
 }  // namespace rubble

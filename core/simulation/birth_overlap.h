@@ -22,10 +22,12 @@ public:
     /// The offset [m] of a pair that is `depth` deep now.
     /// @param newborn  one of the two has just entered: the depth becomes the offset
     double offset(ColliderPair pair, double depth, bool newborn);
-    /// Makes the present depth the offset because a piece gave way; true if it did not do so in the step before.
-    bool yield(ColliderPair pair, double depth);
-    /// Did the piece of this pair give way in the step before?
+    /// Has the piece of this pair given way? One that overlapped at birth has: a newborn does not fight what it was part of.
     bool yielded(ColliderPair pair) const;
+    /// Makes the present depth the offset, because a piece that has given way goes on into the body.
+    void follow(ColliderPair pair, double depth);
+    /// A push of a piece that did not bring its body up to speed; true when the piece gives way for that.
+    bool pushedInVain(ColliderPair pair, double depth);
     /// Takes off what was bled in this step.
     void bleed(ColliderPair pair, double distance);
     void endStep();
@@ -37,7 +39,9 @@ private:
     struct Entry {
         double offset = 0.0;
         std::uint64_t seen = 0;
-        std::uint64_t yielded = 0;
+        std::uint64_t pushed = 0;  ///< latest step of a push in vain
+        int pushes = 0;            ///< in a row
+        bool yielded = false;
     };
     std::unordered_map<ColliderPair, Entry> m_entries;
     std::uint64_t m_step = 1;

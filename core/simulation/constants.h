@@ -12,12 +12,12 @@ constexpr double thawTravel = 0.005;
 constexpr double separationSpeed = 2.0;
 /// Share of its own smallest side that a newborn must be inside another solid to count as born in occupied space.
 constexpr double occupiedShare = 0.05;
-/// A moving piece gives a body per step at most this many times the impulse that would carry the free body along with it.
-/// Lower: piles are not lifted; higher: what is trapped between two solids is shot out.
-constexpr double piecePushFactor = 3.0;
-/// A piece that has given way presses with at most this many times the body's weight.
-constexpr double pieceYieldedWeights = 10.0;
-/// m/s. A piece slower than this never gives way: it carries what lies on it.
+/// m/s. A moving piece changes the speed of a body by at most about this much per step. Lower: piles are not lifted; higher: what
+/// is trapped between two solids is shot out.
+constexpr double piecePushSpeed = 5.0;
+/// A piece gives way when this many pushes in a row did not bring the body up to half its speed: the body is trapped.
+constexpr int piecePushes = 3;
+/// m/s. A piece that closes in on a body more slowly than this does not give way: it carries what lies on it.
 constexpr double pieceYieldSpeed = 1.0;
 /// m. A piece of which no corner moves further than this in one FE interval stands still (files round coordinates to 1 mm).
 constexpr double pieceStillTravel = 0.002;

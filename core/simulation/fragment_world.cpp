@@ -50,7 +50,9 @@ void FragmentWorld::solveConstraints(btContactSolverInfo& info) {
     }
     m_manifolds.clear();
     for (const Contact& contact : m_contacts) {
-        m_manifolds.push_back(contact.manifold);
+        if (!contact.yielding) {
+            m_manifolds.push_back(contact.manifold);
+        }
     }
     m_constraintSolver->prepareSolve(static_cast<int>(m_solved.size()), static_cast<int>(m_manifolds.size()));
     m_constraintSolver->solveGroup(m_solved.data(), static_cast<int>(m_solved.size()), m_manifolds.data(),
@@ -150,33 +152,34 @@ void FragmentWorld::limitPiece(Contact& contact, double dt) {
         }
         return;
     }
-    const double mass = 1.0 / std::max(body.object->getInvMass(), 1e-30);
-    const double carry = pieceYieldedWeights * mass * m_settings.gravity * dt;
+    const double mass = 1.0 / body.object->getInvMass();
     const bool gaveWay = m_overlaps.yielded(contact.pair);
     for (int j = 0; j < points; ++j) {
         btManifoldPoint& point = contact.manifold->getContactPoint(j);
-        const btVector3& at = point.getPositionWorldOnB();
         // Bullet's normal points from B to A.
         const btVector3 toBody = pieceIsA ? btVector3(-point.m_normalWorldOnB) : btVector3(point.m_normalWorldOnB);
-        const double pieceSpeed = toBody.dot(pointVelocity(piece, at));
-        const double approach = std::max(0.0, pieceSpeed - toBody.dot(pointVelocity(body, at)));
-        if (std::abs(pieceSpeed) < pieceYieldSpeed) {
-            FragmentSolver::unlimit(point);
-            continue;
-        }
-        contact.yielding = contact.yielding || (gaveWay && approach > 0.0);
-        FragmentSolver::limit(point, (gaveWay ? carry : carry + piecePushFactor * mass * approach) / points);
+        const btVector3& where = point.getPositionWorldOnB();
+        const double approach = toBody.dot(pointVelocity(piece, where) - pointVelocity(body, where));
+        contact.approach = std::max(contact.approach, approach);
+    }
+    contact.yielding = gaveWay && contact.approach > pieceYieldSpeed;
+    const double most = mass * (piecePushSpeed + 10.0 * m_settings.gravity * dt);
+    for (int j = 0; j < points; ++j) {
+        FragmentSolver::limit(contact.manifold->getContactPoint(j), most / points);
     }
     if (contact.yielding) {
-        m_overlaps.yield(contact.pair, contact.depth);
+        m_overlaps.follow(contact.pair, contact.depth);
         contact.offset = std::max(contact.offset, contact.depth);
     }
 }
 
 void FragmentWorld::bookContacts() {
     for (Contact& contact : m_contacts) {
+        if (contact.yielding) {
+            continue;
+        }
         bool acted = false;
-        bool atLimit = false;
+        double left = 0.0;
         const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
         Collider& piece = pieceIsA ? *contact.a : *contact.b;
         Collider& body = pieceIsA ? *contact.b : *contact.a;
@@ -189,13 +192,16 @@ void FragmentWorld::bookContacts() {
                     point.m_normalWorldOnB * point.m_appliedImpulse + point.m_lateralFrictionDir1 * point.m_appliedImpulseLateral1;
                 const btVector3 impulse = pieceIsA ? btVector3(-impulseOnA) : impulseOnA;
                 m_report.pieceWork += impulse.dot(pointVelocity(piece, point.getPositionWorldOnB()));
-                atLimit = atLimit || FragmentSolver::atLimit(point);
+                const btVector3 relative =
+                    pointVelocity(piece, point.getPositionWorldOnB()) - pointVelocity(body, point.getPositionWorldOnB());
+                left = std::max(left, (pieceIsA ? -1.0 : 1.0) * point.m_normalWorldOnB.dot(relative));
                 body.pushed = true;
             }
         }
         contact.a->touched = contact.a->touched || acted;
         contact.b->touched = contact.b->touched || acted;
-        if (atLimit && !contact.yielding && m_overlaps.yield(contact.pair, contact.depth)) {
+        const bool inVain = driven && !contact.yielding && contact.approach > pieceYieldSpeed && left > 0.5 * contact.approach;
+        if (inVain && m_overlaps.pushedInVain(contact.pair, contact.depth)) {
             ++m_report.piecesYielded;
         }
     }

@@ -69,10 +69,11 @@ private:
         btPersistentManifold* manifold = nullptr;
         Collider* a = nullptr;
         Collider* b = nullptr;
-        double depth = 0.0;   ///< m, of the deepest point
-        int deepest = 0;      ///< its index
-        double offset = 0.0;  ///< m
-        bool yielding = false;
+        double depth = 0.0;     ///< m, of the deepest point
+        int deepest = 0;        ///< its index
+        double offset = 0.0;    ///< m
+        double approach = 0.0;  ///< m/s, of a moving piece towards its body
+        bool yielding = false;  ///< its piece has given way and goes on into the body
     };
     struct Stock {
         double distance = 0.0;

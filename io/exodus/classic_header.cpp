@@ -14,6 +14,8 @@ namespace {
 constexpr std::int64_t dimensionTag = 10, variableTag = 11, attributeTag = 12;
 // More than any real header; keeps a damaged count from asking for all memory.
 constexpr std::int64_t mostEntries = 10'000'000;
+// The library copies names to buffers of this length without looking.
+constexpr std::int64_t longestName = 256;
 
 struct EndOfFile {};
 struct Nonsense {};
@@ -38,10 +40,7 @@ public:
         return c;
     }
     /// A count, of the size that the version has for counts.
-    std::int64_t count() {
-        const std::int64_t value = integer(countBytes);
-        return value;
-    }
+    std::int64_t count() { return integer(countBytes); }
     std::int64_t entries() {
         const std::int64_t value = count();
         if (value > mostEntries) {
@@ -51,6 +50,9 @@ public:
     }
     std::string name() {
         const std::int64_t length = entries();
+        if (length > longestName) {
+            throw Nonsense{};
+        }
         std::string text;
         for (std::int64_t i = 0; i < length; ++i) {
             text += static_cast<char>(byte());

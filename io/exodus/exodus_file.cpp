@@ -9,13 +9,11 @@
 #include "core/base/error.h"
 #include "io/exodus/exodus_layout.h"
 #include "io/exodus/exodus_names.h"
-#include "io/native_lock.h"
+#include "io/exodus/library_lock.h"
 
 namespace rubble::io {
 
 namespace {
-
-using Lock = std::lock_guard<std::recursive_mutex>;
 
 constexpr int nameLength = 256;
 
@@ -49,7 +47,7 @@ private:
 
 ExodusFile::ExodusFile(const std::string& path) : m_path(path) {
     checkExodusLayout(path);
-    const Lock lock(nativeLibraries());
+    const LibraryLock lock;
     ex_opts(0);
     int memoryWord = sizeof(double), fileWord = 0;
     float version = 0.0f;
@@ -70,7 +68,7 @@ ExodusFile::ExodusFile(const std::string& path) : m_path(path) {
 }
 
 ExodusFile::~ExodusFile() {
-    const Lock lock(nativeLibraries());
+    const LibraryLock lock;
     ex_close(m_id);
 }
 
@@ -166,7 +164,7 @@ bool ExodusFile::has(std::size_t block, int variable) const {
 std::vector<double> ExodusFile::coordinates(int axis) const {
     std::vector<double> values(m_nodes);
     if (m_nodes > 0) {
-        const Lock lock(nativeLibraries());
+        const LibraryLock lock;
         require(ex_get_coord(m_id, axis == 0 ? values.data() : nullptr, axis == 1 ? values.data() : nullptr,
                              axis == 2 ? values.data() : nullptr),
                 "the coordinates");
@@ -178,7 +176,7 @@ std::vector<std::int64_t> ExodusFile::numbers(ExodusEntity entity) const {
     const bool nodes = entity == ExodusEntity::Node;
     std::vector<std::int64_t> values(nodes ? m_nodes : m_elements);
     if (!values.empty()) {
-        const Lock lock(nativeLibraries());
+        const LibraryLock lock;
         require(ex_get_id_map(m_id, nodes ? EX_NODE_MAP : EX_ELEM_MAP, values.data()),
                 nodes ? "the node numbers" : "the element numbers");
     }
@@ -189,7 +187,7 @@ std::vector<std::int64_t> ExodusFile::connectivity(std::size_t block) const {
     const ExodusBlock& b = m_blocks[block];
     std::vector<std::int64_t> values(static_cast<std::size_t>(b.elements * b.nodesPerElement));
     if (!values.empty()) {
-        const Lock lock(nativeLibraries());
+        const LibraryLock lock;
         require(ex_get_conn(m_id, EX_ELEM_BLOCK, b.id, values.data(), nullptr, nullptr),
                 "the elements of block " + std::to_string(b.id));
     }
@@ -200,7 +198,7 @@ std::vector<double> ExodusFile::attribute(std::size_t block, std::size_t index) 
     const ExodusBlock& b = m_blocks[block];
     std::vector<double> values(static_cast<std::size_t>(b.elements));
     if (!values.empty()) {
-        const Lock lock(nativeLibraries());
+        const LibraryLock lock;
         require(ex_get_one_attr(m_id, EX_ELEM_BLOCK, b.id, static_cast<int>(index) + 1, values.data()),
                 "the attributes of block " + std::to_string(b.id));
     }
@@ -212,7 +210,7 @@ void ExodusFile::readNodal(std::size_t state, int variable, std::span<double> va
     if (values.empty()) {
         return;
     }
-    const Lock lock(nativeLibraries());
+    const LibraryLock lock;
     require(
         ex_get_var(m_id, static_cast<int>(state) + 1, EX_NODAL, variable + 1, 1, static_cast<std::int64_t>(m_nodes), values.data()),
         m_nodeVariables[static_cast<std::size_t>(variable)] + stateText(state));
@@ -224,7 +222,7 @@ void ExodusFile::readElement(std::size_t state, int variable, std::size_t block,
     if (values.empty()) {
         return;
     }
-    const Lock lock(nativeLibraries());
+    const LibraryLock lock;
     require(ex_get_var(m_id, static_cast<int>(state) + 1, EX_ELEM_BLOCK, variable + 1, b.id, b.elements, values.data()),
             m_elementVariables[static_cast<std::size_t>(variable)] + " of block " + std::to_string(b.id) + stateText(state));
 }

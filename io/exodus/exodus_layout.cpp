@@ -13,7 +13,8 @@
 #include "core/base/error.h"
 #include "io/exodus/classic_header.h"
 #include "io/exodus/exodus_names.h"
-#include "io/native_lock.h"
+#include "io/exodus/library_lock.h"
+#include "io/exodus/trial.h"
 
 namespace rubble::io {
 
@@ -323,13 +324,17 @@ void checkExodusLayout(const std::string& path) {
         throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
                          {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
     }
+    const LibraryLock lock;
+    const auto check = [&] { LayoutCheck(path, size).run(); };
     if (first == 'C') {
         requireWholeClassic(path, size);
-    } else {
-        requireWholeHdf5(path, size);
+        check();
+        return;
     }
-    const std::lock_guard lock(nativeLibraries());
-    LayoutCheck(path, size).run();
+    requireWholeHdf5(path, size);
+    if (!survivesTrial(check)) {
+        failDamaged({"exodus.crash", "{0} is damaged so that the HDF5 library fails on it", {path}});
+    }
 }
 
 }  // namespace rubble::io

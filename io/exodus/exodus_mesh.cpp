@@ -28,7 +28,6 @@ public:
     MeshReader(const ExodusFile& file, const FrameTransform& frame) : m_file(file), m_frame(frame) {}
 
     ExodusMesh read() {
-        requireThreeDimensions();
         readNodes();
         m_elementNumbers = m_file.numbers(ExodusEntity::Element);
         m_result.mesh.offsets.push_back(0);
@@ -44,15 +43,6 @@ public:
     }
 
 private:
-    void requireThreeDimensions() const {
-        if (m_file.dimensions() != 3) {
-            throw ParseError({"exodus.dimensions",
-                              "{0} has {1} dimensions; only solids and shells in space make fragments",
-                              {m_file.path(), m_file.dimensions()}},
-                             {"exodus.dimensions.remedy", "Give a three-dimensional analysis.", {}});
-        }
-    }
-
     void readNodes() {
         Mesh& mesh = m_result.mesh;
         mesh.nodeIds = m_file.numbers(ExodusEntity::Node);

@@ -19,7 +19,7 @@ struct ExodusMesh {
 };
 
 /// Reads coordinates, blocks and materials. Blocks that are no structure are left out and counted; solids numbered the other way
-/// round at rest are turned and counted. Throws ParseError for two-dimensional files, files without elements, nodes that do not
+/// round at rest are turned and counted. Throws ParseError for files without elements, nodes that do not
 /// exist and elements at nodes without a finite place.
 ExodusMesh readExodusMesh(const ExodusFile& file, const FrameTransform& frame);
 

@@ -20,6 +20,15 @@ namespace {
 // Raised when the same file and settings give other contents than before, so that nothing made from the old ones is reused.
 constexpr std::uint32_t readerVersion = 1;
 
+void requireThreeDimensions(const ExodusFile& file) {
+    if (file.dimensions() != 3) {
+        throw ParseError({"exodus.dimensions",
+                          "{0} has {1} dimensions; only solids, shells and beams in space make fragments",
+                          {file.path(), file.dimensions()}},
+                         {"exodus.dimensions.remedy", "Give a three-dimensional analysis.", {}});
+    }
+}
+
 void requireTimes(const ExodusFile& file) {
     const std::vector<double>& times = file.times();
     if (times.empty()) {
@@ -91,6 +100,7 @@ std::shared_ptr<const FeResult> open(const std::string& path, const ImportSettin
     const Message stage{"exodus.open", "Reading the mesh", {}};
     execution.report(stage, 0.0);
     const auto file = std::make_shared<const ExodusFile>(path);
+    requireThreeDimensions(*file);
     requireTimes(*file);
     const auto displacement = chooseDisplacement(*file, settings);
     const auto velocity = findVelocity(file->variables(ExodusEntity::Node));

@@ -9,12 +9,16 @@
 
 namespace rubble::io {
 
-/// Writes fragments.csv (columns of the manual): one row per fragment, RFC 4180, point as decimal sign, no comment lines. Atomic; a
-/// sidecar NAME.provenance.json says from what it was made. Throws WorldError.
+/// Writes fragments.csv: one row per fragment, quoted as in RFC 4180, point as decimal sign, no comment lines. Places in metres, z
+/// up, with the origin of the case added. Of a run that was stopped, what is not known (impact speeds, fragments not yet born) is
+/// left empty. Atomic; a sidecar NAME.provenance.json says from what it was made. Throws WorldError, ParseError, Cancelled.
 void exportFragments(const std::string& path, const RunReader& run, const Execution& execution);
 
-/// Writes D.pvd and a folder D/ of VTU files: fragments (current solids with fragment_id, element_id, component, cluster_id, speed)
-/// as part 0 and active structure as part 1, at every FE state and at the frames after the last. Opens in ParaView.
+/// Writes D.pvd and a folder D/ of VTU files: fragments (solids with fragment_id, element_id, component, cluster_id, speed m/s) as
+/// part 0 and active structure as part 1, at every FE state that the run reached and, after the last, at frames about as far apart.
+/// Opens in ParaView; the numbers of component index the string field component_names. Coordinates as in exportFragments(). After
+/// a cancel the series holds what was written until then.
+/// Throws WorldError, ParseError, UsageError (not the FE file of the run), Cancelled.
 void exportSeries(const std::string& path, const RunReader& run, const FeResult& fe, const Execution& execution);
 
 /// Provenance of a run as JSON text: inputs with SHA-256, scenario, build, settings.

@@ -1,0 +1,338 @@
+#include "io/exports.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "io/files.h"
+#include "tests/io/sample_run.h"
+#include "tests/io/temporary_folder.h"
+
+namespace rubble::io {
+namespace {
+
+std::string contentOf(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// A reader of RFC 4180 of its own, so that the writer is not held against itself.
+std::vector<std::vector<std::string>> readCsv(const std::string& text) {
+    std::vector<std::vector<std::string>> rows(1, {""});
+    bool inside = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (inside && c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
+            rows.back().back() += text[++i];
+        } else if (c == '"') {
+            inside = !inside;
+        } else if (!inside && c == ',') {
+            rows.back().emplace_back();
+        } else if (!inside && c == '\n') {
+            rows.push_back({""});
+        } else {
+            rows.back().back() += c;
+        }
+    }
+    rows.pop_back();
+    return rows;
+}
+
+class ShiftingSource : public StateSource {
+public:
+    ShiftingSource(const Mesh& mesh, std::function<void(std::size_t)> onRead) : m_mesh(mesh), m_onRead(std::move(onRead)) {}
+    FeState read(std::size_t k) const override {
+        if (m_onRead) {
+            m_onRead(k);
+        }
+        FeState state;
+        for (const Vec3& node : m_mesh.nodes) {
+            state.positions.push_back(node + Vec3(0, 0, -0.5 * static_cast<double>(k)));
+        }
+        return state;
+    }
+
+private:
+    const Mesh& m_mesh;
+    std::function<void(std::size_t)> m_onRead;
+};
+
+// One hexahedron per fragment, which dies when the fragment is born, and `survivors` that never do.
+std::shared_ptr<const FeResult> makeFe(const SampleRun& run, std::size_t survivors, std::size_t states,
+                                       std::function<void(std::size_t)> onRead = {}) {
+    auto mesh = std::make_shared<Mesh>();
+    const FragmentSet& fragments = *run.description.fragments;
+    for (std::size_t e = 0; e < fragments.size() + survivors; ++e) {
+        mesh->offsets.push_back(static_cast<std::uint32_t>(mesh->corners.size()));
+        for (int corner = 0; corner < 8; ++corner) {
+            mesh->corners.push_back(static_cast<std::uint32_t>(mesh->nodes.size()));
+            const double x = 3.0 * static_cast<double>(e) + ((corner & 1) ^ ((corner >> 1) & 1));
+            mesh->nodes.emplace_back(x, (corner >> 1) & 1, corner >> 2);
+        }
+        mesh->elementIds.push_back(static_cast<std::int64_t>(1000 + e));
+        mesh->shapes.push_back(ElementShape::Hexahedron);
+        mesh->part.push_back(0);
+        mesh->density.push_back(2400);
+        mesh->section.push_back(0);
+    }
+    mesh->offsets.push_back(static_cast<std::uint32_t>(mesh->corners.size()));
+    mesh->parts.push_back({"all", 1});
+    FeResult::Contents contents;
+    contents.activity = Activity(states, mesh->elementCount());
+    for (std::size_t k = 0; k < states; ++k) {
+        contents.times.push_back(0.1 * static_cast<double>(k));
+        for (std::size_t e = 0; e < mesh->elementCount(); ++e) {
+            const bool dead = e < fragments.size() && k >= fragments.list[e].birthState;
+            contents.activity.set(k, idAt<ElementIndex>(e), !dead);
+        }
+    }
+    contents.source = std::make_shared<ShiftingSource>(*mesh, std::move(onRead));
+    contents.mesh = std::move(mesh);
+    contents.path = "made-up.exo";
+    return std::make_shared<FeResult>(std::move(contents));
+}
+
+SampleRun runOverFe(std::uint32_t seed, std::size_t frames, std::shared_ptr<const FeResult>& fe) {
+    SampleRun run = makeSampleRun(seed, 30, frames);
+    run.origin.scenario.regrouping.clear();
+    fe = makeFe(run, 5, 7);
+    run.description.fe = fe;
+    return run;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::string& path) {
+    vtkNew<vtkXMLUnstructuredGridReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    return reader->GetOutput();
+}
+
+struct SeriesEntry {
+    double time;
+    int part;
+    std::string file;
+};
+
+std::vector<SeriesEntry> readIndex(const std::string& path) {
+    const std::string text = contentOf(path);
+    const std::regex entry("timestep=\"([^\"]*)\" part=\"([01])\" name=\"[a-z]*\" file=\"([^\"]*)\"");
+    std::vector<SeriesEntry> entries;
+    for (auto match = std::sregex_iterator(text.begin(), text.end(), entry); match != std::sregex_iterator(); ++match) {
+        entries.push_back({std::stod((*match)[1]), std::stoi((*match)[2]), (*match)[3]});
+    }
+    return entries;
+}
+
+TEST(ExportFragments, WritesTheColumnsOfTheManualExactly) {
+    const TemporaryFolder folder;
+    std::shared_ptr<const FeResult> fe;
+    const SampleRun run = runOverFe(11, 30, fe);
+    run.feed(*createRun(folder / "a.run.h5", run.origin));
+    const auto reader = openRun(folder / "a.run.h5");
+    exportFragments(folder / "f.csv", *reader, Execution());
+    const std::string text = contentOf(folder / "f.csv");
+    EXPECT_TRUE(
+        text.starts_with("fragment_id,element_id,component,cluster_id,birth_time_s,birth_x_m,birth_y_m,birth_z_m,final_x_m,"
+                         "final_y_m,final_z_m,birth_speed_m_s,impact_speed_m_s,mass_kg\n"));
+    const auto rows = readCsv(text);
+    const FragmentSet& fragments = *run.description.fragments;
+    ASSERT_EQ(rows.size(), fragments.size() + 1);
+    const Vec3 origin(100000, -200000, 3);
+    for (std::size_t f = 0; f < fragments.size(); ++f) {
+        const std::vector<std::string>& row = rows[f + 1];
+        ASSERT_EQ(row.size(), 14u);
+        EXPECT_EQ(row[0], std::to_string(f));
+        EXPECT_EQ(row[1], std::to_string(1000 + f));
+        EXPECT_EQ(row[2], run.description.components->list[at(fragments.list[f].component)].name);
+        EXPECT_EQ(row[3], std::to_string(at(run.description.clustering->of[f])));
+        const FragmentOutcome& outcome = run.result.fragments[f];
+        const double expected[] = {fragments.list[f].birthTime,
+                                   outcome.birthPosition.x() + origin.x(),
+                                   outcome.birthPosition.y() + origin.y(),
+                                   outcome.birthPosition.z() + origin.z(),
+                                   outcome.finalPosition.x() + origin.x(),
+                                   outcome.finalPosition.y() + origin.y(),
+                                   outcome.finalPosition.z() + origin.z(),
+                                   outcome.birthSpeed,
+                                   outcome.impactSpeed,
+                                   fragments.list[f].mass};
+        for (std::size_t c = 0; c < 10; ++c) {
+            EXPECT_EQ(std::stod(row[c + 4]), expected[c]) << "row " << f << " column " << c + 4;
+        }
+    }
+    const auto provenance = nlohmann::json::parse(contentOf(folder / "f.csv.provenance.json"));
+    EXPECT_EQ(provenance["inputs"][0]["sha256"], std::string(64, 'a'));
+    EXPECT_EQ(provenance["settings"]["friction"], 0.7);
+    EXPECT_EQ(provenance["trajectory_hash"], run.result.trajectoryHash.hex());
+}
+
+TEST(ExportFragments, OfAStoppedRunGivesThePlacesThatAreKnown) {
+    const TemporaryFolder folder;
+    std::shared_ptr<const FeResult> fe;
+    const SampleRun run = runOverFe(12, 12, fe);
+    run.feed(*createRun(folder / "a.run.h5", run.origin), 8);
+    const auto reader = openRun(folder / "a.run.h5");
+    exportFragments(folder / "f.csv", *reader, Execution());
+    const auto rows = readCsv(contentOf(folder / "f.csv"));
+    const FragmentSet& fragments = *run.description.fragments;
+    ASSERT_EQ(rows.size(), fragments.size() + 1);
+    const TrajectoryFrame& last = run.frames[7];
+    std::size_t known = 0;
+    for (const Carrier& carrier : run.carriers) {
+        const Fragment& fragment = fragments.list[at(carrier.fragment)];
+        const std::vector<std::string>& row = rows[at(carrier.fragment) + 1];
+        EXPECT_EQ(row[12], "");
+        EXPECT_EQ(row[8].empty(), fragment.birthTime > last.time);
+        if (!row[8].empty()) {
+            const std::size_t b = at(carrier.body);
+            const Pose body{last.positions[b].cast<double>(), last.orientations[b].cast<double>().normalized()};
+            const Vec3 expected = body * (carrier.handOverToBody * fragment.centre) + Vec3(100000, -200000, 3);
+            EXPECT_LT((Vec3(std::stod(row[8]), std::stod(row[9]), std::stod(row[10])) - expected).norm(), 1e-9);
+            EXPECT_FALSE(row[5].empty());
+            ++known;
+        }
+    }
+    EXPECT_GT(known, 10u);
+    EXPECT_LT(known, fragments.size());
+}
+
+TEST(ExportFragments, LeavesNothingWhenCancelledOrWithoutRoom) {
+    const TemporaryFolder folder;
+    std::shared_ptr<const FeResult> fe;
+    const SampleRun run = runOverFe(13, 5, fe);
+    run.feed(*createRun(folder / "a.run.h5", run.origin));
+    const auto reader = openRun(folder / "a.run.h5");
+    const Execution cancelled;
+    cancelled.cancel();
+    EXPECT_THROW(exportFragments(folder / "f.csv", *reader, cancelled), Cancelled);
+    EXPECT_THROW(exportFragments(folder / "no/folder/f.csv", *reader, Execution()), WorldError);
+    EXPECT_FALSE(std::filesystem::exists(folder / "f.csv"));
+}
+
+// Every fragment of a file: its place against the one worked out here by another way, through 4x4 matrices.
+void expectFragments(const vtkSmartPointer<vtkUnstructuredGrid>& grid, const SampleRun& run, const TrajectoryReader& trajectory,
+                     double time) {
+    const FragmentSet& fragments = *run.description.fragments;
+    const TrajectoryFrame frame = frameAtTime(trajectory, time);
+    std::size_t expected = 0;
+    for (const Carrier& carrier : run.carriers) {
+        expected +=
+            carrier.from <= time && fragments.list[at(carrier.fragment)].birthTime <= time && at(carrier.body) < frame.bodies();
+    }
+    ASSERT_EQ(static_cast<std::size_t>(grid->GetNumberOfCells()), expected) << time;
+    const auto component = [](const Pose& p) {
+        Eigen::Affine3d m = Eigen::Affine3d::Identity();
+        m.linear() = p.orientation.normalized().toRotationMatrix();
+        m.translation() = p.position;
+        return m;
+    };
+    for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c) {
+        const auto f = static_cast<std::size_t>(grid->GetCellData()->GetArray("fragment_id")->GetTuple1(c));
+        const Carrier& carrier =
+            *std::find_if(run.carriers.begin(), run.carriers.end(), [f](const Carrier& k) { return at(k.fragment) == f; });
+        const std::size_t b = at(carrier.body);
+        const Eigen::Affine3d place = component({frame.positions[b].cast<double>(), frame.orientations[b].cast<double>()}) *
+                                      component(carrier.handOverToBody);
+        vtkPoints* points = grid->GetCell(c)->GetPoints();
+        const auto vertices = fragments.verticesOf(idAt<FragmentId>(f));
+        ASSERT_EQ(static_cast<std::size_t>(points->GetNumberOfPoints()), vertices.size());
+        for (std::size_t v = 0; v < vertices.size(); ++v) {
+            const Vec3 p = place * vertices[v] + Vec3(100000, -200000, 3);
+            const double* read = points->GetPoint(static_cast<vtkIdType>(v));
+            // Poses are single precision in the run file: 1e-7 of some 200 m, twice.
+            EXPECT_LT((Vec3(read[0], read[1], read[2]) - p).norm(), 1e-4);
+        }
+        EXPECT_EQ(grid->GetCellData()->GetArray("element_id")->GetTuple1(c), 1000.0 + static_cast<double>(f));
+        EXPECT_EQ(grid->GetCellData()->GetArray("component")->GetTuple1(c), static_cast<double>(f % 3));
+        EXPECT_EQ(grid->GetCellData()->GetArray("cluster_id")->GetTuple1(c),
+                  static_cast<double>(at(run.description.clustering->of[f])));
+        EXPECT_FLOAT_EQ(static_cast<float>(grid->GetCellData()->GetArray("speed")->GetTuple1(c)), frame.speeds[b]);
+    }
+}
+
+TEST(ExportSeries, ShowsFragmentsWhereTheirBodiesCarryThemAndTheStructureThatIsLeft) {
+    const TemporaryFolder folder;
+    std::shared_ptr<const FeResult> fe;
+    const SampleRun run = runOverFe(14, 40, fe);
+    run.feed(*createRun(folder / "a.run.h5", run.origin));
+    const auto reader = openRun(folder / "a.run.h5");
+    std::filesystem::create_directory(folder / "D");
+    std::ofstream(folder / "D/fragments_99999.vtu") << "of an earlier, longer series";
+    exportSeries(folder / "D.pvd", *reader, *fe, Execution());
+    EXPECT_FALSE(std::filesystem::exists(folder / "D/fragments_99999.vtu"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "D.pvd.provenance.json"));
+    const std::vector<SeriesEntry> entries = readIndex(folder / "D.pvd");
+    // Seven states to 0.6 s, then frames at least 0.1 s apart up to the last, at 1.56 s.
+    ASSERT_GE(entries.size(), 2u * (7 + 8));
+    EXPECT_EQ(entries.back().time, 0.04 * 39);
+    const std::size_t elements = fe->mesh().elementCount();
+    for (std::size_t i = 0; i < entries.size(); i += 2) {
+        const double time = entries[i].time;
+        const std::size_t state = std::min<std::size_t>(i / 2, 6);
+        EXPECT_EQ(entries[i + 1].time, time);
+        EXPECT_EQ(entries[i].part, 0);
+        EXPECT_EQ(entries[i + 1].part, 1);
+        expectFragments(readGrid(folder / entries[i].file), run, *reader, time);
+        const auto structure = readGrid(folder / entries[i + 1].file);
+        std::size_t active = 0;
+        for (std::size_t e = 0; e < elements; ++e) {
+            active += fe->activity().active(state, idAt<ElementIndex>(e));
+        }
+        ASSERT_EQ(static_cast<std::size_t>(structure->GetNumberOfCells()), active);
+        const double* last = structure->GetCell(structure->GetNumberOfCells() - 1)->GetPoints()->GetPoint(0);
+        EXPECT_EQ(last[2], 3.0 - 0.5 * static_cast<double>(state));
+        EXPECT_EQ(structure->GetCellData()->GetArray("element_id")->GetTuple1(structure->GetNumberOfCells() - 1),
+                  1000.0 + static_cast<double>(elements - 1));
+    }
+    const auto first = readGrid(folder / entries[0].file);
+    const auto names = vtkStringArray::SafeDownCast(first->GetFieldData()->GetAbstractArray("component_names"));
+    ASSERT_NE(names, nullptr);
+    EXPECT_EQ(std::string(names->GetValue(1)), "arch ring 1, failing strip");
+}
+
+TEST(ExportSeries, KeepsWhatWasWrittenBeforeACancel) {
+    const TemporaryFolder folder;
+    std::shared_ptr<const FeResult> fe;
+    const SampleRun run = runOverFe(15, 40, fe);
+    run.feed(*createRun(folder / "a.run.h5", run.origin));
+    const auto reader = openRun(folder / "a.run.h5");
+    const Execution execution;
+    const auto cancelling = makeFe(run, 5, 7, [&execution](std::size_t state) {
+        if (state == 3) {
+            execution.cancel();
+        }
+    });
+    EXPECT_THROW(exportSeries(folder / "D.pvd", *reader, *cancelling, execution), Cancelled);
+    const std::vector<SeriesEntry> entries = readIndex(folder / "D.pvd");
+    ASSERT_EQ(entries.size(), 8u);
+    for (const SeriesEntry& entry : entries) {
+        EXPECT_TRUE(std::filesystem::exists(folder / entry.file));
+    }
+    EXPECT_DOUBLE_EQ(entries.back().time, 0.3);
+}
+
+TEST(ExportSeries, RefusesTheFeFileOfAnotherRun) {
+    const TemporaryFolder folder;
+    std::shared_ptr<const FeResult> fe;
+    const SampleRun run = runOverFe(16, 4, fe);
+    run.feed(*createRun(folder / "a.run.h5", run.origin));
+    const SampleRun smaller = makeSampleRun(16, 2, 4);
+    EXPECT_THROW(exportSeries(folder / "D.pvd", *openRun(folder / "a.run.h5"), *makeFe(smaller, 0, 7), Execution()), UsageError);
+}
+
+}  // namespace
+}  // namespace rubble::io

@@ -52,9 +52,9 @@ public:
     std::vector<Lifetime> finish() {
         for (std::size_t e = 0; e < m_lives.size(); ++e) {
             if (m_lives[e].phase == Phase::NotYet) {
-                m_findings.add({"fragments.inactive_from_start", "elements are inactive at every state and make no fragment", {}},
-                               {"fragments.inactive_from_start.remedy",
-                                "if they should be debris, check the name and the polarity of the active flag",
+                m_findings.add({"fragments.never_active", "An element is inactive at every state and makes no fragment", {}},
+                               {"fragments.never_active.remedy",
+                                "If it should be debris, check the name and the polarity of the active flag.",
                                 {}},
                                place(e, 0));
             }
@@ -69,10 +69,10 @@ private:
     }
 
     void countRevived(std::size_t e, std::uint32_t state) {
-        m_findings.add({"fragments.revived", "elements come back to life after their death", {}},
+        m_findings.add({"fragments.revived", "An element comes back to life after its death", {}},
                        {"fragments.revived.remedy",
-                        m_policy == Revival::Latch ? "they stay dead (revival = latch); revival = follow lets them come back"
-                                                   : "their fragment ends then (revival = follow); revival = latch keeps them dead",
+                        m_policy == Revival::Latch ? "It stays dead (revival = latch); revival = follow lets it come back."
+                                                   : "Its fragment ends then (revival = follow); revival = latch keeps it dead.",
                         {}},
                        place(e, state));
     }
@@ -85,14 +85,14 @@ private:
                     {"fragments.revival_refused",
                      "{0}: {1} comes back to life, which revival = refuse forbids",
                      {m_fe.contents().path, place(e, state)}},
-                    {"fragments.revival_refused.remedy", "set revival to latch (dead is dead) or follow (its fragment ends)", {}});
+                    {"fragments.revival_refused.remedy", "Set revival to latch (dead is dead) or follow (its fragment ends).", {}});
             }
             countRevived(e, state);
             m_ended[life.ended].backAt = state;
         } else if (state > 0) {
-            m_findings.add({"fragments.appears_later", "elements are inactive at first and appear later", {}},
-                           {"fragments.appears_later.remedy",
-                            "they count as structure from then on; check the polarity of the active flag if this is not meant",
+            m_findings.add({"fragments.activated_later", "An element is inactive at first and appears later", {}},
+                           {"fragments.activated_later.remedy",
+                            "It counts as structure from then on; check the polarity of the active flag if this is not meant.",
                             {}},
                            place(e, state));
         }

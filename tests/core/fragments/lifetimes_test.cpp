@@ -89,8 +89,8 @@ TEST(Lifetimes, NeverActiveAndLateElementsAreCounted) {
     ASSERT_EQ(s.lives.size(), 1u);
     EXPECT_EQ(at(s.lives[0].element), 1u);
     EXPECT_EQ(s.lives[0].firstActive, 1u);
-    EXPECT_EQ(s.findings.count("fragments.inactive_from_start"), 1);
-    EXPECT_EQ(s.findings.count("fragments.appears_later"), 2);
+    EXPECT_EQ(s.findings.count("fragments.never_active"), 1);
+    EXPECT_EQ(s.findings.count("fragments.activated_later"), 2);
     EXPECT_EQ(s.findings.count("fragments.revived"), 0);
 }
 

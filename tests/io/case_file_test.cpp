@@ -1,0 +1,344 @@
+#include "io/case_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/base/error.h"
+#include "core/fe/components.h"
+#include "core/scenario/parameters.h"
+#include "io/case_migrations.h"
+#include "io/fe_reader.h"
+#include "io/files.h"
+#include "tests/io/temporary_folder.h"
+
+namespace rubble::io {
+namespace {
+
+using nlohmann::json;
+
+const std::string sampleFolder = RUBBLE_SOURCE_DIR "/resources/samples/";
+
+std::string contentOf(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+ParameterValue randomValue(const Parameter& row, std::mt19937& engine) {
+    const auto between = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
+    switch (row.kind) {
+        case ParameterKind::Switch:
+            return engine() % 2 == 0;
+        case ParameterKind::Integer:
+            return static_cast<std::int64_t>(between(row.low, row.high));
+        case ParameterKind::Number:
+            return between(row.low, row.high);
+        case ParameterKind::Choice:
+            return std::string(row.choices[engine() % row.choices.size()]);
+        case ParameterKind::Text:
+            break;
+    }
+    return std::string("name \"") + std::to_string(engine()) + "\" \xC3\xA4, [x]";
+}
+
+void addRandomStep(std::vector<RegroupStep>& steps, std::mt19937& engine) {
+    std::normal_distribution<double> normal;
+    const auto vector = [&] { return Vec3(normal(engine) / 3.0, normal(engine), 1e-20 * normal(engine)); };
+    switch (engine() % 5) {
+        case 0:
+            steps.emplace_back(SplitByConnectivity{"deck 1"});
+            break;
+        case 1:
+            steps.emplace_back(SplitByBox{"deck 1", vector(), vector(), "new"});
+            break;
+        case 2:
+            steps.emplace_back(SplitByPlane{"pier", vector(), vector(), "\"new\""});
+            break;
+        case 3:
+            steps.emplace_back(MergeComponents{{"a", "b, c"}, "d"});
+            break;
+        default:
+            steps.emplace_back(RenameComponent{"old", "new"});
+    }
+}
+
+Scenario randomScenario(std::mt19937& engine, double share) {
+    Scenario scenario;
+    const std::vector<std::string> components{"deck 1", "arch ring 1, failing strip", "a [1].b", "\xE6\xA1\xA5"};
+    for (const Parameter& row : parameterTable()) {
+        for (const std::string& component : components) {
+            if (std::uniform_real_distribution<double>()(engine) > share) {
+                continue;
+            }
+            std::string key(row.key);
+            if (row.keyed()) {
+                key.replace(key.find("[*]"), 3, "[" + component + "]");
+            }
+            setParameter(scenario, key, randomValue(row, engine));
+        }
+    }
+    for (std::size_t i = engine() % 6; i > 0; --i) {
+        addRandomStep(scenario.regrouping, engine);
+    }
+    return scenario;
+}
+
+Case randomCase(std::mt19937& engine, double share) {
+    Case theCase;
+    theCase.title = "Bridge \xC3\xBC\n\"2\"";
+    theCase.frame.origin = {static_cast<std::int64_t>(engine()), -5, 1};
+    theCase.frame.metresPerUnit = 0.001;
+    theCase.frame.upAxis = "y";
+    theCase.frame.crs = "EPSG:25832";
+    theCase.inputs = {{"fe-1", InputRole::Fe, "a/b.exo", std::string(64, '0')},
+                      {"fe-2", InputRole::Fe, "../c.exo", ""},
+                      {"t", InputRole::Terrain, "dem.tif", ""},
+                      {"p", InputRole::Photograph, "p.jpg", ""},
+                      {"s", InputRole::Survey, "s.csv", ""}};
+    for (int i = 0; i < 3; ++i) {
+        theCase.scenarios.push_back(
+            {"scenario-" + std::to_string(i), "Name", "note", i == 1 ? "fe-2" : "fe-1", randomScenario(engine, share)});
+    }
+    theCase.activeScenario = "scenario-2";
+    return theCase;
+}
+
+std::string errorOf(const std::string& text) {
+    try {
+        caseFromText(text, "test.rubble");
+    } catch (const ParseError& error) {
+        EXPECT_FALSE(error.remedy().empty());
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(CaseFile, GivesBackRandomScenariosOverAllParameters) {
+    std::mt19937 engine(4711);
+    for (int i = 0; i < 200; ++i) {
+        const Case before = randomCase(engine, i % 10 == 0 ? 1.0 : 0.3);
+        const std::string text = caseText(before);
+        const Case after = caseFromText(text, "test");
+        EXPECT_EQ(after, before);
+        EXPECT_EQ(caseText(after), text);
+    }
+}
+
+TEST(CaseFile, KeepsOnlyWhatDiffersFromTheDefaults) {
+    Case theCase = caseForFe("/x/bridge.exo", "/x/bridge.rubble");
+    theCase.scenarios[0].scenario.simulation.friction = 0.7;
+    const json text = json::parse(caseText(theCase));
+    EXPECT_EQ(text["scenarios"][0]["settings"], (json{{"friction", 0.7}}));
+    EXPECT_EQ(text["version"], 1);
+    EXPECT_EQ(text["inputs"][0]["path"], "bridge.exo");
+}
+
+TEST(CaseFile, DoesNotDependOnTheLocale) {
+    std::mt19937 engine(1);
+    const Case theCase = randomCase(engine, 1.0);
+    const std::string before = caseText(theCase);
+    struct Comma : std::numpunct<char> {
+        char do_decimal_point() const override { return ','; }
+        char do_thousands_sep() const override { return '.'; }
+        std::string do_grouping() const override { return "\3"; }
+    };
+    const std::locale old = std::locale::global(std::locale(std::locale::classic(), new Comma));
+    const TemporaryFolder folder;
+    saveCase(folder / "a.rubble", theCase);
+    EXPECT_EQ(loadCase(folder / "a.rubble"), theCase);
+    EXPECT_EQ(contentOf(folder / "a.rubble"), before);
+    std::locale::global(old);
+}
+
+TEST(CaseFile, TruncatedAtAnyByteIsRefusedWithItsPlace) {
+    std::mt19937 engine(3);
+    std::string text = caseText(randomCase(engine, 0.2));
+    text.pop_back();
+    for (std::size_t length = 0; length < text.size(); ++length) {
+        const std::string error = errorOf(text.substr(0, length));
+        EXPECT_THAT(error, testing::HasSubstr("test.rubble, line ")) << length;
+        EXPECT_THAT(error, testing::HasSubstr(", column ")) << length;
+    }
+    EXPECT_THAT(errorOf("{\n  \"format\": ?"), testing::HasSubstr("line 2, column 13 (byte 14)"));
+}
+
+TEST(CaseFile, SurvivesRandomDamage) {
+    std::mt19937 engine(5);
+    const std::string text = caseText(randomCase(engine, 0.2));
+    for (int i = 0; i < 3000; ++i) {
+        std::string damaged = text;
+        for (std::size_t n = 1 + engine() % 3; n > 0; --n) {
+            damaged[engine() % damaged.size()] = static_cast<char>(engine());
+        }
+        try {
+            caseFromText(damaged, "damaged");
+        } catch (const ParseError&) {
+            continue;
+        }
+    }
+}
+
+TEST(CaseFile, NamesThePlaceOfWhatItDoesNotUnderstand) {
+    std::mt19937 engine(7);
+    const json good = json::parse(caseText(randomCase(engine, 0.0)));
+    const auto with = [&good](const char* place, const json& value) {
+        json changed = good;
+        changed[json::json_pointer(place)] = value;
+        return errorOf(changed.dump());
+    };
+    const auto names = [](const char* place) { return testing::HasSubstr(std::string("at ") + place + ":"); };
+    EXPECT_THAT(with("/extra", 1), names("/extra"));
+    EXPECT_THAT(with("/frame/extra", 1), names("/frame/extra"));
+    EXPECT_THAT(with("/inputs/0/extra", 1), names("/inputs/0/extra"));
+    EXPECT_THAT(with("/scenarios/1/extra", 1), names("/scenarios/1/extra"));
+    EXPECT_THAT(with("/scenarios/1/settings/frcition", 1),
+                testing::AllOf(names("/scenarios/1/settings/frcition"), testing::HasSubstr("friction")));
+    EXPECT_THAT(with("/scenarios/1/settings/friction", -3), names("/scenarios/1/settings/friction"));
+    EXPECT_THAT(with("/scenarios/1/settings/friction", "high"), names("/scenarios/1/settings/friction"));
+    EXPECT_THAT(with("/scenarios/0/fe_input", "fe-9"), names("/scenarios/0/fe_input"));
+    EXPECT_THAT(with("/scenarios/0/fe_input", "t"), names("/scenarios/0/fe_input"));
+    EXPECT_THAT(with("/scenarios/0/id", "scenario-1"), names("/scenarios/1/id"));
+    EXPECT_THAT(with("/inputs/1/id", "fe-1"), names("/inputs/1/id"));
+    EXPECT_THAT(with("/inputs/0/role", "video"), names("/inputs/0/role"));
+    EXPECT_THAT(with("/inputs/0/sha256", "abc"), names("/inputs/0/sha256"));
+    EXPECT_THAT(with("/active_scenario", "none"), names("/active_scenario"));
+    EXPECT_THAT(with("/frame/metres_per_unit", 0), names("/frame/metres_per_unit"));
+    EXPECT_THAT(with("/frame/origin", json::array({1, 2})), names("/frame/origin"));
+    EXPECT_THAT(with("/title", 3), names("/title"));
+    EXPECT_THAT(with("/scenarios", 3), names("/scenarios"));
+    EXPECT_THAT(with("/scenarios/0/regrouping", json::array({{{"step", "explode"}}})), names("/scenarios/0/regrouping/0/step"));
+    json missing = good;
+    missing.erase("title");
+    EXPECT_THAT(errorOf(missing.dump()), testing::HasSubstr("\"title\" is missing"));
+    EXPECT_THAT(errorOf(R"({"format": "rubble-case", "format": "rubble-case"})"), testing::HasSubstr("stands twice"));
+    EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": 1e999})"), testing::HasSubstr("too large"));
+    EXPECT_THAT(errorOf("[]"), testing::HasSubstr("not a case of Rubble"));
+    EXPECT_THAT(errorOf(R"({"format": "other"})"), testing::HasSubstr("not a case of Rubble"));
+}
+
+TEST(CaseFile, LooksAtTheVersionBeforeAnythingElse) {
+    EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": 2, "unheard": []})"),
+                testing::HasSubstr("newer Rubble: case version 2"));
+    EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": 0})"), testing::HasSubstr("/version"));
+    EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": "1"})"), testing::HasSubstr("/version"));
+    EXPECT_THAT(errorOf(R"({"format": "rubble-case"})"), testing::HasSubstr("\"version\" is missing"));
+}
+
+TEST(CaseMigration, GoesOneStepAtATime) {
+    const CaseMigration steps[] = {{1, [](json& d) { d["path"] = d["path"].get<std::string>() + "1"; }},
+                                   {2, [](json& d) { d["path"] = d["path"].get<std::string>() + "2"; }},
+                                   {3, [](json& d) { d["path"] = d["path"].get<std::string>() + "3"; }}};
+    json document{{"version", 2}, {"path", ""}};
+    EXPECT_TRUE(migrateCase(document, 2, 4, steps));
+    EXPECT_EQ(document, (json{{"version", 4}, {"path", "23"}}));
+    EXPECT_FALSE(migrateCase(document, 4, 5, steps));
+    for (int version = 1; version < caseVersion; ++version) {
+        json old;
+        EXPECT_TRUE(migrateCase(old, version, version + 1, caseMigrations())) << version;
+    }
+}
+
+TEST(CaseFile, IsNotSavedWhenItCouldNotBeOpenedAgain) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "kept.rubble";
+    const Case good = caseForFe("/x/bridge.exo", path);
+    saveCase(path, good);
+    const std::string before = contentOf(path);
+    Case bad = good;
+    bad.scenarios[0].scenario.simulation.friction = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(saveCase(path, bad), UsageError);
+    bad = good;
+    bad.scenarios[0].feInput = "nowhere";
+    EXPECT_THROW(saveCase(path, bad), UsageError);
+    bad = good;
+    bad.scenarios[0].scenario.regrouping.emplace_back(SplitByPlane{"a", Vec3::Constant(INFINITY), Vec3::UnitX(), "b"});
+    EXPECT_THROW(saveCase(path, bad), UsageError);
+    bad = good;
+    bad.title = "\xFF\xFE";
+    EXPECT_THROW(saveCase(path, bad), UsageError);
+    EXPECT_EQ(contentOf(path), before);
+}
+
+TEST(CaseFile, NamesInputsRelativeToItselfWithTheirSha256) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "models");
+    std::filesystem::create_directories(folder / "cases");
+    std::ofstream(folder / "models/abc.exo") << "abc";
+    const std::string path = folder / "cases/abc.rubble";
+    const Case made = caseForFe(folder / "models/abc.exo", path);
+    EXPECT_EQ(made.inputs[0].path, "../models/abc.exo");
+    EXPECT_EQ(made.scenarios[0].name, "As computed");
+    EXPECT_EQ(made.activeScenario, made.scenarios[0].id);
+    saveCase(path, made);
+    const Case loaded = loadCase(path);
+    EXPECT_EQ(loaded.inputs[0].sha256, sha256OfFile(folder / "models/abc.exo"));
+    EXPECT_EQ(inputPath(path, loaded.inputs[0]), folder / "models/abc.exo");
+    EXPECT_EQ(inputPath(path, {"x", InputRole::Fe, "/elsewhere/b.exo", ""}), "/elsewhere/b.exo");
+}
+
+TEST(CaseFile, IsRecognisedByContent) {
+    const TemporaryFolder folder;
+    saveCase(folder / "without ending", caseForFe("/x/bridge.exo", folder / "a"));
+    std::ofstream(folder / "bom") << "\xEF\xBB\xBF \n" << contentOf(folder / "without ending");
+    std::ofstream(folder / "empty.rubble").close();
+    std::ofstream(folder / "other.rubble") << "CDF\1";
+    EXPECT_TRUE(isCaseFile(folder / "without ending"));
+    EXPECT_TRUE(isCaseFile(folder / "bom"));
+    EXPECT_EQ(loadCase(folder / "bom"), loadCase(folder / "without ending"));
+    EXPECT_FALSE(isCaseFile(folder / "empty.rubble"));
+    EXPECT_FALSE(isCaseFile(folder / "other.rubble"));
+    EXPECT_FALSE(isCaseFile(folder / "missing"));
+    EXPECT_FALSE(isCaseFile(folder.path()));
+    EXPECT_FALSE(isCaseFile(sampleFolder + "stone-arch.exo"));
+    EXPECT_THROW(loadCase(folder / "missing"), WorldError);
+    EXPECT_THROW(loadCase(folder.path()), WorldError);
+    EXPECT_THROW(loadCase(folder / "empty.rubble"), ParseError);
+}
+
+// The sample: failing strips merged into their rings, so that no cluster spans a strip and its ring by name only.
+Case sampleCase() {
+    Case theCase = caseForFe(sampleFolder + "stone-arch.exo", sampleFolder + "stone-arch.rubble");
+    theCase.title = "Stone arch bridge, four spans";
+    theCase.inputs[0].sha256 = sha256OfFile(sampleFolder + "stone-arch.exo");
+    theCase.scenarios[0].note = "The strips whose loss of strength starts the collapse belong to their arch rings.";
+    for (const std::string ring : {"arch ring 1", "arch ring 4"}) {
+        theCase.scenarios[0].scenario.regrouping.emplace_back(MergeComponents{{ring, ring + ", failing strip"}, ring});
+    }
+    return theCase;
+}
+
+TEST(SampleCase, IsWhatTheProgramWrites) {
+    const std::string expected = caseText(sampleCase());
+    if (contentOf(sampleFolder + "stone-arch.rubble") != expected) {
+        const std::string actual = RUBBLE_BINARY_DIR "/stone-arch.rubble.actual";
+        saveCase(actual, sampleCase());
+        FAIL() << "the sample case differs from what the program would write: see " << actual;
+    }
+    EXPECT_EQ(loadCase(sampleFolder + "stone-arch.rubble"), sampleCase());
+    EXPECT_TRUE(isCaseFile(sampleFolder + "stone-arch.rubble"));
+}
+
+TEST(SampleCase, MergesTheFailingStripsIntoTheirRings) {
+    const std::string path = sampleFolder + "stone-arch.rubble";
+    const Case sample = loadCase(path);
+    const Scenario& scenario = sample.scenarios[0].scenario;
+    const auto fe = openFe(inputPath(path, sample.inputs[0]), scenario.import, sample.frame, Execution());
+    const Components components = groupComponents(fe->mesh(), scenario.regrouping, scenario.components, scenario.assumptions);
+    EXPECT_EQ(fe->contents().sha256, sample.inputs[0].sha256);
+    EXPECT_EQ(components.list.size(), fe->mesh().parts.size() - 2);
+    for (const Component& component : components.list) {
+        EXPECT_THAT(component.name, testing::Not(testing::HasSubstr("failing")));
+        // 4,320 elements of the ring and 216 of the strip, as the file's account of its parts says.
+        if (component.name == "arch ring 1" || component.name == "arch ring 4") {
+            EXPECT_EQ(component.elements.size(), 4320u + 216u);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace rubble::io

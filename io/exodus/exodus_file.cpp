@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <filesystem>
 
 #include "core/base/error.h"
 #include "io/exodus/exodus_layout.h"
@@ -225,6 +226,16 @@ void ExodusFile::readElement(std::size_t state, int variable, std::size_t block,
     const LibraryLock lock;
     require(ex_get_var(m_id, static_cast<int>(state) + 1, EX_ELEM_BLOCK, variable + 1, b.id, b.elements, values.data()),
             m_elementVariables[static_cast<std::size_t>(variable)] + " of block " + std::to_string(b.id) + stateText(state));
+}
+
+std::string nextOfSequence(const std::string& path) {
+    std::error_code ignored;
+    for (const char* next : {"-s2", "-s02", "-s002", "-s0002"}) {
+        if (std::filesystem::exists(path + next, ignored)) {
+            return path + next;
+        }
+    }
+    return {};
 }
 
 }  // namespace rubble::io

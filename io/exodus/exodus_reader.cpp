@@ -1,7 +1,6 @@
 #include "io/exodus/exodus_reader.h"
 
 #include <cmath>
-#include <filesystem>
 #include <new>
 #include <stdexcept>
 
@@ -71,15 +70,10 @@ std::optional<VectorVariable> chooseDisplacement(const ExodusFile& file, const I
     throw ParseError({"exodus.no_displacement", "{0} has no nodal displacement under a known name", {file.path()}}, remedy);
 }
 
-// Sequences (out.e, out.e-s0002, ...) hold one topology each; this is one file of one.
 void noteSequence(const std::string& path, Findings& findings) {
-    std::error_code ignored;
-    for (const char* next : {"-s2", "-s02", "-s002", "-s0002"}) {
-        if (std::filesystem::exists(path + next, ignored)) {
-            findings.add({"exodus.sequence", "The result goes on in further files, which were not read", {}},
-                         {"exodus.sequence.remedy", "Join the files of the sequence with seacas conjoin.", {}}, path + next);
-            return;
-        }
+    if (const std::string next = nextOfSequence(path); !next.empty()) {
+        findings.add({"exodus.sequence", "The result goes on in further files, which were not read", {}},
+                     {"exodus.sequence.remedy", "Join the files of the sequence with seacas conjoin.", {}}, next);
     }
 }
 

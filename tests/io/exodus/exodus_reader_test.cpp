@@ -423,6 +423,9 @@ TEST_F(ExodusReaderTest, FurtherFilesOfASequenceAreMentioned) {
     builder.element.emplace_back("STATUS", [](std::size_t, std::size_t) { return 1.0; });
     builder.write(m_folder / "fixture.exo-s0002");
     EXPECT_EQ(open(builder)->contents().findings.count("exodus.sequence"), 1);
+    builder.element.clear();
+    EXPECT_THAT(errorOf<ParseError>(builder),
+                ::testing::AllOf(HasSubstr("first file of a sequence"), HasSubstr("fixture.exo-s0002")));
 }
 
 TEST_F(ExodusReaderTest, CanBeCancelled) {

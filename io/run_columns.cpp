@@ -13,6 +13,10 @@ namespace rubble::io {
 
 namespace {
 
+// How often a checksum that does not agree is looked at again, since a writer may be at work. The library doubles its pause from
+// 1 ns each time, so that these add up to 17 ms; its own choice of 100 would never end on a damaged file.
+constexpr unsigned readAttempts = 24;
+
 const Message damagedRemedy{"io.run.damaged.remedy", "Run the case again, or take a good copy of the run file.", {}};
 
 // A text attribute of the root group; empty if there is none.
@@ -52,6 +56,7 @@ void RunColumns::openFile() {
             Message{"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
     }
     const Hdf5Handle access = runFileAccess();
+    H5Pset_metadata_read_attempts(access.get(), readAttempts);
     // Opening as a reader beside a writer also opens what a killed writer left.
     m_file = Hdf5Handle(H5Fopen(m_path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()), H5Fclose);
     if (!m_file.valid()) {

@@ -11,6 +11,7 @@
 
 #include "core/pipeline/pipeline.h"
 #include "io/fe_reader.h"
+#include "io/run_file.h"
 #include "widgets/figures/draw.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/palette.h"
@@ -45,13 +46,19 @@ Scenario sampleScenario(const FeResult& fe) {
 
 class Playback {
 public:
-    explicit Playback(const std::string& path) {
+    Playback(const std::string& fePath, const std::string& runPath) {
         const Execution execution;
         Inputs inputs;
-        inputs.fe = io::openFe(path, {}, {}, execution);
-        auto trajectory = std::make_shared<MemoryTrajectory>();
-        const Results results = run(inputs, sampleScenario(*inputs.fe), Stage::Simulation, {}, trajectory.get(), execution);
-        m_data = {inputs.fe, results.components, results.fragments, results.clustering, trajectory, 0.0};
+        inputs.fe = io::openFe(fePath, {}, {}, execution);
+        if (runPath.empty()) {
+            auto trajectory = std::make_shared<MemoryTrajectory>();
+            const Results results = run(inputs, sampleScenario(*inputs.fe), Stage::Simulation, {}, trajectory.get(), execution);
+            m_data = {inputs.fe, results.components, results.fragments, results.clustering, trajectory, 0.0};
+        } else {
+            const auto made = io::openRun(runPath);
+            const Results results = run(inputs, made->origin().scenario, Stage::Components, {}, nullptr, execution);
+            m_data = {inputs.fe, results.components, made->fragments(), made->clustering(), made, 0.0};
+        }
         m_window->SetOffScreenRendering(1);
         m_window->SetMultiSamples(0);
         m_window->SetSize(width, height);
@@ -135,7 +142,7 @@ int main(int argc, char** argv) {
         return 1;
     }
     try {
-        Playback made(argc > 1 ? argv[1] : RUBBLE_SOURCE_DIR "/resources/samples/stone-arch.exo");
+        Playback made(argc > 1 ? argv[1] : RUBBLE_SOURCE_DIR "/resources/samples/stone-arch.exo", argc > 2 ? argv[2] : "");
         playback = &made;
         benchmark::RunSpecifiedBenchmarks();
         playback = nullptr;

@@ -190,6 +190,14 @@ const render::PaneStatus& Studio::status(render::PaneContent content) const {
     return m_impl->scene.status(content);
 }
 
+void Studio::setAllFaces(bool all) {
+    m_impl->scene.setAllFaces(all);
+}
+
+const render::Scene& Studio::scene() const {
+    return m_impl->scene;
+}
+
 void writePng(const std::string& path, const QImage& image) {
     QSaveFile file(QString::fromStdString(path));
     QImageWriter writer(&file, "png");

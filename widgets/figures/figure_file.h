@@ -38,6 +38,10 @@ public:
     QImage picture(const render::View& view, const FigureStyle& style);
     /// The status that the last picture showed.
     const render::PaneStatus& status(render::PaneContent content) const;
+    /// As Scene::setAllFaces().
+    void setAllFaces(bool all);
+    /// The scene behind the pictures, as of the last one.
+    const render::Scene& scene() const;
 
 private:
     struct Impl;

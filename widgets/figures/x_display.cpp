@@ -4,19 +4,30 @@
 #include <X11/Xlib.h>
 
 #include <cstdlib>
+#include <string>
 
 namespace rubble::figures {
 
 bool displayAvailable() {
+    // The connection stays open: a server that resets with its last client would refuse the next one for a moment.
+    static Display* held = nullptr;
+    static std::string heldName;
     const char* name = std::getenv("DISPLAY");
     if (!name || !*name) {
         return false;
+    }
+    if (held && heldName == name) {
+        return true;
     }
     Display* display = XOpenDisplay(nullptr);
     if (!display) {
         return false;
     }
-    XCloseDisplay(display);
+    if (held) {
+        XCloseDisplay(held);
+    }
+    held = display;
+    heldName = name;
     return true;
 }
 

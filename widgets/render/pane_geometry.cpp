@@ -65,6 +65,7 @@ void PaneGeometry::makeFaces(bool carried) {
     }
     m_debrisEvents.assign(events.begin(), events.end());
     m_structureSlot = m_debrisSlot = ~std::uint64_t{0};
+    m_placed = false;
 }
 
 void PaneGeometry::followTrajectory() {

@@ -1,0 +1,124 @@
+#include "widgets/figures/overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/scenes/fe_scenes.h"
+#include "tests/widgets/scenes/ballistic_run.h"
+#include "widgets/figures/draw.h"
+#include "widgets/figures/number_text.h"
+#include "widgets/figures/palette.h"
+
+namespace rubble::figures {
+namespace {
+
+TEST(NumberText, GroupsThousandsAndNamesUnits) {
+    EXPECT_EQ(countText(49561), "49,561");
+    EXPECT_EQ(timeText(5.7602), "5.76 s");
+    EXPECT_EQ(timeText(-0.0001), "0.00 s");
+    EXPECT_EQ(lengthText(25), "25 m");
+    EXPECT_EQ(lengthText(0.5), "0.5 m");
+    EXPECT_EQ(lengthText(2000), "2 km");
+}
+
+TEST(ScaleBar, LengthIsRoundAndFits) {
+    for (double scale = 1e-4; scale < 1e3; scale *= 1.37) {
+        const double length = roundLength(scale, 100.0);
+        EXPECT_LE(length, 100.0 * scale * (1 + 1e-12));
+        EXPECT_GT(length, 100.0 * scale / 2.6);
+        const double mantissa = length / std::pow(10.0, std::floor(std::log10(length * (1 + 1e-12))));
+        EXPECT_TRUE(std::abs(mantissa - 1) < 1e-9 || std::abs(mantissa - 2) < 1e-9 || std::abs(mantissa - 5) < 1e-9) << length;
+    }
+    EXPECT_EQ(roundLength(0.0, 100.0), 0.0);
+    EXPECT_EQ(roundLength(std::nan(""), 100.0), 0.0);
+}
+
+TEST(Caption, SaysWhatIsShown) {
+    render::PaneStatus status;
+    status.states = 121;
+    status.state = 71;
+    status.time = 5.76;
+    EXPECT_EQ(captionText(render::PaneContent::Fe, status), QStringLiteral("Conventional FE result · t = 5.76 s, state 72 of 121"));
+    status.interpolated = true;
+    EXPECT_EQ(captionText(render::PaneContent::Fe, status),
+              QStringLiteral("Conventional FE result · t = 5.76 s, interpolated after state 72 of 121"));
+    status.simulated = true;
+    status.kind = FrameKind::Simulated;
+    EXPECT_EQ(captionText(render::PaneContent::Fragments, status), QStringLiteral("Fragments · t = 5.76 s, simulated"));
+    status.waitsForRun = true;
+    EXPECT_EQ(captionText(render::PaneContent::Fragments, status), QStringLiteral("Fragments · t = 5.76 s, simulated so far"));
+    EXPECT_EQ(captionText(render::PaneContent::Fe, {}), QStringLiteral("Conventional FE result"));
+}
+
+class Legends : public testing::Test {
+protected:
+    Overlay overlayFor(render::ColourBy colourBy, render::PaneContent content = render::PaneContent::Fragments) {
+        m_view.colourBy = colourBy;
+        m_view.time = 0.5;
+        m_scene.update(m_view, 1280, 800);
+        for (const render::Pane& pane : render::panesOf(m_view.layout, 1280, 800)) {
+            if (pane.content == content) {
+                return makeOverlay(m_view, m_scene, pane);
+            }
+        }
+        return {};
+    }
+    void SetUp() override {
+        const auto data = scenes::ballisticRun(scenes::collapsingWall(), 1.0);
+        m_scene.setData(data);
+        m_scene.setColours(sceneColours(render::Theme::Light));
+        m_view = render::defaultView(data, 1280, 800);
+    }
+    render::Scene m_scene;
+    render::View m_view;
+};
+
+TEST_F(Legends, CountWhatTheViewShows) {
+    const Overlay fragments = overlayFor(render::ColourBy::Highlight);
+    ASSERT_EQ(fragments.legend.size(), 2u);
+    EXPECT_EQ(fragments.legend[0].text, "fragments 12");
+    EXPECT_EQ(fragments.legend[0].colour, palette(render::Theme::Light).fragment);
+    EXPECT_EQ(fragments.legend[1].text, "active structure 4");
+    const Overlay fe = overlayFor(render::ColourBy::Highlight, render::PaneContent::Fe);
+    ASSERT_EQ(fe.legend.size(), 1u);
+    EXPECT_EQ(fe.legend[0].text, "active 4 of 16 elements");
+}
+
+TEST_F(Legends, EveryColouringExplainsItself) {
+    EXPECT_EQ(overlayFor(render::ColourBy::Component).legend[0].text, QStringLiteral("wall · 12"));
+    EXPECT_NE(overlayFor(render::ColourBy::Cluster).legend[0].text.indexOf("clusters"), -1);
+    const Overlay birth = overlayFor(render::ColourBy::BirthTime);
+    ASSERT_EQ(birth.bars.size(), 1u);
+    EXPECT_EQ(birth.bars[0].low, "0.20 s");
+    EXPECT_EQ(birth.bars[0].high, "0.40 s");
+    const Overlay speed = overlayFor(render::ColourBy::Speed);
+    ASSERT_EQ(speed.bars.size(), 1u);
+    EXPECT_EQ(speed.bars[0].low, "0 m/s");
+    EXPECT_EQ(speed.bars[0].high, QString("%1 m/s").arg(m_scene.speedTop()));
+}
+
+TEST_F(Legends, WhatTheViewSwitchesOffIsGone) {
+    m_view.captions = m_view.legends = m_view.scaleBar = false;
+    const Overlay overlay = overlayFor(render::ColourBy::BirthTime);
+    EXPECT_TRUE(overlay.caption.isEmpty());
+    EXPECT_TRUE(overlay.legend.empty());
+    EXPECT_TRUE(overlay.bars.empty());
+    EXPECT_EQ(overlay.metresPerPixel, 0.0);
+}
+
+TEST_F(Legends, AnEmptySceneSaysOnlyWhatWouldBeThere) {
+    m_scene.setData({});
+    const Overlay overlay = overlayFor(render::ColourBy::Speed);
+    EXPECT_EQ(overlay.caption, "Fragments");
+    EXPECT_TRUE(overlay.legend.empty());
+}
+
+TEST_F(Legends, SpeedScaleCoversAFallFromTheTop) {
+    const double height = m_scene.bounds().sizes().z();
+    EXPECT_GE(m_scene.speedTop(), std::sqrt(2 * 9.80665 * height));
+    EXPECT_LE(m_scene.speedTop(), 2.0 * std::sqrt(2 * 9.80665 * height));
+}
+
+}  // namespace
+}  // namespace rubble::figures

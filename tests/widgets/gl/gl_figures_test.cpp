@@ -1,0 +1,203 @@
+#include <gtest/gtest.h>
+
+#include <QImage>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "tests/scenes/fe_scenes.h"
+#include "tests/widgets/scenes/ballistic_run.h"
+#include "widgets/figures/figure_file.h"
+#include "widgets/figures/palette.h"
+#include "widgets/render/camera.h"
+
+namespace rubble::figures {
+namespace {
+
+/// Share of pixels in a part of a picture that are vermilion, lit or shaded.
+double vermilion(const QImage& image, const QRect& part) {
+    int count = 0;
+    for (int y = part.top(); y <= part.bottom(); ++y) {
+        for (int x = part.left(); x <= part.right(); ++x) {
+            const QColor c = image.pixelColor(x, y);
+            count += c.hsvSaturationF() > 0.7 && c.hsvHueF() < 0.1 && c.valueF() > 0.2;
+        }
+    }
+    return static_cast<double>(count) / (part.width() * part.height());
+}
+
+double differentPixels(const QImage& a, const QImage& b) {
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+            count += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue()) > 24;
+        }
+    }
+    return static_cast<double>(count) / (a.width() * a.height());
+}
+
+class GlFigures : public testing::Test {
+protected:
+    static void SetUpTestSuite() { ensureGuiApplication(); }
+    void SetUp() override {
+        ASSERT_TRUE(displayAvailable()) << "run under xvfb-run";
+        m_data = scenes::ballisticRun(scenes::collapsingWall(), 1.0);
+        m_view = render::defaultView(m_data, 640, 400);
+        m_view.layout = render::Layout::Beside;
+        m_view.cameras[0] = render::refit(m_view.cameras[0], Aabb(Vec3(-1, -1, 0), Vec3(5, 2, 6)), 0.8);
+        m_view.captions = m_view.legends = m_view.scaleBar = false;
+        m_view.time = 0.5;
+        m_window.pixels = {640, 400};
+        m_window.framed = false;
+        m_window.dpi = 96;
+    }
+    render::SceneData m_data;
+    render::View m_view;
+    FigureStyle m_window;
+};
+
+TEST_F(GlFigures, FragmentsAreVermilionAndOnlyInTheirPane) {
+    Studio studio(m_data);
+    const QImage picture = studio.picture(m_view, m_window);
+    ASSERT_EQ(picture.size(), m_window.pixels);
+    EXPECT_EQ(vermilion(picture, QRect(0, 0, 319, 400)), 0.0);
+    EXPECT_GT(vermilion(picture, QRect(321, 0, 319, 400)), 0.01);
+    m_view.time = 0.0;
+    EXPECT_EQ(vermilion(studio.picture(m_view, m_window), QRect(0, 0, 640, 400)), 0.0);
+    EXPECT_EQ(studio.status(render::PaneContent::Fe).active, 16u);
+}
+
+TEST_F(GlFigures, LeavingOutHiddenFacesChangesNoPicture) {
+    for (const double time : {0.0, 0.25, 0.5, 0.9}) {
+        m_view.time = time;
+        Studio lean(m_data), full(m_data);
+        full.setAllFaces(true);
+        const QImage a = lean.picture(m_view, m_window), b = full.picture(m_view, m_window);
+        // Pixels on an edge may round the other way; a hole or a wall too many would show as an area.
+        EXPECT_LT(differentPixels(a, b), 0.002) << time;
+        EXPECT_LT(lean.status(render::PaneContent::Fe).faces, full.status(render::PaneContent::Fe).faces);
+    }
+}
+
+TEST_F(GlFigures, RepeatsBitForBit) {
+    Studio one(m_data), two(m_data);
+    one.picture(m_view, m_window);
+    EXPECT_EQ(one.picture(m_view, m_window), two.picture(m_view, m_window));
+}
+
+TEST_F(GlFigures, CaptionsCoverOnlyTheirCorners) {
+    Studio studio(m_data);
+    const QImage bare = studio.picture(m_view, m_window);
+    m_view.captions = true;
+    const QImage captioned = studio.picture(m_view, m_window);
+    EXPECT_NE(captioned.copy(0, 0, 300, 40), bare.copy(0, 0, 300, 40));
+    EXPECT_EQ(captioned.copy(0, 60, 640, 340), bare.copy(0, 60, 640, 340));
+    m_view.captions = false;
+    m_view.scaleBar = true;
+    const QImage scaled = studio.picture(m_view, m_window);
+    EXPECT_EQ(scaled.copy(0, 0, 640, 300), bare.copy(0, 0, 640, 300));
+    EXPECT_NE(scaled.copy(500, 340, 140, 60), bare.copy(500, 340, 140, 60));
+}
+
+TEST_F(GlFigures, FramedFiguresAreWhiteWithCaptionsBelow) {
+    FigureStyle style;
+    style.pixels = {900, 600};
+    style.dpi = 150;
+    style.provenance = "scene, 1a2b";
+    m_view.captions = true;
+    m_view.theme = render::Theme::Dark;  // a framed figure prints in its own theme
+    Studio studio(m_data);
+    const QImage figure = studio.picture(m_view, style);
+    ASSERT_EQ(figure.size(), style.pixels);
+    for (const QPoint corner : {QPoint(2, 2), QPoint(897, 2), QPoint(2, 597), QPoint(897, 597)}) {
+        EXPECT_GT(figure.pixelColor(corner).lightness(), 240);
+    }
+    EXPECT_EQ(figure.dotsPerMeterX(), static_cast<int>(std::lround(150 / 0.0254)));
+    EXPECT_EQ(figure.text("Description"), "scene, 1a2b");
+    int dark = 0;  // ink of the caption line, 41 px high above the provenance line of 25 px
+    for (int y = 600 - 25 - 41; y < 600 - 25; ++y) {
+        for (int x = 0; x < 900; ++x) {
+            dark += figure.pixelColor(x, y).lightness() < 100;
+        }
+    }
+    EXPECT_GT(dark, 200);
+}
+
+TEST_F(GlFigures, WritesPngAndSaysWhenItCannot) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "rubble_gl_figures";
+    std::filesystem::create_directories(folder);
+    const std::string path = (folder / "figure.png").string();
+    writeFigure(path, m_view, m_data, m_window);
+    EXPECT_EQ(QImage(QString::fromStdString(path)).size(), m_window.pixels);
+    EXPECT_THROW(writeFigure((folder / "no" / "such" / "folder.png").string(), m_view, m_data, m_window), WorldError);
+    std::filesystem::remove_all(folder);
+    FigureStyle silly = m_window;
+    silly.pixels = {0, 400};
+    EXPECT_THROW(writeFigure(path, m_view, m_data, silly), UsageError);
+    silly = m_window;
+    silly.dpi = std::nan("");
+    EXPECT_THROW(writeFigure(path, m_view, m_data, silly), UsageError);
+}
+
+TEST_F(GlFigures, PickFindsWhatThePictureShows) {
+    Studio studio(m_data);
+    const QImage picture = studio.picture(m_view, m_window);
+    int agreed = 0, asked = 0;
+    for (int y = 4; y < 398; y += 9) {
+        for (int x = 324; x < 638; x += 9) {
+            const bool red = vermilion(picture, QRect(x - 1, y - 1, 3, 3)) == 1.0;
+            const bool none = vermilion(picture, QRect(x - 1, y - 1, 3, 3)) == 0.0;
+            const auto pick = studio.scene().pick(x, y);
+            if (red || none) {
+                ++asked;
+                agreed += red == (pick && pick->fragment);
+            }
+        }
+    }
+    EXPECT_GT(asked, 1000);
+    EXPECT_EQ(agreed, asked);
+}
+
+TEST_F(GlFigures, SelectionIsDrawnInTheAccent) {
+    Studio studio(m_data);
+    m_view.time = 0.0;
+    const QImage before = studio.picture(m_view, m_window);
+    m_view.selection = {idAt<ElementIndex>(0), idAt<ElementIndex>(1)};
+    const QImage after = studio.picture(m_view, m_window);
+    int blue = 0;
+    for (int y = 0; y < 400; ++y) {
+        for (int x = 0; x < 640; ++x) {
+            const QColor c = after.pixelColor(x, y);
+            blue += c.blue() > c.red() + 60 && before.pixel(x, y) != after.pixel(x, y);
+        }
+    }
+    EXPECT_GT(blue, 200);
+}
+
+TEST_F(GlFigures, AnEmptySceneIsAPictureToo) {
+    Studio studio({});
+    const QImage picture = studio.picture(render::View{}, m_window);
+    EXPECT_EQ(picture.size(), m_window.pixels);
+    EXPECT_FALSE(studio.scene().pick(100, 100));
+}
+
+TEST_F(GlFigures, WithoutADisplayTheErrorNamesTheRemedy) {
+    const std::string display = std::getenv("DISPLAY");
+    for (const char* broken : {"", ":987"}) {
+        setenv("DISPLAY", broken, 1);
+        EXPECT_FALSE(displayAvailable());
+        try {
+            Studio studio(m_data);
+            ADD_FAILURE() << "no error";
+        } catch (const WorldError& error) {
+            EXPECT_NE(std::string(error.what()).find("Xvfb"), std::string::npos);
+        }
+    }
+    setenv("DISPLAY", display.c_str(), 1);
+}
+
+}  // namespace
+}  // namespace rubble::figures

@@ -113,8 +113,7 @@ public:
 
 /// Position and orientation of all bodies at any time: the frame at that time, or linear (position) and spherical (orientation)
 /// interpolation between its two neighbours, marked Interpolated. Bodies that enter between the two come straight from their birth
-/// place. The last frame after the end;
-/// empty before the first.
+/// place. The last frame after the end; empty before the first.
 TrajectoryFrame frameAtTime(const TrajectoryReader& reader, double time);
 
 /// Keeps a whole trajectory in memory: for tests, and for runs nobody wants as a file.

@@ -4,6 +4,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <functional>
+#include <string_view>
 
 namespace rubble {
 
@@ -27,13 +29,14 @@ std::string atState(const FeResult& fe, std::size_t k) {
     return " at state " + englishInteger(static_cast<std::int64_t>(k)) + " (" + englishNumber(fe.times()[k]) + " s)";
 }
 
-/// Counts anomalies by kind; kinds stay in the order in which they are declared here.
+/// Counts anomalies by kind; kinds stay in the order in which they were first met.
 class AnomalyCounter {
 public:
-    void add(const char* kind, const std::string& example) {
+    /// @param example  makes the text; only asked for the first of a kind, of which there may be very many
+    void add(std::string_view kind, const std::function<std::string()>& example) {
         const auto known = std::find_if(m_list.begin(), m_list.end(), [&](const Anomaly& a) { return a.kind == kind; });
         if (known == m_list.end()) {
-            m_list.push_back({kind, 1, example});
+            m_list.push_back({std::string(kind), 1, example()});
         } else {
             ++known->count;
         }
@@ -111,7 +114,7 @@ public:
         const double thickness = isSolid(shape)   ? (face > 0.0 ? std::abs(measure) / face : 0.0)
                                  : isShell(shape) ? measure / length
                                                   : 1.0;
-        const std::string place = placeOf(m_fe, m_components, e) + atState(m_fe, k);
+        const auto place = [&] { return placeOf(m_fe, m_components, e) + atState(m_fe, k); };
         if (!(std::abs(measure) > zeroRatio * scale) || !(length > 0.0)) {
             m_anomalies.add("zero_volume", place);
             return;
@@ -119,15 +122,13 @@ public:
         if (measure < 0.0) {
             m_anomalies.add("inverted", place);
         }
-        if (isSolid(shape) || isShell(shape)) {
-            if (thickness < sliverRatio * length) {
-                m_anomalies.add("sliver", place + ", " + englishNumber(thickness / length) + " thick per length");
-            }
+        if (shape != ElementShape::Beam && thickness < sliverRatio * length) {
+            m_anomalies.add("sliver", [&] { return place() + ", " + englishNumber(thickness / length) + " thick per length"; });
         }
         const double section = m_components.section[e];
         const double ratio = measure * (isSolid(shape) ? 1.0 : section) / m_components.volume[e];
         if (measure > 0.0 && !(ratio >= leastVolumeRatio && ratio <= greatestVolumeRatio)) {
-            m_anomalies.add("large_distortion", place + ", " + englishNumber(ratio) + " times its first volume");
+            m_anomalies.add("large_distortion", [&] { return place() + ", " + englishNumber(ratio) + " times its first volume"; });
         }
     }
 
@@ -141,13 +142,13 @@ void auditLives(const FeResult& fe, const Components& components, const std::vec
     for (std::size_t e = 0; e < lives.size(); ++e) {
         const Life& life = lives[e];
         if (life.firstActive != 0) {
-            anomalies.add("inactive_from_start", placeOf(fe, components, e));
+            anomalies.add("inactive_from_start", [&] { return placeOf(fe, components, e); });
             if (life.firstActive != never) {
-                anomalies.add("activated_later", placeOf(fe, components, e) + atState(fe, life.firstActive));
+                anomalies.add("activated_later", [&] { return placeOf(fe, components, e) + atState(fe, life.firstActive); });
             }
         }
         if (life.revivedAt != never) {
-            anomalies.add("revived", placeOf(fe, components, e) + atState(fe, life.revivedAt));
+            anomalies.add("revived", [&] { return placeOf(fe, components, e) + atState(fe, life.revivedAt); });
         }
     }
 }
@@ -158,18 +159,20 @@ void auditDeathTimes(const FeResult& fe, const Components& components, const std
         const std::size_t k = lives[e].lastActiveBeforeDeath;
         if (k == never) {
             if (!std::isnan(exact[e]) && lives[e].firstActive == 0) {
-                anomalies.add("death_time_of_active", placeOf(fe, components, e) + ", " + englishNumber(exact[e]) + " s");
+                anomalies.add("death_time_of_active",
+                              [&] { return placeOf(fe, components, e) + ", " + englishNumber(exact[e]) + " s"; });
             }
             continue;
         }
         if (std::isnan(exact[e])) {
-            anomalies.add("no_death_time", placeOf(fe, components, e) + atState(fe, k + 1));
+            anomalies.add("no_death_time", [&] { return placeOf(fe, components, e) + atState(fe, k + 1); });
             continue;
         }
         const double slack = timeRounding * std::max(std::abs(exact[e]), fe.times()[k + 1] - fe.times()[k]);
         if (exact[e] < fe.times()[k] - slack || exact[e] > fe.times()[k + 1] + slack) {
-            anomalies.add("death_outside_bracket",
-                          placeOf(fe, components, e) + ", " + englishNumber(exact[e]) + " s, but reported" + atState(fe, k + 1));
+            anomalies.add("death_outside_bracket", [&] {
+                return placeOf(fe, components, e) + ", " + englishNumber(exact[e]) + " s, but reported" + atState(fe, k + 1);
+            });
         }
     }
 }
@@ -178,13 +181,13 @@ void auditMaterial(const FeResult& fe, const Components& components, AnomalyCoun
     const Mesh& mesh = fe.mesh();
     for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
         if (!(mesh.density[e] > 0.0)) {
-            anomalies.add("no_density", placeOf(fe, components, e));
+            anomalies.add("no_density", [&] { return placeOf(fe, components, e); });
         }
         if (!isSolid(mesh.shapes[e]) && !(mesh.section[e] > 0.0)) {
-            anomalies.add("no_section", placeOf(fe, components, e));
+            anomalies.add("no_section", [&] { return placeOf(fe, components, e); });
         }
         if (!(components.volume[e] > 0.0)) {
-            anomalies.add("zero_volume_at_rest", placeOf(fe, components, e));
+            anomalies.add("zero_volume_at_rest", [&] { return placeOf(fe, components, e); });
         }
     }
 }

@@ -53,6 +53,7 @@ QSize parseSize(const std::string& text) {
 std::vector<Option> FigureRequest::options() {
     return {{"--pane", "PANE", false, "what a figure shows: fe, fragments or both (default: both)"},
             {"--time", "SECONDS", false, "instant of a figure on the file's clock, or end (default: end)"},
+            {"--state", "K", false, "instant of a figure as FE state, from 0; instead of --time"},
             {"--colour", "BY", false, "fragments by highlight (default), component, birth_time, speed or cluster"},
             {"--size", "WxH", false, "pixels of a figure (default: 1600x1000)"}};
 }
@@ -73,6 +74,13 @@ FigureRequest::FigureRequest(const Arguments& arguments) {
         }
         m_time = seconds;
     }
+    if (const auto state = arguments.value("--state")) {
+        std::size_t number = 0;
+        if (!parse(*state, number) || arguments.has("--time")) {
+            throw wrongValue("--state", *state, "the number of an FE state, from 0, and no --time beside it");
+        }
+        m_state = number;
+    }
     if (const auto colour = arguments.value("--colour")) {
         const auto found =
             std::find_if(colourNames.begin(), colourNames.end(), [&](const ColourName& row) { return row.name == *colour; });
@@ -89,6 +97,14 @@ FigureRequest::FigureRequest(const Arguments& arguments) {
 double FigureRequest::timeIn(const io::RunReader& run, const FeResult& fe) const {
     const double first = fe.times().front();
     const double last = run.frameCount() > 0 ? std::max(fe.times().back(), run.frameTime(run.frameCount() - 1)) : fe.times().back();
+    if (m_state) {
+        if (*m_state >= fe.stateCount()) {
+            throw UsageError(
+                {"cli.state_outside", "--state {0}: the FE result has the states 0 to {1}.", {*m_state, fe.stateCount() - 1}},
+                {"cli.state_outside.remedy", "Give one of these.", {}});
+        }
+        return fe.times()[*m_state];
+    }
     if (!m_time) {
         return last;
     }

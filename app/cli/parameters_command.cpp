@@ -30,7 +30,8 @@ std::string_view kindName(ParameterKind kind) {
 
 std::string defaultText(const Parameter& row) {
     // A keyed row has no subject yet; any will do, since an unnamed one has the default.
-    return valueText(row.get(Scenario{}, row.keyed() ? "*" : ""));
+    const std::string text = valueText(row.get(Scenario{}, row.keyed() ? "*" : ""));
+    return text.empty() ? "\"\"" : text;
 }
 
 std::string rangeText(const Parameter& row) {

@@ -1,0 +1,105 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "tests/app/cli/command_run.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/io/temporary_folder.h"
+
+namespace rubble::cli {
+
+namespace {
+
+using testing::HasSubstr;
+
+/// Width and height from the head of a PNG.
+std::pair<unsigned, unsigned> pngSize(const std::string& path) {
+    const std::string bytes = textOf(path);
+    if (bytes.size() < 24 || bytes.compare(1, 3, "PNG") != 0) {
+        return {0, 0};
+    }
+    const auto number = [&](std::size_t at) {
+        unsigned value = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+        }
+        return value;
+    };
+    return {number(16), number(20)};
+}
+
+class Figure : public testing::Test {
+protected:
+    void SetUp() override {
+        const Outcome outcome = cli({"run", m_path, "--out", m_run, "--set", "settle_time=0.5"});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    }
+    /// Draws without any display.
+    Outcome figure(std::vector<std::string> more) {
+        more.insert(more.begin(), {"figure", m_run});
+        return CommandRun().with("DISPLAY", std::nullopt).cli(more);
+    }
+
+    io::TemporaryFolder m_folder;
+    std::string m_path = writeSmallCollapse(m_folder / "small.exo");
+    std::string m_run = m_folder / "small.run.h5";
+};
+
+TEST_F(Figure, IsDrawnWithoutADisplay) {
+    for (const char* pane : {"fe", "fragments", "both"}) {
+        const std::string png = m_folder / (std::string(pane) + ".png");
+        const Outcome outcome = figure({"--pane", pane, "--time", "0.3", "--out", png, "--size", "640x400"});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_EQ(outcome.out, png + "\n");
+        EXPECT_EQ(pngSize(png), std::make_pair(640u, 400u));
+    }
+    EXPECT_NE(textOf(m_folder / "fe.png"), textOf(m_folder / "fragments.png"));
+}
+
+TEST_F(Figure, FollowsTheTime) {
+    ASSERT_EQ(figure({"--time", "0.1", "--out", m_folder / "early.png"}).exitCode, 0);
+    ASSERT_EQ(figure({"--time", "0.5", "--out", m_folder / "late.png"}).exitCode, 0);
+    EXPECT_NE(textOf(m_folder / "early.png"), textOf(m_folder / "late.png"));
+}
+
+TEST_F(Figure, IsAnExportToo) {
+    const std::string png = m_folder / "export.png";
+    const Outcome outcome =
+        CommandRun().with("DISPLAY", std::nullopt).cli({"export", m_run, "--export", "figure=" + png, "--colour", "component"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(pngSize(png), std::make_pair(1600u, 1000u));
+}
+
+TEST_F(Figure, WrongRequestsAreRefused) {
+    EXPECT_EQ(figure({}).exitCode, 2);
+    EXPECT_EQ(figure({"--out", m_folder / "a.png", "--time", "99"}).exitCode, 2);
+    EXPECT_EQ(figure({"--out", m_folder / "a.png", "--time", "-1"}).exitCode, 2);
+    EXPECT_EQ(figure({"--out", m_folder / "a.png", "--state", "6"}).exitCode, 2);
+    EXPECT_EQ(figure({"--out", m_folder / "a.png", "--state", "2", "--time", "0.1"}).exitCode, 2);
+    EXPECT_EQ(figure({"--out", m_folder / "a.png", "--colour", "taste"}).exitCode, 2);
+    EXPECT_EQ(figure({"--out", m_run}).exitCode, 2);
+    EXPECT_FALSE(std::filesystem::exists(m_folder / "a.png"));
+}
+
+TEST_F(Figure, WithoutXvfbTheRemedyIsNamed) {
+    const Outcome outcome = CommandRun()
+                                .with("DISPLAY", std::nullopt)
+                                .with("PATH", m_folder.path())
+                                .cli({"figure", m_run, "--out", m_folder / "a.png"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("package xvfb"));
+}
+
+TEST_F(Figure, ADisplayThatDoesNotAnswerIsPassedOver) {
+    const std::string png = m_folder / "a.png";
+    const Outcome outcome = CommandRun().with("DISPLAY", ":4711").cli({"figure", m_run, "--out", png});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(pngSize(png), std::make_pair(1600u, 1000u));
+}
+
+}  // namespace
+
+}  // namespace rubble::cli

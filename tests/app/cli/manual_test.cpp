@@ -1,0 +1,104 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "tests/app/cli/command_run.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/io/temporary_folder.h"
+
+namespace rubble::cli {
+
+namespace {
+
+std::string manual() {
+    return textOf(sourcePath("resources/manual/command-line.md"));
+}
+
+std::set<std::string> matches(const std::string& text, const std::string& pattern) {
+    const std::regex expression(pattern);
+    std::set<std::string> found;
+    for (std::sregex_iterator it(text.begin(), text.end(), expression), end; it != end; ++it) {
+        found.insert((*it)[1]);
+    }
+    return found;
+}
+
+std::set<std::string> commands() {
+    return matches(cli({"--help"}).out, "\n  rubble-cli ([a-z]+)");
+}
+
+/// Keys of an object and of all objects in it; entries that are named by what the user has in hand are left out.
+void collectKeys(const nlohmann::json& value, std::set<std::string>& keys) {
+    if (value.is_object()) {
+        for (const auto& [key, inner] : value.items()) {
+            keys.insert(key);
+            collectKeys(inner, keys);
+        }
+    } else if (value.is_array()) {
+        for (const nlohmann::json& inner : value) {
+            collectKeys(inner, keys);
+        }
+    }
+}
+
+TEST(Manual, HasASectionForEveryCommandAndNoOther) {
+    const std::set<std::string> documented = matches(manual(), "\n## rubble-cli ([a-z]+)");
+    EXPECT_EQ(documented, commands());
+    EXPECT_GE(documented.size(), 7u);
+}
+
+TEST(Manual, NamesEveryOptionOfEveryCommandAndNoOther) {
+    const std::string text = manual();
+    std::set<std::string> options;
+    for (const std::string& command : commands()) {
+        options.merge(matches(cli({command, "--help"}).out, "\n  (--[a-z]+)"));
+    }
+    options.insert("--version");
+    EXPECT_EQ(matches(text, "`(--[a-z-]+)"), options);
+}
+
+TEST(Manual, NamesEveryParameterWithItsDefault) {
+    const std::string text = manual();
+    const nlohmann::json table = cli({"parameters", "--json"}).json();
+    ASSERT_GT(table["parameters"].size(), 30u);
+    for (const nlohmann::json& row : table["parameters"]) {
+        const std::string line = "| `" + row["key"].get<std::string>() + "` | " + row["default"].get<std::string>() + " | " +
+                                 row["unit"].get<std::string>();
+        EXPECT_NE(text.find(line), std::string::npos) << "no row: " << line;
+    }
+}
+
+TEST(Manual, NamesEveryKeyOfEveryJsonObject) {
+    io::TemporaryFolder folder;
+    const std::string fe = writeSmallCollapse(folder / "small.exo");
+    const std::string run = folder / "small.run.h5";
+    std::set<std::string> keys;
+    const std::vector<std::vector<std::string>> commandLines{{"inspect", fe},
+                                                             {"size", fe},
+                                                             {"run", fe, "--out", run, "--set", "settle_time=0.5"},
+                                                             {"verify", run},
+                                                             {"export", run, "--export", "fragments=" + (folder / "f.csv")},
+                                                             {"parameters"},
+                                                             {"inspect", folder / "missing.exo"}};
+    for (std::vector<std::string> words : commandLines) {
+        words.push_back("--json");
+        collectKeys(cli(words).json(), keys);
+    }
+    ASSERT_GT(keys.size(), 80u);
+    const std::string text = manual();
+    for (const std::string& key : keys) {
+        EXPECT_TRUE(std::regex_search(text, std::regex("[`,{ ]" + key + "[`,} \\[{]"))) << "not in the manual: " << key;
+    }
+}
+
+TEST(Manual, SaysWhatTheExitCodesMean) {
+    for (const char* code : {"| 0 |", "| 1 |", "| 2 |", "| 3 |"}) {
+        EXPECT_THAT(manual(), testing::HasSubstr(code));
+    }
+}
+
+}  // namespace
+
+}  // namespace rubble::cli

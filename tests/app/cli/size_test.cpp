@@ -1,0 +1,84 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/app/cli/command_run.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/io/temporary_folder.h"
+
+namespace rubble::cli {
+
+namespace {
+
+using testing::HasSubstr;
+
+class Size : public testing::Test {
+protected:
+    nlohmann::json size(std::vector<std::string> more) {
+        more.insert(more.begin(), {"size", m_path, "--json"});
+        const Outcome outcome = cli(std::move(more));
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return outcome.json();
+    }
+
+    io::TemporaryFolder m_folder;
+    std::string m_path = writeSmallCollapse(m_folder / "small.exo");
+};
+
+TEST_F(Size, JsonHasTheDocumentedKeys) {
+    const nlohmann::json object = size({});
+    EXPECT_EQ(object["fragments"], smallDead);
+    EXPECT_EQ(object["fps_target"], 24.0);
+    EXPECT_EQ(object["bodies_max"], 4500);
+    for (const char* axis : {"x", "y", "z"}) {
+        EXPECT_TRUE(object["mean_distance"][axis].is_number());
+        EXPECT_TRUE(object["multiple"][axis].is_number());
+        EXPECT_TRUE(object["clamped_by"][axis].is_string());
+        for (const char* bound : {"h_eff_min", "h_acc_min", "h_acc_max"}) {
+            EXPECT_TRUE(object["bounds"][axis][bound].is_number()) << axis << ' ' << bound;
+        }
+    }
+    // Cubes of 1 m; the smallest component is 1 m in y and z.
+    EXPECT_NEAR(object["bounds"]["x"]["h_acc_min"], 1.0, 1e-6);
+    EXPECT_NEAR(object["bounds"]["x"]["h_acc_max"], 3.0, 1e-6);
+    EXPECT_NEAR(object["bounds"]["z"]["h_acc_max"], 1.0, 1e-6);
+    for (const char* edge : {"l", "w", "h"}) {
+        EXPECT_GT(object["grid"][edge], 0.0);
+    }
+    EXPECT_EQ(object["stopped_by"], "efficiency");
+    EXPECT_LE(object["clusters"], smallDead);
+}
+
+TEST_F(Size, TheMultipleCanBeSetByHand) {
+    const nlohmann::json object = size({"--set", "multiple=2"});
+    EXPECT_EQ(object["stopped_by"], "user");
+    EXPECT_EQ(object["common_multiple"], 2.0);
+}
+
+TEST_F(Size, OneBodyForEachFragmentCountsThemAll) {
+    EXPECT_EQ(size({"--set", "one_body_per_fragment=true"})["clusters"], smallDead);
+}
+
+TEST_F(Size, TheTableNamesEveryBoundAndWhatStoppedTheSearch) {
+    const Outcome outcome = cli({"size", m_path});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    for (const char* word :
+         {"h_eff_min", "h_acc_min", "h_acc_max", "clamped by", "stopped by", "largest fragment", "smallest component"}) {
+        EXPECT_THAT(outcome.out, HasSubstr(word));
+    }
+}
+
+TEST_F(Size, BothArchesEndOutOfReachOfTheTarget) {
+    for (const char* arch : {"stone-arch", "rc-arch"}) {
+        const Outcome outcome = cli({"size", sourcePath(std::string("resources/samples/") + arch + ".exo"), "--json"});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        const nlohmann::json object = outcome.json();
+        EXPECT_EQ(object["stopped_by"], "fps_unreachable") << arch;
+        EXPECT_GT(object["clusters"], 4500) << arch;
+        EXPECT_LT(object["fps_reachable"], 24.0) << arch;
+        EXPECT_FALSE(object["warnings"].empty()) << arch;
+    }
+}
+
+}  // namespace
+
+}  // namespace rubble::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "tests/io/exodus/exodus_builder.h"
+
+namespace rubble::cli {
+
+/// A collapse small enough to simulate within a second: two blocks of three cubes of 1 m that fall from 2 m, five of which are
+/// deactivated at the states 1 (0.1 s) and 2 (0.2 s), beside a third block that stands on the ground and lives. Six states, 0.5 s.
+/// Flag STATUS (1 active), displacements, density 2,000 kg/m3.
+inline constexpr int smallElements = 9;
+inline constexpr int smallDead = 5;
+io::ExodusBuilder smallCollapse();
+
+/// Writes it to a file and returns the path.
+std::string writeSmallCollapse(const std::string& path);
+
+}  // namespace rubble::cli

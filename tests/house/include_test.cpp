@@ -1,0 +1,251 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "tests/house/source_tree.h"
+
+namespace rubble::house {
+
+namespace {
+
+/// A library outside the house, known by the names of its headers.
+struct Library {
+    std::string name;
+    std::regex headers;
+};
+
+const std::vector<Library>& libraries() {
+    static const std::vector<Library> list{
+        {"Bullet", std::regex("^(bt[A-Z]|btBullet|Bullet|LinearMath/|bullet/)")},
+        {"Qt", std::regex("^(Q[A-Za-z]+(/.*)?|qt[a-z]*\\.h|q[a-z]+\\.h)$")},
+        {"VTK", std::regex("^vtk[A-Z_]")},
+        {"HDF5", std::regex("^(hdf5|H5)")},
+        {"Exodus", std::regex("^(exodusII|netcdf)")},
+        {"GDAL", std::regex("^(gdal|ogr|cpl_)")},
+        {"Eigen", std::regex("^(Eigen/|unsupported/Eigen)")},
+        {"nlohmann", std::regex("^nlohmann/")},
+        {"pugixml", std::regex("^pugixml")},
+        {"zlib", std::regex("^zlib\\.h")},
+        {"OpenSSL", std::regex("^openssl/")},
+        {"xxHash", std::regex("^xxh")},
+        {"OpenGL", std::regex("^(GL|EGL)/")},
+        {"X11", std::regex("^(X11/|xcb/)")},
+    };
+    return list;
+}
+
+std::string libraryOf(const std::string& header) {
+    for (const Library& library : libraries()) {
+        if (std::regex_search(header, library.headers)) {
+            return library.name;
+        }
+    }
+    return "";
+}
+
+/// What the files of a folder may include; the longest folder that fits a file decides.
+struct Room {
+    std::string folder;
+    std::set<std::string> house;    ///< folders of the house
+    std::set<std::string> outside;  ///< libraries; the standard library and POSIX are free to all
+};
+
+/// The table of section 3 of the design.
+const std::vector<Room>& rooms() {
+    static const std::vector<Room> table{
+        {"core", {"core"}, {"Eigen", "xxHash"}},
+        {"core/simulation", {"core"}, {"Eigen", "Bullet"}},
+        {"io", {"core", "io"}, {"Eigen", "HDF5", "Exodus", "GDAL", "VTK", "nlohmann", "pugixml", "zlib", "OpenSSL"}},
+        {"widgets/render", {"core", "widgets/render"}, {"Eigen", "VTK"}},
+        {"widgets/figures", {"core", "widgets/render", "widgets/figures"}, {"Eigen", "VTK", "Qt", "X11"}},
+        {"widgets", {"core", "widgets"}, {"Eigen", "VTK", "Qt"}},
+        {"app/gui", {"core", "io", "widgets", "app/gui"}, {"Eigen", "Qt"}},
+        {"app/cli", {"core", "io", "widgets/render", "widgets/figures", "app/cli"}, {"Eigen", "Qt", "nlohmann"}},
+    };
+    return table;
+}
+
+const Room* roomOf(const SourceFile& file) {
+    const Room* room = nullptr;
+    for (const Room& candidate : rooms()) {
+        if (file.under(candidate.folder) && (!room || candidate.folder.size() > room->folder.size())) {
+            room = &candidate;
+        }
+    }
+    return room;
+}
+
+bool houseAllows(const Room& room, const std::string& path) {
+    return std::any_of(room.house.begin(), room.house.end(),
+                       [&](const std::string& folder) { return path.starts_with(folder + "/"); });
+}
+
+/// Headers of a VTK module that draws: its readers and data model come without.
+bool vtkDraws(const std::string& header) {
+    static const std::regex drawing(
+        "^vtk(Render|OpenGL|GenericOpenGL|Actor|Prop|Camera|Light|Texture|Shader|Interactor|Text(Actor|Mapper|Property|Renderer)|"
+        ".*Mapper|.*Picker|Window|GL2PS|SVG|Chart|Context)");
+    return std::regex_search(header, drawing);
+}
+
+TEST(Include, EveryFileStandsInARoom) {
+    for (const SourceFile& file : programSources()) {
+        EXPECT_TRUE(roomOf(file)) << file.path << " stands in no room of the table";
+    }
+}
+
+TEST(Include, RoomsSeeOnlyWhatTheTableAllows) {
+    std::size_t checked = 0;
+    for (const SourceFile& file : programSources()) {
+        const Room* room = roomOf(file);
+        ASSERT_TRUE(room);
+        for (const Include& include : includesOf(file)) {
+            ++checked;
+            if (include.quoted) {
+                EXPECT_TRUE(houseAllows(*room, include.name))
+                    << place(file, include.line) << ": " << room->folder << " must not see " << include.name;
+                continue;
+            }
+            const std::string library = libraryOf(include.name);
+            EXPECT_TRUE(library.empty() || room->outside.contains(library))
+                << place(file, include.line) << ": " << room->folder << " must not include " << library << " (" << include.name
+                << ")";
+        }
+    }
+    EXPECT_GT(checked, 500u) << "the sources were not found";
+}
+
+TEST(Include, IoIncludesNoRenderingOfVtk) {
+    for (const SourceFile& file : readSources({"io"})) {
+        for (const Include& include : includesOf(file)) {
+            EXPECT_FALSE(vtkDraws(include.name)) << place(file, include.line) << ": " << include.name;
+        }
+    }
+}
+
+TEST(Include, FiguresAndCommandLineIncludeNoQtWidgets) {
+    const std::filesystem::path headers(RUBBLE_QT_WIDGETS_HEADERS);
+    if (!headers.empty()) {
+        ASSERT_TRUE(std::filesystem::exists(headers / "QWidget")) << headers;
+    }
+    for (const SourceFile& file : readSources({"widgets/figures", "widgets/render", "app/cli"})) {
+        for (const Include& include : includesOf(file)) {
+            if (libraryOf(include.name) != "Qt") {
+                continue;
+            }
+            const bool widgets = include.name.starts_with("QtWidgets") || include.name.starts_with("QtOpenGLWidgets") ||
+                                 (!headers.empty() && std::filesystem::exists(headers / include.name));
+            EXPECT_FALSE(widgets) << place(file, include.line) << ": " << include.name;
+        }
+    }
+}
+
+// Third-party types stop at the seams: what a room shows to others must compile without its private libraries.
+TEST(Include, HeadersThatOthersIncludeShowNoPrivateLibrary) {
+    const std::vector<SourceFile> files = programSources();
+    std::map<std::string, const SourceFile*> byPath;
+    for (const SourceFile& file : files) {
+        byPath[file.path] = &file;
+    }
+    const auto topFolder = [](const Room& room) { return room.folder.starts_with("core") ? std::string("core") : room.folder; };
+    const std::map<std::string, std::set<std::string>> shown{
+        {"core", {"Eigen"}},          {"io", {"Eigen"}}, {"widgets/render", {"Eigen"}}, {"widgets/figures", {"Eigen", "Qt"}},
+        {"widgets", {"Eigen", "Qt"}},
+    };
+    std::set<std::string> visited;
+    const std::function<void(const std::string&, const std::string&)> follow = [&](const std::string& path,
+                                                                                   const std::string& from) {
+        const auto found = byPath.find(path);
+        if (found == byPath.end() || !visited.insert(path).second) {
+            return;
+        }
+        const Room* room = roomOf(*found->second);
+        for (const Include& include : includesOf(*found->second)) {
+            const std::string library = libraryOf(include.name);
+            const auto allowed = shown.find(topFolder(*room));
+            if (!include.quoted && !library.empty() && allowed != shown.end()) {
+                EXPECT_TRUE(allowed->second.contains(library))
+                    << place(*found->second, include.line) << " shows " << include.name << " to " << from;
+            }
+            if (include.quoted) {
+                follow(include.name, from);
+            }
+        }
+    };
+    for (const SourceFile& file : files) {
+        for (const Include& include : includesOf(file)) {
+            const auto found = byPath.find(include.name);
+            if (include.quoted && found != byPath.end() && topFolder(*roomOf(file)) != topFolder(*roomOf(*found->second))) {
+                follow(include.name, file.path);
+            }
+        }
+    }
+    EXPECT_GT(visited.size(), 20u);
+}
+
+TEST(Include, QuotedIncludesExistAndAreWrittenFromTheRoot) {
+    const std::filesystem::path root(RUBBLE_SOURCE_DIR);
+    for (const SourceFile& file : allSources()) {
+        for (const Include& include : includesOf(file)) {
+            // What moc makes lies in the build folder.
+            const bool made = include.name.starts_with("moc_") || include.name.ends_with(".moc");
+            if (include.quoted && !made) {
+                EXPECT_TRUE(std::filesystem::exists(root / include.name)) << place(file, include.line) << ": " << include.name;
+            }
+        }
+    }
+}
+
+TEST(Include, NoHeaderIncludesItselfInACircle) {
+    std::map<std::string, std::vector<std::string>> graph;
+    for (const SourceFile& file : programSources()) {
+        for (const Include& include : includesOf(file)) {
+            if (include.quoted) {
+                graph[file.path].push_back(include.name);
+            }
+        }
+    }
+    std::map<std::string, int> colour;  // 1: on the way, 2: done
+    const std::function<void(const std::string&)> visit = [&](const std::string& path) {
+        colour[path] = 1;
+        for (const std::string& next : graph[path]) {
+            EXPECT_NE(colour[next], 1) << path << " includes " << next << " in a circle";
+            if (colour[next] == 0) {
+                visit(next);
+            }
+        }
+        colour[path] = 2;
+    };
+    for (const auto& [path, next] : std::map(graph)) {
+        if (colour[path] == 0) {
+            visit(path);
+        }
+    }
+}
+
+TEST(Include, ClassifierKnowsTheLibraries) {
+    EXPECT_EQ(libraryOf("btBulletDynamicsCommon.h"), "Bullet");
+    EXPECT_EQ(libraryOf("BulletCollision/CollisionShapes/btBoxShape.h"), "Bullet");
+    EXPECT_EQ(libraryOf("LinearMath/btVector3.h"), "Bullet");
+    EXPECT_EQ(libraryOf("QImage"), "Qt");
+    EXPECT_EQ(libraryOf("QtCore/QString"), "Qt");
+    EXPECT_EQ(libraryOf("vtkPolyData.h"), "VTK");
+    EXPECT_EQ(libraryOf("hdf5.h"), "HDF5");
+    EXPECT_EQ(libraryOf("exodusII.h"), "Exodus");
+    EXPECT_EQ(libraryOf("Eigen/Dense"), "Eigen");
+    EXPECT_EQ(libraryOf("queue"), "");
+    EXPECT_EQ(libraryOf("vector"), "");
+    EXPECT_TRUE(vtkDraws("vtkRenderer.h"));
+    EXPECT_TRUE(vtkDraws("vtkPolyDataMapper.h"));
+    EXPECT_FALSE(vtkDraws("vtkUnstructuredGrid.h"));
+    EXPECT_FALSE(vtkDraws("vtkXMLUnstructuredGridWriter.h"));
+}
+
+}  // namespace
+
+}  // namespace rubble::house

@@ -131,6 +131,7 @@ BENCHMARK(playBothViews)
     ->Args({1, Moving})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
+    ->MeasureProcessCPUTime()
     ->MinTime(2.0);
 
 }  // namespace

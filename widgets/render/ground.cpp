@@ -90,8 +90,8 @@ double Ground::spacing(const Aabb& bounds) {
     return power * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
 }
 
-void Ground::set(const Aabb& bounds, const SceneColours& colours) {
-    const Vec3 centre(bounds.center().x(), bounds.center().y(), bounds.min().z());
+void Ground::set(const Aabb& bounds, double height, const SceneColours& colours) {
+    const Vec3 centre(bounds.center().x(), bounds.center().y(), height);
     const double size = std::max(bounds.sizes().norm(), 1e-3);
     m_reach = planeReach * size;
     makeSky(centre, colours);

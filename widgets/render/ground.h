@@ -18,8 +18,9 @@ public:
     ~Ground();
 
     void addTo(vtkRenderer& renderer);
-    /// @param bounds  of the model, m; the ground lies at its lower end
-    void set(const Aabb& bounds, const SceneColours& colours);
+    /// @param bounds  of the model, m
+    /// @param height  of the ground, m
+    void set(const Aabb& bounds, double height, const SceneColours& colours);
     void setVisible(bool visible);
     /// How far the ground reaches from the model's centre, m.
     double reach() const { return m_reach; }

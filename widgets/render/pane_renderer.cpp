@@ -97,7 +97,7 @@ void PaneRenderer::makeActors() {
     m_modelActor->GetProperty()->SetLineWidth(2.0f);
 }
 
-void PaneRenderer::setColours(const SceneColours& colours, const Aabb& bounds) {
+void PaneRenderer::setColours(const SceneColours& colours, const Aabb& bounds, double groundHeight) {
     const auto& low = colours.skyHorizon;
     m_renderer->SetBackground(channel(low.r), channel(low.g), channel(low.b));
     for (vtkActor* actor : {m_modelActor.Get(), m_selectionActor.Get()}) {
@@ -107,7 +107,7 @@ void PaneRenderer::setColours(const SceneColours& colours, const Aabb& bounds) {
     m_selectionActor->GetProperty()->SetColor(channel(colours.selection.r), channel(colours.selection.g),
                                               channel(colours.selection.b));
     if (!bounds.isEmpty()) {
-        m_ground.set(bounds, colours);
+        m_ground.set(bounds, groundHeight, colours);
     }
 }
 

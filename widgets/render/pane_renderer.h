@@ -27,7 +27,7 @@ public:
 
     /// Hands the geometry's arrays to VTK (not copied: the geometry must outlive the next Render()); null shows an empty pane.
     void show(const PaneGeometry* geometry);
-    void setColours(const SceneColours& colours, const Aabb& bounds);
+    void setColours(const SceneColours& colours, const Aabb& bounds, double groundHeight);
     void setGround(bool visible);
     /// @param pane  place in a window of width x height device pixels
     void place(const Pane& pane, int width, int height);

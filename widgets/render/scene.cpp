@@ -34,7 +34,7 @@ Aabb boundsOf(const SceneData& data) {
     return bounds;
 }
 
-/// 1, 2, 2.5 or 5 times a power of ten, at least the value.
+/// The next of a row of round numbers, at least the value.
 double roundedUp(double value) {
     const double power = std::pow(10.0, std::floor(std::log10(value)));
     for (const double step : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 10.0}) {
@@ -83,12 +83,20 @@ struct Scene::Impl {
 
     void applyColours() {
         for (PaneRenderer& renderer : renderers) {
-            renderer.setColours(scale.colours, bounds);
+            renderer.setColours(scale.colours, bounds, data.groundHeight);
         }
         const Rgb& c = scale.colours.divider;
         backdrop->SetBackground(c.r / 255.0, c.g / 255.0, c.b / 255.0);
         coloursChanged = false;
     }
+
+    Ray rayAt(const Pane& pane, int x, int y) const {
+        return rayThrough(cameraOf(view, pane.content), (x + 0.5 - pane.x) / pane.width, (y + 0.5 - pane.y) / pane.height,
+                          pane.aspect());
+    }
+
+    /// Along a ray to the ground, m; negative behind it, not finite for a level ray.
+    double groundDistance(const Ray& ray) const { return (data.groundHeight - ray.origin.z()) / ray.direction.z(); }
 
     void drop(std::size_t pane) {
         renderers[pane].show(nullptr);
@@ -206,9 +214,14 @@ std::optional<Pick> Scene::pick(int x, int y) const {
     if (!pane || !m_impl->geometries[indexOf(pane->content)]) {
         return std::nullopt;
     }
-    const Ray ray = rayThrough(cameraOf(m_impl->view, pane->content), (x + 0.5 - pane->x) / pane->width,
-                               (y + 0.5 - pane->y) / pane->height, pane->aspect());
-    return m_impl->geometries[indexOf(pane->content)]->cast(ray);
+    const Ray ray = m_impl->rayAt(*pane, x, y);
+    const auto hit = m_impl->geometries[indexOf(pane->content)]->cast(ray);
+    // Seen from above, the ground hides what lies below it.
+    const double ground = m_impl->groundDistance(ray);
+    if (hit && m_impl->view.ground && ray.direction.z() < 0 && ground > 0 && (hit->position - ray.origin).norm() > ground) {
+        return std::nullopt;
+    }
+    return hit;
 }
 
 std::optional<Vec3> Scene::groundAt(int x, int y) const {
@@ -216,9 +229,8 @@ std::optional<Vec3> Scene::groundAt(int x, int y) const {
     if (!pane || m_impl->bounds.isEmpty()) {
         return std::nullopt;
     }
-    const Ray ray = rayThrough(cameraOf(m_impl->view, pane->content), (x + 0.5 - pane->x) / pane->width,
-                               (y + 0.5 - pane->y) / pane->height, pane->aspect());
-    const double distance = (m_impl->bounds.min().z() - ray.origin.z()) / ray.direction.z();
+    const Ray ray = m_impl->rayAt(*pane, x, y);
+    const double distance = m_impl->groundDistance(ray);
     if (!std::isfinite(distance) || distance <= 0) {
         return std::nullopt;
     }

@@ -193,7 +193,7 @@ TEST_F(GlFigures, WithoutADisplayTheErrorNamesTheRemedy) {
             Studio studio(m_data);
             ADD_FAILURE() << "no error";
         } catch (const WorldError& error) {
-            EXPECT_NE(std::string(error.what()).find("Xvfb"), std::string::npos);
+            EXPECT_NE(std::string(error.what()).find("xvfb"), std::string::npos);
         }
     }
     setenv("DISPLAY", display.c_str(), 1);

@@ -223,7 +223,7 @@ void AxisGrouping::collect(std::size_t node, std::uint32_t from, std::uint32_t r
         return;
     }
     // The left child ends before `middle`.
-    const int depth = std::bit_width(node) - 1;
+    const auto depth = static_cast<unsigned>(std::bit_width(node)) - 1u;
     const std::size_t width = m_leaves >> depth;
     const std::size_t middle = (node - (std::size_t{1} << depth)) * width + width / 2;
     if (from < middle) {

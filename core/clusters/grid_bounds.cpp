@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <string>
 
@@ -25,18 +24,26 @@ void boundByFragments(AxisSizing& sizing, int axis, const FragmentSet& fragments
 }
 
 void boundByComponents(AxisSizing& sizing, int axis, const Components& components) {
-    sizing.accuracyMax = std::numeric_limits<double>::infinity();
     for (std::size_t c = 0; c < components.list.size(); ++c) {
         const Component& component = components.list[c];
         if (!component.structural || component.bounds.isEmpty()) {
             continue;
         }
         const double extent = component.bounds.max()[axis] - component.bounds.min()[axis];
-        if (extent < sizing.accuracyMax) {
+        if (!sizing.smallestComponent || extent < sizing.accuracyMax) {
             sizing.accuracyMax = extent;
             sizing.smallestComponent = idAt<ComponentId>(c);
         }
     }
+}
+
+/// Size of the box around all fragments [m]: beyond it nothing is left to join.
+Vec3 extentOf(const FragmentSet& fragments) {
+    Aabb all;
+    for (const Fragment& fragment : fragments.list) {
+        all.extend(fragment.bounds);
+    }
+    return all.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(all.sizes());
 }
 
 const char* axisName(int axis) {
@@ -59,6 +66,7 @@ std::array<AxisSizing, 3> boundGrid(const FragmentSet& fragments, const Mesh& me
     assert(bodiesMax > 0);
     std::array<AxisSizing, 3> axes;
     const double perBody = static_cast<double>(fragments.size()) / static_cast<double>(std::max<std::int64_t>(1, bodiesMax));
+    const Vec3 extent = extentOf(fragments);
     const std::vector<Vec3> centres = orderingCentres(fragments);
     std::vector<std::uint32_t> everyone(fragments.size());
     std::iota(everyone.begin(), everyone.end(), 0u);
@@ -67,21 +75,10 @@ std::array<AxisSizing, 3> boundGrid(const FragmentSet& fragments, const Mesh& me
         sizing.meanDistance = orderFragments(fragments, mesh, centres, everyone, axis).meanDistance();
         sizing.efficiencyMin = sizing.meanDistance * std::cbrt(perBody);
         boundByFragments(sizing, axis, fragments);
+        sizing.accuracyMax = extent[axis];
         boundByComponents(sizing, axis, components);
     }
     return axes;
-}
-
-std::array<double, 3> fragmentExtent(const FragmentSet& fragments) {
-    Aabb all;
-    for (const Fragment& fragment : fragments.list) {
-        all.extend(fragment.bounds);
-    }
-    if (all.isEmpty()) {
-        return {};
-    }
-    const Vec3 extent = all.sizes();
-    return {extent.x(), extent.y(), extent.z()};
 }
 
 BoundConflict conflictOf(const AxisSizing& axis) {

@@ -1,21 +1,19 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "core/clusters/sizing.h"
 
 namespace rubble {
 
 /// Mean distances and bounds of the Basic Grid along x, y and z (DESIGN.md 2.2); nothing is chosen yet. Without a structural
-/// component accuracyMax is infinite; without fragments the rest is zero.
+/// component accuracyMax is the extent of all fragments, beyond which nothing is left to join. Without fragments all the rest is 0.
 std::array<AxisSizing, 3> boundGrid(const FragmentSet& fragments, const Mesh& mesh, const Components& components,
                                     std::int64_t bodiesMax);
 
-/// Size of the box around all fragments along each axis [m]: the size at which nothing is left to join.
-std::array<double, 3> fragmentExtent(const FragmentSet& fragments);
-
 /// Where the bounds along an axis leave the search no room.
-enum class BoundConflict {
+enum class BoundConflict : std::uint8_t {
     None,
     Spacing,       ///< d exceeds h_acc_max
     FragmentSize,  ///< h_acc_min exceeds h_acc_max

@@ -101,7 +101,7 @@ AxisRange fixedRange(double size) {
     return {size, size, ClampedBy::None, ClampedBy::None};
 }
 
-AxisRange rangeOf(const AxisSizing& bounds, double extent) {
+AxisRange rangeOf(const AxisSizing& bounds) {
     switch (conflictOf(bounds)) {
         case BoundConflict::Spacing:
             return {bounds.accuracyMin, bounds.accuracyMin, ClampedBy::Spacing, ClampedBy::Spacing};
@@ -110,10 +110,8 @@ AxisRange rangeOf(const AxisSizing& bounds, double extent) {
         case BoundConflict::None:
             break;
     }
-    if (!bounds.smallestComponent) {
-        return {bounds.accuracyMin, std::max(bounds.accuracyMin, extent), ClampedBy::FragmentSize, ClampedBy::None};
-    }
-    return {bounds.accuracyMin, bounds.accuracyMax, ClampedBy::FragmentSize, ClampedBy::ComponentSize};
+    const ClampedBy highBy = bounds.smallestComponent ? ClampedBy::ComponentSize : ClampedBy::None;
+    return {bounds.accuracyMin, bounds.accuracyMax, ClampedBy::FragmentSize, highBy};
 }
 
 void searchGrid(Partitioner& partitioner, const std::array<AxisRange, 3>& ranges, const GridSettings& settings,

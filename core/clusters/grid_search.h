@@ -23,9 +23,8 @@ struct AxisRange {
 AxisRange fixedRange(double size);
 
 /// From the largest fragment to the smallest structural component; where these conflict, or the mean distance exceeds the
-/// component, the size of the largest fragment. Without a structural component up to the extent of all fragments, beyond which
-/// nothing changes.
-AxisRange rangeOf(const AxisSizing& bounds, double extent);
+/// component, the size of the largest fragment.
+AxisRange rangeOf(const AxisSizing& bounds);
 
 /// Chooses the sizes (DESIGN.md 2.2) and fills sizing.grid, clusters, commonMultiple, stoppedBy and the chosen part of every axis.
 ///

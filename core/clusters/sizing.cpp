@@ -111,7 +111,6 @@ Sizing sizeBasicGrid(const FragmentSet& fragments, const Mesh& mesh, const Compo
     sizing.bodiesMax = settings.bodiesMax;
     sizing.fpsTarget = settings.fpsTarget;
     sizing.axis = boundGrid(fragments, mesh, components, settings.bodiesMax);
-    const std::array<double, 3> extent = fragmentExtent(fragments);
     Partitioner partitioner(fragments, mesh);
     if (!settings.oneBodyPerFragment) {
         reportManyBirths(partitioner, sizing, settings, execution, sizing.findings);
@@ -126,7 +125,7 @@ Sizing sizeBasicGrid(const FragmentSet& fragments, const Mesh& mesh, const Compo
         } else if (byHand) {
             ranges[a] = fixedRange(*byHand);
         } else {
-            ranges[a] = rangeOf(bounds, extent[a]);
+            ranges[a] = rangeOf(bounds);
             reportConflict(bounds, axis, fragments, mesh, components, sizing.findings);
         }
     }

@@ -14,14 +14,14 @@
 namespace rubble {
 
 /// What holds an axis away from the common multiple.
-enum class ClampedBy {
+enum class ClampedBy : std::uint8_t {
     None,
     Spacing,        ///< d exceeds h_acc_max: no room from the start, the axis stays at h_acc_min
     FragmentSize,   ///< held at h_acc_min, because the multiple is below it or h_acc_min exceeds h_acc_max
     ComponentSize,  ///< held at h_acc_max
 };
 /// Why the search ended where it did.
-enum class StoppedBy {
+enum class StoppedBy : std::uint8_t {
     Efficiency,      ///< the clusters counted are at most N_A^max
     FpsUnreachable,  ///< more are counted at every grid up to the upper bounds; the run goes on there
     User,            ///< nothing was searched: a common multiple, all three sizes or one body per fragment were asked for
@@ -34,7 +34,7 @@ struct AxisSizing {
     double meanDistance = 0.0;   ///< d, m
     double efficiencyMin = 0.0;  ///< h_eff_min = d cbrt(N_f / N_A^max), m; a guide
     double accuracyMin = 0.0;    ///< h_acc_min, m: outer size of the largest fragment
-    double accuracyMax = 0.0;    ///< h_acc_max, m: smallest size of a structural component; infinity if there is none
+    double accuracyMax = 0.0;  ///< h_acc_max, m: smallest size of a structural component; extent of all fragments if there is none
     std::optional<FragmentId> largestFragment;
     std::optional<ComponentId> smallestComponent;
     double size = 0.0;      ///< the chosen size, m

@@ -19,7 +19,7 @@ constexpr int sliderSteps = 400;
 constexpr double leastMultiple = 0.5;
 constexpr double greatestMultiple = 50.0;
 
-QTableWidgetItem* cell(const QString& text, Qt::Alignment alignment = Qt::AlignRight | Qt::AlignVCenter) {
+QTableWidgetItem* figureCell(const QString& text, Qt::Alignment alignment = Qt::AlignRight | Qt::AlignVCenter) {
     auto* item = new QTableWidgetItem(text);
     item->setTextAlignment(alignment);
     item->setFlags(Qt::ItemIsEnabled);
@@ -118,10 +118,10 @@ void GridPanel::setContent(const Content& content) {
     QString sentences;
     for (int row = 0; row < 3; ++row) {
         const char name = "xyz"[row];
-        m_table->setItem(row, 0, cell(QString(QLatin1Char(name)), Qt::AlignLeft | Qt::AlignVCenter));
+        m_table->setItem(row, 0, figureCell(QString(QLatin1Char(name)), Qt::AlignLeft | Qt::AlignVCenter));
         if (content.sizing == nullptr) {
             for (int column = 1; column < 5; ++column) {
-                m_table->setItem(row, column, cell(QString(QChar(0x2013))));
+                m_table->setItem(row, column, figureCell(QString(QChar(0x2013))));
             }
             continue;
         }
@@ -138,7 +138,7 @@ void GridPanel::setContent(const Content& content) {
 void GridPanel::showAxis(int row, const AxisSizing& axis, const Content& content) {
     const std::array values = {axis.meanDistance, axis.size, axis.accuracyMin, axis.accuracyMax};
     for (int column = 1; column < 5; ++column) {
-        m_table->setItem(row, column, cell(shownNumber(values[static_cast<std::size_t>(column - 1)])));
+        m_table->setItem(row, column, figureCell(shownNumber(values[static_cast<std::size_t>(column - 1)])));
     }
     QFont bold = m_table->font();
     bold.setWeight(QFont::DemiBold);

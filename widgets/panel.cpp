@@ -184,6 +184,12 @@ void Panel::setScenario(const Scenario& scenario) {
     }
 }
 
+void Panel::setEditable(bool editable) {
+    for (ParameterEditor* editor : std::as_const(m_editors)) {
+        editor->setAvailable(editable, tr("Open a result first"));
+    }
+}
+
 ParameterEditor* Panel::addParameter(PanelGroup* group, const std::string& key) {
     const auto [row, subject] = findParameter(key);
     ParameterEditor* editor = group->addParameter(*row, subject);

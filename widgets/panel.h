@@ -78,6 +78,8 @@ public:
     void setError(const QString& what, const QString& remedy = {});
     /// Shows the values of a scenario in all editors of the panel.
     void setScenario(const Scenario& scenario);
+    /// Greys out all editors while there is nothing to set.
+    void setEditable(bool editable);
     ParameterEditor* editor(const QString& key) const { return m_editors.value(key); }
     QSize sizeHint() const override;
 

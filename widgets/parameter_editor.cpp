@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCompleter>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -215,6 +216,15 @@ void ParameterEditor::commitText() {
     if (changed) {
         m_value = typed;
         emit edited(key(), m_value);
+    }
+}
+
+void ParameterEditor::offer(const QStringList& words) {
+    if (m_field != nullptr) {
+        auto* completer = new QCompleter(words, m_field);
+        completer->setCaseSensitivity(Qt::CaseInsensitive);
+        completer->setCompletionMode(QCompleter::UnfilteredPopupCompletion);
+        m_field->setCompleter(completer);
     }
 }
 

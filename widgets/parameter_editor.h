@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 
 #include "core/scenario/parameters.h"
@@ -33,7 +34,9 @@ public:
     /// What the automatic value comes to, shown while the value is automatic.
     void setAutomaticValue(double value);
     const ParameterValue& value() const { return m_value; }
-    /// Keys of parameters that switch this one off could grey it out; the reason becomes its tooltip.
+    /// Offers words while a text is typed.
+    void offer(const QStringList& words);
+    /// Greyed out, the editor tells the reason as its tooltip.
     void setAvailable(bool available, const QString& reason = {});
 
 signals:
@@ -61,5 +64,3 @@ private:
 };
 
 }  // namespace rubble::widgets
-
-Q_DECLARE_METATYPE(rubble::ParameterValue)

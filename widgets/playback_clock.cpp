@@ -40,7 +40,7 @@ void PlaybackClock::play() {
     if (playing() || m_last <= m_first) {
         return;
     }
-    if (m_time >= m_last && !m_growing) {
+    if (m_time >= m_last && !m_newest) {
         setTime(m_first);
     }
     m_wall.start();
@@ -61,8 +61,12 @@ void PlaybackClock::toggle() {
 
 void PlaybackClock::advance(double wallSeconds) {
     m_wall.start();
-    setTime(m_time + m_rate * wallSeconds);
-    if (m_time >= m_last && !m_growing) {
+    double next = m_time + m_rate * wallSeconds;
+    if (m_newest) {
+        next = std::max(m_time, std::min(next, *m_newest));
+    }
+    setTime(next);
+    if (m_time >= m_last && !m_newest) {
         pause();
     }
 }

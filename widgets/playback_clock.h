@@ -3,11 +3,11 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <optional>
 
 namespace rubble::widgets {
 
-/// The one clock of the window: views and timeline follow it, none of them owns time. Plays between `first` and `last` at a rate;
-/// `last` may grow while playing (then it waits at the newest instant instead of stopping).
+/// The one clock of the window: views and timeline follow it, none of them owns time. Plays between `first` and `last` at a rate.
 class PlaybackClock : public QObject {
     Q_OBJECT
 
@@ -22,8 +22,8 @@ public:
 
     /// Sets what may be shown [s]; the time is kept inside.
     void setRange(double first, double last);
-    /// While growing, playback waits at `last` for more.
-    void setGrowing(bool growing) { m_growing = growing; }
+    /// While something is being computed, playback waits at the newest instant [s] for more; scrubbing may go beyond.
+    void setNewest(std::optional<double> newest) { m_newest = newest; }
     void setTime(double time);
     void setRate(double rate);
     void play();
@@ -45,7 +45,7 @@ private:
     double m_first = 0.0;
     double m_last = 0.0;
     double m_rate = 1.0;
-    bool m_growing = false;
+    std::optional<double> m_newest;
 };
 
 }  // namespace rubble::widgets

@@ -60,5 +60,3 @@ private:
 };
 
 }  // namespace rubble::widgets
-
-Q_DECLARE_METATYPE(rubble::RegroupStep)

@@ -1,1 +1,95 @@
-int main() {}
+#include <QApplication>
+#include <QFileInfo>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+#include <cstdio>
+#include <cstdlib>
+
+#include "app/gui/main_window.h"
+#include "app/gui/options.h"
+#include "app/gui/screenshot.h"
+#include "widgets/figures/figure_file.h"
+#include "widgets/theme.h"
+
+namespace {
+
+constexpr int usage = 2;
+
+/// VTK needs GLX, so the platform is xcb unless the user says otherwise; without an X server the program would abort.
+bool displayReady() {
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+        qputenv("QT_QPA_PLATFORM", "xcb");
+    }
+    return rubble::figures::displayAvailable();
+}
+
+/// Text in the language of the system where there is a translation; English otherwise.
+void installTranslations(QApplication& application) {
+    auto* own = new QTranslator(&application);
+    if (own->load(QLocale(), QStringLiteral("rubble"), QStringLiteral("_"), QStringLiteral(":/translations"))) {
+        QApplication::installTranslator(own);
+        auto* qt = new QTranslator(&application);
+        if (qt->load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
+                     QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
+            QApplication::installTranslator(qt);
+        }
+    } else {
+        // English words with English numbers.
+        QLocale::setDefault(QLocale(QLocale::English));
+    }
+}
+
+QStringList argumentsOf(int argc, char** argv) {
+    QStringList list;
+    for (int i = 0; i < argc; ++i) {
+        list << QString::fromLocal8Bit(argv[i]);
+    }
+    return list;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const rubble::Options options = rubble::parseOptions(argumentsOf(argc, argv));
+    if (options.wrong) {
+        std::fprintf(stderr, "rubble: %s\n", qPrintable(options.text));
+        return usage;
+    }
+    if (!options.text.isEmpty()) {
+        std::printf("%s\n", qPrintable(options.text));
+        return EXIT_SUCCESS;
+    }
+    if (!displayReady()) {
+        std::fprintf(
+            stderr,
+            "rubble: there is no display to open a window on (DISPLAY names no X server that answers).\n"
+            "Start it in a desktop session or under Xvfb (xvfb-run rubble ...), or use rubble-cli, which needs no display.\n");
+        return EXIT_FAILURE;
+    }
+    QCoreApplication::setOrganizationName(QStringLiteral("rubble"));
+    QCoreApplication::setApplicationName(QStringLiteral("rubble"));
+    QApplication application(argc, argv);
+    installTranslations(application);
+    rubble::widgets::applyTheme(rubble::widgets::systemTheme());
+    rubble::MainWindow window;
+    if (!options.theme.isEmpty()) {
+        window.setTheme(options.theme);
+    }
+    if (options.size.isValid()) {
+        window.resize(options.size);
+    }
+    window.show();
+    if (options.sample) {
+        window.openSample();
+    } else if (!options.path.isEmpty()) {
+        window.open(options.path, options.simulate);
+    }
+    if (!options.screenshot.isEmpty()) {
+        new rubble::Screenshot(window, options.screenshot, options.time, options.simulate || options.sample);
+    } else if (options.time) {
+        QObject::connect(&window.computation(), &rubble::Computation::opened, &window,
+                         [&window, time = *options.time] { window.showInstant(time); });
+    }
+    return QApplication::exec();
+}

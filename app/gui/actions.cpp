@@ -1,0 +1,198 @@
+#include "app/gui/actions.h"
+
+#include <QCoreApplication>
+#include <QWidget>
+#include <array>
+#include <cassert>
+
+namespace rubble {
+
+namespace {
+
+using widgets::Glyph;
+
+const std::array table = {
+    ActionRow{"open", "Case", QT_TRANSLATE_NOOP("actions", "Open…"), QT_TRANSLATE_NOOP("actions", "Open a case or an FE result"),
+              "Ctrl+O", Glyph::Open},
+    ActionRow{"sample",
+              "Case",
+              QT_TRANSLATE_NOOP("actions", "Open the sample"),
+              QT_TRANSLATE_NOOP("actions", "Open the collapse of the stone arch bridge and simulate it"),
+              "",
+              {}},
+    ActionRow{"save", "Case", QT_TRANSLATE_NOOP("actions", "Save case"), QT_TRANSLATE_NOOP("actions", "Save the case"), "Ctrl+S",
+              Glyph::Save},
+    ActionRow{"save_as",
+              "Case",
+              QT_TRANSLATE_NOOP("actions", "Save case as…"),
+              QT_TRANSLATE_NOOP("actions", "Save the case under another name"),
+              "Ctrl+Shift+S",
+              {}},
+    ActionRow{"save_run",
+              "Case",
+              QT_TRANSLATE_NOOP("actions", "Save run as…"),
+              QT_TRANSLATE_NOOP("actions", "Save the last run as a run file, for rubble-cli and for later"),
+              "",
+              {}},
+    ActionRow{
+        "close", "Case", QT_TRANSLATE_NOOP("actions", "Close case"), QT_TRANSLATE_NOOP("actions", "Close the case"), "Ctrl+W", {}},
+    ActionRow{"quit", "Case", QT_TRANSLATE_NOOP("actions", "Quit"), QT_TRANSLATE_NOOP("actions", "Leave Rubble"), "Ctrl+Q", {}},
+    ActionRow{"undo", "Edit", QT_TRANSLATE_NOOP("actions", "Undo"), QT_TRANSLATE_NOOP("actions", "Take the last change back"),
+              "Ctrl+Z", Glyph::Undo},
+    ActionRow{"redo", "Edit", QT_TRANSLATE_NOOP("actions", "Redo"), QT_TRANSLATE_NOOP("actions", "Make the change again"),
+              "Ctrl+Shift+Z", Glyph::Redo},
+    ActionRow{"preset_default",
+              "Edit",
+              QT_TRANSLATE_NOOP("actions", "Settings as delivered"),
+              QT_TRANSLATE_NOOP("actions", "Apply the default settings"),
+              "",
+              {}},
+    ActionRow{"preset_paper",
+              "Edit",
+              QT_TRANSLATE_NOOP("actions", "Settings as published"),
+              QT_TRANSLATE_NOOP("actions", "Apply the settings of the published method"),
+              "",
+              {}},
+    ActionRow{"stacked", "View", QT_TRANSLATE_NOOP("actions", "Stacked"),
+              QT_TRANSLATE_NOOP("actions", "FE view above the fragments"), "1", Glyph::Stacked, true},
+    ActionRow{"beside", "View", QT_TRANSLATE_NOOP("actions", "Beside"),
+              QT_TRANSLATE_NOOP("actions", "FE view left, fragments right"), "2", Glyph::Beside, true},
+    ActionRow{"fe_only", "View", QT_TRANSLATE_NOOP("actions", "FE only"),
+              QT_TRANSLATE_NOOP("actions", "Only the conventional FE view"), "3", Glyph::FeOnly, true},
+    ActionRow{"fragments_only", "View", QT_TRANSLATE_NOOP("actions", "Fragments only"),
+              QT_TRANSLATE_NOOP("actions", "Only the view with the fragments"), "4", Glyph::FragmentsOnly, true},
+    ActionRow{"link", "View", QT_TRANSLATE_NOOP("actions", "Cameras linked"),
+              QT_TRANSLATE_NOOP("actions", "Both views look from the same place"), "L", Glyph::Link, true},
+    ActionRow{"fit", "View", QT_TRANSLATE_NOOP("actions", "Fit"), QT_TRANSLATE_NOOP("actions", "Show the whole model"), "F",
+              Glyph::Fit},
+    ActionRow{"look_side",
+              "View",
+              QT_TRANSLATE_NOOP("actions", "From the side"),
+              QT_TRANSLATE_NOOP("actions", "Look from the side, slightly from above"),
+              "Shift+S",
+              {}},
+    ActionRow{"look_front",
+              "View",
+              QT_TRANSLATE_NOOP("actions", "Along y"),
+              QT_TRANSLATE_NOOP("actions", "Look straight along y"),
+              "Shift+F",
+              {}},
+    ActionRow{"look_top",
+              "View",
+              QT_TRANSLATE_NOOP("actions", "From above"),
+              QT_TRANSLATE_NOOP("actions", "Look straight down"),
+              "Shift+T",
+              {}},
+    ActionRow{"theme_system",
+              "View",
+              QT_TRANSLATE_NOOP("actions", "Colours of the system"),
+              QT_TRANSLATE_NOOP("actions", "Light or dark as the system has it"),
+              "",
+              {},
+              true},
+    ActionRow{
+        "theme_light", "View", QT_TRANSLATE_NOOP("actions", "Light"), QT_TRANSLATE_NOOP("actions", "Light colours"), "", {}, true},
+    ActionRow{
+        "theme_dark", "View", QT_TRANSLATE_NOOP("actions", "Dark"), QT_TRANSLATE_NOOP("actions", "Dark colours"), "", {}, true},
+    ActionRow{"simulate",
+              "Simulation",
+              QT_TRANSLATE_NOOP("actions", "Simulate"),
+              QT_TRANSLATE_NOOP("actions", "Simulate the whole collapse as fast as it goes"),
+              "Ctrl+R",
+              {}},
+    ActionRow{"live", "Simulation", QT_TRANSLATE_NOOP("actions", "Live"),
+              QT_TRANSLATE_NOOP("actions", "Simulate at the pace of the collapse and watch"), "Ctrl+L", Glyph::Live},
+    ActionRow{"cancel", "Simulation", QT_TRANSLATE_NOOP("actions", "Cancel"),
+              QT_TRANSLATE_NOOP("actions", "Stop what runs; what is computed is kept"), "Esc", Glyph::Stop},
+    ActionRow{"play", "Simulation", QT_TRANSLATE_NOOP("actions", "Play or pause"), QT_TRANSLATE_NOOP("actions", "Play or pause"),
+              "Space", Glyph::Play},
+    ActionRow{"back", "Simulation", QT_TRANSLATE_NOOP("actions", "Back one state"), QT_TRANSLATE_NOOP("actions", "Back one state"),
+              "Left", Glyph::Back},
+    ActionRow{"forward", "Simulation", QT_TRANSLATE_NOOP("actions", "Forward one state"),
+              QT_TRANSLATE_NOOP("actions", "Forward one state"), "Right", Glyph::Forward},
+    ActionRow{"back_ten",
+              "Simulation",
+              QT_TRANSLATE_NOOP("actions", "Back ten states"),
+              QT_TRANSLATE_NOOP("actions", "Back ten states"),
+              "Shift+Left",
+              {}},
+    ActionRow{"forward_ten",
+              "Simulation",
+              QT_TRANSLATE_NOOP("actions", "Forward ten states"),
+              QT_TRANSLATE_NOOP("actions", "Forward ten states"),
+              "Shift+Right",
+              {}},
+    ActionRow{"first", "Simulation", QT_TRANSLATE_NOOP("actions", "To the first instant"),
+              QT_TRANSLATE_NOOP("actions", "To the first instant"), "Home", Glyph::First},
+    ActionRow{"last", "Simulation", QT_TRANSLATE_NOOP("actions", "To the last instant"),
+              QT_TRANSLATE_NOOP("actions", "To the last instant"), "End", Glyph::Last},
+    ActionRow{"export_figure",
+              "Export",
+              QT_TRANSLATE_NOOP("actions", "Figure of this instant…"),
+              QT_TRANSLATE_NOOP("actions", "Save both views as a figure for print"),
+              "Ctrl+E",
+              {}},
+    ActionRow{"export_fragments",
+              "Export",
+              QT_TRANSLATE_NOOP("actions", "Table of fragments…"),
+              QT_TRANSLATE_NOOP("actions", "Save where every fragment went, as CSV"),
+              "",
+              {}},
+    ActionRow{"export_series",
+              "Export",
+              QT_TRANSLATE_NOOP("actions", "Series for ParaView…"),
+              QT_TRANSLATE_NOOP("actions", "Save fragments and active structure over time, as PVD"),
+              "",
+              {}},
+    ActionRow{"manual", "Help", QT_TRANSLATE_NOOP("actions", "Manual"), QT_TRANSLATE_NOOP("actions", "How Rubble works"), "F1",
+              Glyph::Help},
+    ActionRow{
+        "about", "Help", QT_TRANSLATE_NOOP("actions", "About Rubble"), QT_TRANSLATE_NOOP("actions", "Version and method"), "", {}},
+};
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("actions", text);
+}
+
+}  // namespace
+
+std::span<const ActionRow> actionTable() {
+    return table;
+}
+
+Actions::Actions(QWidget& window) {
+    for (const ActionRow& row : table) {
+        auto* action = new QAction(translated(row.text), &window);
+        const QKeySequence key = QKeySequence::fromString(QLatin1String(row.key), QKeySequence::PortableText);
+        action->setObjectName(QString::fromUtf8(row.id.data(), static_cast<qsizetype>(row.id.size())));
+        action->setShortcut(key);
+        action->setToolTip(key.isEmpty()
+                               ? translated(row.tip)
+                               : QStringLiteral("%1 (%2)").arg(translated(row.tip), key.toString(QKeySequence::NativeText)));
+        action->setCheckable(row.checkable);
+        if (row.glyph) {
+            action->setIcon(widgets::glyphIcon(*row.glyph));
+        }
+        window.addAction(action);
+        m_actions.insert(action->objectName(), action);
+    }
+}
+
+QAction& Actions::operator[](std::string_view id) const {
+    QAction* action = m_actions.value(QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size())));
+    assert(action != nullptr);
+    return *action;
+}
+
+QString actionReference() {
+    QString page = QStringLiteral("# ") + translated("Actions and keys") + QStringLiteral("\n\n|") + translated("Menu") +
+                   QLatin1Char('|') + translated("Action") + QLatin1Char('|') + translated("Key") + QLatin1Char('|') +
+                   translated("What it does") + QStringLiteral("|\n|---|---|---|---|\n");
+    for (const ActionRow& row : table) {
+        page += QStringLiteral("|%1|%2|%3|%4|\n")
+                    .arg(translated(row.menu), translated(row.text), QString::fromLatin1(row.key), translated(row.tip));
+    }
+    return page;
+}
+
+}  // namespace rubble

@@ -1,0 +1,380 @@
+#include "app/gui/computation.h"
+
+#include <QDir>
+#include <QFile>
+#include <chrono>
+#include <utility>
+
+#include "core/base/build.h"
+#include "core/base/error.h"
+#include "core/scenario/parameters.h"
+#include "io/case_file.h"
+#include "io/fe_reader.h"
+#include "widgets/wording.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr int growthsPerSecond = 25;
+
+/// Reads the FE result of a case. An FE result that was recognised but cannot be read as it is set leaves the case, so that the
+/// settings can be changed.
+void readFe(Opened& opened, const Execution& execution) {
+    try {
+        const CaseScenario* active = nullptr;
+        for (const CaseScenario& each : opened.theCase.scenarios) {
+            active = active == nullptr || each.id == opened.theCase.activeScenario ? &each : active;
+        }
+        const CaseInput* input = nullptr;
+        for (const CaseInput& each : opened.theCase.inputs) {
+            input = active != nullptr && each.id == active->feInput ? &each : input;
+        }
+        if (input == nullptr) {
+            throw ParseError({"gui.case_without_fe", "{0} names no FE result", {opened.base.toStdString()}},
+                             {"gui.case_without_fe.remedy", "Open the FE result itself.", {}});
+        }
+        opened.fe =
+            io::openFe(io::inputPath(opened.base.toStdString(), *input), active->scenario.import, opened.theCase.frame, execution);
+    } catch (const Cancelled&) {
+        throw;
+    } catch (...) {
+        opened.failure = failureOf(std::current_exception());
+    }
+}
+
+}  // namespace
+
+Computation::Computation(QObject* parent) : QObject(parent) {
+    connect(&m_worker, &Worker::progressed, this, &Computation::showProgress);
+    connect(&m_worker, &Worker::changed, this, [this] {
+        if (!m_worker.busy()) {
+            m_runningStage.reset();
+            emit progressed({}, 0.0);
+        }
+        emit stateChanged();
+    });
+}
+
+Computation::~Computation() = default;
+
+void Computation::showProgress(Worker::Kind kind, const Progress& progress) {
+    m_fraction = progress.fraction;
+    emit progressed(widgets::worded(progress.stage), progress.fraction);
+    if (kind == Worker::Kind::Open) {
+        m_runningStage = Stage::Import;
+    }
+    emit stateChanged();
+}
+
+void Computation::fail(const Failure& failure) {
+    m_failure = failure;
+    emit failed(failure);
+}
+
+void Computation::startOpening(std::function<Opened(const Execution&)> read) {
+    auto result = std::make_shared<Opened>();
+    m_failure.reset();
+    m_runningStage = Stage::Import;
+    m_fraction = 0.0;
+    emit progressed(tr("Opening"), 0.0);
+    m_worker.cancel(Worker::Kind::Update);
+    m_worker.cancel(Worker::Kind::Simulate);
+    m_worker.start({Worker::Kind::Open, [result, read](const Execution& execution) { *result = read(execution); },
+                    [this, result](const std::exception_ptr& thrown) {
+                        m_runningStage.reset();
+                        if (const auto failure = failureOf(thrown)) {
+                            fail(*failure);
+                        } else if (thrown == nullptr) {
+                            emit opened(*result);
+                        }
+                        emit stateChanged();
+                    }});
+}
+
+void Computation::open(const QString& path) {
+    const QString absolute = QDir().absoluteFilePath(path);
+    startOpening([absolute](const Execution& execution) {
+        Opened result;
+        if (io::isCaseFile(absolute.toStdString())) {
+            result.theCase = io::loadCase(absolute.toStdString());
+            result.path = result.base = absolute;
+        } else {
+            result.base = absolute + QStringLiteral(".rubble");
+            result.theCase = io::caseForFe(absolute.toStdString(), result.base.toStdString());
+        }
+        readFe(result, execution);
+        return result;
+    });
+}
+
+void Computation::reopen(const Case& theCase, const QString& path, const QString& base) {
+    startOpening([theCase, path, base](const Execution& execution) {
+        Opened result{theCase, path, base, nullptr, std::nullopt};
+        readFe(result, execution);
+        return result;
+    });
+}
+
+void Computation::take(const Opened& opened, const Scenario& scenario) {
+    m_inputs = {opened.fe, opened.theCase.frame};
+    m_results = {};
+    m_run.reset();
+    m_failure.reset();
+    if (opened.failure) {
+        fail(*opened.failure);
+    }
+    emit prepared();
+    if (m_inputs.fe != nullptr) {
+        update(scenario);
+    }
+}
+
+void Computation::clear() {
+    m_worker.cancel();
+    m_inputs = {};
+    m_results = {};
+    m_run.reset();
+    m_failure.reset();
+    emit prepared();
+    emit stateChanged();
+}
+
+void Computation::cancel() {
+    m_worker.cancel();
+}
+
+void Computation::adopt(const Results& newer, Stage last) {
+    const auto i = static_cast<std::size_t>(last);
+    for (std::size_t k = 0; k <= i; ++k) {
+        m_results.keys[k] = newer.keys[k];
+        m_results.wallSeconds[k] = newer.wallSeconds[k];
+    }
+    m_results.components = newer.components != nullptr ? newer.components : m_results.components;
+    m_results.fragments = newer.fragments != nullptr ? newer.fragments : m_results.fragments;
+    m_results.sizing = newer.sizing != nullptr ? newer.sizing : m_results.sizing;
+    m_results.clustering = newer.clustering != nullptr ? newer.clustering : m_results.clustering;
+}
+
+Results Computation::prepareOnWorker(const Inputs& inputs, const Scenario& scenario, Results results, const Execution& execution) {
+    for (const Stage stage : {Stage::Components, Stage::Fragments, Stage::Sizing, Stage::Clusters}) {
+        QMetaObject::invokeMethod(
+            this,
+            [this, stage] {
+                m_runningStage = stage;
+                m_fraction = 0.0;
+                emit stateChanged();
+            },
+            Qt::QueuedConnection);
+        // Later parts of earlier results go along, so that what is unchanged is used again.
+        Results made = run(inputs, scenario, stage, results, nullptr, execution);
+        QMetaObject::invokeMethod(
+            this,
+            [this, made, stage, fe = inputs.fe] {
+                if (fe == m_inputs.fe) {
+                    adopt(made, stage);
+                    emit prepared();
+                }
+            },
+            Qt::QueuedConnection);
+        const auto i = static_cast<std::size_t>(stage);
+        std::copy_n(made.keys.begin(), i + 1, results.keys.begin());
+        results.components = made.components != nullptr ? made.components : results.components;
+        results.fragments = made.fragments != nullptr ? made.fragments : results.fragments;
+        results.sizing = made.sizing != nullptr ? made.sizing : results.sizing;
+        results.clustering = made.clustering != nullptr ? made.clustering : results.clustering;
+    }
+    return results;
+}
+
+void Computation::update(const Scenario& scenario) {
+    if (m_inputs.fe == nullptr) {
+        return;
+    }
+    m_worker.start({Worker::Kind::Update,
+                    [this, inputs = m_inputs, scenario, previous = m_results](const Execution& execution) {
+                        prepareOnWorker(inputs, scenario, previous, execution);
+                    },
+                    [this](const std::exception_ptr& thrown) {
+                        m_runningStage.reset();
+                        if (const auto failure = failureOf(thrown)) {
+                            fail(*failure);
+                        } else if (thrown == nullptr) {
+                            m_failure.reset();
+                        }
+                        emit stateChanged();
+                    }});
+}
+
+QString Computation::scratchPath() {
+    if (m_scratch == nullptr) {
+        m_scratch = std::make_unique<QTemporaryDir>(QDir::tempPath() + QStringLiteral("/rubble-XXXXXX"));
+        if (!m_scratch->isValid()) {
+            throw WorldError({"gui.scratch", "No folder for the run can be made in {0}", {QDir::tempPath().toStdString()}},
+                             {"gui.scratch.remedy", "Make room there, or set TMPDIR to a folder with room and start again.", {}});
+        }
+    }
+    return m_scratch->filePath(QStringLiteral("run-%1.run.h5").arg(++m_runs));
+}
+
+void Computation::simulate(const Scenario& scenario, const QString& scenarioName, bool live) {
+    if (m_inputs.fe == nullptr || simulating()) {
+        return;
+    }
+    auto record = std::make_shared<RunRecord>();
+    try {
+        record->path = scratchPath();
+    } catch (...) {
+        fail(*failureOf(std::current_exception()));
+        return;
+    }
+    record->live = live;
+    record->scenario = scenario;
+    if (live) {
+        // Each frame of live mode simulates one frame time.
+        record->scenario.simulation.frameRate = scenario.grid.fpsTarget;
+    }
+    m_pace = live ? std::make_shared<LivePace>() : nullptr;
+    m_failure.reset();
+    io::RunOrigin origin;
+    origin.fePath = QDir().absoluteFilePath(QString::fromStdString(m_inputs.fe->contents().path)).toStdString();
+    origin.feSha256 = m_inputs.fe->contents().sha256;
+    origin.frame = m_inputs.frame;
+    origin.scenario = record->scenario;
+    origin.scenarioName = scenarioName.toStdString();
+    origin.build = std::string(buildText());
+    origin.fingerprint = stageKey(m_inputs, record->scenario, Stage::Simulation);
+    auto outcome = std::make_shared<std::shared_ptr<const SimulationResult>>();
+    auto wall = std::make_shared<double>(0.0);
+    m_worker.start(
+        {Worker::Kind::Simulate,
+         [this, record, inputs = m_inputs, previous = m_results, origin, pace = m_pace, outcome, wall](const Execution& execution) {
+             const auto start = std::chrono::steady_clock::now();
+             *outcome = simulateOnWorker(record, inputs, previous, origin, pace, execution);
+             *wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+         },
+         [this, record, outcome, wall](const std::exception_ptr& thrown) { ended(record, *outcome, *wall, thrown); }});
+}
+
+std::shared_ptr<const SimulationResult> Computation::simulateOnWorker(const std::shared_ptr<RunRecord>& record,
+                                                                      const Inputs& inputs, const Results& previous,
+                                                                      const io::RunOrigin& origin,
+                                                                      const std::shared_ptr<LivePace>& pace,
+                                                                      const Execution& execution) {
+    const Results prepared = prepareOnWorker(inputs, record->scenario, previous, execution);
+    QMetaObject::invokeMethod(this, [this] { m_runningStage = Stage::Simulation; }, Qt::QueuedConnection);
+    const std::unique_ptr<TrajectorySink> file = io::createRun(record->path.toStdString(), origin);
+    auto lastTold = std::chrono::steady_clock::time_point();
+    WatchedSink::Listener listener;
+    listener.begun = [&](const RunDescription&) {
+        const std::shared_ptr<io::RunReader> reader = io::openRun(record->path.toStdString());
+        QMetaObject::invokeMethod(
+            this, [this, record, reader, prepared] { began(record, reader, prepared); }, Qt::QueuedConnection);
+    };
+    listener.committed = [&](double time) {
+        const auto now = std::chrono::steady_clock::now();
+        if (record->live || now - lastTold >= std::chrono::milliseconds(1000 / growthsPerSecond)) {
+            lastTold = now;
+            QMetaObject::invokeMethod(this, [this, record, time] { committed(record, time); }, Qt::QueuedConnection);
+        }
+    };
+    WatchedSink sink(*file, listener, pace, execution);
+    return run(inputs, record->scenario, Stage::Simulation, prepared, &sink, execution).simulation;
+}
+
+void Computation::began(const std::shared_ptr<RunRecord>& record, const std::shared_ptr<io::RunReader>& reader,
+                        const Results& from) {
+    record->reader = reader;
+    record->results = from;
+    record->running = true;
+    record->newest = from.fragments != nullptr && !from.fragments->list.empty() ? from.fragments->list.front().handOverTime : 0.0;
+    const std::shared_ptr<RunRecord> older = std::exchange(m_run, record);
+    emit runBegun();
+    if (older != nullptr && older != record) {
+        QFile::remove(older->path);
+    }
+    emit stateChanged();
+}
+
+void Computation::committed(const std::shared_ptr<RunRecord>& record, double time) {
+    if (record == m_run && record->running) {
+        record->newest = time;
+        record->reader->refresh();
+        emit runGrew(time);
+    }
+}
+
+void Computation::ended(const std::shared_ptr<RunRecord>& record, const std::shared_ptr<const SimulationResult>& outcome,
+                        double wall, const std::exception_ptr& thrown) {
+    m_runningStage.reset();
+    record->running = false;
+    record->outcome = outcome;
+    record->wallSeconds = wall;
+    if (outcome != nullptr) {
+        record->results.simulation = outcome;
+        record->results.keys[static_cast<std::size_t>(Stage::Simulation)] = stageKey(m_inputs, record->scenario, Stage::Simulation);
+    }
+    if (record->reader != nullptr) {
+        try {
+            record->reader->refresh();
+            if (const std::size_t frames = record->reader->frameCount(); frames > 0) {
+                record->newest = record->reader->frameTime(frames - 1);
+            }
+        } catch (...) {
+            fail(*failureOf(std::current_exception()));
+        }
+    }
+    if (const auto failure = failureOf(thrown)) {
+        fail(*failure);
+    }
+    emit runEnded(outcome != nullptr);
+    emit stateChanged();
+}
+
+void Computation::write(std::function<void(const Execution&)> work, std::function<void(std::exception_ptr)> done) {
+    m_worker.start({Worker::Kind::Write, std::move(work), std::move(done)});
+}
+
+bool Computation::stale(Stage stage, const Scenario& scenario) const {
+    const auto i = static_cast<std::size_t>(stage);
+    return m_inputs.fe != nullptr && m_results.keys[i] != Digest{} && m_results.keys[i] != stageKey(m_inputs, scenario, stage);
+}
+
+bool Computation::runStale(const Scenario& scenario) const {
+    if (m_run == nullptr || m_inputs.fe == nullptr) {
+        return false;
+    }
+    Scenario now = scenario;
+    if (m_run->live) {
+        now.simulation.frameRate = m_run->scenario.simulation.frameRate;
+    }
+    return stageKey(m_inputs, now, Stage::Simulation) != stageKey(m_inputs, m_run->scenario, Stage::Simulation);
+}
+
+widgets::StageState Computation::state(Stage stage, const Scenario& scenario) const {
+    using widgets::StageState;
+    if (m_runningStage == stage && m_worker.busy()) {
+        return StageState::Running;
+    }
+    if (stage == Stage::Simulation) {
+        if (m_run == nullptr) {
+            return StageState::NotYet;
+        }
+        if (m_run->running) {
+            return StageState::Running;
+        }
+        // A cancelled run shows what it has, but is not the result of the scenario.
+        return m_run->outcome == nullptr || runStale(scenario) ? StageState::Stale : StageState::UpToDate;
+    }
+    if (stage == Stage::Import) {
+        return m_inputs.fe == nullptr ? StageState::NotYet : StageState::UpToDate;
+    }
+    const bool made = m_results.keys[static_cast<std::size_t>(stage)] != Digest{};
+    return !made ? StageState::NotYet : stale(stage, scenario) ? StageState::Stale : StageState::UpToDate;
+}
+
+double Computation::fraction(Stage stage) const {
+    return m_runningStage == stage ? m_fraction : 0.0;
+}
+
+}  // namespace rubble

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <QObject>
+#include <QTemporaryDir>
+#include <memory>
+
+#include "app/gui/watched_sink.h"
+#include "app/gui/worker.h"
+#include "core/pipeline/pipeline.h"
+#include "core/scenario/case.h"
+#include "io/run_file.h"
+#include "widgets/stage_rail.h"
+
+namespace rubble {
+
+/// What was read when a file was opened; `fe` is missing when only the case could be read.
+struct Opened {
+    Case theCase;
+    QString path;  ///< of the case file, empty for a bare FE result
+    QString base;  ///< what its inputs are relative to
+    std::shared_ptr<const FeResult> fe;
+    std::optional<Failure> failure;
+};
+
+/// A run as the window has it: its file, what it was made from, and its outcome.
+struct RunRecord {
+    QString path;
+    bool live = false;
+    Scenario scenario;
+    Results results;  ///< what it was made from; `simulation` once it is complete
+    std::shared_ptr<io::RunReader> reader;
+    bool running = false;
+    double newest = 0.0;  ///< s, time of the last committed frame
+    double wallSeconds = 0.0;
+    std::shared_ptr<const SimulationResult> outcome;
+};
+
+/// What has been computed for the open case: the FE result, the results by stage and the run. Starts the work on the worker and
+/// tells the window; results that a change has made stale stay until newer ones replace them.
+class Computation : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Computation(QObject* parent = nullptr);
+    ~Computation() override;
+
+    /// Reads a case or an FE result; answers with opened().
+    void open(const QString& path);
+    /// Reads the FE result of an open case anew, with other import settings; answers with opened().
+    void reopen(const Case& theCase, const QString& path, const QString& base);
+    /// Takes what was opened and prepares it up to the clusters.
+    void take(const Opened& opened, const Scenario& scenario);
+    void clear();
+    /// Brings all stages before the simulation up to a changed scenario.
+    void update(const Scenario& scenario);
+    /// Simulates; answers with runBegun(), runGrew() and runEnded().
+    void simulate(const Scenario& scenario, const QString& scenarioName, bool live);
+    /// Long work that writes a file, with progress and cancel; `done` gets what it threw.
+    void write(std::function<void(const Execution&)> work, std::function<void(std::exception_ptr)> done);
+    void cancel();
+
+    bool busy() const { return m_worker.busy(); }
+    /// Work for this stage runs or waits.
+    bool busy(Stage stage) const {
+        return m_worker.busy(stage == Stage::Simulation ? Worker::Kind::Simulate : Worker::Kind::Update);
+    }
+    bool simulating() const { return m_run != nullptr && m_run->running; }
+    const Inputs& inputs() const { return m_inputs; }
+    const Results& results() const { return m_results; }
+    const RunRecord* currentRun() const { return m_run.get(); }
+    const std::shared_ptr<LivePace>& livePace() const { return m_pace; }
+    /// Whether what a stage has is older than the scenario; false if it has nothing.
+    bool stale(Stage stage, const Scenario& scenario) const;
+    bool runStale(const Scenario& scenario) const;
+    /// The state of a stage as the rail shows it, with its progress.
+    widgets::StageState state(Stage stage, const Scenario& scenario) const;
+    double fraction(Stage stage) const;
+    const std::optional<Failure>& failure() const { return m_failure; }
+
+signals:
+    void opened(const rubble::Opened& opened);
+    /// Results before the simulation have changed.
+    void prepared();
+    void runBegun();
+    /// A frame was committed; at most about 25 times a second, in live mode for every frame.
+    void runGrew(double time);
+    void runEnded(bool complete);
+    /// Something went wrong; failure() says what. Work that was asked for before goes on.
+    void failed(const rubble::Failure& failure);
+    /// What runs has got on; empty text when nothing runs.
+    void progressed(const QString& what, double fraction);
+    void stateChanged();
+
+private:
+    void startOpening(std::function<Opened(const Execution&)> read);
+    Results prepareOnWorker(const Inputs& inputs, const Scenario& scenario, Results results, const Execution& execution);
+    void adopt(const Results& newer, Stage last);
+    std::shared_ptr<const SimulationResult> simulateOnWorker(const std::shared_ptr<RunRecord>& record, const Inputs& inputs,
+                                                             const Results& previous, const io::RunOrigin& origin,
+                                                             const std::shared_ptr<LivePace>& pace, const Execution& execution);
+    void began(const std::shared_ptr<RunRecord>& record, const std::shared_ptr<io::RunReader>& reader, const Results& from);
+    void committed(const std::shared_ptr<RunRecord>& record, double time);
+    void ended(const std::shared_ptr<RunRecord>& record, const std::shared_ptr<const SimulationResult>& outcome, double wall,
+               const std::exception_ptr& thrown);
+    void fail(const Failure& failure);
+    void showProgress(Worker::Kind kind, const Progress& progress);
+    QString scratchPath();
+
+    Inputs m_inputs;
+    Results m_results;
+    std::shared_ptr<RunRecord> m_run;
+    std::shared_ptr<LivePace> m_pace;
+    std::optional<Failure> m_failure;
+    std::optional<Stage> m_runningStage;
+    double m_fraction = 0.0;
+    std::unique_ptr<QTemporaryDir> m_scratch;
+    int m_runs = 0;
+    // Last, so that the worker has ended before anything it uses goes.
+    Worker m_worker;
+};
+
+}  // namespace rubble

@@ -1,0 +1,164 @@
+#include "app/gui/file_commands.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <fstream>
+#include <vector>
+
+#include "app/gui/computation.h"
+#include "app/gui/document.h"
+#include "core/base/error.h"
+#include "io/case_file.h"
+#include "io/exports.h"
+#include "io/files.h"
+#include "widgets/figures/figure_file.h"
+
+namespace rubble {
+
+Case movedCase(const Case& theCase, const QString& from, const QString& to) {
+    Case moved = theCase;
+    const QDir folder = QFileInfo(to).absoluteDir();
+    for (CaseInput& input : moved.inputs) {
+        input.path = folder.relativeFilePath(QString::fromStdString(io::inputPath(from.toStdString(), input))).toStdString();
+    }
+    return moved;
+}
+
+FileCommands::FileCommands(Document& document, Computation& computation, QWidget& window)
+    : QObject(&window), m_document(document), m_computation(computation), m_window(window) {}
+
+QString FileCommands::askForInput() {
+    return QFileDialog::getOpenFileName(&m_window, tr("Open"), QFileInfo(m_document.base()).absolutePath(),
+                                        tr("Cases and FE results (*.rubble *.exo *.e *.ex2 *.exii *.g);;All files (*)"));
+}
+
+bool FileCommands::mayLeave() {
+    if (!m_document.modified()) {
+        return true;
+    }
+    const auto answer =
+        QMessageBox::question(&m_window, tr("Save the case?"), tr("The settings of this case have changed since it was saved."),
+                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
+}
+
+QString FileCommands::askForOutput(const QString& title, const QString& suffix, const QString& filter) {
+    const QFileInfo base(m_document.base());
+    QString stem = base.fileName();
+    stem = stem.left(stem.indexOf(u'.') > 0 ? stem.indexOf(u'.') : stem.size());
+    QString path = QFileDialog::getSaveFileName(&m_window, title, base.absolutePath() + u'/' + stem + suffix, filter);
+    if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) {
+        path += suffix;
+    }
+    return path;
+}
+
+bool FileCommands::save() {
+    return m_document.path().isEmpty() ? saveAs() : saveTo(m_document.path());
+}
+
+bool FileCommands::saveAs() {
+    const QString path = askForOutput(tr("Save case"), QStringLiteral(".rubble"), tr("Cases (*.rubble)"));
+    return !path.isEmpty() && saveTo(path);
+}
+
+bool FileCommands::saveTo(const QString& path) {
+    try {
+        Case moved = movedCase(m_document.theCase(), m_document.base(), path);
+        for (CaseInput& input : moved.inputs) {
+            if (m_computation.inputs().fe != nullptr && input.role == InputRole::Fe && input.sha256.empty()) {
+                input.sha256 = m_computation.inputs().fe->contents().sha256;
+            }
+        }
+        io::saveCase(path.toStdString(), moved);
+        m_document.saved(moved, path);
+        emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+        return true;
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        emit failed(failure->what, failure->remedy);
+        return false;
+    }
+}
+
+void FileCommands::reportWrite(const QString& path, std::exception_ptr thrown) {
+    if (const auto failure = failureOf(thrown)) {
+        emit failed(failure->what, failure->remedy);
+    } else if (thrown == nullptr) {
+        emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    }
+}
+
+void FileCommands::saveRun() {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || record->running) {
+        return;
+    }
+    const QString path = askForOutput(tr("Save run"), QStringLiteral(".run.h5"), tr("Runs (*.run.h5)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    m_computation.write(
+        [from = record->path.toStdString(), to = path.toStdString()](const Execution& execution) {
+            execution.report({"gui.saving_run", "Saving the run", {}}, 0.0);
+            io::writeAtomically(to, [&](std::ostream& out) {
+                std::ifstream in(from, std::ios::binary);
+                std::vector<char> block(1 << 20);
+                while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
+                    execution.check();
+                    out.write(block.data(), in.gcount());
+                }
+            });
+        },
+        [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
+}
+
+void FileCommands::exportFragments() {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || record->reader == nullptr || record->running) {
+        return;
+    }
+    const QString path = askForOutput(tr("Table of fragments"), QStringLiteral(".csv"), tr("Tables (*.csv)"));
+    if (!path.isEmpty()) {
+        m_computation.write(
+            [path, run = record->reader](const Execution& execution) { io::exportFragments(path.toStdString(), *run, execution); },
+            [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
+    }
+}
+
+void FileCommands::exportSeries() {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || record->reader == nullptr || record->running) {
+        return;
+    }
+    const QString path = askForOutput(tr("Series for ParaView"), QStringLiteral(".pvd"), tr("Series (*.pvd)"));
+    if (!path.isEmpty()) {
+        m_computation.write([path, run = record->reader, fe = m_computation.inputs().fe](
+                                const Execution& execution) { io::exportSeries(path.toStdString(), *run, *fe, execution); },
+                            [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
+    }
+}
+
+void FileCommands::exportFigure(const render::View& view, const render::SceneData& data) {
+    if (data.fe == nullptr) {
+        return;
+    }
+    const QString path = askForOutput(tr("Figure"), QStringLiteral(".png"), tr("Images (*.png)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    try {
+        figures::FigureStyle style;
+        style.provenance = "Rubble, " + QFileInfo(QString::fromStdString(data.fe->contents().path)).fileName().toStdString() +
+                           ", SHA-256 " + data.fe->contents().sha256.substr(0, 16);
+        figures::writeFigure(path.toStdString(), view, data, style);
+        emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        emit failed(failure->what, failure->remedy);
+    }
+}
+
+}  // namespace rubble

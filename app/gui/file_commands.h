@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QObject>
+#include <exception>
+
+#include "widgets/render/scene_data.h"
+#include "widgets/render/view.h"
+
+class QWidget;
+
+namespace rubble {
+
+struct Case;
+class Computation;
+class Document;
+
+/// Saving and exporting: asks for paths, writes on the worker, says what came of it.
+class FileCommands : public QObject {
+    Q_OBJECT
+
+public:
+    FileCommands(Document& document, Computation& computation, QWidget& window);
+
+    /// Asks whether a changed case should be saved; false: the user wants to stay.
+    bool mayLeave();
+    QString askForInput();
+    bool save();
+    bool saveAs();
+    /// Writes the case to a path; says what went wrong in a message through failed().
+    bool saveTo(const QString& path);
+    void saveRun();
+    void exportFragments();
+    void exportSeries();
+    void exportFigure(const render::View& view, const render::SceneData& data);
+
+signals:
+    void done(const QString& what);
+    void failed(const QString& what, const QString& remedy);
+
+private:
+    QString askForOutput(const QString& title, const QString& suffix, const QString& filter);
+    void reportWrite(const QString& path, std::exception_ptr thrown);
+
+    Document& m_document;
+    Computation& m_computation;
+    QWidget& m_window;
+};
+
+/// The case with its inputs relative to another place, so that it can be saved there.
+Case movedCase(const Case& theCase, const QString& from, const QString& to);
+
+}  // namespace rubble

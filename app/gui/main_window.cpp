@@ -1,0 +1,354 @@
+#include "app/gui/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+
+#include "app/gui/file_commands.h"
+#include "app/gui/manual.h"
+#include "app/gui/panel_deck.h"
+#include "app/gui/playback.h"
+#include "app/gui/sample.h"
+#include "app/gui/status_feed.h"
+#include "app/gui/view_area.h"
+#include "core/base/build.h"
+#include "widgets/status_line.h"
+#include "widgets/theme.h"
+#include "widgets/timeline.h"
+#include "widgets/transport.h"
+#include "widgets/wording.h"
+
+namespace rubble {
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      m_actions(*this),
+      m_deck(new PanelDeck(m_document, m_computation, this)),
+      m_area(new ViewArea),
+      m_timeline(new widgets::Timeline),
+      m_transport(new widgets::Transport),
+      m_status(new widgets::StatusLine),
+      m_playback(new Playback(m_computation, m_area->views(), *m_timeline, *m_transport, this)),
+      m_feed(new StatusFeed(m_document, m_computation, *m_playback, *m_status, this)),
+      m_files(new FileCommands(m_document, m_computation, *this)),
+      m_colours(new QComboBox),
+      m_title(new QLabel) {
+    setAcceptDrops(true);
+    setWindowIcon(widgets::glyphIcon(widgets::Glyph::Fragments));
+    resize(1280, 800);
+    buildLayout();
+    buildMenus();
+    buildToolBar();
+    connectFiles();
+    connectViews();
+    connectComputation();
+    connectPlayback();
+    qApp->installEventFilter(this);
+    setTheme(QSettings().value(QStringLiteral("theme"), QStringLiteral("system")).toString());
+    render::View view = m_area->views().view();
+    setView(view);
+    m_playback->reset();
+    showTitle();
+    showState();
+}
+
+MainWindow::~MainWindow() {
+    qApp->removeEventFilter(this);
+    // Work ends before anything that it tells goes.
+    m_computation.disconnect();
+    m_computation.cancel();
+}
+
+void MainWindow::open(const QString& path, bool simulate) {
+    if (!m_files->mayLeave()) {
+        return;
+    }
+    m_simulateWhenReady = simulate;
+    m_area->setError({});
+    m_deck->clearFailures();
+    m_computation.open(path);
+}
+
+void MainWindow::openSample() {
+    const QString path = samplePath();
+    if (path.isEmpty()) {
+        showFailure({tr("The sample is not installed."), tr("Install Rubble's samples folder, or open a result of your own."),
+                     "gui.sample"});
+    } else {
+        open(path, true);
+    }
+}
+
+void MainWindow::takeOpened(const Opened& opened) {
+    const bool recognised =
+        opened.fe != nullptr || (opened.failure && (opened.failure->id.starts_with("exodus.") || !opened.path.isEmpty()));
+    if (!recognised && !m_document.empty()) {
+        // Not a result at all: what was open stays.
+        showFailure(*opened.failure);
+        return;
+    }
+    if (!recognised) {
+        showFailure(*opened.failure);
+        return;
+    }
+    const bool again = !m_document.empty() && opened.base == m_document.base() && opened.theCase == m_document.theCase();
+    if (!again) {
+        m_document.replace(opened.theCase, opened.path, opened.base);
+    }
+    m_computation.take(opened, m_document.scenario());
+    showScene();
+    if (opened.fe != nullptr) {
+        render::View view = render::defaultView(m_shown, m_area->views().width(), m_area->views().height());
+        view.theme = widgets::currentTheme();
+        view.colourBy = m_area->views().view().colourBy;
+        setView(view);
+    }
+    m_area->showViews(opened.fe != nullptr);
+    m_playback->reset();
+    if (opened.fe != nullptr && m_simulateWhenReady) {
+        m_playback->clock().play();
+    }
+    m_deck->choose(opened.fe != nullptr && !opened.path.isEmpty() ? PanelDeck::Grid : PanelDeck::Case);
+    showState();
+}
+
+void MainWindow::scenarioChanged() {
+    m_deck->showScenario();
+    const bool reread = m_computation.inputs().fe == nullptr || m_computation.stale(Stage::Import, m_document.scenario());
+    if (reread && !m_document.empty()) {
+        m_computation.reopen(m_document.theCase(), m_document.path(), m_document.base());
+    } else {
+        m_computation.update(m_document.scenario());
+    }
+    m_playback->refresh(m_computation.runStale(m_document.scenario()));
+    showScene();
+    showState();
+}
+
+void MainWindow::prepared() {
+    m_deck->showResults();
+    m_deck->clearFailures();
+    m_area->setError({});
+    if (m_computation.failure()) {
+        showFailure(*m_computation.failure());
+    }
+    showScene();
+    showState();
+    const bool ready =
+        m_computation.results().clustering != nullptr && !m_computation.stale(Stage::Clusters, m_document.scenario());
+    if (m_simulateWhenReady && ready) {
+        m_simulateWhenReady = false;
+        simulate(false);
+    }
+}
+
+render::SceneData MainWindow::sceneData() const {
+    const RunRecord* record = m_computation.currentRun();
+    const Results& from = record != nullptr ? record->results : m_computation.results();
+    render::SceneData data;
+    data.fe = m_computation.inputs().fe;
+    data.components = from.components;
+    data.fragments = from.fragments;
+    data.clustering = from.clustering;
+    data.trajectory = record != nullptr ? record->reader : nullptr;
+    data.groundHeight = (record != nullptr ? record->scenario : m_document.scenario()).simulation.groundHeight;
+    return data;
+}
+
+void MainWindow::showScene() {
+    const render::SceneData data = sceneData();
+    if (!(data == m_shown)) {
+        m_shown = data;
+        m_area->views().setData(data);
+    }
+}
+
+void MainWindow::simulate(bool live) {
+    const Results& results = m_computation.results();
+    if (m_computation.inputs().fe == nullptr || (results.fragments != nullptr && results.fragments->list.empty())) {
+        return;
+    }
+    const CaseScenario* active = m_document.active();
+    m_deck->clearFailures();
+    m_deck->choose(PanelDeck::Run);
+    m_computation.simulate(m_document.scenario(), active != nullptr ? QString::fromStdString(active->name) : QString(), live);
+    showState();
+}
+
+void MainWindow::runEnded(bool complete) {
+    const RunRecord* record = m_computation.currentRun();
+    widgets::RunPanel::Outcome outcome;
+    if (record != nullptr && complete) {
+        outcome.result = record->outcome;
+        outcome.wallSeconds = record->wallSeconds;
+        outcome.fpsTarget = record->scenario.grid.fpsTarget;
+        if (record->live) {
+            outcome.liveMean = m_feed->liveMean();
+            outcome.liveWorst = m_feed->liveWorst();
+        }
+        m_status->setMessage(tr("Simulated in %1").arg(widgets::shownDuration(record->wallSeconds)));
+    } else {
+        m_status->setMessage(record != nullptr && record->reader != nullptr
+                                 ? tr("Cancelled at %1 s; what is computed is kept").arg(QLocale().toString(record->newest, 'f', 2))
+                                 : tr("Cancelled"));
+    }
+    m_deck->showOutcome(outcome);
+    m_area->views().update();
+    showState();
+    m_feed->refresh();
+    // Edits that waited for the run are taken up now.
+    if (m_computation.stale(Stage::Clusters, m_document.scenario()) && !m_computation.busy(Stage::Clusters)) {
+        m_computation.update(m_document.scenario());
+    }
+}
+
+void MainWindow::showFailure(const Failure& failure) {
+    m_simulateWhenReady = false;
+    m_deck->showFailure(failure.what, failure.remedy, failure.id);
+    m_area->setError(failure.what, failure.remedy);
+    m_status->setMessage(failure.what);
+}
+
+void MainWindow::showState() {
+    const bool have = m_computation.inputs().fe != nullptr;
+    const RunRecord* record = m_computation.currentRun();
+    const bool finished = record != nullptr && record->outcome != nullptr && !record->running;
+    const bool running = m_computation.busy(Stage::Simulation);
+    const bool deaths = m_computation.results().fragments == nullptr || !m_computation.results().fragments->list.empty();
+    m_deck->showState();
+    for (const char* id : {"play", "back", "forward", "back_ten", "forward_ten", "first", "last", "fit", "look_side", "look_front",
+                           "look_top", "stacked", "beside", "fe_only", "fragments_only", "link", "export_figure"}) {
+        m_actions[id].setEnabled(have);
+    }
+    m_actions["simulate"].setEnabled(have && deaths && !running);
+    m_actions["live"].setEnabled(have && deaths && !running);
+    m_actions["cancel"].setEnabled(m_computation.busy());
+    m_actions["save_run"].setEnabled(record != nullptr && !record->running);
+    m_actions["export_fragments"].setEnabled(finished);
+    m_actions["export_series"].setEnabled(finished);
+    for (const char* id : {"save", "save_as", "close", "preset_default", "preset_paper"}) {
+        m_actions[id].setEnabled(!m_document.empty());
+    }
+    m_colours->setEnabled(have);
+    m_playback->refresh(record != nullptr && m_computation.runStale(m_document.scenario()));
+}
+
+void MainWindow::showTitle() {
+    if (m_document.empty()) {
+        m_title->clear();
+        setWindowTitle(QStringLiteral("Rubble"));
+        return;
+    }
+    const CaseScenario* active = m_document.active();
+    const QString name = QString::fromStdString(m_document.theCase().title);
+    const QString saved = m_document.modified() ? tr("changed")
+                          : m_document.path().isEmpty()
+                              ? tr("not saved")
+                              : tr("saved %1").arg(QFileInfo(m_document.path()).lastModified().toString(QStringLiteral("HH:mm")));
+    m_title->setText(QStringLiteral("<span style='color:%1'>%2 · %3 <b>%4</b> · %5</span>&nbsp;&nbsp;")
+                         .arg(widgets::tints().muted.name(), name.toHtmlEscaped(), tr("scenario"),
+                              active != nullptr ? QString::fromStdString(active->name).toHtmlEscaped() : QString(), saved));
+    setWindowTitle(QStringLiteral("%1%2 – Rubble").arg(name, m_document.modified() ? QStringLiteral(" *") : QString()));
+}
+
+void MainWindow::setView(const render::View& view) {
+    m_area->views().setView(view);
+    const std::array<const char*, 4> layouts = {"beside", "stacked", "fe_only", "fragments_only"};
+    m_actions[layouts[static_cast<std::size_t>(view.layout)]].setChecked(true);
+    m_actions["link"].setChecked(view.camerasLinked);
+    m_colours->setCurrentIndex(m_colours->findData(static_cast<int>(view.colourBy)));
+}
+
+void MainWindow::setLayoutOf(render::Layout layout) {
+    render::View view = m_area->views().view();
+    view.layout = layout;
+    setView(view);
+    m_area->views().fit();
+}
+
+void MainWindow::setTheme(const QString& name) {
+    const render::Theme theme = name == QLatin1String("dark")    ? render::Theme::Dark
+                                : name == QLatin1String("light") ? render::Theme::Light
+                                                                 : widgets::systemTheme();
+    widgets::applyTheme(theme);
+    m_actions["theme_" + (name.isEmpty() ? std::string("system") : name.toStdString())].setChecked(true);
+    render::View view = m_area->views().view();
+    view.theme = widgets::currentTheme();
+    m_area->views().setView(view);
+    m_deck->showResults();
+    m_feed->refresh();
+    showTitle();
+}
+
+void MainWindow::showInstant(double time) {
+    m_playback->clock().pause();
+    m_playback->scrub(time);
+}
+
+void MainWindow::showManual() {
+    if (m_manual == nullptr) {
+        m_manual = new ManualWindow(this);
+    }
+    const std::array<const char*, 4> pages = {"Case", "Fragments", "Basic Grid", "Run"};
+    m_manual->showPage(QLatin1String(pages[static_cast<std::size_t>(std::max(0, m_deck->rail().current()))]));
+    m_manual->show();
+    m_manual->raise();
+}
+
+void MainWindow::showAbout() {
+    QMessageBox::about(
+        this, tr("About Rubble"),
+        tr("<h3>Rubble %1</h3><p>Turns the elements that a collapse analysis deactivates into rigid fragments and shows where "
+           "they go.</p><p>Method: Xu, Lu, Guan, Ren: Physics engine-driven visualization of deactivated elements and its "
+           "application in bridge collapse simulation. Automation in Construction 35 (2013) 471-481.</p>")
+            .arg(QString::fromUtf8(versionText().data(), static_cast<qsizetype>(versionText().size()))));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!m_files->mayLeave()) {
+        event->ignore();
+        return;
+    }
+    m_computation.cancel();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (!urls.isEmpty() && urls.front().isLocalFile()) {
+        event->acceptProposedAction();
+        open(urls.front().toLocalFile());
+    }
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    // Keys that mean something to the widget with the focus go to it, not to the action that has the same key.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const QWidget* focus = QApplication::focusWidget();
+        const bool pushes = key->key() == Qt::Key_Space && qobject_cast<const QAbstractButton*>(focus) != nullptr;
+        const bool moves =
+            (key->key() == Qt::Key_Left || key->key() == Qt::Key_Right || key->key() == Qt::Key_Home ||
+             key->key() == Qt::Key_End) &&
+            (qobject_cast<const QAbstractSlider*>(focus) != nullptr || qobject_cast<const QComboBox*>(focus) != nullptr);
+        if (watched == focus && (pushes || moves)) {
+            event->accept();
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+}  // namespace rubble

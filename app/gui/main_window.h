@@ -1,0 +1,105 @@
+#pragma once
+
+#include <QMainWindow>
+
+#include "app/gui/actions.h"
+#include "app/gui/computation.h"
+#include "app/gui/document.h"
+#include "widgets/render/scene_data.h"
+#include "widgets/render/view.h"
+
+class QComboBox;
+class QLabel;
+class QSplitter;
+
+namespace rubble {
+
+class FileCommands;
+class ManualWindow;
+class PanelDeck;
+class Playback;
+class StatusFeed;
+class ViewArea;
+namespace widgets {
+class StatusLine;
+class Timeline;
+class Transport;
+}  // namespace widgets
+
+/// The workbench: rail and panel left, views in the centre, timeline and status line below. Brings the document, what is computed
+/// for it and the widgets together.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// Opens a case or an FE result; with `simulate`, simulates it as soon as it is prepared.
+    void open(const QString& path, bool simulate = false);
+    void openSample();
+    void simulate(bool live);
+    /// "system", "light" or "dark".
+    void setTheme(const QString& name);
+    void showInstant(double time);
+
+    Document& document() { return m_document; }
+    Computation& computation() { return m_computation; }
+    Playback& playback() { return *m_playback; }
+    PanelDeck& deck() { return *m_deck; }
+    ViewArea& area() { return *m_area; }
+    widgets::StatusLine& statusLine() { return *m_status; }
+    FileCommands& files() { return *m_files; }
+    Actions& actions() { return m_actions; }
+    /// What the views show.
+    render::SceneData sceneData() const;
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void buildLayout();
+    void buildMenus();
+    void buildToolBar();
+    void connectFiles();
+    void connectViews();
+    void connectComputation();
+    void connectPlayback();
+    void takeOpened(const Opened& opened);
+    void showScene();
+    void showState();
+    void showTitle();
+    void showFailure(const Failure& failure);
+    void scenarioChanged();
+    void prepared();
+    void runEnded(bool complete);
+    void setLayoutOf(render::Layout layout);
+    void setView(const render::View& view);
+    void showManual();
+    void showAbout();
+
+    Document m_document;
+    Computation m_computation;
+    Actions m_actions;
+    PanelDeck* m_deck;
+    ViewArea* m_area;
+    widgets::Timeline* m_timeline;
+    widgets::Transport* m_transport;
+    widgets::StatusLine* m_status;
+    Playback* m_playback;
+    StatusFeed* m_feed;
+    FileCommands* m_files;
+    QComboBox* m_colours;
+    QLabel* m_title;
+    QWidget* m_left = nullptr;
+    QSplitter* m_splitter = nullptr;
+    ManualWindow* m_manual = nullptr;
+    bool m_simulateWhenReady = false;
+    render::SceneData m_shown;
+};
+
+}  // namespace rubble

@@ -1,0 +1,86 @@
+#include "app/gui/options.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <cmath>
+
+#include "core/base/build.h"
+
+namespace rubble {
+
+namespace {
+
+/// Reads the values of options that have a form of their own; false and a complaint if one is wrong.
+bool readValues(const QCommandLineParser& parser, Options& options) {
+    if (parser.isSet(QStringLiteral("time"))) {
+        bool ok = false;
+        options.time = parser.value(QStringLiteral("time")).toDouble(&ok);
+        if (!ok || !std::isfinite(*options.time)) {
+            options.text = QCoreApplication::translate("options", "--time needs a number of seconds, not “%1”.")
+                               .arg(parser.value(QStringLiteral("time")));
+            return false;
+        }
+    }
+    if (parser.isSet(QStringLiteral("size"))) {
+        static const QRegularExpression form(QStringLiteral("^(\\d{3,5})x(\\d{3,5})$"));
+        const auto match = form.match(parser.value(QStringLiteral("size")));
+        if (!match.hasMatch()) {
+            options.text = QCoreApplication::translate("options", "--size needs WIDTHxHEIGHT, such as 1280x800, not “%1”.")
+                               .arg(parser.value(QStringLiteral("size")));
+            return false;
+        }
+        options.size = QSize(match.captured(1).toInt(), match.captured(2).toInt());
+    }
+    const QString theme = parser.value(QStringLiteral("theme"));
+    if (!theme.isEmpty() && theme != QLatin1String("light") && theme != QLatin1String("dark") && theme != QLatin1String("system")) {
+        options.text = QCoreApplication::translate("options", "--theme is light, dark or system, not “%1”.").arg(theme);
+        return false;
+    }
+    options.theme = theme;
+    return true;
+}
+
+}  // namespace
+
+Options parseOptions(const QStringList& arguments) {
+    const auto tr = [](const char* text) { return QCoreApplication::translate("options", text); };
+    QCommandLineParser parser;
+    parser.setApplicationDescription(tr("Workbench for the debris of structural collapses."));
+    const QCommandLineOption help = parser.addHelpOption();
+    const QCommandLineOption version = parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("file"), tr("A case (*.rubble) or an FE result (Exodus II)."),
+                                 QStringLiteral("[file]"));
+    parser.addOptions({{QStringLiteral("sample"), tr("Open the embedded sample and simulate it.")},
+                       {QStringLiteral("simulate"), tr("Simulate as soon as the file is open.")},
+                       {QStringLiteral("screenshot"), tr("Save a picture of the window and leave."), QStringLiteral("png")},
+                       {QStringLiteral("time"), tr("Show this instant, in seconds."), QStringLiteral("s")},
+                       {QStringLiteral("size"), tr("Size of the window."), QStringLiteral("WxH")},
+                       {QStringLiteral("theme"), tr("Colours: light, dark or system."), QStringLiteral("theme")}});
+    Options options;
+    if (!parser.parse(arguments)) {
+        options.text = parser.errorText();
+        options.wrong = true;
+        return options;
+    }
+    if (parser.isSet(help)) {
+        options.text = parser.helpText();
+        return options;
+    }
+    if (parser.isSet(version)) {
+        options.text =
+            QStringLiteral("rubble %1").arg(QString::fromUtf8(versionText().data(), static_cast<qsizetype>(versionText().size())));
+        return options;
+    }
+    options.wrong = !readValues(parser, options) || parser.positionalArguments().size() > 1;
+    if (parser.positionalArguments().size() > 1) {
+        options.text = tr("One file at a time, please.");
+    }
+    options.sample = parser.isSet(QStringLiteral("sample"));
+    options.simulate = parser.isSet(QStringLiteral("simulate"));
+    options.screenshot = parser.value(QStringLiteral("screenshot"));
+    options.path = parser.positionalArguments().value(0);
+    return options;
+}
+
+}  // namespace rubble

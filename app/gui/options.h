@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QSize>
+#include <QString>
+#include <QStringList>
+#include <optional>
+
+namespace rubble {
+
+/// What the command line of the workbench asks for.
+struct Options {
+    QString path;
+    bool sample = false;
+    bool simulate = false;
+    QString screenshot;
+    std::optional<double> time;
+    QString theme;
+    QSize size;
+    QString text;        ///< for --help and --version, or why the arguments are wrong
+    bool wrong = false;  ///< text is a complaint
+};
+
+Options parseOptions(const QStringList& arguments);
+
+}  // namespace rubble

@@ -1,0 +1,191 @@
+#include "app/gui/panel_deck.h"
+
+#include "app/gui/computation.h"
+#include "app/gui/document.h"
+#include "app/gui/regrouping_edit.h"
+#include "widgets/case_panel.h"
+#include "widgets/fragments_panel.h"
+#include "widgets/grid_panel.h"
+#include "widgets/parameter_editor.h"
+#include "widgets/wording.h"
+
+namespace rubble {
+
+namespace {
+
+using widgets::StageState;
+
+/// Of several stages under one entry: running over stale over not yet over up to date.
+StageState worst(StageState a, StageState b) {
+    for (const StageState state : {StageState::Running, StageState::Stale, StageState::NotYet}) {
+        if (a == state || b == state) {
+            return state;
+        }
+    }
+    return StageState::UpToDate;
+}
+
+std::int64_t kinds(const Findings& findings) {
+    return static_cast<std::int64_t>(findings.list().size());
+}
+
+/// The names in quotes of a remedy that lists what a file holds.
+QStringList offeredNames(const QString& remedy) {
+    QStringList names;
+    const QStringList parts = remedy.split(u'"');
+    for (qsizetype i = 1; i < parts.size(); i += 2) {
+        names << parts[i];
+    }
+    return names;
+}
+
+}  // namespace
+
+PanelDeck::PanelDeck(Document& document, Computation& computation, QObject* parent)
+    : QObject(parent),
+      m_document(document),
+      m_computation(computation),
+      m_rail(new widgets::StageRail(
+          {{tr("Case"), tr("What was computed, and of what the structure is made."), widgets::Glyph::Case},
+           {tr("Fragments"), tr("What became debris, when, and with which mass."), widgets::Glyph::Fragments},
+           {tr("Basic Grid"), tr("Which fragments move together, and what that costs."), widgets::Glyph::Grid},
+           {tr("Run"), tr("Where the fragments go."), widgets::Glyph::Run}})),
+      m_stack(new QStackedWidget),
+      m_case(new widgets::CasePanel),
+      m_fragments(new widgets::FragmentsPanel),
+      m_grid(new widgets::GridPanel),
+      m_run(new widgets::RunPanel) {
+    m_stack->setObjectName(QStringLiteral("panelStack"));
+    for (widgets::Panel* panel : std::initializer_list<widgets::Panel*>{m_case, m_fragments, m_grid, m_run}) {
+        m_stack->addWidget(panel);
+        connect(panel, &widgets::Panel::edited, this, &PanelDeck::edit);
+    }
+    connect(m_rail, &widgets::StageRail::chosen, m_stack, &QStackedWidget::setCurrentIndex);
+    connect(m_case, &widgets::CasePanel::regroupRequested, this, &PanelDeck::regroup);
+    connect(m_case, &widgets::CasePanel::regroupingCleared, this, &PanelDeck::clearRegrouping);
+    connect(m_grid, &widgets::GridPanel::draggingStarted, &m_document, &Document::beginGesture);
+    connect(m_grid, &widgets::GridPanel::draggingEnded, &m_document, &Document::endGesture);
+    connect(m_run, &widgets::RunPanel::simulateRequested, this, &PanelDeck::simulateRequested);
+    connect(m_run, &widgets::RunPanel::liveRequested, this, &PanelDeck::liveRequested);
+    connect(m_run, &widgets::RunPanel::cancelRequested, this, &PanelDeck::cancelRequested);
+    choose(Case);
+    showScenario();
+}
+
+void PanelDeck::choose(Entry entry) {
+    m_rail->setCurrent(entry);
+    m_stack->setCurrentIndex(entry);
+}
+
+void PanelDeck::edit(const QString& key, const ParameterValue& value) {
+    if (m_document.empty()) {
+        showScenario();
+        return;
+    }
+    try {
+        m_document.setParameter(key, value);
+    } catch (...) {
+        if (const auto failure = failureOf(std::current_exception())) {
+            showFailure(failure->what, failure->remedy, failure->id);
+        }
+        showScenario();
+    }
+}
+
+void PanelDeck::regroup(const RegroupStep& step) {
+    m_document.edit(widgets::regroupText(step), withRegrouping(m_document.scenario(), step));
+}
+
+void PanelDeck::clearRegrouping() {
+    std::vector<std::string> parts;
+    if (m_computation.inputs().fe != nullptr) {
+        for (const Part& part : m_computation.inputs().fe->mesh().parts) {
+            parts.push_back(part.name);
+        }
+    }
+    m_document.edit(tr("regrouping dropped"), withoutRegrouping(m_document.scenario(), parts));
+}
+
+void PanelDeck::showResults() {
+    const Results& results = m_computation.results();
+    const auto& fe = m_computation.inputs().fe;
+    m_case->setContent(fe, results.components);
+    m_fragments->setContent(results.fragments, fe.get());
+    m_grid->setContent(
+        {results.sizing, results.clustering, results.fragments, results.components, fe != nullptr ? &fe->mesh() : nullptr});
+}
+
+void PanelDeck::showScenario() {
+    const Scenario& scenario = m_document.scenario();
+    m_case->setScenario(scenario);
+    m_fragments->setScenario(scenario);
+    m_grid->setScenario(scenario);
+    m_run->setScenario(scenario);
+    for (widgets::Panel* panel : std::initializer_list<widgets::Panel*>{m_case, m_fragments, m_grid, m_run}) {
+        panel->setEditable(!m_document.empty());
+    }
+}
+
+void PanelDeck::showState() {
+    const Scenario& scenario = m_document.scenario();
+    const Results& results = m_computation.results();
+    const auto& fe = m_computation.inputs().fe;
+    const auto of = [&](Stage stage) { return m_computation.state(stage, scenario); };
+    const auto fraction = [&](Stage a, Stage b) { return std::max(m_computation.fraction(a), m_computation.fraction(b)); };
+    std::int64_t found = fe != nullptr ? kinds(fe->contents().findings) : 0;
+    found += results.components != nullptr ? kinds(results.components->findings) : 0;
+    m_rail->setState(Case, worst(of(Stage::Import), of(Stage::Components)), found, fraction(Stage::Import, Stage::Components));
+    m_rail->setState(Fragments, of(Stage::Fragments), results.fragments != nullptr ? kinds(results.fragments->findings) : 0,
+                     m_computation.fraction(Stage::Fragments));
+    found = results.sizing != nullptr ? kinds(results.sizing->findings) : 0;
+    found += results.clustering != nullptr ? kinds(results.clustering->findings) : 0;
+    m_rail->setState(Grid, worst(of(Stage::Sizing), of(Stage::Clusters)), found, fraction(Stage::Sizing, Stage::Clusters));
+    const RunRecord* record = m_computation.currentRun();
+    m_rail->setState(Run, of(Stage::Simulation),
+                     record != nullptr && record->outcome != nullptr ? kinds(record->outcome->findings) : 0,
+                     m_computation.fraction(Stage::Simulation));
+
+    const bool running = m_computation.simulating();
+    const bool waits = !running && m_computation.busy(Stage::Simulation);
+    const bool none = results.fragments != nullptr && results.fragments->list.empty();
+    QString why;
+    if (fe == nullptr) {
+        why = tr("Open a result first.");
+    } else if (none) {
+        why = tr("No element dies in this result, so there is nothing to simulate.");
+    }
+    m_run->setReady(fe != nullptr && !none, running || waits, why);
+    m_run->setStale(record != nullptr && !record->running && record->outcome != nullptr && m_computation.runStale(scenario),
+                    tr("Settings have changed since this run: it is shown as it was. Simulate to bring it up to date."));
+    const bool sizeStale = m_computation.stale(Stage::Sizing, scenario) || m_computation.stale(Stage::Clusters, scenario);
+    m_grid->setStale(sizeStale && running, tr("The sizes are counted anew when the simulation is through."));
+}
+
+void PanelDeck::showOutcome(const widgets::RunPanel::Outcome& outcome) {
+    m_run->setOutcome(outcome);
+}
+
+void PanelDeck::showFailure(const QString& what, const QString& remedy, const std::string& id) {
+    clearFailures();
+    widgets::Panel* where = m_case;
+    Entry entry = Case;
+    if (m_computation.currentRun() != nullptr && id.starts_with("io.run")) {
+        where = m_run;
+        entry = Run;
+    }
+    if (id == "exodus.no_status" || id == "exodus.unknown_status") {
+        if (auto* editor = m_case->editor(QStringLiteral("status_variable"))) {
+            editor->offer(offeredNames(remedy));
+        }
+    }
+    where->setError(what, remedy);
+    choose(entry);
+}
+
+void PanelDeck::clearFailures() {
+    for (widgets::Panel* panel : std::initializer_list<widgets::Panel*>{m_case, m_fragments, m_grid, m_run}) {
+        panel->setError({});
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QStackedWidget>
+#include <QWidget>
+
+#include "widgets/panel.h"
+#include "widgets/run_panel.h"
+#include "widgets/stage_rail.h"
+
+namespace rubble {
+
+class Computation;
+class Document;
+namespace widgets {
+class CasePanel;
+class FragmentsPanel;
+class GridPanel;
+}  // namespace widgets
+
+/// The rail and its panels, kept in step with document and computation. What the user edits becomes undoable edits of the document.
+class PanelDeck : public QObject {
+    Q_OBJECT
+
+public:
+    enum Entry { Case, Fragments, Grid, Run };
+
+    PanelDeck(Document& document, Computation& computation, QObject* parent = nullptr);
+
+    widgets::StageRail& rail() { return *m_rail; }
+    QStackedWidget& stack() { return *m_stack; }
+    void choose(Entry entry);
+    /// Results have changed: shows them.
+    void showResults();
+    /// Settings or the state of the stages have changed.
+    void showState();
+    void showScenario();
+    void showOutcome(const widgets::RunPanel::Outcome& outcome);
+    void showFailure(const QString& what, const QString& remedy, const std::string& id);
+    void clearFailures();
+
+signals:
+    void simulateRequested();
+    void liveRequested();
+    void cancelRequested();
+
+private:
+    void edit(const QString& key, const ParameterValue& value);
+    void regroup(const RegroupStep& step);
+    void clearRegrouping();
+
+    Document& m_document;
+    Computation& m_computation;
+    widgets::StageRail* m_rail;
+    QStackedWidget* m_stack;
+    widgets::CasePanel* m_case;
+    widgets::FragmentsPanel* m_fragments;
+    widgets::GridPanel* m_grid;
+    widgets::RunPanel* m_run;
+};
+
+}  // namespace rubble

@@ -1,0 +1,204 @@
+#include "app/gui/playback.h"
+
+#include <algorithm>
+
+#include "app/gui/computation.h"
+#include "widgets/timeline.h"
+#include "widgets/transport.h"
+#include "widgets/view_widget.h"
+
+namespace rubble {
+
+Playback::Playback(Computation& computation, widgets::ViewWidget& view, widgets::Timeline& timeline, widgets::Transport& transport,
+                   QObject* parent)
+    : QObject(parent), m_computation(computation), m_view(view), m_timeline(timeline), m_transport(transport) {
+    connect(&m_clock, &widgets::PlaybackClock::timeChanged, this, [this](double time) {
+        m_view.setTime(time);
+        m_timeline.setTime(time);
+        m_transport.setTime(time);
+    });
+    connect(&m_clock, &widgets::PlaybackClock::playingChanged, this,
+            [this](bool playing) { m_transport.setPlaying(playing || m_following); });
+    connect(&m_clock, &widgets::PlaybackClock::rateChanged, &m_transport, &widgets::Transport::setRate);
+    connect(&m_timeline, &widgets::Timeline::scrubbed, this, &Playback::scrub);
+    connect(&m_transport, &widgets::Transport::playToggled, this, &Playback::toggle);
+    connect(&m_transport, &widgets::Transport::stepped, this, &Playback::step);
+    connect(&m_transport, &widgets::Transport::jumpedToFirst, this, &Playback::jumpToFirst);
+    connect(&m_transport, &widgets::Transport::jumpedToLast, this, &Playback::jumpToLast);
+    connect(&m_transport, &widgets::Transport::ratePicked, &m_clock, &widgets::PlaybackClock::setRate);
+    connect(&m_view, &widgets::ViewWidget::shown, this, &Playback::shown);
+    connect(&m_computation, &Computation::runBegun, this, &Playback::runBegun);
+    connect(&m_computation, &Computation::runGrew, this, &Playback::runGrew);
+    connect(&m_computation, &Computation::runEnded, this, &Playback::runEnded);
+}
+
+void Playback::reset() {
+    m_following = false;
+    m_clock.pause();
+    m_clock.setNewest({});
+    refresh(false);
+    const auto& fe = m_computation.inputs().fe;
+    m_clock.setTime(fe != nullptr && fe->stateCount() > 0 ? fe->times().front() : 0.0);
+    m_timeline.setTime(m_clock.time());
+    m_transport.setTime(m_clock.time());
+    m_view.setTime(m_clock.time());
+    if (fe == nullptr) {
+        return;
+    }
+    std::vector<double> deaths(fe->stateCount(), 0.0);
+    for (std::size_t k = 1; k < deaths.size(); ++k) {
+        const auto before = static_cast<double>(fe->activity().activeCount(k - 1));
+        deaths[k] = std::max(0.0, before - static_cast<double>(fe->activity().activeCount(k)));
+    }
+    m_timeline.setDeaths(fe->times(), deaths);
+}
+
+void Playback::refresh(bool runStale) {
+    m_runStale = runStale;
+    const auto& fe = m_computation.inputs().fe;
+    m_transport.setAvailable(fe != nullptr);
+    if (fe == nullptr || fe->stateCount() == 0) {
+        m_clock.setRange(0.0, 0.0);
+        m_timeline.setRange(0.0, 0.0);
+        m_transport.setSpan(0.0, 0.0);
+        return;
+    }
+    const double first = fe->times().front();
+    const double feEnd = fe->times().back();
+    const RunRecord* record = m_computation.currentRun();
+    const double last = record != nullptr ? std::max(feEnd, record->newest) : feEnd;
+    m_clock.setRange(first, last);
+    const bool running = record != nullptr && record->running;
+    // While it runs nobody knows the end: the axis shows the latest that it may be.
+    const double axisEnd = running ? feEnd + record->scenario.simulation.settleTime : last;
+    m_timeline.setRange(first, std::max(last, axisEnd));
+    m_timeline.setFeEnd(feEnd);
+    m_timeline.setComputed(first, record != nullptr ? record->newest : first, runStale);
+    m_transport.setSpan(last, feEnd);
+}
+
+void Playback::runBegun() {
+    const RunRecord& record = *m_computation.currentRun();
+    m_clock.pause();
+    refresh(false);
+    m_clock.setTime(m_clock.first());
+    m_clock.setNewest(record.newest);
+    m_following = record.live;
+    m_transport.setPlaying(m_following);
+    if (!record.live) {
+        m_clock.play();
+    }
+}
+
+void Playback::runGrew(double time) {
+    refresh(m_runStale);
+    m_clock.setNewest(time);
+    const std::shared_ptr<LivePace> pace = m_computation.livePace();
+    if (m_following) {
+        m_clock.setTime(time);
+        // A hidden window draws nothing, and must not hold the run up.
+        if (!m_view.isVisible() || m_view.window()->isMinimized()) {
+            pace->shown(time);
+        }
+    } else if (pace != nullptr) {
+        pace->shown(time);
+    }
+}
+
+void Playback::runEnded() {
+    const bool followed = m_following;
+    m_following = false;
+    m_clock.setNewest({});
+    refresh(m_runStale);
+    m_transport.setPlaying(m_clock.playing());
+    if (followed) {
+        m_clock.setTime(m_computation.currentRun()->newest);
+    }
+}
+
+void Playback::shown(double time) {
+    if (m_following && m_computation.livePace() != nullptr) {
+        m_computation.livePace()->shown(time);
+        emit frameShown(true);
+    } else if (m_clock.playing()) {
+        emit frameShown(false);
+    }
+}
+
+void Playback::leaveLive() {
+    m_following = false;
+    m_transport.setPlaying(m_clock.playing());
+    if (const auto& pace = m_computation.livePace()) {
+        pace->shown(m_clock.last());
+    }
+}
+
+std::vector<double> Playback::stops() const {
+    const auto& fe = m_computation.inputs().fe;
+    if (fe == nullptr) {
+        return {};
+    }
+    std::vector<double> times = fe->times();
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || record->reader == nullptr) {
+        return times;
+    }
+    // After the last FE state the recorded frames take the place of states.
+    for (std::size_t i = record->reader->frameAt(times.back()); i < record->reader->frameCount(); ++i) {
+        if (record->reader->frameTime(i) > times.back()) {
+            times.push_back(record->reader->frameTime(i));
+        }
+    }
+    return times;
+}
+
+void Playback::step(int states) {
+    const std::vector<double> times = stops();
+    if (times.empty()) {
+        return;
+    }
+    leaveLive();
+    m_clock.pause();
+    const double now = m_clock.time();
+    const double slack = 1e-9 * std::max(1.0, std::abs(now));
+    std::ptrdiff_t at = 0;
+    if (states > 0) {
+        at = std::upper_bound(times.begin(), times.end(), now + slack) - times.begin() + states - 1;
+    } else {
+        at = std::lower_bound(times.begin(), times.end(), now - slack) - times.begin() + states;
+    }
+    m_clock.setTime(
+        times[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at, 0, static_cast<std::ptrdiff_t>(times.size()) - 1))]);
+}
+
+void Playback::jumpToFirst() {
+    leaveLive();
+    m_clock.setTime(m_clock.first());
+}
+
+void Playback::jumpToLast() {
+    const RunRecord* record = m_computation.currentRun();
+    if (record != nullptr && record->running) {
+        // The end of a run that grows is its newest frame; in live mode it is followed again.
+        m_following = record->live;
+        m_transport.setPlaying(m_following || m_clock.playing());
+        m_clock.setTime(record->newest);
+    } else {
+        m_clock.setTime(m_clock.last());
+    }
+}
+
+void Playback::toggle() {
+    if (m_following) {
+        leaveLive();
+    } else {
+        m_clock.toggle();
+    }
+}
+
+void Playback::scrub(double time) {
+    leaveLive();
+    m_clock.setTime(time);
+}
+
+}  // namespace rubble

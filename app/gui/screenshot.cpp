@@ -1,0 +1,52 @@
+#include "app/gui/screenshot.h"
+
+#include <QCoreApplication>
+#include <QPixmap>
+#include <cstdio>
+
+#include "app/gui/main_window.h"
+#include "app/gui/playback.h"
+#include "widgets/figures/figure_file.h"
+
+namespace rubble {
+
+Screenshot::Screenshot(MainWindow& window, QString path, std::optional<double> time, bool simulated)
+    : QObject(&window), m_window(window), m_path(std::move(path)), m_time(time), m_simulated(simulated) {
+    m_timer.setInterval(100);
+    connect(&m_timer, &QTimer::timeout, this, &Screenshot::look);
+    m_timer.start();
+}
+
+void Screenshot::look() {
+    Computation& computation = m_window.computation();
+    if (computation.failure() && !computation.busy()) {
+        std::fprintf(stderr, "rubble: %s %s\n", qPrintable(computation.failure()->what), qPrintable(computation.failure()->remedy));
+        m_timer.stop();
+        QCoreApplication::exit(1);
+        return;
+    }
+    const bool prepared = computation.results().clustering != nullptr;
+    const RunRecord* record = computation.currentRun();
+    const bool simulated = record != nullptr && record->outcome != nullptr;
+    if (computation.busy() || !prepared || (m_simulated && !simulated)) {
+        return;
+    }
+    m_timer.stop();
+    m_window.playback().clock().pause();
+    m_window.playback().scrub(m_time.value_or(m_window.playback().clock().last()));
+    // The views draw once more before the picture is taken.
+    QTimer::singleShot(1000, this, &Screenshot::take);
+}
+
+void Screenshot::take() {
+    try {
+        figures::writePng(m_path.toStdString(), m_window.grab().toImage());
+        QCoreApplication::exit(0);
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        std::fprintf(stderr, "rubble: %s %s\n", qPrintable(failure->what), qPrintable(failure->remedy));
+        QCoreApplication::exit(1);
+    }
+}
+
+}  // namespace rubble

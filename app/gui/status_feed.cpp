@@ -1,0 +1,138 @@
+#include "app/gui/status_feed.h"
+
+#include <unistd.h>
+
+#include <QLocale>
+#include <fstream>
+
+#include "app/gui/computation.h"
+#include "app/gui/document.h"
+#include "app/gui/playback.h"
+#include "widgets/status_line.h"
+#include "widgets/wording.h"
+
+namespace rubble {
+
+using Figure = widgets::StatusLine::Figure;
+
+std::int64_t residentMemory() {
+    std::ifstream file("/proc/self/statm");
+    std::int64_t total = 0;
+    std::int64_t resident = 0;
+    return file >> total >> resident ? resident * sysconf(_SC_PAGESIZE) : 0;
+}
+
+StatusFeed::StatusFeed(Document& document, Computation& computation, Playback& playback, widgets::StatusLine& line, QObject* parent)
+    : QObject(parent), m_document(document), m_computation(computation), m_playback(playback), m_line(line) {
+    m_clock.start();
+    m_timer.setInterval(250);
+    connect(&m_timer, &QTimer::timeout, this, &StatusFeed::refresh);
+    m_timer.start();
+    connect(&playback, &Playback::frameShown, this, [this](bool live) { (live ? m_live : m_shown).frame(now()); });
+    connect(&playback.clock(), &widgets::PlaybackClock::playingChanged, this, [this](bool playing) {
+        if (playing) {
+            m_shown.reset();
+        }
+    });
+    connect(&computation, &Computation::runBegun, this, [this] { m_live.reset(); });
+    connect(&computation, &Computation::progressed, this, &StatusFeed::showProgress);
+}
+
+double StatusFeed::playbackRecent() const {
+    return m_shown.recent(now());
+}
+
+void StatusFeed::showProgress(const QString& what, double fraction) {
+    if (what.isEmpty()) {
+        m_sinceStart.invalidate();
+        m_line.setActivity({});
+        return;
+    }
+    // A new stage starts its own clock.
+    if (!m_sinceStart.isValid() || fraction < m_lastFraction) {
+        m_sinceStart.start();
+    }
+    m_lastFraction = fraction;
+    QString text = what.left(1).toUpper() + what.mid(1);
+    const double spent = static_cast<double>(m_sinceStart.elapsed()) / 1000.0;
+    if (fraction > 0.02 && fraction < 1.0 && spent > 1.0) {
+        text += tr(" · about %1 left").arg(widgets::shownDuration(spent * (1.0 - fraction) / fraction));
+    }
+    m_line.setActivity(text, fraction);
+}
+
+void StatusFeed::showBodies() {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || record->reader == nullptr || record->reader->frameCount() == 0) {
+        m_line.setFigure(Figure::Bodies, {}, {});
+        return;
+    }
+    try {
+        const auto frame = record->reader->frame(record->reader->frameAt(m_playback.clock().time()));
+        std::int64_t present = 0;
+        std::int64_t awake = 0;
+        for (const BodyState state : frame->states) {
+            present += state != BodyState::Removed ? 1 : 0;
+            awake += state == BodyState::Awake ? 1 : 0;
+        }
+        m_line.setFigure(Figure::Bodies, tr("Bodies"), widgets::shownCount(present),
+                         tr("%1 awake").arg(widgets::shownCount(awake)));
+    } catch (const std::exception&) {
+        // The views say what is wrong with the run file; a figure is not worth a second complaint.
+        m_line.setFigure(Figure::Bodies, {}, {});
+    }
+}
+
+void StatusFeed::showFindings() {
+    const Results& results = m_computation.results();
+    std::size_t kinds = 0;
+    const auto add = [&](const Findings& findings) { kinds += findings.list().size(); };
+    if (m_computation.inputs().fe != nullptr) {
+        add(m_computation.inputs().fe->contents().findings);
+    }
+    if (results.components != nullptr) {
+        add(results.components->findings);
+    }
+    if (results.fragments != nullptr) {
+        add(results.fragments->findings);
+    }
+    if (results.sizing != nullptr) {
+        add(results.sizing->findings);
+    }
+    if (results.clustering != nullptr) {
+        add(results.clustering->findings);
+    }
+    if (const RunRecord* record = m_computation.currentRun(); record != nullptr && record->outcome != nullptr) {
+        add(record->outcome->findings);
+    }
+    m_line.setFigure(Figure::Findings, tr("Findings"),
+                     kinds > 0 ? widgets::shownCount(static_cast<std::int64_t>(kinds)) : QString());
+}
+
+void StatusFeed::refresh() {
+    const QLocale locale;
+    const auto fps = [&](double value) { return locale.toString(value, 'f', value < 10.0 ? 1 : 0) + tr(" FPS"); };
+    const RunRecord* record = m_computation.currentRun();
+    if (m_playback.following()) {
+        m_line.setFigure(Figure::Live, tr("Live"), fps(m_live.recent(now())),
+                         tr("target %1").arg(widgets::shownNumber(record->scenario.grid.fpsTarget)));
+    } else if (record != nullptr && record->live && m_live.frames() > 1) {
+        m_line.setFigure(Figure::Live, tr("Live"), fps(m_live.mean()),
+                         tr("mean, worst second %1").arg(locale.toString(m_live.worstSecond(), 'f', 0)));
+    } else {
+        m_line.setFigure(Figure::Live, {}, {});
+    }
+    const bool playing = m_playback.clock().playing();
+    m_line.setFigure(Figure::Playback, tr("Playback"), playing ? fps(playbackRecent()) : QString());
+    showBodies();
+    const bool done = record != nullptr && record->outcome != nullptr;
+    m_line.setFigure(Figure::Step, tr("Step"),
+                     done ? widgets::shownNumber(record->outcome->stepTimes.meanMs, 2) + tr(" ms") : QString());
+    m_line.setFigure(Figure::Energy, tr("Energy"),
+                     done ? QStringLiteral("+") + widgets::shownShare(record->outcome->energy.drift, 2) : QString());
+    showFindings();
+    const double gib = static_cast<double>(residentMemory()) / (1024.0 * 1024.0 * 1024.0);
+    m_line.setFigure(Figure::Memory, tr("Memory"), gib > 0.0 ? locale.toString(gib, 'f', 2) + tr(" GiB") : QString());
+}
+
+}  // namespace rubble

@@ -1,0 +1,259 @@
+#include <QActionGroup>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QResizeEvent>
+#include <QSettings>
+#include <QSplitter>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "app/gui/file_commands.h"
+#include "app/gui/main_window.h"
+#include "app/gui/panel_deck.h"
+#include "app/gui/playback.h"
+#include "app/gui/view_area.h"
+#include "widgets/status_line.h"
+#include "widgets/timeline.h"
+#include "widgets/transport.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr int compactBelow = 1440;
+constexpr int panelWidth = 300;
+
+}  // namespace
+
+void MainWindow::buildLayout() {
+    auto* centre = new QWidget;
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto* upper = new QHBoxLayout;
+    upper->setSpacing(0);
+    m_splitter = new QSplitter(Qt::Horizontal);
+    m_splitter->setHandleWidth(1);
+    m_splitter->setChildrenCollapsible(false);
+    m_deck->stack().setMinimumWidth(240);
+    m_splitter->addWidget(&m_deck->stack());
+    m_splitter->addWidget(m_area);
+    m_splitter->setStretchFactor(1, 1);
+    m_splitter->setSizes({panelWidth, 1000});
+    upper->addWidget(&m_deck->rail());
+    upper->addWidget(m_splitter, 1);
+    column->addLayout(upper, 1);
+
+    auto* bottom = new QWidget;
+    bottom->setObjectName(QStringLiteral("bottom"));
+    bottom->setAttribute(Qt::WA_StyledBackground);
+    auto* lower = new QHBoxLayout(bottom);
+    lower->setContentsMargins(0, 1, 0, 0);
+    lower->setSpacing(0);
+    m_transport->setFixedWidth(panelWidth + 48);
+    lower->addWidget(m_transport);
+    lower->addWidget(m_timeline, 1);
+    column->addWidget(bottom);
+    column->addWidget(m_status);
+    setCentralWidget(centre);
+}
+
+void MainWindow::buildMenus() {
+    QMenu* menu = nullptr;
+    QString title;
+    for (const ActionRow& row : actionTable()) {
+        if (const QString name = QCoreApplication::translate("actions", row.menu); name != title) {
+            title = name;
+            menu = menuBar()->addMenu(title);
+        }
+        for (const char* first : {"save", "close", "preset_default", "link", "theme_system", "play"}) {
+            if (row.id == first) {
+                menu->addSeparator();
+            }
+        }
+        menu->addAction(&m_actions[row.id]);
+    }
+    menuBar()->setCornerWidget(m_title);
+    for (const auto& ids : {std::vector<const char*>{"stacked", "beside", "fe_only", "fragments_only"},
+                            std::vector<const char*>{"theme_system", "theme_light", "theme_dark"}}) {
+        auto* group = new QActionGroup(this);
+        for (const char* id : ids) {
+            group->addAction(&m_actions[id]);
+        }
+    }
+}
+
+void MainWindow::buildToolBar() {
+    auto* bar = addToolBar(tr("Tools"));
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    bar->setIconSize({18, 18});
+    const auto add = [&](const char* id, Qt::ToolButtonStyle style) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(&m_actions[id]);
+        button->setToolButtonStyle(style);
+        button->setFocusPolicy(Qt::TabFocus);
+        bar->addWidget(button);
+        return button;
+    };
+    add("open", Qt::ToolButtonTextOnly);
+    add("undo", Qt::ToolButtonIconOnly);
+    add("redo", Qt::ToolButtonIconOnly);
+    bar->addSeparator();
+    for (const char* id : {"stacked", "beside", "fe_only", "fragments_only"}) {
+        add(id, Qt::ToolButtonTextOnly);
+    }
+    bar->addSeparator();
+    add("link", Qt::ToolButtonTextOnly);
+    add("fit", Qt::ToolButtonTextOnly);
+    bar->addSeparator();
+    auto* label = new QLabel(tr(" Colour by "));
+    label->setObjectName(QStringLiteral("muted"));
+    bar->addWidget(label);
+    const std::array<std::pair<QString, render::ColourBy>, 5> choices = {{{tr("highlight"), render::ColourBy::Highlight},
+                                                                          {tr("component"), render::ColourBy::Component},
+                                                                          {tr("birth time"), render::ColourBy::BirthTime},
+                                                                          {tr("speed"), render::ColourBy::Speed},
+                                                                          {tr("cluster"), render::ColourBy::Cluster}}};
+    for (const auto& [name, by] : choices) {
+        m_colours->addItem(name, static_cast<int>(by));
+    }
+    m_colours->setToolTip(tr("What the colour of a fragment says"));
+    m_colours->setAccessibleName(tr("Colour by"));
+    m_colours->setFocusPolicy(Qt::TabFocus);
+    bar->addWidget(m_colours);
+    auto* space = new QWidget;
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(space);
+    add("live", Qt::ToolButtonTextOnly);
+    add("simulate", Qt::ToolButtonTextOnly)->setObjectName(QStringLiteral("primary"));
+}
+
+void MainWindow::connectFiles() {
+    const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
+    on("open", [this] {
+        if (const QString path = m_files->askForInput(); !path.isEmpty()) {
+            open(path);
+        }
+    });
+    on("sample", [this] { openSample(); });
+    on("save", [this] { m_files->save(); });
+    on("save_as", [this] { m_files->saveAs(); });
+    on("save_run", [this] { m_files->saveRun(); });
+    on("export_fragments", [this] { m_files->exportFragments(); });
+    on("export_series", [this] { m_files->exportSeries(); });
+    on("export_figure", [this] { m_files->exportFigure(m_area->views().view(), sceneData()); });
+    on("close", [this] {
+        if (m_files->mayLeave()) {
+            m_computation.clear();
+            m_document.close();
+            m_area->showViews(false);
+            m_playback->reset();
+            m_deck->showOutcome({});
+            m_deck->choose(PanelDeck::Case);
+        }
+    });
+    on("quit", [this] { close(); });
+    on("undo", [this] { m_document.undoStack().undo(); });
+    on("redo", [this] { m_document.undoStack().redo(); });
+    on("preset_default", [this] { m_document.applyPreset(QStringLiteral("default")); });
+    on("preset_paper", [this] { m_document.applyPreset(QStringLiteral("paper")); });
+    on("manual", [this] { showManual(); });
+    on("about", [this] { showAbout(); });
+    connect(m_files, &FileCommands::done, m_status, &widgets::StatusLine::setMessage);
+    connect(m_files, &FileCommands::failed, this,
+            [this](const QString& what, const QString& remedy) { showFailure({what, remedy, "gui.write"}); });
+    connect(m_area, &ViewArea::openRequested, &m_actions["open"], &QAction::trigger);
+    connect(m_area, &ViewArea::sampleRequested, this, &MainWindow::openSample);
+
+    QUndoStack& stack = m_document.undoStack();
+    const auto name = [this, &stack] {
+        m_actions["undo"].setEnabled(stack.canUndo());
+        m_actions["redo"].setEnabled(stack.canRedo());
+        m_actions["undo"].setText(stack.canUndo() ? tr("Undo %1").arg(stack.undoText()) : tr("Undo"));
+        m_actions["redo"].setText(stack.canRedo() ? tr("Redo %1").arg(stack.redoText()) : tr("Redo"));
+        m_actions["undo"].setToolTip(m_actions["undo"].text() + QStringLiteral(" (Ctrl+Z)"));
+        m_actions["redo"].setToolTip(m_actions["redo"].text() + QStringLiteral(" (Ctrl+Shift+Z)"));
+    };
+    connect(&stack, &QUndoStack::indexChanged, this, name);
+    name();
+    connect(&m_document, &Document::scenarioChanged, this, &MainWindow::scenarioChanged);
+    connect(&m_document, &Document::titleChanged, this, &MainWindow::showTitle);
+    connect(&m_document, &Document::replaced, this, [this] {
+        m_deck->showScenario();
+        showState();
+    });
+}
+
+void MainWindow::connectViews() {
+    const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
+    on("stacked", [this] { setLayoutOf(render::Layout::Stacked); });
+    on("beside", [this] { setLayoutOf(render::Layout::Beside); });
+    on("fe_only", [this] { setLayoutOf(render::Layout::FeOnly); });
+    on("fragments_only", [this] { setLayoutOf(render::Layout::FragmentsOnly); });
+    on("link", [this](bool linked) {
+        render::View view = m_area->views().view();
+        // Unlinked, the fragments start from where both looked; linked, both look as the FE view does.
+        view.cameras[1] = view.cameras[0];
+        view.camerasLinked = linked;
+        setView(view);
+    });
+    on("fit", [this] { m_area->views().fit(); });
+    on("look_side", [this] { m_area->views().look(render::Preset::Side); });
+    on("look_front", [this] { m_area->views().look(render::Preset::Front); });
+    on("look_top", [this] { m_area->views().look(render::Preset::Top); });
+    for (const char* theme : {"system", "light", "dark"}) {
+        on(("theme_" + std::string(theme)).c_str(), [this, theme] {
+            QSettings().setValue(QStringLiteral("theme"), QLatin1String(theme));
+            setTheme(QLatin1String(theme));
+        });
+    }
+    connect(m_colours, &QComboBox::activated, this, [this] {
+        render::View view = m_area->views().view();
+        view.colourBy = static_cast<render::ColourBy>(m_colours->currentData().toInt());
+        setView(view);
+    });
+}
+
+void MainWindow::connectComputation() {
+    const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
+    on("simulate", [this] { simulate(false); });
+    on("live", [this] { simulate(true); });
+    on("cancel", [this] { m_computation.cancel(); });
+    connect(m_deck, &PanelDeck::simulateRequested, this, [this] { simulate(false); });
+    connect(m_deck, &PanelDeck::liveRequested, this, [this] { simulate(true); });
+    connect(m_deck, &PanelDeck::cancelRequested, this, [this] { m_computation.cancel(); });
+    connect(m_status, &widgets::StatusLine::cancelRequested, this, [this] { m_computation.cancel(); });
+    connect(&m_computation, &Computation::opened, this, &MainWindow::takeOpened);
+    connect(&m_computation, &Computation::prepared, this, &MainWindow::prepared);
+    connect(&m_computation, &Computation::failed, this, &MainWindow::showFailure);
+    connect(&m_computation, &Computation::stateChanged, this, &MainWindow::showState);
+    connect(&m_computation, &Computation::runBegun, this, [this] {
+        m_deck->showOutcome({});
+        showScene();
+    });
+    connect(&m_computation, &Computation::runGrew, this, [this] { m_area->views().update(); });
+    connect(&m_computation, &Computation::runEnded, this, &MainWindow::runEnded);
+    connect(&m_computation, &Computation::progressed, this,
+            [this](const QString& what) { m_area->setActivity(what.isEmpty() ? QString() : what + QStringLiteral(" …")); });
+}
+
+void MainWindow::connectPlayback() {
+    const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
+    on("play", [this] { m_playback->toggle(); });
+    on("back", [this] { m_playback->step(-1); });
+    on("forward", [this] { m_playback->step(1); });
+    on("back_ten", [this] { m_playback->step(-10); });
+    on("forward_ten", [this] { m_playback->step(10); });
+    on("first", [this] { m_playback->jumpToFirst(); });
+    on("last", [this] { m_playback->jumpToLast(); });
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    m_deck->rail().setCompact(event->size().width() < compactBelow);
+}
+
+}  // namespace rubble

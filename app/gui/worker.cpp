@@ -1,0 +1,123 @@
+#include "app/gui/worker.h"
+
+#include <algorithm>
+#include <new>
+
+#include "core/base/error.h"
+#include "widgets/wording.h"
+
+namespace rubble {
+
+Worker::Worker(QObject* parent) : QObject(parent) {
+    m_thread = std::thread([this] { loop(); });
+}
+
+Worker::~Worker() {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_stopping = true;
+        m_waiting.clear();
+        m_execution.cancel();
+    }
+    m_wake.notify_all();
+    m_thread.join();
+}
+
+void Worker::start(Job job) {
+    {
+        const std::lock_guard lock(m_mutex);
+        std::erase_if(m_waiting, [&](const Job& waiting) { return waiting.kind == job.kind; });
+        if (m_running == job.kind) {
+            m_execution.cancel();
+        }
+        m_waiting.push_back(std::move(job));
+    }
+    m_wake.notify_all();
+    emit changed();
+}
+
+void Worker::cancel() {
+    const std::lock_guard lock(m_mutex);
+    m_waiting.clear();
+    m_execution.cancel();
+}
+
+void Worker::cancel(Kind kind) {
+    const std::lock_guard lock(m_mutex);
+    std::erase_if(m_waiting, [&](const Job& waiting) { return waiting.kind == kind; });
+    if (m_running == kind) {
+        m_execution.cancel();
+    }
+}
+
+bool Worker::busy() const {
+    const std::lock_guard lock(m_mutex);
+    return m_running.has_value() || !m_waiting.empty();
+}
+
+bool Worker::busy(Kind kind) const {
+    const std::lock_guard lock(m_mutex);
+    return m_running == kind ||
+           std::any_of(m_waiting.begin(), m_waiting.end(), [&](const Job& waiting) { return waiting.kind == kind; });
+}
+
+void Worker::loop() {
+    while (true) {
+        std::unique_lock lock(m_mutex);
+        m_wake.wait(lock, [this] { return m_stopping || !m_waiting.empty(); });
+        if (m_stopping) {
+            return;
+        }
+        Job job = std::move(m_waiting.front());
+        m_waiting.pop_front();
+        m_running = job.kind;
+        m_execution = Execution([this, kind = job.kind](const Progress& progress) {
+            QMetaObject::invokeMethod(this, [this, kind, progress] { emit progressed(kind, progress); }, Qt::QueuedConnection);
+        });
+        const Execution execution = m_execution;
+        lock.unlock();
+        QMetaObject::invokeMethod(this, [this] { emit changed(); }, Qt::QueuedConnection);
+        runOne(job, execution);
+    }
+}
+
+void Worker::runOne(Job& job, const Execution& execution) {
+    std::exception_ptr thrown;
+    try {
+        job.work(execution);
+    } catch (...) {
+        thrown = std::current_exception();
+    }
+    {
+        const std::lock_guard lock(m_mutex);
+        m_running.reset();
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, finish = std::move(job.finish), thrown] {
+            finish(thrown);
+            emit changed();
+        },
+        Qt::QueuedConnection);
+}
+
+std::optional<Failure> failureOf(std::exception_ptr exception) {
+    if (exception == nullptr) {
+        return std::nullopt;
+    }
+    try {
+        std::rethrow_exception(exception);
+    } catch (const Cancelled&) {
+        return std::nullopt;
+    } catch (const Error& error) {
+        return Failure{widgets::worded(error.message()), widgets::worded(error.remedy()), error.message().id};
+    } catch (const std::bad_alloc&) {
+        return Failure{Worker::tr("There is not enough memory for this."),
+                       Worker::tr("Close other programs or choose a coarser Basic Grid."), "gui.memory"};
+    } catch (const std::exception& error) {
+        return Failure{QString::fromUtf8(error.what()), Worker::tr("This should not happen: please report it with the file."),
+                       "gui.unexpected"};
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <QObject>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "core/base/execution.h"
+
+namespace rubble {
+
+/// The one thread that does long work. Jobs run one after another; one that is started replaces a waiting one of its kind and
+/// cancels a running one of its kind (latest wins). Lives on the GUI thread.
+class Worker : public QObject {
+    Q_OBJECT
+
+public:
+    /// Kinds of work; a new job supersedes an older one of its kind.
+    enum class Kind { Open, Update, Simulate, Write };
+
+    struct Job {
+        Kind kind;
+        /// Runs on the worker's thread.
+        std::function<void(const Execution&)> work;
+        /// Runs on the GUI thread afterwards, with what the work threw (null: it succeeded). Not called for jobs that never
+        /// started.
+        std::function<void(std::exception_ptr)> finish;
+    };
+
+    explicit Worker(QObject* parent = nullptr);
+    /// Cancels and waits.
+    ~Worker() override;
+
+    void start(Job job);
+    /// Cancels what runs and drops what waits.
+    void cancel();
+    /// The same for one kind.
+    void cancel(Kind kind);
+    bool busy() const;
+    bool busy(Kind kind) const;
+
+signals:
+    void progressed(rubble::Worker::Kind kind, const rubble::Progress& progress);
+    /// Something started or ended.
+    void changed();
+
+private:
+    void loop();
+    void runOne(Job& job, const Execution& execution);
+
+    mutable std::mutex m_mutex;
+    std::condition_variable m_wake;
+    std::deque<Job> m_waiting;
+    std::optional<Kind> m_running;
+    Execution m_execution;
+    bool m_stopping = false;
+    std::thread m_thread;
+};
+
+/// A message for people from any exception: what, and what to do about it. False for Cancelled and null.
+struct Failure {
+    QString what;
+    QString remedy;
+    std::string id;
+};
+std::optional<Failure> failureOf(std::exception_ptr exception);
+
+}  // namespace rubble

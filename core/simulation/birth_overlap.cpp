@@ -11,7 +11,7 @@ double BirthOverlaps::offset(ColliderPair pair, double depth, bool newborn) {
         if (depth <= 0.0) {
             return 0.0;
         }
-        m_entries[pair] = {depth, m_step, 0, 0, true};
+        m_entries[pair] = {depth, m_step, 0, 0, 0.0, true};
         return depth;
     }
     const auto entry = m_entries.find(pair);
@@ -39,6 +39,23 @@ bool BirthOverlaps::pushedInVain(ColliderPair pair, double depth) {
     entry.pushes = entry.pushed + 1 == m_step ? entry.pushes + 1 : 1;
     entry.pushed = entry.seen = m_step;
     if (entry.pushes < piecePushes) {
+        return false;
+    }
+    entry.yielded = true;
+    entry.offset = std::max(entry.offset, depth);
+    return true;
+}
+
+double BirthOverlaps::pressLeft(ColliderPair pair) const {
+    const auto entry = m_entries.find(pair);
+    return entry == m_entries.end() ? piecePressSpeed : std::max(0.0, piecePressSpeed - entry->second.pressed);
+}
+
+bool BirthOverlaps::pressed(ColliderPair pair, double depth, double speed) {
+    Entry& entry = m_entries[pair];
+    entry.pressed += speed;
+    entry.pushed = entry.seen = m_step;
+    if (entry.pressed < 0.99 * piecePressSpeed) {
         return false;
     }
     entry.yielded = true;

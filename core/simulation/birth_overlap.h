@@ -26,8 +26,12 @@ public:
     bool yielded(ColliderPair pair) const;
     /// Makes the present depth the offset, because a piece that has given way goes on into the body.
     void follow(ColliderPair pair, double depth);
-    /// A push of a piece that did not bring its body up to speed; true when the piece gives way for that.
+    /// A piece carried a body and left much of the closing speed; true when it gives way after so many in a row.
     bool pushedInVain(ColliderPair pair, double depth);
+    /// m/s that a pressing piece may still change the speed of its body by.
+    double pressLeft(ColliderPair pair) const;
+    /// A piece pressed by so much; true when it gives way for that.
+    bool pressed(ColliderPair pair, double depth, double speed);
     /// Takes off what was bled in this step.
     void bleed(ColliderPair pair, double distance);
     void endStep();
@@ -41,6 +45,7 @@ private:
         std::uint64_t seen = 0;
         std::uint64_t pushed = 0;  ///< latest step of a push in vain
         int pushes = 0;            ///< in a row
+        double pressed = 0.0;      ///< m/s
         bool yielded = false;
     };
     std::unordered_map<ColliderPair, Entry> m_entries;

@@ -12,13 +12,22 @@ constexpr double thawTravel = 0.005;
 constexpr double separationSpeed = 2.0;
 /// Share of its own smallest side that a newborn must be inside another solid to count as born in occupied space.
 constexpr double occupiedShare = 0.05;
-/// m/s. A moving piece changes the speed of a body by at most about this much per step. Lower: piles are not lifted; higher: what
-/// is trapped between two solids is shot out.
-constexpr double piecePushSpeed = 5.0;
-/// A piece gives way when this many pushes in a row did not bring the body up to half its speed: the body is trapped.
+/// A piece that carries a body (from below) gives it per step at most this many times the impulse that would bring the free body
+/// up to its own speed. Lower: piles are not lifted; higher: what is trapped between two solids is shot out.
+constexpr double pieceCarryFactor = 3.0;
+/// m/s2. What it may add to that for the load that lies on the body.
+constexpr double carryAcceleration = 100.0;
+/// It gives way when this many such pushes in a row left more than half of the closing speed: the body is trapped.
 constexpr int piecePushes = 3;
-/// m/s. A piece that closes in on a body more slowly than this does not give way: it carries what lies on it.
+/// m/s. A piece that strikes a body from above or from the side changes its speed by this much in all, then gives way: the FE
+/// analysis never felt the body, and the elements of the piece bring their own momentum when they are born.
+constexpr double piecePressSpeed = 0.5;
+/// m/s. A piece that closes in on a body more slowly than this does not give way: it moves what touches it.
 constexpr double pieceYieldSpeed = 1.0;
+/// Upward part of the normal from which on a contact carries.
+constexpr double carryingNormal = 0.5;
+/// m. A contact point that cannot close in this step and is further apart than this is left out of the solve.
+constexpr double inertGap = 0.02;
 /// m. A piece of which no corner moves further than this in one FE interval stands still (files round coordinates to 1 mm).
 constexpr double pieceStillTravel = 0.002;
 /// m. Half the thickness of the ground box: more than any body is deep.

@@ -54,13 +54,23 @@ void FragmentWorld::solveConstraints(btContactSolverInfo& info) {
             m_manifolds.push_back(contact.manifold);
         }
     }
+    m_heights.clear();
+    for (const btCollisionObject* body : m_solved) {
+        m_heights.push_back(body->getWorldTransform().getOrigin().z());
+    }
     m_constraintSolver->prepareSolve(static_cast<int>(m_solved.size()), static_cast<int>(m_manifolds.size()));
     m_constraintSolver->solveGroup(m_solved.data(), static_cast<int>(m_solved.size()), m_manifolds.data(),
                                    static_cast<int>(m_manifolds.size()), nullptr, 0, info, m_debugDrawer, m_dispatcher1);
     m_constraintSolver->allSolved(info, m_debugDrawer);
 
+    // The solver parts what overlaps deeply by position only; what that lifts is no work of gravity.
+    for (std::size_t i = 0; i < m_solved.size(); ++i) {
+        const btRigidBody& body = *btRigidBody::upcast(m_solved[i]);
+        const double lift = body.getWorldTransform().getOrigin().z() - m_heights[i];
+        m_report.overlapWork += m_settings.gravity * lift / body.getInvMass();
+    }
     bookContacts();
-    restoreContacts();
+    restoreContacts(dt);
     bleedOverlaps(dt);
     m_overlaps.endStep();
 }
@@ -130,13 +140,33 @@ void FragmentWorld::offsetContacts(double dt) {
         if (!contact.yielding) {
             m_report.penetrationMax = std::max(m_report.penetrationMax, contact.depth - contact.offset);
         }
+        if (contact.offset > 0.0) {
+            dropInertPoints(contact, dt);
+        }
         for (int j = 0; j < contact.manifold->getNumContacts(); ++j) {
             btManifoldPoint& point = contact.manifold->getContactPoint(j);
-            m_stock.push_back({point.getDistance(), point.m_combinedRestitution});
+            m_stock.push_back({point.getDistance(), point.m_combinedRestitution, point.m_appliedImpulse});
             point.setDistance(std::max(point.getDistance() + contact.offset, -deepestSeen));
             if (contact.offset > 0.0) {
                 point.m_combinedRestitution = 0.0;
             }
+        }
+    }
+}
+
+void FragmentWorld::dropInertPoints(Contact& contact, double dt) {
+    for (int j = contact.manifold->getNumContacts() - 1; j >= 0; --j) {
+        const btManifoldPoint& point = contact.manifold->getContactPoint(j);
+        const double gap = point.getDistance() + contact.offset - inertGap;
+        if (gap <= 0.0 || j == contact.deepest) {
+            continue;
+        }
+        const btVector3& where = point.getPositionWorldOnB();
+        const double opening = point.m_normalWorldOnB.dot(pointVelocity(*contact.a, where) - pointVelocity(*contact.b, where));
+        if (gap + opening * dt > 0.0) {
+            // Bullet puts the last point in the place of the one taken out.
+            contact.deepest = contact.deepest == contact.manifold->getNumContacts() - 1 ? j : contact.deepest;
+            contact.manifold->removeContactPoint(j);
         }
     }
 }
@@ -162,8 +192,12 @@ void FragmentWorld::limitPiece(Contact& contact, double dt) {
         const double approach = toBody.dot(pointVelocity(piece, where) - pointVelocity(body, where));
         contact.approach = std::max(contact.approach, approach);
     }
-    contact.yielding = gaveWay && contact.approach > pieceYieldSpeed;
-    const double most = mass * (piecePushSpeed + 10.0 * m_settings.gravity * dt);
+    const double up = (pieceIsA ? -1.0 : 1.0) * contact.manifold->getContactPoint(contact.deepest).m_normalWorldOnB.z();
+    const bool closing = contact.approach > pieceYieldSpeed;
+    contact.yielding = gaveWay && closing;
+    contact.pressing = closing && up < carryingNormal;
+    const double most = mass * (contact.pressing ? m_overlaps.pressLeft(contact.pair)
+                                                 : pieceCarryFactor * std::max(0.0, contact.approach) + carryAcceleration * dt);
     for (int j = 0; j < points; ++j) {
         FragmentSolver::limit(contact.manifold->getContactPoint(j), most / points);
     }
@@ -180,6 +214,7 @@ void FragmentWorld::bookContacts() {
         }
         bool acted = false;
         double left = 0.0;
+        double impulseSum = 0.0;
         const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
         Collider& piece = pieceIsA ? *contact.a : *contact.b;
         Collider& body = pieceIsA ? *contact.b : *contact.a;
@@ -194,27 +229,36 @@ void FragmentWorld::bookContacts() {
                 m_report.pieceWork += impulse.dot(pointVelocity(piece, point.getPositionWorldOnB()));
                 const btVector3 relative =
                     pointVelocity(piece, point.getPositionWorldOnB()) - pointVelocity(body, point.getPositionWorldOnB());
+                impulseSum += point.m_appliedImpulse;
                 left = std::max(left, (pieceIsA ? -1.0 : 1.0) * point.m_normalWorldOnB.dot(relative));
                 body.pushed = true;
             }
         }
         contact.a->touched = contact.a->touched || acted;
         contact.b->touched = contact.b->touched || acted;
-        const bool inVain = driven && !contact.yielding && contact.approach > pieceYieldSpeed && left > 0.5 * contact.approach;
-        if (inVain && m_overlaps.pushedInVain(contact.pair, contact.depth)) {
-            ++m_report.piecesYielded;
+        if (!driven || contact.approach <= pieceYieldSpeed || impulseSum <= 0.0) {
+            continue;
         }
+        const bool gaveWay = contact.pressing
+                                 ? m_overlaps.pressed(contact.pair, contact.depth, impulseSum * body.object->getInvMass())
+                                 : left > 0.5 * contact.approach && m_overlaps.pushedInVain(contact.pair, contact.depth);
+        m_report.piecesYielded += gaveWay;
     }
 }
 
-void FragmentWorld::restoreContacts() {
+void FragmentWorld::restoreContacts(double dt) {
     std::size_t next = 0;
     for (const Contact& contact : m_contacts) {
+        const double heavier = std::max(inverseMass(*contact.a, awake(*contact.a)), inverseMass(*contact.b, awake(*contact.b)));
+        const double weight = heavier > 0.0 ? m_settings.gravity * dt / heavier : 0.0;
         for (int j = 0; j < contact.manifold->getNumContacts(); ++j) {
             btManifoldPoint& point = contact.manifold->getContactPoint(j);
-            point.setDistance(m_stock[next].distance);
-            point.m_combinedRestitution = m_stock[next].restitution;
-            ++next;
+            const Stock& stock = m_stock[next++];
+            point.setDistance(stock.distance);
+            point.m_combinedRestitution = stock.restitution;
+            // The next step starts from this impulse. That of a blow would have to be taken back within the few iterations there
+            // are, and what is left of it spins and launches bodies.
+            point.m_appliedImpulse = std::min<double>(point.m_appliedImpulse, 2.0 * std::max(stock.impulse, weight));
         }
     }
 }

@@ -73,18 +73,21 @@ private:
         int deepest = 0;        ///< its index
         double offset = 0.0;    ///< m
         double approach = 0.0;  ///< m/s, of a moving piece towards its body
+        bool pressing = false;  ///< it strikes from above or from the side
         bool yielding = false;  ///< its piece has given way and goes on into the body
     };
     struct Stock {
         double distance = 0.0;
         double restitution = 0.0;
+        double impulse = 0.0;  ///< N s, of the step before
     };
 
     void collectContacts();
     void wakeByContacts();
     void offsetContacts(double dt);
+    void dropInertPoints(Contact& contact, double dt);
     void limitPiece(Contact& contact, double dt);
-    void restoreContacts();
+    void restoreContacts(double dt);
     void bookContacts();
     void bleedOverlaps(double dt);
     void freeze(Collider& body);
@@ -100,6 +103,7 @@ private:
     std::vector<Stock> m_stock;
     std::vector<btCollisionObject*> m_solved;
     std::vector<btPersistentManifold*> m_manifolds;
+    std::vector<double> m_heights;  ///< m, of the solved bodies before the solve
     std::vector<std::uint32_t> m_justThawed;
 };
 

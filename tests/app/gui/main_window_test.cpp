@@ -1,0 +1,241 @@
+#include "app/gui/main_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QTemporaryDir>
+#include <QTest>
+#include <fstream>
+
+#include "app/gui/file_commands.h"
+#include "app/gui/panel_deck.h"
+#include "app/gui/playback.h"
+#include "app/gui/view_area.h"
+#include "io/case_file.h"
+#include "widgets/case_panel.h"
+#include "widgets/status_line.h"
+#include "widgets/timeline.h"
+
+namespace rubble {
+
+namespace {
+
+const QString arch = QStringLiteral(RUBBLE_SOURCE_DIR "/resources/samples/rc-arch.exo");
+// Patience for machines that do much else at the same time; nothing is asserted about how long things take.
+constexpr int patience = 180'000;
+
+class Workbench : public testing::Test {
+protected:
+    void SetUp() override {
+        window = std::make_unique<MainWindow>();
+        window->resize(1280, 800);
+        window->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), patience));
+    }
+
+    void openArch() {
+        window->open(arch);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    }
+    bool prepared() const {
+        return window->computation().results().clustering != nullptr && !window->computation().busy() &&
+               !window->computation().stale(Stage::Clusters, window->document().scenario());
+    }
+    /// Settings under which the arch is simulated in seconds: few bodies, no settling.
+    void makeCheap() {
+        window->document().setParameter(QStringLiteral("multiple"), 8.0);
+        window->document().setParameter(QStringLiteral("settle_time"), 0.0);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    }
+    widgets::StageState rail(PanelDeck::Entry entry) { return window->deck().rail().state(entry); }
+
+    std::unique_ptr<MainWindow> window;
+};
+
+}  // namespace
+
+TEST_F(Workbench, StartsEmptyAndSaysHowToBegin) {
+    EXPECT_EQ(window->area().currentIndex(), 0);
+    EXPECT_FALSE(window->actions()["simulate"].isEnabled());
+    EXPECT_EQ(rail(PanelDeck::Case), widgets::StageState::NotYet);
+}
+
+TEST_F(Workbench, OpensAnFeResultPlaysAndSteps) {
+    openArch();
+    EXPECT_EQ(window->area().currentIndex(), 1);
+    EXPECT_EQ(rail(PanelDeck::Fragments), widgets::StageState::UpToDate);
+    EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::NotYet);
+    const auto& times = window->computation().inputs().fe->times();
+    widgets::PlaybackClock& clock = window->playback().clock();
+    EXPECT_DOUBLE_EQ(clock.time(), times.front());
+    QTest::keyClick(window.get(), Qt::Key_Right);
+    EXPECT_DOUBLE_EQ(clock.time(), times[1]);
+    QTest::keyClick(window.get(), Qt::Key_Right, Qt::ShiftModifier);
+    EXPECT_DOUBLE_EQ(clock.time(), times[11]);
+    QTest::keyClick(window.get(), Qt::Key_Left);
+    EXPECT_DOUBLE_EQ(clock.time(), times[10]);
+    QTest::keyClick(window.get(), Qt::Key_End);
+    EXPECT_DOUBLE_EQ(clock.time(), times.back());
+    QTest::keyClick(window.get(), Qt::Key_Home);
+    EXPECT_DOUBLE_EQ(clock.time(), times.front());
+    QTest::keyClick(window.get(), Qt::Key_Space);
+    EXPECT_TRUE(clock.playing());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return clock.time() > times.front(); }, patience));
+    QTest::keyClick(window.get(), Qt::Key_Space);
+    EXPECT_FALSE(clock.playing());
+    QTest::keyClick(window.get(), Qt::Key_3);
+    EXPECT_EQ(window->area().views().view().layout, render::Layout::FeOnly);
+}
+
+TEST_F(Workbench, TheMouseMovesTheCamera) {
+    openArch();
+    widgets::ViewWidget& views = window->area().views();
+    const render::Camera before = views.view().cameras[0];
+    const QPoint from(views.width() / 4, views.height() / 4);
+    QTest::mousePress(&views, Qt::LeftButton, {}, from);
+    QTest::mouseMove(&views, from + QPoint(40, 10));
+    QTest::mouseRelease(&views, Qt::LeftButton, {}, from + QPoint(40, 10));
+    const render::Camera turned = views.view().cameras[0];
+    EXPECT_NE(turned, before);
+    EXPECT_NEAR((turned.position - turned.focalPoint).norm(), (before.position - before.focalPoint).norm(), 1e-6);
+}
+
+TEST_F(Workbench, AnEditIsCountedAnewAndUndone) {
+    openArch();
+    const std::size_t clusters = window->computation().results().clustering->list.size();
+    window->document().setParameter(QStringLiteral("multiple"), 12.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    EXPECT_LT(window->computation().results().clustering->list.size(), clusters);
+    QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    EXPECT_EQ(window->computation().results().clustering->list.size(), clusters);
+}
+
+TEST_F(Workbench, SimulatesPlaysMeanwhileAndGoesStale) {
+    openArch();
+    makeCheap();
+    window->simulate(false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().simulating(); }, patience));
+    EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::Running);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+    const RunRecord* record = window->computation().currentRun();
+    ASSERT_NE(record, nullptr);
+    ASSERT_NE(record->outcome, nullptr);
+    EXPECT_TRUE(record->reader->complete());
+    EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::UpToDate);
+    EXPECT_EQ(record->outcome->fragments.size(), record->results.fragments->size());
+    window->document().setParameter(QStringLiteral("friction"), 0.7);
+    EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::Stale);
+    EXPECT_NE(window->sceneData().trajectory, nullptr) << "a stale result stays visible";
+    window->document().undoStack().undo();
+    EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::UpToDate);
+}
+
+TEST_F(Workbench, CancelKeepsWhatIsComputed) {
+    openArch();
+    window->simulate(false);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            const RunRecord* record = window->computation().currentRun();
+            return record != nullptr && record->reader->frameCount() > 3;
+        },
+        patience));
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+    const RunRecord* record = window->computation().currentRun();
+    ASSERT_NE(record, nullptr);
+    EXPECT_EQ(record->outcome, nullptr);
+    EXPECT_FALSE(record->running);
+    EXPECT_GT(record->reader->frameCount(), 3U);
+    EXPECT_FALSE(window->computation().failure().has_value());
+    EXPECT_TRUE(window->actions()["simulate"].isEnabled());
+}
+
+TEST_F(Workbench, LiveModeDrawsEveryFrame) {
+    openArch();
+    makeCheap();
+    window->simulate(true);
+    int followed = 0;
+    QObject::connect(&window->playback(), &Playback::frameShown, window.get(), [&](bool live) { followed += live ? 1 : 0; });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return followed >= 10; }, patience));
+    EXPECT_TRUE(window->playback().following());
+    EXPECT_DOUBLE_EQ(window->computation().currentRun()->scenario.simulation.frameRate,
+                     window->document().scenario().grid.fpsTarget);
+    // Scrubbing leaves the newest frame; the run goes on without it.
+    window->playback().scrub(0.1);
+    EXPECT_FALSE(window->playback().following());
+    const double newest = window->computation().currentRun()->newest;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().currentRun()->newest > newest + 0.1; }, patience));
+    EXPECT_DOUBLE_EQ(window->playback().clock().time(), 0.1);
+    window->computation().cancel();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+}
+
+TEST_F(Workbench, ClosingWhileItSimulatesIsClean) {
+    openArch();
+    window->simulate(false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().simulating(); }, patience));
+    const QString scratch = window->computation().currentRun()->path;
+    EXPECT_TRUE(QFile::exists(scratch));
+    EXPECT_TRUE(window->close());
+    window.reset();
+    QTest::qWait(50);
+    EXPECT_FALSE(QFile::exists(scratch)) << "the temporary run is left behind";
+}
+
+TEST_F(Workbench, ClosingWhileItOpensIsClean) {
+    window->open(arch);
+    window.reset();
+    QTest::qWait(50);
+}
+
+TEST_F(Workbench, AFileThatIsNoResultSaysSoAndLeavesWhatIsOpen) {
+    openArch();
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("notes.txt"));
+    std::ofstream(path.toStdString()) << "These are notes about the bridge, not a result of an analysis.\n";
+    window->open(path);
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return !window->computation().busy() && !window->statusLine().activityText().isEmpty(); }, patience));
+    EXPECT_TRUE(window->statusLine().activityText().contains(QStringLiteral("notes.txt")))
+        << window->statusLine().activityText().toStdString();
+    EXPECT_NE(window->computation().inputs().fe, nullptr);
+    EXPECT_EQ(window->area().currentIndex(), 1);
+}
+
+TEST_F(Workbench, ADroppedFileOpens) {
+    QMimeData mime;
+    mime.setUrls({QUrl::fromLocalFile(arch)});
+    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window.get(), &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window.get(), &drop);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().inputs().fe != nullptr; }, patience));
+}
+
+TEST_F(Workbench, ASavedCaseOpensAgainWithItsSettings) {
+    openArch();
+    window->document().setParameter(QStringLiteral("friction"), 0.65);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("case.rubble"));
+    ASSERT_TRUE(window->files().saveTo(path));
+    EXPECT_FALSE(window->document().modified());
+    window->open(path);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().path() == path && prepared(); }, patience));
+    EXPECT_DOUBLE_EQ(window->document().scenario().simulation.friction, 0.65);
+    EXPECT_TRUE(io::isCaseFile(path.toStdString()));
+}
+
+TEST_F(Workbench, NothingIsClippedAtTheSmallestSize) {
+    openArch();
+    EXPECT_TRUE(window->deck().rail().compact());
+    EXPECT_EQ(window->size(), QSize(1280, 800));
+    EXPECT_LE(window->minimumSizeHint().width(), 1280);
+    EXPECT_LE(window->minimumSizeHint().height(), 800);
+}
+
+}  // namespace rubble

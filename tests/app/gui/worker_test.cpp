@@ -1,0 +1,129 @@
+#include "app/gui/worker.h"
+
+#include <gtest/gtest.h>
+
+#include <QElapsedTimer>
+#include <QTest>
+#include <atomic>
+
+#include "app/gui/watched_sink.h"
+#include "core/base/error.h"
+
+namespace rubble {
+
+namespace {
+
+/// Works until it is cancelled.
+void untilCancelled(const Execution& execution) {
+    while (true) {
+        execution.report({"test", "working", {}}, 0.5);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+}  // namespace
+
+TEST(Worker, RunsOneJobAfterAnotherAndFinishesOnThisThread) {
+    Worker worker;
+    std::vector<int> order;
+    std::thread::id finished;
+    worker.start(
+        {Worker::Kind::Open, [&](const Execution&) { order.push_back(1); }, [&](std::exception_ptr) { order.push_back(2); }});
+    worker.start({Worker::Kind::Simulate, [&](const Execution&) {},
+                  [&](std::exception_ptr thrown) {
+                      EXPECT_EQ(thrown, nullptr);
+                      finished = std::this_thread::get_id();
+                  }});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return finished != std::thread::id(); }));
+    EXPECT_EQ(order, (std::vector<int>{1, 2}));
+    EXPECT_EQ(finished, std::this_thread::get_id());
+    EXPECT_FALSE(worker.busy());
+}
+
+TEST(Worker, TheLatestOfAKindWins) {
+    Worker worker;
+    std::atomic<int> last = 0;
+    int finished = 0;
+    bool firstCancelled = false;
+    worker.start({Worker::Kind::Update, untilCancelled, [&](std::exception_ptr thrown) {
+                      firstCancelled = thrown != nullptr && !failureOf(thrown);
+                      ++finished;
+                  }});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return worker.busy(Worker::Kind::Update); }));
+    QTest::qWait(20);
+    for (int i = 1; i <= 5; ++i) {
+        worker.start({Worker::Kind::Update, [&, i](const Execution&) { last = i; }, [&](std::exception_ptr) { ++finished; }});
+    }
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !worker.busy() && finished == 2; }));
+    EXPECT_TRUE(firstCancelled);
+    EXPECT_EQ(last, 5);
+}
+
+TEST(Worker, CancelReachesWorkWithinHalfASecondAndDropsWhatWaits) {
+    Worker worker;
+    bool ended = false;
+    bool ran = false;
+    worker.start({Worker::Kind::Simulate, untilCancelled, [&](std::exception_ptr) { ended = true; }});
+    worker.start({Worker::Kind::Write, [&](const Execution&) { ran = true; }, [](std::exception_ptr) {}});
+    QTest::qWait(20);
+    worker.cancel();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return ended; }, 5000));
+    EXPECT_FALSE(ran);
+    EXPECT_FALSE(worker.busy());
+}
+
+TEST(Worker, DyingWhileItWorksIsClean) {
+    bool ended = false;
+    {
+        Worker worker;
+        worker.start({Worker::Kind::Simulate, untilCancelled, [&](std::exception_ptr) { ended = true; }});
+        QTest::qWait(20);
+    }
+    QTest::qWait(20);
+    EXPECT_FALSE(ended);  // nobody is left to be told
+}
+
+TEST(Worker, FailuresSayWhatAndWhatToDo) {
+    const auto of = [](const auto& error) { return failureOf(std::make_exception_ptr(error)); };
+    const auto failure = of(WorldError({"x.y", "{0} is full", {"disk"}}, {"x.y.remedy", "Make room.", {}}));
+    ASSERT_TRUE(failure);
+    EXPECT_EQ(failure->what, QStringLiteral("disk is full"));
+    EXPECT_EQ(failure->remedy, QStringLiteral("Make room."));
+    EXPECT_EQ(failure->id, "x.y");
+    EXPECT_FALSE(of(Cancelled()));
+    EXPECT_FALSE(failureOf(nullptr));
+    EXPECT_TRUE(of(std::runtime_error("odd")));
+    EXPECT_TRUE(of(std::bad_alloc()));
+}
+
+TEST(LivePace, AFrameWaitsForTheOneBeforeToBeShownAndForTheClock) {
+    LivePace pace;
+    const Execution execution;
+    QElapsedTimer clock;
+    clock.start();
+    std::thread screen([&] {
+        for (int i = 0; i < 10; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            pace.shown(0.02 * i);
+        }
+    });
+    for (int i = 0; i < 10; ++i) {
+        pace.waitFor(0.02 * i, execution);
+    }
+    // Nine intervals of 20 ms of collapse take no less of the wall clock.
+    EXPECT_GE(clock.nsecsElapsed(), 180'000'000 - 1'000'000);
+    screen.join();
+}
+
+TEST(LivePace, CancelEndsTheWait) {
+    LivePace pace;
+    const Execution execution;
+    pace.waitFor(0.0, execution);
+    execution.cancel();
+    QElapsedTimer clock;
+    clock.start();
+    pace.waitFor(3600.0, execution);
+    EXPECT_LT(clock.elapsed(), 60'000);
+}
+
+}  // namespace rubble

@@ -1,0 +1,248 @@
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QTableWidget>
+#include <QTest>
+#include <map>
+
+#include "widgets/case_panel.h"
+#include "widgets/fragments_panel.h"
+#include "widgets/grid_panel.h"
+#include "widgets/parameter_editor.h"
+#include "widgets/run_panel.h"
+#include "widgets/stage_rail.h"
+#include "widgets/status_line.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+/// A mesh of two unit cubes apart from each other, each a component.
+std::shared_ptr<Components> twoComponents() {
+    auto components = std::make_shared<Components>();
+    for (const char* name : {"ring", "strip"}) {
+        Component component;
+        component.name = name;
+        component.kind = "solid";
+        component.density = 2000.0;
+        component.mass = 2000.0;
+        component.bounds = Aabb(Vec3(0, 0, 0), Vec3(1, 1, 1));
+        components->list.push_back(component);
+    }
+    return components;
+}
+
+std::shared_ptr<Sizing> someSizing() {
+    auto sizing = std::make_shared<Sizing>();
+    for (AxisSizing& axis : sizing->axis) {
+        axis.meanDistance = 1.08;
+        axis.size = 5.95;
+        axis.accuracyMin = 1.84;
+        axis.accuracyMax = 7.0;
+    }
+    sizing->axis[2].clampedBy = ClampedBy::FragmentSize;
+    sizing->axis[2].accuracyMin = 1.93;
+    sizing->axis[2].accuracyMax = 1.6;
+    sizing->axis[2].smallestComponent = idAt<ComponentId>(1);
+    sizing->commonMultiple = 5.5;
+    sizing->fragments = 49561;
+    sizing->clusters = 4453;
+    sizing->fpsTarget = 24;
+    return sizing;
+}
+
+}  // namespace
+
+TEST(Panels, EveryUnkeyedParameterHasExactlyOneEditor) {
+    CasePanel ofCase;
+    FragmentsPanel ofFragments;
+    GridPanel ofGrid;
+    RunPanel ofRun;
+    std::map<std::string, int> found;
+    for (const Panel* panel : std::initializer_list<const Panel*>{&ofCase, &ofFragments, &ofGrid, &ofRun}) {
+        for (const ParameterEditor* editor : panel->findChildren<ParameterEditor*>()) {
+            ++found[editor->key().toStdString()];
+        }
+    }
+    for (const Parameter& row : parameterTable()) {
+        if (!row.keyed()) {
+            EXPECT_EQ(found[std::string(row.key)], 1) << row.key;
+        }
+    }
+}
+
+TEST(Panels, EditsLeaveWithTheirKey) {
+    RunPanel panel;
+    panel.setScenario(Scenario());
+    QString key;
+    ParameterValue value;
+    QObject::connect(&panel, &Panel::edited, [&](const QString& k, const ParameterValue& v) {
+        key = k;
+        value = v;
+    });
+    auto* field = panel.editor(QStringLiteral("friction"))->findChild<QLineEdit*>();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("0.65"));
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_EQ(key, QStringLiteral("friction"));
+    EXPECT_EQ(value, ParameterValue(0.65));
+}
+
+TEST(GridPanel, TheSliderRisesAndReadsBack) {
+    double before = 0.0;
+    for (int position = 0; position <= 400; ++position) {
+        const double multiple = GridPanel::multipleAt(position);
+        EXPECT_GE(multiple, before);
+        before = multiple;
+        // Two decimals move the place by one step at most where steps are finer than a hundredth.
+        EXPECT_NEAR(GridPanel::positionOf(multiple), position, 1);
+    }
+    EXPECT_DOUBLE_EQ(GridPanel::multipleAt(0), 0.5);
+    EXPECT_DOUBLE_EQ(GridPanel::multipleAt(400), 50.0);
+}
+
+TEST(GridPanel, DraggingIsOneGestureOfEdits) {
+    GridPanel panel;
+    panel.setContent({someSizing(), nullptr, nullptr, twoComponents(), nullptr});
+    QStringList heard;
+    QObject::connect(&panel, &GridPanel::draggingStarted, [&] { heard << QStringLiteral("start"); });
+    QObject::connect(&panel, &GridPanel::draggingEnded, [&] { heard << QStringLiteral("end"); });
+    QObject::connect(&panel, &Panel::edited, [&](const QString& key) { heard << key; });
+    auto* slider = panel.findChild<QSlider*>();
+    slider->setSliderDown(true);
+    slider->setValue(300);
+    slider->setValue(310);
+    slider->setSliderDown(false);
+    EXPECT_EQ(heard, QStringList(
+                         {QStringLiteral("start"), QStringLiteral("multiple"), QStringLiteral("multiple"), QStringLiteral("end")}));
+}
+
+TEST(GridPanel, AClampIsExplainedInASentence) {
+    GridPanel panel;
+    panel.setContent({someSizing(), nullptr, nullptr, twoComponents(), nullptr});
+    bool explained = false;
+    for (const Notice* notice : panel.findChildren<Notice*>()) {
+        explained =
+            explained || (notice->text().contains(QStringLiteral("strip")) && notice->text().contains(QStringLiteral("1.93")));
+    }
+    EXPECT_TRUE(explained);
+    const auto* table = panel.findChild<QTableWidget*>();
+    EXPECT_EQ(table->item(0, 2)->text(), QStringLiteral("5.95"));
+    EXPECT_EQ(table->item(2, 4)->text(), QStringLiteral("1.60"));
+}
+
+TEST(CasePanel, SelectedComponentsAreMergedByAnEdit) {
+    CasePanel panel;
+    panel.setContent(nullptr, twoComponents());
+    std::optional<RegroupStep> step;
+    QObject::connect(&panel, &CasePanel::regroupRequested, [&](const RegroupStep& asked) { step = asked; });
+    panel.findChild<QTableWidget*>()->selectAll();
+    EXPECT_EQ(panel.selectedComponents(), QStringList({QStringLiteral("ring"), QStringLiteral("strip")}));
+    panel.findChild<QPushButton*>(QStringLiteral("merge"))->click();
+    auto* name = panel.findChild<QLineEdit*>(QStringLiteral("newName"));
+    name->setText(QStringLiteral("whole ring"));
+    emit name->returnPressed();
+    ASSERT_TRUE(step.has_value());
+    EXPECT_EQ(std::get<MergeComponents>(*step), (MergeComponents{{"ring", "strip"}, "whole ring"}));
+}
+
+TEST(CasePanel, ANameThatIsTakenIsRefusedInPlace) {
+    CasePanel panel;
+    panel.setContent(nullptr, twoComponents());
+    int asked = 0;
+    QObject::connect(&panel, &CasePanel::regroupRequested, [&] { ++asked; });
+    panel.findChild<QTableWidget*>()->selectRow(0);
+    panel.findChild<QPushButton*>(QStringLiteral("rename"))->click();
+    auto* name = panel.findChild<QLineEdit*>(QStringLiteral("newName"));
+    name->setText(QStringLiteral("strip"));
+    emit name->returnPressed();
+    EXPECT_EQ(asked, 0);
+    name->setText(QStringLiteral("arch"));
+    emit name->returnPressed();
+    EXPECT_EQ(asked, 1);
+}
+
+TEST(CasePanel, ADensityIsTypedIntoTheTable) {
+    CasePanel panel;
+    panel.setContent(nullptr, twoComponents());
+    QString key;
+    ParameterValue value;
+    QObject::connect(&panel, &Panel::edited, [&](const QString& k, const ParameterValue& v) {
+        key = k;
+        value = v;
+    });
+    auto* table = panel.findChild<QTableWidget*>();
+    table->item(1, 4)->setText(QStringLiteral("2,350"));
+    EXPECT_EQ(key, QStringLiteral("component[strip].density"));
+    EXPECT_EQ(value, ParameterValue(2350.0));
+    key.clear();
+    table->item(1, 4)->setText(QStringLiteral("-5"));
+    EXPECT_TRUE(key.isEmpty());
+    table->item(1, 4)->setText(QString());
+    EXPECT_EQ(key, QStringLiteral("component[strip].density"));
+    EXPECT_EQ(value, ParameterValue());
+}
+
+TEST(RunPanel, OffersWhatCanBeDone) {
+    RunPanel panel;
+    auto* simulate = panel.findChild<QPushButton*>(QStringLiteral("primary"));
+    EXPECT_FALSE(simulate->isEnabled());
+    panel.setReady(true, false);
+    EXPECT_TRUE(simulate->isEnabled());
+    int asked = 0;
+    QObject::connect(&panel, &RunPanel::simulateRequested, [&] { ++asked; });
+    simulate->click();
+    EXPECT_EQ(asked, 1);
+    panel.setReady(true, true);
+    EXPECT_TRUE(simulate->isHidden());
+}
+
+TEST(StageRail, ChoosesByMouseAndKeys) {
+    StageRail rail({{QStringLiteral("Case"), {}, Glyph::Case}, {QStringLiteral("Run"), {}, Glyph::Run}});
+    std::vector<int> chosen;
+    QObject::connect(&rail, &StageRail::chosen, [&](int index) { chosen.push_back(index); });
+    rail.findChild<QAbstractButton*>(QStringLiteral("rail0"))->click();
+    QTest::keyClick(&rail, Qt::Key_Down);
+    QTest::keyClick(&rail, Qt::Key_Down);
+    EXPECT_EQ(chosen, (std::vector<int>{0, 1}));
+    rail.setState(1, StageState::Stale, 2);
+    EXPECT_EQ(rail.state(1), StageState::Stale);
+    const auto* button = rail.findChild<QAbstractButton*>(QStringLiteral("rail1"));
+    EXPECT_TRUE(button->accessibleDescription().contains(QStringLiteral("stale")));
+    EXPECT_TRUE(button->accessibleDescription().contains(QStringLiteral("2")));
+}
+
+TEST(StageRail, EveryStateLooksDifferent) {
+    StageRail rail({{QStringLiteral("Run"), {}, Glyph::Run}});
+    rail.resize(140, 60);
+    std::vector<QImage> pictures;
+    for (const auto& [state, findings] :
+         {std::pair(StageState::NotYet, 0), std::pair(StageState::Running, 0), std::pair(StageState::UpToDate, 0),
+          std::pair(StageState::UpToDate, 1), std::pair(StageState::Stale, 0)}) {
+        rail.setState(0, state, findings, 0.4);
+        // Without colour, too.
+        const QImage picture = rail.grab().toImage().convertToFormat(QImage::Format_Grayscale8);
+        for (const QImage& other : pictures) {
+            EXPECT_NE(picture, other);
+        }
+        pictures.push_back(picture);
+    }
+}
+
+TEST(StatusLine, FiguresWithoutAValueAreNotShown) {
+    StatusLine line;
+    line.setFigure(StatusLine::Figure::Live, QStringLiteral("Live"), QStringLiteral("24.6 FPS"), QStringLiteral("target 24"));
+    EXPECT_TRUE(line.figureText(StatusLine::Figure::Live).contains(QStringLiteral("24.6 FPS")));
+    line.setFigure(StatusLine::Figure::Live, {}, {});
+    EXPECT_TRUE(line.figureText(StatusLine::Figure::Live).isEmpty());
+    line.setMessage(QStringLiteral("Saved"));
+    line.setActivity(QStringLiteral("Simulating"), 0.5);
+    EXPECT_EQ(line.activityText(), QStringLiteral("Simulating"));
+    line.setActivity({});
+    EXPECT_EQ(line.activityText(), QStringLiteral("Saved"));
+}
+
+}  // namespace rubble::widgets

@@ -1,0 +1,59 @@
+#include "widgets/wording.h"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QTranslator>
+#include <cmath>
+#include <limits>
+
+namespace rubble::widgets {
+
+namespace {
+
+/// Knows one sentence, by its id.
+class OneSentence : public QTranslator {
+public:
+    QString translate(const char*, const char* source, const char*, int) const override {
+        return QLatin1String(source) == QLatin1String("test.sentence") ? QStringLiteral("{1} von {0}") : QString();
+    }
+    bool isEmpty() const override { return false; }
+};
+
+const Message sentence{"test.sentence", "{0} has {1}", {Argument("pier 2"), Argument(1234567)}};
+
+}  // namespace
+
+TEST(Wording, EnglishIsThePatternWithItsArguments) {
+    EXPECT_EQ(worded(sentence), QStringLiteral("pier 2 has 1,234,567"));
+    EXPECT_EQ(worded(Message{"x", "{0} and {9} {", {Argument("a")}}), QStringLiteral("a and {9} {"));
+}
+
+TEST(Wording, ATranslationIsFoundByTheIdOfTheMessage) {
+    OneSentence translator;
+    QCoreApplication::installTranslator(&translator);
+    EXPECT_EQ(worded(sentence), QStringLiteral("1,234,567 von pier 2"));
+    QCoreApplication::removeTranslator(&translator);
+    EXPECT_EQ(worded(sentence), QStringLiteral("pier 2 has 1,234,567"));
+}
+
+TEST(Wording, NumbersShowWhatTheyDeserve) {
+    EXPECT_EQ(shownNumber(0.0), QStringLiteral("0"));
+    EXPECT_EQ(shownNumber(1.2345), QStringLiteral("1.23"));
+    EXPECT_EQ(shownNumber(123456.0), QStringLiteral("123,456"));
+    EXPECT_EQ(shownNumber(-0.012345), QStringLiteral("-0.0123"));
+    EXPECT_EQ(shownNumber(std::numeric_limits<double>::quiet_NaN()), QString(QChar(0x2013)));
+    EXPECT_EQ(shownShare(0.984), QStringLiteral("98.4 %"));
+    EXPECT_EQ(shownDuration(185.0), QStringLiteral("3 min 05 s"));
+    EXPECT_EQ(shownName("oriented_box"), QStringLiteral("oriented box"));
+}
+
+TEST(Wording, AnotherLocaleHasItsOwnSigns) {
+    QLocale::setDefault(QLocale(QLocale::German));
+    EXPECT_EQ(shownNumber(1.2345), QStringLiteral("1,23"));
+    EXPECT_EQ(shownCount(1234567), QStringLiteral("1.234.567"));
+    QLocale::setDefault(QLocale(QLocale::English));
+}
+
+}  // namespace rubble::widgets

@@ -17,6 +17,11 @@ btVector3 pointVelocity(const Collider& collider, const btVector3& at) {
     return collider.object->getVelocityInLocalPoint(at - collider.object->getWorldTransform().getOrigin());
 }
 
+double relativeAlong(const Collider& a, const Collider& b, const btManifoldPoint& point) {
+    const btVector3& where = point.getPositionWorldOnB();
+    return point.m_normalWorldOnB.dot(pointVelocity(a, where) - pointVelocity(b, where));
+}
+
 double inverseMass(const Collider& c, bool awake) {
     return awake ? c.object->getInvMass() : 0.0;
 }
@@ -145,8 +150,11 @@ void FragmentWorld::offsetContacts(double dt) {
         }
         for (int j = 0; j < contact.manifold->getNumContacts(); ++j) {
             btManifoldPoint& point = contact.manifold->getContactPoint(j);
-            m_stock.push_back({point.getDistance(), point.m_combinedRestitution, point.m_appliedImpulse});
+            m_stock.push_back({point.getDistance(), point.m_combinedRestitution, point.m_appliedImpulse, 0.0});
             point.setDistance(std::max(point.getDistance() + contact.offset, -deepestSeen));
+            if (point.getDistance() < 0.0 && !contact.yielding) {
+                m_stock.back().opening = relativeAlong(*contact.a, *contact.b, point);
+            }
             if (contact.offset > 0.0) {
                 point.m_combinedRestitution = 0.0;
             }
@@ -161,8 +169,7 @@ void FragmentWorld::dropInertPoints(Contact& contact, double dt) {
         if (gap <= 0.0 || j == contact.deepest) {
             continue;
         }
-        const btVector3& where = point.getPositionWorldOnB();
-        const double opening = point.m_normalWorldOnB.dot(pointVelocity(*contact.a, where) - pointVelocity(*contact.b, where));
+        const double opening = relativeAlong(*contact.a, *contact.b, point);
         if (gap + opening * dt > 0.0) {
             // Bullet puts the last point in the place of the one taken out.
             contact.deepest = contact.deepest == contact.manifold->getNumContacts() - 1 ? j : contact.deepest;
@@ -249,17 +256,25 @@ void FragmentWorld::bookContacts() {
 void FragmentWorld::restoreContacts(double dt) {
     std::size_t next = 0;
     for (const Contact& contact : m_contacts) {
+        const bool driven = contact.a->moving || contact.b->moving;
+        double parting = 0.0;
         const double heavier = std::max(inverseMass(*contact.a, awake(*contact.a)), inverseMass(*contact.b, awake(*contact.b)));
         const double weight = heavier > 0.0 ? m_settings.gravity * dt / heavier : 0.0;
         for (int j = 0; j < contact.manifold->getNumContacts(); ++j) {
             btManifoldPoint& point = contact.manifold->getContactPoint(j);
             const Stock& stock = m_stock[next++];
+            // A contact takes energy, but for the part of it that pushes overlapping solids apart.
+            if (point.getDistance() < 0.0 && point.m_appliedImpulse > 0.0 && !driven) {
+                const double mean = 0.5 * (stock.opening + relativeAlong(*contact.a, *contact.b, point));
+                parting += point.m_appliedImpulse * mean;
+            }
             point.setDistance(stock.distance);
             point.m_combinedRestitution = stock.restitution;
             // The next step starts from this impulse. That of a blow would have to be taken back within the few iterations there
             // are, and what is left of it spins and launches bodies.
             point.m_appliedImpulse = std::min<double>(point.m_appliedImpulse, 2.0 * std::max(stock.impulse, weight));
         }
+        m_report.overlapWork += std::max(0.0, parting);
     }
 }
 

@@ -80,6 +80,7 @@ private:
         double distance = 0.0;
         double restitution = 0.0;
         double impulse = 0.0;  ///< N s, of the step before
+        double opening = 0.0;  ///< m/s, of overlapping points before the solve
     };
 
     void collectContacts();

@@ -64,7 +64,7 @@ struct ContactReport {
     std::int64_t pairs = 0;          ///< touching pairs of the latest step
     std::int64_t points = 0;         ///< contact points of the latest step
     double penetrationMax = 0.0;     ///< m, deepest contact so far, overlap at birth and yielding pieces excepted
-    double overlapWork = 0.0;        ///< J, done on bodies by moving them out of overlap by position only
+    double overlapWork = 0.0;        ///< J, done on bodies by pushing overlapping solids apart
     double pieceWork = 0.0;          ///< J, done by moving pieces on bodies
     std::int64_t piecesYielded = 0;  ///< contacts in which a moving piece gave way
 };

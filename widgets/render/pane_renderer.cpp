@@ -66,9 +66,9 @@ PaneRenderer::PaneRenderer()
       m_model(vtkSmartPointer<vtkPolyData>::New()),
       m_selection(vtkSmartPointer<vtkPolyData>::New()) {
     makeActors();
-    m_ground.addTo(*m_renderer);
     m_renderer->AddActor(m_modelActor);
     m_renderer->AddActor(m_selectionActor);
+    m_ground.addTo(*m_renderer);                 // last: what the model covers is not shaded again
     m_renderer->GetCullers()->RemoveAllItems();  // they ask every frame for the bounds of all points
     m_renderer->AutomaticLightCreationOff();
     // One lamp behind the viewer's left shoulder shows the three faces of a block in three tones.
@@ -76,7 +76,7 @@ PaneRenderer::PaneRenderer()
     key->SetLightTypeToCameraLight();
     key->SetPosition(-0.55, 0.85, 1.0);
     key->SetFocalPoint(0.0, 0.0, 0.0);
-    key->SetIntensity(1.3);
+    key->SetIntensity(1.25);
     m_renderer->AddLight(key);
 }
 

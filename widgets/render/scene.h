@@ -63,6 +63,7 @@ public:
 
     /// Brings all panes to a view: positions, colours, cameras, layout. Draws nothing; call the window's Render() after.
     /// @param width, height  of the window, device pixels
+    /// Throws what reading a state or a frame throws (WorldError, ParseError); the picture before then stays.
     void update(const View& view, int width, int height);
     /// As of the last update().
     const PaneStatus& status(PaneContent content) const;

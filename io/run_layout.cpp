@@ -8,9 +8,9 @@ namespace rubble::io {
 
 namespace {
 
-// Rows of a frame dataset that are compressed together: a few frames of a large run. Larger chunks cost more at every flush, which
-// writes the last, unfinished one anew; smaller ones compress worse.
-constexpr std::size_t frameChunk = 16384;
+// Rows of a frame dataset that are compressed together. Every flush writes the last, unfinished chunk anew at another place, and
+// the old one is lost space while readers may be there; smaller chunks lose less, larger ones compress a little better.
+constexpr std::size_t frameChunk = 2048;
 constexpr std::size_t textChunk = 65536;
 constexpr std::size_t tableChunk = 512;
 constexpr std::size_t listChunk = 16384;

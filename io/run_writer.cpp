@@ -18,8 +18,10 @@ namespace rubble::io {
 
 namespace {
 
-// Committed frames reach the operating system this often; more often would compress unfinished chunks again and again.
+// Committed frames reach the operating system this often when there are many new rows, and this often at least. A flush compresses
+// unfinished chunks before their time and costs space, so it should be worth it.
 constexpr std::chrono::milliseconds flushInterval{400};
+constexpr std::chrono::milliseconds slowFlushInterval{2000};
 // Rows of the long lists written at a time, so that a reader never waits long for the lock.
 constexpr std::size_t listBlock = 8192;
 // Frames that wait for the writing thread at most; beyond that the simulation waits.
@@ -136,7 +138,8 @@ private:
     void flushFrames();
 
     RunStore m_store;
-    std::uint64_t m_rows = 0;
+    std::uint64_t m_rows = 0;         // of all committed frames
+    std::uint64_t m_flushedRows = 0;  // of these, handed to the operating system
     std::size_t m_bodies = 0;
     double m_lastTime = -std::numeric_limits<double>::infinity();
     bool m_finished = false;
@@ -250,7 +253,9 @@ void RunWriter::writeFrame(const TrajectoryFrame& frame) {
     m_store.append(RunDataset::States, frame.states.data(), frame.bodies());
     m_store.append(RunDataset::Index, &row, 1);
     m_rows += frame.bodies();
-    if (std::chrono::steady_clock::now() - m_flushed >= flushInterval) {
+    const auto waited = std::chrono::steady_clock::now() - m_flushed;
+    const bool much = m_rows - m_flushedRows >= layoutOf(RunDataset::Positions).chunkRows;
+    if (waited >= slowFlushInterval || (much && waited >= flushInterval)) {
         flushFrames();
     }
 }
@@ -262,6 +267,7 @@ void RunWriter::flushFrames() {
         m_store.flush(dataset);
     }
     m_flushed = std::chrono::steady_clock::now();
+    m_flushedRows = m_rows;
 }
 
 void RunWriter::addLedger(const LedgerRow& row) {

@@ -1,8 +1,11 @@
 #include "app/cli/figure_request.h"
 
+#include <QString>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iostream>
 
 #include "app/cli/virtual_display.h"
 #include "core/base/error.h"
@@ -46,6 +49,13 @@ QSize parseSize(const std::string& text) {
         throw wrongValue("--size", text, "WIDTHxHEIGHT in pixels, each from 100 to 8000");
     }
     return {width, height};
+}
+
+/// Hands on what Qt has to say, but for its remark on a variable that a program without windows does not need.
+void passOnQtMessage(QtMsgType, const QMessageLogContext&, const QString& text) {
+    if (!text.contains("XDG_RUNTIME_DIR")) {
+        std::cerr << text.toStdString() << '\n';
+    }
 }
 
 }  // namespace
@@ -129,6 +139,7 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
     data.trajectory = run;
     data.groundHeight = scenario.simulation.groundHeight;
 
+    qInstallMessageHandler(passOnQtMessage);
     figures::ensureGuiApplication();
     const VirtualDisplay display;
     render::View view = render::defaultView(data, m_style.pixels.width(), m_style.pixels.height());

@@ -165,12 +165,11 @@ void FragmentWorld::offsetContacts(double dt) {
 void FragmentWorld::dropInertPoints(Contact& contact, double dt) {
     for (int j = contact.manifold->getNumContacts() - 1; j >= 0; --j) {
         const btManifoldPoint& point = contact.manifold->getContactPoint(j);
-        const double gap = point.getDistance() + contact.offset - inertGap;
-        if (gap <= 0.0 || j == contact.deepest) {
+        if (j == contact.deepest) {
             continue;
         }
-        const double opening = relativeAlong(*contact.a, *contact.b, point);
-        if (gap + opening * dt > 0.0) {
+        const double gap = point.getDistance() + contact.offset - inertGap;
+        if (gap > 0.0 && gap + relativeAlong(*contact.a, *contact.b, point) * dt > 0.0) {
             // Bullet puts the last point in the place of the one taken out.
             contact.deepest = contact.deepest == contact.manifold->getNumContacts() - 1 ? j : contact.deepest;
             contact.manifold->removeContactPoint(j);
@@ -355,6 +354,15 @@ void FragmentWorld::integrateTransforms(btScalar dt) {
         if (!collider->touched) {
             // The stock step moves with the new velocity; free flight moves with the mean of old and new.
             next.setOrigin(next.getOrigin() - 0.5 * dt * dt * body.getGravity());
+        }
+        const double sunk = m_settings.groundHeight - next.getOrigin().z();
+        if (m_settings.ground && sunk > 0.0) {
+            // A centre below ground has been squeezed there; the box contact alone may not bring it back from under a pile.
+            const double lift = std::min<double>(sunk, separationSpeed * dt);
+            next.setOrigin(next.getOrigin() + btVector3(0.0, 0.0, lift));
+            m_report.overlapWork += m_settings.gravity * lift / body.getInvMass();
+            body.setLinearVelocity(btVector3(body.getLinearVelocity().x(), body.getLinearVelocity().y(),
+                                             std::max<double>(0.0, body.getLinearVelocity().z())));
         }
         body.proceedToTransform(next);
         body.setAngularVelocity(next.getBasis() * (body.getInvInertiaDiagLocal() * (momentum * next.getBasis())));

@@ -1,0 +1,74 @@
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "core/clusters/clustering.h"
+#include "core/clusters/sizing.h"
+#include "core/simulation/collapse_run.h"
+#include "tests/samples/arches.h"
+
+namespace rubble {
+namespace {
+
+/// Takes everything and keeps nothing: what recording to memory costs is measured with the command line.
+class NoTrajectory : public TrajectorySink {
+public:
+    void begin(const RunDescription&) override {}
+    void addBodies(std::span<const BodyRecord>, std::span<const Carrier>) override {}
+    void commit(const TrajectoryFrame& frame) override { benchmark::DoNotOptimize(frame.positions.data()); }
+    void addLedger(const LedgerRow&) override {}
+    void finish(const SimulationResult&) override {}
+};
+
+/// The stone arch of the sample case, clustered for so many bodies.
+RunDescription clusteredArch(PieceKind pieces) {
+    const arches::Arch& arch = arches::mergedStoneArch();
+    RunDescription description;
+    description.fe = arch.fe;
+    description.scenario.simulation.pieces = pieces;
+    description.scenario.simulation.settleTime = 0.0;
+    description.components = std::make_shared<Components>(arch.components);
+    description.fragments = std::make_shared<FragmentSet>(arch.fragments);
+    const GridSettings& grid = description.scenario.grid;
+    const Execution execution;
+    description.sizing = std::make_shared<Sizing>(sizeBasicGrid(arch.fragments, arch.mesh(), arch.components, grid, execution));
+    description.clustering =
+        std::make_shared<Clustering>(makeClusters(arch.fragments, arch.mesh(), description.sizing->grid, grid, execution));
+    return description;
+}
+
+void count(benchmark::State& state, const SimulationResult& result) {
+    state.counters["bodies"] = static_cast<double>(result.bodiesPeak);
+    state.counters["ms/step"] = result.stepTimes.meanMs;
+    state.counters["p95 ms"] = result.stepTimes.p95Ms;
+    state.counters["worst ms"] = result.stepTimes.worstMs;
+    state.counters["in time"] = result.stepTimes.shareInTime;
+    state.counters["real time"] = result.stepTimes.realTimeFactor;
+}
+
+/// The whole collapse, ours and then plain Bullet defaults on the same bodies (its islands and sleeping, no rest offsets, no
+/// freeze, no limits), with the ratio of their times from the first to the last birth. `pieces` as in PieceKind.
+void clusteredCollapse(benchmark::State& state, PieceKind pieces) {
+    const RunDescription description = clusteredArch(pieces);
+    NoTrajectory sink;
+    const Execution execution;
+    for (auto _ : state) {
+        const SimulationResult ours = simulate(description, sink, execution);
+        const SimulationResult plain = simulateIn(makePlainBulletWorld, description, sink, execution);
+        count(state, ours);
+        state.counters["plain ms/step"] = plain.stepTimes.meanMs;
+        state.counters["plain over ours"] = plain.stepTimes.meanMs / ours.stepTimes.meanMs;
+    }
+}
+BENCHMARK_CAPTURE(clusteredCollapse, grid, PieceKind::GridBoxes)
+    ->Name("stone arch, clustered collapse with pieces")
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(clusteredCollapse, none, PieceKind::None)
+    ->Name("stone arch, clustered collapse without pieces")
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+
+}  // namespace
+}  // namespace rubble

@@ -22,6 +22,11 @@ double relativeAlong(const Collider& a, const Collider& b, const btManifoldPoint
     return point.m_normalWorldOnB.dot(pointVelocity(a, where) - pointVelocity(b, where));
 }
 
+/// m/s at which the solver opens an overlap by velocity; deeper ones it opens by position only.
+double partingSpeed(double distance, const btContactSolverInfo& info) {
+    return distance > info.m_splitImpulsePenetrationThreshold ? -distance * info.m_erp / info.m_timeStep : 0.0;
+}
+
 double inverseMass(const Collider& c, bool awake) {
     return awake ? c.object->getInvMass() : 0.0;
 }
@@ -150,10 +155,11 @@ void FragmentWorld::offsetContacts(double dt) {
         }
         for (int j = 0; j < contact.manifold->getNumContacts(); ++j) {
             btManifoldPoint& point = contact.manifold->getContactPoint(j);
-            m_stock.push_back({point.getDistance(), point.m_combinedRestitution, point.m_appliedImpulse, 0.0});
+            m_stock.push_back({point.getDistance(), point.m_combinedRestitution, point.m_appliedImpulse, 0.0, 0.0});
             point.setDistance(std::max(point.getDistance() + contact.offset, -deepestSeen));
             if (point.getDistance() < 0.0 && !contact.yielding) {
                 m_stock.back().opening = relativeAlong(*contact.a, *contact.b, point);
+                m_stock.back().bias = partingSpeed(point.getDistance(), m_solverInfo);
             }
             if (contact.offset > 0.0) {
                 point.m_combinedRestitution = 0.0;
@@ -265,7 +271,7 @@ void FragmentWorld::restoreContacts(double dt) {
             // A contact takes energy, but for the part of it that pushes overlapping solids apart.
             if (point.getDistance() < 0.0 && point.m_appliedImpulse > 0.0 && !driven) {
                 const double mean = 0.5 * (stock.opening + relativeAlong(*contact.a, *contact.b, point));
-                parting += point.m_appliedImpulse * mean;
+                parting += point.m_appliedImpulse * std::min(mean, 0.5 * stock.bias);
             }
             point.setDistance(stock.distance);
             point.m_combinedRestitution = stock.restitution;
@@ -355,10 +361,13 @@ void FragmentWorld::integrateTransforms(btScalar dt) {
             // The stock step moves with the new velocity; free flight moves with the mean of old and new.
             next.setOrigin(next.getOrigin() - 0.5 * dt * dt * body.getGravity());
         }
+        if (collider->newborn) {
+            collider->bornBelow = body.getWorldTransform().getOrigin().z() < m_settings.groundHeight;
+        }
         const double sunk = m_settings.groundHeight - next.getOrigin().z();
         if (m_settings.ground && sunk > 0.0) {
             // A centre below ground has been squeezed there; the box contact alone may not bring it back from under a pile.
-            const double lift = std::min<double>(sunk, separationSpeed * dt);
+            const double lift = collider->bornBelow ? std::min<double>(sunk, separationSpeed * dt) : sunk;
             next.setOrigin(next.getOrigin() + btVector3(0.0, 0.0, lift));
             m_report.overlapWork += m_settings.gravity * lift / body.getInvMass();
             body.setLinearVelocity(btVector3(body.getLinearVelocity().x(), body.getLinearVelocity().y(),

@@ -23,6 +23,7 @@ struct Collider {
     bool newborn = true;        ///< not yet stepped
     bool moving = false;        ///< a piece that moves in this step
     bool pushed = false;        ///< a body that a moving piece has pushed
+    bool bornBelow = false;     ///< a body whose centre was below ground when it entered
     bool leaving = false;       ///< to be taken out before the next step
     bool overlapping = false;   ///< a body whose overlap at birth is being bled off in this step
     bool justThawed = false;    ///< its frozen neighbours are not noted yet
@@ -81,6 +82,7 @@ private:
         double restitution = 0.0;
         double impulse = 0.0;  ///< N s, of the step before
         double opening = 0.0;  ///< m/s, of overlapping points before the solve
+        double bias = 0.0;     ///< m/s at which the solver wants to open them
     };
 
     void collectContacts();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 #include "tests/app/cli/command_run.h"
 #include "tests/io/temporary_folder.h"
@@ -53,7 +54,14 @@ TEST(Readme, ItsCommandsRunAndPrintWhatItShows) {
         if (!block.output) {
             printed.clear();
         }
-        for (const std::string& line : block.lines) {
+        std::string begun;
+        for (const std::string& part : block.lines) {
+            // A backslash carries a command on to the next line.
+            if (!block.output && part.ends_with('\\')) {
+                begun += part.substr(0, part.size() - 1);
+                continue;
+            }
+            const std::string line = std::exchange(begun, "") + part;
             if (block.output) {
                 ++shown;
                 EXPECT_TRUE(line == "..." || printed.find(line + "\n") != std::string::npos) << "not printed: " << line;

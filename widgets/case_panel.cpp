@@ -82,7 +82,7 @@ void CasePanel::buildFile() {
 
 void CasePanel::buildTable() {
     PanelGroup* group = addGroup(tr("Components"));
-    m_table->setHorizontalHeaderLabels({tr("name"), tr("kind"), tr("elements"), tr("dead"), tr("kg/m³")});
+    m_table->setHorizontalHeaderLabels({tr("name"), tr("kind"), tr("elem."), tr("dead"), tr("kg/m³")});
     m_table->horizontalHeaderItem(Density)->setToolTip(tr("Density; double-click to change, empty for what the file says"));
     for (int column = Elements; column < ColumnCount; ++column) {
         m_table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -172,8 +172,9 @@ void CasePanel::showFile(const FeResult* fe) {
     m_states->setText(shownCount(static_cast<std::int64_t>(fe->stateCount())));
     m_span->setText(QStringLiteral("%1 – %2").arg(QLocale().toString(fe->times().front(), 'f', 2),
                                                   QLocale().toString(fe->times().back(), 'f', 2)));
-    m_flag->setText(QString::fromStdString(c.activityFrom));
-    m_flag->setWordWrap(true);
+    const QString flag = QString::fromStdString(c.activityFrom);
+    m_flag->setText(flag.section(u'(', 0, 0).trimmed());
+    m_flag->setToolTip(flag);
     m_velocity->setText(c.hasVelocity ? tr("in the file") : tr("from positions"));
     std::int64_t dead = 0;
     for (std::size_t e = 0; e < fe->mesh().elementCount(); ++e) {

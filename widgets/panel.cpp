@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include "widgets/parameter_editor.h"
@@ -30,7 +31,9 @@ void Notice::set(Kind kind, const QString& what, const QString& remedy) {
     }
     m_label->setText(html);
     setVisible(!what.isEmpty());
-    setStyleSheet(styleSheet());
+    // A style sheet reads properties when a widget is polished.
+    style()->unpolish(this);
+    style()->polish(this);
 }
 
 QString Notice::text() const {

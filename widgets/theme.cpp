@@ -72,9 +72,9 @@ QPushButton#primary, QToolButton#primary { background: %accent%; border-color: %
 QPushButton#primary:disabled, QToolButton#primary:disabled { background: transparent; border-color: %hairline%; color: %muted%; }
 QToolButton#autoMark { padding: 1px 5px; border-radius: 8px; color: %muted%; background: transparent; }
 QToolButton#autoMark:checked { color: %accent%; background: %accentTint%; border-color: %accentTint%; }
-QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox { border: 1px solid %hairline%; border-radius: 4px; padding: 3px 6px; background: %field%; color: %text%;
+QLineEdit { border: 1px solid %hairline%; border-radius: 4px; padding: 3px 6px; background: %field%; color: %text%;
   selection-background-color: %accent%; selection-color: %accentText%; }
-QLineEdit:focus, QComboBox:focus { border-color: %accent%; }
+QLineEdit:focus { border-color: %accent%; }
 QLineEdit[wrong="true"] { border-color: %error%; }
 QComboBox QAbstractItemView { background: %field%; color: %text%; border: 1px solid %hairline%; selection-background-color: %accentTint%;
   selection-color: %text%; outline: none; }
@@ -92,8 +92,14 @@ QComboBox QAbstractItemView { background: %field%; color: %text%; border: 1px so
 #emptyState { background: %window%; }
 QTableView { background: %panel%; alternate-background-color: %panel%; border: none; gridline-color: %hairline%; color: %text%;
   selection-background-color: %accentTint%; selection-color: %text%; }
-QHeaderView::section { background: %panel%; color: %muted%; border: none; border-bottom: 1px solid %hairline%; padding: 2px 4px; }
+QHeaderView::section { font-size: %small%pt; background: %panel%; color: %muted%; border: none; border-bottom: 1px solid %hairline%; padding: 2px 4px; }
 QTableView::item { border-bottom: 1px solid %hairline%; padding: 2px 4px; }
+QScrollBar:vertical { background: transparent; width: 9px; margin: 0; }
+QScrollBar:horizontal { background: transparent; height: 9px; margin: 0; }
+QScrollBar::handle { background: %hairline%; border-radius: 4px; min-height: 24px; min-width: 24px; }
+QScrollBar::handle:hover { background: %muted%; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QToolTip { background: %panel%; color: %text%; border: 1px solid %hairline%; padding: 4px; }
 QProgressBar { border: none; border-radius: 3px; background: %hairline%; max-height: 6px; min-height: 6px; }
 QProgressBar::chunk { background: %accent%; border-radius: 3px; }
@@ -114,7 +120,7 @@ QTextBrowser { background: %panel%; border: none; color: %text%; }
     for (const auto& [name, colour] : names) {
         sheet.replace(QLatin1Char('%') + QLatin1String(name) + QLatin1Char('%'), colour.name());
     }
-    return sheet;
+    return sheet.replace(QStringLiteral("%small%"), QString::number(headingFont().pointSizeF(), 'f', 1));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ public:
     explicit Target(ViewWidget& widget) : m_widget(widget) {}
 
     QSize pixels() const override { return m_widget.devicePixels(); }
-    double scale() const override { return m_widget.devicePixelRatioF(); }
+    double textHeight() const override { return 13.0 * m_widget.devicePixelRatioF(); }
     QPaintDevice& drawScene() override {
         vtkGenericOpenGLRenderWindow& window = *m_widget.m_window->gl;
         // Qt has left GL in a state that VTK does not know of.
@@ -36,11 +36,29 @@ public:
         m_widget.context()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, m_widget.defaultFramebufferObject());
         window.Render();
         state->Pop();
-        m_widget.context()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, m_widget.defaultFramebufferObject());
+        readyForPainter();
         return m_widget;
     }
 
 private:
+    /// Qt's painter takes GL as it finds it, and VTK leaves depth test, culling and scissor on.
+    void readyForPainter() {
+        QOpenGLFunctions& gl = *m_widget.context()->functions();
+        gl.glBindFramebuffer(GL_FRAMEBUFFER, m_widget.defaultFramebufferObject());
+        gl.glUseProgram(0);
+        gl.glBindBuffer(GL_ARRAY_BUFFER, 0);
+        gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+        gl.glActiveTexture(GL_TEXTURE0);
+        gl.glDisable(GL_DEPTH_TEST);
+        gl.glDisable(GL_CULL_FACE);
+        gl.glDisable(GL_SCISSOR_TEST);
+        gl.glDisable(GL_STENCIL_TEST);
+        gl.glDepthMask(GL_TRUE);
+        gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        const QSize size = m_widget.devicePixels();
+        gl.glViewport(0, 0, size.width(), size.height());
+    }
+
     ViewWidget& m_widget;
 };
 

@@ -5,7 +5,7 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QLabel>
-#include <QLineEdit>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
@@ -151,21 +151,21 @@ void MainWindow::prepared() {
 render::SceneData MainWindow::sceneData() const {
     const RunRecord* record = m_computation.currentRun();
     const Results& from = record != nullptr ? record->results : m_computation.results();
-    render::SceneData data;
-    data.fe = m_computation.inputs().fe;
-    data.components = from.components;
-    data.fragments = from.fragments;
-    data.clustering = from.clustering;
-    data.trajectory = record != nullptr ? record->reader : nullptr;
-    data.groundHeight = (record != nullptr ? record->scenario : m_document.scenario()).simulation.groundHeight;
-    return data;
+    render::SceneData scene;
+    scene.fe = m_computation.inputs().fe;
+    scene.components = from.components;
+    scene.fragments = from.fragments;
+    scene.clustering = from.clustering;
+    scene.trajectory = record != nullptr ? record->reader : nullptr;
+    scene.groundHeight = (record != nullptr ? record->scenario : m_document.scenario()).simulation.groundHeight;
+    return scene;
 }
 
 void MainWindow::showScene() {
-    const render::SceneData data = sceneData();
-    if (!(data == m_shown)) {
-        m_shown = data;
-        m_area->views().setData(data);
+    const render::SceneData scene = sceneData();
+    if (!(scene == m_shown)) {
+        m_shown = scene;
+        m_area->views().setData(scene);
     }
 }
 
@@ -254,6 +254,9 @@ void MainWindow::showTitle() {
     m_title->setText(QStringLiteral("<span style='color:%1'>%2 · %3 <b>%4</b> · %5</span>&nbsp;&nbsp;")
                          .arg(widgets::tints().muted.name(), name.toHtmlEscaped(), tr("scenario"),
                               active != nullptr ? QString::fromStdString(active->name).toHtmlEscaped() : QString(), saved));
+    // The menu bar asks its corner for its size only when it is set.
+    menuBar()->setCornerWidget(m_title);
+    m_title->show();
     setWindowTitle(QStringLiteral("%1%2 – Rubble").arg(name, m_document.modified() ? QStringLiteral(" *") : QString()));
 }
 

@@ -23,7 +23,7 @@ namespace rubble {
 namespace {
 
 constexpr int compactBelow = 1440;
-constexpr int panelWidth = 300;
+constexpr int panelWidth = 336;
 
 }  // namespace
 

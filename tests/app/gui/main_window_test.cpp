@@ -27,6 +27,8 @@ const QString arch = QStringLiteral(RUBBLE_SOURCE_DIR "/resources/samples/rc-arc
 // Patience for machines that do much else at the same time; nothing is asserted about how long things take.
 constexpr int patience = 180'000;
 
+}  // namespace
+
 class Workbench : public testing::Test {
 protected:
     void SetUp() override {
@@ -54,8 +56,6 @@ protected:
 
     std::unique_ptr<MainWindow> window;
 };
-
-}  // namespace
 
 TEST_F(Workbench, StartsEmptyAndSaysHowToBegin) {
     EXPECT_EQ(window->area().currentIndex(), 0);

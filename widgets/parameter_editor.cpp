@@ -187,8 +187,11 @@ void ParameterEditor::commitText() {
         return;
     }
     if (text.isEmpty() && m_row.automatic) {
+        const bool changed = !std::holds_alternative<std::monostate>(m_value);
         show(m_value = std::monostate{});
-        emit edited(key(), m_value);
+        if (changed) {
+            emit edited(key(), m_value);
+        }
         return;
     }
     bool ok = false;

@@ -67,7 +67,7 @@ void RunPanel::buildOutcome() {
     m_energy =
         m_outcome->addValue(tr("Energy drift"), {}, tr("Largest gain beyond gravity, births and pieces, over gravity's work"));
     m_occupied = m_outcome->addValue(tr("Births in occupied space"), {}, tr("Bodies born inside older debris or pieces"));
-    m_overlap = m_outcome->addValue(tr("Work of resolving overlap"), tr("kJ"));
+    m_overlap = m_outcome->addValue(tr("Work of resolving overlap"));
     m_penetration = m_outcome->addValue(tr("Deepest contact"), tr("m"));
     m_islands =
         m_outcome->addValue(tr("Live islands held"), {}, tr("Parts of the structure alive at the end without a path to a support"));
@@ -104,7 +104,7 @@ void RunPanel::setOutcome(const Outcome& outcome) {
     m_energy->setText(shownShare(r.energy.drift, 2));
     m_occupied->setText(
         QStringLiteral("%1 (%2)").arg(shownCount(r.births.occupied), shownShare(static_cast<double>(r.births.occupied) / sum, 0)));
-    m_overlap->setText(shownNumber(r.births.work / 1000.0));
+    m_overlap->setText(shownEnergy(r.births.work));
     m_penetration->setText(shownNumber(r.penetrationMax, 2));
     m_islands->setText(tr("%1 (%2 elements)").arg(shownCount(r.islands.islands), shownCount(r.islands.elements)));
     m_ledger->setText(shownNumber(std::max({r.ledger.mass, r.ledger.momentum, r.ledger.angularMomentum}), 2));

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <array>
 #include <cmath>
 
 namespace rubble::widgets {
@@ -53,11 +54,29 @@ QString shownNumber(double value, int significant) {
     }
     const QLocale locale;
     const double size = std::abs(value);
+    const int power = static_cast<int>(std::floor(std::log10(size)));
     if (size >= 1e7 || size < 1e-4) {
-        return locale.toString(value, 'e', significant - 1);
+        QString raised;
+        for (const QChar digit : QString::number(power)) {
+            // Superscript digits are not in one row of the character set.
+            raised += digit == u'-'
+                          ? QChar(0x207B)
+                          : QStringLiteral("\u2070\u00B9\u00B2\u00B3\u2074\u2075\u2076\u2077\u2078\u2079")[digit.digitValue()];
+        }
+        return locale.toString(value / std::pow(10.0, power), 'f', significant - 1) + QStringLiteral(" × 10") + raised;
     }
-    const int before = static_cast<int>(std::floor(std::log10(size))) + 1;
-    return locale.toString(value, 'f', std::max(0, significant - before));
+    const double step = std::pow(10.0, std::max(0, power + 1 - significant));
+    return locale.toString(std::round(value / step) * step, 'f', std::max(0, significant - power - 1));
+}
+
+QString shownEnergy(double joules) {
+    static constexpr std::array units = {"J", "kJ", "MJ", "GJ", "TJ"};
+    std::size_t unit = 0;
+    while (std::abs(joules) >= 1000.0 && unit + 1 < units.size()) {
+        joules /= 1000.0;
+        ++unit;
+    }
+    return shownNumber(joules) + QChar(0x00A0) + QLatin1String(units[unit]);
 }
 
 QString shownCount(std::int64_t value) {

@@ -11,8 +11,11 @@ namespace rubble::widgets {
 /// A message of core or io in the language of the window: the pattern is looked up by its id, English if there is no translation.
 QString worded(const Message& message);
 
-/// A number with the significant digits it deserves and the locale's decimal sign and grouping; an en dash for NaN and infinity.
+/// A number rounded to the significant digits it deserves, with the locale's decimal sign and grouping; powers of ten where it is
+/// very small or large; an en dash for NaN and infinity.
 QString shownNumber(double value, int significant = 3);
+/// An energy in the unit that keeps its number readable: "7.89 GJ".
+QString shownEnergy(double joules);
 /// A whole number with the locale's grouping.
 QString shownCount(std::int64_t value);
 /// A share as percent: "98.4 %".

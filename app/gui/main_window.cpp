@@ -60,9 +60,14 @@ MainWindow::MainWindow(QWidget* parent)
 
 MainWindow::~MainWindow() {
     qApp->removeEventFilter(this);
-    // Work ends before anything that it tells goes.
+    // Work ends before anything that it tells goes; and what lies on members goes before them.
     m_computation.disconnect();
     m_computation.cancel();
+    m_document.undoStack().disconnect();
+    m_document.disconnect();
+    delete m_feed;
+    delete m_playback;
+    delete m_deck;
 }
 
 void MainWindow::open(const QString& path, bool simulate) {
@@ -254,6 +259,8 @@ void MainWindow::showTitle() {
     m_title->setText(QStringLiteral("<span style='color:%1'>%2 · %3 <b>%4</b> · %5</span>&nbsp;&nbsp;")
                          .arg(widgets::tints().muted.name(), name.toHtmlEscaped(), tr("scenario"),
                               active != nullptr ? QString::fromStdString(active->name).toHtmlEscaped() : QString(), saved));
+    m_title->setFixedHeight(menuBar()->sizeHint().height() - 2);
+    m_title->setAlignment(Qt::AlignVCenter | Qt::AlignRight);
     // The menu bar asks its corner for its size only when it is set.
     menuBar()->setCornerWidget(m_title);
     m_title->show();

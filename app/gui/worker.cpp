@@ -52,12 +52,12 @@ void Worker::cancel(Kind kind) {
 
 bool Worker::busy() const {
     const std::lock_guard lock(m_mutex);
-    return m_running.has_value() || !m_waiting.empty();
+    return m_running.has_value() || !m_waiting.empty() || !m_finishing.empty();
 }
 
 bool Worker::busy(Kind kind) const {
     const std::lock_guard lock(m_mutex);
-    return m_running == kind ||
+    return m_running == kind || std::find(m_finishing.begin(), m_finishing.end(), kind) != m_finishing.end() ||
            std::any_of(m_waiting.begin(), m_waiting.end(), [&](const Job& waiting) { return waiting.kind == kind; });
 }
 
@@ -91,10 +91,16 @@ void Worker::runOne(Job& job, const Execution& execution) {
     {
         const std::lock_guard lock(m_mutex);
         m_running.reset();
+        m_finishing.push_back(job.kind);
     }
     QMetaObject::invokeMethod(
         this,
         [this, finish = std::move(job.finish), thrown] {
+            {
+                // Finished in the order in which they ran.
+                const std::lock_guard lock(m_mutex);
+                m_finishing.erase(m_finishing.begin());
+            }
             finish(thrown);
             emit changed();
         },

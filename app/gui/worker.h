@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "core/base/execution.h"
 
@@ -56,6 +57,8 @@ private:
     std::condition_variable m_wake;
     std::deque<Job> m_waiting;
     std::optional<Kind> m_running;
+    // Done, but not yet told on the GUI thread: busy until then.
+    std::vector<Kind> m_finishing;
     Execution m_execution;
     bool m_stopping = false;
     std::thread m_thread;

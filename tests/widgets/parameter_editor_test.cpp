@@ -57,13 +57,13 @@ TEST(ParameterEditor, NumbersOfEveryRowCanBeTypedWithinTheirRange) {
         ParameterEditor editor(row, row.keyed() ? "deck" : "");
         editor.setValue(row.automatic ? ParameterValue() : row.get(Scenario(), "deck"));
         Edits edits(editor);
-        double wanted = std::isfinite(row.high) && std::isfinite(row.low) ? std::floor((row.low + row.high) / 2.0) : 3.0;
-        wanted = std::max(wanted, row.low);
+        double wanted = std::isfinite(row.high) && std::isfinite(row.low) ? row.low + (row.high - row.low) / 3.0 : 3.0;
+        wanted = row.kind == ParameterKind::Integer ? std::ceil(wanted) : wanted;
         type(editor, QString::number(wanted, 'g', 12));
         ASSERT_EQ(edits.values.size(), 1U) << row.key;
         const double got = row.kind == ParameterKind::Integer ? static_cast<double>(std::get<std::int64_t>(edits.values[0]))
                                                               : std::get<double>(edits.values[0]);
-        EXPECT_DOUBLE_EQ(got, wanted) << row.key;
+        EXPECT_NEAR(got, wanted, 1e-11 * std::abs(wanted)) << row.key;  // twelve digits were typed
         type(editor, QString::number(row.high * 2.0 + 1.0, 'g', 12));
         EXPECT_EQ(edits.values.size(), 1U) << row.key << " took a value out of range";
         EXPECT_FALSE(editor.findChild<QLabel*>(QStringLiteral("complaint"))->isHidden()) << row.key;

@@ -41,7 +41,11 @@ TEST(Wording, ATranslationIsFoundByTheIdOfTheMessage) {
 TEST(Wording, NumbersShowWhatTheyDeserve) {
     EXPECT_EQ(shownNumber(0.0), QStringLiteral("0"));
     EXPECT_EQ(shownNumber(1.2345), QStringLiteral("1.23"));
-    EXPECT_EQ(shownNumber(123456.0), QStringLiteral("123,456"));
+    EXPECT_EQ(shownNumber(123456.0), QStringLiteral("123,000"));
+    EXPECT_EQ(shownNumber(3.94e-16, 2), QString::fromUtf8("3.9 × 10⁻¹⁶"));
+    EXPECT_EQ(shownNumber(9.999), QStringLiteral("10.00"));
+    EXPECT_EQ(shownEnergy(7.886e9), QStringLiteral("7.89") + QChar(0x00A0) + QStringLiteral("GJ"));
+    EXPECT_EQ(shownEnergy(-12.0), QStringLiteral("-12.0") + QChar(0x00A0) + QStringLiteral("J"));
     EXPECT_EQ(shownNumber(-0.012345), QStringLiteral("-0.0123"));
     EXPECT_EQ(shownNumber(std::numeric_limits<double>::quiet_NaN()), QString(QChar(0x2013)));
     EXPECT_EQ(shownShare(0.984), QStringLiteral("98.4 %"));

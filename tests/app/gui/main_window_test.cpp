@@ -36,6 +36,8 @@ protected:
         window->resize(1280, 800);
         window->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), patience));
+        // Shortcuts need an active window, and a bare X server has no window manager to make one.
+        QApplication::setActiveWindow(window.get());
     }
 
     void openArch() {

@@ -246,6 +246,12 @@ std::vector<Parameter> simulationRows() {
                 "Collision shape of a cluster. axis_box: as published. oriented_box: same cost, less empty space. hull: closer, "
                 "slower. "
                 "compound: a box for every fragment, slowest.")
+        .number("box_bulking", "", 1, 1000, RUBBLE_AT(simulation.boxBulking), "Bulking of a box",
+                "Largest volume of a cluster's box over that of its fragments. A box around scattered fragments holds mostly what "
+                "is not "
+                "its own; it is drawn in towards its centre of mass to this. At 1 the voids between boxes swell the pile as rubble "
+                "does, by "
+                "1.3 to 1.8. 1000: never drawn in, as published.")
         .choice(
             "pieces", {"none", "component_box", "grid_boxes", "surface"}, RUBBLE_AT(simulation.pieces), "Moving structure",
             "How the active structure collides. component_box: one box for each component, as published. grid_boxes: boxes of its "

@@ -158,6 +158,9 @@ void hashRegrouping(Hasher& hasher, const std::vector<RegroupStep>& steps) {
     }
 }
 
+/// Upper end of box_bulking: every box keeps its full size.
+constexpr double neverDrawnIn = 1000.0;
+
 }  // namespace
 
 std::pair<const Parameter*, std::string> findParameter(std::string_view key) {
@@ -231,6 +234,7 @@ void applyPreset(Scenario& scenario, std::string_view name) {
         scenario.grid.velocityTolerance = defaults.grid.velocityTolerance;
         scenario.simulation.solver = defaults.simulation.solver;
         scenario.simulation.shape = defaults.simulation.shape;
+        scenario.simulation.boxBulking = defaults.simulation.boxBulking;
         scenario.simulation.pieces = defaults.simulation.pieces;
         scenario.simulation.freeze = defaults.simulation.freeze;
     };
@@ -246,6 +250,7 @@ void applyPreset(Scenario& scenario, std::string_view name) {
         scenario.grid.velocityTolerance = 0.0;
         scenario.simulation.solver = SolverKind::Bullet;
         scenario.simulation.shape = ClusterShape::AxisBox;
+        scenario.simulation.boxBulking = neverDrawnIn;
         scenario.simulation.pieces = PieceKind::ComponentBox;
         scenario.simulation.freeze = false;
     } else {

@@ -55,6 +55,7 @@ struct SimulationSettings {
     double stepRate = 60.0;  ///< steps per second at least
     int iterations = 10;     ///< solver iterations per step
     ClusterShape shape = ClusterShape::OrientedBox;
+    double boxBulking = 1.0;  ///< largest volume of a cluster's box over that of its fragments' boxes
     PieceKind pieces = PieceKind::GridBoxes;
     double pieceSize = 4.0;    ///< m, cells of the grid boxes
     double gravity = 9.80665;  ///< m/s2, downwards

@@ -29,6 +29,20 @@ ConvexPart boxPart(OrientedBox box, const FragmentSettings& settings) {
     return {box, {}, 0.0};
 }
 
+/// A box around scattered members, drawn in towards the centre of mass until it holds at most `bulking` times their boxes.
+OrientedBox drawnIn(OrientedBox box, const FragmentSet& fragments, std::span<const FragmentId> members, double bulking) {
+    double material = 0.0;
+    for (const FragmentId f : members) {
+        material += fragments.list[at(f)].box.volume();
+    }
+    const double scale = std::cbrt(bulking * material / box.volume());
+    if (scale < 1.0) {
+        box.centre *= scale;
+        box.halfExtents *= scale;
+    }
+    return box;
+}
+
 std::vector<Vec3> verticesIn(const FragmentSet& fragments, std::span<const FragmentId> members, const Pose& frame) {
     const Quat inverse = frame.orientation.conjugate();
     std::vector<Vec3> points;
@@ -118,7 +132,7 @@ ConvexPart hullOf(std::span<const Vec3> points, double leastHalfExtent) {
 }
 
 CollisionShape clusterShape(const FragmentSet& fragments, std::span<const FragmentId> members, const Pose& frame, ClusterShape kind,
-                            const FragmentSettings& settings) {
+                            double boxBulking, const FragmentSettings& settings) {
     if (kind == ClusterShape::Compound || (kind == ClusterShape::OrientedBox && members.size() == 1)) {
         CollisionShape parts;
         for (const FragmentId f : members) {
@@ -131,12 +145,14 @@ CollisionShape clusterShape(const FragmentSet& fragments, std::span<const Fragme
     }
     const std::vector<Vec3> points = verticesIn(fragments, members, frame);
     if (kind == ClusterShape::AxisBox) {
-        return {boxPart(boxWithAxes(points, frame.orientation.conjugate().toRotationMatrix()), settings)};
+        const OrientedBox box = boxWithAxes(points, frame.orientation.conjugate().toRotationMatrix());
+        return {boxPart(drawnIn(box, fragments, members, boxBulking), settings)};
     }
     if (kind == ClusterShape::Hull) {
         return {hullOf(points, settings.minimumHalfExtent)};
     }
-    return {boxPart(tightBox(points, memberAxes(fragments, members, frame)), settings)};
+    const OrientedBox box = tightBox(points, memberAxes(fragments, members, frame));
+    return {boxPart(drawnIn(box, fragments, members, boxBulking), settings)};
 }
 
 double smallestSide(const CollisionShape& shape) {

@@ -19,9 +19,10 @@ struct BodyFrame {
 BodyFrame bodyFrame(const Cluster& cluster);
 
 /// Collision shape of a cluster in the frame of its body.
+/// @param boxBulking  a box is drawn in until it holds at most this many times its fragments' boxes (SimulationSettings)
 /// @param settings  least half extents, for flat and needle-like clusters
 CollisionShape clusterShape(const FragmentSet& fragments, std::span<const FragmentId> members, const Pose& frame, ClusterShape kind,
-                            const FragmentSettings& settings);
+                            double boxBulking, const FragmentSettings& settings);
 
 /// The hull of points with at most a few dozen vertices, shrunk so that the engine's margin brings it back to size; a box around
 /// them where they span no volume.

@@ -45,7 +45,7 @@ std::optional<NewBody> bodyOf(const RunDescription& description, ClusterId id, F
             body.velocity = cluster.velocity;
             body.angularVelocity = cluster.angularVelocity;
             body.shape = clusterShape(*description.fragments, description.clustering->membersOf(id), frame.pose,
-                                      scenario.simulation.shape, scenario.fragments);
+                                      scenario.simulation.shape, scenario.simulation.boxBulking, scenario.fragments);
             body.smallestSide = smallestSide(body.shape);
             if (sound(body.shape)) {
                 return body;

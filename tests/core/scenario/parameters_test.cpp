@@ -140,6 +140,7 @@ TEST(Parameters, PaperPresetIsThePublishedMethod) {
     EXPECT_EQ(scenario.fragments.birthVelocity, BirthVelocity::Rest);
     EXPECT_EQ(scenario.grid.velocityTolerance, 0.0);
     EXPECT_EQ(scenario.simulation.shape, ClusterShape::AxisBox);
+    EXPECT_EQ(scenario.simulation.boxBulking, 1000.0);
     EXPECT_EQ(scenario.simulation.pieces, PieceKind::ComponentBox);
     EXPECT_FALSE(scenario.simulation.freeze);
     EXPECT_EQ(scenario.simulation.friction, 0.77);

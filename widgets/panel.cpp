@@ -1,5 +1,6 @@
 #include "widgets/panel.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QStyle>
@@ -10,6 +11,22 @@
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
+
+namespace {
+
+/// What a panel scrolls. A scroll area does not ask for the height that wrapped sentences need at its width, so this does.
+class PanelBody : public QWidget {
+protected:
+    bool event(QEvent* event) override {
+        const bool handled = QWidget::event(event);
+        if ((event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) && layout() != nullptr) {
+            setMinimumHeight(layout()->totalHeightForWidth(width()));
+        }
+        return handled;
+    }
+};
+
+}  // namespace
 
 Notice::Notice(QWidget* parent) : QFrame(parent), m_label(new QLabel) {
     auto* row = new QHBoxLayout(this);
@@ -25,7 +42,7 @@ Notice::Notice(QWidget* parent) : QFrame(parent), m_label(new QLabel) {
 void Notice::set(Kind kind, const QString& what, const QString& remedy) {
     static constexpr std::array names = {"note", "finding", "error"};
     setProperty("kind", QString::fromLatin1(names[static_cast<std::size_t>(kind)]));
-    QString html = what.toHtmlEscaped();
+    QString html = what.toHtmlEscaped().replace(u'\n', QStringLiteral("<br/>"));
     if (!remedy.isEmpty()) {
         html += QStringLiteral("<br/><span style='color:%1'>%2</span>").arg(tints().muted.name(), remedy.toHtmlEscaped());
     }
@@ -135,7 +152,7 @@ QLabel* PanelGroup::addNote(const QString& text) {
 
 Panel::Panel(const QString& title, const QString& question, QWidget* parent)
     : QScrollArea(parent), m_column(new QVBoxLayout), m_error(new Notice), m_stale(new Notice) {
-    auto* body = new QWidget;
+    auto* body = new PanelBody;
     body->setObjectName(QStringLiteral("panelBody"));
     auto* outer = new QVBoxLayout(body);
     outer->setContentsMargins(14, 12, 14, 16);

@@ -39,6 +39,7 @@ QString ParameterEditor::label() const {
 
 QString ParameterEditor::unit() const {
     return qt(m_row.unit)
+        .replace(QStringLiteral("x d"), QStringLiteral("× d"))
         .replace(QStringLiteral("m2"), QStringLiteral("m²"))
         .replace(QStringLiteral("m3"), QStringLiteral("m³"))
         .replace(QStringLiteral("s2"), QStringLiteral("s²"));

@@ -36,6 +36,7 @@ StatusLine::StatusLine(QWidget* parent)
         row->addWidget(m_figures[i]);
         m_figures[i]->hide();
     }
+    m_activity->hide();
     m_progress->hide();
     m_cancel->hide();
     setFixedHeight(fontMetrics().height() + 16);
@@ -45,6 +46,7 @@ StatusLine::StatusLine(QWidget* parent)
 void StatusLine::setActivity(const QString& what, double fraction) {
     m_running = !what.isEmpty();
     m_activity->setText(m_running ? what : m_message);
+    m_activity->setVisible(!m_activity->text().isEmpty());
     m_progress->setVisible(m_running);
     m_cancel->setVisible(m_running);
     if (fraction < 0.0) {
@@ -59,6 +61,7 @@ void StatusLine::setMessage(const QString& message) {
     m_message = message;
     if (!m_running) {
         m_activity->setText(message);
+        m_activity->setVisible(!message.isEmpty());
     }
 }
 

@@ -65,8 +65,11 @@ QString shownNumber(double value, int significant) {
         }
         return locale.toString(value / std::pow(10.0, power), 'f', significant - 1) + QStringLiteral(" × 10") + raised;
     }
-    const double step = std::pow(10.0, std::max(0, power + 1 - significant));
-    return locale.toString(std::round(value / step) * step, 'f', std::max(0, significant - power - 1));
+    if (power >= significant) {
+        const double step = std::pow(10.0, power + 1 - significant);
+        value = std::round(value / step) * step;
+    }
+    return locale.toString(value, 'f', std::max(0, significant - power - 1));
 }
 
 QString shownEnergy(double joules) {

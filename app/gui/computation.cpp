@@ -118,6 +118,7 @@ void Computation::reopen(const Case& theCase, const QString& path, const QString
 
 void Computation::take(const Opened& opened, const Scenario& scenario) {
     m_inputs = {opened.fe, opened.theCase.frame};
+    m_import = scenario.import;
     m_results = {};
     m_run.reset();
     m_failure.reset();
@@ -234,7 +235,7 @@ void Computation::simulate(const Scenario& scenario, const QString& scenarioName
         // Each frame of live mode simulates one frame time.
         record->scenario.simulation.frameRate = scenario.grid.fpsTarget;
     }
-    m_pace = live ? std::make_shared<LivePace>() : nullptr;
+    m_pace = live ? std::make_shared<LivePace>(scenario.grid.fpsTarget) : nullptr;
     m_failure.reset();
     io::RunOrigin origin;
     origin.fePath = QDir().absoluteFilePath(QString::fromStdString(m_inputs.fe->contents().path)).toStdString();
@@ -271,9 +272,9 @@ std::shared_ptr<const SimulationResult> Computation::simulateOnWorker(const std:
         QMetaObject::invokeMethod(
             this, [this, record, reader, prepared] { began(record, reader, prepared); }, Qt::QueuedConnection);
     };
-    listener.committed = [&](double time) {
+    listener.committed = [&](double time, bool liveFrame) {
         const auto now = std::chrono::steady_clock::now();
-        if (record->live || now - lastTold >= std::chrono::milliseconds(1000 / growthsPerSecond)) {
+        if (liveFrame || (!record->live && now - lastTold >= std::chrono::milliseconds(1000 / growthsPerSecond))) {
             lastTold = now;
             QMetaObject::invokeMethod(this, [this, record, time] { committed(record, time); }, Qt::QueuedConnection);
         }
@@ -340,6 +341,10 @@ bool Computation::stale(Stage stage, const Scenario& scenario) const {
     return m_inputs.fe != nullptr && m_results.keys[i] != Digest{} && m_results.keys[i] != stageKey(m_inputs, scenario, stage);
 }
 
+bool Computation::importStale(const Scenario& scenario) const {
+    return m_inputs.fe != nullptr && !(scenario.import == m_import);
+}
+
 bool Computation::runStale(const Scenario& scenario) const {
     if (m_run == nullptr || m_inputs.fe == nullptr) {
         return false;
@@ -367,7 +372,7 @@ widgets::StageState Computation::state(Stage stage, const Scenario& scenario) co
         return m_run->outcome == nullptr || runStale(scenario) ? StageState::Stale : StageState::UpToDate;
     }
     if (stage == Stage::Import) {
-        return m_inputs.fe == nullptr ? StageState::NotYet : StageState::UpToDate;
+        return m_inputs.fe == nullptr ? StageState::NotYet : importStale(scenario) ? StageState::Stale : StageState::UpToDate;
     }
     const bool made = m_results.keys[static_cast<std::size_t>(stage)] != Digest{};
     return !made ? StageState::NotYet : stale(stage, scenario) ? StageState::Stale : StageState::UpToDate;

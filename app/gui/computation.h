@@ -71,6 +71,8 @@ public:
     const std::shared_ptr<LivePace>& livePace() const { return m_pace; }
     /// Whether what a stage has is older than the scenario; false if it has nothing.
     bool stale(Stage stage, const Scenario& scenario) const;
+    /// Whether the FE result was read with other import settings than the scenario's.
+    bool importStale(const Scenario& scenario) const;
     bool runStale(const Scenario& scenario) const;
     /// The state of a stage as the rail shows it, with its progress.
     widgets::StageState state(Stage stage, const Scenario& scenario) const;
@@ -107,6 +109,7 @@ private:
     QString scratchPath();
 
     Inputs m_inputs;
+    ImportSettings m_import;  // with which the FE result was read
     Results m_results;
     std::shared_ptr<RunRecord> m_run;
     std::shared_ptr<LivePace> m_pace;

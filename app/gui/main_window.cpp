@@ -93,16 +93,13 @@ void MainWindow::openSample() {
 void MainWindow::takeOpened(const Opened& opened) {
     const bool recognised =
         opened.fe != nullptr || (opened.failure && (opened.failure->id.starts_with("exodus.") || !opened.path.isEmpty()));
-    if (!recognised && !m_document.empty()) {
-        // Not a result at all: what was open stays.
-        showFailure(*opened.failure);
-        return;
-    }
-    if (!recognised) {
-        showFailure(*opened.failure);
-        return;
-    }
     const bool again = !m_document.empty() && opened.base == m_document.base() && opened.theCase == m_document.theCase();
+    if (!recognised || (again && opened.fe == nullptr && m_computation.inputs().fe != nullptr)) {
+        // Not a result at all, or not with these settings: what was open stays.
+        showFailure(*opened.failure);
+        showState();
+        return;
+    }
     if (!again) {
         m_document.replace(opened.theCase, opened.path, opened.base);
     }
@@ -125,7 +122,7 @@ void MainWindow::takeOpened(const Opened& opened) {
 
 void MainWindow::scenarioChanged() {
     m_deck->showScenario();
-    const bool reread = m_computation.inputs().fe == nullptr || m_computation.stale(Stage::Import, m_document.scenario());
+    const bool reread = m_computation.inputs().fe == nullptr || m_computation.importStale(m_document.scenario());
     if (reread && !m_document.empty()) {
         m_computation.reopen(m_document.theCase(), m_document.path(), m_document.base());
     } else {

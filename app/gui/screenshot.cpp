@@ -1,11 +1,13 @@
 #include "app/gui/screenshot.h"
 
 #include <QCoreApplication>
+#include <QPainter>
 #include <QPixmap>
 #include <cstdio>
 
 #include "app/gui/main_window.h"
 #include "app/gui/playback.h"
+#include "app/gui/view_area.h"
 #include "widgets/figures/figure_file.h"
 
 namespace rubble {
@@ -40,7 +42,14 @@ void Screenshot::look() {
 
 void Screenshot::take() {
     try {
-        figures::writePng(m_path.toStdString(), m_window.grab().toImage());
+        QImage picture = m_window.grab().toImage();
+        // A widget that is grabbed paints its captions elsewhere: the views are taken from their own frame buffer.
+        widgets::ViewWidget& views = m_window.area().views();
+        if (views.isVisible()) {
+            QPainter painter(&picture);
+            painter.drawImage(QRect(views.mapTo(&m_window, QPoint(0, 0)), views.size()), views.grabFramebuffer());
+        }
+        figures::writePng(m_path.toStdString(), picture);
         QCoreApplication::exit(0);
     } catch (...) {
         const auto failure = failureOf(std::current_exception());

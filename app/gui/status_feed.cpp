@@ -115,7 +115,7 @@ void StatusFeed::refresh() {
     const RunRecord* record = m_computation.currentRun();
     if (m_playback.following()) {
         m_line.setFigure(Figure::Live, tr("Live"), fps(m_live.recent(now())),
-                         tr("target %1").arg(widgets::shownNumber(record->scenario.grid.fpsTarget)));
+                         tr("target %1").arg(locale.toString(record->scenario.grid.fpsTarget, 'g', 4)));
     } else if (record != nullptr && record->live && m_live.frames() > 1) {
         m_line.setFigure(Figure::Live, tr("Live"), fps(m_live.mean()),
                          tr("mean, worst second %1").arg(locale.toString(m_live.worstSecond(), 'f', 0)));

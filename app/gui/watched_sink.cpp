@@ -1,8 +1,21 @@
 #include "app/gui/watched_sink.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubble {
+
+bool LivePace::isNext(double time) {
+    const std::lock_guard lock(m_mutex);
+    const double from = m_last ? m_firstTime : time;
+    // A step ends a little before or after its frame's time.
+    const auto index = static_cast<std::int64_t>(std::floor((time - from) / m_interval + 1e-6));
+    if (m_last && index <= m_lastIndex) {
+        return false;
+    }
+    m_lastIndex = index;
+    return true;
+}
 
 void LivePace::waitFor(double time, const Execution& execution) {
     std::unique_lock lock(m_mutex);
@@ -49,11 +62,12 @@ void WatchedSink::addBodies(std::span<const BodyRecord> bodies, std::span<const 
 
 void WatchedSink::commit(const TrajectoryFrame& frame) {
     // Waiting before the frame is handed on lets the next one be simulated while this one is drawn.
-    if (m_pace != nullptr) {
+    const bool live = m_pace != nullptr && m_pace->isNext(frame.time);
+    if (live) {
         m_pace->waitFor(frame.time, m_execution);
     }
     m_inner.commit(frame);
-    m_listener.committed(frame.time);
+    m_listener.committed(frame.time, live);
 }
 
 void WatchedSink::addLedger(const LedgerRow& row) {

@@ -52,7 +52,6 @@ void MainWindow::buildLayout() {
     auto* lower = new QHBoxLayout(bottom);
     lower->setContentsMargins(0, 1, 0, 0);
     lower->setSpacing(0);
-    m_transport->setFixedWidth(panelWidth + 48);
     lower->addWidget(m_transport);
     lower->addWidget(m_timeline, 1);
     column->addWidget(bottom);
@@ -254,6 +253,7 @@ void MainWindow::connectPlayback() {
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     m_deck->rail().setCompact(event->size().width() < compactBelow);
+    m_transport->setFixedWidth(m_deck->rail().sizeHint().width() + panelWidth);
 }
 
 }  // namespace rubble

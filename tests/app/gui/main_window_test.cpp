@@ -208,6 +208,25 @@ TEST_F(Workbench, AFileThatIsNoResultSaysSoAndLeavesWhatIsOpen) {
     EXPECT_EQ(window->area().currentIndex(), 1);
 }
 
+TEST_F(Workbench, AnActiveFlagThatIsNotThereIsAnErrorInPlaceAndCostsNothing) {
+    openArch();
+    window->document().setParameter(QStringLiteral("status_variable"), std::string("NOPE"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+    bool told = false;
+    for (const widgets::Notice* notice : window->deck().stack().findChildren<widgets::Notice*>()) {
+        told = told || (notice->text().contains(QStringLiteral("NOPE")) && notice->text().contains(QStringLiteral("STATUS")));
+    }
+    EXPECT_TRUE(told) << "the error names what was asked for and what there is";
+    EXPECT_NE(window->computation().inputs().fe, nullptr) << "what was open stays";
+    EXPECT_EQ(rail(PanelDeck::Case), widgets::StageState::Stale);
+    window->document().undoStack().undo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    EXPECT_EQ(rail(PanelDeck::Case), widgets::StageState::UpToDate);
+    window->document().setParameter(QStringLiteral("status_variable"), std::string("STATUS"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    EXPECT_EQ(rail(PanelDeck::Fragments), widgets::StageState::UpToDate);
+}
+
 TEST_F(Workbench, ADroppedFileOpens) {
     QMimeData mime;
     mime.setUrls({QUrl::fromLocalFile(arch)});

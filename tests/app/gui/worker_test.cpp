@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QTest>
 #include <atomic>
+#include <cmath>
 
 #include "app/gui/watched_sink.h"
 #include "core/base/error.h"
@@ -97,7 +98,7 @@ TEST(Worker, FailuresSayWhatAndWhatToDo) {
 }
 
 TEST(LivePace, AFrameWaitsForTheOneBeforeToBeShownAndForTheClock) {
-    LivePace pace;
+    LivePace pace(50.0);
     const Execution execution;
     QElapsedTimer clock;
     clock.start();
@@ -115,8 +116,29 @@ TEST(LivePace, AFrameWaitsForTheOneBeforeToBeShownAndForTheClock) {
     screen.join();
 }
 
+TEST(LivePace, ThereIsOneLiveFrameForEachFrameTimeWhateverElseIsRecorded) {
+    // Frames at steps of 1/60 s, those at 24 a second or at an FE state every 0.08 s recorded.
+    LivePace pace(24.0);
+    const Execution execution;
+    int live = 0;
+    double nextFrame = 0.0;
+    for (int step = 0; step <= 600; ++step) {
+        const double time = step / 60.0;
+        const bool frame = time >= nextFrame - 1e-9;
+        nextFrame += frame ? 1.0 / 24.0 : 0.0;
+        const bool state = std::fmod(time + 1e-9, 0.08) < 1.0 / 60.0;
+        if ((frame || state) && pace.isNext(time)) {
+            ++live;
+            pace.shown(1e9);
+            execution.cancel();  // the wall clock is not waited for
+            pace.waitFor(time, execution);
+        }
+    }
+    EXPECT_NEAR(live, 241, 1);
+}
+
 TEST(LivePace, CancelEndsTheWait) {
-    LivePace pace;
+    LivePace pace(50.0);
     const Execution execution;
     pace.waitFor(0.0, execution);
     execution.cancel();

@@ -71,7 +71,8 @@ void FindingList::set(const Findings& findings) {
     for (const Finding& finding : findings.list()) {
         auto* notice = new Notice;
         QString text = worded(finding.what);
-        if (finding.count > 1) {
+        // Some sentences name their count themselves.
+        if (finding.count > 1 && !text.contains(shownCount(finding.count))) {
             text = tr("%1×: %2").arg(shownCount(finding.count), text);
         }
         if (!finding.example.empty()) {

@@ -6,6 +6,7 @@
 #include <vtkCullerCollection.h>
 #include <vtkFloatArray.h>
 #include <vtkLight.h>
+#include <vtkObjectFactory.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLVertexBufferObject.h>
 #include <vtkPointData.h>
@@ -17,13 +18,37 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rubble::render {
 namespace {
 
+/// Keeps the triangles on the graphics side while only points move. VTK sends them anew whenever a point does, because a triangle
+/// of coinciding points may then be left out; here none ever is, and the list is most of what a frame sends.
+class SteadyTriangleMapper : public vtkOpenGLPolyDataMapper {
+public:
+    using Superclass = vtkOpenGLPolyDataMapper;
+    static SteadyTriangleMapper* New() { VTK_STANDARD_NEW_BODY(SteadyTriangleMapper); }
+    void ReleaseGraphicsResources(vtkWindow* window) override {
+        m_sent = {};
+        Superclass::ReleaseGraphicsResources(window);
+    }
+
+protected:
+    void BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* data) override {
+        const std::array<vtkMTimeType, 2> present{data->GetPolys()->GetMTime(), data->GetLines()->GetMTime()};
+        if (present != m_sent) {
+            m_sent = present;
+            Superclass::BuildIBO(renderer, actor, data);
+        }
+    }
+
+private:
+    std::array<vtkMTimeType, 2> m_sent{};
+};
 vtkSmartPointer<vtkActor> modelActor(vtkPolyData* data) {
-    vtkNew<vtkOpenGLPolyDataMapper> mapper;
+    vtkNew<SteadyTriangleMapper> mapper;
     mapper->SetInputData(data);
     mapper->SetColorModeToDirectScalars();
     // The local frame keeps coordinates small; a scan of all points every frame to shift them would cost as much as moving them.

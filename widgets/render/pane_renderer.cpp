@@ -47,6 +47,7 @@ protected:
 private:
     std::array<vtkMTimeType, 2> m_sent{};
 };
+
 vtkSmartPointer<vtkActor> modelActor(vtkPolyData* data) {
     vtkNew<SteadyTriangleMapper> mapper;
     mapper->SetInputData(data);

@@ -97,12 +97,12 @@ void ensureGuiApplication() {
     if (QCoreApplication::instance()) {
         return;
     }
-    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-    }
-    static int argc = 1;
+    // Said as an argument, so that a platform in the environment, meant for windows, does not count.
+    static int argc = 3;
     static char name[] = "rubble";
-    static char* argv[] = {name, nullptr};
+    static char option[] = "-platform";
+    static char platform[] = "offscreen";
+    static char* argv[] = {name, option, platform, nullptr};
     // Lives until the process ends: Qt's own statics may outlast ours.
     new QGuiApplication(argc, argv);
 }

@@ -25,7 +25,7 @@ ParameterValue changed(const Parameter& row, const Scenario& scenario) {
             return std::holds_alternative<std::int64_t>(now) ? std::get<std::int64_t>(now) + 1 : std::int64_t{1};
         case ParameterKind::Number: {
             const double value = std::holds_alternative<double>(now) ? std::get<double>(now) : 1.9;
-            return value * 0.9 + 0.01 >= row.low ? value * 0.9 + 0.01 : value * 1.1;
+            return value * 0.9 + 0.007 >= row.low ? value * 0.9 + 0.007 : value * 1.1;
         }
         case ParameterKind::Choice:
             return std::string(std::get<std::string>(now) == row.choices.front() ? row.choices.back() : row.choices.front());

@@ -141,7 +141,7 @@ TEST_F(Simulate, CarriersBringFragmentsToTheirPlaces) {
     const auto last = trajectory.frame(trajectory.frameCount() - 1);
     ASSERT_EQ(trajectory.carriers().size(), description.fragments->size());
     for (const Carrier& carrier : trajectory.carriers()) {
-        const BodyRecord& body = trajectory.bodies()[at(carrier.body)];
+        const BodyRecord body = trajectory.bodies()[at(carrier.body)];
         const Vec3& centre = description.fragments->list[at(carrier.fragment)].centre;
         EXPECT_LT((body.atBirth * (carrier.handOverToBody * centre) - centre).norm(), 1e-9);
         const Pose now{last->positions[at(carrier.body)].cast<double>(), last->orientations[at(carrier.body)].cast<double>()};

@@ -142,10 +142,7 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
     qInstallMessageHandler(passOnQtMessage);
     figures::ensureGuiApplication();
     const VirtualDisplay display;
-    render::View view = render::defaultView(data, m_style.pixels.width(), m_style.pixels.height());
-    if (m_layout) {
-        view.layout = *m_layout;
-    }
+    render::View view = render::defaultView(data, m_style.pixels.width(), m_style.pixels.height(), m_layout);
     view.time = time;
     view.colourBy = m_colourBy;
     figures::FigureStyle style = m_style;

@@ -249,10 +249,10 @@ std::pair<double, double> Scene::birthSpan() const {
     return {m_impl->scale.firstBirth, m_impl->scale.lastBirth};
 }
 
-View defaultView(const SceneData& data, int width, int height) {
+View defaultView(const SceneData& data, int width, int height, std::optional<Layout> layout) {
     View view;
     const Aabb bounds = boundsOf(data);
-    view.layout = suggestLayout(bounds, width, height);
+    view.layout = layout ? *layout : suggestLayout(bounds, width, height);
     const Pane pane = panesOf(view.layout, width, height).front();
     view.cameras.fill(fitCamera(bounds, pane.aspect()));
     view.time = data.fe ? data.fe->times().front() : 0.0;

@@ -84,7 +84,8 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// A sensible view of data that was just opened: layout by the model's proportions, both cameras fitted, time at the first state.
-View defaultView(const SceneData& data, int width, int height);
+/// A sensible view of data that was just opened: both cameras fitted, time at the first state.
+/// @param layout  of the panes; nothing: by the model's proportions
+View defaultView(const SceneData& data, int width, int height, std::optional<Layout> layout = {});
 
 }  // namespace rubble::render

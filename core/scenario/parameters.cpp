@@ -4,41 +4,20 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/nearest_names.h"
 
 namespace rubble {
 
 namespace {
 
-/// Number of single-character edits between two words (Levenshtein).
-std::size_t editDistance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, substituted});
-        }
-    }
-    return row.back();
-}
-
 std::string nearestKeys(std::string_view key) {
-    std::vector<std::pair<std::size_t, std::string_view>> ranked;
+    std::vector<std::string> keys;
     for (const Parameter& row : parameterTable()) {
-        ranked.emplace_back(editDistance(key, row.key), row.key);
+        keys.emplace_back(row.key);
     }
-    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::string result;
-    for (std::size_t i = 0; i < std::min<std::size_t>(3, ranked.size()); ++i) {
-        result += (i ? ", " : "") + std::string(ranked[i].second);
-    }
-    return result;
+    return quotedList(nearestNames(key, keys, 3));
 }
 
 [[noreturn]] void refuse(const Parameter& row, std::string_view key, std::string_view value) {

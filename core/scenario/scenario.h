@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -8,6 +9,7 @@
 
 #include "core/fe/components.h"
 #include "core/fe/regrouping.h"
+#include "core/scenario/materials.h"
 
 namespace rubble {
 
@@ -16,7 +18,13 @@ enum class Revival { Latch, Follow, Refuse };
 enum class BirthVelocity { Fe, Rest };
 enum class ClusterShape { AxisBox, OrientedBox, Hull, Compound };
 enum class PieceKind { None, ComponentBox, GridBoxes, Surface };
-enum class SolverKind { Bullet };
+enum class SolverKind { SoftStep, Bullet };
+enum class EffectSwitch { Off, On, Auto };
+enum class LiveIslandPolicy { Released, Held };
+
+/// The optional physics of a scene, in the order in which it is listed everywhere.
+enum class EffectKind : std::uint8_t { Ground, Terrain, StructureContact, FragmentContact, Water, AirDrag, Ties, BreakUp };
+inline constexpr std::size_t effectCount = 8;
 
 /// What the reader is told about the FE file; empty means: recognise it.
 struct ImportSettings {
@@ -72,6 +80,32 @@ struct SimulationSettings {
     friend bool operator==(const SimulationSettings&, const SimulationSettings&) = default;
 };
 
+/// Effects and what each needs to know (DESIGN.md 2.5).
+struct EffectSettings {
+    std::array<EffectSwitch, effectCount> switches{EffectSwitch::Auto, EffectSwitch::Auto, EffectSwitch::Auto, EffectSwitch::Auto,
+                                                   EffectSwitch::Auto, EffectSwitch::Auto, EffectSwitch::Auto, EffectSwitch::Auto};
+    EffectSwitch& of(EffectKind kind) { return switches[static_cast<std::size_t>(kind)]; }
+    EffectSwitch of(EffectKind kind) const { return switches[static_cast<std::size_t>(kind)]; }
+
+    PairTable pairs;
+    Material groundMaterial = Material::Soil;
+    std::optional<double> waterLevel;  ///< m, z of the still surface; unset: no water
+    double waterDensity = 1000.0;      ///< kg/m3
+    double currentX = 0.0;             ///< m/s, of the water
+    double currentY = 0.0;             ///< m/s
+    double waterDrag = 1.05;           ///< C_d of a box in water
+    double waterLinearDrag = 0.5;      ///< 1/s, of the displaced mass, near rest
+    double addedMass = 0.5;            ///< share of the displaced mass that moves along
+    double airDensity = 1.225;         ///< kg/m3
+    double airDrag = 1.05;             ///< C_d of a box in air
+    double tieRatio = 0.01;            ///< steel area over the area of a shared face
+    double tieStrength = 500e6;        ///< Pa, f_y
+    double tieElongation = 0.15;       ///< of the length of the tie, at which it breaks
+    double breakUpSpeed = 6.0;         ///< m/s, impulse per mass above which a cluster of stone or masonry breaks up
+    LiveIslandPolicy islands = LiveIslandPolicy::Released;
+    friend bool operator==(const EffectSettings&, const EffectSettings&) = default;
+};
+
 /// Everything a user can set for one run, as one value. Every member is reached through the parameter table
 /// (core/scenario/parameters.h), except the list of regrouping steps, which is a structure of its own.
 struct Scenario {
@@ -82,6 +116,7 @@ struct Scenario {
     FragmentSettings fragments;
     GridSettings grid;
     SimulationSettings simulation;
+    EffectSettings effects;
 
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };

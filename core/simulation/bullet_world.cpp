@@ -1,7 +1,7 @@
 #include "core/simulation/bullet_world.h"
 
 #include <algorithm>
-#include <cmath>
+#include <chrono>
 
 #include "core/simulation/constants.h"
 
@@ -13,15 +13,34 @@ constexpr int groundGroup = 1;
 constexpr int bodyGroup = 2;
 constexpr int pieceGroup = 4;
 
-/// Bullet takes the product of the two coefficients of a pair.
-double half(double coefficient) {
-    return std::sqrt(std::max(0.0, coefficient));
+const PairProperties& pairOf(const btCollisionObject* a, const btCollisionObject* b) {
+    const Collider& first = colliderOf(a);
+    return first.pairs->of(first.material, colliderOf(b).material);
+}
+
+btScalar pairFriction(const btCollisionObject* a, const btCollisionObject* b) {
+    return pairOf(a, b).friction;
+}
+
+btScalar pairRestitution(const btCollisionObject* a, const btCollisionObject* b) {
+    return pairOf(a, b).restitution;
+}
+
+/// Bullet holds these two for the whole program, so they are set once; the table comes with each object.
+void combineByPair() {
+    static const bool once = [] {
+        gCalculateCombinedFrictionCallback = pairFriction;
+        gCalculateCombinedRestitutionCallback = pairRestitution;
+        return true;
+    }();
+    (void)once;
 }
 
 }  // namespace
 
-BulletWorld::BulletWorld(const WorldSettings& settings)
-    : m_settings(settings), m_dispatcher(&m_configuration, settings.cancelled) {}
+BulletWorld::BulletWorld(const WorldSettings& settings) : m_settings(settings), m_dispatcher(&m_configuration, settings.cancelled) {
+    combineByPair();
+}
 
 BulletWorld::~BulletWorld() {
     for (const auto* list : {&m_bodies, &m_pieces, &m_ground}) {
@@ -47,6 +66,9 @@ Collider& BulletWorld::makeCollider(std::vector<std::unique_ptr<Collider>>& list
     collider->index = static_cast<std::uint32_t>(list.size());
     collider->radius = outerRadius(shape);
     collider->shape = makeBulletShape(shape);
+    collider->parts = shape;
+    collider->box = boxAround(shape);
+    collider->pairs = &m_settings.pairs;
     list.push_back(std::move(collider));
     return *list.back();
 }
@@ -54,8 +76,6 @@ Collider& BulletWorld::makeCollider(std::vector<std::unique_ptr<Collider>>& list
 void BulletWorld::insert(Collider& collider, int group, int mask) {
     btRigidBody& object = *collider.object;
     object.setUserPointer(&collider);
-    object.setFriction(half(m_settings.friction));
-    object.setRestitution(half(m_settings.restitution));
     object.setFlags(0);
     m_world->addRigidBody(&object, group, mask);
 }
@@ -67,6 +87,7 @@ void BulletWorld::addGround() {
     ConvexPart box;
     box.box.halfExtents = Vec3(reach, reach, groundHalfThickness);
     Collider& ground = makeCollider(m_ground, ColliderKind::Ground, {box});
+    ground.material = m_settings.groundMaterial;
     ground.object = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0.0, nullptr, ground.shape.shape.get()));
     ground.object->setWorldTransform(
         toBullet(Pose{Vec3(centre.x(), centre.y(), m_settings.groundHeight - groundHalfThickness), Quat::Identity()}));
@@ -79,9 +100,11 @@ BodyId BulletWorld::addBody(const NewBody& body) {
     info.m_startWorldTransform = toBullet(body.pose);
     collider.object = std::make_unique<btRigidBody>(info);
     collider.smallestSide = body.smallestSide;
+    collider.volume = body.volume;
+    collider.material = body.material;
     collider.object->setLinearVelocity(toBullet(body.velocity));
     collider.object->setAngularVelocity(toBullet(body.angularVelocity));
-    insert(collider, bodyGroup, groundGroup | bodyGroup | pieceGroup);
+    insert(collider, bodyGroup, groundGroup | pieceGroup | (m_settings.bodyContacts ? bodyGroup : 0));
     entered(collider);
     return idAt<BodyId>(collider.index);
 }
@@ -94,8 +117,9 @@ void BulletWorld::removeBody(BodyId body) {
     }
 }
 
-PieceId BulletWorld::addPiece(const CollisionShape& shape, const Pose& pose) {
+PieceId BulletWorld::addPiece(const CollisionShape& shape, const Pose& pose, Material material) {
     Collider& collider = makeCollider(m_pieces, ColliderKind::Piece, shape);
+    collider.material = material;
     btRigidBody::btRigidBodyConstructionInfo info(0.0, nullptr, collider.shape.shape.get());
     info.m_startWorldTransform = toBullet(pose);
     collider.object = std::make_unique<btRigidBody>(info);
@@ -158,12 +182,14 @@ void BulletWorld::settlePieces() {
 }
 
 void BulletWorld::step(double dt) {
+    const auto from = std::chrono::steady_clock::now();
     takeOut();
     m_world->stepSimulation(dt, 0);
     settlePieces();
     for (const auto& ground : m_ground) {
         ground->newborn = false;
     }
+    m_costs.total += std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
 }
 
 BodyMotion BulletWorld::motion(BodyId body) const {
@@ -220,6 +246,12 @@ public:
         return m_fragments->freezeClock().resting(at(body)) ? BodyState::Frozen : BodyState::Awake;
     }
     const ContactReport& contacts() const override { return m_fragments->report(); }
+    void onSubstep(SubstepHook hook) override { m_fragments->onSubstep(std::move(hook)); }
+    void wake(BodyId body) override {
+        if (state(body) == BodyState::Frozen && m_fragments->freezeClock().frozen(at(body))) {
+            m_fragments->thaw(bodyAt(body));
+        }
+    }
 
 private:
     void entered(Collider& body) override { m_fragments->addBody(&body); }
@@ -242,6 +274,8 @@ public:
 
     BodyState state(BodyId body) const override { return removed(body) ? BodyState::Removed : BodyState::Awake; }
     const ContactReport& contacts() const override { return m_report; }
+    void onSubstep(SubstepHook) override {}
+    void wake(BodyId body) override { bodyAt(body).object->activate(true); }
 
 private:
     btSequentialImpulseConstraintSolver m_solver;

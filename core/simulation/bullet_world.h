@@ -17,10 +17,11 @@ public:
 
     BodyId addBody(const NewBody& body) override;
     void removeBody(BodyId body) override;
-    PieceId addPiece(const CollisionShape& shape, const Pose& pose) override;
+    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material) override;
     void removePiece(PieceId piece) override;
     void movePiece(PieceId piece, const Pose& atStepEnd) override;
     void step(double dt) override;
+    const StepCosts& costs() const override { return m_costs; }
 
     std::size_t bodyCount() const override { return m_bodies.size(); }
     BodyMotion motion(BodyId body) const override;
@@ -34,6 +35,7 @@ protected:
     explicit BulletWorld(const WorldSettings& settings);
     /// Takes over the Bullet world and puts the ground in.
     void begin(std::unique_ptr<btDiscreteDynamicsWorld> world);
+    Collider& bodyAt(BodyId body) { return *m_bodies[at(body)]; }
     bool removed(BodyId body) const { return m_bodies[at(body)]->leaving; }
     btDispatcher* dispatcher() { return &m_dispatcher; }
     btBroadphaseInterface* broadphase() { return &m_broadphase; }
@@ -44,6 +46,7 @@ protected:
     /// Marked objects are about to leave the Bullet world.
     virtual void aboutToLeave() {}
     virtual void left(Collider&) {}
+    StepCosts m_costs;
 
 private:
     Collider& makeCollider(std::vector<std::unique_ptr<Collider>>& list, ColliderKind kind, const CollisionShape& shape);

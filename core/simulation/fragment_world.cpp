@@ -1,6 +1,7 @@
 #include "core/simulation/fragment_world.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "core/simulation/constants.h"
@@ -8,10 +9,6 @@
 namespace rubble {
 
 namespace {
-
-Collider& colliderOf(const btCollisionObject* object) {
-    return *static_cast<Collider*>(object->getUserPointer());
-}
 
 btVector3 pointVelocity(const Collider& collider, const btVector3& at) {
     return collider.object->getVelocityInLocalPoint(at - collider.object->getWorldTransform().getOrigin());
@@ -47,6 +44,7 @@ FragmentWorld::FragmentWorld(btDispatcher* dispatcher, btBroadphaseInterface* br
 
 void FragmentWorld::solveConstraints(btContactSolverInfo& info) {
     const double dt = info.m_timeStep;
+    runHook(dt);
     m_overlaps.beginStep();
     collectContacts();
     wakeByContacts();
@@ -83,6 +81,27 @@ void FragmentWorld::solveConstraints(btContactSolverInfo& info) {
     restoreContacts(dt);
     bleedOverlaps(dt);
     m_overlaps.endStep();
+}
+
+void FragmentWorld::runHook(double dt) {
+    if (!m_hook) {
+        return;
+    }
+    const auto from = std::chrono::steady_clock::now();
+    m_moving.clear();
+    m_slotOf.assign(m_bodies.size(), -1);
+    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+        if (m_bodies[i] != nullptr && awake(*m_bodies[i])) {
+            m_slotOf[i] = static_cast<std::int32_t>(m_moving.size());
+            m_moving.push_back(movingBody(*m_bodies[i]));
+        }
+    }
+    m_hook({m_moving, m_slotOf}, dt);
+    for (const MovingBody& body : m_moving) {
+        m_bodies[at(body.id)]->object->setLinearVelocity(toBullet(body.velocity));
+        m_bodies[at(body.id)]->object->setAngularVelocity(toBullet(body.spin));
+    }
+    m_hookSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
 }
 
 void FragmentWorld::collectContacts() {

@@ -6,35 +6,12 @@
 #include <vector>
 
 #include "core/simulation/birth_overlap.h"
-#include "core/simulation/bullet_shapes.h"
+#include "core/simulation/collider.h"
 #include "core/simulation/fragment_solver.h"
 #include "core/simulation/freeze.h"
 #include "core/simulation/rigid_world.h"
 
 namespace rubble {
-
-enum class ColliderKind : std::uint8_t { Ground, Body, Piece };
-
-/// What stands behind a Bullet object: its place in the order of entry, and what the steps need to know about it.
-struct Collider {
-    ColliderKind kind = ColliderKind::Body;
-    std::uint32_t number = 0;   ///< among all colliders, in order of entry
-    std::uint32_t index = 0;    ///< among those of its kind
-    bool newborn = true;        ///< not yet stepped
-    bool moving = false;        ///< a piece that moves in this step
-    bool pushed = false;        ///< a body that a moving piece has pushed
-    bool bornBelow = false;     ///< a body whose centre was below ground when it entered
-    bool leaving = false;       ///< to be taken out before the next step
-    bool overlapping = false;   ///< a body whose overlap at birth is being bled off in this step
-    bool justThawed = false;    ///< its frozen neighbours are not noted yet
-    bool touched = false;       ///< a body that a contact acted on in this step
-    double radius = 0.0;        ///< m, of the farthest corner
-    double birthDepth = 0.0;    ///< m, inside older colliders
-    double smallestSide = 0.0;  ///< m, of a body
-    Vec3 shift = Vec3::Zero();  ///< m, by which this step's bleeding moves the body
-    OwnedShape shape;
-    std::unique_ptr<btRigidBody> object;
-};
 
 /// Bullet's world with what a collapse needs (PHYSICS.md): births that keep their overlap as rest offset, pieces that give way,
 /// freezing per body, a fall without the error of the stock integrator, spin about a conserved angular momentum. Contacts are
@@ -47,6 +24,8 @@ public:
     FreezeClock& freezeClock() { return m_freeze; }
     const FreezeClock& freezeClock() const { return m_freeze; }
     const ContactReport& report() const { return m_report; }
+    void onSubstep(SubstepHook hook) { m_hook = std::move(hook); }
+    double hookSeconds() const { return m_hookSeconds; }
     /// A body that was added to the world, in the order of bodies.
     void addBody(Collider* body) {
         m_bodies.push_back(body);
@@ -93,6 +72,7 @@ private:
     void restoreContacts(double dt);
     void bookContacts();
     void bleedOverlaps(double dt);
+    void runHook(double dt);
     void freeze(Collider& body);
     void linkDependants();
     bool awake(const Collider& c) const { return c.kind == ColliderKind::Body && !m_freeze.frozen(c.index); }
@@ -108,6 +88,10 @@ private:
     std::vector<btPersistentManifold*> m_manifolds;
     std::vector<double> m_heights;  ///< m, of the solved bodies before the solve
     std::vector<std::uint32_t> m_justThawed;
+    SubstepHook m_hook;
+    std::vector<MovingBody> m_moving;
+    std::vector<std::int32_t> m_slotOf;
+    double m_hookSeconds = 0.0;
 };
 
 }  // namespace rubble

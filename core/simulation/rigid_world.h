@@ -7,8 +7,10 @@
 
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
+#include "core/fe/terrain_grid.h"
 #include "core/fragments/fragment_set.h"
 #include "core/scenario/scenario.h"
+#include "core/simulation/moving_body.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble {
@@ -30,6 +32,8 @@ struct NewBody {
     Vec3 angularVelocity = Vec3::Zero();  ///< rad/s, world axes
     CollisionShape shape;
     double smallestSide = 0.0;  ///< m, of the shape
+    double volume = 0.0;        ///< m3, of its material
+    Material material = Material::Concrete;
 };
 
 /// Index of a kinematic piece in the order in which pieces entered.
@@ -46,11 +50,15 @@ struct BodyMotion {
 struct WorldSettings {
     double gravity = 9.80665;  ///< m/s2, downwards
     bool ground = true;
-    double groundHeight = 0.0;  ///< m, top of the ground box
-    Aabb reach;                 ///< m, of the structure; the ground covers it with a margin
-    double friction = 0.6;
-    double restitution = 0.1;
-    int iterations = 10;
+    double groundHeight = 0.0;                   ///< m, top of the level ground
+    std::shared_ptr<const TerrainGrid> terrain;  ///< takes the place of the level ground where it has heights
+    Material groundMaterial = Material::Soil;
+    bool bodyContacts = true;  ///< bodies collide with each other; off: no such pair is ever formed
+    Aabb reach;                ///< m, of the structure; the ground covers it with a margin
+    PairTable pairs;
+    int iterations = 10;  ///< of the stock solver
+    int substeps = 4;     ///< of the soft-step solver
+    int threads = 1;      ///< no result depends on it
     bool freeze = true;
     double freezeSpeed = 0.02;  ///< m/s
     double freezeDelay = 0.5;   ///< s
@@ -69,6 +77,17 @@ struct ContactReport {
     std::int64_t piecesYielded = 0;  ///< contacts in which a moving piece gave way
 };
 
+/// Wall time of the steps so far by what it was spent on, s. Pair finding, contact geometry and solving count for the kind of
+/// contact that asked for them.
+struct StepCosts {
+    double motion = 0.0;            ///< integration, freezing, bookkeeping
+    double groundContact = 0.0;     ///< plane or terrain
+    double structureContact = 0.0;  ///< bodies against pieces
+    double fragmentContact = 0.0;   ///< bodies against bodies
+    double substepHook = 0.0;       ///< what the caller did in the substeps
+    double total = 0.0;             ///< whole steps
+};
+
 /// The seam behind which a solver lives: rigid bodies, kinematic pieces, a ground, and time. Bodies and pieces are numbered in the
 /// order they enter; the same calls in the same order give the same bits. Not thread-safe.
 class RigidWorld {
@@ -80,10 +99,14 @@ public:
     /// Takes a body out; frozen bodies that touched it thaw.
     virtual void removeBody(BodyId body) = 0;
     /// Takes a piece in, standing still. What it overlaps in the next step is treated as overlap at birth.
-    virtual PieceId addPiece(const CollisionShape& shape, const Pose& pose) = 0;
+    virtual PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material = Material::Concrete) = 0;
     virtual void removePiece(PieceId piece) = 0;
     /// Where the piece will be at the end of the next step; it moves there at constant speed. Without this call it stands still.
     virtual void movePiece(PieceId piece, const Pose& atStepEnd) = 0;
+    /// Called at the start of every substep, with the bodies that move. It may change their velocities, nothing else.
+    virtual void onSubstep(SubstepHook hook) = 0;
+    /// Thaws a frozen body before the next step.
+    virtual void wake(BodyId body) = 0;
     /// Advances by dt [s].
     virtual void step(double dt) = 0;
 
@@ -102,6 +125,7 @@ public:
     /// A moving piece has pushed this body at some time.
     virtual bool pushedByPiece(BodyId body) const = 0;
     virtual const ContactReport& contacts() const = 0;
+    virtual const StepCosts& costs() const = 0;
 };
 
 /// The world that a solver kind stands for.

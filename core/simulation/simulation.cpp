@@ -35,8 +35,7 @@ WorldSettings worldSettings(const RunDescription& description, const Execution& 
             world.reach.extend(component.bounds);
         }
     }
-    world.friction = s.friction;
-    world.restitution = s.restitution;
+    world.pairs = PairTable::uniform(s.friction, s.restitution);
     world.iterations = s.iterations;
     world.freeze = s.freeze;
     world.freezeSpeed = s.freezeSpeed;

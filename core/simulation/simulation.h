@@ -7,6 +7,8 @@
 #include "core/base/execution.h"
 #include "core/base/finding.h"
 #include "core/base/hash.h"
+#include "core/simulation/effects/decisions.h"
+#include "core/simulation/health.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble {
@@ -82,7 +84,9 @@ struct SimulationResult {
     std::int64_t stillMoving = 0;  ///< bodies awake at the end
     double maxSpeed = 0.0;         ///< m/s, fastest body ever
     double bulkingFactor = 0.0;    ///< volume under the pile's surface over volume of material, 1 m cells; NaN without fragments
-    Digest trajectoryHash;         ///< of every committed frame, in double precision
+    std::vector<EffectReport> effects;  ///< every effect, in the order of EffectKind
+    HealthReport health;
+    Digest trajectoryHash;  ///< of every committed frame, in double precision
     Findings findings;
 };
 

@@ -63,7 +63,7 @@ TEST(FreeMotion, RestsOnTheGround) {
 /// A block on a plane tilted by an angle; how far it goes down the slope in one second.
 double slideInOneSecond(double degrees) {
     WorldScene scene;
-    scene.settings.friction = 0.5;
+    scene.settings.pairs = PairTable::uniform(0.5, 0.1);
     scene.settings.freeze = false;
     scene.settings.ground = false;
     const double angle = degrees * std::numbers::pi / 180.0;
@@ -87,7 +87,7 @@ TEST(FreeMotion, SlidesDownAnIncline) {
 TEST(FreeMotion, NeverBouncesHigherThanItShould) {
     for (const double restitution : {0.0, 0.3, 0.5}) {
         WorldScene scene;
-        scene.settings.restitution = restitution;
+        scene.settings.pairs = PairTable::uniform(0.6, restitution);
         scene.settings.freeze = false;
         const BodyId body = scene.box({0, 0, 3.5}, {1, 1, 1});
         double top = 0.0;

@@ -1,0 +1,189 @@
+#include "core/fe/terrain_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/base/error.h"
+
+namespace rubble {
+namespace {
+
+constexpr std::size_t columns = 23;
+constexpr std::size_t rows = 17;
+constexpr double x0 = -31.0;
+constexpr double y0 = 12.0;
+constexpr double cell = 2.5;
+constexpr double east = x0 + cell * (columns - 1);
+constexpr double north = y0 + cell * (rows - 1);
+
+TerrainGrid made(const std::function<double(double, double)>& heightAt) {
+    std::vector<double> heights;
+    for (std::size_t j = 0; j < rows; ++j) {
+        for (std::size_t i = 0; i < columns; ++i) {
+            heights.push_back(heightAt(x0 + cell * static_cast<double>(i), y0 + cell * static_cast<double>(j)));
+        }
+    }
+    return TerrainGrid(x0, y0, cell, columns, rows, heights);
+}
+
+TerrainGrid rough(unsigned seed = 1) {
+    auto random = std::make_shared<std::mt19937>(seed);
+    return made([random](double, double) { return std::uniform_real_distribution(-4.0, 9.0)(*random); });
+}
+
+/// Places in and around the grid.
+std::vector<std::pair<double, double>> places(int count) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution xs(x0 - 20.0, east + 20.0);
+    std::uniform_real_distribution ys(y0 - 20.0, north + 20.0);
+    std::vector<std::pair<double, double>> all;
+    for (int i = 0; i < count; ++i) {
+        all.emplace_back(xs(random), ys(random));
+    }
+    return all;
+}
+
+TEST(TerrainGrid, APlaneIsMetExactlyWithItsNormal) {
+    const auto plane = [](double x, double y) { return 0.25 * x - 0.5 * y + 3.0; };
+    const TerrainGrid terrain = made(plane);
+    const Vec3 normal = Vec3(-0.25, 0.5, 1.0).normalized();
+    for (const auto& [x, y] : places(500)) {
+        if (x > x0 && x < east && y > y0 && y < north) {
+            // Heights up to 40 m, a handful of roundings of 1e-16 each.
+            EXPECT_NEAR(terrain.height(x, y), plane(x, y), 1e-13);
+            EXPECT_NEAR((terrain.normal(x, y) - normal).norm(), 0.0, 1e-13);
+        }
+    }
+}
+
+TEST(TerrainGrid, NodesKeepTheirHeights) {
+    const TerrainGrid terrain = rough();
+    for (std::size_t j = 0; j < rows; ++j) {
+        for (std::size_t i = 0; i < columns; ++i) {
+            EXPECT_DOUBLE_EQ(terrain.height(x0 + cell * static_cast<double>(i), y0 + cell * static_cast<double>(j)),
+                             terrain.node(i, j));
+        }
+    }
+}
+
+TEST(TerrainGrid, TheSurfaceHasNoStepAcrossCellsAndDiagonals) {
+    const TerrainGrid terrain = rough();
+    // The steepest slope there can be: 13 m between neighbours 2.5 m apart, along both axes.
+    const double steepest = std::sqrt(2.0) * 13.0 / cell;
+    const double apart = 1e-9;
+    for (std::size_t k = 0; k < 2000; ++k) {
+        const double s = static_cast<double>(k) / 2000.0;
+        const double i = std::floor(s * (columns - 2)) + 1.0;
+        const double onLine = x0 + cell * i;
+        const double along = y0 + s * (north - y0);
+        EXPECT_NEAR(terrain.height(onLine - apart, along), terrain.height(onLine + apart, along), 2.0 * apart * steepest + 1e-13);
+        const double diagonal = s * cell;
+        EXPECT_NEAR(terrain.height(onLine + diagonal - apart, y0 + diagonal + apart),
+                    terrain.height(onLine + diagonal + apart, y0 + diagonal - apart), 4.0 * apart * steepest + 1e-13);
+    }
+}
+
+TEST(TerrainGrid, TheNormalIsThatOfTheSlopeOfTheHeight) {
+    const TerrainGrid terrain = rough();
+    const double step = 1e-6;
+    int compared = 0;
+    for (const auto& [x, y] : places(3000)) {
+        const double u = std::fmod(x - x0 + 100.0 * cell, cell) / cell;
+        const double v = std::fmod(y - y0 + 100.0 * cell, cell) / cell;
+        const bool nearLine = std::min({u, v, 1.0 - u, 1.0 - v, std::abs(u - v)}) < 1e-4;
+        if (nearLine) {
+            continue;
+        }
+        const double alongX = (terrain.height(x + step, y) - terrain.height(x - step, y)) / (2.0 * step);
+        const double alongY = (terrain.height(x, y + step) - terrain.height(x, y - step)) / (2.0 * step);
+        // Rounding of the heights, 1e-15, over the step.
+        EXPECT_NEAR((terrain.normal(x, y) - Vec3(-alongX, -alongY, 1.0).normalized()).norm(), 0.0, 1e-8) << x << " " << y;
+        ++compared;
+    }
+    EXPECT_GT(compared, 2000);
+}
+
+TEST(TerrainGrid, TheSplitRunsFromSouthWestToNorthEast) {
+    const TerrainGrid terrain(0.0, 0.0, 1.0, 2, 2, {0.0, 1.0, 1.0, 0.0});
+    EXPECT_DOUBLE_EQ(terrain.height(0.5, 0.5), 0.0);
+    EXPECT_DOUBLE_EQ(terrain.height(0.75, 0.25), 0.5);
+    EXPECT_DOUBLE_EQ(terrain.height(0.25, 0.75), 0.5);
+}
+
+TEST(TerrainGrid, BeyondTheEdgesItGoesOnLevel) {
+    const TerrainGrid terrain = rough();
+    for (const auto& [x, y] : places(1000)) {
+        const double onX = std::clamp(x, x0, east);
+        const double onY = std::clamp(y, y0, north);
+        EXPECT_DOUBLE_EQ(terrain.height(x, y), terrain.height(onX, onY));
+    }
+    EXPECT_DOUBLE_EQ(terrain.height(-1e300, -1e300), terrain.node(0, 0));
+    EXPECT_DOUBLE_EQ(terrain.height(std::numeric_limits<double>::infinity(), 1e300), terrain.node(columns - 1, rows - 1));
+    EXPECT_EQ(terrain.normal(x0 - 1.0, y0 - 1.0), Vec3::UnitZ());
+    EXPECT_EQ(terrain.normal(x0 - 1.0, y0 + 1.0).x(), 0.0);
+}
+
+TEST(TerrainGrid, NoPointOverARectangleIsHigherThanItsBound) {
+    const TerrainGrid terrain = rough();
+    const auto corners = places(400);
+    std::mt19937 random(3);
+    std::uniform_real_distribution share(0.0, 1.0);
+    for (std::size_t k = 0; k + 1 < corners.size(); k += 2) {
+        const auto [xMin, xMax] = std::minmax(corners[k].first, corners[k + 1].first);
+        const auto [yMin, yMax] = std::minmax(corners[k].second, corners[k + 1].second);
+        const double bound = terrain.highestOver(xMin, yMin, xMax, yMax);
+        for (int n = 0; n < 50; ++n) {
+            const double x = xMin + share(random) * (xMax - xMin);
+            const double y = yMin + share(random) * (yMax - yMin);
+            EXPECT_LE(terrain.height(x, y), bound + 1e-13);
+        }
+        EXPECT_LE(bound, terrain.highest());
+    }
+    // A single point is bounded by the corners of its cell, no more.
+    const TerrainGrid peak(0.0, 0.0, 1.0, 4, 2, {0, 0, 0, 9, 0, 0, 0, 9});
+    EXPECT_EQ(peak.highestOver(0.5, 0.5, 0.5, 0.5), 0.0);
+    EXPECT_EQ(peak.highestOver(2.5, 0.5, 2.5, 0.5), 9.0);
+}
+
+TEST(TerrainGrid, WhatIsNoPlaceAsksForNoMemoryOutside) {
+    const TerrainGrid terrain = rough();
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(std::isnan(terrain.height(none, y0)));
+    EXPECT_EQ(terrain.highestOver(none, none, none, none), terrain.highest());
+    EXPECT_EQ(terrain.highestOver(1.0, 1.0, -1.0, -1.0), terrain.highest());
+}
+
+TEST(TerrainGrid, RefusesWhatIsNoTerrain) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<double> flat(6, 0.0);
+    EXPECT_THROW(TerrainGrid(0.0, 0.0, 1.0, 2, 2, flat), UsageError);
+    EXPECT_THROW(TerrainGrid(0.0, 0.0, 1.0, 1, 6, flat), UsageError);
+    EXPECT_THROW(TerrainGrid(0.0, 0.0, 1.0, 0, 0, {}), UsageError);
+    EXPECT_THROW(TerrainGrid(0.0, 0.0, 0.0, 2, 3, flat), UsageError);
+    EXPECT_THROW(TerrainGrid(none, 0.0, 1.0, 2, 3, flat), UsageError);
+    EXPECT_THROW(TerrainGrid(0.0, 0.0, none, 2, 3, flat), UsageError);
+    // Counts whose product wraps around must not pass for a small grid.
+    EXPECT_THROW(TerrainGrid(0.0, 0.0, 1.0, std::size_t{1} << 63, 2, {}), UsageError);
+    try {
+        TerrainGrid(0.0, 0.0, 1.0, 3, 2, {0, 0, 0, 0, none, 0});
+        FAIL() << "a height that is none was taken";
+    } catch (const UsageError& error) {
+        EXPECT_NE(std::string(error.what()).find("node 1 of row 1"), std::string::npos) << error.what();
+    }
+}
+
+TEST(TerrainGrid, TheDigestNamesTheContent) {
+    EXPECT_EQ(rough().digest(), rough().digest());
+    EXPECT_NE(rough(1).digest(), rough(2).digest());
+    const TerrainGrid a(0.0, 0.0, 1.0, 2, 3, std::vector<double>(6, 0.0));
+    const TerrainGrid b(0.0, 0.0, 1.0, 3, 2, std::vector<double>(6, 0.0));
+    const TerrainGrid c(0.5, 0.0, 1.0, 2, 3, std::vector<double>(6, 0.0));
+    EXPECT_NE(a.digest(), b.digest());
+    EXPECT_NE(a.digest(), c.digest());
+}
+
+}  // namespace
+}  // namespace rubble

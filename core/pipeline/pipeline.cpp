@@ -74,6 +74,9 @@ Digest stageKey(const Inputs& inputs, const Scenario& scenario, Stage stage) {
     for (int i = 0; i <= static_cast<int>(stage); ++i) {
         hasher.value(stageVersions[static_cast<std::size_t>(i)]).digest(scenarioSlice(scenario, static_cast<Stage>(i)));
     }
+    if (stage >= Stage::Simulation && inputs.terrain) {
+        hasher.text("terrain").digest(inputs.terrain->digest());
+    }
     return hasher.finish();
 }
 
@@ -107,6 +110,7 @@ Results run(const Inputs& inputs, const Scenario& scenario, Stage last, const Re
         pipeline.stage(Stage::Simulation, &Results::simulation, [&] {
             RunDescription description;
             description.fe = inputs.fe;
+            description.terrain = inputs.terrain;
             description.scenario = scenario;
             description.components = results.components;
             description.fragments = results.fragments;

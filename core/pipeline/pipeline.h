@@ -9,6 +9,7 @@
 #include "core/fe/components.h"
 #include "core/fe/fe_result.h"
 #include "core/fe/frame.h"
+#include "core/fe/terrain_grid.h"
 #include "core/fragments/fragment_set.h"
 #include "core/scenario/scenario.h"
 #include "core/scenario/stage.h"
@@ -20,6 +21,7 @@ namespace rubble {
 struct Inputs {
     std::shared_ptr<const FeResult> fe;
     Frame frame;
+    std::shared_ptr<const TerrainGrid> terrain = nullptr;  ///< in the local frame; null: none
 };
 
 /// Results by stage; parts are shared and immutable. A part is there if its stage has run, and its key says from what it was made.
@@ -35,7 +37,8 @@ struct Results {
     bool has(Stage stage) const;
 };
 
-/// Key of a stage: hash of stage version, build, input content and the scenario slices of this and all earlier stages.
+/// Key of a stage: hash of stage version, build, input content and the scenario slices of this and all earlier stages. The terrain
+/// counts from the simulation on: no earlier stage reads it.
 Digest stageKey(const Inputs& inputs, const Scenario& scenario, Stage stage);
 
 /// Runs the pipeline up to a stage. A part of `previous` is reused when its key is unchanged; a reused simulation writes nothing to

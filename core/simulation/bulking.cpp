@@ -45,7 +45,7 @@ Aabb outline(const OrientedBox& box) {
 /// Heights above ground on a raster; NaN where the structure stands.
 class Raster {
 public:
-    Raster(const Aabb& area, double ground) : m_low(area.min()), m_ground(ground) {
+    Raster(const Aabb& area, const GroundSurface& ground) : m_low(area.min()), m_ground(ground) {
         const Vec3 size = area.sizes();
         m_step = std::max(spacing, std::sqrt(std::max(size.x() * size.y(), 0.0) / pointsMax));
         m_columns = static_cast<std::int64_t>(size.x() / m_step) + 1;
@@ -74,8 +74,9 @@ public:
     void cover(const OrientedBox& box) {
         visit(outline(box), [&](double& height, double x, double y) {
             const std::optional<double> top = topOf(box, x, y);
-            if (top && *top - m_ground > height) {
-                height = *top - m_ground;
+            if (top) {
+                const double above = *top - m_ground.height(x, y);
+                height = above > height ? above : height;
             }
         });
     }
@@ -95,7 +96,7 @@ public:
 
 private:
     Vec3 m_low;
-    double m_ground;
+    const GroundSurface& m_ground;
     double m_step = spacing;
     std::int64_t m_columns = 0;
     std::int64_t m_rows = 0;
@@ -104,7 +105,7 @@ private:
 
 }  // namespace
 
-double bulkingFactor(const std::vector<DebrisBox>& debris, const std::vector<Aabb>& standing, double groundHeight) {
+double bulkingFactor(const std::vector<DebrisBox>& debris, const std::vector<Aabb>& standing, const GroundSurface& ground) {
     Aabb area;
     for (const DebrisBox& d : debris) {
         area.extend(outline(d.box));
@@ -112,7 +113,7 @@ double bulkingFactor(const std::vector<DebrisBox>& debris, const std::vector<Aab
     if (area.isEmpty() || !area.sizes().allFinite()) {
         return std::numeric_limits<double>::quiet_NaN();
     }
-    Raster raster(area, groundHeight);
+    Raster raster(area, ground);
     for (const Aabb& box : standing) {
         raster.blot(box);
     }

@@ -34,6 +34,7 @@ FragmentWorld::FragmentWorld(btDispatcher* dispatcher, btBroadphaseInterface* br
                              btCollisionConfiguration* configuration, const WorldSettings& settings)
     : btDiscreteDynamicsWorld(dispatcher, broadphase, solver, configuration),
       m_settings(settings),
+      m_surface{settings.ground, settings.groundHeight, settings.terrain},
       m_freeze(settings.freezeSpeed, settings.freezeDelay) {
     setGravity(btVector3(0.0, 0.0, -settings.gravity));
     getSolverInfo().m_numIterations = settings.iterations;
@@ -156,6 +157,11 @@ void FragmentWorld::wakeByContacts() {
 void FragmentWorld::offsetContacts(double dt) {
     const double deepestSeen = separationSpeed * dt / m_solverInfo.m_erp2;
     m_stock.clear();
+    for (Collider* body : m_bodies) {
+        if (body != nullptr && awake(*body)) {
+            body->penetration = 0.0;
+        }
+    }
     for (Contact& contact : m_contacts) {
         const bool newborn = contact.a->newborn || contact.b->newborn;
         for (auto [born, other] : {std::pair{contact.a, contact.b}, std::pair{contact.b, contact.a}}) {
@@ -167,7 +173,11 @@ void FragmentWorld::offsetContacts(double dt) {
         contact.offset = m_overlaps.offset(contact.pair, contact.depth, newborn);
         limitPiece(contact, dt);
         if (!contact.yielding) {
-            m_report.penetrationMax = std::max(m_report.penetrationMax, contact.depth - contact.offset);
+            const double depth = contact.depth - contact.offset;
+            m_report.penetrationMax = std::max(m_report.penetrationMax, depth);
+            for (Collider* side : {contact.a, contact.b}) {
+                side->penetration = awake(*side) ? std::max(side->penetration, depth) : side->penetration;
+            }
         }
         if (contact.offset > 0.0) {
             dropInertPoints(contact, dt);
@@ -381,16 +391,18 @@ void FragmentWorld::integrateTransforms(btScalar dt) {
             next.setOrigin(next.getOrigin() - 0.5 * dt * dt * body.getGravity());
         }
         if (collider->newborn) {
-            collider->bornBelow = body.getWorldTransform().getOrigin().z() < m_settings.groundHeight;
+            collider->bornBelow = m_surface.depth(fromBullet(body.getWorldTransform().getOrigin())) > 0.0;
         }
-        const double sunk = m_settings.groundHeight - next.getOrigin().z();
-        if (m_settings.ground && sunk > 0.0) {
+        const Vec3 reached = fromBullet(next.getOrigin());
+        if (m_surface.depth(reached) > 0.0) {
             // A centre below ground has been squeezed there; the box contact alone may not bring it back from under a pile.
-            const double lift = collider->bornBelow ? std::min<double>(sunk, separationSpeed * dt) : sunk;
-            next.setOrigin(next.getOrigin() + btVector3(0.0, 0.0, lift));
-            m_report.overlapWork += m_settings.gravity * lift / body.getInvMass();
-            body.setLinearVelocity(btVector3(body.getLinearVelocity().x(), body.getLinearVelocity().y(),
-                                             std::max<double>(0.0, body.getLinearVelocity().z())));
+            const Vec3 way = m_surface.above(reached) - reached;
+            const double share = collider->bornBelow ? std::min(1.0, separationSpeed * dt / way.norm()) : 1.0;
+            next.setOrigin(next.getOrigin() + toBullet(Vec3(share * way)));
+            m_report.overlapWork += m_settings.gravity * share * way.z() / body.getInvMass();
+            const btVector3 up = toBullet(m_surface.normal(reached.x(), reached.y()));
+            const btScalar falling = std::min<btScalar>(0.0, body.getLinearVelocity().dot(up));
+            body.setLinearVelocity(body.getLinearVelocity() - falling * up);
         }
         body.proceedToTransform(next);
         body.setAngularVelocity(next.getBasis() * (body.getInvInertiaDiagLocal() * (momentum * next.getBasis())));

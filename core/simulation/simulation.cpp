@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/fe/ground_surface.h"
 #include "core/fragments/lifetimes.h"
 #include "core/simulation/bulking.h"
 #include "core/simulation/collapse_run.h"
@@ -30,6 +31,9 @@ WorldSettings worldSettings(const RunDescription& description, const Execution& 
     world.gravity = s.gravity;
     world.ground = s.ground;
     world.groundHeight = s.groundHeight;
+    if (description.scenario.effects.of(EffectKind::Terrain) != EffectSwitch::Off) {
+        world.terrain = description.terrain;
+    }
     for (const Component& component : description.components->list) {
         if (!component.bounds.isEmpty() && component.bounds.sizes().allFinite()) {
             world.reach.extend(component.bounds);
@@ -55,7 +59,9 @@ public:
           m_sink(sink),
           m_execution(execution),
           m_activity(activityUnder(description.fe->activity(), description.scenario.fragments.revival)),
-          m_world(makeWorld(worldSettings(description, execution))),
+          m_worldSettings(worldSettings(description, execution)),
+          m_surface{m_worldSettings.ground, m_worldSettings.groundHeight, m_worldSettings.terrain},
+          m_world(makeWorld(m_worldSettings)),
           m_pieces(*description.fe, *description.components, m_activity, m_settings),
           m_recorder(sink, m_settings.frameRate),
           m_energy(m_settings.gravity, m_settings.groundHeight),
@@ -87,6 +93,8 @@ private:
     TrajectorySink& m_sink;
     const Execution& m_execution;
     Activity m_activity;
+    WorldSettings m_worldSettings;
+    GroundSurface m_surface;
     std::unique_ptr<RigidWorld> m_world;
     Pieces m_pieces;
     FrameRecorder m_recorder;
@@ -288,7 +296,7 @@ double Collapse::bulking() const {
             standing.push_back(box);
         }
     }
-    return bulkingFactor(debris, standing, m_settings.groundHeight);
+    return bulkingFactor(debris, standing, m_surface);
 }
 
 void Collapse::warn() {
@@ -298,9 +306,10 @@ void Collapse::warn() {
                               {"simulation.too_fast.remedy", "a higher step rate makes collisions gentler", {}}, "", fast);
     }
     std::int64_t below = 0;
-    for (std::size_t i = 0; m_settings.ground && i < m_world->bodyCount(); ++i) {
+    for (std::size_t i = 0; m_surface.present() && i < m_world->bodyCount(); ++i) {
         const BodyId id = idAt<BodyId>(i);
-        below += m_world->state(id) != BodyState::Removed && m_world->motion(id).pose.position.z() < m_settings.groundHeight;
+        const Vec3 centre = m_world->motion(id).pose.position;
+        below += m_world->state(id) != BodyState::Removed && centre.z() < m_surface.height(centre.x(), centre.y());
     }
     if (below > 0) {
         m_result.findings.add({"simulation.below_ground", "{0} bodies lie below the ground at the end", {below}},

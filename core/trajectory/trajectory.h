@@ -14,6 +14,7 @@
 #include "core/clusters/sizing.h"
 #include "core/fe/components.h"
 #include "core/fe/fe_result.h"
+#include "core/fe/terrain_grid.h"
 #include "core/fragments/fragment_set.h"
 #include "core/scenario/scenario.h"
 
@@ -74,6 +75,7 @@ struct LedgerRow {
 /// What a run consists of before its first step.
 struct RunDescription {
     std::shared_ptr<const FeResult> fe;
+    std::shared_ptr<const TerrainGrid> terrain;  ///< null: the case has none
     Scenario scenario;
     std::shared_ptr<const Components> components;
     std::shared_ptr<const FragmentSet> fragments;

@@ -89,12 +89,30 @@ TEST(Bulking, IsOneForAClosePileAndMoreForALooseOne) {
         }
     }
     // The outline is sampled at points, so that an edge counts half a raster more or less: 0.25 m of 40 m, twice.
-    EXPECT_NEAR(bulkingFactor(close, {}, 0.0), 1.0, 0.02);
-    EXPECT_NEAR(bulkingFactor(loose, {}, 0.0), 1.5, 0.03);
-    EXPECT_TRUE(std::isnan(bulkingFactor({}, {}, 0.0)));
+    EXPECT_NEAR(bulkingFactor(close, {}, {}), 1.0, 0.02);
+    EXPECT_NEAR(bulkingFactor(loose, {}, {}), 1.5, 0.03);
+    EXPECT_TRUE(std::isnan(bulkingFactor({}, {}, {})));
     // What lies where the structure stands is left out with its place.
     const std::vector<Aabb> standing{Aabb(Vec3(-1, -1, 0), Vec3(20, 60, 30))};
-    EXPECT_NEAR(bulkingFactor(loose, standing, 0.0), 1.5, 0.06);
+    EXPECT_NEAR(bulkingFactor(loose, standing, {}), 1.5, 0.06);
+}
+
+TEST(Bulking, IsMeasuredFromTheTerrain) {
+    // A slope of one in four from 10 m up, and the pile of loose slabs that lies along it.
+    const auto slope = std::make_shared<const TerrainGrid>(-50.0, -50.0, 100.0, 2, 2, std::vector<double>{-2.5, 22.5, -2.5, 22.5});
+    const Quat along = Quat::FromTwoVectors(Vec3::UnitX(), Vec3(4.0, 0.0, 1.0));
+    std::vector<DebrisBox> pile;
+    for (int i = 0; i < 40; ++i) {
+        for (int j = 0; j < 40; ++j) {
+            OrientedBox box;
+            box.halfExtents = Vec3(0.5 * std::sqrt(17.0) / 4.0, 0.5, 0.5 * 4.0 / std::sqrt(17.0));
+            box.orientation = along;
+            box.centre = Vec3(i, j, slope->height(i, j) + 1.0);
+            pile.push_back({box, box.volume()});
+        }
+    }
+    // Slabs 1 m thick straight down, each half a metre above the slope: as loose as the level pile.
+    EXPECT_NEAR(bulkingFactor(pile, {}, {true, -5.0, slope}), 1.5, 0.03);
 }
 
 TEST(LiveIslands, CountsWhatHangsInTheAir) {

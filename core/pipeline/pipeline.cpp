@@ -80,6 +80,20 @@ Digest stageKey(const Inputs& inputs, const Scenario& scenario, Stage stage) {
     return hasher.finish();
 }
 
+RunDescription describeRun(const Inputs& inputs, const Scenario& scenario, const Results& results) {
+    assert(results.has(Stage::Clusters));
+    RunDescription description;
+    description.fe = inputs.fe;
+    description.terrain = inputs.terrain;
+    description.scenario = scenario;
+    description.components = results.components;
+    description.fragments = results.fragments;
+    description.sizing = results.sizing;
+    description.clustering = results.clustering;
+    description.fingerprint = stageKey(inputs, scenario, Stage::Simulation);
+    return description;
+}
+
 Results run(const Inputs& inputs, const Scenario& scenario, Stage last, const Results& previous, TrajectorySink* sink,
             const Execution& execution) {
     assert(inputs.fe);
@@ -107,18 +121,8 @@ Results run(const Inputs& inputs, const Scenario& scenario, Stage last, const Re
                        [&] { return makeClusters(*results.fragments, fe.mesh(), results.sizing->grid, scenario.grid, execution); });
     }
     if (last >= Stage::Simulation) {
-        pipeline.stage(Stage::Simulation, &Results::simulation, [&] {
-            RunDescription description;
-            description.fe = inputs.fe;
-            description.terrain = inputs.terrain;
-            description.scenario = scenario;
-            description.components = results.components;
-            description.fragments = results.fragments;
-            description.sizing = results.sizing;
-            description.clustering = results.clustering;
-            description.fingerprint = stageKey(inputs, scenario, Stage::Simulation);
-            return simulate(description, *sink, execution);
-        });
+        pipeline.stage(Stage::Simulation, &Results::simulation,
+                       [&] { return simulate(describeRun(inputs, scenario, results), *sink, execution); });
     }
     return std::move(pipeline.results);
 }

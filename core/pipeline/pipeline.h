@@ -41,6 +41,9 @@ struct Results {
 /// counts from the simulation on: no earlier stage reads it.
 Digest stageKey(const Inputs& inputs, const Scenario& scenario, Stage stage);
 
+/// What a simulation of these results would run: parts up to the clusters must be there. For studies that simulate variations.
+RunDescription describeRun(const Inputs& inputs, const Scenario& scenario, const Results& results);
+
 /// Runs the pipeline up to a stage. A part of `previous` is reused when its key is unchanged; a reused simulation writes nothing to
 /// the sink. Pure: the same arguments give the same results.
 /// @param sink  takes the trajectory; may be null when last is before Simulation

@@ -28,6 +28,8 @@ public:
     double mass(BodyId body) const override { return m_bodies[at(body)]->object->getMass(); }
     double kineticEnergy(BodyId body) const override;
     Momenta momenta(BodyId body) const override;
+    double smallestSide(BodyId body) const override { return m_bodies[at(body)]->smallestSide; }
+    double penetration(BodyId body) const override { return removed(body) ? 0.0 : m_bodies[at(body)]->penetration; }
     double birthDepth(BodyId body) const override;
     bool pushedByPiece(BodyId body) const override { return m_bodies[at(body)]->pushed; }
 

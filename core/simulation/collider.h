@@ -27,6 +27,7 @@ struct Collider {
     bool touched = false;       ///< a body that a contact acted on in this step
     double radius = 0.0;        ///< m, of the farthest corner
     double birthDepth = 0.0;    ///< m, inside older colliders
+    double penetration = 0.0;   ///< m, of a body: its deepest contact in its latest step awake, overlap at birth excepted
     double smallestSide = 0.0;  ///< m, of a body
     double volume = 0.0;        ///< m3, of its material
     Material material = Material::Concrete;

@@ -120,6 +120,10 @@ public:
     virtual double kineticEnergy(BodyId body) const = 0;  ///< J
     /// Mass, momenta and energy as the engine holds them; zero for a removed body.
     virtual Momenta momenta(BodyId body) const = 0;
+    virtual double smallestSide(BodyId body) const = 0;  ///< m, of its shape
+    /// Depth of a body's deepest contact in the latest step in which it was awake, m; overlap at birth and pieces that gave way
+    /// excepted. 0 for what touches nothing or was removed.
+    virtual double penetration(BodyId body) const = 0;
     /// How deep a body was inside older bodies and pieces when it entered, over its own smallest side; 0 before its first step.
     virtual double birthDepth(BodyId body) const = 0;
     /// A moving piece has pushed this body at some time.

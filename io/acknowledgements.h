@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/simulation/acknowledgement.h"
+
+namespace rubble::io {
+
+/// Where the acknowledgements of a run are kept: RUN.h5.acknowledged.json beside it. The run file itself never changes once it is
+/// complete, so that its digest and its readers are left alone.
+std::string acknowledgementPath(const std::string& runPath);
+
+/// Puts an acknowledgement beside a run, after those that are there, atomically. An empty `when` becomes now; `breaches` is taken
+/// from the run whatever it holds.
+/// Throws UsageError without a name or a note, or if the run has no breaches; ParseError if the run is not complete or is none, or
+/// if what lies at the sidecar's place is not one; WorldError if the run cannot be read or the sidecar cannot be written.
+void acknowledge(const std::string& runPath, Acknowledgement acknowledgement);
+
+/// All acknowledgements that lie beside a run, in the order in which they were made; some may be of an earlier run of this name,
+/// see acknowledgementOf(). Empty if there is no sidecar. Throws WorldError, ParseError naming the sidecar.
+std::vector<Acknowledgement> acknowledgements(const std::string& runPath);
+
+}  // namespace rubble::io

@@ -1,0 +1,153 @@
+#include "io/terrain/height_raster.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rubble::io {
+
+namespace {
+
+/// Share of a cell that nodes may be off before cells count as not square, and that an edge may be missed by.
+constexpr double aligned = 1e-3;
+
+bool square(double dx, double dy, std::size_t nx, std::size_t ny) {
+    return std::abs(dx - dy) * static_cast<double>(std::max(nx, ny)) < aligned * dx;
+}
+
+/// Nodes of spacing `cell` that span n nodes of spacing `step`, the last one on the edge or beyond it.
+double nodesFor(double step, double cell, std::size_t n) {
+    return std::ceil(static_cast<double>(n - 1) * step / cell - aligned) + 1.0;
+}
+
+double between(const HeightRaster& raster, double column, double row) {
+    const double u = std::min(column, static_cast<double>(raster.nx - 1));
+    const double v = std::min(row, static_cast<double>(raster.ny - 1));
+    const std::size_t i = std::min(static_cast<std::size_t>(u), raster.nx - 2);
+    const std::size_t j = std::min(static_cast<std::size_t>(v), raster.ny - 2);
+    const double s = u - static_cast<double>(i);
+    const double t = v - static_cast<double>(j);
+    const double* low = &raster.heights[j * raster.nx + i];
+    const double* high = low + raster.nx;
+    return (1.0 - t) * ((1.0 - s) * low[0] + s * low[1]) + t * ((1.0 - s) * high[0] + s * high[1]);
+}
+
+/// The gaps of a raster, filled ring by ring: a ring sees only what was there before it, so no order reaches the result.
+class GapFilling {
+public:
+    explicit GapFilling(HeightRaster& raster) : m_raster(raster), m_queued(raster.heights.size(), 0) {}
+
+    void fill() {
+        std::vector<std::size_t> ring;
+        for (std::size_t k = 0; k < m_raster.heights.size(); ++k) {
+            if (!std::isnan(m_raster.heights[k])) {
+                queueGapsAround(k, ring);
+            }
+        }
+        std::vector<double> values;
+        while (!ring.empty()) {
+            values.clear();
+            for (const std::size_t k : ring) {
+                values.push_back(meanAround(k));
+            }
+            for (std::size_t n = 0; n < ring.size(); ++n) {
+                m_raster.heights[ring[n]] = values[n];
+            }
+            std::vector<std::size_t> next;
+            for (const std::size_t k : ring) {
+                queueGapsAround(k, next);
+            }
+            ring = std::move(next);
+        }
+    }
+
+private:
+    template <class Visit>
+    void visitAround(std::size_t k, Visit visit) const {
+        const std::size_t i = k % m_raster.nx;
+        const std::size_t j = k / m_raster.nx;
+        for (std::size_t y = j > 0 ? j - 1 : 0; y <= std::min(j + 1, m_raster.ny - 1); ++y) {
+            for (std::size_t x = i > 0 ? i - 1 : 0; x <= std::min(i + 1, m_raster.nx - 1); ++x) {
+                visit(y * m_raster.nx + x);
+            }
+        }
+    }
+    void queueGapsAround(std::size_t k, std::vector<std::size_t>& ring) {
+        visitAround(k, [&](std::size_t n) {
+            if (std::isnan(m_raster.heights[n]) && m_queued[n] == 0) {
+                m_queued[n] = 1;
+                ring.push_back(n);
+            }
+        });
+    }
+    double meanAround(std::size_t k) const {
+        double sum = 0.0;
+        int count = 0;
+        visitAround(k, [&](std::size_t n) {
+            if (!std::isnan(m_raster.heights[n])) {
+                sum += m_raster.heights[n];
+                ++count;
+            }
+        });
+        return sum / count;
+    }
+
+    HeightRaster& m_raster;
+    std::vector<char> m_queued;
+};
+
+}  // namespace
+
+void flipRows(HeightRaster& raster) {
+    for (std::size_t j = 0; j < raster.ny / 2; ++j) {
+        const auto low = raster.heights.begin() + static_cast<std::ptrdiff_t>(j * raster.nx);
+        const auto high = raster.heights.begin() + static_cast<std::ptrdiff_t>((raster.ny - 1 - j) * raster.nx);
+        std::swap_ranges(low, low + static_cast<std::ptrdiff_t>(raster.nx), high);
+    }
+}
+
+void flipColumns(HeightRaster& raster) {
+    for (std::size_t j = 0; j < raster.ny; ++j) {
+        const auto from = raster.heights.begin() + static_cast<std::ptrdiff_t>(j * raster.nx);
+        std::reverse(from, from + static_cast<std::ptrdiff_t>(raster.nx));
+    }
+}
+
+std::int64_t countGaps(const HeightRaster& raster) {
+    return std::count_if(raster.heights.begin(), raster.heights.end(), [](double height) { return std::isnan(height); });
+}
+
+void fillGaps(HeightRaster& raster) {
+    GapFilling(raster).fill();
+}
+
+double squareNodeCount(double dx, double dy, std::size_t nx, std::size_t ny) {
+    if (square(dx, dy, nx, ny)) {
+        return static_cast<double>(nx) * static_cast<double>(ny);
+    }
+    const double cell = std::min(dx, dy);
+    return nodesFor(dx, cell, nx) * nodesFor(dy, cell, ny);
+}
+
+HeightRaster withSquareCells(HeightRaster raster) {
+    if (square(raster.dx, raster.dy, raster.nx, raster.ny)) {
+        raster.dy = raster.dx;
+        return raster;
+    }
+    HeightRaster even;
+    even.x0 = raster.x0;
+    even.y0 = raster.y0;
+    even.dx = even.dy = std::min(raster.dx, raster.dy);
+    even.nx = static_cast<std::size_t>(nodesFor(raster.dx, even.dx, raster.nx));
+    even.ny = static_cast<std::size_t>(nodesFor(raster.dy, even.dy, raster.ny));
+    even.heights.reserve(even.nx * even.ny);
+    for (std::size_t j = 0; j < even.ny; ++j) {
+        for (std::size_t i = 0; i < even.nx; ++i) {
+            even.heights.push_back(
+                between(raster, static_cast<double>(i) * even.dx / raster.dx, static_cast<double>(j) * even.dy / raster.dy));
+        }
+    }
+    return even;
+}
+
+}  // namespace rubble::io

@@ -57,9 +57,9 @@ Vec3 addedHalfExtent(ElementShape shape, const std::vector<Vec3>& x, double sect
 }
 
 /// Settles the material of single elements: the user's word over the file over the assumption.
-class Material {
+class ElementMaterial {
 public:
-    Material(const Mesh& mesh, const MaterialAssumptions& assumptions, Findings& findings)
+    ElementMaterial(const Mesh& mesh, const MaterialAssumptions& assumptions, Findings& findings)
         : m_mesh(mesh), m_assumptions(assumptions), m_findings(findings) {}
 
     double density(std::size_t e, const std::string& component, const ComponentSettings& settings) {
@@ -134,7 +134,7 @@ Components groupComponents(const Mesh& mesh, const std::vector<RegroupStep>& reg
     result.density.resize(mesh.elementCount());
     result.section.resize(mesh.elementCount());
     result.volume.resize(mesh.elementCount());
-    Material material(mesh, assumptions, result.findings);
+    ElementMaterial material(mesh, assumptions, result.findings);
     for (ElementGroup& group : groups) {
         const auto found = settings.find(group.name);
         const ComponentSettings own = found == settings.end() ? ComponentSettings{} : found->second;
@@ -158,6 +158,8 @@ Components groupComponents(const Mesh& mesh, const std::vector<RegroupStep>& reg
             }
         }
         component.density = volume > 0.0 ? component.mass / volume : result.density[at(group.elements.front())];
+        component.material = own.material.value_or(materialOfDensity(component.density));
+        component.reinforced = own.reinforced;
         component.name = std::move(group.name);
         component.elements = std::move(group.elements);
         result.list.push_back(std::move(component));

@@ -9,6 +9,7 @@
 #include "core/base/finding.h"
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
+#include "core/fe/material.h"
 #include "core/fe/mesh.h"
 #include "core/fe/regrouping.h"
 
@@ -16,9 +17,11 @@ namespace rubble {
 
 /// What the user says about one component; unset means: from the file or the assumption.
 struct ComponentSettings {
-    std::optional<double> density;   ///< kg/m3
-    std::optional<double> section;   ///< m (shells) or m2 (beams)
-    std::optional<bool> structural;  ///< its size limits the Basic Grid (default yes)
+    std::optional<double> density;     ///< kg/m3
+    std::optional<double> section;     ///< m (shells) or m2 (beams)
+    std::optional<bool> structural;    ///< its size limits the Basic Grid (default yes)
+    std::optional<Material> material;  ///< unset: guessed from its density
+    bool reinforced = false;           ///< its neighbouring clusters are tied by steel
     friend bool operator==(const ComponentSettings&, const ComponentSettings&) = default;
 };
 
@@ -38,7 +41,9 @@ struct Component {
     bool structural = true;              ///< its size limits the Basic Grid
     double mass = 0.0;                   ///< kg, over all elements at rest
     double density = 0.0;                ///< kg/m3, mass over volume
-    Aabb bounds;                         ///< m, at rest; shells with their thickness, beams with their section
+    Material material = Material::Concrete;
+    bool reinforced = false;
+    Aabb bounds;  ///< m, at rest; shells with their thickness, beams with their section
 };
 
 /// The components of a scenario, with the material of every element settled.

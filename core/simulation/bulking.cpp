@@ -45,7 +45,7 @@ Aabb outline(const OrientedBox& box) {
 /// Heights above ground on a raster; NaN where the structure stands.
 class Raster {
 public:
-    Raster(const Aabb& area, const GroundSurface& ground) : m_low(area.min()), m_ground(ground) {
+    Raster(const Aabb& area, const SiteSurface& ground) : m_low(area.min()), m_ground(ground) {
         const Vec3 size = area.sizes();
         m_step = std::max(spacing, std::sqrt(std::max(size.x() * size.y(), 0.0) / pointsMax));
         m_columns = static_cast<std::int64_t>(size.x() / m_step) + 1;
@@ -96,7 +96,7 @@ public:
 
 private:
     Vec3 m_low;
-    const GroundSurface& m_ground;
+    const SiteSurface& m_ground;
     double m_step = spacing;
     std::int64_t m_columns = 0;
     std::int64_t m_rows = 0;
@@ -105,7 +105,7 @@ private:
 
 }  // namespace
 
-double bulkingFactor(const std::vector<DebrisBox>& debris, const std::vector<Aabb>& standing, const GroundSurface& ground) {
+double bulkingFactor(const std::vector<DebrisBox>& debris, const std::vector<Aabb>& standing, const SiteSurface& ground) {
     Aabb area;
     for (const DebrisBox& d : debris) {
         area.extend(outline(d.box));

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/fe/ground_surface.h"
+#include "core/fe/site_surface.h"
 #include "core/simulation/simulation.h"
 
 namespace rubble {
@@ -17,6 +17,6 @@ struct DebrisBox {
 /// surface is the highest debris above each point of a 0.25 m raster, averaged over cells of 1 m. Places where the structure still
 /// stands are left out, and the debris that lies there with them. NaN without debris.
 /// @param standing  m, outlines of live elements seen from above
-double bulkingFactor(const std::vector<DebrisBox>& debris, const std::vector<Aabb>& standing, const GroundSurface& ground);
+double bulkingFactor(const std::vector<DebrisBox>& debris, const std::vector<Aabb>& standing, const SiteSurface& ground);
 
 }  // namespace rubble

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/fe/ground_surface.h"
+#include "core/fe/site_surface.h"
 #include "core/simulation/birth_overlap.h"
 #include "core/simulation/collider.h"
 #include "core/simulation/fragment_solver.h"
@@ -79,7 +79,7 @@ private:
     bool awake(const Collider& c) const { return c.kind == ColliderKind::Body && !m_freeze.frozen(c.index); }
 
     WorldSettings m_settings;
-    GroundSurface m_surface;
+    SiteSurface m_surface;
     FreezeClock m_freeze;
     BirthOverlaps m_overlaps;
     ContactReport m_report;

@@ -7,19 +7,15 @@
 
 #include "core/base/error.h"
 #include "core/fragments/birth_shift.h"
-#include "core/fragments/consistent_mass.h"
 #include "core/fragments/corner_motion.h"
 #include "core/fragments/element_place.h"
+#include "core/fragments/element_solid.h"
 #include "core/fragments/lifetimes.h"
-#include "core/fragments/rigid_fit.h"
-#include "core/fragments/solids.h"
 
 namespace rubble {
 
 namespace {
 
-/// Share of the minimum thickness below which mass is spread no thinner: a needle must not spin on rounding.
-constexpr double leastMassSpread = 0.1;
 /// An exact death time may miss the interval that the states give by this share of it: files keep times in single precision.
 constexpr double timeSlack = 1e-3;
 /// Cancel is looked at after so many fragments.
@@ -38,7 +34,6 @@ private:
     void setTimes(Fragment& fragment, const Lifetime& life);
     double exactDeathTime(const Lifetime& life);
     double massOf(ElementIndex element, const SoundSolid& solid);
-    Corners referenceOf(ElementIndex element) const;
     void noteVelocity(const CornerMotion& motion, const Lifetime& life);
     void noteShape(const SoundSolid& solid, SolidState state, const Lifetime& life);
     void append(Fragment& fragment, const SoundSolid& solid);
@@ -81,8 +76,6 @@ FragmentSet FragmentMaker::make(const Execution& execution) {
 
 void FragmentMaker::addFragment(const Lifetime& life) {
     const Mesh& mesh = m_fe.mesh();
-    const ElementShape shape = mesh.shapes[at(life.element)];
-    const double section = m_components.section[at(life.element)];
     CornerMotion motion = m_motion.motionOf(life);
     if (!motion.finite) {
         add("fragments.no_position", "A dying element has positions that are not numbers and makes no fragment",
@@ -92,21 +85,15 @@ void FragmentMaker::addFragment(const Lifetime& life) {
     if (m_settings.birthShift != 0.0) {
         motion.positions.colwise() += birthShift(m_settings.birthShift, m_settings.seed, mesh.elementIds[at(life.element)]);
     }
-    const MovingSolid moving = solidOf(shape, motion.positions, motion.velocities, section);
-    const Corners present = asHexahedron(moving.shape, moving.positions);
-    const MovingSolid atRest = solidOf(shape, referenceOf(life.element), Corners::Zero(), section);
-    ConsistentMass unit = consistentMass(present, 1.0);
-    const SoundSolid solid =
-        soundSolid(moving, unit.state, unit.volume, boxAxes(asHexahedron(atRest.shape, atRest.positions), present),
-                   m_settings.minimumThicknessRatio, m_settings.minimumHalfExtent);
+    const LeastExtents extents{m_settings.minimumThicknessRatio, m_settings.minimumHalfExtent};
+    const ElementSolid element = elementSolid(mesh, life.element, motion, m_components.section[at(life.element)], extents);
+    const SoundSolid& solid = element.sound;
 
     Fragment fragment;
     fragment.element = life.element;
     fragment.component = m_components.of[at(life.element)];
     fragment.mass = massOf(life.element, solid);
-    unit.matrix *= fragment.mass;
-    const double minimum = minimumHalfExtent(solid.box.halfExtents, m_settings.minimumThicknessRatio, m_settings.minimumHalfExtent);
-    const RigidFit fit = fitRigidMotion(unit, present, asHexahedron(moving.shape, moving.velocities), leastMassSpread * minimum);
+    const RigidFit fit = fitRigidMotion(element, fragment.mass, extents);
     fragment.centre = fit.centre;
     fragment.inertia = fit.inertia;
     fragment.fe = fit.field;
@@ -122,7 +109,7 @@ void FragmentMaker::addFragment(const Lifetime& life) {
     }
     setTimes(fragment, life);
     noteVelocity(motion, life);
-    noteShape(solid, unit.state, life);
+    noteShape(solid, element.unit.state, life);
     append(fragment, solid);
 }
 
@@ -173,15 +160,6 @@ double FragmentMaker::massOf(ElementIndex element, const SoundSolid& solid) {
         {"fragments.no_volume_at_rest.remedy", "Check the element's nodes, or its thickness or section.", {}},
         elementPlace(m_fe.mesh(), m_components, element, 0));
     return density * volume;
-}
-
-Corners FragmentMaker::referenceOf(ElementIndex element) const {
-    Corners corners = Corners::Zero();
-    int a = 0;
-    for (const std::uint32_t node : m_fe.mesh().cornersOf(element)) {
-        corners.col(a++) = m_fe.mesh().nodes[node];
-    }
-    return corners;
 }
 
 void FragmentMaker::noteVelocity(const CornerMotion& motion, const Lifetime& life) {

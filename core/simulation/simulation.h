@@ -46,8 +46,18 @@ struct OccupiedBirths {
 struct LiveIslands {
     std::int64_t islands = 0;
     std::int64_t elements = 0;
-    double mass = 0.0;        ///< kg
-    std::int64_t moving = 0;  ///< elements of these still faster than 0.1 m/s at the last FE state
+    double mass = 0.0;                  ///< kg
+    std::int64_t moving = 0;            ///< elements of these still faster than 0.1 m/s at the last FE state
+    std::int64_t released = 0;          ///< islands that became rigid bodies; the others are held where they are
+    std::int64_t releasedElements = 0;  ///< of those
+    double releasedMass = 0.0;          ///< kg
+    std::int64_t refused = 0;           ///< held although released was asked for: no finite place, or no mass
+    std::int64_t occupied = 0;          ///< released deeper than 5 % of their smallest side inside bodies and pieces
+    std::int64_t stillMoving = 0;       ///< released ones awake at the end
+    double droppedKineticEnergy = 0.0;  ///< J, of deformation, which a rigid body cannot carry
+    LedgerErrors ledger;                ///< elements and bodies of the released ones against the FE result
+
+    std::int64_t held() const { return islands - released; }
 };
 
 struct StepTimes {
@@ -69,7 +79,7 @@ struct EnergyBalance {
 /// The outcome of a simulation. Everything except the times is bit-identical from run to run.
 struct SimulationResult {
     std::vector<FragmentOutcome> fragments;  ///< [fragments]
-    std::int64_t bodiesPeak = 0;
+    std::int64_t bodiesPeak = 0;             ///< of clusters, at one time
     std::int64_t steps = 0;
     double firstTime = 0.0;  ///< s, first hand-over
     double feEndTime = 0.0;  ///< s, last FE state
@@ -80,8 +90,8 @@ struct SimulationResult {
     OccupiedBirths births;
     LiveIslands islands;
     double penetrationMax = 0.0;   ///< m, deepest contact of a body, overlap at birth excepted
-    double asleepAtEnd = 0.0;      ///< share of bodies
-    std::int64_t stillMoving = 0;  ///< bodies awake at the end
+    double asleepAtEnd = 0.0;      ///< share of the bodies of clusters
+    std::int64_t stillMoving = 0;  ///< of these, awake at the end
     double maxSpeed = 0.0;         ///< m/s, fastest body ever
     double bulkingFactor = 0.0;    ///< volume under the pile's surface over volume of material, 1 m cells; NaN without fragments
     std::vector<EffectReport> effects;  ///< every effect, in the order of EffectKind

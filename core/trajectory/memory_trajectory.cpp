@@ -11,6 +11,8 @@ struct MemoryTrajectory::Store {
     std::vector<BodyRecord> bodies;
     std::vector<Carrier> carriers;
     std::vector<LedgerRow> ledger;
+    std::vector<IslandRecord> islands;
+    LedgerRow islandLedger;
     bool complete = false;
 };
 
@@ -23,6 +25,8 @@ void MemoryTrajectory::begin(const RunDescription&) {
     m_store->bodies.clear();
     m_store->carriers.clear();
     m_store->ledger.clear();
+    m_store->islands.clear();
+    m_store->islandLedger = {};
     m_store->complete = false;
 }
 
@@ -31,6 +35,12 @@ void MemoryTrajectory::addBodies(std::span<const BodyRecord> bodies, std::span<c
     assert(!m_store->complete);
     m_store->bodies.insert(m_store->bodies.end(), bodies.begin(), bodies.end());
     m_store->carriers.insert(m_store->carriers.end(), carriers.begin(), carriers.end());
+}
+
+void MemoryTrajectory::addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) {
+    const std::scoped_lock lock(m_store->mutex);
+    m_store->islands.assign(islands.begin(), islands.end());
+    m_store->islandLedger = ledger;
 }
 
 void MemoryTrajectory::commit(const TrajectoryFrame& frame) {
@@ -77,6 +87,11 @@ std::vector<Carrier> MemoryTrajectory::carriers() const {
     return m_store->carriers;
 }
 
+std::vector<IslandRecord> MemoryTrajectory::islands() const {
+    const std::scoped_lock lock(m_store->mutex);
+    return m_store->islands;
+}
+
 bool MemoryTrajectory::complete() const {
     const std::scoped_lock lock(m_store->mutex);
     return m_store->complete;
@@ -85,6 +100,11 @@ bool MemoryTrajectory::complete() const {
 std::vector<LedgerRow> MemoryTrajectory::ledger() const {
     const std::scoped_lock lock(m_store->mutex);
     return m_store->ledger;
+}
+
+LedgerRow MemoryTrajectory::islandLedger() const {
+    const std::scoped_lock lock(m_store->mutex);
+    return m_store->islandLedger;
 }
 
 }  // namespace rubble

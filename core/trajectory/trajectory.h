@@ -25,14 +25,26 @@ enum class FrameKind : std::uint8_t { Fe, Simulated, Interpolated, Illustrative 
 
 enum class BodyState : std::uint8_t { Awake = 1, Frozen = 2, Removed = 3 };
 
+/// In place of a cluster: the body carries an island of live structure.
+inline constexpr ClusterId noCluster = idAt<ClusterId>(0xffffffffu);
+
 /// A rigid body as it entered the engine.
 struct BodyRecord {
     BodyId body{};
-    ClusterId cluster{};
+    ClusterId cluster{};                                  ///< noCluster for a released island
     double from = 0.0;                                    ///< s, hand-over
     double to = std::numeric_limits<double>::infinity();  ///< s, when it left again
     double mass = 0.0;                                    ///< kg
     Pose atBirth;                                         ///< centre of mass and axes at `from`
+
+    bool isIsland() const { return cluster == noCluster; }
+};
+
+/// The live elements that a released island is made of. A node of theirs that lay at p at the last FE state lies at
+/// body pose * (atBirth^-1 * p) from then on.
+struct IslandRecord {
+    BodyId body{};
+    std::vector<ElementIndex> elements;  ///< ascending
 };
 
 /// A fragment is carried by a body over an interval of time. While carried, a point of the fragment that lay at p (world) at
@@ -86,13 +98,19 @@ struct RunDescription {
 
 struct SimulationResult;
 
-/// Takes a run as it is made. Calls come from one thread in this order: begin, then any number of addBodies, commit and addLedger,
-/// then finish (not after a cancel or an error). What was committed stays readable whatever happens next.
+/// Takes a run as it is made. Calls come from one thread in this order: begin, then any number of addBodies, commit and addLedger
+/// and at most one addIslands right after the addBodies of its bodies, then finish (not after a cancel or an error). What was
+/// committed stays readable whatever happens next.
 class TrajectorySink {
 public:
     virtual ~TrajectorySink() = default;
     virtual void begin(const RunDescription& description) = 0;
     virtual void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) = 0;
+    /// Islands of live structure were released, as bodies that were added just before.
+    /// @param ledger  of all of them: `fe` by quadrature, `fragments` as rigid elements, `clusters` as the islands, `bodies` as
+    /// read
+    ///                back; they are in no row of addLedger but in its `all`
+    virtual void addIslands(std::span<const IslandRecord> /*islands*/, const LedgerRow& /*ledger*/) {}
     virtual void commit(const TrajectoryFrame& frame) = 0;
     virtual void addLedger(const LedgerRow& row) = 0;
     virtual void finish(const SimulationResult& result) = 0;
@@ -105,9 +123,10 @@ public:
     virtual std::size_t frameCount() const = 0;
     virtual double frameTime(std::size_t i) const = 0;
     virtual std::shared_ptr<const TrajectoryFrame> frame(std::size_t i) const = 0;
-    virtual std::vector<BodyRecord> bodies() const = 0;  ///< those that entered up to now
-    virtual std::vector<Carrier> carriers() const = 0;   ///< in the order in which they were added
-    virtual bool complete() const = 0;                   ///< finish() was called
+    virtual std::vector<BodyRecord> bodies() const = 0;               ///< those that entered up to now
+    virtual std::vector<Carrier> carriers() const = 0;                ///< in the order in which they were added
+    virtual std::vector<IslandRecord> islands() const { return {}; }  ///< released up to now
+    virtual bool complete() const = 0;                                ///< finish() was called
 
     /// Index of the last frame at or before a time; 0 if there is none.
     std::size_t frameAt(double time) const;
@@ -125,6 +144,7 @@ public:
     ~MemoryTrajectory() override;
     void begin(const RunDescription& description) override;
     void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) override;
+    void addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) override;
     void commit(const TrajectoryFrame& frame) override;
     void addLedger(const LedgerRow& row) override;
     void finish(const SimulationResult& result) override;
@@ -133,8 +153,10 @@ public:
     std::shared_ptr<const TrajectoryFrame> frame(std::size_t i) const override;
     std::vector<BodyRecord> bodies() const override;
     std::vector<Carrier> carriers() const override;
+    std::vector<IslandRecord> islands() const override;
     bool complete() const override;
     std::vector<LedgerRow> ledger() const;
+    LedgerRow islandLedger() const;
 
 private:
     struct Store;

@@ -20,6 +20,39 @@ bool sound(const CollisionShape& shape) {
     return !shape.empty();
 }
 
+/// m3, of the elements at rest.
+double volumeOf(const RunDescription& description, std::span<const FragmentId> members) {
+    double volume = 0.0;
+    for (const FragmentId f : members) {
+        volume += description.components->volume[at(description.fragments->list[at(f)].element)];
+    }
+    return volume;
+}
+
+/// Nothing if it is none that the engine can take.
+std::optional<NewBody> soundBody(const RunDescription& description, const Cluster& cluster, std::span<const FragmentId> members) {
+    if (!cluster.inertia.allFinite()) {
+        return std::nullopt;
+    }
+    const BodyFrame frame = bodyFrame(cluster);
+    if (!sound(cluster, frame)) {
+        return std::nullopt;
+    }
+    const Scenario& scenario = description.scenario;
+    NewBody body;
+    body.mass = cluster.mass;
+    body.inertia = frame.inertia;
+    body.pose = frame.pose;
+    body.velocity = cluster.velocity;
+    body.angularVelocity = cluster.angularVelocity;
+    body.shape = clusterShape(*description.fragments, members, frame.pose, scenario.simulation.shape,
+                              scenario.simulation.boxBulking, scenario.fragments);
+    body.smallestSide = smallestSide(body.shape);
+    body.volume = volumeOf(description, members);
+    body.material = description.components->list[at(cluster.component)].material;
+    return sound(body.shape) ? std::optional(body) : std::nullopt;
+}
+
 void refuse(const RunDescription& description, ClusterId cluster, Findings& findings) {
     const Fragment& first = description.fragments->list[at(description.clustering->membersOf(cluster).front())];
     const Mesh& mesh = description.fe->mesh();
@@ -33,27 +66,25 @@ void refuse(const RunDescription& description, ClusterId cluster, Findings& find
 }  // namespace
 
 std::optional<NewBody> bodyOf(const RunDescription& description, ClusterId id, Findings& findings) {
-    const Cluster& cluster = description.clustering->list[at(id)];
-    const Scenario& scenario = description.scenario;
-    NewBody body;
-    if (cluster.inertia.allFinite()) {
-        const BodyFrame frame = bodyFrame(cluster);
-        if (sound(cluster, frame)) {
-            body.mass = cluster.mass;
-            body.inertia = frame.inertia;
-            body.pose = frame.pose;
-            body.velocity = cluster.velocity;
-            body.angularVelocity = cluster.angularVelocity;
-            body.shape = clusterShape(*description.fragments, description.clustering->membersOf(id), frame.pose,
-                                      scenario.simulation.shape, scenario.simulation.boxBulking, scenario.fragments);
-            body.smallestSide = smallestSide(body.shape);
-            if (sound(body.shape)) {
-                return body;
-            }
-        }
+    std::optional<NewBody> body =
+        soundBody(description, description.clustering->list[at(id)], description.clustering->membersOf(id));
+    if (!body) {
+        refuse(description, id, findings);
     }
-    refuse(description, id, findings);
-    return std::nullopt;
+    return body;
+}
+
+std::optional<NewBody> bodyOfFragment(const RunDescription& description, FragmentId id) {
+    const Fragment& fragment = description.fragments->list[at(id)];
+    Cluster alone;
+    alone.memberCount = 1;
+    alone.component = fragment.component;
+    alone.mass = fragment.mass;
+    alone.centre = fragment.centre;
+    alone.inertia = fragment.inertia;
+    alone.velocity = fragment.velocity;
+    alone.angularVelocity = fragment.angularVelocity;
+    return soundBody(description, alone, {&id, 1});
 }
 
 HandOver handOver(const RunDescription& description, std::size_t first, std::size_t last, RigidWorld& world, Findings& findings) {

@@ -20,6 +20,9 @@ struct HandOver {
 /// cluster is refused and counted, never repaired.
 std::optional<NewBody> bodyOf(const RunDescription& description, ClusterId cluster, Findings& findings);
 
+/// A fragment as a body of its own at its hand-over; nothing where bodyOf() would refuse it.
+std::optional<NewBody> bodyOfFragment(const RunDescription& description, FragmentId fragment);
+
 /// Puts the clusters [first, last) into the world in id order.
 HandOver handOver(const RunDescription& description, std::size_t first, std::size_t last, RigidWorld& world, Findings& findings);
 

@@ -19,8 +19,19 @@ public:
     virtual void leaving(BodyId) {}
     /// Before each substep of h [s]: may change the velocities of the bodies that move.
     virtual void beforeSubstep(const SubstepBodies&, double /*h*/) {}
+    /// After each step of dt [s]: may wake bodies.
+    virtual void afterStep(RigidWorld&, double /*dt*/) {}
     /// J, done on bodies so far; negative where the effect takes energy.
     virtual double work() const { return 0.0; }
+    /// Ties broken, clusters broken up.
+    virtual std::int64_t events() const { return 0; }
 };
+
+/// J, of a body as a substep sees it.
+inline double kineticEnergy(const MovingBody& body) {
+    const Vec3 spin = body.orientation.conjugate() * body.spin;
+    const double turning = 0.5 * body.inertia.dot(spin.cwiseProduct(spin));
+    return body.inverseMass > 0.0 ? turning + 0.5 * body.velocity.squaredNorm() / body.inverseMass : turning;
+}
 
 }  // namespace rubble

@@ -31,8 +31,13 @@ public:
     Session() : m_lock(nativeLibraries()) {
         CPLPushErrorHandler(CPLQuietErrorHandler);
         CPLErrorReset();
+        // Else whole numbers on the first lines make an integer grid, in which "nan" further down would be read as zero.
+        CPLSetThreadLocalConfigOption("AAIGRID_DATATYPE", "Float64");
     }
-    ~Session() { CPLPopErrorHandler(); }
+    ~Session() {
+        CPLSetThreadLocalConfigOption("AAIGRID_DATATYPE", nullptr);
+        CPLPopErrorHandler();
+    }
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 

@@ -13,6 +13,8 @@ namespace rubble::io {
 struct RunOrigin {
     std::string fePath;  ///< absolute
     std::string feSha256;
+    std::string terrainPath;  ///< absolute; empty if the run had none
+    std::string terrainSha256;
     Frame frame;
     Scenario scenario;
     std::string scenarioName;

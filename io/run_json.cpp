@@ -207,6 +207,10 @@ json originJson(const RunOrigin& origin) {
     json object = scenarioJson(origin.scenario);
     object["fe_path"] = origin.fePath;
     object["fe_sha256"] = origin.feSha256;
+    if (!origin.terrainPath.empty()) {
+        object["terrain_path"] = origin.terrainPath;
+        object["terrain_sha256"] = origin.terrainSha256;
+    }
     object["frame"] = frameJson(origin.frame);
     object["scenario_name"] = origin.scenarioName;
     object["build"] = origin.build;
@@ -219,6 +223,10 @@ RunOrigin originFromJson(const JsonCursor& object) {
     origin.scenario = scenarioFromJson(object);
     origin.fePath = object["fe_path"].text();
     origin.feSha256 = object["fe_sha256"].text();
+    if (object.has("terrain_path")) {
+        origin.terrainPath = object["terrain_path"].text();
+        origin.terrainSha256 = object["terrain_sha256"].text();
+    }
     origin.frame = frameFromJson(object["frame"]);
     origin.scenarioName = object["scenario_name"].text();
     origin.build = object["build"].text();

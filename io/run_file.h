@@ -32,6 +32,7 @@ std::unique_ptr<TrajectorySink> createRun(const std::string& path, const RunOrig
 /// A run file opened for reading, complete or still growing, in this or another process.
 class RunReader : public TrajectoryReader {
 public:
+    virtual const std::string& path() const = 0;  ///< as it was opened
     virtual const RunOrigin& origin() const = 0;
     /// Looks for frames that were committed since.
     virtual void refresh() = 0;

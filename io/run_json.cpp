@@ -1,5 +1,6 @@
 #include "io/run_json.h"
 
+#include <array>
 #include <optional>
 #include <type_traits>
 
@@ -48,20 +49,42 @@ Message messageFromJson(const JsonCursor& object) {
     return message;
 }
 
-// Choices that have names in core are written by name.
-template <class Choice>
-std::string choiceName(Choice choice) {
-    if constexpr (std::is_same_v<Choice, ClampedBy>) {
-        return std::string(clampedByName(choice));
-    } else {
-        return std::string(stoppedByName(choice));
+// Choices that have names are written by name.
+template <class T>
+struct Names;
+template <>
+struct Names<ClampedBy> {
+    static constexpr int count = 4;
+    static std::string_view of(ClampedBy choice) { return clampedByName(choice); }
+};
+template <>
+struct Names<StoppedBy> {
+    static constexpr int count = 3;
+    static std::string_view of(StoppedBy choice) { return stoppedByName(choice); }
+};
+template <>
+struct Names<HealthCheck> {
+    static constexpr int count = static_cast<int>(healthCheckCount);
+    static std::string_view of(HealthCheck choice) { return healthCheckName(choice); }
+};
+template <>
+struct Names<EffectKind> {
+    static constexpr int count = static_cast<int>(effectCount);
+    static std::string_view of(EffectKind choice) { return effectName(choice); }
+};
+template <>
+struct Names<EffectSwitch> {
+    static constexpr int count = 3;
+    static std::string_view of(EffectSwitch choice) {
+        static constexpr std::array<std::string_view, count> names{"off", "on", "auto"};
+        return names[static_cast<std::size_t>(choice)];
     }
-}
+};
 
 template <class Choice>
-Choice choiceFrom(const JsonCursor& cursor, int count) {
-    for (int i = 0; i < count; ++i) {
-        if (choiceName(static_cast<Choice>(i)) == cursor.text()) {
+Choice choiceFrom(const JsonCursor& cursor) {
+    for (int i = 0; i < Names<Choice>::count; ++i) {
+        if (Names<Choice>::of(static_cast<Choice>(i)) == cursor.text()) {
             return static_cast<Choice>(i);
         }
     }
@@ -73,7 +96,9 @@ struct IsOptional : std::false_type {};
 template <class T>
 struct IsOptional<std::optional<T>> : std::true_type {};
 template <class T>
-concept Choice = std::is_same_v<T, ClampedBy> || std::is_same_v<T, StoppedBy>;
+struct IsList : std::false_type {};
+template <class T>
+struct IsList<std::vector<T>> : std::true_type {};
 
 struct JsonWriter {
     json object = json::object();
@@ -84,21 +109,99 @@ struct JsonWriter {
             object[name] = jsonNumber(member);
         } else if constexpr (std::is_integral_v<T>) {
             object[name] = member;
-        } else if constexpr (Choice<T>) {
-            object[name] = choiceName(member);
+        } else if constexpr (std::is_enum_v<T>) {
+            object[name] = Names<T>::of(member);
         } else if constexpr (IsOptional<T>::value) {
             object[name] = member ? json(at(*member)) : json(nullptr);
         } else if constexpr (std::is_same_v<T, Digest>) {
             object[name] = member.hex();
         } else if constexpr (std::is_same_v<T, Findings>) {
             object[name] = findingsJson(member);
+        } else if constexpr (std::is_same_v<T, Message>) {
+            object[name] = messageJson(member);
+        } else if constexpr (std::is_same_v<T, Vec3>) {
+            object[name] = jsonVector(member);
+        } else if constexpr (IsList<T>::value) {
+            object[name] = json::array();
+            for (const auto& entry : member) {
+                object[name].push_back(ofMembers(entry));
+            }
         } else {
-            JsonWriter inner;
+            object[name] = ofMembers(member);
+        }
+    }
+    template <class T>
+    void added(const char* name, const T& member) {
+        (*this)(name, member);
+    }
+    template <class T>
+    static json ofMembers(const T& value) {
+        JsonWriter inner;
+        Members<T>::each(inner, value);
+        return std::move(inner.object);
+    }
+};
+
+struct JsonReader {
+    const JsonCursor& object;
+
+    template <class T>
+    void operator()(const char* name, T& member) {
+        const JsonCursor cursor = object[name];
+        if constexpr (std::is_same_v<T, double>) {
+            member = cursor.anyNumber();
+        } else if constexpr (std::is_same_v<T, bool>) {
+            member = cursor.flag();
+        } else if constexpr (std::is_integral_v<T>) {
+            member = static_cast<T>(cursor.integer());
+        } else if constexpr (std::is_enum_v<T>) {
+            member = choiceFrom<T>(cursor);
+        } else if constexpr (IsOptional<T>::value) {
+            member.reset();
+            if (!cursor.value().is_null()) {
+                member = idAt<typename T::value_type>(static_cast<std::size_t>(cursor.integer()));
+            }
+        } else if constexpr (std::is_same_v<T, Digest>) {
+            member = digestFromJson(cursor);
+        } else if constexpr (std::is_same_v<T, Findings>) {
+            member = findingsFromJson(cursor);
+        } else if constexpr (std::is_same_v<T, Message>) {
+            member = messageFromJson(cursor);
+        } else if constexpr (std::is_same_v<T, Vec3>) {
+            member = cursor.vector();
+        } else if constexpr (IsList<T>::value) {
+            member.clear();
+            for (const JsonCursor& entry : cursor.elements()) {
+                JsonReader inner{entry};
+                Members<typename T::value_type>::each(inner, member.emplace_back());
+            }
+        } else {
+            JsonReader inner{cursor};
             Members<T>::each(inner, member);
-            object[name] = std::move(inner.object);
+        }
+    }
+    template <class T>
+    void added(const char* name, T& member) {
+        if (object.has(name)) {
+            (*this)(name, member);
         }
     }
 };
+
+template <class T>
+json membersJson(const T& value) {
+    return JsonWriter::ofMembers(value);
+}
+
+template <class T>
+T membersFromJson(const JsonCursor& object) {
+    T value{};
+    JsonReader reader{object};
+    Members<T>::each(reader, value);
+    return value;
+}
+
+}  // namespace
 
 Digest digestFromJson(const JsonCursor& cursor) {
     const std::string hex = cursor.text();
@@ -111,53 +214,6 @@ Digest digestFromJson(const JsonCursor& cursor) {
     }
     return digest;
 }
-
-struct JsonReader {
-    const JsonCursor& object;
-
-    template <class T>
-    void operator()(const char* name, T& member) {
-        const JsonCursor cursor = object[name];
-        if constexpr (std::is_same_v<T, double>) {
-            member = cursor.anyNumber();
-        } else if constexpr (std::is_integral_v<T>) {
-            member = static_cast<T>(cursor.integer());
-        } else if constexpr (std::is_same_v<T, ClampedBy>) {
-            member = choiceFrom<ClampedBy>(cursor, 4);
-        } else if constexpr (std::is_same_v<T, StoppedBy>) {
-            member = choiceFrom<StoppedBy>(cursor, 3);
-        } else if constexpr (IsOptional<T>::value) {
-            member.reset();
-            if (!cursor.value().is_null()) {
-                member = idAt<typename T::value_type>(static_cast<std::size_t>(cursor.integer()));
-            }
-        } else if constexpr (std::is_same_v<T, Digest>) {
-            member = digestFromJson(cursor);
-        } else if constexpr (std::is_same_v<T, Findings>) {
-            member = findingsFromJson(cursor);
-        } else {
-            JsonReader inner{cursor};
-            Members<T>::each(inner, member);
-        }
-    }
-};
-
-template <class T>
-json membersJson(const T& value) {
-    JsonWriter writer;
-    Members<T>::each(writer, value);
-    return std::move(writer.object);
-}
-
-template <class T>
-T membersFromJson(const JsonCursor& object) {
-    T value{};
-    JsonReader reader{object};
-    Members<T>::each(reader, value);
-    return value;
-}
-
-}  // namespace
 
 json sizingJson(const Sizing& sizing) {
     return membersJson(sizing);

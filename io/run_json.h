@@ -25,6 +25,9 @@ Clustering clusteringFromJson(const JsonCursor& object);
 nlohmann::json findingsJson(const Findings& findings);
 Findings findingsFromJson(const JsonCursor& list);
 
+/// A digest of 32 hexadecimal digits.
+Digest digestFromJson(const JsonCursor& cursor);
+
 nlohmann::json originJson(const RunOrigin& origin);
 RunOrigin originFromJson(const JsonCursor& object);
 

@@ -9,7 +9,9 @@
 namespace rubble::io {
 
 /// The members of what a run file keeps, each type listed once: packing, unpacking, column names and JSON all walk these lists.
-/// `each(visitor, value)` calls visitor(name, member) in file order; the value may be const or not.
+/// `each(visitor, value)` calls visitor(name, member) in file order; the value may be const or not. A member that came after the
+/// first version of the file is visited by visitor.added(name, member): JSON text of an older file lacks it, and it keeps its
+/// default. Columns of tables cannot be added to.
 template <class T>
 struct Members;
 
@@ -192,6 +194,8 @@ struct Members<StepTimes> {
         visit("worst_ms", t.worstMs);
         visit("share_in_time", t.shareInTime);
         visit("real_time_factor", t.realTimeFactor);
+        visit.added("all_ms", t.allMs);
+        visit.added("motion_ms", t.motionMs);
     }
 };
 
@@ -204,6 +208,68 @@ struct Members<EnergyBalance> {
         visit("kinetic_now", e.kineticNow);
         visit("dissipated", e.dissipated);
         visit("drift", e.drift);
+        visit.added("effect_work", e.effectWork);
+    }
+};
+
+template <>
+struct Members<EffectReport> {
+    template <class Visitor, class Value>
+    static void each(Visitor& visit, Value& e) {
+        visit("kind", e.decision.kind);
+        visit("asked", e.decision.asked);
+        visit("on", e.decision.on);
+        visit("reason", e.decision.reason);
+        visit("measure", e.decision.measure);
+        visit("threshold", e.decision.threshold);
+        visit("ms_per_step", e.msPerStep);
+        visit("share", e.share);
+        visit("work", e.work);
+        visit("events", e.events);
+    }
+};
+
+template <>
+struct Members<HealthBreach> {
+    template <class Visitor, class Value>
+    static void each(Visitor& visit, Value& b) {
+        visit("check", b.check);
+        visit("from", b.from);
+        visit("to", b.to);
+        visit("body", b.body);
+        visit("place", b.place);
+        visit("worst", b.worst);
+        visit("limit", b.limit);
+        visit("bodies", b.bodies);
+        visit("what", b.what);
+        visit("remedy", b.remedy);
+    }
+};
+
+template <>
+struct Members<HealthRemedy> {
+    template <class Visitor, class Value>
+    static void each(Visitor& visit, Value& r) {
+        visit("from", r.from);
+        visit("to", r.to);
+        visit("steps", r.steps);
+    }
+};
+
+template <>
+struct Members<HealthReport> {
+    template <class Visitor, class Value>
+    static void each(Visitor& visit, Value& h) {
+        visit("breaches", h.breaches);
+        visit("remedies", h.remedies);
+        visit("penetration_sustained", h.penetrationSustained);
+        visit("penetration_share", h.penetrationShare);
+        visit("crowd_share", h.crowdShare);
+        visit("fastest_over_limit", h.fastestOverLimit);
+        visit("farthest", h.farthest);
+        visit("asleep_peak", h.asleepPeak);
+        visit("contacts_peak", h.contactsPeak);
+        visit("bodies_lost", h.bodiesLost);
     }
 };
 
@@ -229,6 +295,8 @@ struct Members<SimulationResult> {
         visit("bulking_factor", r.bulkingFactor);
         visit("trajectory_hash", r.trajectoryHash);
         visit("findings", r.findings);
+        visit.added("effects", r.effects);
+        visit.added("health", r.health);
     }
 };
 

@@ -25,6 +25,7 @@ public:
     std::vector<BodyRecord> bodies() const override;
     std::vector<Carrier> carriers() const override;
     bool complete() const override;
+    const std::string& path() const override { return m_columns.path(); }
     const RunOrigin& origin() const override { return m_origin; }
     void refresh() override;
     std::vector<LedgerRow> ledger() const override;

@@ -1,0 +1,123 @@
+#include "io/acknowledgements.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "io/files.h"
+#include "io/run_json.h"
+
+namespace rubble::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* formatName = "rubble-acknowledgements";
+constexpr std::int64_t formatVersion = 1;
+// A sidecar of thousands of entries is far smaller.
+constexpr std::uintmax_t bytesMax = std::uintmax_t{16} << 20;
+
+std::string contentOf(const std::string& path) {
+    std::error_code failed;
+    const std::uintmax_t size = fs::file_size(path, failed);
+    if (!failed && size > bytesMax) {
+        throw ParseError({"io.acknowledged.too_large", "{0} is too large to hold acknowledgements", {path}},
+                         {"io.acknowledged.damaged.remedy", "Move it away and acknowledge the run again.", {}});
+    }
+    std::ifstream in(path, std::ios::binary);
+    std::string content{std::istreambuf_iterator<char>(in), {}};
+    if (failed || !in) {
+        throw WorldError({"io.acknowledged.unreadable", "Cannot read the acknowledgements {0}", {path}},
+                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+    }
+    return content;
+}
+
+std::vector<Acknowledgement> listFrom(const std::string& path) {
+    const nlohmann::json document = parseJson(contentOf(path), path);
+    const JsonCursor top(document, path);
+    if (top["format"].text() != formatName) {
+        top["format"].fail(std::string("\"") + formatName + "\"");
+    }
+    if (top["version"].integer() != formatVersion) {
+        throw ParseError(
+            {"io.acknowledged.version",
+             "{0} is of version {1}; this program reads version {2}",
+             {path, top["version"].integer(), formatVersion}},
+            {"io.acknowledged.version.remedy", "Use the Rubble that wrote it, or move it away and acknowledge the run again.", {}});
+    }
+    std::vector<Acknowledgement> list;
+    for (const JsonCursor& entry : top["acknowledgements"].elements()) {
+        list.push_back({entry["by"].text(), entry["when"].text(), entry["note"].text(), digestFromJson(entry["breaches"])});
+    }
+    return list;
+}
+
+std::string trimmed(const std::string& text) {
+    const auto space = [](unsigned char c) { return std::isspace(c) != 0; };
+    const auto first = std::find_if_not(text.begin(), text.end(), space);
+    return {first, std::find_if_not(text.rbegin(), std::make_reverse_iterator(first), space).base()};
+}
+
+std::string required(const std::string& text, const char* what) {
+    const std::string content = trimmed(text);
+    if (content.empty()) {
+        throw UsageError({"io.acknowledged.empty", "An acknowledgement needs a {0}.", {what}},
+                         {"io.acknowledged.empty.remedy", "Say who has looked at the breaches, and why the run may be used.", {}});
+    }
+    return content;
+}
+
+std::shared_ptr<const SimulationResult> breachesOf(const std::string& runPath) {
+    const auto run = openRun(runPath);
+    const auto result = run->result();
+    if (!result) {
+        throw ParseError({"io.acknowledged.incomplete", "{0} is not complete: it has no outcome to acknowledge", {runPath}},
+                         {"io.run.incomplete.remedy", "Run the case again to the end.", {}});
+    }
+    if (!result->health.tainted()) {
+        throw UsageError({"io.acknowledged.sound", "{0} has no health breaches: there is nothing to acknowledge", {runPath}},
+                         {"io.acknowledged.sound.remedy", "Use the run as it is, or name the run that you mean.", {}});
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string acknowledgementPath(const std::string& runPath) {
+    return runPath + ".acknowledged.json";
+}
+
+void acknowledge(const std::string& runPath, Acknowledgement acknowledgement) {
+    acknowledgement.by = required(acknowledgement.by, "name");
+    acknowledgement.note = required(acknowledgement.note, "note");
+    acknowledgement.breaches = breachesDigest(*breachesOf(runPath));
+    if (acknowledgement.when.empty()) {
+        acknowledgement.when = utcNow();
+    }
+    std::vector<Acknowledgement> list = acknowledgements(runPath);
+    list.push_back(std::move(acknowledgement));
+    nlohmann::json document = {{"format", formatName},
+                               {"version", formatVersion},
+                               {"run", fs::path(runPath).filename().string()},
+                               {"acknowledgements", nlohmann::json::array()}};
+    for (const Acknowledgement& entry : list) {
+        document["acknowledgements"].push_back(
+            {{"by", entry.by}, {"when", entry.when}, {"note", entry.note}, {"breaches", entry.breaches.hex()}});
+    }
+    writeAtomically(acknowledgementPath(runPath), [&](std::ostream& out) { out << jsonText(document) << '\n'; });
+}
+
+std::vector<Acknowledgement> acknowledgements(const std::string& runPath) {
+    const std::string path = acknowledgementPath(runPath);
+    std::error_code failed;
+    if (!fs::exists(fs::symlink_status(path, failed))) {
+        return {};
+    }
+    return listFrom(path);
+}
+
+}  // namespace rubble::io

@@ -4,9 +4,31 @@
 
 namespace rubble::io {
 
+namespace {
+
+/// The ground was a switch; it became an effect that is off, on or auto. What is not as it should be is left for the reader to
+/// name.
+void groundBecomesAnEffect(nlohmann::json& document) {
+    const auto scenarios = document.find("scenarios");
+    if (scenarios == document.end() || !scenarios->is_array()) {
+        return;
+    }
+    for (nlohmann::json& scenario : *scenarios) {
+        if (!scenario.is_object() || !scenario.contains("settings") || !scenario["settings"].is_object()) {
+            continue;
+        }
+        nlohmann::json& settings = scenario["settings"];
+        if (const auto ground = settings.find("ground"); ground != settings.end() && ground->is_boolean()) {
+            *ground = ground->get<bool>() ? "on" : "off";
+        }
+    }
+}
+
+}  // namespace
+
 std::span<const CaseMigration> caseMigrations() {
-    // Version 1 is the first; a change of the format adds its step here.
-    return {};
+    static constexpr CaseMigration steps[] = {{1, groundBecomesAnEffect}};
+    return steps;
 }
 
 bool migrateCase(nlohmann::json& document, int from, int to, std::span<const CaseMigration> steps) {

@@ -11,7 +11,7 @@ struct CaseMigration {
     void (*step)(nlohmann::json&);
 };
 
-inline constexpr int caseVersion = 1;
+inline constexpr int caseVersion = 2;
 
 /// The known steps, one for each older version, oldest first.
 std::span<const CaseMigration> caseMigrations();

@@ -42,11 +42,6 @@ ParameterValue valueFromJson(const JsonCursor& cursor, ParameterKind kind) {
     return cursor.text();
 }
 
-std::string keyFor(const Parameter& row, const std::string& subject) {
-    std::string key(row.key);
-    return key.replace(key.find("[*]"), 3, "[" + subject + "]");
-}
-
 // Writes a value only if it can be read back: the table's own ranges refuse it here rather than on opening.
 void writeSetting(json& settings, const std::string& key, const ParameterValue& value) {
     Scenario probe;
@@ -58,17 +53,10 @@ json settingsJson(const Scenario& scenario) {
     static const Scenario defaults;
     json settings = json::object();
     for (const Parameter& row : parameterTable()) {
-        if (!row.keyed()) {
-            const ParameterValue value = row.get(scenario, {});
-            if (value != row.get(defaults, {})) {
-                writeSetting(settings, std::string(row.key), value);
-            }
-            continue;
-        }
-        for (const auto& [name, component] : scenario.components) {
-            const ParameterValue value = row.get(scenario, name);
-            if (!std::holds_alternative<std::monostate>(value)) {
-                writeSetting(settings, keyFor(row, name), value);
+        for (const std::string& subject : row.subjectsIn(scenario)) {
+            const ParameterValue value = row.get(scenario, subject);
+            if (value != row.get(defaults, subject)) {
+                writeSetting(settings, row.keyFor(subject), value);
             }
         }
     }

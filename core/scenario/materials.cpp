@@ -1,33 +1,133 @@
 #include "core/scenario/materials.h"
 
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/nearest_names.h"
+
 namespace rubble {
 
-std::string_view materialName(Material material) {
-    static constexpr std::array<std::string_view, materialCount> names{"stone",   "concrete", "steel",
-                                                                       "masonry", "soil",     "water_bed"};
-    return names[static_cast<std::size_t>(material)];
+namespace {
+
+constexpr std::string_view quarried = "NAVFAC 1986: dressed rock on dressed rock 0.55-0.70";
+constexpr std::string_view hardened = "ACI 318 (2019): concrete on hardened concrete, not roughened, 0.6";
+constexpr std::string_view onSoil =
+    "NAVFAC 1986: mass concrete or masonry on gravel and coarse sand 0.55-0.60, on fine sand 0.45-0.55";
+constexpr std::string_view onSilt = "NAVFAC 1986: mass concrete or masonry on fine sandy silt 0.35-0.45, on silty sand 0.45-0.55";
+constexpr std::string_view steelOn = "Baltay & Gjelsvik 1990: steel on concrete 0.47 on average";
+constexpr std::string_view steelOnSteel = "NAVFAC 1986: steel on steel 0.30; Avallone & Baumeister 1996: sliding, dry, 0.42";
+constexpr std::string_view steelOnSoil = "NAVFAC 1986: steel on gravel 0.40, on sand 0.30";
+constexpr std::string_view steelOnSilt = "NAVFAC 1986: steel on silty sand 0.25, on silt 0.20";
+constexpr std::string_view rock = "Wyllie 2014: normal, rock on rock, 0.3-0.5; field impacts of blocks about 0.2";
+constexpr std::string_view concrete =
+    "Asteriou & Tsiambaos 2018: blocks on rock and concrete 0.3-0.5; field impacts of blocks about 0.2";
+constexpr std::string_view soil = "Wyllie 2014: normal, blocks on soil and rubble, 0.05-0.3";
+constexpr std::string_view bed = "Wyllie 2014: lower end of soil, 0.05";
+
+}  // namespace
+
+const std::vector<PairSource>& pairSources() {
+    using enum Material;
+    static const std::vector<PairSource> rows{
+        {{Stone, Stone}, {0.65, 0.2}, quarried, rock},
+        {{Stone, Concrete}, {0.65, 0.2}, quarried, concrete},
+        {{Stone, Steel}, {0.45, 0.2}, steelOn, concrete},
+        {{Stone, Masonry}, {0.65, 0.2}, quarried, rock},
+        {{Stone, Soil}, {0.55, 0.1}, onSoil, soil},
+        {{Stone, WaterBed}, {0.45, 0.05}, onSilt, bed},
+        {{Concrete, Concrete}, {0.6, 0.2}, hardened, concrete},
+        {{Concrete, Steel}, {0.45, 0.2}, steelOn, concrete},
+        {{Concrete, Masonry}, {0.6, 0.2}, hardened, concrete},
+        {{Concrete, Soil}, {0.55, 0.1}, onSoil, soil},
+        {{Concrete, WaterBed}, {0.45, 0.05}, onSilt, bed},
+        {{Steel, Steel}, {0.4, 0.3}, steelOnSteel, concrete},
+        {{Steel, Masonry}, {0.45, 0.2}, steelOn, concrete},
+        {{Steel, Soil}, {0.4, 0.1}, steelOnSoil, soil},
+        {{Steel, WaterBed}, {0.25, 0.05}, steelOnSilt, bed},
+        {{Masonry, Masonry}, {0.65, 0.2}, quarried, rock},
+        {{Masonry, Soil}, {0.55, 0.1}, onSoil, soil},
+        {{Masonry, WaterBed}, {0.45, 0.05}, onSilt, bed},
+    };
+    return rows;
+}
+
+const std::vector<MaterialPair>& materialPairs() {
+    static const std::vector<MaterialPair> pairs = [] {
+        std::vector<MaterialPair> all;
+        for (const PairSource& row : pairSources()) {
+            all.push_back(row.pair);
+        }
+        return all;
+    }();
+    return pairs;
+}
+
+std::string pairName(MaterialPair pair) {
+    return std::string(materialName(pair.first)) + "," + std::string(materialName(pair.second));
+}
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(' ');
+    return first == std::string_view::npos ? std::string_view() : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+[[noreturn]] void refuseMaterial(std::string_view name) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < materialCount; ++i) {
+        names.emplace_back(materialName(static_cast<Material>(i)));
+    }
+    throw UsageError({"material.unknown", "There is no material \"{0}\".", {name}},
+                     {"material.near", "Did you mean one of {0}?", {quotedList(nearestNames(name, names, 3))}});
+}
+
+}  // namespace
+
+std::optional<MaterialPair> pairNamed(std::string_view text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const auto a = materialNamed(trimmed(text.substr(0, comma))), b = materialNamed(trimmed(text.substr(comma + 1)));
+    if (!a || !b || !(isBodyMaterial(*a) || isBodyMaterial(*b))) {
+        return std::nullopt;
+    }
+    return std::minmax(*a, *b);
+}
+
+MaterialPair pairFrom(std::string_view text) {
+    if (const auto pair = pairNamed(text)) {
+        return *pair;
+    }
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) {
+        throw UsageError({"material.no_pair", "\"{0}\" is not a pair of materials.", {text}},
+                         {"material.no_pair.remedy", "Give two materials with a comma between them, such as stone,soil.", {}});
+    }
+    for (const std::string_view name : {trimmed(text.substr(0, comma)), trimmed(text.substr(comma + 1))}) {
+        if (!materialNamed(name)) {
+            refuseMaterial(name);
+        }
+    }
+    throw UsageError({"material.no_body", "\"{0}\" never meet: no body is made of either.", {text}},
+                     {"material.no_body.remedy", "One of the two is stone, concrete, steel or masonry.", {}});
 }
 
 PairTable::PairTable() {
-    using enum Material;
-    // Ranges of Wyllie (2014) and Asteriou & Tsiambaos (2018) for blocks; the middle of each.
-    for (PairProperties& pair : m_pairs) {
-        pair = {0.65, 0.15};
+    for (const PairSource& row : pairSources()) {
+        of(row.pair.first, row.pair.second) = row.value;
     }
-    for (const Material solid : {Stone, Concrete, Masonry}) {
-        of(solid, Steel) = {0.45, 0.2};
-        of(solid, Soil) = {0.55, 0.1};
-        of(solid, WaterBed) = {0.5, 0.05};
-    }
-    of(Steel, Steel) = {0.4, 0.3};
-    of(Steel, Soil) = {0.45, 0.1};
-    of(Steel, WaterBed) = {0.4, 0.05};
 }
 
 PairTable PairTable::uniform(double friction, double restitution) {
-    PairTable table;
+    return PairTable().overriddenBy(friction, restitution);
+}
+
+PairTable PairTable::overriddenBy(std::optional<double> friction, std::optional<double> restitution) const {
+    PairTable table = *this;
     for (PairProperties& pair : table.m_pairs) {
-        pair = {friction, restitution};
+        pair = {friction.value_or(pair.friction), restitution.value_or(pair.restitution)};
     }
     return table;
 }

@@ -1,18 +1,15 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/fe/material.h"
 
 namespace rubble {
-
-/// What a solid is made of, as far as contact and break-up care.
-enum class Material : std::uint8_t { Stone, Concrete, Steel, Masonry, Soil, WaterBed };
-inline constexpr std::size_t materialCount = 6;
-
-/// "stone", "concrete", "steel", "masonry", "soil", "water_bed"
-std::string_view materialName(Material material);
 
 /// Contact of two materials.
 struct PairProperties {
@@ -21,16 +18,30 @@ struct PairProperties {
     friend bool operator==(const PairProperties&, const PairProperties&) = default;
 };
 
+/// Two materials, the lower one first.
+using MaterialPair = std::pair<Material, Material>;
+
+/// Every pair of which at least one can be a body, in the order of the materials.
+const std::vector<MaterialPair>& materialPairs();
+/// "stone,soil"
+std::string pairName(MaterialPair pair);
+/// "stone,soil" or "soil, stone" as a pair; nothing if it names none.
+std::optional<MaterialPair> pairNamed(std::string_view text);
+/// The same, or a UsageError naming the nearest materials.
+MaterialPair pairFrom(std::string_view text);
+
 /// Friction and restitution of every pair of materials; symmetric.
 class PairTable {
 public:
-    /// The sourced defaults (materials.cpp says where each comes from).
+    /// The sourced defaults (pairSources()).
     PairTable();
     /// The same for every pair.
     static PairTable uniform(double friction, double restitution);
 
     const PairProperties& of(Material a, Material b) const { return m_pairs[index(a, b)]; }
     PairProperties& of(Material a, Material b) { return m_pairs[index(a, b)]; }
+    /// The table with one number in every pair where one is given.
+    PairTable overriddenBy(std::optional<double> friction, std::optional<double> restitution) const;
     friend bool operator==(const PairTable&, const PairTable&) = default;
 
 private:
@@ -40,5 +51,15 @@ private:
     }
     std::array<PairProperties, materialCount*(materialCount + 1) / 2> m_pairs;
 };
+
+/// Where a default value of the table comes from.
+struct PairSource {
+    MaterialPair pair;
+    PairProperties value;
+    std::string_view friction;     ///< author, year, range
+    std::string_view restitution;  ///< the same
+};
+/// One row for each of materialPairs().
+const std::vector<PairSource>& pairSources();
 
 }  // namespace rubble

@@ -1,162 +1,11 @@
-#include <array>
-#include <optional>
-
-#include "core/scenario/parameters.h"
+#include "core/scenario/parameter_rows.h"
 
 namespace rubble {
 
 namespace {
 
-template <class T>
-ParameterValue toValue(const T& member) {
-    if constexpr (std::is_same_v<T, int>) {
-        return static_cast<std::int64_t>(member);
-    } else {
-        return member;
-    }
-}
-
-template <class T>
-ParameterValue toValue(const std::optional<T>& member) {
-    return member ? toValue(*member) : ParameterValue{};
-}
-
-template <class T>
-void fromValue(T& member, const ParameterValue& value) {
-    if constexpr (std::is_same_v<T, int>) {
-        member = static_cast<int>(std::get<std::int64_t>(value));
-    } else {
-        member = std::get<T>(value);
-    }
-}
-
-template <class T>
-void fromValue(std::optional<T>& member, const ParameterValue& value) {
-    if (std::holds_alternative<std::monostate>(value)) {
-        member.reset();
-    } else {
-        T inner{};
-        fromValue(inner, value);
-        member = inner;
-    }
-}
-
-/// Builds rows of one stage; each call adds one row.
-class Table {
-public:
-    explicit Table(Stage stage) : m_stage(stage) {}
-
-    template <class Access>
-    Table& number(std::string_view key, std::string_view unit, double low, double high, Access access, std::string_view label,
-                  std::string_view help) {
-        Parameter row = plain(key, ParameterKind::Number, access, label, help);
-        row.unit = unit;
-        row.low = low;
-        row.high = high;
-        return add(std::move(row));
-    }
-    template <class Access>
-    Table& integer(std::string_view key, double low, double high, Access access, std::string_view label, std::string_view help) {
-        Parameter row = plain(key, ParameterKind::Integer, access, label, help);
-        row.low = low;
-        row.high = high;
-        return add(std::move(row));
-    }
-    template <class Access>
-    Table& toggle(std::string_view key, Access access, std::string_view label, std::string_view help) {
-        return add(plain(key, ParameterKind::Switch, access, label, help));
-    }
-    template <class Access>
-    Table& text(std::string_view key, Access access, std::string_view label, std::string_view help) {
-        return add(plain(key, ParameterKind::Text, access, label, help));
-    }
-    /// An enumeration whose values are numbered in the order of `choices`.
-    template <class Access>
-    Table& choice(std::string_view key, std::vector<std::string_view> choices, Access access, std::string_view label,
-                  std::string_view help) {
-        Parameter row;
-        row.key = key;
-        row.kind = ParameterKind::Choice;
-        row.choices = choices;
-        row.stage = m_stage;
-        row.label = label;
-        row.help = help;
-        row.get = [access, choices](const Scenario& scenario, const std::string&) -> ParameterValue {
-            return std::string(choices[static_cast<std::size_t>(access(const_cast<Scenario&>(scenario)))]);
-        };
-        row.set = [access, choices](Scenario& scenario, const std::string&, const ParameterValue& value) {
-            const std::string& name = std::get<std::string>(value);
-            for (std::size_t i = 0; i < choices.size(); ++i) {
-                if (choices[i] == name) {
-                    auto& member = access(scenario);
-                    member = static_cast<std::remove_reference_t<decltype(member)>>(i);
-                }
-            }
-        };
-        return add(std::move(row));
-    }
-    /// An optional member of ComponentSettings; setting the last one back to automatic drops the component's entry.
-    template <class T>
-    Table& component(std::string_view key, ParameterKind kind, std::string_view unit, double low, double high,
-                     std::optional<T> ComponentSettings::* member, std::string_view label, std::string_view help) {
-        Parameter row;
-        row.key = key;
-        row.kind = kind;
-        row.unit = unit;
-        row.low = low;
-        row.high = high;
-        row.automatic = true;
-        row.stage = m_stage;
-        row.label = label;
-        row.help = help;
-        row.get = [member](const Scenario& scenario, const std::string& subject) -> ParameterValue {
-            const auto entry = scenario.components.find(subject);
-            return entry == scenario.components.end() ? ParameterValue{} : toValue(entry->second.*member);
-        };
-        row.set = [member](Scenario& scenario, const std::string& subject, const ParameterValue& value) {
-            fromValue(scenario.components[subject].*member, value);
-            if (scenario.components[subject] == ComponentSettings{}) {
-                scenario.components.erase(subject);
-            }
-        };
-        return add(std::move(row));
-    }
-
-    std::vector<Parameter> rows;
-
-private:
-    Table& add(Parameter row) {
-        rows.push_back(std::move(row));
-        return *this;
-    }
-
-    template <class Access>
-    Parameter plain(std::string_view key, ParameterKind kind, Access access, std::string_view label, std::string_view help) {
-        using T = std::remove_reference_t<decltype(access(std::declval<Scenario&>()))>;
-        Parameter row;
-        row.key = key;
-        row.kind = kind;
-        row.automatic = requires(T t) { t.has_value(); };
-        row.stage = m_stage;
-        row.label = label;
-        row.help = help;
-        // The accessor only names the member; reading through it changes nothing.
-        row.get = [access](const Scenario& scenario, const std::string&) {
-            return toValue(access(const_cast<Scenario&>(scenario)));
-        };
-        row.set = [access](Scenario& scenario, const std::string&, const ParameterValue& value) {
-            fromValue(access(scenario), value);
-        };
-        return row;
-    }
-
-    Stage m_stage;
-};
-
-#define RUBBLE_AT(path) [](Scenario& s) -> auto& { return s.path; }
-
 std::vector<Parameter> importRows() {
-    Table table(Stage::Import);
+    ParameterRows table(Stage::Import);
     table
         .text("status_variable", RUBBLE_AT(import.statusVariable), "Active flag",
               "Name of the element variable that tells active from deactivated. Empty: recognised by name.")
@@ -170,7 +19,7 @@ std::vector<Parameter> importRows() {
 }
 
 std::vector<Parameter> componentRows() {
-    Table table(Stage::Components);
+    ParameterRows table(Stage::Components);
     table
         .number("default_density", "kg/m3", 1, 25000, RUBBLE_AT(assumptions.density), "Assumed density",
                 "Density where neither the file nor a component setting gives one; each use is counted as a finding.")
@@ -184,12 +33,18 @@ std::vector<Parameter> componentRows() {
                    "Thickness or section",
                    "Thickness of one component's shells, cross-section of its beams; takes the place of what the file says.")
         .component("component[*].structural", ParameterKind::Switch, "", 0, 1, &ComponentSettings::structural, "Limits the grid",
-                   "Whether the component's smallest dimension bounds the Basic Grid.");
+                   "Whether the component's smallest dimension bounds the Basic Grid.")
+        .componentMaterial("component[*].material", "Material",
+                           "What one component is made of: decides friction and restitution, and whether clusters break up. "
+                           "Automatic: from its density: from 5,000 kg/m3 steel, from 2,550 stone, from 2,100 concrete, from 1,400 "
+                           "masonry, below concrete.")
+        .componentSwitch("component[*].reinforced", &ComponentSettings::reinforced, "Reinforced",
+                         "Steel runs through the component: neighbouring clusters of it are tied (effect ties).");
     return std::move(table.rows);
 }
 
 std::vector<Parameter> fragmentRows() {
-    Table table(Stage::Fragments);
+    ParameterRows table(Stage::Fragments);
     table
         .choice(
             "birth_time", {"state", "exact"}, RUBBLE_AT(fragments.birthTime), "Birth time",
@@ -209,7 +64,7 @@ std::vector<Parameter> fragmentRows() {
 }
 
 std::vector<Parameter> sizingRows() {
-    Table table(Stage::Sizing);
+    ParameterRows table(Stage::Sizing);
     table
         .number("fps_target", "FPS", 1, 240, RUBBLE_AT(grid.fpsTarget), "Live frame rate",
                 "Frames per second of wall clock that live mode should reach.")
@@ -235,7 +90,7 @@ std::vector<Parameter> sizingRows() {
 }
 
 std::vector<Parameter> simulationRows() {
-    Table table(Stage::Simulation);
+    ParameterRows table(Stage::Simulation);
     table
         .choice("solver", {"soft-step", "bullet"}, RUBBLE_AT(simulation.solver), "Solver",
                 "soft-step: soft contacts in small substeps; piles keep their volume, several times faster in large ones. bullet: "
@@ -262,12 +117,12 @@ std::vector<Parameter> simulationRows() {
         .number("piece_size", "m", 0.05, 1000, RUBBLE_AT(simulation.pieceSize), "Size of grid boxes",
                 "Cell size of the grid boxes. Smaller: closer to the structure, slower.")
         .number("gravity", "m/s2", 0, 1000, RUBBLE_AT(simulation.gravity), "Gravity", "Acceleration downwards.")
-        .toggle("ground", RUBBLE_AT(simulation.ground), "Ground", "A level ground that carries the debris.")
         .number("ground_height", "m", -1e6, 1e6, RUBBLE_AT(simulation.groundHeight), "Height of the ground",
                 "z of the level ground.")
         .number("friction", "", 0, 10, RUBBLE_AT(simulation.friction), "Friction",
-                "Coulomb coefficient of debris on debris, structure and ground.")
-        .number("restitution", "", 0, 1, RUBBLE_AT(simulation.restitution), "Restitution", "Normal restitution of a hit.")
+                "Coulomb coefficient of every contact. Automatic: by pair of materials.")
+        .number("restitution", "", 0, 1, RUBBLE_AT(simulation.restitution), "Restitution",
+                "Normal restitution of every hit. Automatic: by pair of materials.")
         .toggle("freeze", RUBBLE_AT(simulation.freeze), "Freeze bodies at rest",
                 "Bodies that have come to rest are held until something disturbs them. Off: a pile creeps and costs time for ever.")
         .number("freeze_speed", "m/s", 0, 10, RUBBLE_AT(simulation.freezeSpeed), "Freeze below",
@@ -278,18 +133,20 @@ std::vector<Parameter> simulationRows() {
         .number("settle_time", "s", 0, 10000, RUBBLE_AT(simulation.settleTime), "Settle time",
                 "How long the run goes on at most after the last FE state, until 99 % of the bodies sleep.")
         .number("frame_rate", "FPS", 0.1, 1000, RUBBLE_AT(simulation.frameRate), "Recorded frames",
-                "Frames recorded per second of collapse; FE states are always recorded.");
+                "Frames recorded per second of collapse; FE states are always recorded.")
+        .toggle(
+            "auto_remedy", RUBBLE_AT(simulation.autoRemedy), "Smaller steps when unhealthy",
+            "Halves the steps for 0.5 s whenever energy is gained or bodies lie inside each other beyond the limits of the health "
+            "monitor. Costs time only then; the run says when it did.");
     return std::move(table.rows);
 }
-
-#undef RUBBLE_AT
 
 }  // namespace
 
 std::span<const Parameter> parameterTable() {
     static const std::vector<Parameter> table = [] {
         std::vector<Parameter> all;
-        for (auto rows : {importRows, componentRows, fragmentRows, sizingRows, simulationRows}) {
+        for (auto rows : {importRows, componentRows, fragmentRows, sizingRows, simulationRows, effectRows}) {
             for (Parameter& row : rows()) {
                 all.push_back(std::move(row));
             }

@@ -52,6 +52,20 @@ std::string nearestKeys(std::string_view key) {
     throw UsageError({"parameter.refused", "{0} cannot be \"{1}\".", {key, value}}, remedy);
 }
 
+std::optional<bool> switchNamed(std::string_view text) {
+    if (text == "true" || text == "on" || text == "yes" || text == "1") {
+        return true;
+    }
+    if (text == "false" || text == "off" || text == "no" || text == "0") {
+        return false;
+    }
+    return std::nullopt;
+}
+
+bool hasChoice(const Parameter& row, std::string_view name) {
+    return std::find(row.choices.begin(), row.choices.end(), name) != row.choices.end();
+}
+
 bool inRange(const Parameter& row, const ParameterValue& value) {
     if (std::holds_alternative<std::monostate>(value)) {
         return row.automatic;
@@ -69,7 +83,7 @@ bool inRange(const Parameter& row, const ParameterValue& value) {
         }
         case ParameterKind::Choice: {
             const auto* name = std::get_if<std::string>(&value);
-            return name && std::find(row.choices.begin(), row.choices.end(), *name) != row.choices.end();
+            return name && hasChoice(row, *name);
         }
         case ParameterKind::Text:
             return std::holds_alternative<std::string>(value);
@@ -91,11 +105,8 @@ std::optional<ParameterValue> parse(const Parameter& row, std::string_view text)
     }
     switch (row.kind) {
         case ParameterKind::Switch:
-            if (text == "true" || text == "on" || text == "yes" || text == "1") {
-                return true;
-            }
-            if (text == "false" || text == "off" || text == "no" || text == "0") {
-                return false;
+            if (const auto flag = switchNamed(text)) {
+                return *flag;
             }
             return std::nullopt;
         case ParameterKind::Integer:
@@ -109,6 +120,10 @@ std::optional<ParameterValue> parse(const Parameter& row, std::string_view text)
             }
             return std::nullopt;
         case ParameterKind::Choice:
+            if (const auto flag = switchNamed(text); flag && hasChoice(row, "on") && hasChoice(row, "off")) {
+                return std::string(*flag ? "on" : "off");
+            }
+            return std::string(text);
         case ParameterKind::Text:
             return std::string(text);
     }
@@ -140,7 +155,36 @@ void hashRegrouping(Hasher& hasher, const std::vector<RegroupStep>& steps) {
 /// Upper end of box_bulking: every box keeps its full size.
 constexpr double neverDrawnIn = 1000.0;
 
+/// Effects that the published method does not have.
+constexpr std::array addedByUs{EffectKind::Terrain, EffectKind::Water, EffectKind::AirDrag, EffectKind::Ties, EffectKind::BreakUp};
+
 }  // namespace
+
+std::string Parameter::keyFor(const std::string& name) const {
+    std::string full(key);
+    return keyed() ? full.replace(full.find("[*]"), 3, "[" + name + "]") : full;
+}
+
+std::vector<std::string> Parameter::subjectsIn(const Scenario& scenario) const {
+    std::vector<std::string> names;
+    switch (subject()) {
+        case ParameterSubject::None:
+            return {std::string()};
+        case ParameterSubject::Component:
+            for (const auto& [name, settings] : scenario.components) {
+                names.push_back(name);
+            }
+            break;
+        case ParameterSubject::Pair:
+            for (const MaterialPair& pair : materialPairs()) {
+                names.push_back(pairName(pair));
+            }
+            break;
+    }
+    static const Scenario defaults;
+    std::erase_if(names, [&](const std::string& name) { return get(scenario, name) == get(defaults, name); });
+    return names;
+}
 
 std::pair<const Parameter*, std::string> findParameter(std::string_view key) {
     const std::size_t open = key.find('[');
@@ -150,7 +194,8 @@ std::pair<const Parameter*, std::string> findParameter(std::string_view key) {
         bracketed ? std::string(key.substr(0, open)) + "[*]" + std::string(key.substr(close + 1)) : std::string(key);
     for (const Parameter& row : parameterTable()) {
         if (row.key == pattern && row.keyed() == bracketed) {
-            return {&row, bracketed ? std::string(key.substr(open + 1, close - open - 1)) : std::string()};
+            const std::string_view name = bracketed ? key.substr(open + 1, close - open - 1) : std::string_view();
+            return {&row, row.subject() == ParameterSubject::Pair ? pairName(pairFrom(name)) : std::string(name)};
         }
     }
     throw UsageError({"parameter.unknown", "There is no parameter \"{0}\".", {key}},
@@ -216,6 +261,10 @@ void applyPreset(Scenario& scenario, std::string_view name) {
         scenario.simulation.boxBulking = defaults.simulation.boxBulking;
         scenario.simulation.pieces = defaults.simulation.pieces;
         scenario.simulation.freeze = defaults.simulation.freeze;
+        for (const EffectKind kind : addedByUs) {
+            scenario.effects.of(kind) = defaults.effects.of(kind);
+        }
+        scenario.effects.islands = defaults.effects.islands;
     };
     if (name == "default") {
         method();
@@ -232,6 +281,10 @@ void applyPreset(Scenario& scenario, std::string_view name) {
         scenario.simulation.boxBulking = neverDrawnIn;
         scenario.simulation.pieces = PieceKind::ComponentBox;
         scenario.simulation.freeze = false;
+        for (const EffectKind kind : addedByUs) {
+            scenario.effects.of(kind) = EffectSwitch::Off;
+        }
+        scenario.effects.islands = LiveIslandPolicy::Held;
     } else {
         throw UsageError({"preset.unknown", "There is no preset \"{0}\".", {name}},
                          {"preset.names", "Choose one of default, paper, reference.", {}});
@@ -245,11 +298,7 @@ Digest scenarioSlice(const Scenario& scenario, Stage stage) {
         if (row.stage != stage) {
             continue;
         }
-        if (!row.keyed()) {
-            hasher.text(row.key).text(valueText(row.get(scenario, {})));
-            continue;
-        }
-        for (const auto& [name, settings] : scenario.components) {
+        for (const std::string& name : row.subjectsIn(scenario)) {
             hasher.text(row.key).text(name).text(valueText(row.get(scenario, name)));
         }
     }

@@ -22,6 +22,9 @@ using ParameterValue = std::variant<std::monostate, bool, std::int64_t, double, 
 
 enum class ParameterKind { Switch, Integer, Number, Choice, Text };
 
+/// What stands in the brackets of a keyed row: component[deck].density, pair[stone,soil].friction.
+enum class ParameterSubject { None, Component, Pair };
+
 /// One row of the parameter table: feeds panel, --set, case file and manual.
 struct Parameter {
     std::string_view key;  ///< "multiple", or with a wildcard: "component[*].density"
@@ -38,13 +41,22 @@ struct Parameter {
     std::function<void(Scenario&, const std::string& subject, const ParameterValue&)> set;
 
     bool keyed() const { return key.find("[*]") != std::string_view::npos; }
+    ParameterSubject subject() const {
+        return !keyed()                  ? ParameterSubject::None
+               : key.starts_with("pair") ? ParameterSubject::Pair
+                                         : ParameterSubject::Component;
+    }
+    /// The key with a subject in the place of the star.
+    std::string keyFor(const std::string& name) const;
+    /// Subjects that have a value of their own in a scenario, in the order of files; one empty name for a row that is not keyed.
+    std::vector<std::string> subjectsIn(const Scenario& scenario) const;
 };
 
 /// All parameters, in the order of the stages.
 std::span<const Parameter> parameterTable();
 
-/// The row of a key and, for a keyed row, what stands in the brackets: findParameter("component[deck].density").
-/// Throws UsageError naming the nearest keys.
+/// The row of a key and, for a keyed row, what stands in the brackets: findParameter("component[deck].density"). A pair of
+/// materials comes back in its canonical order. Throws UsageError naming the nearest keys or materials.
 std::pair<const Parameter*, std::string> findParameter(std::string_view key);
 
 /// Value of a key in a scenario. Throws UsageError for an unknown key.
@@ -55,7 +67,8 @@ ParameterValue parameterValue(const Scenario& scenario, std::string_view key);
 void setParameter(Scenario& scenario, std::string_view key, const ParameterValue& value);
 
 /// Sets a value from text as on the command line: "key=value" halves. Numbers with a point as decimal sign whatever the locale;
-/// switches as true/false/on/off/yes/no; "auto" where allowed. `preset` is accepted as a key and applies applyPreset().
+/// switches as true/false/on/off/yes/no, also where a choice has on and off; "auto" where allowed. `preset` is accepted as a key
+/// and applies applyPreset().
 void setParameterText(Scenario& scenario, std::string_view key, std::string_view value);
 
 /// A value as text that setParameterText() reads back to the same value ("auto", "true", "4500", "0.5", "oriented_box").

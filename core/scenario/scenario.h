@@ -65,18 +65,18 @@ struct SimulationSettings {
     ClusterShape shape = ClusterShape::OrientedBox;
     double boxBulking = 1.0;  ///< largest volume of a cluster's box over that of its fragments' boxes
     PieceKind pieces = PieceKind::GridBoxes;
-    double pieceSize = 4.0;    ///< m, cells of the grid boxes
-    double gravity = 9.80665;  ///< m/s2, downwards
-    bool ground = true;
-    double groundHeight = 0.0;  ///< m
-    double friction = 0.6;
-    double restitution = 0.1;
+    double pieceSize = 4.0;             ///< m, cells of the grid boxes
+    double gravity = 9.80665;           ///< m/s2, downwards
+    double groundHeight = 0.0;          ///< m
+    std::optional<double> friction;     ///< of every pair of materials; unset: by pair
+    std::optional<double> restitution;  ///< the same
     bool freeze = true;
     double freezeSpeed = 0.02;  ///< m/s of the fastest corner
     double freezeDelay = 0.5;   ///< s below it
     double overlapSpeed = 0.2;  ///< m/s at which overlap at birth is bled off
     double settleTime = 10.0;   ///< s at most after the last FE state
     double frameRate = 25.0;    ///< recorded frames per second
+    bool autoRemedy = false;    ///< halve the steps for a while after a health breach
     friend bool operator==(const SimulationSettings&, const SimulationSettings&) = default;
 };
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace rubble {
+
+/// What a solid is made of, as far as contact and break-up care.
+enum class Material : std::uint8_t { Stone, Concrete, Steel, Masonry, Soil, WaterBed };
+inline constexpr std::size_t materialCount = 6;
+
+/// "stone", "concrete", "steel", "masonry", "soil", "water_bed"
+std::string_view materialName(Material material);
+std::optional<Material> materialNamed(std::string_view name);
+
+/// A guess where nobody says what a component is made of: from 5,000 kg/m3 steel, from 2,550 stone (granite, limestone, sandstone:
+/// 2,550 to 2,800), from 2,100 concrete (plain to reinforced: 2,200 to 2,500), from 1,400 masonry (brickwork: 1,600 to 2,100);
+/// below that, and where there is no density, concrete.
+Material materialOfDensity(double density);
+
+/// Whether a body may be made of it; soil and water bed are only ground.
+bool isBodyMaterial(Material material);
+
+/// Whether a cluster of it falls apart on a hard hit: stone and masonry. Concrete and steel hold together.
+bool fallsApart(Material material);
+
+}  // namespace rubble

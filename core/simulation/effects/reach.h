@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/simulation/effects/decisions.h"
+
+namespace rubble {
+
+/// What limits a fall.
+struct FallLimits {
+    double gravity = 9.80665;       ///< m/s2
+    std::optional<double> surface;  ///< m, the lowest place that anything can fall to; unset: there is no ground
+    double end = 0.0;               ///< s, nothing moves after that
+};
+
+/// Where a cluster can get without touching anything, and how fast.
+struct Reach {
+    Aabb box;            ///< m, at its hand-over and all the way down; empty if its place is no number
+    double speed = 0.0;  ///< m/s, the highest possible
+    double fall = 0.0;   ///< m, from its centre to the surface
+};
+
+/// The ballistic envelope of a cluster launched at its speed v in any direction from its height h above the surface:
+/// v / g sqrt(v^2 + 2 g h) sideways, v^2 / (2 g) upwards, the surface downwards; speed sqrt(v^2 + 2 g h). Without ground or
+/// gravity, what the time until the end allows.
+Reach reachOf(const EffectScene& scene, ClusterId cluster, const FallLimits& limits);
+
+/// One for each cluster.
+std::vector<Reach> reaches(const EffectScene& scene, const FallLimits& limits);
+
+}  // namespace rubble

@@ -75,11 +75,9 @@ Scenario randomScenario(std::mt19937& engine, double share) {
             if (std::uniform_real_distribution<double>()(engine) > share) {
                 continue;
             }
-            std::string key(row.key);
-            if (row.keyed()) {
-                key.replace(key.find("[*]"), 3, "[" + component + "]");
-            }
-            setParameter(scenario, key, randomValue(row, engine));
+            const bool pair = row.subject() == ParameterSubject::Pair;
+            const std::string subject = pair ? pairName(materialPairs()[engine() % materialPairs().size()]) : component;
+            setParameter(scenario, row.keyFor(subject), randomValue(row, engine));
         }
     }
     for (std::size_t i = engine() % 6; i > 0; --i) {
@@ -134,7 +132,7 @@ TEST(CaseFile, KeepsOnlyWhatDiffersFromTheDefaults) {
     theCase.scenarios[0].scenario.simulation.friction = 0.7;
     const json text = json::parse(caseText(theCase));
     EXPECT_EQ(text["scenarios"][0]["settings"], (json{{"friction", 0.7}}));
-    EXPECT_EQ(text["version"], 1);
+    EXPECT_EQ(text["version"], 2);
     EXPECT_EQ(text["inputs"][0]["path"], "bridge.exo");
 }
 
@@ -241,6 +239,26 @@ TEST(CaseMigration, GoesOneStepAtATime) {
         json old;
         EXPECT_TRUE(migrateCase(old, version, version + 1, caseMigrations())) << version;
     }
+}
+
+TEST(CaseMigration, TheGroundOfVersionOneWasASwitch) {
+    Case theCase = caseForFe("/x/bridge.exo", "/x/bridge.rubble");
+    theCase.scenarios.push_back(theCase.scenarios[0]);
+    theCase.scenarios[1].id = "scenario-2";
+    theCase.scenarios[0].scenario.effects.of(EffectKind::Ground) = EffectSwitch::Off;
+    json old = json::parse(caseText(theCase));
+    old["version"] = 1;
+    EXPECT_EQ(old["scenarios"][0]["settings"], (json{{"ground", "off"}}));
+    old["scenarios"][0]["settings"]["ground"] = false;
+    EXPECT_EQ(caseFromText(old.dump(), "test"), theCase);
+    old["scenarios"][1]["settings"]["ground"] = true;
+    theCase.scenarios[1].scenario.effects.of(EffectKind::Ground) = EffectSwitch::On;
+    EXPECT_EQ(caseFromText(old.dump(), "test"), theCase);
+    // Something else is left as it is and named.
+    old["scenarios"][1]["settings"]["ground"] = 3;
+    EXPECT_THAT(errorOf(old.dump()), testing::HasSubstr("at /scenarios/1/settings/ground:"));
+    old["scenarios"] = 5;
+    EXPECT_THAT(errorOf(old.dump()), testing::HasSubstr("at /scenarios:"));
 }
 
 TEST(CaseFile, IsNotSavedWhenItCouldNotBeOpenedAgain) {

@@ -107,7 +107,7 @@ TEST(ParameterEditor, TypingTakesAnAutomaticValueOverAndTheMarkGivesItBack) {
 }
 
 TEST(ParameterEditor, ASwitchSwitches) {
-    const auto [row, subject] = findParameter("ground");
+    const auto [row, subject] = findParameter("freeze");
     ParameterEditor editor(*row, subject);
     editor.setValue(true);
     Edits edits(editor);

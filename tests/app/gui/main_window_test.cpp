@@ -247,7 +247,7 @@ TEST_F(Workbench, ASavedCaseOpensAgainWithItsSettings) {
     EXPECT_FALSE(window->document().modified());
     window->open(path);
     ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().path() == path && prepared(); }, patience));
-    EXPECT_DOUBLE_EQ(window->document().scenario().simulation.friction, 0.65);
+    EXPECT_EQ(window->document().scenario().simulation.friction, 0.65);
     EXPECT_TRUE(io::isCaseFile(path.toStdString()));
 }
 

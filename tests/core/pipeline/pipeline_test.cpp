@@ -10,9 +10,7 @@ namespace rubble {
 namespace {
 
 std::string keyFor(const Parameter& row) {
-    std::string key(row.key);
-    const std::size_t star = key.find("[*]");
-    return star == std::string::npos ? key : key.replace(star, 3, "[wall]");
+    return row.keyFor(row.subject() == ParameterSubject::Pair ? "stone,soil" : "wall");
 }
 
 /// A legal value near the default that a run still works with.
@@ -28,7 +26,7 @@ ParameterValue changed(const Parameter& row, const Scenario& scenario) {
             return value * 0.9 + 0.007 >= row.low ? value * 0.9 + 0.007 : value * 1.1;
         }
         case ParameterKind::Choice:
-            return std::string(std::get<std::string>(now) == row.choices.front() ? row.choices.back() : row.choices.front());
+            return std::string(now == ParameterValue(std::string(row.choices.front())) ? row.choices.back() : row.choices.front());
         case ParameterKind::Text:
             return std::string("other");
     }

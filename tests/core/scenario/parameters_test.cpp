@@ -6,14 +6,13 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/simulation/effects/decisions.h"
 
 namespace rubble {
 namespace {
 
 std::string keyFor(const Parameter& row) {
-    std::string key(row.key);
-    const std::size_t star = key.find("[*]");
-    return star == std::string::npos ? key : key.replace(star, 3, "[arch ring 1]");
+    return row.keyFor(row.subject() == ParameterSubject::Pair ? "stone,soil" : "arch ring 1");
 }
 
 /// A legal value that differs from the current one.
@@ -28,7 +27,8 @@ ParameterValue otherValue(const Parameter& row, const ParameterValue& current) {
         case ParameterKind::Number:
             return std::holds_alternative<double>(current) && std::get<double>(current) == row.low ? row.high : row.low;
         case ParameterKind::Choice:
-            return std::string(std::get<std::string>(current) == row.choices.back() ? row.choices.front() : row.choices.back());
+            return std::string(current == ParameterValue(std::string(row.choices.back())) ? row.choices.front()
+                                                                                          : row.choices.back());
         case ParameterKind::Text:
             return std::string("OTHER");
     }
@@ -133,6 +133,52 @@ TEST(Parameters, KeyedRowsKeepOddNamesAndVanishWhenAutomatic) {
     EXPECT_EQ(scenario, Scenario());
 }
 
+TEST(Parameters, PairsOfMaterialsAreKeyedInEitherOrder) {
+    Scenario scenario;
+    setParameterText(scenario, "pair[soil, stone].friction", "0.4");
+    EXPECT_EQ(scenario.effects.pairs.of(Material::Stone, Material::Soil).friction, 0.4);
+    EXPECT_EQ(valueText(parameterValue(scenario, "pair[stone,soil].friction")), "0.4");
+    EXPECT_EQ(findParameter("pair[water_bed,steel].restitution").second, "steel,water_bed");
+    const Parameter& row = *findParameter("pair[stone,soil].friction").first;
+    EXPECT_EQ(row.subjectsIn(scenario), std::vector<std::string>{"stone,soil"});
+    EXPECT_EQ(row.keyFor("stone,soil"), "pair[stone,soil].friction");
+    setParameterText(scenario, "pair[stone,soil].friction", "auto");
+    EXPECT_EQ(scenario, Scenario());
+}
+
+TEST(Parameters, UnknownMaterialsNameTheNearest) {
+    Scenario scenario;
+    try {
+        setParameterText(scenario, "pair[stone,siol].friction", "0.5");
+        FAIL();
+    } catch (const UsageError& error) {
+        EXPECT_NE(std::string(error.what()).find("siol"), std::string::npos) << error.what();
+        EXPECT_NE(englishText(error.remedy()).find("\"soil\""), std::string::npos) << englishText(error.remedy());
+    }
+    // Bodies are never of soil: such a number would do nothing.
+    for (const char* key :
+         {"pair[soil,water_bed].friction", "pair[stone].friction", "pair[,].friction", "pair[stone,soil,steel].friction"}) {
+        EXPECT_THROW(setParameterText(scenario, key, "0.5"), UsageError) << key;
+    }
+    EXPECT_THROW(setParameterText(scenario, "component[a].material", "soil"), UsageError);
+    EXPECT_EQ(scenario, Scenario());
+}
+
+TEST(Parameters, EffectsAreOffOnOrAutoAndUnderstandSwitches) {
+    Scenario scenario;
+    for (std::size_t i = 0; i < effectCount; ++i) {
+        const auto kind = static_cast<EffectKind>(i);
+        const std::string key(effectName(kind));
+        for (const auto& [text, state] :
+             {std::pair("true", EffectSwitch::On), std::pair("off", EffectSwitch::Off), std::pair("on", EffectSwitch::On),
+              std::pair("no", EffectSwitch::Off), std::pair("auto", EffectSwitch::Auto)}) {
+            setParameterText(scenario, key, text);
+            EXPECT_EQ(scenario.effects.of(kind), state) << key << "=" << text;
+        }
+    }
+    EXPECT_EQ(scenario, Scenario());
+}
+
 TEST(Parameters, PaperPresetIsThePublishedMethod) {
     Scenario scenario;
     scenario.simulation.friction = 0.77;
@@ -144,6 +190,13 @@ TEST(Parameters, PaperPresetIsThePublishedMethod) {
     EXPECT_EQ(scenario.simulation.pieces, PieceKind::ComponentBox);
     EXPECT_FALSE(scenario.simulation.freeze);
     EXPECT_EQ(scenario.simulation.friction, 0.77);
+    EXPECT_EQ(scenario.simulation.solver, SolverKind::Bullet);
+    EXPECT_EQ(scenario.effects.islands, LiveIslandPolicy::Held);
+    for (const EffectKind kind :
+         {EffectKind::Terrain, EffectKind::Water, EffectKind::AirDrag, EffectKind::Ties, EffectKind::BreakUp}) {
+        EXPECT_EQ(scenario.effects.of(kind), EffectSwitch::Off) << effectName(kind);
+    }
+    EXPECT_EQ(scenario.effects.of(EffectKind::FragmentContact), EffectSwitch::Auto);
     setParameterText(scenario, "preset", "reference");
     EXPECT_TRUE(scenario.grid.oneBodyPerFragment);
     EXPECT_TRUE(scenario.simulation.freeze);

@@ -52,6 +52,7 @@ private:
     std::shared_ptr<FragmentSet> readFragments(std::size_t components) const;
     std::shared_ptr<Clustering> readClustering(const nlohmann::json& text, std::size_t fragments) const;
     void takeNewFrames();
+    void takeNewBodies() const;
     std::shared_ptr<const TrajectoryFrame> readFrame(const FrameRow& row) const;
     bool takeIfIntact(std::size_t index, const FrameRow& row);
 
@@ -169,24 +170,32 @@ std::shared_ptr<const TrajectoryFrame> RunFileReader::frame(std::size_t i) const
     return frame;
 }
 
+void RunFileReader::takeNewBodies() const {
+    const std::vector<BodyRecord> bodies = m_columns.table<BodyRecord>(RunDataset::Bodies, m_bodies.size());
+    const std::vector<Carrier> carriers = m_columns.table<Carrier>(RunDataset::Carriers, m_carriers.size());
+    const std::size_t bodyCount = m_columns.rows(RunDataset::Bodies);
+    const std::size_t fragmentCount = m_columns.rows(RunDataset::Fragments);
+    for (const Carrier& carrier : carriers) {
+        if (at(carrier.fragment) >= fragmentCount || at(carrier.body) >= bodyCount) {
+            m_columns.failContent(RunDataset::Carriers, "it names a fragment or a body that does not exist");
+        }
+    }
+    m_bodies.insert(m_bodies.end(), bodies.begin(), bodies.end());
+    m_carriers.insert(m_carriers.end(), carriers.begin(), carriers.end());
+    if (!carriers.empty()) {
+        endReplaced(m_bodies, m_carriers);
+    }
+}
+
 std::vector<BodyRecord> RunFileReader::bodies() const {
     const std::scoped_lock lock(m_mutex);
-    const std::vector<BodyRecord> fresh = m_columns.table<BodyRecord>(RunDataset::Bodies, m_bodies.size());
-    m_bodies.insert(m_bodies.end(), fresh.begin(), fresh.end());
+    takeNewBodies();
     return m_bodies;
 }
 
 std::vector<Carrier> RunFileReader::carriers() const {
     const std::scoped_lock lock(m_mutex);
-    const std::vector<Carrier> fresh = m_columns.table<Carrier>(RunDataset::Carriers, m_carriers.size());
-    const std::size_t bodyCount = m_columns.rows(RunDataset::Bodies);
-    const std::size_t fragmentCount = m_columns.rows(RunDataset::Fragments);
-    for (const Carrier& carrier : fresh) {
-        if (at(carrier.fragment) >= fragmentCount || at(carrier.body) >= bodyCount) {
-            m_columns.failContent(RunDataset::Carriers, "it names a fragment or a body that does not exist");
-        }
-    }
-    m_carriers.insert(m_carriers.end(), fresh.begin(), fresh.end());
+    takeNewBodies();
     return m_carriers;
 }
 

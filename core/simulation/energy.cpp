@@ -6,20 +6,25 @@ namespace rubble {
 
 void EnergyAccount::entered(const Momenta& body, double height) {
     m_balance.kineticIn += body.kineticEnergy;
-    m_potentialIn += body.mass * m_gravity * (height - m_ground);
+    m_potentialIn += body.mass * m_gravity * height;
 }
 
 void EnergyAccount::leaving(const Momenta& body, double height) {
     m_kineticOut += body.kineticEnergy;
-    m_potentialIn -= body.mass * m_gravity * (height - m_ground);
+    m_potentialIn -= body.mass * m_gravity * height;
 }
 
-void EnergyAccount::update(double kinetic, double massHeight, const ContactReport& contacts) {
-    m_potential = m_gravity * massHeight;
+void EnergyAccount::replaced(double kineticLost, double massHeightLost) {
+    m_kineticOut += kineticLost;
+    m_potentialIn -= m_gravity * massHeightLost;
+}
+
+void EnergyAccount::update(double kinetic, double massHeight, const ContactReport& contacts, double effectWork) {
     m_balance.kineticNow = kinetic;
-    m_balance.gravityWork = m_potentialIn - m_potential;
-    m_balance.dissipated = m_balance.kineticIn - m_kineticOut + m_balance.gravityWork + contacts.overlapWork + contacts.pieceWork -
-                           m_balance.kineticNow;
+    m_balance.gravityWork = m_potentialIn - m_gravity * massHeight;
+    m_balance.effectWork = effectWork;
+    m_balance.dissipated = m_balance.kineticIn - m_kineticOut + m_balance.gravityWork + contacts.overlapWork + contacts.pieceWork +
+                           effectWork - m_balance.kineticNow;
     m_dissipatedMost = std::max(m_dissipatedMost, m_balance.dissipated);
     const double gain = m_dissipatedMost - m_balance.dissipated;
     // Early on next to no work is done and rounding would be all of the ratio.

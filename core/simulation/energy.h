@@ -5,28 +5,29 @@
 
 namespace rubble {
 
-/// Keeps the account of energy over all bodies: what gravity, births, overlap and pieces put in, what is there, what contacts took.
-/// A gain is any fall of what was dissipated below what it has been already.
+/// Keeps the account of energy over all bodies: what gravity, births, overlap, pieces and effects put in, what is there, what
+/// contacts took. A gain is any fall of what was dissipated below what it has been already.
 class EnergyAccount {
 public:
-    EnergyAccount(double gravity, double groundHeight) : m_gravity(gravity), m_ground(groundHeight) {}
+    explicit EnergyAccount(double gravity) : m_gravity(gravity) {}
 
-    /// A body has entered.
+    /// A body has entered at a height above zero [m].
     void entered(const Momenta& body, double height);
     /// A body is about to leave.
     void leaving(const Momenta& body, double height);
-    /// Takes stock: total kinetic energy [J] and the sum of mass times height above ground [kg m] of the bodies present.
-    void update(double kinetic, double massHeight, const ContactReport& contacts);
+    /// Others have taken the place of a body: nothing comes in or goes out but the kinetic energy [J] and the mass times height [kg
+    /// m] that they lack.
+    void replaced(double kineticLost, double massHeightLost);
+    /// Takes stock: total kinetic energy [J] and the sum of mass times height above zero [kg m] of the bodies present.
+    /// @param effectWork  J, done on bodies by water, drag and ties so far
+    void update(double kinetic, double massHeight, const ContactReport& contacts, double effectWork);
 
     EnergyBalance balance() const { return m_balance; }
-    double potential() const { return m_potential; }
 
 private:
     double m_gravity;
-    double m_ground;
     double m_potentialIn = 0.0;
     double m_kineticOut = 0.0;
-    double m_potential = 0.0;
     double m_dissipatedMost = 0.0;
     EnergyBalance m_balance;
 };

@@ -23,6 +23,7 @@ Outcomes::Outcomes(const RunDescription& description, double gravity) : m_descri
         // What never becomes a body stays where it was.
         m_fragments.push_back({f.centre, f.velocity.norm(), f.centre, 0.0});
     }
+    m_carried.resize(m_fragments.size(), false);
 }
 
 Vec3 Outcomes::placeOf(const Carrier& carrier, const Pose& body) const {
@@ -38,13 +39,25 @@ void Outcomes::entered(const HandOver& handOver, const RigidWorld& world) {
         body.birthHeight = body.latest.pose.position.z();
         body.firstCarrier = static_cast<std::uint32_t>(m_carriers.size());
         while (next < handOver.carriers.size() && handOver.carriers[next].body == record.body) {
-            const Carrier& carrier = handOver.carriers[next++];
-            m_pending.push_back(
-                {m_description.fragments->list[at(carrier.fragment)].birthTime, static_cast<std::uint32_t>(m_carriers.size())});
-            m_carriers.push_back(carrier);
+            carry(handOver.carriers[next++]);
         }
         body.carriers = static_cast<std::uint32_t>(m_carriers.size()) - body.firstCarrier;
         m_bodies.push_back(body);
+    }
+}
+
+void Outcomes::carry(const Carrier& carrier) {
+    const auto index = static_cast<std::uint32_t>(m_carriers.size());
+    m_carriers.push_back(carrier);
+    if (!m_carried[at(carrier.fragment)]) {
+        m_carried[at(carrier.fragment)] = true;
+        m_pending.push_back({m_description.fragments->list[at(carrier.fragment)].birthTime, index});
+        return;
+    }
+    for (Pending& pending : m_pending) {
+        if (m_carriers[pending.carrier].fragment == carrier.fragment) {
+            pending.carrier = index;
+        }
     }
 }
 
@@ -90,6 +103,7 @@ void Outcomes::stepped(const RigidWorld& world, double time, double dt) {
 }
 
 void Outcomes::finish(const RigidWorld& world) {
+    std::vector<double> hardest(m_fragments.size(), 0.0);
     for (std::size_t i = 0; i < m_bodies.size(); ++i) {
         Body& body = m_bodies[i];
         if (world.state(idAt<BodyId>(i)) != BodyState::Removed) {
@@ -98,7 +112,9 @@ void Outcomes::finish(const RigidWorld& world) {
         for (std::uint32_t c = body.firstCarrier; c < body.firstCarrier + body.carriers; ++c) {
             FragmentOutcome& outcome = m_fragments[at(m_carriers[c].fragment)];
             outcome.finalPosition = placeOf(m_carriers[c], body.latest.pose);
-            if (body.hardest > 0.0) {
+            double& hit = hardest[at(m_carriers[c].fragment)];
+            if (body.hardest > hit) {
+                hit = body.hardest;
                 outcome.impactSpeed = velocityAt(body.before, placeOf(m_carriers[c], body.before.pose)).norm();
             }
         }

@@ -12,12 +12,15 @@ class Outcomes {
 public:
     Outcomes(const RunDescription& description, double gravity);
 
+    /// Bodies have entered, at a hand-over or in the place of one that broke up: then the fragments change over to them.
     void entered(const HandOver& handOver, const RigidWorld& world);
     /// Takes note of one step that ended at `time`.
     void stepped(const RigidWorld& world, double time, double dt);
     /// Settles the final places; bodies that left keep where they were last.
     void finish(const RigidWorld& world);
 
+    /// In the order in which they came; those whose body is still there carry what there is.
+    const std::vector<Carrier>& carriers() const { return m_carriers; }
     const std::vector<FragmentOutcome>& fragments() const { return m_fragments; }
     double maxSpeed() const { return m_maxSpeed; }
     /// J, of all bodies present after the latest step.
@@ -42,12 +45,15 @@ private:
         double time = 0.0;
         std::uint32_t carrier = 0;
     };
+    /// Notes a carrier; a fragment that is not born yet is born from its latest one.
+    void carry(const Carrier& carrier);
     Vec3 placeOf(const Carrier& carrier, const Pose& body) const;
 
     const RunDescription& m_description;
     double m_gravity;
     std::vector<FragmentOutcome> m_fragments;
     std::vector<Carrier> m_carriers;
+    std::vector<bool> m_carried;  ///< [fragments]
     std::vector<Body> m_bodies;
     std::vector<Pending> m_pending;  ///< fragments handed over and not yet born
     double m_maxSpeed = 0.0;

@@ -66,14 +66,17 @@ struct StepTimes {
     double worstMs = 0.0;
     double shareInTime = 0.0;     ///< share of steps from first to last birth that took less than the time they simulate
     double realTimeFactor = 0.0;  ///< simulated over wall time, first to last birth, recording included
+    double allMs = 0.0;           ///< mean over all steps, settling included: what the costs of the effects are shares of
+    double motionMs = 0.0;        ///< of these, what no effect took: motion, freezing, bookkeeping
 };
 
 struct EnergyBalance {
     double gravityWork = 0.0;  ///< J, potential energy lost so far by all bodies
     double kineticIn = 0.0;    ///< J, brought in at hand-overs
     double kineticNow = 0.0;   ///< J
+    double effectWork = 0.0;   ///< J, done by water, air drag and ties; negative where they took energy
     double dissipated = 0.0;   ///< J, lost in contacts; negative would be a gain
-    double drift = 0.0;        ///< largest gain so far beyond gravity, births, overlap and piece work, over gravity work; 0 if none
+    double drift = 0.0;        ///< largest gain so far beyond gravity, births, and the work of overlap, pieces and effects, over gravity work
 };
 
 /// The outcome of a simulation. Everything except the times is bit-identical from run to run.

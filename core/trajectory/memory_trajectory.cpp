@@ -79,12 +79,18 @@ std::shared_ptr<const TrajectoryFrame> MemoryTrajectory::frame(std::size_t i) co
 
 std::vector<BodyRecord> MemoryTrajectory::bodies() const {
     const std::scoped_lock lock(m_store->mutex);
-    return m_store->bodies;
+    std::vector<BodyRecord> bodies = m_store->bodies;
+    std::vector<Carrier> carriers = m_store->carriers;
+    endReplaced(bodies, carriers);
+    return bodies;
 }
 
 std::vector<Carrier> MemoryTrajectory::carriers() const {
     const std::scoped_lock lock(m_store->mutex);
-    return m_store->carriers;
+    std::vector<BodyRecord> bodies = m_store->bodies;
+    std::vector<Carrier> carriers = m_store->carriers;
+    endReplaced(bodies, carriers);
+    return carriers;
 }
 
 std::vector<IslandRecord> MemoryTrajectory::islands() const {

@@ -18,6 +18,27 @@ std::size_t TrajectoryReader::frameAt(double time) const {
     return low == 0 ? 0 : low - 1;
 }
 
+void endReplaced(std::vector<BodyRecord>& bodies, std::vector<Carrier>& carriers) {
+    constexpr std::size_t nobody = ~std::size_t{0};
+    std::vector<std::size_t> latest;               // carrier of each fragment
+    std::vector<std::size_t> left(bodies.size());  // fragments that a body still carries
+    for (std::size_t c = 0; c < carriers.size(); ++c) {
+        const std::size_t fragment = at(carriers[c].fragment);
+        latest.resize(std::max(latest.size(), fragment + 1), nobody);
+        if (at(carriers[c].body) < left.size()) {
+            ++left[at(carriers[c].body)];
+        }
+        if (latest[fragment] != nobody) {
+            Carrier& before = carriers[latest[fragment]];
+            before.to = std::min(before.to, carriers[c].from);
+            if (at(before.body) < left.size() && --left[at(before.body)] == 0) {
+                bodies[at(before.body)].to = std::min(bodies[at(before.body)].to, carriers[c].from);
+            }
+        }
+        latest[fragment] = c;
+    }
+}
+
 namespace {
 
 // How far an instant lies on the way from one time to a later one, [0, 1].

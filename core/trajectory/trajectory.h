@@ -47,7 +47,7 @@ struct IslandRecord {
     std::vector<ElementIndex> elements;  ///< ascending
 };
 
-/// A fragment is carried by a body over an interval of time. While carried, a point of the fragment that lay at p (world) at
+/// A fragment is carried by a body over an interval of time; the next carrier of a fragment ends the one before. While carried, a point of the fragment that lay at p (world) at
 /// hand-over lies at body pose * handOverToBody * p.
 struct Carrier {
     FragmentId fragment{};
@@ -131,6 +131,11 @@ public:
     /// Index of the last frame at or before a time; 0 if there is none.
     std::size_t frameAt(double time) const;
 };
+
+/// Ends each carrier where the next one of its fragment begins, and with its last carrier a body whose fragments have all changed over
+/// to others (it broke up). Readers do this, since a sink only ever adds.
+/// @param carriers  in the order in which they were added
+void endReplaced(std::vector<BodyRecord>& bodies, std::vector<Carrier>& carriers);
 
 /// Position and orientation of all bodies at any time: the frame at that time, or linear (position) and spherical (orientation)
 /// interpolation between its two neighbours, marked Interpolated. Bodies that enter between the two come straight from their birth

@@ -1,0 +1,30 @@
+#include "core/simulation/effects/structure_contact.h"
+
+#include "core/simulation/effects/stopwatch.h"
+
+namespace rubble {
+
+namespace {
+
+SimulationSettings pieceSettings(const RunDescription& description, bool on) {
+    SimulationSettings settings = description.scenario.simulation;
+    settings.pieces = on ? settings.pieces : PieceKind::None;
+    return settings;
+}
+
+}  // namespace
+
+StructureContact::StructureContact(const RunDescription& description, const Activity& activity, bool on)
+    : m_pieces(*description.fe, *description.components, activity, pieceSettings(description, on)) {}
+
+void StructureContact::beginInterval(RigidWorld& world, std::size_t k) {
+    const Stopwatch watch(m_seconds);
+    m_pieces.beginInterval(world, k);
+}
+
+void StructureContact::moveTo(RigidWorld& world, double share) {
+    const Stopwatch watch(m_seconds);
+    m_pieces.moveTo(world, share);
+}
+
+}  // namespace rubble

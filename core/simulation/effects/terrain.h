@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+
+#include "core/fe/terrain_grid.h"
+#include "core/scenario/scenario.h"
+#include "core/simulation/rigid_world.h"
+
+namespace rubble {
+
+/// Ground of given heights: everything below the surface z = f(x, y) of the grid is solid and immovable, of the ground's material,
+/// level beyond its edges (terrain_grid.h). Contact as with the level ground, along the normal of the triangle below each point.
+///
+/// Limits: one height for each place, so no overhangs; what is finer than its cells is not there; rigid, nothing digs in.
+/// @param terrain  not null
+void setUpTerrain(std::shared_ptr<const TerrainGrid> terrain, const Scenario& scenario, WorldSettings& world);
+
+}  // namespace rubble

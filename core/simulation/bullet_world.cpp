@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/simulation/constants.h"
+#include "core/simulation/soft_step_world.h"
 
 namespace rubble {
 
@@ -52,9 +53,9 @@ BulletWorld::~BulletWorld() {
     }
 }
 
-void BulletWorld::begin(std::unique_ptr<btDiscreteDynamicsWorld> world) {
+void BulletWorld::begin(std::unique_ptr<btDiscreteDynamicsWorld> world, bool groundObject) {
     m_world = std::move(world);
-    if (m_settings.ground) {
+    if (m_settings.ground && groundObject) {
         addGround();
     }
 }
@@ -126,6 +127,7 @@ PieceId BulletWorld::addPiece(const CollisionShape& shape, const Pose& pose, Mat
     collider.object->setCollisionFlags(collider.object->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
     collider.object->setActivationState(DISABLE_DEACTIVATION);
     insert(collider, pieceGroup, bodyGroup);
+    pieceEntered(collider);
     m_presentPieces.push_back(collider.index);
     return static_cast<PieceId>(collider.index);
 }
@@ -154,8 +156,8 @@ void BulletWorld::takeOut() {
     bool pieces = false;
     for (Collider* collider : m_leaving) {
         m_world->removeRigidBody(collider->object.get());
+        left(*collider);
         if (collider->kind == ColliderKind::Body) {
-            left(*collider);
         } else {
             pieces = true;
             collider->object.reset();
@@ -256,10 +258,46 @@ public:
 private:
     void entered(Collider& body) override { m_fragments->addBody(&body); }
     void aboutToLeave() override { m_fragments->thawNeighboursOfLeaving(); }
-    void left(Collider& body) override { m_fragments->forget(body.index); }
+    void left(Collider& collider) override {
+        if (collider.kind == ColliderKind::Body) {
+            m_fragments->forget(collider.index);
+        }
+    }
 
     FragmentSolver m_solver;
     FragmentWorld* m_fragments = nullptr;
+};
+
+/// Soft contacts in small substeps.
+class SoftWorld : public BulletWorld {
+public:
+    explicit SoftWorld(const WorldSettings& settings) : BulletWorld(settings) {
+        auto world = std::make_unique<SoftStepWorld>(dispatcher(), broadphase(), &m_solver, configuration(), settings, m_costs);
+        m_soft = world.get();
+        begin(std::move(world), false);
+    }
+    BodyState state(BodyId body) const override {
+        if (removed(body)) {
+            return BodyState::Removed;
+        }
+        return m_soft->freezeClock().resting(at(body)) ? BodyState::Frozen : BodyState::Awake;
+    }
+    const ContactReport& contacts() const override { return m_soft->report(); }
+    void onSubstep(SubstepHook hook) override { m_soft->onSubstep(std::move(hook)); }
+    void wake(BodyId body) override {
+        if (!removed(body) && m_soft->freezeClock().frozen(at(body))) {
+            m_soft->thaw(bodyAt(body));
+        }
+    }
+
+private:
+    void entered(Collider& body) override { m_soft->addBody(&body); }
+    void pieceEntered(Collider& piece) override { m_soft->addPiece(&piece); }
+    void aboutToLeave() override { m_soft->thawNeighboursOfLeaving(); }
+    void left(Collider& collider) override { m_soft->forget(collider); }
+
+    btSequentialImpulseConstraintSolver m_solver;
+    SoftStepWorld* m_soft = nullptr;
 };
 
 /// Bullet as it comes.
@@ -284,7 +322,10 @@ private:
 
 }  // namespace
 
-std::unique_ptr<RigidWorld> makeWorld(SolverKind, const WorldSettings& settings) {
+std::unique_ptr<RigidWorld> makeWorld(SolverKind solver, const WorldSettings& settings) {
+    if (solver == SolverKind::SoftStep) {
+        return std::make_unique<SoftWorld>(settings);
+    }
     return std::make_unique<FreezingWorld>(settings);
 }
 

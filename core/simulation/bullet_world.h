@@ -36,7 +36,8 @@ public:
 protected:
     explicit BulletWorld(const WorldSettings& settings);
     /// Takes over the Bullet world and puts the ground in.
-    void begin(std::unique_ptr<btDiscreteDynamicsWorld> world);
+    /// @param groundObject  put the ground in as an object; a world with a ground of its own leaves it out
+    void begin(std::unique_ptr<btDiscreteDynamicsWorld> world, bool groundObject = true);
     Collider& bodyAt(BodyId body) { return *m_bodies[at(body)]; }
     bool removed(BodyId body) const { return m_bodies[at(body)]->leaving; }
     btDispatcher* dispatcher() { return &m_dispatcher; }
@@ -45,6 +46,7 @@ protected:
 
     /// A body has entered the Bullet world.
     virtual void entered(Collider&) {}
+    virtual void pieceEntered(Collider&) {}
     /// Marked objects are about to leave the Bullet world.
     virtual void aboutToLeave() {}
     virtual void left(Collider&) {}
@@ -67,7 +69,7 @@ private:
     std::vector<std::unique_ptr<Collider>> m_pieces;
     std::vector<std::uint32_t> m_presentPieces;
     std::vector<Collider*> m_leaving;
-    std::uint32_t m_nextNumber = 0;
+    std::uint32_t m_nextNumber = 1;  ///< 0 is the ground's
 };
 
 }  // namespace rubble

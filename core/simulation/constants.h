@@ -30,6 +30,14 @@ constexpr double carryingNormal = 0.5;
 constexpr double inertGap = 0.02;
 /// m. A piece of which no corner moves further than this in one FE interval stands still (files round coordinates to 1 mm).
 constexpr double pieceStillTravel = 0.002;
+/// m. Contacts are found this much before solids touch, plus the way they make in a step. Lower: contacts flicker; higher: slower.
+constexpr double contactMargin = 0.01;
+/// m/s. Soft contacts push overlap apart at most this fast. Lower: piles squeeze; higher: they burst.
+constexpr double pushOutSpeed = 1.0;
+/// m/s. Hits slower than this do not bounce. Lower: piles tremble; higher: small bounces are lost.
+constexpr double restitutionThreshold = 0.5;
+/// Hz. Stiffness of a soft contact as an oscillator, at most; a quarter of the substep rate if that is less.
+constexpr double contactFrequency = 30.0;
 /// m. Half the thickness of the ground box: more than any body is deep.
 constexpr double groundHalfThickness = 50.0;
 /// m. The ground reaches this far beyond the structure, or ten times its size, whichever is more.

@@ -28,6 +28,7 @@ public:
     void addDependant(std::size_t thawed, std::uint32_t dependant) { m_bodies[thawed].dependants.push_back(dependant); }
     /// The dependants of a thawed body that has moved by more than the tolerance since; they are forgotten here.
     std::vector<std::uint32_t> takeDependants(std::size_t body, const Vec3& position);
+    void sortDependants(std::size_t body);
     /// True while a thawed body may still have to thaw others.
     bool watched(std::size_t body) const { return !m_bodies[body].dependants.empty(); }
 

@@ -1,0 +1,69 @@
+#include "core/simulation/soft_contact.h"
+
+#include <algorithm>
+
+namespace rubble {
+
+namespace {
+
+/// m. A point without its feature takes the impulse of one this near.
+constexpr double nearPoint = 0.05;
+
+void take(const SoftContact::Point& from, const SoftContact& to, SoftContact::Point& point) {
+    point.impulse = from.impulse;
+    point.friction = from.friction - from.friction.dot(to.normal) * to.normal;
+}
+
+}  // namespace
+
+void sortContacts(std::vector<SoftContact>& contacts) {
+    std::vector<std::uint32_t> order(contacts.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+        order[i] = i;
+    }
+    std::sort(order.begin(), order.end(), [&](std::uint32_t x, std::uint32_t y) { return contacts[x].key() < contacts[y].key(); });
+    std::vector<SoftContact> sorted;
+    sorted.reserve(contacts.size());
+    for (const std::uint32_t i : order) {
+        sorted.push_back(contacts[i]);
+    }
+    contacts.swap(sorted);
+}
+
+void carryOver(const SoftContact& from, SoftContact& to) {
+    to.offset = std::clamp(to.depth, 0.0, from.offset);
+    to.pressed = from.pressed;
+    to.pushes = from.pushes;
+    to.yielded = from.yielded;
+    std::array<bool, 4> fromDone{}, toDone{};
+    for (int i = 0; i < to.count; ++i) {
+        for (int j = 0; j < from.count; ++j) {
+            const auto ti = static_cast<std::size_t>(i), fj = static_cast<std::size_t>(j);
+            if (!fromDone[fj] && from.points[fj].feature == to.points[ti].feature) {
+                take(from.points[fj], to, to.points[ti]);
+                fromDone[fj] = toDone[ti] = true;
+                break;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(to.count); ++i) {
+        if (toDone[i]) {
+            continue;
+        }
+        double nearest = nearPoint * nearPoint;
+        std::size_t best = 4;
+        for (std::size_t j = 0; j < static_cast<std::size_t>(from.count); ++j) {
+            const double distance = (from.points[j].position - to.points[i].position).squaredNorm();
+            if (!fromDone[j] && distance < nearest) {
+                nearest = distance;
+                best = j;
+            }
+        }
+        if (best < 4) {
+            take(from.points[best], to, to.points[i]);
+            fromDone[best] = true;
+        }
+    }
+}
+
+}  // namespace rubble

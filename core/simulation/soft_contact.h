@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/simulation/birth_overlap.h"
+#include "core/simulation/collider.h"
+#include "core/simulation/contact_patch.h"
+
+namespace rubble {
+
+/// A contact between parts of two colliders and what it carries from step to step.
+struct SoftContact {
+    struct Point {
+        Vec3 position = Vec3::Zero();
+        double separation = 0.0;
+        std::uint32_t feature = 0;
+        double impulse = 0.0;          ///< N s in a substep, along the normal
+        Vec3 friction = Vec3::Zero();  ///< N s in a substep, on b
+    };
+    ColliderPair pair = 0;
+    std::uint32_t part = 0;  ///< which parts of the two shapes, and which patch of theirs
+    Collider* a = nullptr;   ///< entered first
+    Collider* b = nullptr;
+    Vec3 normal = Vec3::UnitZ();  ///< from a to b
+    int count = 0;
+    std::array<Point, 4> points;
+    double depth = 0.0;     ///< m, of the deepest point
+    double offset = 0.0;    ///< m, rest offset: overlap at birth that is left, or what a piece that gave way has entered
+    double approach = 0.0;  ///< m/s, of a moving piece towards its body
+    double pressed = 0.0;   ///< m/s, by which a pressing piece has changed its body's speed
+    int pushes = 0;         ///< of a carrying piece in vain, in a row
+    bool yielded = false;   ///< the piece of this contact has given way
+    bool yielding = false;  ///< and goes on into the body now
+    bool pressing = false;  ///< it strikes from above or from the side
+
+    std::pair<ColliderPair, std::uint32_t> key() const { return {pair, part}; }
+};
+
+/// Puts contacts into their order: by pair, then part.
+void sortContacts(std::vector<SoftContact>& contacts);
+
+/// Hands on what a contact carries to the one found in its place a step later. Points are matched by feature, then by nearness.
+void carryOver(const SoftContact& from, SoftContact& to);
+
+}  // namespace rubble

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/simulation/worker_pool.h"
+
+namespace rubble {
+
+/// What of a body changes while contacts are solved. Immovable ones have zero inverse mass and inertia.
+struct SolverBody {
+    Vec3 velocity = Vec3::Zero();        ///< m/s
+    Vec3 spin = Vec3::Zero();            ///< rad/s, world axes
+    Vec3 moved = Vec3::Zero();           ///< m, since the start of the step
+    Vec3 turned = Vec3::Zero();          ///< rad, since the start of the step
+    double inverseMass = 0.0;            ///< 1/kg
+    Mat3 inverseInertia = Mat3::Zero();  ///< 1/(kg m2), world axes
+    bool active = false;                 ///< a contact acts on it in this substep
+};
+
+/// One contact point prepared for the solver.
+struct SolverPoint {
+    Vec3 fromA, fromB;           ///< m, from the centres of mass, at the start of the step
+    double separation = 0.0;     ///< m, at the start of the step, rest offset taken off
+    double normalMass = 0.0;     ///< kg
+    double normalImpulse = 0.0;  ///< N s in a substep, carried from step to step
+    double tangentMass[2] = {0.0, 0.0};
+    double tangentImpulse[2] = {0.0, 0.0};
+    double approachSpeed = 0.0;   ///< m/s at the start of the step, positive when closing
+    double largestImpulse = 0.0;  ///< N s, of any substep
+    double opening = 0.0;         ///< m/s, while the bodies moved in this substep
+    double impulseSum = 0.0;      ///< N s along the normal, over the substeps
+};
+
+/// Contact of two bodies: points with one normal.
+struct SolverContact {
+    std::uint32_t a = 0, b = 0;  ///< bodies
+    std::uint32_t firstPoint = 0;
+    std::uint32_t points = 0;
+    Vec3 normal = Vec3::UnitZ();  ///< from a to b
+    Vec3 tangent[2];              ///< orthogonal to it
+    double friction = 0.0;
+    double restitution = 0.0;
+    double biasRate = 0.0;      ///< 1/s, of the soft pass
+    double massScale = 1.0;     ///< of the soft pass
+    double impulseScale = 0.0;  ///< of the soft pass
+    double impulseLimit = 0.0;  ///< N s per point and substep; negative: none
+    double work = 0.0;          ///< J, in this step: of pushing the bodies apart, or of a moving piece
+    std::uint32_t found = 0;    ///< where the contact came from
+    bool booked = false;        ///< account for the work of pushing apart
+    bool driven = false;        ///< account for the work of the immovable one of the two
+};
+
+/// Stiffness of a soft contact as rates for one substep (Catto 2024, Solver2D).
+/// @param frequency     Hz, of the contact as an oscillator
+/// @param h             s, substep
+void setSoftness(SolverContact& contact, double frequency, double h);
+
+/// Contacts in groups within which no movable body occurs twice: the contacts of a group can be solved in any order, on any
+/// number of threads, to the same bits. The last group may repeat bodies and is solved in order.
+struct ContactColours {
+    std::vector<std::uint32_t> order;  ///< contacts by group
+    std::vector<std::uint32_t> first;  ///< [groups + 1] into order
+    bool lastInOrder = false;          ///< the last group must be solved one by one
+};
+/// @param bodies  number of bodies; only those below `movable` count
+/// Contacts are taken in the order given.
+void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> ends, std::size_t movable, ContactColours& colours);
+
+/// Soft contacts solved by small substeps: one warm-started soft pass that pushes overlap apart, then, after the bodies moved, one
+/// relax pass without the push. Macklin et al. 2019, Small steps in physics simulation; Catto 2024, Solver2D.
+/// Contacts lie in the order of the colours.
+class SoftSolver {
+public:
+    explicit SoftSolver(WorkerPool& pool) : m_pool(pool) {}
+
+    std::vector<SolverBody> bodies;
+    std::vector<SolverContact> contacts;
+    std::vector<SolverPoint> points;
+    std::vector<std::uint32_t> firstOfGroup;  ///< [groups + 1]
+    bool lastInOrder = false;
+
+    /// Masses of the points and speeds of approach.
+    void prepare();
+    /// Applies the impulses of the substep before and solves once, pushing overlap apart.
+    void solveSoft(double h, double pushOutSpeed);
+    /// Notes the velocities that are about to move the bodies, for the work of contacts that are accounted for.
+    void noteOpening();
+    /// Solves once without the push.
+    void relax(double h);
+    /// Books the work of this substep.
+    void book();
+    /// Gives back the speed of approach of every hit above `threshold` [m/s].
+    void restitute(double threshold);
+
+private:
+    template <class Work>
+    void forEachContact(Work work);
+
+    WorkerPool& m_pool;
+};
+
+}  // namespace rubble

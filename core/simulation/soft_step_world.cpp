@@ -1,0 +1,398 @@
+#include "core/simulation/soft_step_world.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/simulation/constants.h"
+
+namespace rubble {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point from) {
+    return std::chrono::duration<double>(Clock::now() - from).count();
+}
+
+Quat turnedBy(const Quat& q, const Vec3& spin, double time) {
+    const Vec3 half = 0.5 * time * spin;
+    const Quat turn = Quat(1.0, half.x(), half.y(), half.z()) * q;
+    return turn.normalized();
+}
+
+/// Turns by the spin with the angular momentum kept: a quarter turn with the present spin gives the axes at which the mean spin is
+/// taken (midpoint rule about a conserved momentum).
+void turn(Quat& orientation, Vec3& spin, const Vec3& inertia, double h, Vec3& turned) {
+    if (spin.squaredNorm() == 0.0) {
+        return;
+    }
+    const Mat3 axes = orientation.toRotationMatrix();
+    const Vec3 momentum = axes * inertia.cwiseProduct(axes.transpose() * spin);
+    const auto spinAt = [&](const Quat& q) {
+        const Mat3 r = q.toRotationMatrix();
+        return Vec3(r * (r.transpose() * momentum).cwiseQuotient(inertia));
+    };
+    const Vec3 middle = spinAt(turnedBy(orientation, spin, 0.5 * h));
+    orientation = turnedBy(orientation, middle, h);
+    turned += h * middle;
+    spin = spinAt(orientation);
+}
+
+}  // namespace
+
+SoftStepWorld::SoftStepWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, btConstraintSolver* solver,
+                             btCollisionConfiguration* configuration, const WorldSettings& settings, StepCosts& costs)
+    : btDiscreteDynamicsWorld(dispatcher, broadphase, solver, configuration),
+      m_settings(settings),
+      m_costs(costs),
+      m_pool(std::max(1, settings.threads)),
+      m_surface{settings.ground, settings.groundHeight, settings.terrain},
+      m_freeze(settings.freezeSpeed, settings.freezeDelay),
+      m_solver(m_pool) {
+    m_ground.kind = ColliderKind::Ground;
+    m_ground.number = 0;
+    m_ground.newborn = false;
+    m_ground.material = settings.groundMaterial;
+    m_ground.pairs = &m_settings.pairs;
+}
+
+void SoftStepWorld::addBody(Collider* body) {
+    Solid solid;
+    solid.collider = body;
+    solid.pose = fromBullet(body->object->getWorldTransform());
+    solid.velocity = fromBullet(body->object->getLinearVelocity());
+    solid.spin = fromBullet(body->object->getAngularVelocity());
+    solid.inertia = fromBullet(body->object->getInvInertiaDiagLocal()).cwiseInverse();
+    solid.inverseMass = body->object->getInvMass();
+    solid.hull = std::any_of(body->parts.begin(), body->parts.end(), [](const ConvexPart& p) { return !p.points.empty(); });
+    m_bodies.push_back(std::move(solid));
+    m_freeze.addBody();
+}
+
+void SoftStepWorld::addPiece(Collider* piece) {
+    Solid solid;
+    solid.collider = piece;
+    solid.pose = fromBullet(piece->object->getWorldTransform());
+    solid.hull = std::any_of(piece->parts.begin(), piece->parts.end(), [](const ConvexPart& p) { return !p.points.empty(); });
+    m_pieces.push_back(std::move(solid));
+}
+
+void SoftStepWorld::forget(Collider& collider) {
+    Solid& solid = solidOf(collider);
+    solid.collider = nullptr;
+    solid.placed.clear();
+    solid.hulls.clear();
+    const auto gone = [&](const SoftContact& c) { return c.a == &collider || c.b == &collider; };
+    std::erase_if(m_contacts, gone);
+    std::erase_if(m_asleep, [&](const auto& entry) { return gone(entry.second.front()); });
+}
+
+void SoftStepWorld::internalSingleStepSimulation(btScalar dt) {
+    const auto from = Clock::now();
+    takeSlots(dt);
+    collideAll(dt);
+    substeps(dt);
+    takeResults();
+    writeBack(dt);
+    settle(dt);
+    const double rest = since(from);
+    m_costs.motion += rest;
+}
+
+void SoftStepWorld::takeSlots(double dt) {
+    m_awake.clear();
+    m_moving.clear();
+    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
+        Solid& body = m_bodies[i];
+        body.slot = -1;
+        if (body.collider != nullptr && !m_freeze.frozen(i)) {
+            body.slot = static_cast<std::int32_t>(m_awake.size());
+            m_awake.push_back(i);
+        }
+    }
+    for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
+        Solid& piece = m_pieces[i];
+        piece.slot = -1;
+        if (piece.collider == nullptr) {
+            continue;
+        }
+        piece.velocity = piece.spin = Vec3::Zero();
+        if (piece.collider->moving) {
+            const Pose end = fromBullet(piece.collider->object->getWorldTransform());
+            piece.velocity = (end.position - piece.pose.position) / dt;
+            const Quat q = end.orientation * piece.pose.orientation.conjugate();
+            piece.spin = (q.w() < 0.0 ? -2.0 : 2.0) / dt * q.vec();
+            piece.slot = static_cast<std::int32_t>(m_awake.size() + m_moving.size());
+            m_moving.push_back(i);
+        }
+    }
+    m_stillSlot = static_cast<std::uint32_t>(m_awake.size() + m_moving.size());
+    m_pool.loop(m_awake.size(), 64, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            Solid& body = m_bodies[m_awake[i]];
+            place(body);
+            sweep(body, dt);
+            body.active = false;
+            body.collider->penetration = 0.0;
+        }
+    });
+    for (Solid& piece : m_pieces) {
+        if (piece.collider != nullptr && (piece.collider->moving || piece.collider->newborn)) {
+            place(piece);
+            sweep(piece, dt);
+        }
+    }
+}
+
+void SoftStepWorld::place(Solid& solid) {
+    const CollisionShape& parts = solid.collider->parts;
+    solid.placed.resize(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        solid.placed[i].centre = solid.pose * parts[i].box.centre;
+        solid.placed[i].axes = (solid.pose.orientation * parts[i].box.orientation).toRotationMatrix();
+        solid.placed[i].halfExtents = parts[i].box.halfExtents;
+    }
+}
+
+void SoftStepWorld::sweep(Solid& solid, double dt) {
+    Aabb box;
+    for (const PlacedBox& part : solid.placed) {
+        const Vec3 reach = part.axes.cwiseAbs() * part.halfExtents;
+        box.extend(part.centre - reach);
+        box.extend(part.centre + reach);
+    }
+    const Vec3 travel = solid.velocity * dt;
+    const double slack = contactMargin + solid.spin.norm() * solid.collider->radius * dt + m_settings.gravity * dt * dt;
+    box.min() += travel.cwiseMin(0.0) - Vec3::Constant(slack);
+    box.max() += travel.cwiseMax(0.0) + Vec3::Constant(slack);
+    solid.swept = box;
+}
+
+double SoftStepWorld::marginOf(const Collider& a, const Collider& b, double dt) const {
+    const auto spinning = [&](const Collider& c) {
+        return c.kind == ColliderKind::Ground ? 0.0 : solidOf(c).spin.norm() * c.radius;
+    };
+    const Vec3 va = a.kind == ColliderKind::Ground ? Vec3(Vec3::Zero()) : solidOf(a).velocity;
+    const double speed = (solidOf(b).velocity - va).norm() + spinning(a) + spinning(b);
+    return contactMargin + speed * dt + m_settings.gravity * dt * dt;
+}
+
+void SoftStepWorld::substeps(double dt) {
+    const auto from = Clock::now();
+    const double h = dt / m_settings.substeps;
+    buildSolver(h);
+    m_solver.prepare();
+    double hook = 0.0;
+    double motion = 0.0;
+    for (int substep = 0; substep < m_settings.substeps; ++substep) {
+        const auto start = Clock::now();
+        runHook(h);
+        hook += m_hook ? since(start) : 0.0;
+        const auto moving = Clock::now();
+        for (std::size_t i = 0; i < m_awake.size(); ++i) {
+            m_solver.bodies[i].velocity.z() -= m_settings.gravity * h;
+            m_solver.bodies[i].active = false;
+        }
+        motion += since(moving);
+        m_solver.solveSoft(h, pushOutSpeed);
+        m_solver.noteOpening();
+        const auto moved = Clock::now();
+        moveBodies(h);
+        motion += since(moved);
+        m_solver.relax(h);
+        m_solver.book();
+    }
+    m_solver.restitute(restitutionThreshold);
+    m_costs.substepHook += hook;
+    m_costs.motion -= hook;
+    shareSolveTime(since(from) - hook - motion);
+}
+
+void SoftStepWorld::runHook(double h) {
+    if (!m_hook) {
+        return;
+    }
+    m_hooked.resize(m_awake.size());
+    m_slotOf.assign(m_bodies.size(), -1);
+    for (std::size_t i = 0; i < m_awake.size(); ++i) {
+        const Solid& solid = m_bodies[m_awake[i]];
+        const SolverBody& body = m_solver.bodies[i];
+        m_slotOf[m_awake[i]] = static_cast<std::int32_t>(i);
+        m_hooked[i] = {
+            idAt<BodyId>(m_awake[i]), solid.pose.position, solid.pose.orientation, body.velocity,       body.spin,
+            body.inverseMass,         solid.inertia,       body.inverseInertia,    solid.collider->box, solid.collider->volume};
+    }
+    m_hook({m_hooked, m_slotOf}, h);
+    for (std::size_t i = 0; i < m_awake.size(); ++i) {
+        m_solver.bodies[i].velocity = m_hooked[i].velocity;
+        m_solver.bodies[i].spin = m_hooked[i].spin;
+    }
+}
+
+void SoftStepWorld::moveBodies(double h) {
+    m_pool.loop(m_awake.size(), 128, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            SolverBody& body = m_solver.bodies[i];
+            Solid& solid = m_bodies[m_awake[i]];
+            Vec3 way = h * body.velocity;
+            if (!body.active) {
+                // Free flight moves with the mean of old and new velocity.
+                way.z() += 0.5 * m_settings.gravity * h * h;
+            }
+            solid.active = solid.active || body.active;
+            body.moved += way;
+            solid.pose.position += way;
+            turn(solid.pose.orientation, body.spin, solid.inertia, h, body.turned);
+        }
+    });
+    for (std::size_t i = 0; i < m_moving.size(); ++i) {
+        SolverBody& piece = m_solver.bodies[m_awake.size() + i];
+        piece.moved += h * piece.velocity;
+        piece.turned += h * piece.spin;
+    }
+}
+
+void SoftStepWorld::writeBack(double dt) {
+    for (std::size_t i = 0; i < m_awake.size(); ++i) {
+        Solid& solid = m_bodies[m_awake[i]];
+        solid.velocity = m_solver.bodies[i].velocity;
+        solid.spin = m_solver.bodies[i].spin;
+        keepAboveGround(solid, dt);
+        btRigidBody& object = *solid.collider->object;
+        object.setWorldTransform(toBullet(solid.pose));
+        object.setLinearVelocity(toBullet(solid.velocity));
+        object.setAngularVelocity(toBullet(solid.spin));
+    }
+    for (const std::uint32_t i : m_moving) {
+        m_pieces[i].pose = fromBullet(m_pieces[i].collider->object->getWorldTransform());
+    }
+}
+
+void SoftStepWorld::keepAboveGround(Solid& solid, double dt) {
+    Collider& collider = *solid.collider;
+    const double sunk = m_surface.depth(solid.pose.position);
+    collider.bornBelow = sunk > 0.0 && (collider.bornBelow || collider.newborn);
+    if (sunk <= 0.0) {
+        return;
+    }
+    // A centre below ground has been squeezed there; contact alone may not bring it back from under a pile.
+    const Vec3 before = solid.pose.position;
+    const Vec3 way = m_surface.above(before) - before;
+    const double most = separationSpeed * dt;
+    const double share = collider.bornBelow && way.norm() > most ? most / way.norm() : 1.0;
+    solid.pose.position += share * way;
+    m_report.overlapWork += m_settings.gravity * share * way.z() / solid.inverseMass;
+    const Vec3 normal = m_surface.normal(before.x(), before.y());
+    solid.velocity -= std::min(0.0, solid.velocity.dot(normal)) * normal;
+}
+
+void SoftStepWorld::settle(double dt) {
+    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
+        Solid& solid = m_bodies[i];
+        if (solid.collider == nullptr) {
+            continue;
+        }
+        Collider& body = *solid.collider;
+        if (awake(body)) {
+            const double speed = solid.velocity.norm() + solid.spin.norm() * body.radius;
+            if (body.overlapping) {
+                m_freeze.restart(i);
+            } else if (m_freeze.quiet(i, speed, dt) && solid.active && m_settings.freeze) {
+                freeze(body);
+            }
+            if (m_freeze.watched(i)) {
+                for (const std::uint32_t dependant : m_freeze.takeDependants(i, solid.pose.position)) {
+                    if (m_bodies[dependant].collider != nullptr && m_freeze.frozen(dependant)) {
+                        thaw(*m_bodies[dependant].collider);
+                    }
+                }
+            }
+        }
+        body.newborn = body.overlapping = false;
+    }
+    linkDependants();
+    // What no longer stirs keeps its contacts apart from those that are looked at in every step.
+    std::erase_if(m_contacts, [&](const SoftContact& c) {
+        if (stirs(*c.a) || stirs(*c.b)) {
+            return false;
+        }
+        m_asleep[c.pair].push_back(c);
+        return true;
+    });
+}
+
+void SoftStepWorld::freeze(Collider& body) {
+    m_freeze.freeze(body.index);
+    Solid& solid = m_bodies[body.index];
+    solid.velocity = solid.spin = Vec3::Zero();
+    body.object->setLinearVelocity(btVector3(0, 0, 0));
+    body.object->setAngularVelocity(btVector3(0, 0, 0));
+    place(solid);
+    sweep(solid, 0.0);
+    m_broadphasePairCache->setAabb(body.object->getBroadphaseHandle(), toBullet(solid.swept.min()), toBullet(solid.swept.max()),
+                                   m_dispatcher1);
+}
+
+void SoftStepWorld::thaw(Collider& body) {
+    m_freeze.thaw(body.index, m_bodies[body.index].pose.position);
+    body.justThawed = true;
+    m_justThawed.push_back(body.index);
+}
+
+void SoftStepWorld::linkDependants() {
+    if (m_justThawed.empty()) {
+        return;
+    }
+    const auto link = [&](const SoftContact& c) {
+        if (c.a->justThawed == c.b->justThawed || c.depth < -contactMargin) {
+            return;
+        }
+        const Collider& thawed = c.a->justThawed ? *c.a : *c.b;
+        const Collider& other = c.a->justThawed ? *c.b : *c.a;
+        if (other.kind == ColliderKind::Body && m_freeze.frozen(other.index)) {
+            m_freeze.addDependant(thawed.index, other.index);
+        }
+    };
+    for (const SoftContact& c : m_contacts) {
+        link(c);
+    }
+    // The order of a hash map must not reach the order in which bodies thaw, so dependants are taken in their own order.
+    for (const auto& [pair, contacts] : m_asleep) {
+        link(contacts.front());
+    }
+    for (const std::uint32_t body : m_justThawed) {
+        m_freeze.sortDependants(body);
+        m_bodies[body].collider->justThawed = false;
+    }
+    m_justThawed.clear();
+}
+
+void SoftStepWorld::thawNeighboursOfLeaving() {
+    std::vector<Collider*> sleepers;
+    const auto look = [&](const SoftContact& c) {
+        if (c.a->leaving == c.b->leaving || c.depth < -contactMargin) {
+            return;
+        }
+        Collider& left = c.a->leaving ? *c.b : *c.a;
+        if (left.kind == ColliderKind::Body && m_freeze.frozen(left.index)) {
+            sleepers.push_back(&left);
+        }
+    };
+    for (const SoftContact& c : m_contacts) {
+        look(c);
+    }
+    for (const auto& [pair, contacts] : m_asleep) {
+        look(contacts.front());
+    }
+    std::sort(sleepers.begin(), sleepers.end(), [](const Collider* x, const Collider* y) { return x->number < y->number; });
+    for (Collider* sleeper : sleepers) {
+        if (m_freeze.frozen(sleeper->index)) {
+            thaw(*sleeper);
+        }
+    }
+    linkDependants();
+}
+
+}  // namespace rubble

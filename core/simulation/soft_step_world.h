@@ -1,0 +1,122 @@
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "core/simulation/box_contact.h"
+#include "core/simulation/collider.h"
+#include "core/simulation/freeze.h"
+#include "core/simulation/ground_contact.h"
+#include "core/simulation/soft_contact.h"
+#include "core/simulation/soft_solver.h"
+#include "core/simulation/worker_pool.h"
+
+namespace rubble {
+
+/// Bullet's world stepped by soft contacts in small substeps. Objects, shapes, broad phase and the geometry of hulls are Bullet's;
+/// box and ground contact, solver, freeze, births and pieces are Rubble's. One step: boxes swept by the motion ahead, pairs,
+/// contacts once, then substeps of {the caller's hook, gravity, one soft pass, move, one relax pass}, restitution, freeze and thaw.
+/// Every contact has its place in an order of its own, so neither threads nor the history of the broad phase reach a result.
+class SoftStepWorld : public btDiscreteDynamicsWorld {
+public:
+    SoftStepWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, btConstraintSolver* solver,
+                  btCollisionConfiguration* configuration, const WorldSettings& settings, StepCosts& costs);
+
+    const FreezeClock& freezeClock() const { return m_freeze; }
+    const ContactReport& report() const { return m_report; }
+    void onSubstep(SubstepHook hook) { m_hook = std::move(hook); }
+    void addBody(Collider* body);
+    void addPiece(Collider* piece);
+    void forget(Collider& collider);
+    void thaw(Collider& body);
+    /// Thaws the frozen bodies that touch what is marked as leaving.
+    void thawNeighboursOfLeaving();
+
+protected:
+    void internalSingleStepSimulation(btScalar dt) override;
+
+private:
+    /// A body or piece beside its Bullet object.
+    struct Solid {
+        Collider* collider = nullptr;                                 ///< null once gone
+        std::vector<PlacedBox> placed;                                ///< of its parts, at the start of the step
+        std::vector<std::shared_ptr<const btPolyhedralConvexShape>> hulls;  ///< of its parts, made when the first hull comes near
+        Aabb swept;                                                   ///< around the way of this step
+        Pose pose;
+        Vec3 velocity = Vec3::Zero();
+        Vec3 spin = Vec3::Zero();
+        Vec3 inertia = Vec3::Ones();
+        double inverseMass = 0.0;
+        std::int32_t slot = -1;  ///< among the solver's bodies in this step; -1: immovable and still
+        bool hull = false;       ///< a part is a hull
+        bool active = false;     ///< a contact acted on it in this step
+    };
+    struct Pair {
+        Collider* a = nullptr;  ///< entered first
+        Collider* b = nullptr;
+    };
+    enum Kind : std::size_t { Ground, Structure, Fragments, Kinds };
+
+    Solid& solidOf(const Collider& c) { return c.kind == ColliderKind::Piece ? m_pieces[c.index] : m_bodies[c.index]; }
+    const Solid& solidOf(const Collider& c) const { return c.kind == ColliderKind::Piece ? m_pieces[c.index] : m_bodies[c.index]; }
+    bool awake(const Collider& c) const { return c.kind == ColliderKind::Body && !m_freeze.frozen(c.index); }
+    bool stirs(const Collider& c) const { return awake(c) || c.moving || c.newborn; }
+
+    void takeSlots(double dt);
+    void place(Solid& solid);
+    void sweep(Solid& solid, double dt);
+    void findPairs();
+    double marginOf(const Collider& a, const Collider& b, double dt) const;
+    void collideAll(double dt);
+    void collidePairs(std::vector<Pair>& pairs, Kind kind, double dt);
+    void collidePair(const Pair& pair, double dt, std::vector<SoftContact>& found) const;
+    void collideParts(const Solid& a, std::size_t i, const Solid& b, std::size_t j, double margin, ContactPatch& patch) const;
+    void collideWithGround(double dt);
+    void prepareHulls(Solid& solid);
+    bool wakeByContacts();
+    void wakeAndCollideAgain(double dt);
+    void remember();
+    void rest(double dt);
+    void limitPiece(std::size_t first, std::size_t last);
+    void buildSolver(double h);
+    void fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h);
+    void substeps(double dt);
+    void runHook(double h);
+    void moveBodies(double h);
+    void takeResults();
+    void bookPiece(SoftContact& contact, const SolverContact& c, double pushed);
+    void writeBack(double dt);
+    void keepAboveGround(Solid& solid, double dt);
+    void settle(double dt);
+    void freeze(Collider& body);
+    void linkDependants();
+    void shareSolveTime(double seconds);
+
+    WorldSettings m_settings;
+    StepCosts& m_costs;
+    WorkerPool m_pool;
+    SiteSurface m_surface;
+    Collider m_ground;
+    FreezeClock m_freeze;
+    ContactReport m_report;
+    SoftSolver m_solver;
+    SubstepHook m_hook;
+    std::vector<Solid> m_bodies;          ///< [bodies]
+    std::vector<Solid> m_pieces;          ///< [pieces]
+    std::vector<std::uint32_t> m_awake;   ///< body of each slot, in order of entry
+    std::vector<std::uint32_t> m_moving;  ///< piece of each slot behind the bodies
+    std::uint32_t m_stillSlot = 0;
+    std::vector<Pair> m_pairs[Kinds];
+    std::vector<Pair> m_sleepingPairs;
+    std::vector<std::vector<SoftContact>> m_parts;
+    std::vector<SoftContact> m_contacts, m_previous;
+    std::unordered_map<ColliderPair, std::vector<SoftContact>> m_asleep;  ///< contacts of pairs that no longer stir; looked up only
+    std::vector<std::uint32_t> m_justThawed;
+    std::vector<MovingBody> m_hooked;
+    std::vector<std::int32_t> m_slotOf;
+};
+
+}  // namespace rubble

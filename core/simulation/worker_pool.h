@@ -1,0 +1,48 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace rubble {
+
+/// A few threads that share loops. Which thread does which part never reaches a result: parts write to places of their own.
+class WorkerPool {
+public:
+    /// @param threads  at least 1, the calling thread included
+    explicit WorkerPool(int threads);
+    ~WorkerPool();
+    WorkerPool(const WorkerPool&) = delete;
+    WorkerPool& operator=(const WorkerPool&) = delete;
+
+    /// Calls work(first, last) for [0, count) in parts of at most `grain`, in any order on any thread; returns when all are done.
+    /// Loops shorter than one grain run on the calling thread. `work` must not throw.
+    template <class Work>
+    void loop(std::size_t count, std::size_t grain, Work&& work) {
+        if (m_workers.empty() || count <= grain) {
+            if (count > 0) {
+                work(std::size_t{0}, count);
+            }
+            return;
+        }
+        share(count, grain, std::function<void(std::size_t, std::size_t)>(std::ref(work)));
+    }
+
+private:
+    void share(std::size_t count, std::size_t grain, std::function<void(std::size_t, std::size_t)> work);
+    void takeParts();
+    void wait();
+
+    std::function<void(std::size_t, std::size_t)> m_work;
+    std::size_t m_count = 0;
+    std::size_t m_grain = 1;
+    std::atomic<std::size_t> m_next{0};
+    std::atomic<int> m_busy{0};
+    std::atomic<unsigned> m_round{0};
+    std::atomic<bool> m_stop{false};
+    std::vector<std::thread> m_workers;
+};
+
+}  // namespace rubble

@@ -93,6 +93,10 @@ public:
         }
         return sum * m_step * m_step;
     }
+    double coveredArea() const {
+        const auto covered = std::count_if(m_heights.begin(), m_heights.end(), [](double height) { return height > 0.0; });
+        return static_cast<double>(covered) * m_step * m_step;
+    }
 
 private:
     Vec3 m_low;
@@ -105,26 +109,35 @@ private:
 
 }  // namespace
 
-double bulkingFactor(const std::vector<DebrisBox>& debris, const std::vector<Aabb>& standing, const SiteSurface& ground) {
+PileMeasure measurePile(const std::vector<DebrisBox>& debris, const std::vector<Aabb>& standing, const SiteSurface& ground) {
     Aabb area;
     for (const DebrisBox& d : debris) {
         area.extend(outline(d.box));
     }
     if (area.isEmpty() || !area.sizes().allFinite()) {
-        return std::numeric_limits<double>::quiet_NaN();
+        return {};
     }
     Raster raster(area, ground);
     for (const Aabb& box : standing) {
         raster.blot(box);
     }
     double material = 0.0;
+    double count = 0.0;
     for (const DebrisBox& d : debris) {
         if (!raster.blotted(d.box.centre)) {
             raster.cover(d.box);
             material += d.volume;
+            ++count;
         }
     }
-    return material > 0.0 ? raster.volume() / material : std::numeric_limits<double>::quiet_NaN();
+    if (material <= 0.0) {
+        return {};
+    }
+    PileMeasure pile{raster.volume() / material, 0.0};
+    if (const double covered = raster.coveredArea(); covered > 0.0) {
+        pile.layers = raster.volume() / covered / std::cbrt(material / count);
+    }
+    return pile;
 }
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/fe/site_surface.h"
@@ -13,10 +14,16 @@ struct DebrisBox {
     double volume = 0.0;  ///< m3 of material
 };
 
-/// Volume between the ground and the surface of a pile over the volume of its material; broken rock swells by 1.3 to 1.7. The
-/// surface is the highest debris above each point of a 0.25 m raster, averaged over cells of 1 m. Places where the structure still
-/// stands are left out, and the debris that lies there with them. NaN without debris.
+/// How much room debris takes up.
+struct PileMeasure {
+    double bulking = std::numeric_limits<double>::quiet_NaN();  ///< NaN without debris
+    double layers = 0.0;  ///< mean depth where debris lies, over the cube root of a fragment's mean volume
+};
+
+/// The bulking factor is the volume between the ground and the surface of a pile over the volume of its material; broken rock
+/// swells by 1.3 to 1.7. The surface is the highest debris above each point of a 0.25 m raster, averaged over cells of 1 m. Places
+/// where the structure still stands are left out, and the debris that lies there with them.
 /// @param standing  m, outlines of live elements seen from above
-double bulkingFactor(const std::vector<DebrisBox>& debris, const std::vector<Aabb>& standing, const SiteSurface& ground);
+PileMeasure measurePile(const std::vector<DebrisBox>& debris, const std::vector<Aabb>& standing, const SiteSurface& ground);
 
 }  // namespace rubble

@@ -29,9 +29,8 @@ void EnergyAccount::update(double kinetic, double massHeight, const ContactRepor
     const double gain = m_dissipatedMost - m_balance.dissipated;
     // Early on next to no work is done and rounding would be all of the ratio.
     const double work = std::max(std::abs(m_balance.gravityWork), 1e-3 * m_balance.kineticIn);
-    if (gain > 0.0 && work > 0.0) {
-        m_balance.drift = std::max(m_balance.drift, gain / work);
-    }
+    m_gain = gain > 0.0 && work > 0.0 ? gain / work : 0.0;
+    m_balance.drift = std::max(m_balance.drift, m_gain);
 }
 
 }  // namespace rubble

@@ -23,12 +23,15 @@ public:
     void update(double kinetic, double massHeight, const ContactReport& contacts, double effectWork);
 
     EnergyBalance balance() const { return m_balance; }
+    /// What has been gained and not been lost again since, over the work of gravity so far; 0 if nothing.
+    double gain() const { return m_gain; }
 
 private:
     double m_gravity;
     double m_potentialIn = 0.0;
     double m_kineticOut = 0.0;
     double m_dissipatedMost = 0.0;
+    double m_gain = 0.0;
     EnergyBalance m_balance;
 };
 

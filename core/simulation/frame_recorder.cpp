@@ -15,7 +15,8 @@ void FrameRecorder::commit(const RigidWorld& world, double time, FrameKind kind)
     frame.states.reserve(count);
     m_hasher.value(time).value(static_cast<std::uint64_t>(count));
     for (std::size_t i = 0; i < count; ++i) {
-        const BodyMotion motion = world.motion(idAt<BodyId>(i));
+        const auto held = m_held.find(idAt<BodyId>(i));
+        const BodyMotion motion = held != m_held.end() ? held->second : world.motion(idAt<BodyId>(i));
         const Vec3& p = motion.pose.position;
         const Quat& q = motion.pose.orientation;
         const std::array<double, 7> exact{p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <map>
 
 #include "core/base/hash.h"
 #include "core/simulation/rigid_world.h"
@@ -15,6 +16,8 @@ public:
 
     /// True when a frame's time has passed since the last one.
     bool due(double time) const { return !(time - m_last < m_interval - 1e-9); }
+    /// From now on a body is recorded here, whatever the world says: it is no number there.
+    void hold(BodyId body, const BodyMotion& motion) { m_held[body] = motion; }
     void commit(const RigidWorld& world, double time, FrameKind kind);
     /// Digest of time, positions and orientations of every committed frame in double precision.
     Digest hash() const { return m_hasher.finish(); }
@@ -27,6 +30,7 @@ private:
     double m_last = -std::numeric_limits<double>::infinity();
     std::int64_t m_frames = 0;
     Hasher m_hasher;
+    std::map<BodyId, BodyMotion> m_held;
 };
 
 }  // namespace rubble

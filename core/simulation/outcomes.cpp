@@ -9,8 +9,12 @@ namespace {
 
 /// A change of velocity beyond this many times what gravity does in a step is a hit and not the load of lying there.
 constexpr double hitOverRest = 1.5;
-/// Above the speed that gravity can give, by this factor: PHYSICS section 6.
-constexpr double speedMargin = 1.05;
+
+bool isNumber(const BodyMotion& motion) {
+    // One sum instead of thirteen questions: it is finite only if all its terms are.
+    return std::isfinite(motion.pose.position.sum() + motion.pose.orientation.coeffs().sum() + motion.velocity.sum() +
+                         motion.angularVelocity.sum());
+}
 
 Vec3 velocityAt(const BodyMotion& motion, const Vec3& place) {
     return motion.velocity + motion.angularVelocity.cross(place - motion.pose.position);
@@ -33,7 +37,8 @@ Vec3 Outcomes::placeOf(const Carrier& carrier, const Pose& body) const {
 void Outcomes::entered(const HandOver& handOver, const RigidWorld& world) {
     std::size_t next = 0;
     for (const BodyRecord& record : handOver.bodies) {
-        Body body;
+        TrackedBody body;
+        body.mass = world.mass(record.body);
         body.latest = world.motion(record.body);
         body.birthSpeedSquared = body.latest.velocity.squaredNorm();
         body.birthHeight = body.latest.pose.position.z();
@@ -64,27 +69,30 @@ void Outcomes::carry(const Carrier& carrier) {
 void Outcomes::stepped(const RigidWorld& world, double time, double dt) {
     const Vec3 fall(0.0, 0.0, -m_gravity * dt);
     m_kinetic = m_massHeight = 0.0;
+    m_lost.clear();
     for (std::size_t i = 0; i < m_bodies.size(); ++i) {
         const BodyId id = idAt<BodyId>(i);
         const BodyState state = world.state(id);
-        if (state == BodyState::Removed) {
+        TrackedBody& body = m_bodies[i];
+        if (state == BodyState::Removed || body.lost) {
             continue;
         }
-        Body& body = m_bodies[i];
         const BodyMotion now = world.motion(id);
+        if (!isNumber(now)) {
+            body.lost = true;
+            m_lost.push_back(id);
+            continue;
+        }
         const double hit = (now.velocity - body.latest.velocity - fall).norm();
         if (hit > hitOverRest * m_gravity * dt && hit > body.hardest) {
             body.hardest = hit;
             body.before = body.latest;
         }
         body.latest = now;
-        const double speedSquared = now.velocity.squaredNorm();
-        m_maxSpeed = std::max(m_maxSpeed, std::sqrt(speedSquared));
-        const double height = std::max(0.0, body.birthHeight - now.pose.position.z());
-        const double bound = body.birthSpeedSquared + 2.0 * m_gravity * height;
-        body.tooFast = body.tooFast || speedSquared > speedMargin * speedMargin * bound + 1.0;
-        m_kinetic += world.kineticEnergy(id);
-        m_massHeight += world.mass(id) * now.pose.position.z();
+        m_maxSpeed = std::max(m_maxSpeed, now.velocity.norm());
+        body.kinetic = world.kineticEnergy(id);
+        m_kinetic += body.kinetic;
+        m_massHeight += body.mass * now.pose.position.z();
     }
     std::erase_if(m_pending, [&](const Pending& pending) {
         if (pending.time > time + 1e-9 * std::abs(time)) {
@@ -105,8 +113,8 @@ void Outcomes::stepped(const RigidWorld& world, double time, double dt) {
 void Outcomes::finish(const RigidWorld& world) {
     std::vector<double> hardest(m_fragments.size(), 0.0);
     for (std::size_t i = 0; i < m_bodies.size(); ++i) {
-        Body& body = m_bodies[i];
-        if (world.state(idAt<BodyId>(i)) != BodyState::Removed) {
+        TrackedBody& body = m_bodies[i];
+        if (!body.lost && world.state(idAt<BodyId>(i)) != BodyState::Removed) {
             body.latest = world.motion(idAt<BodyId>(i));
         }
         for (std::uint32_t c = body.firstCarrier; c < body.firstCarrier + body.carriers; ++c) {
@@ -119,14 +127,6 @@ void Outcomes::finish(const RigidWorld& world) {
             }
         }
     }
-}
-
-std::int64_t Outcomes::tooFast(const RigidWorld& world) const {
-    std::int64_t count = 0;
-    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
-        count += m_bodies[i].tooFast && !world.pushedByPiece(idAt<BodyId>(i));
-    }
-    return count;
 }
 
 }  // namespace rubble

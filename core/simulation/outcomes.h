@@ -7,6 +7,20 @@
 
 namespace rubble {
 
+/// A body on its way, from its entry to the latest step.
+struct TrackedBody {
+    std::uint32_t firstCarrier = 0;
+    std::uint32_t carriers = 0;
+    double birthSpeedSquared = 0.0;  ///< m2/s2
+    double birthHeight = 0.0;        ///< m
+    double mass = 0.0;               ///< kg
+    double kinetic = 0.0;            ///< J, spin included
+    double hardest = 0.0;            ///< m/s, change of velocity in the hardest hit; 0: nothing has hit it
+    BodyMotion before;               ///< just before it
+    BodyMotion latest;               ///< numbers always; of a lost or removed body where it was last
+    bool lost = false;               ///< its place or velocity is no number any more
+};
+
 /// Follows every body from step to step and knows at the end where each fragment went, how fast it was born and how hard it hit.
 class Outcomes {
 public:
@@ -27,20 +41,12 @@ public:
     double kineticEnergy() const { return m_kinetic; }
     /// kg m, of all bodies present after the latest step: mass times height above zero.
     double massHeight() const { return m_massHeight; }
-    /// Bodies that were at some time faster than 1.05 sqrt(v_birth^2 + 2 g h) with no moving piece having pushed them.
-    std::int64_t tooFast(const RigidWorld& world) const;
+    /// [bodies that ever entered]
+    const std::vector<TrackedBody>& bodies() const { return m_bodies; }
+    /// Bodies that became no number in the latest step: to be taken out of the world before the next.
+    const std::vector<BodyId>& lost() const { return m_lost; }
 
 private:
-    struct Body {
-        std::uint32_t firstCarrier = 0;
-        std::uint32_t carriers = 0;
-        double birthSpeedSquared = 0.0;
-        double birthHeight = 0.0;
-        double hardest = 0.0;  ///< m/s, change of velocity in the hardest hit
-        BodyMotion before;     ///< just before it
-        BodyMotion latest;
-        bool tooFast = false;
-    };
     struct Pending {
         double time = 0.0;
         std::uint32_t carrier = 0;
@@ -54,7 +60,8 @@ private:
     std::vector<FragmentOutcome> m_fragments;
     std::vector<Carrier> m_carriers;
     std::vector<bool> m_carried;  ///< [fragments]
-    std::vector<Body> m_bodies;
+    std::vector<TrackedBody> m_bodies;
+    std::vector<BodyId> m_lost;
     std::vector<Pending> m_pending;  ///< fragments handed over and not yet born
     double m_maxSpeed = 0.0;
     double m_kinetic = 0.0;

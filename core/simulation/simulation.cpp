@@ -3,19 +3,23 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 
 #include "core/fe/ground_surface.h"
 #include "core/fragments/lifetimes.h"
 #include "core/simulation/bulking.h"
 #include "core/simulation/collapse_run.h"
 #include "core/simulation/constants.h"
+#include "core/simulation/effects/effect_run.h"
+#include "core/simulation/effects/stopwatch.h"
+#include "core/simulation/effects/structure_contact.h"
 #include "core/simulation/energy.h"
 #include "core/simulation/frame_recorder.h"
 #include "core/simulation/hand_over.h"
+#include "core/simulation/health_monitor.h"
+#include "core/simulation/islands.h"
 #include "core/simulation/ledger.h"
-#include "core/simulation/live_islands.h"
 #include "core/simulation/outcomes.h"
-#include "core/simulation/pieces.h"
 #include "core/simulation/step_clock.h"
 
 namespace rubble {
@@ -25,21 +29,22 @@ namespace {
 /// Share of the bodies that must sleep for a run to end before its time.
 constexpr double asleepShare = 0.99;
 
-WorldSettings worldSettings(const RunDescription& description, const Execution& execution) {
+EffectDecisions decisionsOf(const RunDescription& d) {
+    return decideEffects({*d.fe, *d.components, *d.fragments, *d.clustering, d.terrain.get(), d.scenario});
+}
+
+WorldSettings worldSettings(const RunDescription& description, const EffectDecisions& decisions, const Execution& execution) {
     const SimulationSettings& s = description.scenario.simulation;
     WorldSettings world;
     world.gravity = s.gravity;
-    world.ground = s.ground;
     world.groundHeight = s.groundHeight;
-    if (description.scenario.effects.of(EffectKind::Terrain) != EffectSwitch::Off) {
-        world.terrain = description.terrain;
-    }
+    setUpWorld(decisions, description, world);
     for (const Component& component : description.components->list) {
         if (!component.bounds.isEmpty() && component.bounds.sizes().allFinite()) {
             world.reach.extend(component.bounds);
         }
     }
-    world.pairs = PairTable::uniform(s.friction, s.restitution);
+    world.pairs = description.scenario.effects.pairs.overriddenBy(s.friction, s.restitution);
     world.iterations = s.iterations;
     world.freeze = s.freeze;
     world.freezeSpeed = s.freezeSpeed;
@@ -47,6 +52,16 @@ WorldSettings worldSettings(const RunDescription& description, const Execution& 
     world.overlapSpeed = s.overlapSpeed;
     world.cancelled = [execution] { return execution.cancelled(); };
     return world;
+}
+
+HealthSite healthSite(const RunDescription& description, const EffectDecisions& decisions, const WorldSettings& world) {
+    HealthSite site{world.gravity, {world.ground, world.groundHeight, world.terrain}, world.reach, std::nullopt, 0.0};
+    const EffectSettings& effects = description.scenario.effects;
+    if (isOn(decisions, EffectKind::Water)) {
+        site.waterLevel = effects.waterLevel;
+        site.current = std::hypot(effects.currentX, effects.currentY);
+    }
+    return site;
 }
 
 /// One run from the first hand-over to the end.
@@ -59,14 +74,18 @@ public:
           m_sink(sink),
           m_execution(execution),
           m_activity(activityUnder(description.fe->activity(), description.scenario.fragments.revival)),
-          m_worldSettings(worldSettings(description, execution)),
+          m_decisions(decisionsOf(description)),
+          m_worldSettings(worldSettings(description, m_decisions, execution)),
           m_surface{m_worldSettings.ground, m_worldSettings.groundHeight, m_worldSettings.terrain},
           m_world(makeWorld(m_worldSettings)),
-          m_pieces(*description.fe, *description.components, m_activity, m_settings),
+          m_structure(description, m_activity, isOn(m_decisions, EffectKind::StructureContact)),
+          m_effects(m_decisions, description, *m_world),
+          m_islands(description, m_activity, m_surface),
           m_recorder(sink, m_settings.frameRate),
-          m_energy(m_settings.gravity, m_settings.groundHeight),
+          m_energy(m_settings.gravity),
           m_ledger(description),
-          m_outcomes(description, m_settings.gravity) {}
+          m_outcomes(description, m_settings.gravity),
+          m_health(healthSite(description, m_decisions, m_worldSettings)) {}
 
     SimulationResult run();
 
@@ -74,16 +93,28 @@ private:
     void followStructure();
     void settle();
     void atState(std::size_t k);
+    void releaseIslands();
     void removeEnded(double time);
     void handOverAt(std::size_t k, LedgerRow& row);
+    void advance(double dt, double time, const std::function<void(double)>& movePieces);
     void step(double dt, double time);
+    void keepWatch(double time);
+    void breakUp(double dt, double time);
+    void replace(const BodyRecord& whole, double time);
     void addLedgerRow(LedgerRow row);
     void updateEnergy();
+    std::int64_t awake() const;
     double asleep() const;
-    std::int64_t present() const { return static_cast<std::int64_t>(m_world->bodyCount()) - m_removed; }
+    /// Bodies of clusters; islands are counted apart.
+    std::int64_t present() const { return static_cast<std::int64_t>(m_records.size()) - m_removed - m_islands.bodies(); }
     void report(double time) const;
+    /// Handed over by the FE result: neither an island nor freed by breaking up.
+    bool bornHere(const BodyRecord& record) const {
+        return !record.isIsland() && record.from <= m_description.clustering->list[at(record.cluster)].handOverTime;
+    }
     void measureBirths(OccupiedBirths& births) const;
-    double bulking() const;
+    PileMeasure pile() const;
+    void reportCosts();
     void finish();
     void warn();
 
@@ -93,14 +124,18 @@ private:
     TrajectorySink& m_sink;
     const Execution& m_execution;
     Activity m_activity;
+    EffectDecisions m_decisions;
     WorldSettings m_worldSettings;
     GroundSurface m_surface;
     std::unique_ptr<RigidWorld> m_world;
-    Pieces m_pieces;
+    StructureContact m_structure;
+    EffectRun m_effects;
+    Islands m_islands;
     FrameRecorder m_recorder;
     EnergyAccount m_energy;
     Ledger m_ledger;
     Outcomes m_outcomes;
+    HealthMonitor m_health;
     StepClock m_clock;
     std::vector<BodyRecord> m_records;  ///< [bodies]
     std::size_t m_nextCluster = 0;
@@ -108,6 +143,7 @@ private:
     double m_time = 0.0;
     double m_lastBirth = 0.0;
     bool m_clockRuns = false;
+    double m_stepSeconds = 0.0;  ///< of wall time, all steps
     SimulationResult m_result;
 };
 
@@ -119,7 +155,7 @@ void Collapse::report(double time) const {
 }
 
 void Collapse::updateEnergy() {
-    m_energy.update(m_outcomes.kineticEnergy(), m_outcomes.massHeight(), m_world->contacts());
+    m_energy.update(m_outcomes.kineticEnergy(), m_outcomes.massHeight(), m_world->contacts(), m_effects.work());
 }
 
 void Collapse::removeEnded(double time) {
@@ -127,6 +163,7 @@ void Collapse::removeEnded(double time) {
         const BodyId id = idAt<BodyId>(i);
         if (m_records[i].to <= time && m_world->state(id) != BodyState::Removed) {
             m_energy.leaving(m_world->momenta(id), m_world->motion(id).pose.position.z());
+            m_effects.leaving(id);
             m_world->removeBody(id);
             ++m_removed;
         }
@@ -148,15 +185,34 @@ void Collapse::handOverAt(std::size_t k, LedgerRow& row) {
         m_energy.entered(m_world->momenta(body.body), m_world->motion(body.body).pose.position.z());
     }
     if (!entered.bodies.empty()) {
+        m_effects.entered(entered.bodies);
         m_sink.addBodies(entered.bodies, entered.carriers);
     }
     m_result.bodiesPeak = std::max(m_result.bodiesPeak, present());
+}
+
+void Collapse::releaseIslands() {
+    const Islands::Release release = m_islands.release(*m_world, m_structure.pieces(), m_result.findings);
+    if (release.bodies.empty()) {
+        return;
+    }
+    m_outcomes.entered({release.bodies, {}, {}}, *m_world);
+    m_effects.entered(release.bodies);
+    for (const BodyRecord& body : release.bodies) {
+        m_records.push_back(body);
+        m_energy.entered(m_world->momenta(body.body), m_world->motion(body.body).pose.position.z());
+    }
+    m_sink.addBodies(release.bodies, {});
+    m_sink.addIslands(release.islands, release.ledger);
 }
 
 void Collapse::atState(std::size_t k) {
     removeEnded(m_times[k]);
     LedgerRow row;
     handOverAt(k, row);
+    if (k + 1 == m_times.size()) {
+        releaseIslands();
+    }
     m_recorder.commit(*m_world, m_times[k], FrameKind::Fe);
     addLedgerRow(row);
 }
@@ -177,18 +233,86 @@ void Collapse::addLedgerRow(LedgerRow row) {
     m_sink.addLedger(row);
 }
 
+void Collapse::advance(double dt, double time, const std::function<void(double)>& movePieces) {
+    // What the monitor says depends on the bodies alone, so that a run with remedies repeats bit by bit.
+    const bool halved = m_settings.autoRemedy && m_health.unwell(m_time);
+    if (halved) {
+        m_health.remedied(time - dt, time);
+        movePieces(0.5);
+        step(0.5 * dt, time - 0.5 * dt);
+    }
+    movePieces(1.0);
+    step(halved ? 0.5 * dt : dt, time);
+}
+
+void Collapse::keepWatch(double time) {
+    for (const BodyId id : m_outcomes.lost()) {
+        const TrackedBody& body = m_outcomes.bodies()[at(id)];
+        m_energy.leaving({body.mass, Vec3::Zero(), Vec3::Zero(), body.kinetic}, body.latest.pose.position.z());
+        m_effects.leaving(id);
+        m_world->removeBody(id);
+        m_recorder.hold(id, body.latest);
+        m_health.lost(id, body.latest.pose.position, time);
+        m_records[at(id)].to = time;
+        m_removed += !m_records[at(id)].isIsland();
+    }
+    const bool stirred = m_structure.pieces().moving() > 0 || !m_outcomes.lost().empty();
+    m_health.stepped(*m_world, m_outcomes.bodies(), {time, m_energy.gain(), stirred});
+}
+
 void Collapse::step(double dt, double time) {
     const auto from = std::chrono::steady_clock::now();
-    m_world->step(dt);
-    m_execution.check();
-    m_time = time;
-    m_outcomes.stepped(*m_world, time, dt);
-    updateEnergy();
+    {
+        const Stopwatch watch(m_stepSeconds);
+        m_world->step(dt);
+        m_execution.check();
+        m_time = time;
+        m_outcomes.stepped(*m_world, time, dt);
+        updateEnergy();
+        keepWatch(time);
+        m_effects.stepped(dt);
+        breakUp(dt, time);
+    }
     if (m_clockRuns) {
         m_clock.add(from, dt);
     }
     ++m_result.steps;
     report(time);
+}
+
+void Collapse::breakUp(double dt, double time) {
+    for (const BodyRecord& whole : m_effects.brokenUp(dt, m_description.scenario.grid.bodiesMax - present())) {
+        replace(whole, time);
+    }
+}
+
+void Collapse::replace(const BodyRecord& whole, double time) {
+    const BodyMotion motion = m_world->motion(whole.body);
+    const auto freed = freeFragments(m_description, whole, motion);
+    m_effects.replaced(freed.has_value());
+    if (!freed) {
+        return;
+    }
+    double kinetic = m_world->kineticEnergy(whole.body);
+    double massHeight = whole.mass * motion.pose.position.z();
+    m_effects.leaving(whole.body);
+    m_world->removeBody(whole.body);
+    m_records[at(whole.body)].to = time;
+    ++m_removed;
+    HandOver parts;
+    for (const FreedFragment& part : *freed) {
+        const BodyId body = m_world->addBody(part.body);
+        parts.bodies.push_back({body, whole.cluster, time, whole.to, part.body.mass, part.body.pose});
+        parts.carriers.push_back({part.fragment, body, time, whole.to, part.toBody});
+        kinetic -= m_world->kineticEnergy(body);
+        massHeight -= part.body.mass * part.body.pose.position.z();
+    }
+    m_energy.replaced(kinetic, massHeight);
+    m_records.insert(m_records.end(), parts.bodies.begin(), parts.bodies.end());
+    m_outcomes.entered(parts, *m_world);
+    m_effects.entered(parts.bodies);
+    m_sink.addBodies(parts.bodies, parts.carriers);
+    m_result.bodiesPeak = std::max(m_result.bodiesPeak, present());
 }
 
 void Collapse::followStructure() {
@@ -197,14 +321,14 @@ void Collapse::followStructure() {
     m_clockRuns = true;
     for (std::size_t k = first; k + 1 < m_times.size(); ++k) {
         atState(k);
-        m_pieces.beginInterval(*m_world, k);
+        m_structure.beginInterval(*m_world, k);
         const double span = m_times[k + 1] - m_times[k];
         const auto steps = static_cast<std::int64_t>(std::max(1.0, std::ceil(span * m_settings.stepRate - 1e-6)));
         const double dt = span / static_cast<double>(steps);
         for (std::int64_t i = 1; i <= steps; ++i) {
-            const double share = static_cast<double>(i) / static_cast<double>(steps);
-            m_pieces.moveTo(*m_world, share);
-            step(dt, i == steps ? m_times[k + 1] : m_times[k] + static_cast<double>(i) * dt);
+            advance(dt, i == steps ? m_times[k + 1] : m_times[k] + static_cast<double>(i) * dt, [&](double part) {
+                m_structure.moveTo(*m_world, (static_cast<double>(i - 1) + part) / static_cast<double>(steps));
+            });
             if (i < steps && m_recorder.due(m_time)) {
                 m_recorder.commit(*m_world, m_time, FrameKind::Simulated);
             }
@@ -217,21 +341,27 @@ void Collapse::followStructure() {
     atState(m_times.size() - 1);
 }
 
-double Collapse::asleep() const {
-    std::int64_t frozen = 0;
-    for (std::size_t i = 0; i < m_world->bodyCount(); ++i) {
-        frozen += m_world->state(idAt<BodyId>(i)) == BodyState::Frozen;
+std::int64_t Collapse::awake() const {
+    std::int64_t awake = 0;
+    for (const BodyRecord& record : m_records) {
+        awake += !record.isIsland() && m_world->state(record.body) == BodyState::Awake;
     }
-    return present() > 0 ? static_cast<double>(frozen) / static_cast<double>(present()) : 1.0;
+    return awake;
+}
+
+double Collapse::asleep() const {
+    const std::int64_t bodies = present();
+    return bodies > 0 ? static_cast<double>(bodies - awake()) / static_cast<double>(bodies) : 1.0;
 }
 
 void Collapse::settle() {
     const double dt = 1.0 / m_settings.stepRate;
     const double from = m_times.back();
     double nextRow = from + 1.0;
-    m_pieces.hold();
-    for (std::int64_t i = 1; asleep() < asleepShare && static_cast<double>(i) * dt <= m_settings.settleTime + 1e-9; ++i) {
-        step(dt, from + static_cast<double>(i) * dt);
+    m_structure.hold();
+    const auto atRest = [this] { return asleep() >= asleepShare && m_islands.atRest(*m_world); };
+    for (std::int64_t i = 1; !atRest() && static_cast<double>(i) * dt <= m_settings.settleTime + 1e-9; ++i) {
+        advance(dt, from + static_cast<double>(i) * dt, [](double) {});
         if (m_recorder.due(m_time)) {
             m_recorder.commit(*m_world, m_time, FrameKind::Simulated);
         }
@@ -247,14 +377,17 @@ void Collapse::settle() {
 
 void Collapse::measureBirths(OccupiedBirths& births) const {
     std::vector<double> depths;
-    for (std::size_t i = 0; i < m_world->bodyCount(); ++i) {
-        const double depth = m_world->birthDepth(idAt<BodyId>(i));
+    for (const BodyRecord& record : m_records) {
+        if (!bornHere(record)) {
+            continue;
+        }
+        ++births.births;
+        const double depth = m_world->birthDepth(record.body);
         if (depth > occupiedShare) {
             depths.push_back(depth);
         }
     }
     const ContactReport& contacts = m_world->contacts();
-    births.births = static_cast<std::int64_t>(m_world->bodyCount());
     births.occupied = static_cast<std::int64_t>(depths.size());
     if (!depths.empty()) {
         const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
@@ -266,29 +399,25 @@ void Collapse::measureBirths(OccupiedBirths& births) const {
     births.piecesYielded = contacts.piecesYielded;
 }
 
-double Collapse::bulking() const {
-    std::vector<DebrisBox> debris;
-    for (std::size_t i = 0; i < m_records.size(); ++i) {
-        const Pose now = m_world->motion(idAt<BodyId>(i)).pose;
-        if (m_world->state(idAt<BodyId>(i)) == BodyState::Removed) {
+PileMeasure Collapse::pile() const {
+    std::vector<DebrisBox> debris = m_islands.debris(*m_world);
+    for (const Carrier& carrier : m_outcomes.carriers()) {
+        if (m_world->state(carrier.body) == BodyState::Removed) {
             continue;
         }
-        const Pose& birth = m_records[i].atBirth;
-        const Quat turn = now.orientation * birth.orientation.conjugate();
-        for (const FragmentId f : m_description.clustering->membersOf(m_records[i].cluster)) {
-            const Fragment& fragment = m_description.fragments->list[at(f)];
-            OrientedBox box = fragment.box;
-            box.centre = now.position + turn * (box.centre - birth.position);
-            box.orientation = turn * box.orientation;
-            debris.push_back({box, m_description.components->volume[at(fragment.element)]});
-        }
+        const Fragment& fragment = m_description.fragments->list[at(carrier.fragment)];
+        const Pose now = m_world->motion(carrier.body).pose;
+        OrientedBox box = fragment.box;
+        box.centre = now * (carrier.handOverToBody * box.centre);
+        box.orientation = now.orientation * carrier.handOverToBody.orientation * box.orientation;
+        debris.push_back({box, m_description.components->volume[at(fragment.element)]});
     }
     const Mesh& mesh = m_description.fe->mesh();
     const auto last = m_description.fe->state(m_times.size() - 1);
     std::vector<Aabb> standing;
     for (std::size_t i = 0; i < mesh.elementCount(); ++i) {
         const ElementIndex e = idAt<ElementIndex>(i);
-        if (m_activity.active(m_times.size() - 1, e)) {
+        if (m_activity.active(m_times.size() - 1, e) && !m_islands.released(e)) {
             Aabb box;
             for (const std::uint32_t node : mesh.cornersOf(e)) {
                 box.extend(last->positions[node]);
@@ -296,32 +425,28 @@ double Collapse::bulking() const {
             standing.push_back(box);
         }
     }
-    return bulkingFactor(debris, standing, m_surface);
+    return measurePile(debris, standing, m_surface);
 }
 
 void Collapse::warn() {
-    const std::int64_t fast = m_outcomes.tooFast(*m_world);
-    if (fast > 0) {
-        m_result.findings.add({"simulation.too_fast", "{0} bodies were faster than gravity and their birth allow", {fast}},
-                              {"simulation.too_fast.remedy", "a higher step rate makes collisions gentler", {}}, "", fast);
+    m_health.addFindings(m_result.findings);
+    const std::int64_t held = m_effects.heldTogether();
+    if (held > 0) {
+        m_result.findings.add(
+            {"simulation.held_together",
+             "{0} clusters were hit hard enough to break up and were left whole: no room for more bodies",
+             {held}},
+            {"simulation.held_together.remedy", "raise bodies_max, or read the debris there as coarser than it is", {}}, "", held);
     }
-    std::int64_t below = 0;
-    for (std::size_t i = 0; m_surface.present() && i < m_world->bodyCount(); ++i) {
-        const BodyId id = idAt<BodyId>(i);
-        const Vec3 centre = m_world->motion(id).pose.position;
-        below += m_world->state(id) != BodyState::Removed && centre.z() < m_surface.height(centre.x(), centre.y());
-    }
-    if (below > 0) {
-        m_result.findings.add({"simulation.below_ground", "{0} bodies lie below the ground at the end", {below}},
-                              {"simulation.below_ground.remedy", "raise the step rate, or set the ground to its real height", {}},
-                              "", below);
-    }
-    if (m_result.islands.islands > 0) {
-        m_result.findings.add({"simulation.live_islands",
-                               "{0} loose pieces of the structure ({1} elements) are alive at the end and are held where they are",
-                               {m_result.islands.islands, m_result.islands.elements}},
-                              {"simulation.live_islands.remedy", "read them as debris that the FE analysis did not delete", {}}, "",
-                              m_result.islands.islands);
+}
+
+void Collapse::reportCosts() {
+    const double seconds = m_stepSeconds + m_structure.seconds();
+    m_result.effects = m_effects.reports(m_decisions, m_result.steps, seconds, m_structure.seconds());
+    const double steps = static_cast<double>(std::max<std::int64_t>(m_result.steps, 1));
+    m_result.stepTimes.allMs = m_result.stepTimes.motionMs = 1000.0 * seconds / steps;
+    for (const EffectReport& report : m_result.effects) {
+        m_result.stepTimes.motionMs -= report.msPerStep;
     }
 }
 
@@ -333,16 +458,19 @@ void Collapse::finish() {
     m_result.endTime = m_time;
     m_result.fragments = m_outcomes.fragments();
     m_result.stepTimes = m_clock.times();
+    reportCosts();
     m_result.energy = m_energy.balance();
     m_result.ledger = m_ledger.errors();
     measureBirths(m_result.births);
-    m_result.islands =
-        countLiveIslands(*m_description.fe, *m_description.components, m_activity, m_settings.ground, m_settings.groundHeight);
+    m_result.islands = m_islands.outcome(*m_world, m_result.findings);
     m_result.penetrationMax = m_world->contacts().penetrationMax;
     m_result.asleepAtEnd = asleep();
-    m_result.stillMoving = present() - std::llround(m_result.asleepAtEnd * static_cast<double>(present()));
+    m_result.stillMoving = awake();
     m_result.maxSpeed = m_outcomes.maxSpeed();
-    m_result.bulkingFactor = bulking();
+    const PileMeasure debris = pile();
+    m_result.bulkingFactor = debris.bulking;
+    m_health.pile(debris.bulking, debris.layers, m_time);
+    m_result.health = m_health.report();
     m_result.trajectoryHash = m_recorder.hash();
     warn();
 }
@@ -357,6 +485,10 @@ SimulationResult Collapse::run() {
         }
         report(m_time);
         followStructure();
+        settle();
+    } else if (m_islands.toRelease()) {
+        m_structure.pieces().standAt(*m_world, m_times.size() - 1);
+        atState(m_times.size() - 1);
         settle();
     }
     finish();

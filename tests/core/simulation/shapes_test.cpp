@@ -89,12 +89,12 @@ TEST(Bulking, IsOneForAClosePileAndMoreForALooseOne) {
         }
     }
     // The outline is sampled at points, so that an edge counts half a raster more or less: 0.25 m of 40 m, twice.
-    EXPECT_NEAR(bulkingFactor(close, {}, {}), 1.0, 0.02);
-    EXPECT_NEAR(bulkingFactor(loose, {}, {}), 1.5, 0.03);
-    EXPECT_TRUE(std::isnan(bulkingFactor({}, {}, {})));
+    EXPECT_NEAR(measurePile(close, {}, {}).bulking, 1.0, 0.02);
+    EXPECT_NEAR(measurePile(loose, {}, {}).bulking, 1.5, 0.03);
+    EXPECT_TRUE(std::isnan(measurePile({}, {}, {}).bulking));
     // What lies where the structure stands is left out with its place.
     const std::vector<Aabb> standing{Aabb(Vec3(-1, -1, 0), Vec3(20, 60, 30))};
-    EXPECT_NEAR(bulkingFactor(loose, standing, {}), 1.5, 0.06);
+    EXPECT_NEAR(measurePile(loose, standing, {}).bulking, 1.5, 0.06);
 }
 
 TEST(Bulking, IsMeasuredFromTheTerrain) {
@@ -112,7 +112,7 @@ TEST(Bulking, IsMeasuredFromTheTerrain) {
         }
     }
     // Slabs 1 m thick straight down, each half a metre above the slope: as loose as the level pile.
-    EXPECT_NEAR(bulkingFactor(pile, {}, {true, -5.0, slope}), 1.5, 0.03);
+    EXPECT_NEAR(measurePile(pile, {}, {true, -5.0, slope}).bulking, 1.5, 0.03);
 }
 
 TEST(LiveIslands, CountsWhatHangsInTheAir) {

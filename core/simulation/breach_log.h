@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/simulation/health.h"
+
+namespace rubble {
+
+/// A limit that is passed at one instant.
+struct HealthObservation {
+    HealthCheck check{};
+    double measured = 0.0;
+    double limit = 0.0;
+    double severity = 1.0;  ///< how far beyond the limit; compares observations of one check that have different limits
+    std::optional<BodyId> body;
+    Vec3 place = Vec3::Zero();  ///< m, of that body
+    double depth = 0.0;         ///< m, of a penetration
+    std::int64_t bodies = 0;    ///< that break the limit now
+};
+
+/// Makes breaches of observations: those of one check that follow each other closely are one, with the worst of them.
+class BreachLog {
+public:
+    explicit BreachLog(double interval) : m_interval(interval) {}
+
+    /// A limit is passed at `time`, and has been since `since` [s].
+    void hold(const HealthObservation& observation, double since, double time);
+    bool empty(HealthCheck check) const { return m_spans[static_cast<std::size_t>(check)].empty(); }
+    /// In the order in which they began, those of one instant in the order of the checks, with their texts.
+    std::vector<HealthBreach> breaches() const;
+
+private:
+    struct Span {
+        double from = 0.0;
+        double to = 0.0;
+        HealthObservation worst;
+    };
+    double m_interval;
+    std::array<std::vector<Span>, healthCheckCount> m_spans;
+};
+
+/// What the user can do about a check, naming the settings.
+Message healthRemedy(HealthCheck check, double measured, double limit);
+
+}  // namespace rubble

@@ -17,6 +17,9 @@ namespace {
 // 1 ns each time, so that these add up to 17 ms; its own choice of 100 would never end on a damaged file.
 constexpr unsigned readAttempts = 24;
 
+// Of the datasets that older files lack.
+constexpr const char* islandGroup = "/islands";
+
 const Message damagedRemedy{"io.run.damaged.remedy", "Run the case again, or take a good copy of the run file.", {}};
 
 // A text attribute of the root group; empty if there is none.
@@ -82,6 +85,10 @@ void RunColumns::openDatasets() {
     for (const RunDataset dataset : runDatasets()) {
         const auto i = static_cast<std::size_t>(dataset);
         const RunDatasetLayout& layout = layoutOf(dataset);
+        if (mayBeMissing(dataset) &&
+            (H5Lexists(m_file.get(), islandGroup, H5P_DEFAULT) <= 0 || H5Lexists(m_file.get(), layout.path, H5P_DEFAULT) <= 0)) {
+            continue;
+        }
         m_datasets[i] = Hdf5Handle(H5Dopen2(m_file.get(), layout.path, H5P_DEFAULT), H5Dclose);
         if (!m_datasets[i].valid()) {
             failContent(dataset, "it cannot be opened (" + hdf5Reason() + ")");
@@ -104,6 +111,9 @@ void RunColumns::failContent(RunDataset dataset, const std::string& reason) cons
 }
 
 void RunColumns::refresh(RunDataset dataset) {
+    if (!has(dataset)) {
+        return;
+    }
     const Hdf5Session session;
     if (H5Drefresh(m_datasets[static_cast<std::size_t>(dataset)].get()) < 0) {
         failContent(dataset, "it cannot be read anew (" + hdf5Reason() + ")");
@@ -111,6 +121,9 @@ void RunColumns::refresh(RunDataset dataset) {
 }
 
 std::uint64_t RunColumns::rows(RunDataset dataset) const {
+    if (!has(dataset)) {
+        return 0;
+    }
     const Hdf5Session session;
     const Hdf5Handle space(H5Dget_space(m_datasets[static_cast<std::size_t>(dataset)].get()), H5Sclose);
     std::array<hsize_t, 2> extent{0, 1};

@@ -41,14 +41,14 @@ void checkRunDigest(const std::string& path, const Execution& execution) {
     const std::string place = layoutOf(RunDataset::Digests).path;
     const nlohmann::json text = parseJson(written, path + ": " + place);
     const JsonCursor list = JsonCursor(text, path, place)["datasets"];
-    std::vector<std::pair<std::uint64_t, Digest>> found;
+    std::vector<DatasetDigest> found;
     for (const RunDataset dataset : runDatasets()) {
-        if (dataset == RunDataset::Digests) {
+        if (dataset == RunDataset::Digests || !columns.has(dataset)) {
             continue;
         }
-        found.emplace_back(columns.rows(dataset), digestOf(columns, dataset, execution));
+        found.push_back({dataset, columns.rows(dataset), digestOf(columns, dataset, execution)});
         const JsonCursor entry = list[layoutOf(dataset).path];
-        if (entry["rows"].value() != found.back().first || entry["hash"].text() != found.back().second.hex()) {
+        if (entry["rows"].value() != found.back().rows || entry["hash"].text() != found.back().hash.hex()) {
             columns.failContent(dataset, "its content is not what the run wrote");
         }
     }

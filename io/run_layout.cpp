@@ -44,6 +44,9 @@ std::array<RunDatasetLayout, runDatasetCount> makeLayouts() {
         {D::Description, "/description", 1, textChunk, 1, {"json"}},
         {D::Result, "/result/summary", 1, textChunk, 1, {"json"}},
         {D::Digests, "/digests", 1, textChunk, 1, {"json"}},
+        tableOf<IslandRow>(D::Islands, "/islands/table"),
+        {D::IslandElements, "/islands/elements", 1, listChunk, 4, {"element"}},
+        tableOf<LedgerRow>(D::IslandLedger, "/islands/ledger"),
     }};
 }
 
@@ -68,6 +71,7 @@ Number numberOf(RunDataset dataset) {
         case RunDataset::VertexOffsets:
         case RunDataset::ClusterMembers:
         case RunDataset::ClusterOf:
+        case RunDataset::IslandElements:
             return Number::Unsigned;
         case RunDataset::ElementIds:
             return Number::Integer;

@@ -38,8 +38,22 @@ enum class RunDataset {
     Description,     ///< JSON text: component names, sizing, findings; there once everything before the first step is
     Result,          ///< JSON text
     Digests,         ///< JSON text: row count and hash of every other dataset; there once the run is complete
+    Islands,         ///< released islands of live structure: body, and where its elements are; runs before these have none
+    IslandElements,  ///< indices of elements, island by island
+    IslandLedger,    ///< one row, of all released islands
 };
-inline constexpr std::size_t runDatasetCount = 21;
+inline constexpr std::size_t runDatasetCount = 24;
+/// Files that were written before a dataset came up lack it, and read as if it were empty.
+constexpr bool mayBeMissing(RunDataset dataset) {
+    return dataset == RunDataset::Islands || dataset == RunDataset::IslandElements || dataset == RunDataset::IslandLedger;
+}
+
+/// A released island; its elements are a part of IslandElements.
+struct IslandRow {
+    std::uint32_t body = 0;
+    std::uint32_t firstElement = 0;
+    std::uint32_t elementCount = 0;
+};
 
 /// One committed frame.
 struct FrameRow {

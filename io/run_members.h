@@ -5,6 +5,7 @@
 #include "core/fragments/fragment_set.h"
 #include "core/simulation/simulation.h"
 #include "core/trajectory/trajectory.h"
+#include "io/run_layout.h"
 
 namespace rubble::io {
 
@@ -108,6 +109,16 @@ struct Members<BodyRecord> {
 };
 
 template <>
+struct Members<IslandRow> {
+    template <class Visitor, class Value>
+    static void each(Visitor& visit, Value& i) {
+        visit("body", i.body);
+        visit("first_element", i.firstElement);
+        visit("element_count", i.elementCount);
+    }
+};
+
+template <>
 struct Members<Carrier> {
     template <class Visitor, class Value>
     static void each(Visitor& visit, Value& c) {
@@ -182,6 +193,14 @@ struct Members<LiveIslands> {
         visit("elements", i.elements);
         visit("mass", i.mass);
         visit("moving", i.moving);
+        visit.added("released", i.released);
+        visit.added("released_elements", i.releasedElements);
+        visit.added("released_mass", i.releasedMass);
+        visit.added("refused", i.refused);
+        visit.added("occupied", i.occupied);
+        visit.added("still_moving", i.stillMoving);
+        visit.added("dropped_kinetic_energy", i.droppedKineticEnergy);
+        visit.added("ledger", i.ledger);
     }
 };
 

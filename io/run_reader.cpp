@@ -12,8 +12,9 @@ namespace rubble::io {
 
 namespace {
 
-constexpr std::array<RunDataset, 6> frameDatasets{RunDataset::Positions, RunDataset::Orientations, RunDataset::Speeds,
-                                                  RunDataset::States,    RunDataset::Bodies,       RunDataset::Carriers};
+constexpr std::array<RunDataset, 8> frameDatasets{RunDataset::Positions, RunDataset::Orientations,  RunDataset::Speeds,
+                                                  RunDataset::States,    RunDataset::Bodies,        RunDataset::Carriers,
+                                                  RunDataset::Islands,   RunDataset::IslandElements};
 
 class RunFileReader : public RunReader {
 public:
@@ -24,6 +25,7 @@ public:
     std::shared_ptr<const TrajectoryFrame> frame(std::size_t i) const override;
     std::vector<BodyRecord> bodies() const override;
     std::vector<Carrier> carriers() const override;
+    std::vector<IslandRecord> islands() const override;
     bool complete() const override;
     const std::string& path() const override { return m_columns.path(); }
     const RunOrigin& origin() const override { return m_origin; }
@@ -197,6 +199,21 @@ std::vector<Carrier> RunFileReader::carriers() const {
     const std::scoped_lock lock(m_mutex);
     takeNewBodies();
     return m_carriers;
+}
+
+std::vector<IslandRecord> RunFileReader::islands() const {
+    const std::scoped_lock lock(m_mutex);
+    const std::vector<ElementIndex> elements = m_columns.list<ElementIndex>(RunDataset::IslandElements);
+    const std::size_t bodyCount = m_columns.rows(RunDataset::Bodies);
+    std::vector<IslandRecord> islands;
+    for (const IslandRow& row : m_columns.table<IslandRow>(RunDataset::Islands)) {
+        if (row.body >= bodyCount || row.firstElement > elements.size() || row.elementCount > elements.size() - row.firstElement) {
+            m_columns.failContent(RunDataset::Islands, "it names a body or elements that do not exist");
+        }
+        const auto first = elements.begin() + row.firstElement;
+        islands.push_back({idAt<BodyId>(row.body), {first, first + row.elementCount}});
+    }
+    return islands;
 }
 
 bool RunFileReader::complete() const {

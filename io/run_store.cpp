@@ -206,11 +206,11 @@ void RunStore::close() {
 }
 
 std::string RunStore::digestsText() const {
-    std::vector<std::pair<std::uint64_t, Digest>> datasets;
+    std::vector<DatasetDigest> datasets;
     for (const RunDataset dataset : runDatasets()) {
         if (dataset != RunDataset::Digests) {
             const Open& open = m_open[static_cast<std::size_t>(dataset)];
-            datasets.emplace_back(open.rows, open.hasher.finish());
+            datasets.push_back({dataset, open.rows, open.hasher.finish()});
         }
     }
     return io::digestsText(datasets);
@@ -228,16 +228,12 @@ std::uint64_t frameChecksum(const TrajectoryFrame& frame) {
     return checksum;
 }
 
-std::string digestsText(std::span<const std::pair<std::uint64_t, Digest>> datasets) {
+std::string digestsText(std::span<const DatasetDigest> datasets) {
     nlohmann::json list = nlohmann::json::object();
     Hasher whole;
-    std::size_t next = 0;
-    for (const RunDataset dataset : runDatasets()) {
-        if (dataset != RunDataset::Digests) {
-            const auto& [rows, digest] = datasets[next++];
-            list[layoutOf(dataset).path] = {{"rows", rows}, {"hash", digest.hex()}};
-            whole.text(layoutOf(dataset).path).value(rows).digest(digest);
-        }
+    for (const DatasetDigest& entry : datasets) {
+        list[layoutOf(entry.dataset).path] = {{"rows", entry.rows}, {"hash", entry.hash.hex()}};
+        whole.text(layoutOf(entry.dataset).path).value(entry.rows).digest(entry.hash);
     }
     return nlohmann::json{{"datasets", std::move(list)}, {"hash", whole.finish().hex()}}.dump(1);
 }

@@ -57,8 +57,14 @@ private:
 /// Checksum of a frame, as its index row keeps it.
 std::uint64_t frameChecksum(const TrajectoryFrame& frame);
 
-/// Text of the digests dataset from row counts and hashes in the order of runDatasets() (the digests themselves left out); ends
-/// with a hash of the list itself.
-std::string digestsText(std::span<const std::pair<std::uint64_t, Digest>> datasets);
+/// Row count and hash of one dataset.
+struct DatasetDigest {
+    RunDataset dataset{};
+    std::uint64_t rows = 0;
+    Digest hash;
+};
+
+/// Text of the digests dataset from those of the others, in the order of runDatasets(); ends with a hash of the list itself.
+std::string digestsText(std::span<const DatasetDigest> datasets);
 
 }  // namespace rubble::io

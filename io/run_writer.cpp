@@ -123,6 +123,7 @@ public:
 
     void begin(const RunDescription& description) override;
     void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) override;
+    void addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) override;
     void commit(const TrajectoryFrame& frame) override;
     void addLedger(const LedgerRow& row) override;
     void finish(const SimulationResult& result) override;
@@ -236,6 +237,21 @@ void RunWriter::addBodies(std::span<const BodyRecord> bodies, std::span<const Ca
     m_bodies += bodies.size();
 }
 
+void RunWriter::addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) {
+    std::vector<IslandRow> rows;
+    std::vector<ElementIndex> elements;
+    for (const IslandRecord& island : islands) {
+        rows.push_back({static_cast<std::uint32_t>(island.body), static_cast<std::uint32_t>(elements.size()),
+                        static_cast<std::uint32_t>(island.elements.size())});
+        elements.insert(elements.end(), island.elements.begin(), island.elements.end());
+    }
+    m_jobs.add(0, [this, rows = std::move(rows), elements = std::move(elements), ledger] {
+        writeList<ElementIndex>(RunDataset::IslandElements, elements);
+        writeTable<IslandRow>(RunDataset::Islands, rows);
+        writeTable<LedgerRow>(RunDataset::IslandLedger, std::span(&ledger, 1));
+    });
+}
+
 void RunWriter::commit(const TrajectoryFrame& frame) {
     assert(frame.orientations.size() == frame.bodies() && frame.speeds.size() == frame.bodies() &&
            frame.states.size() == frame.bodies() && frame.bodies() <= m_bodies);
@@ -262,8 +278,9 @@ void RunWriter::writeFrame(const TrajectoryFrame& frame) {
 
 void RunWriter::flushFrames() {
     // The index goes last: whoever finds a row in it finds the frame as well.
-    for (const RunDataset dataset : {RunDataset::Bodies, RunDataset::Carriers, RunDataset::Ledger, RunDataset::Positions,
-                                     RunDataset::Orientations, RunDataset::Speeds, RunDataset::States, RunDataset::Index}) {
+    for (const RunDataset dataset : {RunDataset::Bodies, RunDataset::Carriers, RunDataset::IslandElements, RunDataset::Islands,
+                                     RunDataset::IslandLedger, RunDataset::Ledger, RunDataset::Positions, RunDataset::Orientations,
+                                     RunDataset::Speeds, RunDataset::States, RunDataset::Index}) {
         m_store.flush(dataset);
     }
     m_flushed = std::chrono::steady_clock::now();

@@ -17,6 +17,12 @@ void LedgerRecorder::addBodies(std::span<const BodyRecord> bodies, std::span<con
     }
 }
 
+void LedgerRecorder::addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) {
+    if (m_next) {
+        m_next->addIslands(islands, ledger);
+    }
+}
+
 void LedgerRecorder::commit(const TrajectoryFrame& frame) {
     if (m_next) {
         m_next->commit(frame);

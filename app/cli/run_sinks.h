@@ -17,6 +17,7 @@ public:
 
     void begin(const RunDescription& description) override;
     void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) override;
+    void addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) override;
     void commit(const TrajectoryFrame& frame) override;
     void addLedger(const LedgerRow& row) override;
     void finish(const SimulationResult& result) override;

@@ -60,6 +60,10 @@ void WatchedSink::addBodies(std::span<const BodyRecord> bodies, std::span<const 
     m_inner.addBodies(bodies, carriers);
 }
 
+void WatchedSink::addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) {
+    m_inner.addIslands(islands, ledger);
+}
+
 void WatchedSink::commit(const TrajectoryFrame& frame) {
     // Waiting before the frame is handed on lets the next one be simulated while this one is drawn.
     const bool live = m_pace != nullptr && m_pace->isNext(frame.time);

@@ -106,12 +106,16 @@ std::vector<Vec3> hullVertices(std::span<const Vec3> points, double shrink) {
 }  // namespace
 
 BodyFrame bodyFrame(const Cluster& cluster) {
-    const Eigen::SelfAdjointEigenSolver<Mat3> principal(cluster.inertia);
+    return bodyFrame(cluster.centre, cluster.inertia);
+}
+
+BodyFrame bodyFrame(const Vec3& centre, const Mat3& inertia) {
+    const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia);
     Mat3 axes = principal.eigenvectors();
     if (axes.determinant() < 0.0) {
         axes.col(2) = -axes.col(2);
     }
-    return {{cluster.centre, Quat(axes).normalized()}, principal.eigenvalues()};
+    return {{centre, Quat(axes).normalized()}, principal.eigenvalues()};
 }
 
 ConvexPart hullOf(std::span<const Vec3> points, double leastHalfExtent) {

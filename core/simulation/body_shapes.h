@@ -17,6 +17,8 @@ struct BodyFrame {
     Vec3 inertia = Vec3::Zero();  ///< kg m2, all positive unless the cluster's tensor is broken
 };
 BodyFrame bodyFrame(const Cluster& cluster);
+/// @param inertia  kg m2 about the centre, world axes; all finite
+BodyFrame bodyFrame(const Vec3& centre, const Mat3& inertia);
 
 /// Collision shape of a cluster in the frame of its body.
 /// @param boxBulking  a box is drawn in until it holds at most this many times its fragments' boxes (SimulationSettings)

@@ -1,14 +1,20 @@
 #include "core/simulation/live_islands.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
-#include <vector>
 
 namespace rubble {
 
 namespace {
 
+/// m, to the ground.
 constexpr double touchesGround = 0.05;
+/// m. Files round coordinates to 1 mm, and a support gives a little.
 constexpr double hasNotMoved = 0.01;
+/// m, along the ground: a foundation that slid in an earthquake still is one.
+constexpr double hasNotLeft = 0.5;
+/// m/s. Differences of coordinates that are rounded to 1 mm say as much as 0.05 m/s of a node that stands still.
 constexpr double isMoving = 0.1;
 
 std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t node) {
@@ -19,67 +25,108 @@ std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t node) {
     return node;
 }
 
-double centreSpeed(const Mesh& mesh, ElementIndex e, const FeState& last, const FeState* before) {
-    Vec3 velocity = Vec3::Zero();
-    for (const std::uint32_t node : mesh.cornersOf(e)) {
-        if (!last.velocities.empty()) {
-            velocity += last.velocities[node];
-        } else if (before != nullptr) {
-            velocity += (last.positions[node] - before->positions[node]) / (last.time - before->time);
+/// The last FE state and how its nodes move.
+class LastState {
+public:
+    explicit LastState(const FeResult& fe) : m_mesh(fe.mesh()), m_now(fe.state(fe.stateCount() - 1)) {
+        if (m_now->velocities.empty() && fe.stateCount() > 1) {
+            m_before = fe.state(fe.stateCount() - 2);
         }
     }
-    return velocity.norm() / static_cast<double>(mesh.cornersOf(e).size());
+
+    const Vec3& place(std::uint32_t node) const { return m_now->positions[node]; }
+    Vec3 velocity(std::uint32_t node) const {
+        if (!m_now->velocities.empty()) {
+            return m_now->velocities[node];
+        }
+        return m_before ? Vec3((m_now->positions[node] - m_before->positions[node]) / (m_now->time - m_before->time))
+                        : Vec3::Zero();
+    }
+    double centreSpeed(ElementIndex e) const {
+        Vec3 sum = Vec3::Zero();
+        for (const std::uint32_t node : m_mesh.cornersOf(e)) {
+            sum += velocity(node);
+        }
+        return sum.norm() / static_cast<double>(m_mesh.cornersOf(e).size());
+    }
+
+private:
+    const Mesh& m_mesh;
+    std::shared_ptr<const FeState> m_now;
+    std::shared_ptr<const FeState> m_before;
+};
+
+/// Corners that make a face of an element.
+std::ptrdiff_t faceCorners(ElementShape shape) {
+    return isSolid(shape) ? 3 : isShell(shape) ? 2 : 1;
+}
+
+bool held(const Mesh& mesh, ElementIndex e, const LastState& last, const SiteSurface& ground) {
+    std::ptrdiff_t inPlace = 0;
+    std::ptrdiff_t onGround = 0;
+    for (const std::uint32_t node : mesh.cornersOf(e)) {
+        const Vec3& rest = mesh.nodes[node];
+        const Vec3& place = last.place(node);
+        // Written so that what is no number holds nothing.
+        if (!(last.velocity(node).norm() < isMoving)) {
+            continue;
+        }
+        inPlace += (place - rest).norm() < hasNotMoved;
+        onGround += std::abs(ground.depth(rest)) < touchesGround && std::abs(ground.depth(place)) < touchesGround &&
+                    (place - rest).norm() < hasNotLeft;
+    }
+    return std::max(inPlace, onGround) >= faceCorners(mesh.shapes[at(e)]);
 }
 
 }  // namespace
 
-LiveIslands countLiveIslands(const FeResult& fe, const Components& components, const Activity& activity, bool ground,
-                             double groundHeight) {
+std::vector<LiveIsland> liveIslands(const FeResult& fe, const Activity& activity, const SiteSurface& ground) {
     const Mesh& mesh = fe.mesh();
     const std::size_t k = fe.stateCount() - 1;
-    const auto last = fe.state(k);
-    const auto before = k > 0 ? fe.state(k - 1) : nullptr;
     std::vector<std::uint32_t> parent(mesh.nodeCount());
     std::iota(parent.begin(), parent.end(), 0u);
     for (std::size_t i = 0; i < mesh.elementCount(); ++i) {
-        const ElementIndex e = idAt<ElementIndex>(i);
-        if (activity.active(k, e)) {
-            for (const std::uint32_t node : mesh.cornersOf(e)) {
-                parent[rootOf(parent, node)] = rootOf(parent, mesh.cornersOf(e).front());
-            }
+        const auto corners = mesh.cornersOf(idAt<ElementIndex>(i));
+        for (std::size_t c = 1; c < corners.size() && activity.active(k, idAt<ElementIndex>(i)); ++c) {
+            parent[rootOf(parent, corners[c])] = rootOf(parent, corners.front());
         }
     }
-    std::vector<bool> supported(mesh.nodeCount(), false);
+    const LastState last(fe);
+    std::vector<LiveIsland> islands;
+    std::vector<std::int64_t> islandOf(mesh.nodeCount(), -1);
     for (std::size_t i = 0; i < mesh.elementCount(); ++i) {
         const ElementIndex e = idAt<ElementIndex>(i);
         if (!activity.active(k, e)) {
             continue;
         }
-        for (const std::uint32_t node : mesh.cornersOf(e)) {
-            const Vec3& place = last->positions[node];
-            if ((ground && place.z() < groundHeight + touchesGround) || (place - mesh.nodes[node]).norm() < hasNotMoved) {
-                supported[rootOf(parent, node)] = true;
-            }
+        std::int64_t& island = islandOf[rootOf(parent, mesh.cornersOf(e).front())];
+        if (island < 0) {
+            island = static_cast<std::int64_t>(islands.size());
+            islands.emplace_back();
         }
-    }
-    LiveIslands islands;
-    std::vector<bool> counted(mesh.nodeCount(), false);
-    for (std::size_t i = 0; i < mesh.elementCount(); ++i) {
-        const ElementIndex e = idAt<ElementIndex>(i);
-        if (!activity.active(k, e)) {
-            continue;
-        }
-        const std::uint32_t root = rootOf(parent, mesh.cornersOf(e).front());
-        if (supported[root]) {
-            continue;
-        }
-        islands.islands += !counted[root];
-        counted[root] = true;
-        ++islands.elements;
-        islands.mass += components.mass(e);
-        islands.moving += centreSpeed(mesh, e, *last, before.get()) > isMoving;
+        LiveIsland& mine = islands[static_cast<std::size_t>(island)];
+        mine.elements.push_back(e);
+        mine.supported = mine.supported || held(mesh, e, last, ground);
     }
     return islands;
+}
+
+LiveIslands countLoose(const FeResult& fe, const Components& components, std::span<const LiveIsland> islands) {
+    const LastState last(fe);
+    LiveIslands count;
+    for (const LiveIsland& island : islands) {
+        if (island.supported) {
+            continue;
+        }
+        ++count.islands;
+        count.elements += static_cast<std::int64_t>(island.elements.size());
+        for (const ElementIndex e : island.elements) {
+            const double mass = components.mass(e);
+            count.mass += std::isfinite(mass) ? mass : 0.0;
+            count.moving += last.centreSpeed(e) > isMoving;
+        }
+    }
+    return count;
 }
 
 }  // namespace rubble

@@ -86,7 +86,7 @@ void Pieces::makeGroups(const SimulationSettings& settings) {
         found[key];
         auto& slot = found[key];
         if (slot == 0) {
-            m_groups.emplace_back();
+            m_groups.emplace_back().component = m_components.of[i];
             slot = m_groups.size();
         }
         m_groups[slot - 1].elements.push_back(e);
@@ -213,7 +213,7 @@ void Pieces::rebuild(RigidWorld& world, Group& group, const FeState& from) {
     });
     if (pose && sound) {
         group.pose = *pose;
-        group.piece = world.addPiece(shape, *pose);
+        group.piece = world.addPiece(shape, *pose, m_components.list[at(group.component)].material);
         ++m_present;
     }
 }
@@ -239,6 +239,27 @@ void Pieces::beginInterval(RigidWorld& world, std::size_t k) {
             group.start = group.pose;
             group.finish = *finish;
             m_moving.push_back(&group);
+        }
+    }
+}
+
+void Pieces::standAt(RigidWorld& world, std::size_t k) {
+    m_moving.clear();
+    const std::shared_ptr<const FeState> state = m_fe.state(k);
+    for (Group& group : m_groups) {
+        group.members.clear();
+        std::copy_if(group.elements.begin(), group.elements.end(), std::back_inserter(group.members),
+                     [&](ElementIndex e) { return m_activity.active(k, e); });
+        rebuild(world, group, *state);
+    }
+}
+
+void Pieces::release(RigidWorld& world, const std::vector<bool>& gone, std::size_t k) {
+    m_moving.clear();
+    const std::shared_ptr<const FeState> state = m_fe.state(k);
+    for (Group& group : m_groups) {
+        if (std::erase_if(group.members, [&](ElementIndex e) { return gone[at(e)]; }) > 0) {
+            rebuild(world, group, *state);
         }
     }
 }

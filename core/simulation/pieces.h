@@ -25,6 +25,11 @@ public:
     void beginInterval(RigidWorld& world, std::size_t k);
     /// Moves every moving piece to where it is at a share of the interval in (0, 1].
     void moveTo(RigidWorld& world, double share);
+    /// Puts in all that is active at state k, standing still.
+    void standAt(RigidWorld& world, std::size_t k);
+    /// Takes elements out for good; what is left of their pieces stands where state k has it.
+    /// @param gone  [elements]
+    void release(RigidWorld& world, const std::vector<bool>& gone, std::size_t k);
     /// From now on everything stands still (after the last FE state).
     void hold() { m_moving.clear(); }
 
@@ -33,6 +38,7 @@ public:
 
 private:
     struct Group {
+        ComponentId component{};
         std::vector<ElementIndex> elements;
         std::vector<std::uint32_t> nodes;   ///< of the present members, unique
         Vec3 restCentre = Vec3::Zero();     ///< m, mean of those nodes at rest

@@ -4,7 +4,6 @@
 
 #include "core/simulation/body_shapes.h"
 #include "core/simulation/bulking.h"
-#include "core/simulation/live_islands.h"
 #include "core/simulation/tight_box.h"
 #include "tests/core/fragments/element_scene.h"
 #include "tests/scenes/fe_scenes.h"
@@ -113,30 +112,6 @@ TEST(Bulking, IsMeasuredFromTheTerrain) {
     }
     // Slabs 1 m thick straight down, each half a metre above the slope: as loose as the level pile.
     EXPECT_NEAR(measurePile(pile, {}, {true, -5.0, slope}).bulking, 1.5, 0.03);
-}
-
-TEST(LiveIslands, CountsWhatHangsInTheAir) {
-    scenes::Block stands;
-    stands.name = "stands";
-    stands.size = Vec3(3, 1, 3);
-    stands.cells = {3, 1, 3};
-    scenes::Block falls;
-    falls.name = "falls";
-    falls.low = Vec3(10, 0, 20);
-    falls.size = Vec3(2, 1, 1);
-    falls.cells = {2, 1, 1};
-    falls.gravity = 9.80665;
-    scenes::Block landed = falls;
-    landed.name = "landed";
-    landed.low = Vec3(20, 0, 0.5 * 9.80665 * 0.49);
-    const auto fe = scenes::makeScene({stands, falls, landed}, 8, 0.1);
-    const Components components = groupComponents(fe->mesh(), {}, {}, {});
-    const LiveIslands islands = countLiveIslands(*fe, components, fe->activity(), true, 0.0);
-    EXPECT_EQ(islands.islands, 1) << "one stands, one has just reached the ground, one hangs";
-    EXPECT_EQ(islands.elements, 2);
-    EXPECT_NEAR(islands.mass, 2 * 2000.0, 1e-6);
-    EXPECT_EQ(islands.moving, 2);
-    EXPECT_EQ(countLiveIslands(*fe, components, fe->activity(), false, 0.0).islands, 2) << "no ground, no support";
 }
 
 }  // namespace

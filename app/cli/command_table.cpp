@@ -39,4 +39,12 @@ Option feOption() {
     return {"--fe", "FILE", false, "where the FE file of the run is now"};
 }
 
+Option terrainOption() {
+    return {"--terrain", "FILE", false, "raster of heights that the debris falls on; takes the place of the case's"};
+}
+
+Option runTerrainOption() {
+    return {"--terrain", "FILE", false, "where the terrain of the run is now"};
+}
+
 }  // namespace rubble::cli

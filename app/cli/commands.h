@@ -25,5 +25,7 @@ Option csvOption(std::string_view help);
 Option setOption();
 Option scenarioOption();
 Option feOption();
+Option terrainOption();
+Option runTerrainOption();
 
 }  // namespace rubble::cli

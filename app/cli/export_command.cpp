@@ -35,11 +35,11 @@ ExitCode exportRun(const Arguments& arguments, Session& session) {
                          {"cli.no_export.remedy", "Say what to write: --export KIND=PATH.", {}});
     }
     const std::shared_ptr<io::RunReader> run = io::openRun(arguments.operand());
-    std::shared_ptr<const FeResult> fe;
+    Inputs of;
     if (exports.needsFe()) {
-        fe = openFeOfRun(arguments.operand(), run->origin(), arguments.value("--fe"), session);
+        of = openInputsOfRun(run->origin(), arguments, session);
     }
-    exports.perform(run, fe, session);
+    exports.perform(run, of, session);
     reportFiles(arguments, session, *run, exports.paths());
     return ExitCode::Ok;
 }
@@ -53,8 +53,7 @@ ExitCode figure(const Arguments& arguments, Session& session) {
     }
     checkOutputPath(*path, std::vector<std::string>{arguments.operand()});
     const std::shared_ptr<io::RunReader> run = io::openRun(arguments.operand());
-    const auto fe = openFeOfRun(arguments.operand(), run->origin(), arguments.value("--fe"), session);
-    request.write(*path, run, fe);
+    request.write(*path, run, openInputsOfRun(run->origin(), arguments, session));
     reportFiles(arguments, session, *run, {*path});
     return ExitCode::Ok;
 }
@@ -73,7 +72,7 @@ Command exportCommand() {
             "RUN",
             "tables, ParaView series and figures of a run",
             "Writes files from a recorded run. The FE file is found by its path and SHA-256.",
-            withFigureOptions({ExportRequest::option(), feOption()}),
+            withFigureOptions({ExportRequest::option(), feOption(), runTerrainOption()}),
             exportRun};
 }
 
@@ -82,7 +81,7 @@ Command figureCommand() {
             "RUN",
             "one picture of a run at one instant",
             "Draws the conventional FE view, the fragment view or both. Where no display answers, Xvfb is started for the purpose.",
-            withFigureOptions({{"--out", "F.png", false, "the picture to write"}, feOption()}),
+            withFigureOptions({{"--out", "F.png", false, "the picture to write"}, feOption(), runTerrainOption()}),
             figure};
 }
 

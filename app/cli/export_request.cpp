@@ -35,8 +35,7 @@ bool ExportRequest::needsFe() const {
     return std::any_of(m_rows.begin(), m_rows.end(), [](const Row& row) { return row.kind != Kind::Fragments; });
 }
 
-void ExportRequest::perform(const std::shared_ptr<const io::RunReader>& run, const std::shared_ptr<const FeResult>& fe,
-                            Session& session) const {
+void ExportRequest::perform(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, Session& session) const {
     for (const Row& row : m_rows) {
         session.execution().check();
         switch (row.kind) {
@@ -44,11 +43,11 @@ void ExportRequest::perform(const std::shared_ptr<const io::RunReader>& run, con
                 io::exportFragments(row.path, *run, session.execution());
                 break;
             case Kind::Series:
-                io::exportSeries(row.path, *run, *fe, session.execution());
+                io::exportSeries(row.path, *run, *inputs.fe, session.execution());
                 break;
             case Kind::Figure:
                 session.execution().report({"cli.stage.figure", "Drawing the figure", {}}, 0.0);
-                m_figure.write(row.path, run, fe);
+                m_figure.write(row.path, run, inputs);
                 session.execution().report({"cli.stage.figure", "Drawing the figure", {}}, 1.0);
                 break;
         }

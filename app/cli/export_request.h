@@ -26,9 +26,8 @@ public:
     /// The FE file is needed for everything but tables.
     bool needsFe() const;
     /// Writes the files in the order given; throws what the exporters throw, and Cancelled.
-    /// @param fe  may be null unless needsFe()
-    void perform(const std::shared_ptr<const io::RunReader>& run, const std::shared_ptr<const FeResult>& fe,
-                 Session& session) const;
+    /// @param inputs  of the run; without FE result unless needsFe()
+    void perform(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, Session& session) const;
     /// Paths in the order given.
     std::vector<std::string> paths() const;
 

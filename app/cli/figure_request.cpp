@@ -126,8 +126,8 @@ double FigureRequest::timeIn(const io::RunReader& run, const FeResult& fe) const
     return *m_time;
 }
 
-void FigureRequest::write(const std::string& path, const std::shared_ptr<const io::RunReader>& run,
-                          const std::shared_ptr<const FeResult>& fe) const {
+void FigureRequest::write(const std::string& path, const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs) const {
+    const std::shared_ptr<const FeResult>& fe = inputs.fe;
     const Scenario& scenario = run->origin().scenario;
     const double time = timeIn(*run, *fe);
     render::SceneData data;

@@ -22,8 +22,7 @@ public:
 
     /// Draws the run and writes a PNG; starts a virtual display where none answers. Throws UsageError when the instant lies outside
     /// the run, WorldError.
-    void write(const std::string& path, const std::shared_ptr<const io::RunReader>& run,
-               const std::shared_ptr<const FeResult>& fe) const;
+    void write(const std::string& path, const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs) const;
 
 private:
     double timeIn(const io::RunReader& run, const FeResult& fe) const;

@@ -38,6 +38,8 @@ io::RunOrigin originOf(const Subject& subject) {
     io::RunOrigin origin;
     origin.fePath = subject.fePath;
     origin.feSha256 = subject.inputs.fe->contents().sha256;
+    origin.terrainPath = subject.terrain.path;
+    origin.terrainSha256 = subject.terrain.sha256;
     origin.frame = subject.inputs.frame;
     origin.scenario = subject.scenario;
     origin.scenarioName = subject.scenarioName;
@@ -94,7 +96,7 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
     }
     file.reset();
     if (!exports.empty()) {
-        exports.perform(io::openRun(runPath), subject.inputs.fe, session);
+        exports.perform(io::openRun(runPath), subject.inputs, session);
     }
     writeCsv(arguments, ledgerTable(recorder.ledger()));
     const RunReport report{subject,        results, recorder.ledger(), allFindings(subject, results), temporary ? "" : runPath,
@@ -110,8 +112,11 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command runCommand() {
-    std::vector<Option> options{
-        setOption(), scenarioOption(), {"--out", "RUN.h5", false, "keep the run in this file"}, ExportRequest::option()};
+    std::vector<Option> options{setOption(),
+                                scenarioOption(),
+                                terrainOption(),
+                                {"--out", "RUN.h5", false, "keep the run in this file"},
+                                ExportRequest::option()};
     for (const Option& option : FigureRequest::options()) {
         options.push_back(option);
     }

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "io/fe_reader.h"
 #include "io/files.h"
+#include "io/terrain_reader.h"
 
 namespace rubble::cli {
 
@@ -27,7 +28,16 @@ bool hasDigest(const fs::path& path, const std::string& sha256) {
     }
 }
 
-/// Files beside the run that may be its FE file: the same ending first keeps the search short.
+/// A file that a run was made from, and the words to speak of it.
+struct RecordedFile {
+    std::string_view kind;    ///< "FE", "terrain"
+    std::string_view option;  ///< that names its place
+    std::string path;         ///< then
+    std::string sha256;
+    std::optional<std::string> given;
+};
+
+/// Files beside the run that may be the one looked for: the same ending first keeps the search short.
 std::vector<fs::path> candidatesBeside(const std::string& runPath, const fs::path& original) {
     std::vector<fs::path> candidates;
     std::error_code ignored;
@@ -42,36 +52,49 @@ std::vector<fs::path> candidatesBeside(const std::string& runPath, const fs::pat
     return candidates;
 }
 
-}  // namespace
-
-std::string findFeOfRun(const std::string& runPath, const io::RunOrigin& origin, const std::optional<std::string>& given) {
-    if (given) {
-        const std::string found = io::sha256OfFile(*given);
-        if (found != origin.feSha256) {
+std::string find(const std::string& runPath, const RecordedFile& file) {
+    if (file.given) {
+        const std::string found = io::sha256OfFile(*file.given);
+        if (found != file.sha256) {
             throw WorldError({"cli.fe_differs",
-                              "{0} is not the FE file of {1}: its SHA-256 is {2}, the run was made from {3}.",
-                              {*given, runPath, found, origin.feSha256}},
+                              "{0} is not the {1} file of {2}: its SHA-256 is {3}, the run was made from {4}.",
+                              {*file.given, file.kind, runPath, found, file.sha256}},
                              {"cli.fe_differs.remedy", "Give the file with that SHA-256, or simulate again.", {}});
         }
-        return *given;
+        return *file.given;
     }
-    if (hasDigest(origin.fePath, origin.feSha256)) {
-        return origin.fePath;
+    if (hasDigest(file.path, file.sha256)) {
+        return file.path;
     }
-    for (const fs::path& candidate : candidatesBeside(runPath, origin.fePath)) {
-        if (hasDigest(candidate, origin.feSha256)) {
+    for (const fs::path& candidate : candidatesBeside(runPath, file.path)) {
+        if (hasDigest(candidate, file.sha256)) {
             return candidate.string();
         }
     }
     throw WorldError({"cli.fe_missing",
-                      "The FE file of {0} was not found: neither {1} nor a file beside the run has the SHA-256 {2}.",
-                      {runPath, origin.fePath, origin.feSha256}},
-                     {"cli.fe_missing.remedy", "Put the file beside the run, or name it with --fe FILE.", {}});
+                      "The {0} file of {1} was not found: neither {2} nor a file beside the run has the SHA-256 {3}.",
+                      {file.kind, runPath, file.path, file.sha256}},
+                     {"cli.fe_missing.remedy", "Put the file beside the run, or name it with {0} FILE.", {file.option}});
 }
 
-std::shared_ptr<const FeResult> openFeOfRun(const std::string& runPath, const io::RunOrigin& origin,
-                                            const std::optional<std::string>& given, Session& session) {
-    return io::openFe(findFeOfRun(runPath, origin, given), origin.scenario.import, origin.frame, session.execution());
+}  // namespace
+
+std::string findFeOfRun(const std::string& runPath, const io::RunOrigin& origin, const std::optional<std::string>& given) {
+    return find(runPath, {"FE", "--fe", origin.fePath, origin.feSha256, given});
+}
+
+Inputs openInputsOfRun(const io::RunOrigin& origin, const Arguments& arguments, Session& session) {
+    const std::string& runPath = arguments.operand();
+    Inputs inputs;
+    inputs.frame = origin.frame;
+    inputs.fe = io::openFe(findFeOfRun(runPath, origin, arguments.value("--fe")), origin.scenario.import, origin.frame,
+                           session.execution());
+    if (!origin.terrainPath.empty()) {
+        const std::string terrain =
+            find(runPath, {"terrain", "--terrain", origin.terrainPath, origin.terrainSha256, arguments.value("--terrain")});
+        inputs.terrain = io::openTerrain(terrain, origin.frame, io::boundsAtRest(inputs.fe->mesh()), session.execution()).grid;
+    }
+    return inputs;
 }
 
 }  // namespace rubble::cli

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 
+#include "app/cli/arguments.h"
 #include "app/cli/session.h"
-#include "core/fe/fe_result.h"
+#include "core/pipeline/pipeline.h"
 #include "io/run_file.h"
 
 namespace rubble::cli {
@@ -16,8 +16,8 @@ namespace rubble::cli {
 /// Throws WorldError naming the file and the remedy.
 std::string findFeOfRun(const std::string& runPath, const io::RunOrigin& origin, const std::optional<std::string>& given);
 
-/// The same, opened with the settings of the run.
-std::shared_ptr<const FeResult> openFeOfRun(const std::string& runPath, const io::RunOrigin& origin,
-                                            const std::optional<std::string>& given, Session& session);
+/// FE result and terrain of the run that the operand names, opened with its settings; found as above, or where --fe and --terrain
+/// say.
+Inputs openInputsOfRun(const io::RunOrigin& origin, const Arguments& arguments, Session& session);
 
 }  // namespace rubble::cli

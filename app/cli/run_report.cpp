@@ -202,6 +202,30 @@ void printLedger(std::ostream& out, const SimulationResult& run, const std::vect
     facts.print(out);
 }
 
+Json terrainJson(const io::TerrainInput& terrain) {
+    if (!terrain.grid) {
+        return nullptr;
+    }
+    const TerrainGrid& grid = *terrain.grid;
+    return {{"path", terrain.path},
+            {"sha256", terrain.sha256},
+            {"columns", grid.nx()},
+            {"rows", grid.ny()},
+            {"cell_m", grid.cell()},
+            {"x_m", grid.x0()},
+            {"y_m", grid.y0()},
+            {"lowest_m", grid.lowest()},
+            {"highest_m", grid.highest()},
+            {"digest", grid.digest().hex()}};
+}
+
+std::string terrainText(const io::TerrainInput& terrain) {
+    const TerrainGrid& grid = *terrain.grid;
+    return terrain.path + ", " + englishInteger(static_cast<std::int64_t>(grid.nx())) + " by " +
+           englishInteger(static_cast<std::int64_t>(grid.ny())) + " heights at " + englishNumber(grid.cell()) +
+           " m, z = " + englishNumber(grid.lowest()) + " to " + englishNumber(grid.highest()) + " m";
+}
+
 }  // namespace
 
 Json RunReport::json() const {
@@ -219,6 +243,7 @@ Json RunReport::json() const {
     object["trajectory_hash"] = run.trajectoryHash.hex();
     object["scenario"] = subject.scenarioName;
     object["fe"] = {{"path", subject.fePath}, {"sha256", subject.inputs.fe->contents().sha256}};
+    object["terrain"] = terrainJson(subject.terrain);
     object["run"] = runPath.empty() ? Json() : Json(runPath);
     object["exports"] = files;
     return object;
@@ -226,6 +251,9 @@ Json RunReport::json() const {
 
 void RunReport::print(std::ostream& out) const {
     out << subject.fePath << ", scenario \"" << subject.scenarioName << "\"\n";
+    if (subject.terrain.grid) {
+        out << "terrain " << terrainText(subject.terrain) << '\n';
+    }
     if (results.fragments->list.empty()) {
         out << "\nNo element dies in this result: there are no fragments, and nothing moves.\n";
     } else {

@@ -10,6 +10,7 @@
 #include "core/base/finding.h"
 #include "core/pipeline/pipeline.h"
 #include "core/scenario/case.h"
+#include "io/terrain_reader.h"
 
 namespace rubble::cli {
 
@@ -18,13 +19,15 @@ struct Subject {
     Inputs inputs;
     Scenario scenario;
     std::string fePath;              ///< absolute
+    io::TerrainInput terrain;        ///< as read; its grid is that of `inputs`, null without one
     std::string scenarioName;        ///< "As computed" for a plain FE file
     std::vector<std::string> files;  ///< everything that was read: never written over
     double openSeconds = 0.0;        ///< wall time of opening the FE file
     Findings findings;               ///< of opening: an input that changed since the case was saved
 };
 
-/// Opens the operand of a command, recognised by content, and applies --scenario and --set in the order given.
+/// Opens the operand of a command, recognised by content, and applies --scenario and --set in the order given. The terrain is that
+/// of --terrain, else that of the case.
 /// Throws UsageError, WorldError, ParseError, Cancelled.
 Subject openSubject(const Arguments& arguments, Session& session);
 

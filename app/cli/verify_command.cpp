@@ -97,15 +97,15 @@ ExitCode verifyRun(const Arguments& arguments, Session& session) {
     }
     io::checkRunDigest(path, session.execution());
     const io::RunOrigin& origin = recorded->origin();
-    Inputs inputs;
-    inputs.fe = openFeOfRun(path, origin, arguments.value("--fe"), session);
-    inputs.frame = origin.frame;
+    const Inputs inputs = openInputsOfRun(origin, arguments, session);
     FrameComparison comparison(*recorded);
     const Results again = run(inputs, origin.scenario, Stage::Simulation, {}, &comparison, session.execution());
     const SimulationResult& before = *recorded->result();
     const SimulationResult& now = *again.simulation;
     std::vector<Check> checks;
     checks.push_back(compare("build", origin.build, std::string(buildText())));
+    const Digest fingerprint = stageKey(inputs, origin.scenario, Stage::Simulation);
+    checks.push_back(compare("fingerprint", origin.fingerprint.hex(), fingerprint.hex()));
     checks.push_back(compare("clusters", englishInteger(static_cast<std::int64_t>(recorded->clustering()->list.size())),
                              englishInteger(static_cast<std::int64_t>(again.clustering->list.size()))));
     checks.push_back(compare("frames", englishInteger(static_cast<std::int64_t>(recorded->frameCount())),
@@ -128,7 +128,7 @@ Command verifyCommand() {
         "RUN|CASE",
         "does a run repeat bit by bit; are the inputs of a case unchanged",
         "RUN: checks the digest of the whole file, then simulates again and compares. CASE: compares the SHA-256 of its inputs.",
-        {feOption()},
+        {feOption(), runTerrainOption()},
         verify};
 }
 

@@ -6,7 +6,6 @@
 #include "core/simulation/bulking.h"
 #include "core/simulation/tight_box.h"
 #include "tests/core/fragments/element_scene.h"
-#include "tests/scenes/fe_scenes.h"
 
 namespace rubble {
 namespace {

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "core/analysis/collapse_plan.h"
+#include "core/analysis/debris_measures.h"
+#include "core/pipeline/pipeline.h"
+#include "core/simulation/effects/decisions.h"
+
+namespace rubble {
+
+/// What all worlds of a study have in common.
+struct StudySettings {
+    DebrisInstant instant = DebrisInstant::AtRest;
+    MeasureSettings measures;
+    int repeats = 2;           ///< of the repeat floor, at least 1
+    double birthShift = 1e-6;  ///< m, of the repeats
+    int threads = 0;           ///< worlds at a time; 0: as many as the machine has threads. No result depends on it
+};
+
+/// One simulated world of a study, as far as the study needs it.
+struct StudyWorld {
+    Digest trajectoryHash;
+    double endTime = 0.0;      ///< s
+    double wallSeconds = 0.0;  ///< of the simulation
+    std::int64_t stillMoving = 0;
+    std::vector<EffectReport> effects;
+    DebrisField field;
+};
+
+/// What the worlds of a study start from: everything up to the clusters, and what debris is measured against.
+struct StudyBase {
+    Inputs inputs;
+    Scenario scenario;
+    Results results;
+    EffectDecisions decisions;
+    CollapsePlan plan{std::vector<Vec2>{}};
+    SiteSurface ground;  ///< what heights are measured from, in all worlds alike
+};
+
+/// Makes the parts up to the clusters. Throws what run() throws, UsageError for settings out of range.
+StudyBase beginStudy(const Inputs& inputs, const Scenario& scenario, const StudySettings& settings, const Execution& execution);
+
+/// The scene as the effects' tests see it, under another scenario that has the same clusters.
+EffectDecisions decideUnder(const StudyBase& base, const Scenario& scenario);
+
+/// The world of the base itself.
+RunDescription describeBase(const StudyBase& base);
+
+/// The same scene with every birth shifted by settings.birthShift in a direction that depends on the seed and the element; the
+/// clusters are those of the base, so that nothing else changes. A scenario that shifts its births itself keeps its own length.
+/// @param repeat  1, 2, ...: added to the seed of the scenario
+RunDescription describeRepeat(const StudyBase& base, const StudySettings& settings, int repeat, const Execution& execution);
+
+/// Simulates a world and measures its debris; frames are not kept. Throws what simulate() and measureDebris() throw.
+StudyWorld simulateWorld(const RunDescription& description, const StudyBase& base, const StudySettings& settings,
+                         const Execution& execution);
+
+}  // namespace rubble

@@ -1,0 +1,130 @@
+#include "core/analysis/world_pool.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace rubble {
+
+namespace {
+
+/// How often the calling thread looks for a cancel and reports.
+constexpr std::chrono::milliseconds lookEvery{50};
+
+/// The pieces of work, their threads and how far each is.
+class Pool {
+public:
+    Pool(std::size_t count, const std::function<void(std::size_t, const Execution&)>& work)
+        : m_work(work), m_fractions(count, 0.0), m_errors(count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            m_executions.emplace_back([this, i](const Progress& progress) {
+                const std::scoped_lock lock(m_mutex);
+                // A piece has several stages; it never seems to go back.
+                m_fractions[i] = std::max(m_fractions[i], std::clamp(progress.fraction, 0.0, 0.999));
+            });
+        }
+    }
+
+    void run(std::size_t threads, const Message& stage, const Execution& execution) {
+        std::vector<std::jthread> workers;
+        m_working = threads;
+        for (std::size_t t = 0; t < threads; ++t) {
+            workers.emplace_back([this] { workLoop(); });
+        }
+        watch(stage, execution);
+        workers.clear();
+        for (const std::exception_ptr& error : m_errors) {
+            if (error) {
+                std::rethrow_exception(error);
+            }
+        }
+        execution.check();
+    }
+
+private:
+    void workLoop() {
+        for (;;) {
+            std::size_t i = 0;
+            {
+                const std::scoped_lock lock(m_mutex);
+                if (m_stopped || m_next == m_executions.size()) {
+                    --m_working;
+                    m_changed.notify_all();
+                    return;
+                }
+                i = m_next++;
+            }
+            try {
+                m_work(i, m_executions[i]);
+            } catch (const Cancelled&) {
+                // Only the watcher cancels; it tells the caller.
+            } catch (...) {
+                const std::scoped_lock lock(m_mutex);
+                m_errors[i] = std::current_exception();
+                stop();
+            }
+            const std::scoped_lock lock(m_mutex);
+            m_fractions[i] = 1.0;
+        }
+    }
+
+    void stop() {
+        m_stopped = true;
+        for (const Execution& execution : m_executions) {
+            execution.cancel();
+        }
+    }
+
+    void watch(const Message& stage, const Execution& execution) {
+        std::unique_lock lock(m_mutex);
+        while (m_working > 0) {
+            m_changed.wait_for(lock, lookEvery);
+            if (execution.cancelled()) {
+                stop();
+                continue;
+            }
+            double done = 0.0;
+            for (const double fraction : m_fractions) {
+                done += fraction;
+            }
+            lock.unlock();
+            try {
+                execution.report(stage, done / static_cast<double>(m_fractions.size()));
+            } catch (const Cancelled&) {
+                // Seen again at the top of the loop.
+            }
+            lock.lock();
+        }
+    }
+
+    const std::function<void(std::size_t, const Execution&)>& m_work;
+    std::vector<Execution> m_executions;
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    std::vector<double> m_fractions;
+    std::vector<std::exception_ptr> m_errors;
+    std::size_t m_next = 0;
+    std::size_t m_working = 0;
+    bool m_stopped = false;
+};
+
+}  // namespace
+
+void runInParallel(std::size_t count, int threads, const Message& stage, const Execution& execution,
+                   const std::function<void(std::size_t, const Execution&)>& work) {
+    execution.check();
+    if (count == 0) {
+        return;
+    }
+    const std::size_t asked = threads > 0 ? static_cast<std::size_t>(threads) : std::max(1u, std::thread::hardware_concurrency());
+    Pool(count, work).run(std::min(asked, count), stage, execution);
+}
+
+}  // namespace rubble

@@ -1,0 +1,100 @@
+#include "core/analysis/world_pool.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <mutex>
+#include <set>
+#include <thread>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace rubble {
+namespace {
+
+const Message stage{"test.stage", "working", {}};
+
+TEST(WorldPool, DoesEveryPieceOnceWhateverTheThreads) {
+    for (const int threads : {0, 1, 2, 7, 64}) {
+        std::vector<int> done(23, 0);
+        runInParallel(done.size(), threads, stage, Execution(), [&](std::size_t i, const Execution&) { ++done[i]; });
+        EXPECT_EQ(done, std::vector<int>(23, 1)) << threads;
+    }
+    runInParallel(0, 2, stage, Execution(), [](std::size_t, const Execution&) { FAIL(); });
+}
+
+TEST(WorldPool, WorksOnNoMoreThreadsThanAsked) {
+    std::mutex mutex;
+    std::set<std::thread::id> ids;
+    runInParallel(30, 2, stage, Execution(), [&](std::size_t, const Execution&) {
+        const std::scoped_lock lock(mutex);
+        ids.insert(std::this_thread::get_id());
+    });
+    EXPECT_LE(ids.size(), 2u);
+    EXPECT_FALSE(ids.contains(std::this_thread::get_id()));
+}
+
+TEST(WorldPool, ReportsFromTheCallingThreadAndNeverBackwards) {
+    const std::thread::id caller = std::this_thread::get_id();
+    std::vector<double> fractions;
+    const Execution execution([&](const Progress& progress) {
+        EXPECT_EQ(std::this_thread::get_id(), caller);
+        EXPECT_EQ(progress.stage.id, stage.id);
+        fractions.push_back(progress.fraction);
+    });
+    runInParallel(4, 2, stage, execution, [&](std::size_t, const Execution& own) {
+        for (int k = 0; k <= 10; ++k) {
+            own.report(stage, k / 10.0);
+            std::this_thread::sleep_for(std::chrono::milliseconds(15));
+        }
+        own.report(stage, 0.2);
+    });
+    ASSERT_FALSE(fractions.empty());
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    EXPECT_EQ(fractions.back(), 1.0);
+}
+
+TEST(WorldPool, CancelReachesEveryPieceAndKeepsWhatIsDone) {
+    const Execution execution;
+    std::atomic<int> finished{0};
+    const auto work = [&](std::size_t i, const Execution& own) {
+        if (i == 0) {
+            ++finished;
+            execution.cancel();
+            return;
+        }
+        for (;;) {
+            own.check();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    };
+    EXPECT_THROW(runInParallel(5, 2, stage, execution, work), Cancelled);
+    EXPECT_EQ(finished, 1);
+    EXPECT_THROW(runInParallel(5, 2, stage, execution, work), Cancelled) << "nothing begins after a cancel";
+    EXPECT_EQ(finished, 1);
+}
+
+TEST(WorldPool, TheErrorOfTheFirstPieceStopsTheRest) {
+    std::atomic<int> begun{0};
+    const auto work = [&](std::size_t i, const Execution& own) {
+        ++begun;
+        if (i == 1) {
+            throw UsageError({"test.broken", "piece {0} is broken", {i}}, {});
+        }
+        while (i == 0) {
+            own.check();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    };
+    try {
+        runInParallel(40, 2, stage, Execution(), work);
+        FAIL() << "no error came out";
+    } catch (const UsageError& error) {
+        EXPECT_EQ(error.message().id, "test.broken");
+    }
+    EXPECT_LT(begun, 40);
+}
+
+}  // namespace
+}  // namespace rubble

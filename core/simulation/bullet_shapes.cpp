@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/simulation/terrain_shape.h"
+
 namespace rubble {
 
 namespace {
@@ -113,7 +115,9 @@ void FragmentDispatcher::collide(btBroadphasePair& pair, btCollisionDispatcher& 
     const btCollisionObjectWrapper wrapA(nullptr, shapeA, a, transformA, -1, -1);
     const btCollisionObjectWrapper wrapB(nullptr, shapeB, b, transformB, -1, -1);
     if (pair.m_algorithm == nullptr) {
-        pair.m_algorithm = dispatcher.findAlgorithm(&wrapA, &wrapB, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+        const bool terrain = TerrainShape::of(a) != nullptr || TerrainShape::of(b) != nullptr;
+        pair.m_algorithm = terrain ? makeTerrainAlgorithm(dispatcher, wrapA, wrapB)
+                                   : dispatcher.findAlgorithm(&wrapA, &wrapB, nullptr, BT_CONTACT_POINT_ALGORITHMS);
     }
     if (pair.m_algorithm != nullptr) {
         btManifoldResult result(&wrapA, &wrapB);

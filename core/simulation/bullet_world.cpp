@@ -5,6 +5,7 @@
 
 #include "core/simulation/constants.h"
 #include "core/simulation/soft_step_world.h"
+#include "core/simulation/terrain_shape.h"
 
 namespace rubble {
 
@@ -55,7 +56,7 @@ BulletWorld::~BulletWorld() {
 
 void BulletWorld::begin(std::unique_ptr<btDiscreteDynamicsWorld> world, bool groundObject) {
     m_world = std::move(world);
-    if (m_settings.ground && groundObject) {
+    if ((m_settings.ground || m_settings.terrain) && groundObject) {
         addGround();
     }
 }
@@ -89,9 +90,15 @@ void BulletWorld::addGround() {
     box.box.halfExtents = Vec3(reach, reach, groundHalfThickness);
     Collider& ground = makeCollider(m_ground, ColliderKind::Ground, {box});
     ground.material = m_settings.groundMaterial;
+    double middle = m_settings.groundHeight - groundHalfThickness;
+    if (m_settings.terrain) {
+        auto terrain =
+            std::make_unique<TerrainShape>(SiteSurface{m_settings.ground, m_settings.groundHeight, m_settings.terrain}, reach);
+        middle = terrain->middle();
+        ground.shape.shape = std::move(terrain);
+    }
     ground.object = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0.0, nullptr, ground.shape.shape.get()));
-    ground.object->setWorldTransform(
-        toBullet(Pose{Vec3(centre.x(), centre.y(), m_settings.groundHeight - groundHalfThickness), Quat::Identity()}));
+    ground.object->setWorldTransform(toBullet(Pose{Vec3(centre.x(), centre.y(), middle), Quat::Identity()}));
     insert(ground, groundGroup, bodyGroup);
 }
 

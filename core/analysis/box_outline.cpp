@@ -49,7 +49,7 @@ SmallPolygon outlineOf(const OrientedBox& box) {
     // The shadow of a box is the sum of the shadows of its three edges, in the order of their directions.
     const Mat3 axes = box.orientation.toRotationMatrix();
     const double negligible = 1e-12 * box.halfExtents.maxCoeff();
-    std::array<Vec2, 3> edges;
+    std::array<Vec2, 3> edges{Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
     std::size_t count = 0;
     for (int axis = 0; axis < 3; ++axis) {
         Vec2 edge = box.halfExtents[axis] * axes.col(axis).head<2>();

@@ -60,6 +60,7 @@ void fill(EffectInfluence& row, const StudyWorld& base, const StudyWorld& other,
     row.done = true;
     row.trajectoryHash = other.trajectoryHash;
     row.wallSeconds = other.wallSeconds;
+    row.breaches = other.breaches;
     row.figures = other.field.figures;
     row.difference = row.decision.on ? compareDebris(other.field, base.field) : compareDebris(base.field, other.field);
     const bool identical = base.trajectoryHash == other.trajectoryHash;

@@ -32,6 +32,7 @@ struct EffectInfluence {
     // The rest only where done.
     Digest trajectoryHash;        ///< of the run in the other state
     double wallSeconds = 0.0;     ///< it took
+    std::int64_t breaches = 0;    ///< of the limits of health, in the other state
     DebrisFigures figures;        ///< in the other state
     DebrisDifference difference;  ///< with the effect less without it
     std::array<double, measureCount>

@@ -9,6 +9,7 @@ namespace rubble {
 RepeatFloor floorOf(const StudyWorld& run, std::span<const std::optional<StudyWorld>> repeats, std::int64_t seed) {
     RepeatFloor floor;
     floor.trajectoryHash = run.trajectoryHash;
+    floor.breaches = run.breaches;
     floor.figures = run.field.figures;
     floor.largest = compareDebris(run.field, run.field);
     for (std::size_t a = 0; a < repeats.size(); ++a) {
@@ -18,6 +19,7 @@ RepeatFloor floorOf(const StudyWorld& run, std::span<const std::optional<StudyWo
         RepeatRow row;
         row.seed = seed + static_cast<std::int64_t>(a) + 1;
         row.trajectoryHash = repeats[a]->trajectoryHash;
+        row.breaches = repeats[a]->breaches;
         row.figures = repeats[a]->field.figures;
         row.difference = compareDebris(run.field, repeats[a]->field);
         floor.largest = largerOf(floor.largest, row.difference);

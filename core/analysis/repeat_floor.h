@@ -12,6 +12,7 @@ namespace rubble {
 struct RepeatRow {
     std::int64_t seed = 0;  ///< of its birth shift
     Digest trajectoryHash;
+    std::int64_t breaches = 0;  ///< of the limits of health
     DebrisFigures figures;
     DebrisDifference difference;  ///< against the run itself
 };
@@ -19,8 +20,9 @@ struct RepeatRow {
 /// How far a run repeats when nothing changes but every birth, by a micrometre: rigid piles are chaotic, so no difference smaller
 /// than this says anything about what was changed.
 struct RepeatFloor {
-    Digest trajectoryHash;  ///< of the run itself
-    DebrisFigures figures;  ///< of the run itself
+    Digest trajectoryHash;      ///< of the run itself
+    std::int64_t breaches = 0;  ///< of the run itself
+    DebrisFigures figures;      ///< of the run itself
     std::vector<RepeatRow> repeats;
     DebrisDifference largest;  ///< of all pairs among the run and its repeats; all NaN without repeats
 };

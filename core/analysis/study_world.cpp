@@ -64,8 +64,7 @@ StudyWorld simulateWorld(const RunDescription& description, const StudyBase& bas
     world.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     world.trajectoryHash = result.trajectoryHash;
     world.endTime = result.endTime;
-    world.stillMoving = result.stillMoving;
-    world.effects = result.effects;
+    world.breaches = static_cast<std::int64_t>(result.health.breaches.size());
     world.field = measureDebris(recorder.debris(settings.instant), base.plan, base.ground, settings.measures);
     return world;
 }

@@ -21,10 +21,9 @@ struct StudySettings {
 /// One simulated world of a study, as far as the study needs it.
 struct StudyWorld {
     Digest trajectoryHash;
-    double endTime = 0.0;      ///< s
-    double wallSeconds = 0.0;  ///< of the simulation
-    std::int64_t stillMoving = 0;
-    std::vector<EffectReport> effects;
+    double endTime = 0.0;       ///< s
+    double wallSeconds = 0.0;   ///< of the simulation
+    std::int64_t breaches = 0;  ///< of the limits of health
     DebrisField field;
 };
 

@@ -36,6 +36,7 @@ Palette light() {
     p.skyHorizon = QColor("#eceeed");
     p.ground = QColor("#cdcdc6");
     p.groundGrid = QColor("#bdbdb5");
+    p.water = QColor("#5f8fae");
     p.structureGreys = {QColor("#a89d8e"), QColor("#9a9ba1"), QColor("#b7a98f"), QColor("#8f877c"), QColor("#a5a89f")};
     p.categories = okabeIto;
     return p;
@@ -65,6 +66,7 @@ Palette dark() {
     p.skyHorizon = QColor("#42474d");
     p.ground = QColor("#383b3d");
     p.groundGrid = QColor("#484b4d");
+    p.water = QColor("#3f7396");
     p.structureGreys = {QColor("#b3a897"), QColor("#a4a6ad"), QColor("#c1b398"), QColor("#9a9286"), QColor("#b0b3a9")};
     p.categories = okabeIto;
     p.categories[0] = p.fragment;
@@ -156,6 +158,7 @@ render::SceneColours sceneColours(render::Theme theme) {
     c.skyHorizon = rgb(p.skyHorizon);
     c.ground = rgb(p.ground);
     c.grid = rgb(p.groundGrid);
+    c.water = rgb(p.water);
     c.divider = rgb(p.hairline);
     c.fragment = rgb(p.fragment);
     c.selection = rgb(p.accent);

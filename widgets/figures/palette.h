@@ -31,6 +31,7 @@ struct Palette {
     QColor chip;          ///< behind captions and legends in views (may be translucent)
     QColor chipText;
     QColor skyTop, skyHorizon, ground, groundGrid;  ///< background of views
+    QColor water;
     std::vector<QColor> structureGreys;             ///< by component, in turn
     std::vector<QColor> categories;                 ///< Okabe-Ito family, in turn
 };

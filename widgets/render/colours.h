@@ -18,6 +18,7 @@ struct Rgb {
 struct SceneColours {
     Rgb skyTop, skyHorizon;
     Rgb ground, grid;
+    Rgb water;
     Rgb divider;                       ///< between panes
     Rgb fragment;                      ///< plain highlight
     Rgb selection;                     ///< accent

@@ -137,7 +137,7 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
     data.fragments = run->fragments();
     data.clustering = run->clustering();
     data.trajectory = run;
-    data.groundHeight = scenario.simulation.groundHeight;
+    data.setSurroundings(scenario, inputs.terrain, run->result().get());
 
     qInstallMessageHandler(passOnQtMessage);
     figures::ensureGuiApplication();

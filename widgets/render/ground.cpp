@@ -10,9 +10,12 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+
+#include "widgets/render/relief.h"
 
 namespace rubble::render {
 namespace {
@@ -38,6 +41,11 @@ Rgb mixed(const Rgb& a, const Rgb& b, double share) {
         return static_cast<std::uint8_t>(std::lround((1 - share) * x + share * y));
     };
     return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
+}
+
+/// A colour in more or less light than level ground has.
+Rgb shaded(const Rgb& colour, double light) {
+    return light < 1.0 ? mixed({0, 0, 0}, colour, 0.4 + 0.6 * light) : mixed(colour, {255, 255, 255}, std::min(0.5, light - 1.0));
 }
 
 /// Share of the horizon's colour in the ground at a distance, both in model lengths.
@@ -90,13 +98,17 @@ double Ground::spacing(const Aabb& bounds) {
     return power * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
 }
 
-void Ground::set(const Aabb& bounds, double height, const SceneColours& colours) {
-    const Vec3 centre(bounds.center().x(), bounds.center().y(), height);
+void Ground::set(const Aabb& bounds, const SiteSurface& ground, const SceneColours& colours) {
+    const Vec3 centre(bounds.center().x(), bounds.center().y(), ground.terrain ? ground.terrain->lowest() : ground.levelHeight);
     const double size = std::max(bounds.sizes().norm(), 1e-3);
     m_reach = planeReach * size;
     makeSky(centre, colours);
-    makePlane(centre, colours);
-    makeGrid(centre, size, spacing(bounds), colours);
+    if (ground.terrain) {
+        makeRelief(*ground.terrain, bounds, colours);
+    } else {
+        makePlane(centre, colours);
+    }
+    makeGrid(ground, centre, size, spacing(bounds), colours);
 }
 
 void Ground::makeSky(const Vec3& centre, const SceneColours& colours) {
@@ -163,25 +175,51 @@ void Ground::makePlane(const Vec3& centre, const SceneColours& colours) {
     m_plane->Modified();
 }
 
-void Ground::makeGrid(const Vec3& centre, double size, double step, const SceneColours& colours) {
+void Ground::makeRelief(const TerrainGrid& terrain, const Aabb& bounds, const SceneColours& colours) {
+    const Relief relief = reliefOf(terrain, bounds, m_reach);
+    const double size = m_reach / planeReach;
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    vtkNew<vtkUnsignedCharArray> rgba;
+    rgba->SetNumberOfComponents(4);
+    for (std::size_t i = 0; i < relief.points.size(); ++i) {
+        const Vec3& p = relief.points[i];
+        points->InsertNextPoint(p.data());
+        const double distance = std::hypot(p.x() - bounds.center().x(), p.y() - bounds.center().y()) / size;
+        addColour(*rgba, mixed(shaded(colours.ground, relief.shade[i]), colours.skyHorizon, haze(distance)));
+    }
+    for (const auto& triangle : relief.triangles) {
+        const std::array<vtkIdType, 3> ids{triangle[0], triangle[1], triangle[2]};
+        cells->InsertNextCell(3, ids.data());
+    }
+    m_plane->SetPoints(points);
+    m_plane->SetPolys(cells);
+    m_plane->GetPointData()->SetScalars(rgba);
+    m_plane->Modified();
+}
+
+void Ground::makeGrid(const SiteSurface& ground, const Vec3& centre, double size, double step, const SceneColours& colours) {
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> lines;
     vtkNew<vtkUnsignedCharArray> rgba;
     rgba->SetNumberOfComponents(4);
     const double reach = gridReach * size;
     const int count = static_cast<int>(std::ceil(reach / step));
+    // On a terrain a line follows the slopes between its crossings.
+    const int pieces = ground.terrain ? 8 : 1;
     const auto line = [&](int axis, double across) {
         // Short pieces let the line fade with the distance from the model.
-        for (int i = -count; i <= count; ++i) {
+        for (int i = -count * pieces; i <= count * pieces; ++i) {
             Vec3 p(centre.x(), centre.y(), centre.z());
             p[1 - axis] = across;
-            p[axis] = step * (std::round(centre[axis] / step) + i);
+            p[axis] = step * (std::round(centre[axis] / step) + static_cast<double>(i) / pieces);
+            p.z() = ground.height(p.x(), p.y());
             const double distance = std::hypot(p.x() - centre.x(), p.y() - centre.y());
             const double faded = std::clamp(std::pow(distance / reach, 2.0), 0.0, 1.0);
             const Rgb under = mixed(colours.ground, colours.skyHorizon, haze(distance / size));
             const vtkIdType id = points->InsertNextPoint(p.data());
             addColour(*rgba, mixed(colours.grid, under, faded));
-            if (i > -count) {
+            if (i > -count * pieces) {
                 const std::array<vtkIdType, 2> piece{id - 1, id};
                 lines->InsertNextCell(2, piece.data());
             }

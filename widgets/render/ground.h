@@ -3,6 +3,7 @@
 #include <vtkSmartPointer.h>
 
 #include "core/base/geometry.h"
+#include "core/fe/site_surface.h"
 #include "widgets/render/colours.h"
 
 class vtkActor;
@@ -11,7 +12,8 @@ class vtkRenderer;
 
 namespace rubble::render {
 
-/// What surrounds the model in a pane: a plane that fades into the horizon, with a quiet grid of round spacing, and the sky above.
+/// What surrounds the model in a pane: a plane or a terrain that fades into the horizon, with a quiet grid of round spacing, and
+/// the sky above.
 class Ground {
 public:
     Ground();
@@ -19,8 +21,8 @@ public:
 
     void addTo(vtkRenderer& renderer);
     /// @param bounds  of the model, m
-    /// @param height  of the ground, m
-    void set(const Aabb& bounds, double height, const SceneColours& colours);
+    /// @param ground  level, or a terrain: a surface shaded by its slope
+    void set(const Aabb& bounds, const SiteSurface& ground, const SceneColours& colours);
     void setVisible(bool visible);
     /// How far the ground reaches from the model's centre, m.
     double reach() const { return m_reach; }
@@ -30,7 +32,8 @@ public:
 private:
     void makeSky(const Vec3& centre, const SceneColours& colours);
     void makePlane(const Vec3& centre, const SceneColours& colours);
-    void makeGrid(const Vec3& centre, double size, double step, const SceneColours& colours);
+    void makeRelief(const TerrainGrid& terrain, const Aabb& bounds, const SceneColours& colours);
+    void makeGrid(const SiteSurface& ground, const Vec3& centre, double size, double step, const SceneColours& colours);
 
     double m_reach = 0.0;
     vtkSmartPointer<vtkPolyData> m_sky;

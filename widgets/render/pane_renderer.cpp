@@ -94,7 +94,8 @@ PaneRenderer::PaneRenderer()
     makeActors();
     m_renderer->AddActor(m_modelActor);
     m_renderer->AddActor(m_selectionActor);
-    m_ground.addTo(*m_renderer);                 // last: what the model covers is not shaded again
+    m_ground.addTo(*m_renderer);  // last: what the model covers is not shaded again
+    m_water.addTo(*m_renderer);
     m_renderer->GetCullers()->RemoveAllItems();  // they ask every frame for the bounds of all points
     m_renderer->AutomaticLightCreationOff();
     // One lamp behind the viewer's left shoulder shows the three faces of a block in three tones.
@@ -123,7 +124,8 @@ void PaneRenderer::makeActors() {
     m_modelActor->GetProperty()->SetLineWidth(2.0f);
 }
 
-void PaneRenderer::setColours(const SceneColours& colours, const Aabb& bounds, double groundHeight) {
+void PaneRenderer::setColours(const SceneColours& colours, const Aabb& bounds, const SiteSurface& ground,
+                              std::optional<double> waterLevel) {
     const auto& low = colours.skyHorizon;
     m_renderer->SetBackground(channel(low.r), channel(low.g), channel(low.b));
     for (vtkActor* actor : {m_modelActor.Get(), m_selectionActor.Get()}) {
@@ -133,12 +135,14 @@ void PaneRenderer::setColours(const SceneColours& colours, const Aabb& bounds, d
     m_selectionActor->GetProperty()->SetColor(channel(colours.selection.r), channel(colours.selection.g),
                                               channel(colours.selection.b));
     if (!bounds.isEmpty()) {
-        m_ground.set(bounds, groundHeight, colours);
+        m_ground.set(bounds, ground, colours);
+        m_water.set(waterLevel, bounds, m_ground.reach(), colours);
     }
 }
 
 void PaneRenderer::setGround(bool visible) {
     m_ground.setVisible(visible);
+    m_water.setVisible(visible);
 }
 
 void PaneRenderer::setTriangles(const PaneGeometry& geometry) {

@@ -3,10 +3,12 @@
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
+#include <optional>
 
 #include "widgets/render/ground.h"
 #include "widgets/render/pane_geometry.h"
 #include "widgets/render/panes.h"
+#include "widgets/render/water_surface.h"
 
 class vtkActor;
 class vtkFloatArray;
@@ -27,7 +29,8 @@ public:
 
     /// Hands the geometry's arrays to VTK (not copied: the geometry must outlive the next Render()); null shows an empty pane.
     void show(const PaneGeometry* geometry);
-    void setColours(const SceneColours& colours, const Aabb& bounds, double groundHeight);
+    /// @param waterLevel  m; unset: no water
+    void setColours(const SceneColours& colours, const Aabb& bounds, const SiteSurface& ground, std::optional<double> waterLevel);
     void setGround(bool visible);
     /// @param pane  place in a window of width x height device pixels
     void place(const Pane& pane, int width, int height);
@@ -46,6 +49,7 @@ private:
     vtkSmartPointer<vtkActor> m_modelActor;
     vtkSmartPointer<vtkActor> m_selectionActor;
     Ground m_ground;
+    WaterSurface m_water;
     const PaneGeometry* m_shown = nullptr;
     std::uint64_t m_pointsVersion = 0;
     std::uint64_t m_coloursVersion = 0;

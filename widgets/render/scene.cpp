@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "widgets/render/camera.h"
 #include "widgets/render/pane_geometry.h"
 #include "widgets/render/pane_renderer.h"
+#include "widgets/render/relief.h"
 
 namespace rubble::render {
 namespace {
@@ -18,6 +20,23 @@ constexpr double standardGravity = 9.80665;
 
 std::size_t indexOf(PaneContent content) {
     return content == PaneContent::Fe ? 0 : 1;
+}
+
+SiteSurface groundOf(const SceneData& data) {
+    return {true, data.groundHeight, data.terrain};
+}
+
+/// Lowest ground below the model, m.
+double lowestBelow(const SceneData& data, const Aabb& bounds) {
+    const SiteSurface ground = groundOf(data);
+    constexpr int samples = 32;
+    double lowest = ground.height(bounds.min().x(), bounds.min().y());
+    for (int i = 0; ground.terrain && i <= samples * samples; ++i) {
+        const Vec3 share(static_cast<double>(i % samples) / (samples - 1), static_cast<double>(i / samples) / samples, 0.0);
+        const Vec3 p = bounds.min() + share.cwiseProduct(bounds.sizes());
+        lowest = std::min(lowest, ground.height(p.x(), p.y()));
+    }
+    return lowest;
 }
 
 Aabb boundsOf(const SceneData& data) {
@@ -29,7 +48,7 @@ Aabb boundsOf(const SceneData& data) {
         bounds.extend(node);
     }
     if (!bounds.isEmpty()) {
-        bounds.min().z() = std::min(bounds.min().z(), data.groundHeight);
+        bounds.min().z() = std::min(bounds.min().z(), lowestBelow(data, bounds));
     }
     return bounds;
 }
@@ -82,8 +101,9 @@ struct Scene::Impl {
     }
 
     void applyColours() {
-        for (PaneRenderer& renderer : renderers) {
-            renderer.setColours(scale.colours, bounds, data.groundHeight);
+        for (std::size_t i = 0; i < renderers.size(); ++i) {
+            const bool fragments = i == indexOf(PaneContent::Fragments);
+            renderers[i].setColours(scale.colours, bounds, groundOf(data), fragments ? data.waterLevel : std::nullopt);
         }
         const Rgb& c = scale.colours.divider;
         backdrop->SetBackground(c.r / 255.0, c.g / 255.0, c.b / 255.0);
@@ -96,7 +116,13 @@ struct Scene::Impl {
     }
 
     /// Along a ray to the ground, m; negative behind it, not finite for a level ray.
-    double groundDistance(const Ray& ray) const { return (data.groundHeight - ray.origin.z()) / ray.direction.z(); }
+    double groundDistance(const Ray& ray) const {
+        if (!data.terrain) {
+            return (data.groundHeight - ray.origin.z()) / ray.direction.z();
+        }
+        const double reach = (ray.origin - bounds.center()).norm() + 20.0 * bounds.sizes().norm();
+        return meetTerrain(*data.terrain, ray, reach).value_or(std::numeric_limits<double>::infinity());
+    }
 
     void drop(std::size_t pane) {
         renderers[pane].show(nullptr);

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/clusters/clustering.h"
 #include "core/fe/components.h"
 #include "core/fe/fe_result.h"
+#include "core/fe/terrain_grid.h"
 #include "core/fragments/fragment_set.h"
+#include "core/scenario/scenario.h"
+#include "core/simulation/simulation.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble::render {
@@ -18,7 +22,13 @@ struct SceneData {
     std::shared_ptr<const FragmentSet> fragments;
     std::shared_ptr<const Clustering> clustering;
     std::shared_ptr<const TrajectoryReader> trajectory;
-    double groundHeight = 0.0;  ///< m
+    double groundHeight = 0.0;                   ///< m
+    std::shared_ptr<const TerrainGrid> terrain;  ///< drawn instead of the level ground; null: none
+    std::optional<double> waterLevel;            ///< m, drawn in the fragments pane; unset: no water
+
+    /// Ground, terrain and water as a run has them: what was off in it is not shown. Before a run's outcome is known everything is
+    /// shown that is not switched off.
+    void setSurroundings(const Scenario& scenario, std::shared_ptr<const TerrainGrid> terrain, const SimulationResult* outcome);
 
     friend bool operator==(const SceneData&, const SceneData&) = default;
 };

@@ -60,6 +60,7 @@ const std::vector<Room>& rooms() {
     static const std::vector<Room> table{
         {"core", {"core"}, {"Eigen", "xxHash"}},
         {"core/simulation", {"core"}, {"Eigen", "Bullet"}},
+        {"core/selftest", {"core"}, {"Eigen"}},
         {"io", {"core", "io"}, {"Eigen", "HDF5", "Exodus", "GDAL", "VTK", "nlohmann", "pugixml", "zlib", "OpenSSL"}},
         {"widgets/render", {"core", "widgets/render"}, {"Eigen", "VTK"}},
         {"widgets/figures", {"core", "widgets/render", "widgets/figures"}, {"Eigen", "VTK", "Qt", "X11"}},
@@ -118,6 +119,21 @@ TEST(Include, RoomsSeeOnlyWhatTheTableAllows) {
         }
     }
     EXPECT_GT(checked, 500u) << "the sources were not found";
+}
+
+// The suite of hard cases looks at everything, so nothing may lean on it but the command line.
+TEST(Include, NothingOfTheProgramSeesTheSelfTestButItsCommand) {
+    std::size_t seen = 0;
+    for (const SourceFile& file : programSources()) {
+        for (const Include& include : includesOf(file)) {
+            if (include.quoted && include.name.starts_with("core/selftest/")) {
+                ++seen;
+                EXPECT_TRUE(file.under("core/selftest") || file.path == "app/cli/self_test_command.cpp")
+                    << place(file, include.line) << ": " << include.name;
+            }
+        }
+    }
+    EXPECT_GT(seen, 5u);
 }
 
 TEST(Include, IoIncludesNoRenderingOfVtk) {

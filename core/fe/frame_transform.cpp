@@ -1,10 +1,10 @@
-#include "io/frame_transform.h"
+#include "core/fe/frame_transform.h"
 
 #include <cmath>
 
 #include "core/base/error.h"
 
-namespace rubble::io {
+namespace rubble {
 
 namespace {
 
@@ -32,4 +32,4 @@ FrameTransform::FrameTransform(const Frame& frame)
     }
 }
 
-}  // namespace rubble::io
+}  // namespace rubble

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/simulation/rigid_world.h"
+
+namespace rubble::selftest {
+
+/// How deep two boxes are inside each other: the least distance along any of the 15 separating axes that parts them, m; negative is
+/// a gap (a lower bound of it). Takes nothing from any solver, so that a solver cannot be the judge of itself.
+double overlapOf(const OrientedBox& a, const OrientedBox& b);
+
+/// Overlap of the bodies of a world, each taken as the box of its only part.
+struct OverlapMeasure {
+    double deepest = 0.0;         ///< m
+    double p99 = 0.0;             ///< m, 99th percentile over the bodies of the deepest overlap of each
+    double deepestShare = 0.0;    ///< deepest over the smaller body's smallest side
+    std::int64_t beyondFive = 0;  ///< bodies deeper than 5 % of the smaller side
+};
+/// @param boxes  boxes in world axes
+OverlapMeasure measureOverlap(const std::vector<OrientedBox>& boxes);
+
+/// Boxes of all present bodies of a world, in world axes.
+/// @param sizes  [bodies] full sizes of the boxes, centred on the bodies
+std::vector<OrientedBox> placedBoxes(const RigidWorld& world, const std::vector<Vec3>& sizes);
+
+/// Lowest corner of a box, m.
+double lowestCorner(const OrientedBox& box);
+
+}  // namespace rubble::selftest

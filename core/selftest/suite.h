@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/selftest/hard_case.h"
+
+namespace rubble::selftest {
+
+/// Every case, in the order in which tables list them. Ids are unique.
+const std::vector<HardCase>& hardCases();
+
+/// The cases with the given ids, in table order; "closed-form" stands for all whose id begins with "form-". Empty: all.
+/// Throws UsageError for an id that does not exist.
+std::vector<const HardCase*> chosenCases(const std::vector<std::string>& ids);
+
+/// What became of one case.
+struct CaseResult {
+    const HardCase* hardCase = nullptr;
+    bool finished = false;  ///< not cancelled
+    Outcome outcome;
+    std::string error;  ///< the case could not be run to its end; empty if it could
+    double seconds = 0.0;
+    bool pass() const { return finished && error.empty() && outcome.pass(); }
+};
+
+struct SuiteSettings {
+    SolverKind solver = SolverKind::SoftStep;
+    bool small = false;
+    int threads = 2;  ///< cases at a time; no result depends on it
+};
+
+/// Runs cases, long ones first, each in worlds of its own. What was not finished when the execution was cancelled is marked so.
+/// @return  in the order of `cases`
+std::vector<CaseResult> runSuite(const std::vector<const HardCase*>& cases, const SuiteSettings& settings,
+                                 const Execution& execution);
+
+/// One case as the suite runs it.
+CaseResult runCase(const HardCase& hardCase, const SuiteSettings& settings, const Execution& execution);
+
+}  // namespace rubble::selftest

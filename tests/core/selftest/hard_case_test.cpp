@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "core/selftest/suite.h"
+
+namespace rubble::selftest {
+namespace {
+
+std::string nameOf(const testing::TestParamInfo<const HardCase*>& info) {
+    std::string name;
+    bool upper = true;
+    for (const char c : info.param->id) {
+        if (c == '-') {
+            upper = true;
+            continue;
+        }
+        name += upper ? static_cast<char>(std::toupper(c)) : c;
+        upper = false;
+    }
+    return name;
+}
+
+/// The suite that users run, case by case. The long ones (pile-50000, shaft-900, step-halved, pile-rest-60s, sizes-1cm-10m,
+/// form-repose) run in a smaller size here, with the same criteria; `rubble-cli self-test` runs the full size.
+class HardCases : public testing::TestWithParam<const HardCase*> {};
+
+TEST_P(HardCases, HoldItsCriterion) {
+    SuiteSettings settings;
+    settings.small = true;
+    const CaseResult result = runCase(*GetParam(), settings, Execution());
+    EXPECT_TRUE(result.finished);
+    EXPECT_EQ(result.error, "");
+    for (const Check& check : result.outcome.checks()) {
+        EXPECT_TRUE(check.pass()) << check.name << ": " << check.measured
+                                  << (check.bound == Bound::AtMost ? ", at most " : ", at least ") << check.limit << ' '
+                                  << check.unit;
+    }
+    EXPECT_TRUE(result.pass());
+}
+
+INSTANTIATE_TEST_SUITE_P(SelfTest, HardCases, testing::ValuesIn(chosenCases({})), nameOf);
+
+}  // namespace
+}  // namespace rubble::selftest

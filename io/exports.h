@@ -15,7 +15,8 @@ namespace rubble::io {
 void exportFragments(const std::string& path, const RunReader& run, const Execution& execution);
 
 /// Writes D.pvd and a folder D/ of VTU files: fragments (solids with fragment_id, element_id, component, cluster_id, speed m/s) as
-/// part 0 and active structure as part 1, at every FE state that the run reached and, after the last, at frames about as far apart.
+/// part 0 and active structure as part 1, at every FE state that the run reached and, after the last, at frames about as far apart;
+/// released islands of live structure leave part 1 at the last FE state and are part 2 from then on.
 /// Opens in ParaView; the numbers of component index the string field component_names. Coordinates as in exportFragments(). After
 /// a cancel the series holds what was written until then.
 /// Throws WorldError, ParseError, UsageError (not the FE file of the run), Cancelled.

@@ -127,6 +127,8 @@ struct Series {
     std::vector<ComponentId> componentOf;  // of each element
     std::vector<std::int64_t> elementIds;  // of each fragment
     std::shared_ptr<const Clustering> clustering;
+    std::vector<IslandRecord> islands;  // released when the FE result ends
+    std::vector<BodyRecord> bodies;
 };
 
 Series makeSeries(const RunReader& run, const FeResult& fe) {
@@ -138,7 +140,9 @@ Series makeSeries(const RunReader& run, const FeResult& fe) {
                   run.componentNames(),
                   {},
                   run.elementIds(),
-                  run.clustering()};
+                  run.clustering(),
+                  run.islands(),
+                  run.bodies()};
     series.componentOf = groupComponents(fe.mesh(), scenario.regrouping, scenario.components, scenario.assumptions).of;
     for (const Fragment& fragment : series.places.fragments().list) {
         if (at(fragment.element) >= fe.mesh().elementCount()) {
@@ -147,6 +151,10 @@ Series makeSeries(const RunReader& run, const FeResult& fe) {
                 Message{"io.series.other_fe.remedy", "Give the FE file that the run names.", {}});
         }
     }
+    std::erase_if(series.islands, [&](const IslandRecord& island) {
+        return std::any_of(island.elements.begin(), island.elements.end(),
+                           [&](ElementIndex e) { return at(e) >= fe.mesh().elementCount(); });
+    });
     return series;
 }
 
@@ -173,6 +181,12 @@ std::string structureText(const Series& series, std::size_t state, const std::ve
     for (const FragmentPlaces::Place& place : shown) {
         isFragment[at(series.places.fragments().list[at(place.fragment)].element)] = true;
     }
+    // Loose parts of it leave with the last state.
+    for (std::size_t i = 0; state + 1 == series.fe.stateCount() && i < series.islands.size(); ++i) {
+        for (const ElementIndex e : series.islands[i].elements) {
+            isFragment[at(e)] = true;
+        }
+    }
     const std::shared_ptr<const FeState> positions = series.fe.state(state);
     std::vector<vtkIdType> pointOf(mesh.nodeCount(), -1);
     GridBuilder builder(series.world.offset());
@@ -190,6 +204,36 @@ std::string structureText(const Series& series, std::size_t state, const std::ve
             corners.push_back(pointOf[node]);
         }
         builder.addCell(mesh.shapes[e], corners, mesh.elementIds[e], at(series.componentOf[e]));
+    }
+    return builder.text(series.componentNames);
+}
+
+/// The released islands where their bodies are.
+std::string releasedText(const Series& series, double time) {
+    const Mesh& mesh = series.fe.mesh();
+    const TrajectoryFrame frame = frameAtTime(series.run, time);
+    const std::shared_ptr<const FeState> positions = series.fe.state(series.fe.stateCount() - 1);
+    GridBuilder builder(series.world.offset());
+    std::vector<vtkIdType> pointOf(mesh.nodeCount(), -1);
+    std::vector<vtkIdType> corners;
+    for (const IslandRecord& island : series.islands) {
+        const std::size_t body = at(island.body);
+        if (body >= frame.bodies()) {
+            continue;
+        }
+        const Pose& birth = series.bodies[body].atBirth;
+        const Quat turn = frame.orientations[body].cast<double>().normalized() * birth.orientation.conjugate();
+        const Vec3 place = frame.positions[body].cast<double>();
+        for (const ElementIndex e : island.elements) {
+            corners.clear();
+            for (const std::uint32_t node : mesh.cornersOf(e)) {
+                if (pointOf[node] < 0) {
+                    pointOf[node] = builder.addPoint(place + turn * (positions->positions[node] - birth.position));
+                }
+                corners.push_back(pointOf[node]);
+            }
+            builder.addCell(mesh.shapes[at(e)], corners, mesh.elementIds[at(e)], at(series.componentOf[at(e)]));
+        }
     }
     return builder.text(series.componentNames);
 }
@@ -222,6 +266,8 @@ std::vector<Instant> instantsOf(const Series& series) {
     return instants;
 }
 
+constexpr std::array<const char*, 3> partNames{"fragments", "structure", "released"};
+
 struct Entry {
     double time;
     int part;
@@ -245,7 +291,7 @@ void writeIndex(const std::string& path, const std::vector<Entry>& entries) {
         pugi::xml_node set = collection.append_child("DataSet");
         set.append_attribute("timestep") = timeText(entry.time).c_str();
         set.append_attribute("part") = entry.part;
-        set.append_attribute("name") = entry.part == 0 ? "fragments" : "structure";
+        set.append_attribute("name") = partNames[static_cast<std::size_t>(entry.part)];
         set.append_attribute("file") = entry.file.c_str();
     }
     writeAtomically(path, [&](std::ostream& out) { document.save(out, "  "); });
@@ -267,7 +313,9 @@ void removeStale(const fs::path& folder, const std::vector<Entry>& entries) {
     std::vector<fs::path> stale;
     for (const auto& file : fs::directory_iterator(folder, ignored)) {
         const std::string name = file.path().filename().string();
-        const bool ours = file.path().extension() == ".vtu" && (name.starts_with("fragments_") || name.starts_with("structure_"));
+        const bool ours = file.path().extension() == ".vtu" &&
+                          std::any_of(partNames.begin(), partNames.end(),
+                                      [&](const char* part) { return name.starts_with(std::string(part) + '_'); });
         if (ours && !current.contains(name)) {
             stale.push_back(file.path());
         }
@@ -300,6 +348,11 @@ void writeInstants(const Series& series, const fs::path& folder, const std::stri
         const std::string prefix = folder.filename().string() + "/";
         entries.push_back({instant.time, 0, prefix + fragments});
         entries.push_back({instant.time, 1, prefix + lastStructure->second});
+        if (!series.islands.empty() && instant.state + 1 == series.fe.stateCount()) {
+            const std::string released = numberedName("released", i);
+            writeText(folder / released, releasedText(series, instant.time));
+            entries.push_back({instant.time, 2, prefix + released});
+        }
     }
 }
 

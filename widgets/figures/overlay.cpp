@@ -281,6 +281,9 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
         if (pane.content == render::PaneContent::Fragments && scene.data().fragments) {
             addFragments(overlay, view, scene, status, sceneColours(view.theme));
             overlay.legend.push_back({p.structure, tr("active structure %1").arg(countText(status.active))});
+            if (status.released > 0) {
+                overlay.legend.push_back({p.released, tr("released structure %1").arg(countText(status.released))});
+            }
         } else {
             overlay.legend.push_back(
                 {p.structure, tr("active %1 of %2 elements").arg(countText(status.active), countText(status.elements))});

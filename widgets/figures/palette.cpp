@@ -26,6 +26,7 @@ Palette light() {
     p.fragment = QColor("#d55e00");
     p.fragmentTint = QColor("#f3d6c0");
     p.structure = QColor("#a3988a");
+    p.released = QColor("#7d5a8c");
     p.finding = QColor("#b57a00");
     p.findingTint = QColor("#fff3d6");
     p.error = QColor("#b3261e");
@@ -56,6 +57,7 @@ Palette dark() {
     p.fragment = QColor("#f0843a");
     p.fragmentTint = QColor("#5c4333");
     p.structure = QColor("#b0a594");
+    p.released = QColor("#b48fc4");
     p.finding = QColor("#e3a43c");
     p.findingTint = QColor("#3f3522");
     p.error = QColor("#f07a70");
@@ -162,6 +164,7 @@ render::SceneColours sceneColours(render::Theme theme) {
     c.divider = rgb(p.hairline);
     c.fragment = rgb(p.fragment);
     c.selection = rgb(p.accent);
+    c.released = rgb(p.released);
     c.structure = rgbs(p.structureGreys);
     c.categories = rgbs(p.categories);
     for (std::size_t i = 0; i < c.birthRamp.size(); ++i) {

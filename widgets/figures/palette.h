@@ -24,6 +24,7 @@ struct Palette {
     QColor fragment;      ///< vermilion, everywhere
     QColor fragmentTint;  ///< area under a curve of fragments
     QColor structure;     ///< stone grey of the active structure in legends
+    QColor released;      ///< structure that was released as rigid bodies, everywhere
     QColor finding;       ///< amber
     QColor findingTint;   ///< behind a finding
     QColor error;         ///< errors only
@@ -32,8 +33,8 @@ struct Palette {
     QColor chipText;
     QColor skyTop, skyHorizon, ground, groundGrid;  ///< background of views
     QColor water;
-    std::vector<QColor> structureGreys;             ///< by component, in turn
-    std::vector<QColor> categories;                 ///< Okabe-Ito family, in turn
+    std::vector<QColor> structureGreys;  ///< by component, in turn
+    std::vector<QColor> categories;      ///< Okabe-Ito family, in turn
 };
 
 const Palette& palette(render::Theme theme);

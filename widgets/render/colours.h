@@ -22,6 +22,7 @@ struct SceneColours {
     Rgb divider;                       ///< between panes
     Rgb fragment;                      ///< plain highlight
     Rgb selection;                     ///< accent
+    Rgb released;                      ///< islands of live structure after their release
     std::vector<Rgb> structure;        ///< stone greys, taken in turn by component
     std::vector<Rgb> categories;       ///< by component or cluster, taken in turn
     std::array<Rgb, 256> birthRamp{};  ///< first birth .. last birth

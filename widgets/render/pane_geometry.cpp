@@ -77,6 +77,23 @@ void PaneGeometry::followTrajectory() {
     }
 }
 
+void PaneGeometry::bindBodies() {
+    const std::vector<Carrier> carriers = m_data.trajectory->carriers();
+    m_debris->bind(carriers);
+    m_boundBodies = m_frame.bodies();
+    for (const Carrier& carrier : carriers) {
+        m_boundBodies = std::max(m_boundBodies, at(carrier.body) + 1);
+    }
+    m_islands.bind(m_data.fe->mesh(), m_data.trajectory->islands(), m_data.trajectory->bodies());
+    if (!m_islands.empty()) {
+        const auto place = std::lower_bound(m_debrisEvents.begin(), m_debrisEvents.end(), m_islands.from());
+        if (place == m_debrisEvents.end() || *place != m_islands.from()) {
+            m_debrisEvents.insert(place, m_islands.from());
+        }
+    }
+    m_debrisSlot = ~std::uint64_t{0};
+}
+
 double PaneGeometry::shownTime(double time) {
     const double feEnd = m_data.fe->times().back();
     m_status.waitsForRun = false;
@@ -104,14 +121,9 @@ void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& sca
         if (m_carried) {
             m_frame = frameAtTime(*m_data.trajectory, shown);
             if (m_frame.bodies() > m_boundBodies) {
-                const std::vector<Carrier> carriers = m_data.trajectory->carriers();
-                m_debris->bind(carriers);
-                m_boundBodies = m_frame.bodies();
-                for (const Carrier& carrier : carriers) {
-                    m_boundBodies = std::max(m_boundBodies, at(carrier.body) + 1);
-                }
-                m_debrisSlot = ~std::uint64_t{0};
+                bindBodies();
             }
+            m_islands.moveTo(m_frame);
         }
     }
     m_status.state = static_cast<std::uint32_t>(m_motion.state());
@@ -156,7 +168,7 @@ void PaneGeometry::rebuildTriangles(double time) {
     if (m_debris) {
         addDebris(time);
     }
-    addStructure();
+    addStructure(time);
     ++m_trianglesVersion;
 }
 
@@ -200,15 +212,16 @@ void PaneGeometry::addDebris(double time) {
     }
 }
 
-void PaneGeometry::addStructure() {
+void PaneGeometry::addStructure(double time) {
     // One point for each node and grey, so that components keep crisp borders.
     constexpr std::uint32_t greys = colour_choice::greys;
+    const bool afloat = released(time);
     std::vector<std::int32_t> pointOf(m_data.fe->mesh().nodeCount() * greys, -1);
     const auto pointFor = [&](std::uint32_t node, std::uint32_t grey) {
         std::int32_t& point = pointOf[std::size_t{node} * greys + grey];
         if (point < 0) {
             point = static_cast<std::int32_t>(m_debrisPoints + m_structurePoints.size());
-            m_structurePoints.push_back({node, grey});
+            m_structurePoints.push_back({node, grey, afloat ? m_islands.of(node) : IslandMotion::none});
         }
         return point;
     };
@@ -240,7 +253,10 @@ void PaneGeometry::place(double time) {
     }
     float* p = m_points.data() + 3 * m_debrisPoints;
     for (const StructurePoint& point : m_structurePoints) {
-        const Eigen::Vector3f x = m_motion[point.node];
+        Eigen::Vector3f x = m_motion[point.node];
+        if (point.island != IslandMotion::none) {
+            x = m_islands.place(point.island, x);
+        }
         p[0] = x.x();
         p[1] = x.y();
         p[2] = x.z();
@@ -292,7 +308,7 @@ void PaneGeometry::colour(ColourBy colourBy, const ColourScale& scale) {
         put(debrisColour(m_debris->vertices()[i].fragment, m_groupOfPoint[i], speeds, colourBy, scale));
     }
     for (const StructurePoint& point : m_structurePoints) {
-        put(colour_choice::structure(scale.colours, point.grey));
+        put(point.island == IslandMotion::none ? colour_choice::structure(scale.colours, point.grey) : scale.colours.released);
     }
     ++m_coloursVersion;
 }
@@ -312,6 +328,7 @@ void PaneGeometry::select(const std::vector<ElementIndex>& selection) {
 
 void PaneGeometry::countShown(double time) {
     m_status.active = m_status.fragments = m_status.clusters = 0;
+    m_status.released = released(time) ? m_islands.elements() : 0;
     m_status.bornByComponent.clear();
     m_status.faces = m_triangles.size() / 3;
     for (std::size_t e = 0; e < m_status.elements; ++e) {
@@ -319,6 +336,7 @@ void PaneGeometry::countShown(double time) {
             m_status.active += span.from <= time && time < span.to;
         }
     }
+    m_status.active -= std::min(m_status.active, m_status.released);
     if (!m_data.fragments) {
         return;
     }

@@ -8,6 +8,7 @@
 #include "widgets/render/camera.h"
 #include "widgets/render/colours.h"
 #include "widgets/render/debris_geometry.h"
+#include "widgets/render/island_motion.h"
 #include "widgets/render/node_motion.h"
 #include "widgets/render/scene.h"
 #include "widgets/render/scene_data.h"
@@ -56,13 +57,15 @@ private:
     struct StructurePoint {
         std::uint32_t node = 0;
         std::uint32_t grey = 0;
+        std::uint32_t island = IslandMotion::none;  ///< released, and carried by a body
     };
 
     void makeFaces(bool carried);
     double shownTime(double time);
     void followTrajectory();
+    void bindBodies();
     void rebuildTriangles(double time);
-    void addStructure();
+    void addStructure(double time);
     void addDebris(double time);
     void place(double time);
     void colour(ColourBy colourBy, const ColourScale& scale);
@@ -71,6 +74,7 @@ private:
     void select(const std::vector<ElementIndex>& selection);
     void countShown(double time);
     std::uint32_t componentOf(ElementIndex element) const;
+    bool released(double time) const { return m_carried && !m_islands.empty() && time >= m_islands.from(); }
 
     PaneContent m_content;
     SceneData m_data;
@@ -81,6 +85,7 @@ private:
     std::unique_ptr<StructureFaces> m_structure;
     std::unique_ptr<DebrisGeometry> m_debris;
     std::vector<double> m_debrisEvents;
+    IslandMotion m_islands;
     TrajectoryFrame m_frame;
     std::size_t m_boundBodies = 0;
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "io/case_file.h"
 #include "io/files.h"
 #include "io/frame_transform.h"
 #include "io/terrain/height_raster.h"
@@ -295,6 +296,32 @@ TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb
     checkFile(path);
     execution.check();
     return TerrainReading(path, frame, around, execution).read();
+}
+
+TerrainInput openTerrainOfCase(const Case& theCase, const std::string& casePath, const Mesh& fe, const Execution& execution) {
+    const CaseInput* first = nullptr;
+    std::int64_t terrains = 0;
+    for (const CaseInput& input : theCase.inputs) {
+        if (input.role == InputRole::Terrain) {
+            first = ++terrains == 1 ? &input : first;
+        }
+    }
+    if (first == nullptr) {
+        return {};
+    }
+    TerrainInput terrain = openTerrain(inputPath(casePath, *first), theCase.frame, boundsAtRest(fe), execution);
+    if (terrains > 1) {
+        terrain.findings.add({"case.terrains", "the case has {0} terrains; the first is used", {terrains}},
+                             {"case.terrains.remedy", "keep one, or merge them into one raster", {}}, terrain.path, terrains);
+    }
+    if (!first->sha256.empty() && terrain.sha256 != first->sha256) {
+        terrain.findings.add({"case.terrain_changed", "the terrain is not the one the case was saved with", {}},
+                             {"case.terrain_changed.remedy",
+                              "find the file with the SHA-256 of the case, or save the case anew",
+                              {}},
+                             terrain.path);
+    }
+    return terrain;
 }
 
 Aabb boundsAtRest(const Mesh& mesh) {

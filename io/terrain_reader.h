@@ -8,6 +8,7 @@
 #include "core/fe/frame.h"
 #include "core/fe/mesh.h"
 #include "core/fe/terrain_grid.h"
+#include "core/scenario/case.h"
 
 namespace rubble::io {
 
@@ -28,6 +29,10 @@ struct TerrainInput {
 /// Throws WorldError (cannot be read), ParseError (no terrain, too few or too many heights, elsewhere than the structure, another
 /// coordinate system than the frame's), Cancelled; each names file, place and remedy.
 TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb& around, const Execution& execution);
+
+/// The terrain of a case: its first input of that role, around its FE result. Without grid if it has none. A second terrain and a
+/// file with another SHA-256 than the case keeps are findings. Throws as openTerrain().
+TerrainInput openTerrainOfCase(const Case& theCase, const std::string& casePath, const Mesh& fe, const Execution& execution);
 
 /// Box around the nodes of a structure at rest, m.
 Aabb boundsAtRest(const Mesh& mesh);

@@ -58,41 +58,13 @@ const CaseInput& feInputOf(const Case& theCase, const CaseScenario& scenario, co
                      {"cli.no_fe_input.remedy", "Add the FE result to the case, or give the FE file itself.", {}});
 }
 
-/// A terrain to read and what its SHA-256 should be; no path if there is none.
-struct TerrainPlace {
-    std::string path;
-    std::string sha256;
-};
-
-TerrainPlace terrainOf(const Case& theCase, const std::string& casePath, Findings& findings) {
-    TerrainPlace place;
-    std::int64_t terrains = 0;
-    for (const CaseInput& input : theCase.inputs) {
-        if (input.role == InputRole::Terrain && ++terrains == 1) {
-            place = {io::inputPath(casePath, input), input.sha256};
-        }
+void takeTerrain(Subject& subject, io::TerrainInput terrain) {
+    subject.inputs.terrain = terrain.grid;
+    subject.findings.append(terrain.findings);
+    if (terrain.grid) {
+        subject.files.push_back(terrain.path);
     }
-    if (terrains > 1) {
-        findings.add({"case.terrains", "the case has {0} terrains; the first is used", {terrains}},
-                     {"case.terrains.remedy", "keep one, or merge them into one raster", {}}, place.path, terrains);
-    }
-    return place;
-}
-
-void openTerrain(Subject& subject, const TerrainPlace& place, Session& session) {
-    if (place.path.empty()) {
-        return;
-    }
-    const Aabb structure = io::boundsAtRest(subject.inputs.fe->mesh());
-    subject.terrain = io::openTerrain(place.path, subject.inputs.frame, structure, session.execution());
-    subject.inputs.terrain = subject.terrain.grid;
-    subject.files.push_back(place.path);
-    subject.findings.append(subject.terrain.findings);
-    if (!place.sha256.empty() && subject.terrain.sha256 != place.sha256) {
-        subject.findings.add(
-            {"case.terrain_changed", "The terrain is not the one the case was saved with.", {}},
-            {"case.terrain_changed.remedy", "Find the file with the SHA-256 of the case, or save the case anew.", {}}, place.path);
-    }
+    subject.terrain = std::move(terrain);
 }
 
 }  // namespace
@@ -103,9 +75,9 @@ Subject openSubject(const Arguments& arguments, Session& session) {
     Subject subject;
     subject.files.push_back(path);
     std::string expectedHash;
-    TerrainPlace terrain;
+    Case theCase;
     if (io::isCaseFile(path)) {
-        const Case theCase = io::loadCase(path);
+        theCase = io::loadCase(path);
         const CaseScenario& chosen = chooseScenario(theCase, path, wantedScenario);
         const CaseInput& input = feInputOf(theCase, chosen, path);
         subject.scenario = chosen.scenario;
@@ -114,16 +86,12 @@ Subject openSubject(const Arguments& arguments, Session& session) {
         subject.fePath = io::inputPath(path, input);
         subject.files.push_back(subject.fePath);
         expectedHash = input.sha256;
-        terrain = terrainOf(theCase, path, subject.findings);
     } else if (wantedScenario) {
         throw UsageError({"cli.scenario_without_case", "{0} is not a case, so it has no scenarios.", {path}},
                          {"cli.scenario_without_case.remedy", "Leave out --scenario, or give a case file.", {}});
     } else {
         subject.scenarioName = "As computed";
         subject.fePath = fs::absolute(path).lexically_normal().string();
-    }
-    if (const std::optional<std::string> given = arguments.value("--terrain")) {
-        terrain = {fs::absolute(*given).lexically_normal().string(), ""};
     }
     applySettings(subject.scenario, arguments.values("--set"));
 
@@ -137,7 +105,13 @@ Subject openSubject(const Arguments& arguments, Session& session) {
             {"case.input_changed.remedy", "Find the file with the SHA-256 of the case, or save the case anew.", {}},
             subject.fePath);
     }
-    openTerrain(subject, terrain, session);
+    const Mesh& mesh = subject.inputs.fe->mesh();
+    if (const std::optional<std::string> given = arguments.value("--terrain")) {
+        const std::string terrain = fs::absolute(*given).lexically_normal().string();
+        takeTerrain(subject, io::openTerrain(terrain, subject.inputs.frame, io::boundsAtRest(mesh), session.execution()));
+    } else {
+        takeTerrain(subject, io::openTerrainOfCase(theCase, path, mesh, session.execution()));
+    }
     return subject;
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int growthsPerSecond = 25;
 
-/// Reads the FE result of a case. An FE result that was recognised but cannot be read as it is set leaves the case, so that the
+/// Reads the FE result and the terrain of a case. An FE result that was recognised but cannot be read as it is set leaves the case, so that the
 /// settings can be changed.
 void readFe(Opened& opened, const Execution& execution) {
     try {
@@ -36,9 +36,12 @@ void readFe(Opened& opened, const Execution& execution) {
         }
         opened.fe =
             io::openFe(io::inputPath(opened.base.toStdString(), *input), active->scenario.import, opened.theCase.frame, execution);
+        opened.terrain = io::openTerrainOfCase(opened.theCase, opened.base.toStdString(), opened.fe->mesh(), execution);
     } catch (const Cancelled&) {
         throw;
     } catch (...) {
+        // A case whose terrain cannot be read is not simulated on level ground instead.
+        opened.fe.reset();
         opened.failure = failureOf(std::current_exception());
     }
 }
@@ -110,14 +113,15 @@ void Computation::open(const QString& path) {
 
 void Computation::reopen(const Case& theCase, const QString& path, const QString& base) {
     startOpening([theCase, path, base](const Execution& execution) {
-        Opened result{theCase, path, base, nullptr, std::nullopt};
+        Opened result{theCase, path, base, nullptr, std::nullopt, {}};
         readFe(result, execution);
         return result;
     });
 }
 
 void Computation::take(const Opened& opened, const Scenario& scenario) {
-    m_inputs = {opened.fe, opened.theCase.frame};
+    m_inputs = {opened.fe, opened.theCase.frame, opened.terrain.grid};
+    m_terrain = opened.terrain;
     m_import = scenario.import;
     m_results = {};
     m_run.reset();
@@ -134,6 +138,7 @@ void Computation::take(const Opened& opened, const Scenario& scenario) {
 void Computation::clear() {
     m_worker.cancel();
     m_inputs = {};
+    m_terrain = {};
     m_results = {};
     m_run.reset();
     m_failure.reset();
@@ -240,6 +245,8 @@ void Computation::simulate(const Scenario& scenario, const QString& scenarioName
     io::RunOrigin origin;
     origin.fePath = QDir().absoluteFilePath(QString::fromStdString(m_inputs.fe->contents().path)).toStdString();
     origin.feSha256 = m_inputs.fe->contents().sha256;
+    origin.terrainPath = m_terrain.path;
+    origin.terrainSha256 = m_terrain.sha256;
     origin.frame = m_inputs.frame;
     origin.scenario = record->scenario;
     origin.scenarioName = scenarioName.toStdString();

@@ -9,6 +9,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/scenario/case.h"
 #include "io/run_file.h"
+#include "io/terrain_reader.h"
 #include "widgets/stage_rail.h"
 
 namespace rubble {
@@ -20,6 +21,7 @@ struct Opened {
     QString base;  ///< what its inputs are relative to
     std::shared_ptr<const FeResult> fe;
     std::optional<Failure> failure;
+    io::TerrainInput terrain;  ///< its grid is null if the case has none
 };
 
 /// A run as the window has it: its file, what it was made from, and its outcome.
@@ -66,6 +68,8 @@ public:
     }
     bool simulating() const { return m_run != nullptr && m_run->running; }
     const Inputs& inputs() const { return m_inputs; }
+    /// The terrain of the case as it was read, with its findings; without grid if there is none.
+    const io::TerrainInput& terrain() const { return m_terrain; }
     const Results& results() const { return m_results; }
     const RunRecord* currentRun() const { return m_run.get(); }
     const std::shared_ptr<LivePace>& livePace() const { return m_pace; }
@@ -109,6 +113,7 @@ private:
     QString scratchPath();
 
     Inputs m_inputs;
+    io::TerrainInput m_terrain;
     ImportSettings m_import;  // with which the FE result was read
     Results m_results;
     std::shared_ptr<RunRecord> m_run;

@@ -71,6 +71,9 @@ bool FileCommands::saveTo(const QString& path) {
             if (m_computation.inputs().fe != nullptr && input.role == InputRole::Fe && input.sha256.empty()) {
                 input.sha256 = m_computation.inputs().fe->contents().sha256;
             }
+            if (input.role == InputRole::Terrain && input.sha256.empty()) {
+                input.sha256 = m_computation.terrain().sha256;
+            }
         }
         io::saveCase(path.toStdString(), moved);
         m_document.saved(moved, path);

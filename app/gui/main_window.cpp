@@ -159,7 +159,8 @@ render::SceneData MainWindow::sceneData() const {
     scene.fragments = from.fragments;
     scene.clustering = from.clustering;
     scene.trajectory = record != nullptr ? record->reader : nullptr;
-    scene.groundHeight = (record != nullptr ? record->scenario : m_document.scenario()).simulation.groundHeight;
+    scene.setSurroundings(record != nullptr ? record->scenario : m_document.scenario(), m_computation.inputs().terrain,
+                          record != nullptr ? record->outcome.get() : nullptr);
     return scene;
 }
 

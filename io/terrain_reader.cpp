@@ -315,11 +315,9 @@ TerrainInput openTerrainOfCase(const Case& theCase, const std::string& casePath,
                              {"case.terrains.remedy", "keep one, or merge them into one raster", {}}, terrain.path, terrains);
     }
     if (!first->sha256.empty() && terrain.sha256 != first->sha256) {
-        terrain.findings.add({"case.terrain_changed", "the terrain is not the one the case was saved with", {}},
-                             {"case.terrain_changed.remedy",
-                              "find the file with the SHA-256 of the case, or save the case anew",
-                              {}},
-                             terrain.path);
+        terrain.findings.add(
+            {"case.terrain_changed", "the terrain is not the one the case was saved with", {}},
+            {"case.terrain_changed.remedy", "find the file with the SHA-256 of the case, or save the case anew", {}}, terrain.path);
     }
     return terrain;
 }

@@ -8,6 +8,7 @@
 #include "core/simulation/body_shapes.h"
 #include "core/simulation/collider.h"
 #include "core/simulation/effects/box_tree.h"
+#include "core/simulation/effects/island_reach.h"
 #include "core/simulation/effects/reach.h"
 
 namespace rubble {
@@ -63,8 +64,10 @@ private:
     Verdict breakUp() const;
 
     FallLimits limits() const;
+    SiteSurface surface() const;
     BoxTree structure() const;
     double lowestUnder(const Aabb& box) const;
+    bool releasedMeet(const std::vector<TimedBox>& columns) const;
     std::optional<double> weightOverDrag(ClusterId c) const;
     bool asked(EffectKind kind, EffectSwitch state) const { return m_effects.of(kind) == state; }
     EffectDecision settled(EffectKind kind, Verdict verdict) const;
@@ -73,7 +76,8 @@ private:
     const EffectSettings& m_effects;
     bool m_terrainOn = false, m_groundOn = false;
     std::vector<Reach> m_reach;  ///< [clusters]
-    Aabb m_site;                 ///< of all of them
+    LiveStructure m_live;
+    Aabb m_site;  ///< of all that falls
 };
 
 Decider::Decider(const EffectScene& scene) : m_scene(scene), m_effects(scene.scenario.effects) {}
@@ -89,6 +93,14 @@ FallLimits Decider::limits() const {
         limits.surface = s.groundHeight;
     }
     return limits;
+}
+
+SiteSurface Decider::surface() const {
+    SiteSurface surface{m_groundOn, m_scene.scenario.simulation.groundHeight, nullptr};
+    if (m_terrainOn) {
+        surface.terrain = {std::shared_ptr<const void>(), m_scene.terrain};
+    }
+    return surface;
 }
 
 EffectDecision Decider::settled(EffectKind kind, Verdict verdict) const {
@@ -121,6 +133,8 @@ EffectDecisions Decider::decide() {
     m_terrainOn = settle(EffectKind::Terrain, terrain()).on;
     m_groundOn = settle(EffectKind::Ground, ground()).on;
     m_reach = reaches(m_scene, limits());
+    m_live = liveStructure(m_scene, surface(), limits());
+    m_site = m_live.site;
     for (const Reach& reach : m_reach) {
         m_site.extend(reach.box);
     }
@@ -150,7 +164,7 @@ Verdict Decider::terrain() const {
     limits.surface = asked(EffectKind::Ground, EffectSwitch::Off)
                          ? terrain->lowest()
                          : std::min(terrain->lowest(), m_scene.scenario.simulation.groundHeight);
-    Aabb site;
+    Aabb site = liveStructure(m_scene, surface(), limits).site;
     for (const Reach& reach : reaches(m_scene, limits)) {
         site.extend(reach.box);
     }
@@ -228,6 +242,15 @@ Verdict Decider::structureContact() const {
         }
         falling = best.gap < before ? c : falling;
     }
+    const double released = deepestOverlap(m_live.released, m_live.standing);
+    if (best.gap >= -touching && released > touching) {
+        return {true,
+                {"effect.structure_contact.islands",
+                 "{0} islands of live structure are released at the end of the FE result and can fall on what stands (by {1})",
+                 {m_live.released.size(), {released, "m"}}},
+                -released,
+                -touching};
+    }
     if (!std::isfinite(best.gap)) {
         return {false, {"effect.structure_contact.none", "no element is active once a fragment has been handed over", {}}};
     }
@@ -248,12 +271,33 @@ Verdict Decider::structureContact() const {
             -touching};
 }
 
+/// A released island can meet a fragment or another island.
+bool Decider::releasedMeet(const std::vector<TimedBox>& columns) const {
+    std::vector<Aabb> others;
+    for (const TimedBox& column : columns) {
+        others.push_back(column.box);
+    }
+    for (const Reach& reach : m_live.released) {
+        if (deepestOverlap({reach}, others) > touching) {
+            return true;
+        }
+        others.push_back(reach.box);
+    }
+    return false;
+}
+
 Verdict Decider::fragmentContact() const {
     std::vector<TimedBox> columns;
     for (std::size_t c = 0; c < m_reach.size(); ++c) {
         if (!m_reach[c].box.isEmpty()) {
             columns.push_back({m_reach[c].box, 0, c});
         }
+    }
+    if (columns.size() + m_live.released.size() >= 2 && releasedMeet(columns)) {
+        return {true,
+                {"effect.fragment_contact.islands",
+                 "{0} islands of live structure are released at the end of the FE result and can meet other bodies",
+                 {m_live.released.size()}}};
     }
     if (columns.size() < 2) {
         return impossible({"effect.fragment_contact.alone", "{0} bodies fall: none can meet another", {columns.size()}});

@@ -21,9 +21,14 @@ struct Reach {
     double fall = 0.0;   ///< m, from its centre to the surface
 };
 
-/// The ballistic envelope of a cluster launched at its speed v in any direction from its height h above the surface:
+/// The ballistic envelope of a box launched at speed v in any direction from height h of its centre above the surface:
 /// v / g sqrt(v^2 + 2 g h) sideways, v^2 / (2 g) upwards, the surface downwards; speed sqrt(v^2 + 2 g h). Without ground or
-/// gravity, what the time until the end allows.
+/// gravity, what the time allows.
+/// @param v         m/s
+/// @param duration  s, of the flight at most
+Reach launched(const Aabb& box, double v, double centreHeight, double duration, const FallLimits& limits);
+
+/// That of a cluster from its hand-over on.
 Reach reachOf(const EffectScene& scene, ClusterId cluster, const FallLimits& limits);
 
 /// One for each cluster.

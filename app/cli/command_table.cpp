@@ -4,7 +4,7 @@ namespace rubble::cli {
 
 const std::vector<Command>& commandTable() {
     static const std::vector<Command> table = [] {
-        std::vector<Command> rows{inspectCommand(), sizeCommand(),   runCommand(),       exportCommand(),
+        std::vector<Command> rows{inspectCommand(), sizeCommand(), effectsCommand(),   runCommand(),       exportCommand(),
                                   figureCommand(),  verifyCommand(), parametersCommand()};
         for (Command& row : rows) {
             row.options.push_back(jsonOption());

@@ -9,6 +9,7 @@ namespace rubble::cli {
 // One row of the command table each.
 Command inspectCommand();
 Command sizeCommand();
+Command effectsCommand();
 Command runCommand();
 Command exportCommand();
 Command figureCommand();

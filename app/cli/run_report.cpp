@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cli/effects_output.h"
 #include "app/cli/text_output.h"
 #include "core/base/message.h"
 
@@ -237,6 +238,9 @@ Json RunReport::json() const {
     object["bodies_peak"] = run.bodiesPeak;
     addSizingJson(object, *results.sizing);
     addSimulationJson(object, run);
+    object["effects"] = effectsJson(run.effects);
+    object["ms_per_step_all"] = run.stepTimes.allMs;
+    object["ms_per_step_rest"] = run.stepTimes.motionMs;
     object["wall_s"] = wallSecondsJson(results);
     object["ledger"] = ledgerJson(run, ledger);
     object["warnings"] = findingsJson(findings);
@@ -262,6 +266,7 @@ void RunReport::print(std::ostream& out) const {
     printSizing(out, *results.sizing, *results.fragments, *results.components, subject.inputs.fe->mesh());
     printClusters(out, *results.clustering);
     printRun(out, *results.simulation, results.wallSeconds);
+    printEffects(out, *results.simulation);
     printLedger(out, *results.simulation, ledger);
     printFindings(out, findings);
     if (!runPath.empty() || !files.empty()) {

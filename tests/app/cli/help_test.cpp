@@ -12,14 +12,14 @@ using testing::HasSubstr;
 TEST(Help, OverviewNamesEveryCommandOfTheDesign) {
     const Outcome outcome = cli({"--help"});
     EXPECT_EQ(outcome.exitCode, 0);
-    for (const char* command : {"inspect", "size", "run", "export", "figure", "verify", "parameters"}) {
+    for (const char* command : {"inspect", "size", "effects", "run", "export", "figure", "verify", "parameters"}) {
         EXPECT_THAT(outcome.out, HasSubstr(std::string("rubble-cli ") + command));
     }
     EXPECT_EQ(outcome.err, "");
 }
 
 TEST(Help, EveryCommandExplainsItself) {
-    for (const char* command : {"inspect", "size", "run", "export", "figure", "verify", "parameters"}) {
+    for (const char* command : {"inspect", "size", "effects", "run", "export", "figure", "verify", "parameters"}) {
         const Outcome outcome = cli({command, "--help"});
         EXPECT_EQ(outcome.exitCode, 0) << command;
         EXPECT_THAT(outcome.out, HasSubstr(std::string("Usage: rubble-cli ") + command));

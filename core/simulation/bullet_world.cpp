@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "core/simulation/constants.h"
 #include "core/simulation/soft_step_world.h"
@@ -202,9 +203,14 @@ void BulletWorld::step(double dt) {
 }
 
 BodyMotion BulletWorld::motion(BodyId body) const {
-    const btRigidBody& object = *m_bodies[at(body)]->object;
-    return {fromBullet(object.getWorldTransform()), fromBullet(object.getLinearVelocity()),
-            fromBullet(object.getAngularVelocity())};
+    const Collider& collider = *m_bodies[at(body)];
+    const btRigidBody& object = *collider.object;
+    BodyMotion motion{fromBullet(object.getWorldTransform()), fromBullet(object.getLinearVelocity()),
+                      fromBullet(object.getAngularVelocity())};
+    if (collider.broken) {
+        motion.velocity.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    return motion;
 }
 
 double BulletWorld::kineticEnergy(BodyId body) const {

@@ -24,6 +24,7 @@ struct Collider {
     bool leaving = false;       ///< to be taken out before the next step
     bool overlapping = false;   ///< a body whose overlap at birth is being bled off in this step
     bool justThawed = false;    ///< its frozen neighbours are not noted yet
+    bool broken = false;        ///< a body that was given a velocity that is no number; it goes on without
     bool touched = false;       ///< a body that a contact acted on in this step
     double radius = 0.0;        ///< m, of the farthest corner
     double birthDepth = 0.0;    ///< m, inside older colliders

@@ -1,6 +1,7 @@
 #include "core/simulation/energy.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubble {
 
@@ -22,9 +23,10 @@ void EnergyAccount::replaced(double kineticLost, double massHeightLost) {
 void EnergyAccount::update(double kinetic, double massHeight, const ContactReport& contacts, double effectWork) {
     m_balance.kineticNow = kinetic;
     m_balance.gravityWork = m_potentialIn - m_gravity * massHeight;
-    m_balance.effectWork = effectWork;
+    // An effect that failed on one body leaves no number; the account goes on with what was known.
+    m_balance.effectWork = std::isfinite(effectWork) ? effectWork : m_balance.effectWork;
     m_balance.dissipated = m_balance.kineticIn - m_kineticOut + m_balance.gravityWork + contacts.overlapWork + contacts.pieceWork +
-                           effectWork - m_balance.kineticNow;
+                           m_balance.effectWork - m_balance.kineticNow;
     m_dissipatedMost = std::max(m_dissipatedMost, m_balance.dissipated);
     const double gain = m_dissipatedMost - m_balance.dissipated;
     // Early on next to no work is done and rounding would be all of the ratio.

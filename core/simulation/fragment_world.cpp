@@ -99,6 +99,10 @@ void FragmentWorld::runHook(double dt) {
     }
     m_hook({m_moving, m_slotOf}, dt);
     for (const MovingBody& body : m_moving) {
+        if (!isNumber(body)) {
+            m_bodies[at(body.id)]->broken = true;
+            continue;
+        }
         m_bodies[at(body.id)]->object->setLinearVelocity(toBullet(body.velocity));
         m_bodies[at(body.id)]->object->setAngularVelocity(toBullet(body.spin));
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -28,6 +29,11 @@ struct MovingBody {
         spin += inverseInertia * (point - position).cross(impulse);
     }
 };
+
+/// Its velocity and its spin are numbers.
+inline bool isNumber(const MovingBody& body) {
+    return std::isfinite(body.velocity.sum() + body.spin.sum());
+}
 
 /// The bodies of one substep that move: present and not frozen, in the order of their ids.
 struct SubstepBodies {

@@ -103,7 +103,9 @@ public:
     virtual void removePiece(PieceId piece) = 0;
     /// Where the piece will be at the end of the next step; it moves there at constant speed. Without this call it stands still.
     virtual void movePiece(PieceId piece, const Pose& atStepEnd) = 0;
-    /// Called at the start of every substep, with the bodies that move. It may change their velocities, nothing else.
+    /// Called at the start of every substep, with the bodies that move. It may change their velocities, nothing else. A velocity
+    /// that is no number is not taken over, so that no contact hands it on; motion() says so from then on, and the body should
+    /// leave.
     virtual void onSubstep(SubstepHook hook) = 0;
     /// Thaws a frozen body before the next step.
     virtual void wake(BodyId body) = 0;

@@ -9,44 +9,40 @@ namespace rubble {
 
 namespace {
 
-constexpr std::string_view quarried = "NAVFAC 1986: dressed rock on dressed rock 0.55-0.70";
-constexpr std::string_view hardened = "ACI 318 (2019): concrete on hardened concrete, not roughened, 0.6";
-constexpr std::string_view onSoil =
-    "NAVFAC 1986: mass concrete or masonry on gravel and coarse sand 0.55-0.60, on fine sand 0.45-0.55";
-constexpr std::string_view onSilt = "NAVFAC 1986: mass concrete or masonry on fine sandy silt 0.35-0.45, on silty sand 0.45-0.55";
-constexpr std::string_view steelOn = "Baltay & Gjelsvik 1990: steel on concrete 0.47 on average";
-constexpr std::string_view steelOnSteel = "NAVFAC 1986: steel on steel 0.30; Avallone & Baumeister 1996: sliding, dry, 0.42";
-constexpr std::string_view steelOnSoil = "NAVFAC 1986: steel on gravel 0.40, on sand 0.30";
-constexpr std::string_view steelOnSilt = "NAVFAC 1986: steel on silty sand 0.25, on silt 0.20";
-constexpr std::string_view rock = "Wyllie 2014: normal, rock on rock, 0.3-0.5; field impacts of blocks about 0.2";
-constexpr std::string_view concrete =
-    "Asteriou & Tsiambaos 2018: blocks on rock and concrete 0.3-0.5; field impacts of blocks about 0.2";
-constexpr std::string_view soil = "Wyllie 2014: normal, blocks on soil and rubble, 0.05-0.3";
-constexpr std::string_view bed = "Wyllie 2014: lower end of soil, 0.05";
+// Friction.
+constexpr std::string_view quarried = "NAVFAC DM 7.02 (1986): dressed rock on dressed rock 0.55-0.70";
+constexpr std::string_view hardened = "ACI 318 (2019): concrete on hardened concrete that was not roughened 0.6";
+constexpr std::string_view onSoil = "NAVFAC DM 7.02 (1986): concrete or masonry on gravel and coarse sand 0.55-0.60";
+constexpr std::string_view onBed =
+    "NAVFAC DM 7.02 (1986): concrete or masonry on silty sand or gravel 0.45-0.55, on fine silty sand 0.35-0.45";
+constexpr std::string_view steelOn =
+    "Baltay & Gjelsvik (1990): sliding about 0.47; Rabbat & Russell (1985): cast on, at rest, 0.57-0.70";
+constexpr std::string_view steelOnSteel =
+    "NAVFAC DM 7.02 (1986): sheet pile interlocks 0.30; Avallone & Baumeister (1996): sliding, dry, 0.42-0.57";
+constexpr std::string_view steelOnSoil = "NAVFAC DM 7.02 (1986): steel sheet piles on gravel 0.40, on sand 0.30";
+constexpr std::string_view steelOnBed = "NAVFAC DM 7.02 (1986): steel sheet piles on silty sand 0.25, on silt 0.20";
+// Restitution.
+constexpr std::string_view hard =
+    "Wyllie (2014): about 0.2 for normal impacts in the field on rock and concrete; laboratory 0.3-0.5, Asteriou & Tsiambaos "
+    "(2018)";
+constexpr std::string_view steel = "lower end of the laboratory values for hard blocks, 0.3-0.5, Asteriou & Tsiambaos (2018)";
+constexpr std::string_view soft = "lower half of the range for soil and rubble, 0.05-0.3, Wyllie (2014)";
+constexpr std::string_view bed = "lower end of the range for soil, 0.05-0.3, Wyllie (2014)";
 
 }  // namespace
 
 const std::vector<PairSource>& pairSources() {
     using enum Material;
     static const std::vector<PairSource> rows{
-        {{Stone, Stone}, {0.65, 0.2}, quarried, rock},
-        {{Stone, Concrete}, {0.65, 0.2}, quarried, concrete},
-        {{Stone, Steel}, {0.45, 0.2}, steelOn, concrete},
-        {{Stone, Masonry}, {0.65, 0.2}, quarried, rock},
-        {{Stone, Soil}, {0.55, 0.1}, onSoil, soil},
-        {{Stone, WaterBed}, {0.45, 0.05}, onSilt, bed},
-        {{Concrete, Concrete}, {0.6, 0.2}, hardened, concrete},
-        {{Concrete, Steel}, {0.45, 0.2}, steelOn, concrete},
-        {{Concrete, Masonry}, {0.6, 0.2}, hardened, concrete},
-        {{Concrete, Soil}, {0.55, 0.1}, onSoil, soil},
-        {{Concrete, WaterBed}, {0.45, 0.05}, onSilt, bed},
-        {{Steel, Steel}, {0.4, 0.3}, steelOnSteel, concrete},
-        {{Steel, Masonry}, {0.45, 0.2}, steelOn, concrete},
-        {{Steel, Soil}, {0.4, 0.1}, steelOnSoil, soil},
-        {{Steel, WaterBed}, {0.25, 0.05}, steelOnSilt, bed},
-        {{Masonry, Masonry}, {0.65, 0.2}, quarried, rock},
-        {{Masonry, Soil}, {0.55, 0.1}, onSoil, soil},
-        {{Masonry, WaterBed}, {0.45, 0.05}, onSilt, bed},
+        {{Stone, Stone}, {0.65, 0.2}, quarried, hard},      {{Stone, Concrete}, {0.65, 0.2}, quarried, hard},
+        {{Stone, Steel}, {0.45, 0.2}, steelOn, hard},       {{Stone, Masonry}, {0.65, 0.2}, quarried, hard},
+        {{Stone, Soil}, {0.55, 0.1}, onSoil, soft},         {{Stone, WaterBed}, {0.45, 0.05}, onBed, bed},
+        {{Concrete, Concrete}, {0.6, 0.2}, hardened, hard}, {{Concrete, Steel}, {0.45, 0.2}, steelOn, hard},
+        {{Concrete, Masonry}, {0.6, 0.2}, hardened, hard},  {{Concrete, Soil}, {0.55, 0.1}, onSoil, soft},
+        {{Concrete, WaterBed}, {0.45, 0.05}, onBed, bed},   {{Steel, Steel}, {0.4, 0.3}, steelOnSteel, steel},
+        {{Steel, Masonry}, {0.45, 0.2}, steelOn, hard},     {{Steel, Soil}, {0.4, 0.1}, steelOnSoil, soft},
+        {{Steel, WaterBed}, {0.25, 0.05}, steelOnBed, bed}, {{Masonry, Masonry}, {0.65, 0.2}, quarried, hard},
+        {{Masonry, Soil}, {0.55, 0.1}, onSoil, soft},       {{Masonry, WaterBed}, {0.45, 0.05}, onBed, bed},
     };
     return rows;
 }

@@ -461,7 +461,8 @@ Verdict Decider::breakUp() const {
     std::size_t candidates = 0, worst = 0, bodies = m_reach.size();
     for (std::size_t c = 0; c < m_reach.size(); ++c) {
         const Cluster& cluster = m_scene.clustering.list[c];
-        if (cluster.memberCount < 2 || !fallsApart(m_scene.components.list[at(cluster.component)].material)) {
+        const Component& component = m_scene.components.list[at(cluster.component)];
+        if (cluster.memberCount < 2 || !fallsApart(component.material) || component.reinforced) {
             continue;
         }
         ++candidates;
@@ -472,7 +473,7 @@ Verdict Decider::breakUp() const {
         bodies += m_reach[c].speed >= m_effects.breakUpSpeed ? cluster.memberCount - 1 : 0;
     }
     if (candidates == 0) {
-        return impossible({"effect.break_up.none", "no cluster of two or more fragments is of stone or masonry", {}});
+        return impossible({"effect.break_up.none", "no cluster of two or more fragments is of stone or masonry without reinforcement", {}});
     }
     const Argument limit(m_effects.breakUpSpeed, "m/s"), speed(fastest, "m/s");
     if (fastest < m_effects.breakUpSpeed) {

@@ -28,6 +28,7 @@ class BoxTop {
 public:
     explicit BoxTop(const OrientedBox& box);
     std::optional<double> at(double x, double y) const;
+    double highest() const { return m_centre.z() + m_toBox.col(2).cwiseAbs().dot(m_half); }  ///< m, of any corner
 
 private:
     Vec3 m_centre;

@@ -83,11 +83,12 @@ private:
     void addParts(std::uint32_t fragment, const SmallPolygon& outline, double area, MapCell first, MapCell last) {
         const double least = reachedShare * std::min(area, m_cell * m_cell);
         for (std::int32_t j = first.j; j <= last.j; ++j) {
-            const SmallPolygon strip = clipped(outline, 1, j * m_cell, (j + 1.0) * m_cell);
+            const SmallPolygon strip = first.j == last.j ? outline : clipped(outline, 1, j * m_cell, (j + 1.0) * m_cell);
             for (std::int32_t i = first.i; strip.size > 2 && i <= last.i; ++i) {
-                const double part = clipped(strip, 0, i * m_cell, (i + 1.0) * m_cell).area();
-                if (part > least) {
-                    m_covered.push_back({{j, i}, fragment, part / area});
+                const SmallPolygon part = first.i == last.i ? strip : clipped(strip, 0, i * m_cell, (i + 1.0) * m_cell);
+                const double partArea = part.area();
+                if (partArea > least) {
+                    m_covered.push_back({{j, i}, fragment, partArea / area});
                 }
             }
         }
@@ -164,17 +165,27 @@ CellMap heightMap(const Debris& debris, double cell, const SiteSurface& ground) 
     }
     CellMap map;
     map.cell = cell;
+    std::vector<const BoxTop*> here;
     forEachCell(cover.sorted(), [&](auto first, auto last) {
+        here.clear();
+        for (auto entry = first; entry != last; ++entry) {
+            here.push_back(&tops[entry->fragment]);
+        }
+        std::sort(here.begin(), here.end(), [](const BoxTop* a, const BoxTop* b) { return a->highest() > b->highest(); });
         double sum = 0.0;
         for (int point = 0; point < pointsPerSide * pointsPerSide; ++point) {
             const double x = (first->cell.i + (point % pointsPerSide + 0.5) / pointsPerSide) * cell;
             const double y = (first->cell.j + (point / pointsPerSide + 0.5) / pointsPerSide) * cell;
-            double highest = ground.height(x, y);
-            const double from = highest;
-            for (auto entry = first; entry != last; ++entry) {
-                highest = std::max(highest, tops[entry->fragment].at(x, y).value_or(highest));
+            const double from = ground.height(x, y);
+            double top = from;
+            for (const BoxTop* box : here) {
+                // What follows lies lower still.
+                if (box->highest() <= top) {
+                    break;
+                }
+                top = std::max(top, box->at(x, y).value_or(top));
             }
-            sum += highest - from;
+            sum += top - from;
         }
         map.cells.push_back(first->cell);
         map.values.push_back(sum / (pointsPerSide * pointsPerSide));

@@ -59,10 +59,12 @@ SmallPolygon outlineOf(const OrientedBox& box) {
         if (edge.y() < 0.0 || (edge.y() == 0.0 && edge.x() < 0.0)) {
             edge = -edge;
         }
-        edges[count++] = edge;
+        std::size_t place = count++;
+        for (; place > 0 && cross(edge, edges[place - 1]) > 0.0; --place) {
+            edges[place] = edges[place - 1];
+        }
+        edges[place] = edge;
     }
-    std::sort(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(count),
-              [](const Vec2& a, const Vec2& b) { return cross(a, b) > 0.0; });
     SmallPolygon outline;
     Vec2 corner = box.centre.head<2>();
     for (std::size_t e = 0; e < count; ++e) {

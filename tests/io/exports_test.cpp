@@ -109,6 +109,7 @@ std::shared_ptr<const FeResult> makeFe(const SampleRun& run, std::size_t survivo
 SampleRun runOverFe(std::uint32_t seed, std::size_t frames, std::shared_ptr<const FeResult>& fe) {
     SampleRun run = makeSampleRun(seed, 30, frames);
     run.origin.scenario.regrouping.clear();
+    run.islands.clear();
     fe = makeFe(run, 5, 7);
     run.description.fe = fe;
     return run;
@@ -129,7 +130,7 @@ struct SeriesEntry {
 
 std::vector<SeriesEntry> readIndex(const std::string& path) {
     const std::string text = contentOf(path);
-    const std::regex entry("timestep=\"([^\"]*)\" part=\"([01])\" name=\"[a-z]*\" file=\"([^\"]*)\"");
+    const std::regex entry("timestep=\"([^\"]*)\" part=\"([012])\" name=\"[a-z]*\" file=\"([^\"]*)\"");
     std::vector<SeriesEntry> entries;
     for (auto match = std::sregex_iterator(text.begin(), text.end(), entry); match != std::sregex_iterator(); ++match) {
         entries.push_back({std::stod((*match)[1]), std::stoi((*match)[2]), (*match)[3]});
@@ -302,6 +303,48 @@ TEST(ExportSeries, ShowsFragmentsWhereTheirBodiesCarryThemAndTheStructureThatIsL
     const auto names = vtkStringArray::SafeDownCast(first->GetFieldData()->GetAbstractArray("component_names"));
     ASSERT_NE(names, nullptr);
     EXPECT_EQ(std::string(names->GetValue(1)), "arch ring 1, failing strip");
+}
+
+TEST(ExportSeries, ReleasedStructureIsAPartOfItsOwnOnceTheFeResultEnds) {
+    const TemporaryFolder folder;
+    std::shared_ptr<const FeResult> fe;
+    SampleRun run = runOverFe(17, 40, fe);
+    const std::size_t first = run.description.fragments->size();
+    run.islands.push_back({run.bodies.back().body, {idAt<ElementIndex>(first), idAt<ElementIndex>(first + 1)}});
+    run.feed(*createRun(folder / "a.run.h5", run.origin));
+    const auto reader = openRun(folder / "a.run.h5");
+    exportSeries(folder / "D.pvd", *reader, *fe, Execution());
+    std::size_t released = 0;
+    for (const SeriesEntry& entry : readIndex(folder / "D.pvd")) {
+        if (entry.part == 0) {
+            continue;
+        }
+        const auto grid = readGrid(folder / entry.file);
+        const bool after = entry.time >= 0.6 - 1e-9;
+        if (entry.part == 1) {
+            std::size_t active = 0;
+            for (std::size_t e = 0; e < fe->mesh().elementCount(); ++e) {
+                const std::size_t state = std::min<std::size_t>(static_cast<std::size_t>(std::lround(entry.time / 0.1)), 6);
+                active += fe->activity().active(state, idAt<ElementIndex>(e));
+            }
+            EXPECT_EQ(static_cast<std::size_t>(grid->GetNumberOfCells()), active - (after ? 2 : 0)) << entry.time;
+            continue;
+        }
+        ++released;
+        EXPECT_TRUE(after) << entry.time;
+        ASSERT_EQ(grid->GetNumberOfCells(), 2);
+        const BodyRecord& body = run.bodies.back();
+        const TrajectoryFrame frame = frameAtTime(*reader, entry.time);
+        const Quat turn = frame.orientations.back().cast<double>().normalized() * body.atBirth.orientation.conjugate();
+        const std::uint32_t node = fe->mesh().cornersOf(idAt<ElementIndex>(first + 1))[2];
+        const Vec3 last = fe->state(6)->positions[node];
+        const Vec3 expected =
+            frame.positions.back().cast<double>() + turn * (last - body.atBirth.position) + Vec3(100000, -200000, 3);
+        const double* place = grid->GetCell(1)->GetPoints()->GetPoint(2);
+        EXPECT_LT((Vec3(place[0], place[1], place[2]) - expected).norm(), 1e-4) << "poses are single precision in the file";
+        EXPECT_EQ(grid->GetCellData()->GetArray("element_id")->GetTuple1(1), 1000.0 + static_cast<double>(first + 1));
+    }
+    EXPECT_GE(released, 9u);
 }
 
 TEST(ExportSeries, KeepsWhatWasWrittenBeforeACancel) {

@@ -26,7 +26,7 @@ Palette light() {
     p.fragment = QColor("#d55e00");
     p.fragmentTint = QColor("#f3d6c0");
     p.structure = QColor("#a3988a");
-    p.released = QColor("#7d5a8c");
+    p.released = QColor("#6a3d7c");
     p.finding = QColor("#b57a00");
     p.findingTint = QColor("#fff3d6");
     p.error = QColor("#b3261e");
@@ -57,7 +57,7 @@ Palette dark() {
     p.fragment = QColor("#f0843a");
     p.fragmentTint = QColor("#5c4333");
     p.structure = QColor("#b0a594");
-    p.released = QColor("#b48fc4");
+    p.released = QColor("#9a5fc0");
     p.finding = QColor("#e3a43c");
     p.findingTint = QColor("#3f3522");
     p.error = QColor("#f07a70");

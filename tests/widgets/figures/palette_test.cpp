@@ -63,6 +63,17 @@ TEST(Palette, FragmentsStandOutFromStructureForTheColourBlindToo) {
     }
 }
 
+TEST(Palette, ReleasedStructureIsNeitherFragmentNorStructureNorSelection) {
+    for (const render::Theme theme : themes) {
+        const Palette& p = palette(theme);
+        EXPECT_GT((protanope(p.released) - protanope(p.fragment)).norm(), 0.15);
+        EXPECT_GT((protanope(p.released) - protanope(p.accent)).norm(), 0.15);
+        for (const QColor& grey : p.structureGreys) {
+            EXPECT_GT((protanope(p.released) - protanope(grey)).norm(), 0.15);
+        }
+    }
+}
+
 TEST(Palette, ScalesRiseInLightness) {
     for (int i = 1; i <= 100; ++i) {
         EXPECT_GT(luminance(birthColour(i / 100.0)), luminance(birthColour((i - 1) / 100.0)));
@@ -78,6 +89,7 @@ TEST(Palette, SceneDrawsWithTheSameColours) {
         const render::SceneColours scene = sceneColours(theme);
         const Palette& p = palette(theme);
         EXPECT_EQ(QColor(scene.fragment.r, scene.fragment.g, scene.fragment.b), p.fragment);
+        EXPECT_EQ(QColor(scene.released.r, scene.released.g, scene.released.b), p.released);
         EXPECT_EQ(QColor(scene.selection.r, scene.selection.g, scene.selection.b), p.accent);
         EXPECT_EQ(scene.structure.size(), p.structureGreys.size());
         EXPECT_EQ(scene.categories.size(), p.categories.size());

@@ -22,7 +22,7 @@ public:
 
     /// @param fe, components  null while there are none
     void setContent(const std::shared_ptr<const FeResult>& fe, const std::shared_ptr<const Components>& components);
-    void setScenario(const Scenario& scenario);
+    void setScenario(const Scenario& scenario) override;
     QStringList selectedComponents() const;
 
 signals:

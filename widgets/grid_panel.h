@@ -30,7 +30,7 @@ public:
 
     explicit GridPanel(QWidget* parent = nullptr);
     void setContent(const Content& content);
-    void setScenario(const Scenario& scenario);
+    void setScenario(const Scenario& scenario) override;
 
     /// The slider's scale: logarithmic from 0.5 to 50 times the mean distance.
     static double multipleAt(int position);

@@ -128,6 +128,32 @@ void drawArrowBack(QPainter& p) {
     p.drawPath(path);
 }
 
+void drawWave(QPainter& p, double y) {
+    QPainterPath path(QPointF(3, y));
+    for (double x = 3.0; x < 20.0; x += 9.0) {
+        path.cubicTo(x + 3.0, y - 4.0, x + 6.0, y + 4.0, x + 9.0, y);
+    }
+    p.drawPath(path);
+}
+
+/// Signs inside panels; true if the glyph is one.
+bool drawPanelSign(QPainter& p, Glyph glyph) {
+    switch (glyph) {
+        case Glyph::Unfold:
+            p.drawPolyline(polygon({{9, 6}, {15, 12}, {9, 18}}));
+            return true;
+        case Glyph::Fold:
+            p.drawPolyline(polygon({{6, 9}, {12, 15}, {18, 9}}));
+            return true;
+        case Glyph::Reset:
+            p.drawArc(QRectF(5, 5, 14, 14), 150 * 16, -280 * 16);
+            p.drawPolyline(polygon({{4, 3}, {6, 9}, {12, 8}}));
+            return true;
+        default:
+            return false;
+    }
+}
+
 void drawDocumentSign(QPainter& p, Glyph glyph) {
     switch (glyph) {
         case Glyph::Case:
@@ -145,6 +171,13 @@ void drawDocumentSign(QPainter& p, Glyph glyph) {
             p.drawRect(QRectF(4, 4, 16, 16));
             p.drawLine(QPointF(4, 12), QPointF(20, 12));
             p.drawLine(QPointF(12, 4), QPointF(12, 20));
+            break;
+        case Glyph::Effects:
+            // A drop over waves, and wind.
+            p.drawPolyline(polygon({{3, 6}, {13, 6}, {15, 4}}));
+            p.drawPolyline(polygon({{3, 10}, {17, 10}, {20, 7}}));
+            drawWave(p, 15);
+            drawWave(p, 19.5);
             break;
         case Glyph::Run:
             p.drawLine(QPointF(3, 20), QPointF(21, 20));
@@ -195,9 +228,22 @@ void drawGlyph(QPainter& painter, Glyph glyph, const QRectF& square) {
     painter.scale(square.width() / 24.0, square.height() / 24.0);
     painter.setPen(QPen(painter.pen().color(), 1.7, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
-    if (!drawTransport(painter, glyph) && !drawViewSign(painter, glyph)) {
+    if (!drawTransport(painter, glyph) && !drawViewSign(painter, glyph) && !drawPanelSign(painter, glyph)) {
         drawDocumentSign(painter, glyph);
     }
+    painter.restore();
+}
+
+void drawWarning(QPainter& painter, const QPointF& centre, const QColor& colour, const QColor& mark) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(centre);
+    painter.setPen(QPen(colour, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(colour);
+    painter.drawPolygon(polygon({{0.0, -6.5}, {6.8, 5.5}, {-6.8, 5.5}}));
+    painter.setPen(QPen(mark, 1.7, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(0.0, -2.8), QPointF(0.0, 1.2));
+    painter.drawPoint(QPointF(0.0, 3.9));
     painter.restore();
 }
 

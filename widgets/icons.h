@@ -10,6 +10,7 @@ enum class Glyph {
     Case,
     Fragments,
     Grid,
+    Effects,
     Run,
     Open,
     Save,
@@ -29,11 +30,16 @@ enum class Glyph {
     Fit,
     Live,
     Stop,
+    Unfold,
+    Fold,
+    Reset,
     Help
 };
 
 /// Draws a glyph into a square with the painter's pen colour.
 void drawGlyph(QPainter& painter, Glyph glyph, const QRectF& square);
+/// The warning sign: a filled triangle with an exclamation mark, 14 px high, around a point.
+void drawWarning(QPainter& painter, const QPointF& centre, const QColor& colour, const QColor& mark);
 /// The glyph as an icon in the text colour of the theme in force.
 QIcon glyphIcon(Glyph glyph);
 

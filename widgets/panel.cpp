@@ -214,16 +214,21 @@ void Panel::setEditable(bool editable) {
 ParameterEditor* Panel::addParameter(PanelGroup* group, const std::string& key) {
     const auto [row, subject] = findParameter(key);
     ParameterEditor* editor = group->addParameter(*row, subject);
-    connect(editor, &ParameterEditor::edited, this, &Panel::edited);
-    m_editors.insert(editor->key(), editor);
+    takeEditor(editor);
     return editor;
 }
 
-void Panel::addRemaining(Stage stage, const QString& heading) {
+void Panel::takeEditor(ParameterEditor* editor) {
+    connect(editor, &ParameterEditor::edited, this, &Panel::edited);
+    m_editors.insert(editor->key(), editor);
+}
+
+void Panel::addRemaining(Stage stage, const QString& heading, bool (*elsewhere)(std::string_view key)) {
     PanelGroup* group = nullptr;
     for (const Parameter& row : parameterTable()) {
         const QString key = QString::fromUtf8(row.key.data(), static_cast<qsizetype>(row.key.size()));
-        if (row.stage == stage && !row.keyed() && !m_editors.contains(key)) {
+        const bool shown = m_editors.contains(key) || (elsewhere != nullptr && elsewhere(row.key));
+        if (row.stage == stage && !row.keyed() && !shown) {
             group = group != nullptr ? group : addGroup(heading);
             addParameter(group, std::string(row.key));
         }

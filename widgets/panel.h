@@ -77,9 +77,9 @@ public:
     /// Shows an error in place, or removes it with an empty text.
     void setError(const QString& what, const QString& remedy = {});
     /// Shows the values of a scenario in all editors of the panel.
-    void setScenario(const Scenario& scenario);
+    virtual void setScenario(const Scenario& scenario);
     /// Greys out all editors while there is nothing to set.
-    void setEditable(bool editable);
+    virtual void setEditable(bool editable);
     ParameterEditor* editor(const QString& key) const { return m_editors.value(key); }
     QSize sizeHint() const override;
 
@@ -90,8 +90,11 @@ signals:
 protected:
     /// A row for a parameter by key; its edits leave through edited().
     ParameterEditor* addParameter(PanelGroup* group, const std::string& key);
+    /// Takes an editor that stands elsewhere in the panel: it shows the scenario, and its edits leave through edited().
+    void takeEditor(ParameterEditor* editor);
     /// Rows for all unkeyed parameters of a stage that the panel does not show yet; nothing if there are none.
-    void addRemaining(Stage stage, const QString& heading);
+    /// @param elsewhere  says which of them another panel shows
+    void addRemaining(Stage stage, const QString& heading, bool (*elsewhere)(std::string_view key) = nullptr);
 
 private:
     QVBoxLayout* m_column;

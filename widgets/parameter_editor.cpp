@@ -1,5 +1,6 @@
 #include "widgets/parameter_editor.h"
 
+#include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCompleter>
@@ -8,6 +9,7 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QToolButton>
+#include <array>
 #include <cmath>
 
 #include "widgets/wording.h"
@@ -18,6 +20,11 @@ namespace {
 
 QString qt(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// Off, on or automatic: shown as buttons, so that the choice is seen without opening a list.
+bool isSwitch(const Parameter& row) {
+    return row.choices == std::vector<std::string_view>{"off", "on", "auto"};
 }
 
 }  // namespace
@@ -63,7 +70,7 @@ void ParameterEditor::build() {
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(4);
     column->addLayout(line);
-    if (m_row.kind == ParameterKind::Switch) {
+    if (m_row.kind == ParameterKind::Switch && !m_row.automatic) {
         m_switch = new QCheckBox;
         m_switch->setAccessibleName(label());
         line->addStretch();
@@ -79,20 +86,10 @@ void ParameterEditor::build() {
         m_only->setObjectName(QStringLiteral("value"));
         m_only->setAlignment(Qt::AlignRight);
         line->addWidget(m_only, 1);
-    } else if (m_row.kind == ParameterKind::Choice) {
-        m_choice = new QComboBox;
-        m_choice->setAccessibleName(label());
-        m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        m_choice->setMinimumContentsLength(8);
-        for (const std::string_view choice : m_row.choices) {
-            m_choice->addItem(shownName(choice), qt(choice));
-        }
-        line->addWidget(m_choice, 1);
-        connect(m_choice, &QComboBox::activated, this, [this] {
-            m_value = m_choice->currentData().toString().toStdString();
-            emit edited(key(), m_value);
-        });
-        setFocusProxy(m_choice);
+    } else if (m_row.kind == ParameterKind::Choice && isSwitch(m_row)) {
+        buildSegments(line);
+    } else if (m_row.kind == ParameterKind::Choice || m_row.kind == ParameterKind::Switch) {
+        buildChoice(line);
     } else {
         buildField();
         line->addWidget(m_field, 1);
@@ -106,6 +103,58 @@ void ParameterEditor::build() {
         column->addWidget(m_complaint);
         setFocusProxy(m_field);
     }
+}
+
+void ParameterEditor::buildSegments(QBoxLayout* line) {
+    m_segments = new QButtonGroup(this);
+    line->addStretch();
+    line->setSpacing(0);
+    const std::array names = {tr("off"), tr("on"), tr("auto")};
+    for (int i = 0; i < 3; ++i) {
+        auto* button = new QToolButton;
+        button->setText(names[static_cast<std::size_t>(i)]);
+        button->setCheckable(true);
+        button->setObjectName(QStringLiteral("segment"));
+        button->setProperty("place", i == 0 ? QStringLiteral("first") : i == 2 ? QStringLiteral("last") : QString());
+        button->setAccessibleName(QStringLiteral("%1: %2").arg(label(), button->text()));
+        button->setFocusPolicy(Qt::StrongFocus);
+        m_segments->addButton(button, i);
+        line->addWidget(button);
+    }
+    connect(m_segments, &QButtonGroup::idClicked, this, [this](int id) {
+        const ParameterValue chosen = std::string(m_row.choices[static_cast<std::size_t>(id)]);
+        if (chosen != m_value) {
+            m_value = chosen;
+            emit edited(key(), m_value);
+        }
+    });
+    setFocusProxy(m_segments->button(2));
+}
+
+void ParameterEditor::buildChoice(QBoxLayout* line) {
+    m_choice = new QComboBox;
+    m_choice->setAccessibleName(label());
+    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_choice->setMinimumContentsLength(8);
+    if (m_row.automatic) {
+        m_choice->addItem(tr("auto"), QString());
+    }
+    if (m_row.kind == ParameterKind::Switch) {
+        m_choice->addItem(tr("yes"), QStringLiteral("yes"));
+        m_choice->addItem(tr("no"), QStringLiteral("no"));
+    }
+    for (const std::string_view choice : m_row.choices) {
+        m_choice->addItem(shownName(choice), qt(choice));
+    }
+    line->addWidget(m_choice, 1);
+    connect(m_choice, &QComboBox::activated, this, [this] {
+        const QString chosen = m_choice->currentData().toString();
+        m_value = chosen.isEmpty()                      ? ParameterValue()
+                  : m_row.kind == ParameterKind::Switch ? ParameterValue(chosen == QLatin1String("yes"))
+                                                        : ParameterValue(chosen.toStdString());
+        emit edited(key(), m_value);
+    });
+    setFocusProxy(m_choice);
 }
 
 void ParameterEditor::buildField() {
@@ -138,7 +187,14 @@ void ParameterEditor::setValue(const ParameterValue& value) {
 }
 
 void ParameterEditor::setAutomaticValue(double value) {
-    m_automatic = std::isfinite(value) ? shownNumber(value, 3) : QString();
+    setAutomaticText(std::isfinite(value) ? shownNumber(value, 3) : QString());
+}
+
+void ParameterEditor::setAutomaticText(const QString& text) {
+    m_automatic = text;
+    if (m_choice != nullptr && m_row.automatic) {
+        m_choice->setItemText(0, text.isEmpty() ? tr("auto") : tr("auto: %1").arg(text));
+    }
     if (std::holds_alternative<std::monostate>(m_value)) {
         show(m_value);
     }
@@ -153,9 +209,19 @@ void ParameterEditor::show(const ParameterValue& value) {
         m_only->setText(shownValue(value));
         return;
     }
+    if (m_segments != nullptr) {
+        const auto* text = std::get_if<std::string>(&value);
+        for (int i = 0; i < 3; ++i) {
+            m_segments->button(i)->setChecked(text != nullptr && m_row.choices[static_cast<std::size_t>(i)] == *text);
+        }
+        return;
+    }
     if (m_choice != nullptr) {
         const auto* text = std::get_if<std::string>(&value);
-        m_choice->setCurrentIndex(m_choice->findData(text != nullptr ? QString::fromStdString(*text) : QString()));
+        const auto* flag = std::get_if<bool>(&value);
+        m_choice->setCurrentIndex(m_choice->findData(text != nullptr   ? QString::fromStdString(*text)
+                                                     : flag != nullptr ? (*flag ? QStringLiteral("yes") : QStringLiteral("no"))
+                                                                       : QString()));
         return;
     }
     const bool automatic = std::holds_alternative<std::monostate>(value);

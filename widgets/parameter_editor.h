@@ -7,6 +7,8 @@
 #include "core/scenario/parameters.h"
 
 class QAbstractButton;
+class QBoxLayout;
+class QButtonGroup;
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -16,7 +18,8 @@ class QToolButton;
 namespace rubble::widgets {
 
 /// Edits one row of the parameter table: the same widget wherever a parameter appears. Shows what is wrong with a typed value in
-/// place and keeps the old one. An automatic value is shown as such; typing takes it over and the auto mark gives it back.
+/// place and keeps the old one. An automatic value is shown as such; typing takes it over and the auto mark gives it back. What can
+/// be off, on or automatic is three buttons side by side; the arrow keys move among them.
 class ParameterEditor : public QWidget {
     Q_OBJECT
 
@@ -33,6 +36,7 @@ public:
     void setValue(const ParameterValue& value);
     /// What the automatic value comes to, shown while the value is automatic.
     void setAutomaticValue(double value);
+    void setAutomaticText(const QString& text);
     const ParameterValue& value() const { return m_value; }
     /// Offers words while a text is typed.
     void offer(const QStringList& words);
@@ -46,6 +50,8 @@ signals:
 private:
     void build();
     void buildField();
+    void buildSegments(QBoxLayout* line);
+    void buildChoice(QBoxLayout* line);
     void commitText();
     void refuse(const QString& why);
     void show(const ParameterValue& value);
@@ -57,6 +63,7 @@ private:
     QString m_automatic;
     QCheckBox* m_switch = nullptr;
     QComboBox* m_choice = nullptr;
+    QButtonGroup* m_segments = nullptr;
     QLineEdit* m_field = nullptr;
     QToolButton* m_auto = nullptr;
     QLabel* m_complaint = nullptr;

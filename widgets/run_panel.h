@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/simulation/simulation.h"
+#include "widgets/health_list.h"
 #include "widgets/panel.h"
 
 class QLabel;
@@ -20,12 +22,16 @@ public:
     /// What a finished run says about itself, with figures that only the window knows.
     struct Outcome {
         std::shared_ptr<const SimulationResult> result;
+        SolverKind solver = SolverKind::SoftStep;
         double wallSeconds = 0.0;
         double liveMean = 0.0;   ///< FPS; 0: was not live
         double liveWorst = 0.0;  ///< FPS
         double fpsTarget = 0.0;
     };
     void setOutcome(const Outcome& outcome);
+    /// Nothing: no run to judge.
+    void setHealth(const std::optional<HealthList::Content>& health);
+    HealthList& health() { return *m_health; }
     /// @param ready    there are clusters to simulate; @param why  else says what is missing
     /// @param running  shows Cancel in place of the buttons
     void setReady(bool ready, bool running, const QString& why = {});
@@ -44,7 +50,10 @@ private:
     QPushButton* m_live;
     QPushButton* m_cancel;
     QLabel* m_why;
+    PanelGroup* m_healthGroup;
+    HealthList* m_health;
     PanelGroup* m_outcome;
+    QLabel* m_solver;
     QLabel* m_bodies;
     QLabel* m_asleep;
     QLabel* m_moving;
@@ -57,6 +66,7 @@ private:
     QLabel* m_occupied;
     QLabel* m_overlap;
     QLabel* m_penetration;
+    QLabel* m_released;
     QLabel* m_islands;
     QLabel* m_ledger;
     QLabel* m_bodyLedger;

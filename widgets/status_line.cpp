@@ -65,17 +65,21 @@ void StatusLine::setMessage(const QString& message) {
     }
 }
 
-void StatusLine::setFigure(Figure figure, const QString& name, const QString& value, const QString& aside) {
+void StatusLine::setFigure(Figure figure, const QString& name, const QString& value, const QString& aside, bool warns) {
     QLabel* label = m_figures[static_cast<std::size_t>(figure)];
     QString text = QStringLiteral("%1 <b>%2</b>").arg(name.toHtmlEscaped(), value.toHtmlEscaped());
     if (!aside.isEmpty()) {
         text += QStringLiteral(" <span style='color:%1'>%2</span>").arg(tints().muted.name(), aside.toHtmlEscaped());
     }
-    if (figure == Figure::Findings) {
+    if (warns || figure == Figure::Findings) {
         text = QStringLiteral("<span style='color:%1'>%2</span>").arg(tints().finding.name(), text);
     }
     label->setText(text);
     label->setVisible(!value.isEmpty());
+}
+
+void StatusLine::setFigureTip(Figure figure, const QString& tip) {
+    m_figures[static_cast<std::size_t>(figure)]->setToolTip(tip);
 }
 
 QString StatusLine::figureText(Figure figure) const {

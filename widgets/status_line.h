@@ -15,7 +15,7 @@ class StatusLine : public QWidget {
     Q_OBJECT
 
 public:
-    enum class Figure { Live, Playback, Bodies, Step, Energy, Findings, Memory };
+    enum class Figure { Live, Playback, Bodies, Step, Energy, Health, Findings, Memory };
 
     explicit StatusLine(QWidget* parent = nullptr);
 
@@ -24,7 +24,10 @@ public:
     /// A quiet sentence when nothing runs.
     void setMessage(const QString& message);
     /// @param name   "Live"; @param value  "24.6 FPS"; @param aside  muted: "target 24"; an empty value hides the figure
-    void setFigure(Figure figure, const QString& name, const QString& value, const QString& aside = {});
+    /// @param warns  in the colour of findings
+    void setFigure(Figure figure, const QString& name, const QString& value, const QString& aside = {}, bool warns = false);
+    /// The tooltip of a figure.
+    void setFigureTip(Figure figure, const QString& tip);
     QString figureText(Figure figure) const;
     QString activityText() const;
 
@@ -37,7 +40,7 @@ private:
     QPushButton* m_cancel;
     QString m_message;
     bool m_running = false;
-    std::array<QLabel*, 7> m_figures{};
+    std::array<QLabel*, 8> m_figures{};
 };
 
 }  // namespace rubble::widgets

@@ -72,6 +72,13 @@ QPushButton#primary, QToolButton#primary { background: %accent%; border-color: %
 QPushButton#primary:disabled, QToolButton#primary:disabled { background: transparent; border-color: %hairline%; color: %muted%; }
 QToolButton#autoMark { padding: 1px 5px; border-radius: 8px; color: %muted%; background: transparent; }
 QToolButton#autoMark:checked { color: %accent%; background: %accentTint%; border-color: %accentTint%; }
+QToolButton#segment { border-radius: 0; padding: 2px 7px; margin-left: -1px; color: %muted%; }
+QToolButton#segment[place="first"] { border-top-left-radius: 4px; border-bottom-left-radius: 4px; margin-left: 0; }
+QToolButton#segment[place="last"] { border-top-right-radius: 4px; border-bottom-right-radius: 4px; }
+QToolButton#segment:checked { color: %accent%; background: %accentTint%; border-color: %accent%; font-weight: 600; }
+QToolButton#segment:focus { border-color: %text%; }
+QToolButton#fold { border: none; background: transparent; padding: 0; }
+QToolButton#fold:focus { border: 1px dotted %accent%; }
 QLineEdit { border: 1px solid %hairline%; border-radius: 4px; padding: 3px 6px; background: %field%; color: %text%;
   selection-background-color: %accent%; selection-color: %accentText%; }
 QLineEdit:focus { border-color: %accent%; }
@@ -88,6 +95,7 @@ QComboBox QAbstractItemView { background: %field%; color: %text%; border: 1px so
 #notice[kind="finding"] { border-left-color: %finding%; background: %findingTint%; }
 #notice[kind="error"] { border-left-color: %error%; }
 #bottom { background: %panel%; border-top: 1px solid %hairline%; }
+#hairline { background: %hairline%; border: none; }
 #statusLine { border-top: 1px solid %hairline%; }
 #emptyState { background: %window%; }
 QTableView { background: %panel%; alternate-background-color: %panel%; border: none; gridline-color: %hairline%; color: %text%;

@@ -1,12 +1,15 @@
 #include "widgets/timeline.h"
 
+#include <QHelpEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/icons.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
 
@@ -31,6 +34,7 @@ struct Timeline::Rows {
     double left, right;
     double deathsTop, deathsBottom;
     double barTop, barBottom;
+    double health;  // centre of the row of warning signs
     double axis;
 };
 
@@ -44,12 +48,15 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent) {
 Timeline::Rows Timeline::rows() const {
     const double label = fontMetrics().horizontalAdvance(tr("computed")) + 24.0;
     const double axis = height() - fontMetrics().height() - 10.0;
-    return {label, width() - 24.0, 12.0, axis - 24.0, axis - 16.0, axis - 8.0, axis};
+    const double signs = m_marks.empty() ? 0.0 : 18.0;
+    const double bar = axis - 8.0 - signs;
+    return {label, width() - 24.0, 12.0, bar - 16.0, bar - 8.0, bar, axis - 10.0, axis};
 }
 
 void Timeline::setRange(double first, double last) {
     m_first = first;
     m_last = std::max(first, last);
+    groupSigns();
     update();
 }
 
@@ -87,16 +94,104 @@ double Timeline::toTime(double x) const {
     return m_first + share * (m_last - m_first);
 }
 
+void Timeline::setHealth(std::vector<HealthMark> marks) {
+    m_marks = std::move(marks);
+    groupSigns();
+    QStringList titles;
+    for (const HealthMark& mark : m_marks) {
+        titles
+            << tr("%1 from %2 to %3 s").arg(mark.title, QLocale().toString(mark.from, 'f', 2), QLocale().toString(mark.to, 'f', 2));
+    }
+    setAccessibleDescription(titles.isEmpty() ? QString() : tr("Limits passed: %1").arg(titles.join(QStringLiteral("; "))));
+    update();
+}
+
+void Timeline::groupSigns() {
+    constexpr double width = 15.0;
+    m_signs.clear();
+    for (std::size_t i = 0; i < m_marks.size(); ++i) {
+        if (!m_signs.empty() && toX(m_marks[i].from) - toX(m_marks[m_signs.back().first].from) < width) {
+            m_signs.back().last = i;
+        } else {
+            m_signs.push_back({i, i});
+        }
+    }
+}
+
+QPointF Timeline::signOf(std::size_t mark) const {
+    std::size_t first = mark;
+    for (const Sign& sign : m_signs) {
+        first = sign.first <= mark && mark <= sign.last ? sign.first : first;
+    }
+    return {toX(m_marks[first].from), rows().health};
+}
+
+std::vector<std::size_t> Timeline::marksAt(const QPointF& point) const {
+    std::vector<std::size_t> found;
+    const Rows r = rows();
+    if (m_marks.empty() || std::abs(point.y() - r.health) > 9.0) {
+        return found;
+    }
+    for (const Sign& sign : m_signs) {
+        if (std::abs(point.x() - toX(m_marks[sign.first].from)) <= 8.0) {
+            for (std::size_t i = sign.first; i <= sign.last; ++i) {
+                found.push_back(i);
+            }
+            return found;
+        }
+    }
+    for (std::size_t i = 0; i < m_marks.size(); ++i) {
+        if (point.x() >= toX(m_marks[i].from) - 2.0 && point.x() <= toX(m_marks[i].to) + 2.0) {
+            found.push_back(i);
+        }
+    }
+    return found;
+}
+
+QString Timeline::wordsOf(const std::vector<std::size_t>& marks) const {
+    QStringList words;
+    for (const std::size_t i : marks) {
+        words << m_marks[i].words;
+    }
+    return words.join(QStringLiteral("<hr/>"));
+}
+
+bool Timeline::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        if (const auto marks = marksAt(help->pos()); !marks.empty()) {
+            QToolTip::showText(help->globalPos(), wordsOf(marks), this);
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void Timeline::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    groupSigns();
+}
+
 void Timeline::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton && m_last > m_first) {
+    if (event->button() != Qt::LeftButton || m_last <= m_first) {
+        return;
+    }
+    if (const auto marks = marksAt(event->position()); !marks.empty()) {
+        emit markChosen(marks.front());
+        return;
+    }
+    m_scrubbing = true;
+    emit scrubbed(toTime(event->position().x()));
+}
+
+void Timeline::mouseMoveEvent(QMouseEvent* event) {
+    if (m_scrubbing && (event->buttons() & Qt::LeftButton) != 0 && m_last > m_first) {
         emit scrubbed(toTime(event->position().x()));
     }
 }
 
-void Timeline::mouseMoveEvent(QMouseEvent* event) {
-    if ((event->buttons() & Qt::LeftButton) != 0 && m_last > m_first) {
-        emit scrubbed(toTime(event->position().x()));
-    }
+void Timeline::mouseReleaseEvent(QMouseEvent*) {
+    m_scrubbing = false;
 }
 
 void Timeline::paintEvent(QPaintEvent*) {
@@ -114,7 +209,39 @@ void Timeline::paintEvent(QPaintEvent*) {
     paintDeaths(painter, r);
     paintComputed(painter, r);
     paintAxis(painter, r);
+    if (!m_marks.empty()) {
+        painter.setPen(tints().muted);
+        painter.drawText(QPointF(12, r.health + painter.fontMetrics().ascent() / 2.0 - 1.0), tr("health"));
+        paintHealth(painter, r);
+    }
     paintMarks(painter, r);
+}
+
+void Timeline::paintHealth(QPainter& painter, const Rows& r) const {
+    for (const HealthMark& mark : m_marks) {
+        QColor wash = mark.acknowledged ? tints().muted : tints().finding;
+        painter.setPen(Qt::NoPen);
+        wash.setAlphaF(0.16F);
+        const QRectF column(QPointF(toX(mark.from), r.deathsTop - 4.0),
+                            QPointF(std::max(toX(mark.to), toX(mark.from) + 2.0), r.barTop - 2.0));
+        painter.fillRect(column, wash);
+        wash.setAlphaF(0.75F);
+        painter.setBrush(wash);
+        painter.drawRoundedRect(QRectF(QPointF(column.left(), r.health - 2.0), QPointF(column.right(), r.health + 2.0)), 2, 2);
+    }
+    painter.setBrush(Qt::NoBrush);
+    for (const Sign& sign : m_signs) {
+        bool acknowledged = true;
+        for (std::size_t i = sign.first; i <= sign.last; ++i) {
+            acknowledged = acknowledged && m_marks[i].acknowledged;
+        }
+        const QPointF centre(toX(m_marks[sign.first].from), r.health);
+        drawWarning(painter, centre, acknowledged ? tints().muted : tints().finding, tints().panel);
+        if (sign.last > sign.first) {
+            painter.setPen(acknowledged ? tints().muted : tints().finding);
+            painter.drawText(QPointF(centre.x() + 10.0, r.health - 3.0), QString::number(sign.last - sign.first + 1));
+        }
+    }
 }
 
 void Timeline::paintDeaths(QPainter& painter, const Rows& r) const {

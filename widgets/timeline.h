@@ -5,8 +5,18 @@
 
 namespace rubble::widgets {
 
-/// Deaths over time as an area, what is computed as a bar that grows, the end of the FE result as a dashed line, one playhead.
-/// Emits scrubbed() while the mouse drags. Times in s.
+/// A limit of health that was passed, as the timeline shows it.
+struct HealthMark {
+    double from = 0.0;  ///< s
+    double to = 0.0;    ///< s
+    QString title;      ///< a few words
+    QString words;      ///< rich text: what, where, when, worst against limit, remedy
+    bool acknowledged = false;
+};
+
+/// Deaths over time as an area, what is computed as a bar that grows, breaches of health as intervals with a warning sign, the end
+/// of the FE result as a dashed line, one playhead. Emits scrubbed() while the mouse drags, markChosen() when a warning sign is
+/// clicked. Times in s.
 class Timeline : public QWidget {
     Q_OBJECT
 
@@ -21,21 +31,31 @@ public:
     /// What is computed; empty (last <= first) for nothing.
     void setComputed(double first, double last, bool stale);
     void setTime(double time);
+    /// Breaches of health in the order in which they began; the row goes when there are none.
+    void setHealth(std::vector<HealthMark> marks);
 
     double time() const { return m_time; }
     /// Place of a time on the axis and back [px].
     double toX(double time) const;
     double toTime(double x) const;
-    QSize sizeHint() const override { return {600, 112}; }
+    /// Marks under a point, in their order; the sign of a group stands for all of them.
+    std::vector<std::size_t> marksAt(const QPointF& point) const;
+    /// Centre of the sign of a mark.
+    QPointF signOf(std::size_t mark) const;
+    QSize sizeHint() const override { return {600, 116}; }
     QSize minimumSizeHint() const override { return {240, 96}; }
 
 signals:
     void scrubbed(double time);
+    void markChosen(std::size_t mark);
 
 protected:
+    bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
     struct Rows;
@@ -44,6 +64,9 @@ private:
     void paintComputed(QPainter& painter, const Rows& rows) const;
     void paintAxis(QPainter& painter, const Rows& rows) const;
     void paintMarks(QPainter& painter, const Rows& rows) const;
+    void paintHealth(QPainter& painter, const Rows& rows) const;
+    void groupSigns();
+    QString wordsOf(const std::vector<std::size_t>& marks) const;
 
     double m_first = 0.0;
     double m_last = 0.0;
@@ -54,6 +77,13 @@ private:
     double m_computedLast = 0.0;
     bool m_stale = false;
     double m_time = 0.0;
+    std::vector<HealthMark> m_marks;
+    // Signs that would cover each other stand as one: marks from first to last.
+    struct Sign {
+        std::size_t first, last;
+    };
+    std::vector<Sign> m_signs;
+    bool m_scrubbing = false;
 };
 
 /// A round step (1, 2 or 5 times a power of ten) that puts at most `count` marks over `span`.

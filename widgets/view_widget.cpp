@@ -176,6 +176,14 @@ void ViewWidget::look(render::Preset preset) {
     flyTo(cameras);
 }
 
+void ViewWidget::centreOn(const Vec3& point) {
+    std::array<render::Camera, 2> cameras = m_view.cameras;
+    for (render::Camera& camera : cameras) {
+        camera = render::centreOn(camera, point);
+    }
+    flyTo(cameras);
+}
+
 void ViewWidget::flyTo(const std::array<render::Camera, 2>& cameras) {
     m_flightFrom = m_view.cameras;
     m_flightTo = cameras;

@@ -29,6 +29,8 @@ public:
     void fit();
     /// Looks from a standard direction at the whole model.
     void look(render::Preset preset);
+    /// Moves the cameras so that a point [m] lies in the middle, at the distance and in the direction they have.
+    void centreOn(const Vec3& point);
     /// Camera moves are animated (200 ms) unless the user asks for reduced motion.
     void setAnimated(bool animated) { m_animated = animated; }
 

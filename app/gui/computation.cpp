@@ -8,6 +8,7 @@
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/scenario/parameters.h"
+#include "io/acknowledgements.h"
 #include "io/case_file.h"
 #include "io/fe_reader.h"
 #include "widgets/wording.h"
@@ -18,8 +19,8 @@ namespace {
 
 constexpr int growthsPerSecond = 25;
 
-/// Reads the FE result and the terrain of a case. An FE result that was recognised but cannot be read as it is set leaves the case, so that the
-/// settings can be changed.
+/// Reads the FE result and the terrain of a case. An FE result that was recognised but cannot be read as it is set leaves the case,
+/// so that the settings can be changed.
 void readFe(Opened& opened, const Execution& execution) {
     try {
         const CaseScenario* active = nullptr;
@@ -46,7 +47,18 @@ void readFe(Opened& opened, const Execution& execution) {
     }
 }
 
+/// Names what the effects are decided for. How often frames are recorded is no part of it: live mode has its own rate.
+Digest decisionKey(const Inputs& inputs, const Scenario& scenario) {
+    Scenario seen = scenario;
+    seen.simulation.frameRate = SimulationSettings().frameRate;
+    return stageKey(inputs, seen, Stage::Simulation);
+}
+
 }  // namespace
+
+const HealthReport& RunRecord::health() const {
+    return outcome != nullptr ? outcome->health : soFar;
+}
 
 Computation::Computation(QObject* parent) : QObject(parent) {
     connect(&m_worker, &Worker::progressed, this, &Computation::showProgress);
@@ -124,6 +136,7 @@ void Computation::take(const Opened& opened, const Scenario& scenario) {
     m_terrain = opened.terrain;
     m_import = scenario.import;
     m_results = {};
+    m_decisions.reset();
     m_run.reset();
     m_failure.reset();
     if (opened.failure) {
@@ -140,6 +153,7 @@ void Computation::clear() {
     m_inputs = {};
     m_terrain = {};
     m_results = {};
+    m_decisions.reset();
     m_run.reset();
     m_failure.reset();
     emit prepared();
@@ -190,7 +204,24 @@ Results Computation::prepareOnWorker(const Inputs& inputs, const Scenario& scena
         results.sizing = made.sizing != nullptr ? made.sizing : results.sizing;
         results.clustering = made.clustering != nullptr ? made.clustering : results.clustering;
     }
+    decideOnWorker(inputs, scenario, results);
     return results;
+}
+
+void Computation::decideOnWorker(const Inputs& inputs, const Scenario& scenario, const Results& results) {
+    const EffectScene scene{*inputs.fe,          *results.components,  *results.fragments,
+                            *results.clustering, inputs.terrain.get(), scenario};
+    auto decisions = std::make_shared<const EffectDecisions>(decideEffects(scene));
+    QMetaObject::invokeMethod(
+        this,
+        [this, decisions, key = decisionKey(inputs, scenario), fe = inputs.fe] {
+            if (fe == m_inputs.fe) {
+                m_decisions = decisions;
+                m_decidedFor = key;
+                emit decided();
+            }
+        },
+        Qt::QueuedConnection);
 }
 
 void Computation::update(const Scenario& scenario) {
@@ -346,6 +377,31 @@ void Computation::write(std::function<void(const Execution&)> work, std::functio
 bool Computation::stale(Stage stage, const Scenario& scenario) const {
     const auto i = static_cast<std::size_t>(stage);
     return m_inputs.fe != nullptr && m_results.keys[i] != Digest{} && m_results.keys[i] != stageKey(m_inputs, scenario, stage);
+}
+
+bool Computation::decisionsStale(const Scenario& scenario) const {
+    return m_inputs.fe != nullptr && m_decisions != nullptr && m_decidedFor != decisionKey(m_inputs, scenario);
+}
+
+void Computation::acknowledge(const QString& name, const QString& note) {
+    if (m_run == nullptr || m_run->running || m_run->outcome == nullptr) {
+        return;
+    }
+    auto made = std::make_shared<std::optional<Acknowledgement>>();
+    write(
+        [record = m_run, name = name.toStdString(), note = note.toStdString(), made](const Execution&) {
+            const std::string path = record->path.toStdString();
+            io::acknowledge(path, {name, {}, note, {}});
+            const std::vector<Acknowledgement> all = io::acknowledgements(path);
+            const Acknowledgement* found = acknowledgementOf(*record->outcome, all);
+            *made = found != nullptr ? std::optional(*found) : std::nullopt;
+        },
+        [this, record = m_run, made](const std::exception_ptr& thrown) {
+            record->acknowledged = *made;
+            const auto failure = failureOf(thrown);
+            emit acknowledged(failure ? failure->what + u' ' + failure->remedy : QString());
+            emit stateChanged();
+        });
 }
 
 bool Computation::importStale(const Scenario& scenario) const {

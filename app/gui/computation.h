@@ -8,6 +8,7 @@
 #include "app/gui/worker.h"
 #include "core/pipeline/pipeline.h"
 #include "core/scenario/case.h"
+#include "core/simulation/acknowledgement.h"
 #include "io/run_file.h"
 #include "io/terrain_reader.h"
 #include "widgets/stage_rail.h"
@@ -35,6 +36,12 @@ struct RunRecord {
     double newest = 0.0;  ///< s, time of the last committed frame
     double wallSeconds = 0.0;
     std::shared_ptr<const SimulationResult> outcome;
+    std::optional<Acknowledgement> acknowledged;  ///< somebody vouches for it in spite of its breaches
+
+    HealthReport soFar;  ///< while it runs
+
+    /// What the monitor saw, so far or in all.
+    const HealthReport& health() const;
 };
 
 /// What has been computed for the open case: the FE result, the results by stage and the run. Starts the work on the worker and
@@ -60,6 +67,8 @@ public:
     /// Long work that writes a file, with progress and cancel; `done` gets what it threw.
     void write(std::function<void(const Execution&)> work, std::function<void(std::exception_ptr)> done);
     void cancel();
+    /// Someone vouches for the last run in spite of its breaches; answers with acknowledged() or failed().
+    void acknowledge(const QString& name, const QString& note);
 
     bool busy() const { return m_worker.busy(); }
     /// Work for this stage runs or waits.
@@ -73,6 +82,10 @@ public:
     const Results& results() const { return m_results; }
     const RunRecord* currentRun() const { return m_run.get(); }
     const std::shared_ptr<LivePace>& livePace() const { return m_pace; }
+    /// Which effects take part and why; null until a scene is there to decide on.
+    const std::shared_ptr<const EffectDecisions>& decisions() const { return m_decisions; }
+    /// Whether they were decided for other settings; false if there are none.
+    bool decisionsStale(const Scenario& scenario) const;
     /// Whether what a stage has is older than the scenario; false if it has nothing.
     bool stale(Stage stage, const Scenario& scenario) const;
     /// Whether the FE result was read with other import settings than the scenario's.
@@ -91,6 +104,12 @@ signals:
     /// A frame was committed; at most about 25 times a second, in live mode for every frame.
     void runGrew(double time);
     void runEnded(bool complete);
+    /// A run that goes on has passed a limit of health; RunRecord::health() has it.
+    void breached();
+    /// Effects were decided.
+    void decided();
+    /// The last run was acknowledged, or could not be: what was said against it.
+    void acknowledged(const QString& complaint);
     /// Something went wrong; failure() says what. Work that was asked for before goes on.
     void failed(const rubble::Failure& failure);
     /// What runs has got on; empty text when nothing runs.
@@ -100,6 +119,7 @@ signals:
 private:
     void startOpening(std::function<Opened(const Execution&)> read);
     Results prepareOnWorker(const Inputs& inputs, const Scenario& scenario, Results results, const Execution& execution);
+    void decideOnWorker(const Inputs& inputs, const Scenario& scenario, const Results& results);
     void adopt(const Results& newer, Stage last);
     std::shared_ptr<const SimulationResult> simulateOnWorker(const std::shared_ptr<RunRecord>& record, const Inputs& inputs,
                                                              const Results& previous, const io::RunOrigin& origin,
@@ -116,6 +136,8 @@ private:
     io::TerrainInput m_terrain;
     ImportSettings m_import;  // with which the FE result was read
     Results m_results;
+    std::shared_ptr<const EffectDecisions> m_decisions;
+    Digest m_decidedFor;  // decisionKey() of what they were decided for
     std::shared_ptr<RunRecord> m_run;
     std::shared_ptr<LivePace> m_pace;
     std::optional<Failure> m_failure;

@@ -4,12 +4,14 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <filesystem>
 #include <fstream>
 #include <vector>
 
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
 #include "core/base/error.h"
+#include "io/acknowledgements.h"
 #include "io/case_file.h"
 #include "io/exports.h"
 #include "io/files.h"
@@ -25,6 +27,25 @@ Case movedCase(const Case& theCase, const QString& from, const QString& to) {
     }
     return moved;
 }
+
+namespace {
+
+/// What was said about a run goes with it; what lies beside the target is about the run that lay there before.
+void copyAcknowledgements(const std::string& fromRun, const std::string& toRun) {
+    const std::filesystem::path from = io::acknowledgementPath(fromRun);
+    const std::filesystem::path to = io::acknowledgementPath(toRun);
+    std::error_code failed;
+    std::filesystem::remove(to, failed);
+    if (!failed && std::filesystem::exists(from, failed)) {
+        std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, failed);
+    }
+    if (failed) {
+        throw WorldError({"gui.save_acknowledgement", "{0} cannot be written: {1}", {to.string(), failed.message()}},
+                         {"gui.save_acknowledgement.remedy", "Choose another folder, or make room there.", {}});
+    }
+}
+
+}  // namespace
 
 FileCommands::FileCommands(Document& document, Computation& computation, QWidget& window)
     : QObject(&window), m_document(document), m_computation(computation), m_window(window) {}
@@ -114,6 +135,7 @@ void FileCommands::saveRun() {
                     out.write(block.data(), in.gcount());
                 }
             });
+            copyAcknowledgements(from, to);
         },
         [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
 }

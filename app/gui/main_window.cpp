@@ -11,6 +11,7 @@
 #include <QSettings>
 
 #include "app/gui/file_commands.h"
+#include "app/gui/health_display.h"
 #include "app/gui/manual.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
@@ -36,6 +37,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_status(new widgets::StatusLine),
       m_playback(new Playback(m_computation, m_area->views(), *m_timeline, *m_transport, this)),
       m_feed(new StatusFeed(m_document, m_computation, *m_playback, *m_status, this)),
+      m_health(new HealthDisplay(m_computation, *m_deck, *m_playback, *m_area, *m_timeline, this)),
       m_files(new FileCommands(m_document, m_computation, *this)),
       m_colours(new QComboBox),
       m_title(new QLabel) {
@@ -66,6 +68,7 @@ MainWindow::~MainWindow() {
     m_document.undoStack().disconnect();
     m_document.disconnect();
     delete m_feed;
+    delete m_health;
     delete m_playback;
     delete m_deck;
 }
@@ -112,6 +115,7 @@ void MainWindow::takeOpened(const Opened& opened) {
         setView(view);
     }
     m_area->showViews(opened.fe != nullptr);
+    m_health->refresh();
     m_playback->reset();
     if (opened.fe != nullptr && m_simulateWhenReady) {
         m_playback->clock().play();
@@ -190,6 +194,7 @@ void MainWindow::runEnded(bool complete) {
     if (record != nullptr && complete) {
         outcome.result = record->outcome;
         outcome.wallSeconds = record->wallSeconds;
+        outcome.solver = record->scenario.simulation.solver;
         outcome.fpsTarget = record->scenario.grid.fpsTarget;
         if (record->live) {
             outcome.liveMean = m_feed->liveMean();
@@ -303,7 +308,7 @@ void MainWindow::showManual() {
     if (m_manual == nullptr) {
         m_manual = new ManualWindow(this);
     }
-    const std::array<const char*, 4> pages = {"Case", "Fragments", "Basic Grid", "Run"};
+    const std::array<const char*, 5> pages = {"Case", "Fragments", "Basic Grid", "Effects", "Run"};
     m_manual->showPage(QLatin1String(pages[static_cast<std::size_t>(std::max(0, m_deck->rail().current()))]));
     m_manual->show();
     m_manual->raise();
@@ -346,11 +351,12 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const QWidget* focus = QApplication::focusWidget();
-        const bool pushes = key->key() == Qt::Key_Space && qobject_cast<const QAbstractButton*>(focus) != nullptr;
-        const bool moves =
-            (key->key() == Qt::Key_Left || key->key() == Qt::Key_Right || key->key() == Qt::Key_Home ||
-             key->key() == Qt::Key_End) &&
-            (qobject_cast<const QAbstractSlider*>(focus) != nullptr || qobject_cast<const QComboBox*>(focus) != nullptr);
+        const auto* button = qobject_cast<const QAbstractButton*>(focus);
+        const bool pushes = key->key() == Qt::Key_Space && button != nullptr;
+        const bool moves = (key->key() == Qt::Key_Left || key->key() == Qt::Key_Right || key->key() == Qt::Key_Home ||
+                            key->key() == Qt::Key_End) &&
+                           (qobject_cast<const QAbstractSlider*>(focus) != nullptr ||
+                            qobject_cast<const QComboBox*>(focus) != nullptr || (button != nullptr && button->group() != nullptr));
         if (watched == focus && (pushes || moves)) {
             event->accept();
             return true;

@@ -15,6 +15,7 @@ class QSplitter;
 namespace rubble {
 
 class FileCommands;
+class HealthDisplay;
 class ManualWindow;
 class PanelDeck;
 class Playback;
@@ -48,6 +49,8 @@ public:
     Playback& playback() { return *m_playback; }
     PanelDeck& deck() { return *m_deck; }
     ViewArea& area() { return *m_area; }
+    HealthDisplay& health() { return *m_health; }
+    widgets::Timeline& timeline() { return *m_timeline; }
     widgets::StatusLine& statusLine() { return *m_status; }
     FileCommands& files() { return *m_files; }
     Actions& actions() { return m_actions; }
@@ -92,6 +95,7 @@ private:
     widgets::StatusLine* m_status;
     Playback* m_playback;
     StatusFeed* m_feed;
+    HealthDisplay* m_health;
     FileCommands* m_files;
     QComboBox* m_colours;
     QLabel* m_title;

@@ -48,7 +48,9 @@ QString parameterReference() {
         "# Parameters\n\nEvery setting of a scenario, as the panels, `rubble-cli --set key=value` and the case file know it.\n\n"
         "|Key|Meaning|Unit|Default|Values|What it does and what it costs|\n|---|---|---|---|---|---|\n");
     for (const Parameter& row : parameterTable()) {
-        const QString byDefault = row.keyed() ? QStringLiteral("auto") : QString::fromStdString(valueText(row.get(defaults, {})));
+        const QString byDefault = row.subject() == ParameterSubject::Pair
+                                      ? QStringLiteral("auto")
+                                      : QString::fromStdString(valueText(row.get(defaults, {})));
         page += QStringLiteral("|`%1`|%2|%3|%4|%5|%6|\n")
                     .arg(qt(row.key), qt(row.label), qt(row.unit), byDefault, rangeText(row), qt(row.help).replace(u'|', u'/'));
     }

@@ -4,6 +4,7 @@
 #include "app/gui/document.h"
 #include "app/gui/regrouping_edit.h"
 #include "widgets/case_panel.h"
+#include "widgets/effects_panel.h"
 #include "widgets/fragments_panel.h"
 #include "widgets/grid_panel.h"
 #include "widgets/parameter_editor.h"
@@ -49,14 +50,16 @@ PanelDeck::PanelDeck(Document& document, Computation& computation, QObject* pare
           {{tr("Case"), tr("What was computed, and of what the structure is made."), widgets::Glyph::Case},
            {tr("Fragments"), tr("What became debris, when, and with which mass."), widgets::Glyph::Fragments},
            {tr("Basic Grid"), tr("Which fragments move together, and what that costs."), widgets::Glyph::Grid},
+           {tr("Effects"), tr("What acts on the fragments, why, and what it costs."), widgets::Glyph::Effects},
            {tr("Run"), tr("Where the fragments go."), widgets::Glyph::Run}})),
       m_stack(new QStackedWidget),
       m_case(new widgets::CasePanel),
       m_fragments(new widgets::FragmentsPanel),
       m_grid(new widgets::GridPanel),
+      m_effects(new widgets::EffectsPanel),
       m_run(new widgets::RunPanel) {
     m_stack->setObjectName(QStringLiteral("panelStack"));
-    for (widgets::Panel* panel : std::initializer_list<widgets::Panel*>{m_case, m_fragments, m_grid, m_run}) {
+    for (widgets::Panel* panel : panels()) {
         m_stack->addWidget(panel);
         connect(panel, &widgets::Panel::edited, this, &PanelDeck::edit);
     }
@@ -70,6 +73,10 @@ PanelDeck::PanelDeck(Document& document, Computation& computation, QObject* pare
     connect(m_run, &widgets::RunPanel::cancelRequested, this, &PanelDeck::cancelRequested);
     choose(Case);
     showScenario();
+}
+
+std::vector<widgets::Panel*> PanelDeck::panels() const {
+    return {m_case, m_fragments, m_grid, m_effects, m_run};
 }
 
 void PanelDeck::choose(Entry entry) {
@@ -113,20 +120,29 @@ void PanelDeck::showResults() {
     m_fragments->setContent(results.fragments, fe.get());
     m_grid->setContent(
         {results.sizing, results.clustering, results.fragments, results.components, fe != nullptr ? &fe->mesh() : nullptr});
+    showEffects();
+}
+
+void PanelDeck::showEffects() {
+    const Scenario& scenario = m_document.scenario();
+    const RunRecord* record = m_computation.currentRun();
+    widgets::EffectsPanel::Content content;
+    content.decisions = m_computation.decisions();
+    content.stale = m_computation.decisionsStale(scenario);
+    content.run = record != nullptr ? record->outcome : nullptr;
+    content.runStale = record != nullptr && m_computation.runStale(scenario);
+    content.components = m_computation.results().components;
+    m_effects->setContent(content);
 }
 
 void PanelDeck::showScenario() {
-    const Scenario& scenario = m_document.scenario();
-    m_case->setScenario(scenario);
-    m_fragments->setScenario(scenario);
-    m_grid->setScenario(scenario);
-    m_run->setScenario(scenario);
-    for (widgets::Panel* panel : std::initializer_list<widgets::Panel*>{m_case, m_fragments, m_grid, m_run}) {
+    for (widgets::Panel* panel : panels()) {
+        panel->setScenario(m_document.scenario());
         panel->setEditable(!m_document.empty());
     }
 }
 
-void PanelDeck::showState() {
+void PanelDeck::showRail() {
     const Scenario& scenario = m_document.scenario();
     const Results& results = m_computation.results();
     const auto& fe = m_computation.inputs().fe;
@@ -140,11 +156,22 @@ void PanelDeck::showState() {
     found = results.sizing != nullptr ? kinds(results.sizing->findings) : 0;
     found += results.clustering != nullptr ? kinds(results.clustering->findings) : 0;
     m_rail->setState(Grid, worst(of(Stage::Sizing), of(Stage::Clusters)), found, fraction(Stage::Sizing, Stage::Clusters));
+    m_rail->setState(Effects, m_computation.decisions() == nullptr     ? StageState::NotYet
+                              : m_computation.decisionsStale(scenario) ? StageState::Stale
+                                                                       : StageState::UpToDate);
     const RunRecord* record = m_computation.currentRun();
-    m_rail->setState(Run, of(Stage::Simulation),
-                     record != nullptr && record->outcome != nullptr ? kinds(record->outcome->findings) : 0,
-                     m_computation.fraction(Stage::Simulation));
+    found = record != nullptr && record->outcome != nullptr ? kinds(record->outcome->findings) : 0;
+    found += record != nullptr && !record->acknowledged ? static_cast<std::int64_t>(record->health().breaches.size()) : 0;
+    m_rail->setState(Run, of(Stage::Simulation), found, m_computation.fraction(Stage::Simulation));
+}
 
+void PanelDeck::showState() {
+    const Scenario& scenario = m_document.scenario();
+    const Results& results = m_computation.results();
+    const auto& fe = m_computation.inputs().fe;
+    const RunRecord* record = m_computation.currentRun();
+    showRail();
+    showEffects();
     const bool running = m_computation.simulating();
     const bool waits = !running && m_computation.busy(Stage::Simulation);
     const bool none = results.fragments != nullptr && results.fragments->list.empty();
@@ -183,7 +210,7 @@ void PanelDeck::showFailure(const QString& what, const QString& remedy, const st
 }
 
 void PanelDeck::clearFailures() {
-    for (widgets::Panel* panel : std::initializer_list<widgets::Panel*>{m_case, m_fragments, m_grid, m_run}) {
+    for (widgets::Panel* panel : panels()) {
         panel->setError({});
     }
 }

@@ -13,6 +13,7 @@ class Computation;
 class Document;
 namespace widgets {
 class CasePanel;
+class EffectsPanel;
 class FragmentsPanel;
 class GridPanel;
 }  // namespace widgets
@@ -22,11 +23,13 @@ class PanelDeck : public QObject {
     Q_OBJECT
 
 public:
-    enum Entry { Case, Fragments, Grid, Run };
+    enum Entry { Case, Fragments, Grid, Effects, Run };
 
     PanelDeck(Document& document, Computation& computation, QObject* parent = nullptr);
 
     widgets::StageRail& rail() { return *m_rail; }
+    widgets::EffectsPanel& effects() { return *m_effects; }
+    widgets::RunPanel& run() { return *m_run; }
     QStackedWidget& stack() { return *m_stack; }
     void choose(Entry entry);
     /// Results have changed: shows them.
@@ -35,6 +38,8 @@ public:
     void showState();
     void showScenario();
     void showOutcome(const widgets::RunPanel::Outcome& outcome);
+    /// Effects have been decided, or a run has measured them.
+    void showEffects();
     void showFailure(const QString& what, const QString& remedy, const std::string& id);
     void clearFailures();
 
@@ -47,6 +52,8 @@ private:
     void edit(const QString& key, const ParameterValue& value);
     void regroup(const RegroupStep& step);
     void clearRegrouping();
+    void showRail();
+    std::vector<widgets::Panel*> panels() const;
 
     Document& m_document;
     Computation& m_computation;
@@ -55,6 +62,7 @@ private:
     widgets::CasePanel* m_case;
     widgets::FragmentsPanel* m_fragments;
     widgets::GridPanel* m_grid;
+    widgets::EffectsPanel* m_effects;
     widgets::RunPanel* m_run;
 };
 

@@ -8,6 +8,7 @@
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
 #include "app/gui/playback.h"
+#include "widgets/health_list.h"
 #include "widgets/status_line.h"
 #include "widgets/wording.h"
 
@@ -109,6 +110,34 @@ void StatusFeed::showFindings() {
                      kinds > 0 ? widgets::shownCount(static_cast<std::int64_t>(kinds)) : QString());
 }
 
+void StatusFeed::showHealth() {
+    const RunRecord* record = m_computation.currentRun();
+    const bool judged = record != nullptr && (record->outcome != nullptr || !record->health().breaches.empty());
+    if (!judged) {
+        m_line.setFigure(Figure::Health, {}, {});
+        return;
+    }
+    const HealthReport& health = record->health();
+    if (!health.tainted()) {
+        m_line.setFigure(Figure::Health, tr("Health"), tr("sound"));
+        m_line.setFigureTip(Figure::Health, tr("No limit of the health monitor was passed in this run."));
+        return;
+    }
+    const QString passed = widgets::limitsPassed(static_cast<std::int64_t>(health.breaches.size()));
+    const bool acknowledged = record->acknowledged.has_value();
+    m_line.setFigure(Figure::Health, acknowledged ? tr("Health") : QStringLiteral("⚠ ") + tr("Health"),
+                     acknowledged || record->running ? passed : tr("tainted"),
+                     acknowledged      ? tr("acknowledged")
+                     : record->running ? QString()
+                                       : passed,
+                     !acknowledged);
+    QStringList titles;
+    for (const HealthBreach& breach : health.breaches) {
+        titles << widgets::worded(breach.what);
+    }
+    m_line.setFigureTip(Figure::Health, titles.join(QLatin1Char('\n')));
+}
+
 void StatusFeed::refresh() {
     const QLocale locale;
     const auto fps = [&](double value) { return locale.toString(value, 'f', value < 10.0 ? 1 : 0) + tr(" FPS"); };
@@ -130,6 +159,7 @@ void StatusFeed::refresh() {
                      done ? widgets::shownNumber(record->outcome->stepTimes.meanMs, 2) + tr(" ms") : QString());
     m_line.setFigure(Figure::Energy, tr("Energy"),
                      done ? QStringLiteral("+") + widgets::shownShare(record->outcome->energy.drift, 2) : QString());
+    showHealth();
     showFindings();
     const double gib = static_cast<double>(residentMemory()) / (1024.0 * 1024.0 * 1024.0);
     m_line.setFigure(Figure::Memory, tr("Memory"), gib > 0.0 ? locale.toString(gib, 'f', 2) + tr(" GiB") : QString());

@@ -34,6 +34,7 @@ private:
     void showProgress(const QString& what, double fraction);
     void showBodies();
     void showFindings();
+    void showHealth();
 
     Document& m_document;
     Computation& m_computation;

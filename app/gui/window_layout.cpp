@@ -11,6 +11,7 @@
 #include <QToolButton>
 
 #include "app/gui/file_commands.h"
+#include "app/gui/health_display.h"
 #include "app/gui/main_window.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
@@ -151,6 +152,7 @@ void MainWindow::connectFiles() {
             m_document.close();
             m_area->showViews(false);
             m_playback->reset();
+            m_health->refresh();
             m_deck->showOutcome({});
             m_deck->choose(PanelDeck::Case);
         }
@@ -228,6 +230,7 @@ void MainWindow::connectComputation() {
     connect(m_status, &widgets::StatusLine::cancelRequested, this, [this] { m_computation.cancel(); });
     connect(&m_computation, &Computation::opened, this, &MainWindow::takeOpened);
     connect(&m_computation, &Computation::prepared, this, &MainWindow::prepared);
+    connect(&m_computation, &Computation::decided, m_deck, &PanelDeck::showState);
     connect(&m_computation, &Computation::failed, this, &MainWindow::showFailure);
     connect(&m_computation, &Computation::stateChanged, this, &MainWindow::showState);
     connect(&m_computation, &Computation::runBegun, this, [this] {

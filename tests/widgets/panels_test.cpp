@@ -9,6 +9,7 @@
 #include <map>
 
 #include "widgets/case_panel.h"
+#include "widgets/effects_panel.h"
 #include "widgets/fragments_panel.h"
 #include "widgets/grid_panel.h"
 #include "widgets/parameter_editor.h"
@@ -60,9 +61,10 @@ TEST(Panels, EveryUnkeyedParameterHasExactlyOneEditor) {
     CasePanel ofCase;
     FragmentsPanel ofFragments;
     GridPanel ofGrid;
+    EffectsPanel ofEffects;
     RunPanel ofRun;
     std::map<std::string, int> found;
-    for (const Panel* panel : std::initializer_list<const Panel*>{&ofCase, &ofFragments, &ofGrid, &ofRun}) {
+    for (const Panel* panel : std::initializer_list<const Panel*>{&ofCase, &ofFragments, &ofGrid, &ofEffects, &ofRun}) {
         for (const ParameterEditor* editor : panel->findChildren<ParameterEditor*>()) {
             ++found[editor->key().toStdString()];
         }
@@ -75,7 +77,7 @@ TEST(Panels, EveryUnkeyedParameterHasExactlyOneEditor) {
 }
 
 TEST(Panels, EditsLeaveWithTheirKey) {
-    RunPanel panel;
+    EffectsPanel panel;
     panel.setScenario(Scenario());
     QString key;
     ParameterValue value;
@@ -198,6 +200,29 @@ TEST(RunPanel, OffersWhatCanBeDone) {
     EXPECT_EQ(asked, 1);
     panel.setReady(true, true);
     EXPECT_TRUE(simulate->isHidden());
+}
+
+TEST(RunPanel, TheSolverIsNamedWithItsCostAndItsPile) {
+    RunPanel panel;
+    auto result = std::make_shared<SimulationResult>();
+    result->stepTimes.meanMs = 2.345;
+    result->bulkingFactor = 1.62;
+    RunPanel::Outcome outcome;
+    outcome.result = result;
+    const auto told = [&](const QString& text) {
+        for (const QLabel* label : panel.findChildren<QLabel*>()) {
+            if (label->text().contains(text)) {
+                return true;
+            }
+        }
+        return false;
+    };
+    outcome.solver = SolverKind::SoftStep;
+    panel.setOutcome(outcome);
+    EXPECT_TRUE(told(QStringLiteral("soft-step, 4 substeps, mean 2.3 ms per step, bulking of the pile 1.62")));
+    outcome.solver = SolverKind::Bullet;
+    panel.setOutcome(outcome);
+    EXPECT_TRUE(told(QStringLiteral("bullet, mean 2.3 ms per step")));
 }
 
 TEST(StageRail, ChoosesByMouseAndKeys) {

@@ -46,7 +46,7 @@ TEST(Manual, EveryOptionOfTheCommandLineIsInIt) {
 }
 
 TEST(Manual, HasAPageForEveryEntryOfTheRail) {
-    for (const char* title : {"Case", "Fragments", "Basic Grid", "Run"}) {
+    for (const char* title : {"Case", "Fragments", "Basic Grid", "Effects", "Run"}) {
         ManualWindow window;
         window.showPage(QLatin1String(title));
         EXPECT_TRUE(window.findChild<QTextBrowser*>()->toPlainText().startsWith(QLatin1String(title))) << title;

@@ -1,0 +1,92 @@
+#include "app/gui/health_display.h"
+
+#include "app/gui/computation.h"
+#include "app/gui/panel_deck.h"
+#include "app/gui/playback.h"
+#include "app/gui/view_area.h"
+#include "widgets/health_list.h"
+#include "widgets/timeline.h"
+
+namespace rubble {
+
+namespace {
+
+/// Elements of the fragments that a body carries at a time.
+std::vector<ElementIndex> elementsOf(const RunRecord& record, BodyId body, double time) {
+    std::vector<ElementIndex> elements;
+    if (record.reader == nullptr || record.results.fragments == nullptr) {
+        return elements;
+    }
+    for (const Carrier& carrier : record.reader->carriers()) {
+        if (carrier.body == body && carrier.from <= time && time <= carrier.to) {
+            elements.push_back(record.results.fragments->list[at(carrier.fragment)].element);
+        }
+    }
+    return elements;
+}
+
+}  // namespace
+
+HealthDisplay::HealthDisplay(Computation& computation, PanelDeck& deck, Playback& playback, ViewArea& area,
+                             widgets::Timeline& timeline, QObject* parent)
+    : QObject(parent), m_computation(computation), m_deck(deck), m_playback(playback), m_area(area), m_timeline(timeline) {
+    connect(&timeline, &widgets::Timeline::markChosen, this, [this](std::size_t mark) {
+        m_deck.choose(PanelDeck::Run);
+        show(mark, false);
+    });
+    connect(&deck.run().health(), &widgets::HealthList::breachChosen, this, [this](std::size_t breach) { show(breach, true); });
+    connect(&deck.run().health(), &widgets::HealthList::acknowledgeRequested, &computation, &Computation::acknowledge);
+    connect(&computation, &Computation::acknowledged, this, &HealthDisplay::acknowledged);
+    connect(&computation, &Computation::runBegun, this, [this] {
+        clearSelection();
+        refresh();
+    });
+    connect(&computation, &Computation::breached, this, &HealthDisplay::refresh);
+    connect(&computation, &Computation::runEnded, this, &HealthDisplay::refresh);
+}
+
+void HealthDisplay::refresh() {
+    const RunRecord* record = m_computation.currentRun();
+    const bool judged = record != nullptr && (record->outcome != nullptr || record->running);
+    if (!judged) {
+        m_timeline.setHealth({});
+        m_deck.run().setHealth(std::nullopt);
+        return;
+    }
+    const Frame& frame = m_computation.inputs().frame;
+    widgets::HealthList::Content content{record->health(), record->acknowledged, record->running, frame.origin.cast<double>()};
+    m_timeline.setHealth(widgets::healthMarks(content.health, content.acknowledged.has_value(), content.origin));
+    m_deck.run().setHealth(content);
+}
+
+void HealthDisplay::show(std::size_t breach, bool near) {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || breach >= record->health().breaches.size()) {
+        return;
+    }
+    const HealthBreach& shown = record->health().breaches[breach];
+    m_playback.clock().pause();
+    m_playback.scrub(shown.from);
+    render::View view = m_area.views().view();
+    view.selection = shown.body ? elementsOf(*record, *shown.body, shown.from) : std::vector<ElementIndex>();
+    m_area.views().setView(view);
+    if (near && shown.body && shown.place.allFinite()) {
+        m_area.views().centreOn(shown.place);
+    }
+}
+
+void HealthDisplay::clearSelection() {
+    render::View view = m_area.views().view();
+    view.selection.clear();
+    m_area.views().setView(view);
+}
+
+void HealthDisplay::acknowledged(const QString& complaint) {
+    if (complaint.isEmpty()) {
+        refresh();
+    } else {
+        m_deck.run().health().setComplaint(complaint);
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,167 @@
+#include "widgets/health_list.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+
+#include "widgets/panel.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+HealthReport twoBreaches() {
+    HealthReport health;
+    HealthBreach deep;
+    deep.check = HealthCheck::Penetration;
+    deep.from = 3.2;
+    deep.to = 4.1;
+    deep.body = idAt<BodyId>(1234);
+    deep.place = Vec3(12.5, -3.0, 0.4);
+    deep.worst = 0.31;
+    deep.limit = 0.1;
+    deep.bodies = 17;
+    deep.what = {"test.deep", "17 bodies were inside each other for {0}", {Argument(0.9, "s")}};
+    deep.remedy = {"test.deep.remedy", "Raise step_rate.", {}};
+    HealthBreach gain;
+    gain.check = HealthCheck::Energy;
+    gain.from = gain.to = 6.0;
+    gain.worst = 0.02;
+    gain.limit = 0.001;
+    gain.what = {"test.gain", "the bodies gained {0} of energy", {Argument(4.0, "MJ")}};
+    health.breaches = {deep, gain};
+    return health;
+}
+
+QString allText(const QWidget& widget) {
+    QString all;
+    for (const QLabel* label : widget.findChildren<QLabel*>()) {
+        all += label->text();
+    }
+    return all;
+}
+
+bool offersToAcknowledge(const HealthList& list) {
+    return list.findChild<QPushButton*>(QStringLiteral("acknowledge"))->isVisibleTo(&list);
+}
+
+}  // namespace
+
+TEST(HealthList, ASoundRunSaysSoAndAsksForNothing) {
+    HealthList list;
+    list.setContent({});
+    EXPECT_TRUE(allText(list).contains(QStringLiteral("Sound")));
+    EXPECT_FALSE(offersToAcknowledge(list));
+}
+
+TEST(HealthList, ABreachSaysWhatWhereWhenAndTheRemedy) {
+    const QString words = breachWords(twoBreaches().breaches[0], Vec3(500000, 4000000, 0));
+    for (const char* part : {"inside each other", "3.20", "4.10", "1,234", "500,012.5", "3,999,997.0", "0.310", "0.100",
+                             "17 bodies", "Raise step_rate"}) {
+        EXPECT_TRUE(words.contains(QLatin1String(part))) << part << " in " << words.toStdString();
+    }
+}
+
+TEST(HealthList, ATaintedRunCanBeAcknowledgedWithNameAndNote) {
+    HealthList list;
+    list.setContent({twoBreaches(), {}, false, Vec3::Zero()});
+    EXPECT_TRUE(allText(list).contains(QStringLiteral("tainted")));
+    ASSERT_TRUE(offersToAcknowledge(list));
+    QStringList asked;
+    QObject::connect(&list, &HealthList::acknowledgeRequested,
+                     [&](const QString& name, const QString& note) { asked << name << note; });
+    auto* button = list.findChild<QPushButton*>(QStringLiteral("acknowledge"));
+    const auto fields = list.findChildren<QLineEdit*>();
+    ASSERT_EQ(fields.size(), 2);
+    button->click();
+    EXPECT_TRUE(asked.isEmpty()) << "nobody vouches without a name";
+    fields[0]->setText(QStringLiteral("  A. Examiner "));
+    button->click();
+    EXPECT_TRUE(asked.isEmpty()) << "nor without a reason";
+    fields[1]->setText(QStringLiteral("One body, far from the piers."));
+    button->click();
+    EXPECT_EQ(asked, QStringList({QStringLiteral("A. Examiner"), QStringLiteral("One body, far from the piers.")}));
+}
+
+TEST(HealthList, AnAcknowledgedRunShowsWhoAndWhy) {
+    HealthList list;
+    const Acknowledgement seen{"A. Examiner", "2024-05-31T08:15:30Z", "One body, far from the piers.", {}};
+    list.setContent({twoBreaches(), seen, false, Vec3::Zero()});
+    EXPECT_FALSE(offersToAcknowledge(list));
+    EXPECT_TRUE(allText(list).contains(QStringLiteral("A. Examiner")));
+    EXPECT_TRUE(allText(list).contains(QStringLiteral("far from the piers")));
+    EXPECT_FALSE(allText(list).contains(QStringLiteral("tainted")));
+}
+
+TEST(HealthList, WhileItRunsBreachesAreShownButNotAcknowledged) {
+    HealthList list;
+    list.setContent({twoBreaches(), {}, true, Vec3::Zero()});
+    EXPECT_TRUE(allText(list).contains(QStringLiteral("so far")));
+    EXPECT_FALSE(offersToAcknowledge(list));
+}
+
+TEST(HealthList, ShowLeadsToItsBreach) {
+    HealthList list;
+    list.setContent({twoBreaches(), {}, false, Vec3::Zero()});
+    std::vector<std::size_t> chosen;
+    QObject::connect(&list, &HealthList::breachChosen, [&](std::size_t breach) { chosen.push_back(breach); });
+    for (QPushButton* button : list.findChildren<QPushButton*>()) {
+        if (button->text().startsWith(QStringLiteral("Show"))) {
+            EXPECT_FALSE(button->accessibleName().isEmpty());
+            button->click();
+        }
+    }
+    EXPECT_EQ(chosen, (std::vector<std::size_t>{0, 1}));
+}
+
+TEST(HealthMarks, OfATimelineAreChosenByTheirSignAndScrubElsewhere) {
+    Timeline timeline;
+    timeline.resize(900, 116);
+    timeline.setRange(0.0, 10.0);
+    timeline.setHealth(healthMarks(twoBreaches(), false, Vec3::Zero()));
+    std::vector<std::size_t> chosen;
+    int scrubbed = 0;
+    QObject::connect(&timeline, &Timeline::markChosen, [&](std::size_t mark) { chosen.push_back(mark); });
+    QObject::connect(&timeline, &Timeline::scrubbed, [&] { ++scrubbed; });
+    QTest::mouseClick(&timeline, Qt::LeftButton, {}, timeline.signOf(1).toPoint());
+    QTest::mouseClick(&timeline, Qt::LeftButton, {}, QPoint(static_cast<int>(timeline.toX(3.9)), timeline.signOf(0).toPoint().y()));
+    EXPECT_EQ(chosen, (std::vector<std::size_t>{1, 0})) << "by the sign, and by its interval";
+    EXPECT_EQ(scrubbed, 0);
+    QTest::mouseClick(&timeline, Qt::LeftButton, {}, QPoint(static_cast<int>(timeline.toX(3.9)), 30));
+    QTest::mouseClick(&timeline, Qt::LeftButton, {}, QPoint(static_cast<int>(timeline.toX(8.0)), timeline.signOf(0).toPoint().y()));
+    EXPECT_EQ(scrubbed, 2) << "beside a mark the timeline scrubs";
+    EXPECT_EQ(chosen.size(), 2U);
+}
+
+TEST(HealthMarks, ThatWouldCoverEachOtherShareASign) {
+    Timeline timeline;
+    timeline.resize(900, 116);
+    timeline.setRange(0.0, 10.0);
+    HealthReport health = twoBreaches();
+    health.breaches[1].from = 3.21;
+    health.breaches[1].to = 5.0;
+    timeline.setHealth(healthMarks(health, false, Vec3::Zero()));
+    EXPECT_EQ(timeline.signOf(0), timeline.signOf(1));
+    EXPECT_EQ(timeline.marksAt(timeline.signOf(0)), (std::vector<std::size_t>{0, 1})) << "both are told of";
+    timeline.setRange(3.0, 3.4);
+    EXPECT_NE(timeline.signOf(0), timeline.signOf(1)) << "there is room for both";
+}
+
+TEST(HealthMarks, AreSeenAndLookOtherwiseOnceAcknowledged) {
+    Timeline timeline;
+    timeline.resize(900, 116);
+    timeline.setRange(0.0, 10.0);
+    const QImage without = timeline.grab().toImage();
+    timeline.setHealth(healthMarks(twoBreaches(), false, Vec3::Zero()));
+    const QImage with = timeline.grab().toImage();
+    timeline.setHealth(healthMarks(twoBreaches(), true, Vec3::Zero()));
+    const QImage acknowledged = timeline.grab().toImage();
+    EXPECT_NE(with, without);
+    EXPECT_NE(with, acknowledged);
+    EXPECT_TRUE(timeline.accessibleDescription().contains(QStringLiteral("inside each other"), Qt::CaseInsensitive));
+}
+
+}  // namespace rubble::widgets

@@ -109,5 +109,19 @@ TEST_F(Pipeline, CancelLeavesByTheCancelledException) {
     EXPECT_THROW(runTo(Stage::Components), Cancelled);
 }
 
+TEST_F(Pipeline, ATerrainDropsTheSimulationOnlyAndTakesPartInIt) {
+    const Results level = runTo(Stage::Simulation);
+    inputs.terrain = std::make_shared<const TerrainGrid>(-50.0, -50.0, 100.0, 2, 2, std::vector<double>(4, -2.0));
+    const Results lower = runTo(Stage::Simulation, level);
+    EXPECT_EQ(lower.clustering, level.clustering);
+    EXPECT_NE(lower.simulation, level.simulation);
+    EXPECT_NE(lower.simulation->trajectoryHash, level.simulation->trajectoryHash);
+    // Heights are what counts, not the object that holds them.
+    inputs.terrain = std::make_shared<const TerrainGrid>(-50.0, -50.0, 100.0, 2, 2, std::vector<double>(4, -2.0));
+    EXPECT_EQ(runTo(Stage::Simulation, lower).simulation, lower.simulation);
+    scenario.effects.of(EffectKind::Terrain) = EffectSwitch::Off;
+    EXPECT_EQ(runTo(Stage::Simulation, lower).simulation->trajectoryHash, level.simulation->trajectoryHash);
+}
+
 }  // namespace
 }  // namespace rubble

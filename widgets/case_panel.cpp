@@ -59,6 +59,7 @@ CasePanel::CasePanel(QWidget* parent)
       m_clear(new QPushButton(tr("Back to the parts of the file"))),
       m_findings(new FindingList) {
     buildFile();
+    setTerrain(nullptr, {}, {});
     buildTable();
     addRemaining(Stage::Import, tr("How the file is read"));
     addRemaining(Stage::Components, tr("Assumed where nothing is known"));
@@ -77,6 +78,7 @@ void CasePanel::buildFile() {
     m_states = file->addValue(tr("States"));
     m_span = file->addValue(tr("Time"), tr("s"));
     m_flag = file->addValue(tr("Active flag"), {}, tr("How the file says which elements are active"));
+    m_terrain = file->addValue(tr("Terrain"), {}, tr("What debris falls on; Terrain… in the Case menu chooses it"));
     m_velocity = file->addValue(tr("Velocity"), {}, tr("Nodal velocities; else differences of positions at active states"));
 }
 
@@ -147,10 +149,25 @@ void CasePanel::setContent(const std::shared_ptr<const FeResult>& fe, const std:
     if (fe != nullptr) {
         findings.append(fe->contents().findings);
     }
+    findings.append(m_terrainFindings);
     if (components != nullptr) {
         findings.append(components->findings);
     }
     m_findings->set(findings);
+}
+
+void CasePanel::setTerrain(const std::shared_ptr<const TerrainGrid>& terrain, const QString& path, const Findings& findings) {
+    m_terrainFindings = findings;
+    m_terrain->setText(terrain == nullptr
+                           ? tr("level")
+                           : m_terrain->fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, 150));
+    m_terrain->setToolTip(terrain == nullptr ? QString()
+                                             : tr("%1\n%2 × %3 heights, %4 m apart, %5 to %6 m")
+                                                   .arg(path, shownCount(static_cast<std::int64_t>(terrain->nx())),
+                                                        shownCount(static_cast<std::int64_t>(terrain->ny())),
+                                                        QLocale().toString(terrain->cell(), 'g', 4),
+                                                        QLocale().toString(terrain->lowest(), 'f', 2),
+                                                        QLocale().toString(terrain->highest(), 'f', 2)));
 }
 
 void CasePanel::showFile(const FeResult* fe) {

@@ -4,6 +4,7 @@
 
 #include "core/fe/components.h"
 #include "core/fe/fe_result.h"
+#include "core/fe/terrain_grid.h"
 #include "widgets/panel.h"
 #include "widgets/regroup_form.h"
 
@@ -22,6 +23,8 @@ public:
 
     /// @param fe, components  null while there are none
     void setContent(const std::shared_ptr<const FeResult>& fe, const std::shared_ptr<const Components>& components);
+    /// The terrain and what was found when it was read, shown with the next content. @param terrain  null: there is none
+    void setTerrain(const std::shared_ptr<const TerrainGrid>& terrain, const QString& path, const Findings& findings);
     void setScenario(const Scenario& scenario) override;
     QStringList selectedComponents() const;
 
@@ -46,12 +49,14 @@ private:
     QLabel* m_flag;
     QLabel* m_velocity;
     QLabel* m_dead;
+    QLabel* m_terrain;
     QLabel* m_note;
     QTableWidget* m_table;
     RegroupForm* m_regroup;
     QLabel* m_steps;
     QPushButton* m_clear;
     FindingList* m_findings;
+    Findings m_terrainFindings;
     std::shared_ptr<const Components> m_components;
     bool m_filling = false;
 };

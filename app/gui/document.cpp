@@ -1,5 +1,6 @@
 #include "app/gui/document.h"
 
+#include "app/gui/inputs_command.h"
 #include "app/gui/scenario_command.h"
 #include "widgets/wording.h"
 
@@ -66,6 +67,17 @@ void Document::edit(const QString& what, const Scenario& after) {
     if (!empty() && !(after == scenario())) {
         m_undo.push(new ScenarioCommand(*this, scenario(), after, what));
     }
+}
+
+void Document::setInputs(std::vector<CaseInput> inputs, const QString& what) {
+    if (!empty() && !(inputs == m_case.inputs)) {
+        m_undo.push(new InputsCommand(*this, std::move(inputs), what));
+    }
+}
+
+void Document::putInputs(const std::vector<CaseInput>& inputs) {
+    m_case.inputs = inputs;
+    emit inputsChanged();
 }
 
 void Document::applyPreset(const QString& name) {

@@ -39,6 +39,8 @@ public:
     void setParameter(const QString& key, const ParameterValue& value);
     /// Any other change of the scenario as one undoable command.
     void edit(const QString& what, const Scenario& after);
+    /// Another set of input files as one undoable command.
+    void setInputs(std::vector<CaseInput> inputs, const QString& what);
     /// A preset is one command too.
     void applyPreset(const QString& name);
     /// Edits of one parameter between these two are one step of undo.
@@ -48,11 +50,15 @@ public:
 signals:
     void replaced();
     void scenarioChanged();
+    /// The case stands on other files now: they are to be read.
+    void inputsChanged();
     void titleChanged();
 
 private:
     friend class ScenarioCommand;
+    friend class InputsCommand;
     void put(const Scenario& scenario);
+    void putInputs(const std::vector<CaseInput>& inputs);
 
     Case m_case;
     QString m_path;

@@ -55,6 +55,33 @@ QString FileCommands::askForInput() {
                                         tr("Cases and FE results (*.rubble *.exo *.e *.ex2 *.exii *.g);;All files (*)"));
 }
 
+void FileCommands::setTerrain(const QString& path, const QString& what) {
+    std::vector<CaseInput> inputs;
+    for (const CaseInput& input : m_document.theCase().inputs) {
+        if (input.role != InputRole::Terrain) {
+            inputs.push_back(input);
+        }
+    }
+    if (!path.isEmpty()) {
+        const QDir folder = QFileInfo(m_document.base()).absoluteDir();
+        inputs.push_back({"terrain-1", InputRole::Terrain, folder.relativeFilePath(path).toStdString(), ""});
+    }
+    m_document.setInputs(std::move(inputs), what);
+}
+
+void FileCommands::chooseTerrain() {
+    const QString path = QFileDialog::getOpenFileName(
+        &m_window, tr("Terrain"), QFileInfo(m_document.base()).absolutePath(),
+        tr("Rasters of heights (*.tif *.tiff *.asc *.bil *.img *.hgt *.dt0 *.dt1 *.dt2 *.xyz *.grd);;All files (*)"));
+    if (!path.isEmpty()) {
+        setTerrain(path, tr("terrain %1").arg(QFileInfo(path).fileName()));
+    }
+}
+
+void FileCommands::dropTerrain() {
+    setTerrain({}, tr("terrain left out"));
+}
+
 bool FileCommands::mayLeave() {
     if (!m_document.modified()) {
         return true;

@@ -24,6 +24,10 @@ public:
     /// Asks whether a changed case should be saved; false: the user wants to stay.
     bool mayLeave();
     QString askForInput();
+    /// Asks for a raster of heights and makes it the terrain of the case.
+    void chooseTerrain();
+    /// The case goes on without a terrain.
+    void dropTerrain();
     bool save();
     bool saveAs();
     /// Writes the case to a path; says what went wrong in a message through failed().
@@ -38,6 +42,7 @@ signals:
     void failed(const QString& what, const QString& remedy);
 
 private:
+    void setTerrain(const QString& path, const QString& what);
     QString askForOutput(const QString& title, const QString& suffix, const QString& filter);
     void reportWrite(const QString& path, std::exception_ptr thrown);
 

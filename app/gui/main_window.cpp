@@ -95,9 +95,11 @@ void MainWindow::openSample() {
 
 void MainWindow::takeOpened(const Opened& opened) {
     const bool recognised =
-        opened.fe != nullptr || (opened.failure && (opened.failure->id.starts_with("exodus.") || !opened.path.isEmpty()));
+        opened.fe != nullptr || (opened.failure && (opened.failure->id.starts_with("exodus.") ||
+                                                    opened.failure->id.starts_with("terrain.") || !opened.path.isEmpty()));
     const bool again = !m_document.empty() && opened.base == m_document.base() && opened.theCase == m_document.theCase();
-    if (!recognised || (again && opened.fe == nullptr && m_computation.inputs().fe != nullptr)) {
+    const bool terrainFailed = opened.failure && opened.failure->id.starts_with("terrain.");
+    if (!recognised || (again && opened.fe == nullptr && m_computation.inputs().fe != nullptr && !terrainFailed)) {
         // Not a result at all, or not with these settings: what was open stays.
         showFailure(*opened.failure);
         showState();
@@ -240,9 +242,12 @@ void MainWindow::showState() {
     m_actions["save_run"].setEnabled(record != nullptr && !record->running);
     m_actions["export_fragments"].setEnabled(finished);
     m_actions["export_series"].setEnabled(finished);
-    for (const char* id : {"save", "save_as", "close", "preset_default", "preset_paper"}) {
+    for (const char* id : {"save", "save_as", "close", "preset_default", "preset_paper", "terrain"}) {
         m_actions[id].setEnabled(!m_document.empty());
     }
+    const auto& inputs = m_document.theCase().inputs;
+    m_actions["no_terrain"].setEnabled(
+        std::any_of(inputs.begin(), inputs.end(), [](const CaseInput& input) { return input.role == InputRole::Terrain; }));
     m_colours->setEnabled(have);
     m_playback->refresh(record != nullptr && m_computation.runStale(m_document.scenario()));
 }

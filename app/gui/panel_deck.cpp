@@ -116,6 +116,8 @@ void PanelDeck::clearRegrouping() {
 void PanelDeck::showResults() {
     const Results& results = m_computation.results();
     const auto& fe = m_computation.inputs().fe;
+    const io::TerrainInput& terrain = m_computation.terrain();
+    m_case->setTerrain(terrain.grid, QString::fromStdString(terrain.path), terrain.findings);
     m_case->setContent(fe, results.components);
     m_fragments->setContent(results.fragments, fe.get());
     m_grid->setContent(
@@ -150,6 +152,7 @@ void PanelDeck::showRail() {
     const auto fraction = [&](Stage a, Stage b) { return std::max(m_computation.fraction(a), m_computation.fraction(b)); };
     std::int64_t found = fe != nullptr ? kinds(fe->contents().findings) : 0;
     found += results.components != nullptr ? kinds(results.components->findings) : 0;
+    found += kinds(m_computation.terrain().findings);
     m_rail->setState(Case, worst(of(Stage::Import), of(Stage::Components)), found, fraction(Stage::Import, Stage::Components));
     m_rail->setState(Fragments, of(Stage::Fragments), results.fragments != nullptr ? kinds(results.fragments->findings) : 0,
                      m_computation.fraction(Stage::Fragments));

@@ -91,6 +91,7 @@ void StatusFeed::showFindings() {
     if (m_computation.inputs().fe != nullptr) {
         add(m_computation.inputs().fe->contents().findings);
     }
+    add(m_computation.terrain().findings);
     if (results.components != nullptr) {
         add(results.components->findings);
     }

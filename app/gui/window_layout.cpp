@@ -140,6 +140,8 @@ void MainWindow::connectFiles() {
         }
     });
     on("sample", [this] { openSample(); });
+    on("terrain", [this] { m_files->chooseTerrain(); });
+    on("no_terrain", [this] { m_files->dropTerrain(); });
     on("save", [this] { m_files->save(); });
     on("save_as", [this] { m_files->saveAs(); });
     on("save_run", [this] { m_files->saveRun(); });
@@ -182,6 +184,8 @@ void MainWindow::connectFiles() {
     connect(&stack, &QUndoStack::indexChanged, this, name);
     name();
     connect(&m_document, &Document::scenarioChanged, this, &MainWindow::scenarioChanged);
+    connect(&m_document, &Document::inputsChanged, this,
+            [this] { m_computation.reopen(m_document.theCase(), m_document.path(), m_document.base()); });
     connect(&m_document, &Document::titleChanged, this, &MainWindow::showTitle);
     connect(&m_document, &Document::replaced, this, [this] {
         m_deck->showScenario();

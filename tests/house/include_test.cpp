@@ -121,6 +121,29 @@ TEST(Include, RoomsSeeOnlyWhatTheTableAllows) {
     EXPECT_GT(checked, 500u) << "the sources were not found";
 }
 
+// Data flows one way through the rooms of core: each sees those before it in this list, and never one behind.
+TEST(Include, RoomsOfCoreSeeOnlyRoomsBeforeThem) {
+    const std::vector<std::string> order{"base",       "fe",         "scenario", "fragments", "clusters",
+                                         "trajectory", "simulation", "pipeline", "analysis",  "selftest"};
+    const auto rank = [&order](const std::string& path) {
+        const std::string room = path.substr(5, path.find('/', 5) - 5);
+        const auto found = std::find(order.begin(), order.end(), room);
+        EXPECT_NE(found, order.end()) << path << " stands in a room that has no place in the order";
+        return found - order.begin();
+    };
+    std::size_t checked = 0;
+    for (const SourceFile& file : readSources({"core"})) {
+        for (const Include& include : includesOf(file)) {
+            if (include.quoted && include.name.starts_with("core/")) {
+                ++checked;
+                EXPECT_LE(rank(include.name), rank(file.path))
+                    << place(file, include.line) << ": an arrow back to " << include.name;
+            }
+        }
+    }
+    EXPECT_GT(checked, 200u);
+}
+
 // The suite of hard cases looks at everything, so nothing may lean on it but the command line.
 TEST(Include, NothingOfTheProgramSeesTheSelfTestButItsCommand) {
     std::size_t seen = 0;

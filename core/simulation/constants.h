@@ -38,6 +38,18 @@ constexpr double pushOutSpeed = 1.0;
 constexpr double restitutionThreshold = 0.5;
 /// Hz. Stiffness of a soft contact as an oscillator, at most; a quarter of the substep rate if that is less.
 constexpr double contactFrequency = 30.0;
+/// Share of the thinner body's smallest side by which its load may press a contact in. Lower: trembles; higher: thin plates vanish.
+constexpr double sinkShare = 0.03;
+/// A step is halved further, at most this many times, as long as more than this share of the loaded contacts would sink in more.
+constexpr double softShare = 0.02;
+constexpr int mostDoublings = 2;
+/// A contact point off the centre moves about this much less mass, times the share of the load it carries.
+constexpr double pointShare = 2.0;
+/// Upward part of a normal from which on the lower of two bodies supports the upper one.
+constexpr double supportingNormal = 0.3;
+/// A body under one heavier by more than this counts as heavier in that contact while it stands on something. Lower: light bodies
+/// pass on less of a blow; higher: heavy ones sink into them.
+constexpr double mostMassRatio = 30.0;
 /// m. Half the thickness of the ground box: more than any body is deep.
 constexpr double groundHalfThickness = 50.0;
 /// m. The ground reaches this far beyond the structure, or ten times its size, whichever is more.

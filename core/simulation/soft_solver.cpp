@@ -20,34 +20,52 @@ Vec3 relativeVelocity(const SolverBody& a, const SolverBody& b, const SolverPoin
     return b.velocity + b.spin.cross(p.fromB) - a.velocity - a.spin.cross(p.fromA);
 }
 
-void apply(SolverBody& a, SolverBody& b, const SolverPoint& p, const Vec3& impulse) {
+void apply(const SolverContact& c, SolverBody& a, SolverBody& b, const SolverPoint& p, const Vec3& impulse) {
     // Threads may share an immovable body, so nothing is written to it.
     if (a.inverseMass > 0.0) {
-        a.velocity -= a.inverseMass * impulse;
-        a.spin -= a.inverseInertia * p.fromA.cross(impulse);
+        a.velocity -= (c.yieldA * a.inverseMass) * impulse;
+        a.spin -= a.inverseInertia * (p.fromA.cross(impulse) * c.yieldA);
     }
     if (b.inverseMass > 0.0) {
-        b.velocity += b.inverseMass * impulse;
-        b.spin += b.inverseInertia * p.fromB.cross(impulse);
+        b.velocity += (c.yieldB * b.inverseMass) * impulse;
+        b.spin += b.inverseInertia * (p.fromB.cross(impulse) * c.yieldB);
     }
 }
 
 /// kg that a push at the point along a direction moves.
-double massAlong(const SolverBody& a, const SolverBody& b, const SolverPoint& p, const Vec3& direction) {
+double massAlong(const SolverContact& c, const SolverBody& a, const SolverBody& b, const SolverPoint& p, const Vec3& direction) {
     const Vec3 ra = p.fromA.cross(direction);
     const Vec3 rb = p.fromB.cross(direction);
-    const double inverse = a.inverseMass + b.inverseMass + ra.dot(a.inverseInertia * ra) + rb.dot(b.inverseInertia * rb);
+    const double inverse =
+        c.yieldA * (a.inverseMass + ra.dot(a.inverseInertia * ra)) + c.yieldB * (b.inverseMass + rb.dot(b.inverseInertia * rb));
     return inverse > 0.0 ? 1.0 / inverse : 0.0;
 }
 
-void prepareContact(SolverContact& c, std::span<SolverPoint> points, const SolverBody& a, const SolverBody& b) {
+/// Stiffness of a soft contact as rates for one substep (Catto 2024, Solver2D).
+void setSoftness(SolverContact& c, double omega, double h) {
+    const double a1 = 2.0 * dampingRatio + h * omega;
+    const double a2 = h * omega * a1;
+    const double a3 = 1.0 / (1.0 + a2);
+    c.biasRate = omega / a1;
+    c.massScale = a2 * a3;
+    c.impulseScale = a3;
+}
+
+void prepareContact(SolverContact& c, std::span<SolverPoint> points, const SolverBody& a, const SolverBody& b, double h) {
+    const double soft = 2.0 * std::numbers::pi * c.frequency;
+    double squared = soft * soft;
     for (SolverPoint& p : points) {
-        p.normalMass = massAlong(a, b, p, c.normal);
-        p.tangentMass[0] = massAlong(a, b, p, c.tangent[0]);
-        p.tangentMass[1] = massAlong(a, b, p, c.tangent[1]);
+        p.normalMass = massAlong(c, a, b, p, c.normal);
+        p.tangentMass[0] = massAlong(c, a, b, p, c.tangent[0]);
+        p.tangentMass[1] = massAlong(c, a, b, p, c.tangent[1]);
         p.approachSpeed = -c.normal.dot(relativeVelocity(a, b, p));
         p.largestImpulse = p.impulseSum = p.opening = 0.0;
+        // At rest a contact sinks by load / (mass omega^2).
+        if (p.normalMass > 0.0) {
+            squared = std::max(squared, p.normalImpulse / h / (p.normalMass * c.sinkAllowed));
+        }
     }
+    setSoftness(c, std::min(std::sqrt(squared), SoftSolver::stiffest / h), h);
 }
 
 void solveFriction(const SolverContact& c, SolverPoint& p, SolverBody& a, SolverBody& b) {
@@ -64,7 +82,7 @@ void solveFriction(const SolverContact& c, SolverPoint& p, SolverBody& a, Solver
     const Vec3 impulse = (t0 - p.tangentImpulse[0]) * c.tangent[0] + (t1 - p.tangentImpulse[1]) * c.tangent[1];
     p.tangentImpulse[0] = t0;
     p.tangentImpulse[1] = t1;
-    apply(a, b, p, impulse);
+    apply(c, a, b, p, impulse);
 }
 
 /// One pass over the points of a contact. @param push  m/s at most for pushing overlap apart; zero: relax
@@ -90,7 +108,7 @@ void solveContact(const SolverContact& c, std::span<SolverPoint> points, SolverB
         p.normalImpulse = total;
         p.largestImpulse = std::max(p.largestImpulse, total);
         if (change != 0.0) {
-            apply(a, b, p, change * c.normal);
+            apply(c, a, b, p, change * c.normal);
         }
         if (total > 0.0) {
             if (a.inverseMass > 0.0) {
@@ -117,21 +135,11 @@ void restituteContact(const SolverContact& c, std::span<SolverPoint> points, Sol
         const double wanted = p.normalImpulse - p.normalMass * (speed - c.restitution * p.approachSpeed);
         const double change = std::max(wanted, 0.0) - p.normalImpulse;
         p.normalImpulse += change;
-        apply(a, b, p, change * c.normal);
+        apply(c, a, b, p, change * c.normal);
     }
 }
 
 }  // namespace
-
-void setSoftness(SolverContact& contact, double frequency, double h) {
-    const double omega = 2.0 * std::numbers::pi * frequency;
-    const double a1 = 2.0 * dampingRatio + h * omega;
-    const double a2 = h * omega * a1;
-    const double a3 = 1.0 / (1.0 + a2);
-    contact.biasRate = omega / a1;
-    contact.massScale = a2 * a3;
-    contact.impulseScale = a3;
-}
 
 void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> ends, std::size_t movable, ContactColours& colours) {
     std::vector<std::uint64_t> used(movable, 0);
@@ -182,11 +190,11 @@ void SoftSolver::forEachContact(Work work) {
     }
 }
 
-void SoftSolver::prepare() {
+void SoftSolver::prepare(double h) {
     m_pool.loop(contacts.size(), grain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             SolverContact& c = contacts[i];
-            prepareContact(c, std::span<SolverPoint>(points).subspan(c.firstPoint, c.points), bodies[c.a], bodies[c.b]);
+            prepareContact(c, std::span<SolverPoint>(points).subspan(c.firstPoint, c.points), bodies[c.a], bodies[c.b], h);
         }
     });
 }
@@ -195,7 +203,7 @@ void SoftSolver::solveSoft(double h, double pushOutSpeed) {
     forEachContact([](SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b) {
         for (const SolverPoint& p : points) {
             if (p.normalImpulse > 0.0) {
-                apply(a, b, p,
+                apply(c, a, b, p,
                       p.normalImpulse * c.normal + p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1]);
             }
         }
@@ -241,6 +249,11 @@ void SoftSolver::book() {
 void SoftSolver::relax(double h) {
     forEachContact([&](SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b) {
         solveContact(c, points, a, b, h, 0.0);
+    });
+    forEachContact([&](SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b) {
+        if (c.booked) {
+            solveContact(c, points, a, b, h, 0.0);
+        }
     });
 }
 

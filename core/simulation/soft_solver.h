@@ -43,6 +43,10 @@ struct SolverContact {
     Vec3 tangent[2];              ///< orthogonal to it
     double friction = 0.0;
     double restitution = 0.0;
+    double frequency = 0.0;     ///< Hz, of the contact as an oscillator, at least
+    double sinkAllowed = 0.0;   ///< m, by which the load may press the two into each other; stiffer if it takes that
+    double yieldA = 1.0;        ///< share of a's inverse mass that this contact sees
+    double yieldB = 1.0;        ///< share of b's
     double biasRate = 0.0;      ///< 1/s, of the soft pass
     double massScale = 1.0;     ///< of the soft pass
     double impulseScale = 0.0;  ///< of the soft pass
@@ -52,11 +56,6 @@ struct SolverContact {
     bool booked = false;        ///< account for the work of pushing apart
     bool driven = false;        ///< account for the work of the immovable one of the two
 };
-
-/// Stiffness of a soft contact as rates for one substep (Catto 2024, Solver2D).
-/// @param frequency     Hz, of the contact as an oscillator
-/// @param h             s, substep
-void setSoftness(SolverContact& contact, double frequency, double h);
 
 /// Contacts in groups within which no movable body occurs twice: the contacts of a group can be solved in any order, on any
 /// number of threads, to the same bits. The last group may repeat bodies and is solved in order.
@@ -74,6 +73,9 @@ void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> end
 /// Contacts lie in the order of the colours.
 class SoftSolver {
 public:
+    /// Largest omega h of a contact. Higher: what is pressed hard trembles; lower: it sinks in.
+    static constexpr double stiffest = 1.1;
+
     explicit SoftSolver(WorkerPool& pool) : m_pool(pool) {}
 
     std::vector<SolverBody> bodies;
@@ -82,13 +84,13 @@ public:
     std::vector<std::uint32_t> firstOfGroup;  ///< [groups + 1]
     bool lastInOrder = false;
 
-    /// Masses of the points and speeds of approach.
-    void prepare();
+    /// Masses of the points, speeds of approach, stiffness of the contacts for substeps of h [s].
+    void prepare(double h);
     /// Applies the impulses of the substep before and solves once, pushing overlap apart.
     void solveSoft(double h, double pushOutSpeed);
     /// Notes the velocities that are about to move the bodies, for the work of contacts that are accounted for.
     void noteOpening();
-    /// Solves once without the push.
+    /// Solves once without the push; contacts that are parting an overlap once more, so that no speed is left of it.
     void relax(double h);
     /// Books the work of this substep.
     void book();

@@ -472,13 +472,16 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
     c.booked = !c.driven && contact.offset > 0.0;
     c.impulseLimit = -1.0;
     const bool immovable = c.a >= m_awake.size() || c.b >= m_awake.size();
-    setSoftness(c, immovable ? 2.0 * frequency : frequency, h);
+    c.frequency = immovable ? 2.0 * frequency : frequency;
+    c.sinkAllowed = sinkAllowed(contact);
+    stiffenBelow(contact, c);
     if (c.driven) {
         const double mass = 1.0 / solidOf(pieceIsA ? *contact.b : *contact.a).inverseMass;
-        const double speed = contact.pressing ? std::max(0.0, piecePressSpeed - contact.pressed) / m_settings.substeps
+        const double speed = contact.pressing ? std::max(0.0, piecePressSpeed - contact.pressed) / m_substeps
                                               : pieceCarryFactor * contact.approach + carryAcceleration * h;
         c.impulseLimit = mass * speed / contact.count;
     }
+    const double carried = m_substepLength > 0.0 ? h / m_substepLength : 1.0;
     const auto centreOf = [&](const Collider& collider) {
         return collider.kind == ColliderKind::Ground ? Vec3(Vec3::Zero()) : solidOf(collider).pose.position;
     };
@@ -494,10 +497,38 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
         p.fromA = point.position - a;
         p.fromB = point.position - b;
         p.separation = point.separation + contact.offset;
-        p.normalImpulse = c.impulseLimit < 0.0 ? point.impulse : std::min(point.impulse, c.impulseLimit);
-        p.tangentImpulse[0] = c.tangent[0].dot(point.friction);
-        p.tangentImpulse[1] = c.tangent[1].dot(point.friction);
+        p.normalImpulse = c.impulseLimit < 0.0 ? carried * point.impulse : std::min(carried * point.impulse, c.impulseLimit);
+        p.tangentImpulse[0] = carried * c.tangent[0].dot(point.friction);
+        p.tangentImpulse[1] = carried * c.tangent[1].dot(point.friction);
         m_solver.points[c.firstPoint + k] = p;
+    }
+}
+
+/// A light body that stands on something cannot be pressed away by a heavy one above it; passes over pairs alone would take as many
+/// rounds as the ratio of the masses to find that out.
+void SoftStepWorld::stiffenBelow(const SoftContact& contact, SolverContact& c) {
+    if (contact.a->kind != ColliderKind::Body || contact.b->kind != ColliderKind::Body) {
+        return;
+    }
+    const bool aBelow = contact.normal.z() > 0.0;
+    const Solid& below = solidOf(aBelow ? *contact.a : *contact.b);
+    const Solid& above = solidOf(aBelow ? *contact.b : *contact.a);
+    const double ratio = above.slot >= 0 ? below.inverseMass / above.inverseMass : 0.0;
+    if (ratio > mostMassRatio && below.supported && std::abs(contact.normal.z()) > supportingNormal) {
+        (aBelow ? c.yieldA : c.yieldB) = mostMassRatio / ratio;
+    }
+}
+
+void SoftStepWorld::noteSupport(const SoftContact& contact) {
+    const double up = contact.normal.z();
+    if (std::abs(up) < supportingNormal) {
+        return;
+    }
+    Collider& below = up > 0.0 ? *contact.a : *contact.b;
+    Collider& above = up > 0.0 ? *contact.b : *contact.a;
+    const bool firm = !awake(below) ? !below.moving : solidOf(below).supported;
+    if (firm && awake(above)) {
+        solidOf(above).supportedNow = true;
     }
 }
 
@@ -514,6 +545,9 @@ void SoftStepWorld::takeResults() {
             contact.points[k].friction = p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1];
             pushed += p.impulseSum;
             touching = touching || p.largestImpulse > 0.0;
+        }
+        if (touching) {
+            noteSupport(contact);
         }
         m_report.pairs += touching;
         m_report.points += touching ? c.points : 0;

@@ -181,12 +181,13 @@ double SoftStepWorld::marginOf(const Collider& a, const Collider& b, double dt) 
 
 void SoftStepWorld::substeps(double dt) {
     const auto from = Clock::now();
-    const double h = dt / m_settings.substeps;
+    m_substeps = substepsFor(dt);
+    const double h = dt / m_substeps;
     buildSolver(h);
-    m_solver.prepare();
+    m_solver.prepare(h);
     double hook = 0.0;
     double motion = 0.0;
-    for (int substep = 0; substep < m_settings.substeps; ++substep) {
+    for (int substep = 0; substep < m_substeps; ++substep) {
         const auto start = Clock::now();
         runHook(h);
         hook += m_hook ? since(start) : 0.0;
@@ -205,9 +206,43 @@ void SoftStepWorld::substeps(double dt) {
         m_solver.book();
     }
     m_solver.restitute(restitutionThreshold);
+    m_substepLength = h;
     m_costs.substepHook += hook;
     m_costs.motion -= hook;
     shareSolveTime(since(from) - hook - motion);
+}
+
+int SoftStepWorld::substepsFor(double dt) const {
+    int substeps = m_settings.substeps;
+    if (m_substepLength <= 0.0) {
+        return substeps;
+    }
+    std::vector<double> needed;  // (rad/s)^2 that a contact takes to carry its load
+    for (const SoftContact& contact : m_contacts) {
+        double load = 0.0;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k) {
+            load += contact.points[k].impulse / m_substepLength;
+        }
+        if (load > 0.0) {
+            const double inverse = (awake(*contact.a) ? solidOf(*contact.a).inverseMass : 0.0) +
+                                   (awake(*contact.b) ? solidOf(*contact.b).inverseMass : 0.0);
+            needed.push_back(pointShare * load * inverse / sinkAllowed(contact));
+        }
+    }
+    for (int doublings = 0; doublings < mostDoublings; ++doublings) {
+        const double most = SoftSolver::stiffest * substeps / dt;
+        const auto tooSoft = std::count_if(needed.begin(), needed.end(), [&](double x) { return x > most * most; });
+        if (static_cast<double>(tooSoft) <= softShare * static_cast<double>(needed.size())) {
+            break;
+        }
+        substeps *= 2;
+    }
+    return substeps;
+}
+
+double SoftStepWorld::sinkAllowed(const SoftContact& contact) const {
+    const auto thickness = [](const Collider& x) { return x.kind == ColliderKind::Body ? x.smallestSide : 1e300; };
+    return std::max(1e-5, sinkShare * std::min(thickness(*contact.a), thickness(*contact.b)));
 }
 
 void SoftStepWorld::runHook(double h) {
@@ -226,6 +261,10 @@ void SoftStepWorld::runHook(double h) {
     }
     m_hook({m_hooked, m_slotOf}, h);
     for (std::size_t i = 0; i < m_awake.size(); ++i) {
+        if (!isNumber(m_hooked[i])) {
+            m_bodies[m_awake[i]].collider->broken = true;
+            continue;
+        }
         m_solver.bodies[i].velocity = m_hooked[i].velocity;
         m_solver.bodies[i].spin = m_hooked[i].spin;
     }
@@ -259,6 +298,7 @@ void SoftStepWorld::writeBack(double dt) {
         Solid& solid = m_bodies[m_awake[i]];
         solid.velocity = m_solver.bodies[i].velocity;
         solid.spin = m_solver.bodies[i].spin;
+        solid.supported = std::exchange(solid.supportedNow, false);
         keepAboveGround(solid, dt);
         btRigidBody& object = *solid.collider->object;
         object.setWorldTransform(toBullet(solid.pose));

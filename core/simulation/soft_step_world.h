@@ -41,10 +41,10 @@ protected:
 private:
     /// A body or piece beside its Bullet object.
     struct Solid {
-        Collider* collider = nullptr;                                 ///< null once gone
-        std::vector<PlacedBox> placed;                                ///< of its parts, at the start of the step
+        Collider* collider = nullptr;                                       ///< null once gone
+        std::vector<PlacedBox> placed;                                      ///< of its parts, at the start of the step
         std::vector<std::shared_ptr<const btPolyhedralConvexShape>> hulls;  ///< of its parts, made when the first hull comes near
-        Aabb swept;                                                   ///< around the way of this step
+        Aabb swept;                                                         ///< around the way of this step
         Pose pose;
         Vec3 velocity = Vec3::Zero();
         Vec3 spin = Vec3::Zero();
@@ -53,6 +53,8 @@ private:
         std::int32_t slot = -1;  ///< among the solver's bodies in this step; -1: immovable and still
         bool hull = false;       ///< a part is a hull
         bool active = false;     ///< a contact acted on it in this step
+        bool supported = false;  ///< it stood, in the step before, on something immovable or supported
+        bool supportedNow = false;
     };
     struct Pair {
         Collider* a = nullptr;  ///< entered first
@@ -83,7 +85,11 @@ private:
     void limitPiece(std::size_t first, std::size_t last);
     void buildSolver(double h);
     void fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h);
+    void stiffenBelow(const SoftContact& contact, SolverContact& c);
+    void noteSupport(const SoftContact& contact);
     void substeps(double dt);
+    int substepsFor(double dt) const;
+    double sinkAllowed(const SoftContact& contact) const;
     void runHook(double h);
     void moveBodies(double h);
     void takeResults();
@@ -109,6 +115,8 @@ private:
     std::vector<std::uint32_t> m_awake;   ///< body of each slot, in order of entry
     std::vector<std::uint32_t> m_moving;  ///< piece of each slot behind the bodies
     std::uint32_t m_stillSlot = 0;
+    int m_substeps = 1;            ///< of this step
+    double m_substepLength = 0.0;  ///< s, of the step before: what the impulses carried on are for
     std::vector<Pair> m_pairs[Kinds];
     std::vector<Pair> m_sleepingPairs;
     std::vector<std::vector<SoftContact>> m_parts;

@@ -9,6 +9,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
+#include <algorithm>
 
 #include "app/gui/file_commands.h"
 #include "app/gui/health_display.h"

@@ -72,7 +72,7 @@ Json floorJson(const RepeatFloor& floor, double birthShift) {
 Json effectJson(const EffectInfluence& row) {
     Json object;
     object["effect"] = effectName(row.decision.kind);
-    object["on"] = row.decision.on;
+    object["state"] = row.decision.on ? "on" : "off";
     object["reason"] = englishText(row.decision.reason);
     object["switchable"] = row.switchable;
     object["cannot"] = row.switchable ? Json() : Json(englishText(row.reason));
@@ -206,6 +206,7 @@ Json InfluenceOutput::json() const {
     for (const EffectInfluence& row : report.effects) {
         object["effects"].push_back(effectJson(row));
     }
+    object["warnings"] = findingsJson(allFindings(subject, {}));
     return object;
 }
 

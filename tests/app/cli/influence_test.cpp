@@ -39,7 +39,7 @@ TEST_F(InfluenceCommand, JsonHoldsRunFloorAndEffects) {
     ASSERT_EQ(object["effects"].size(), 2u);
     const nlohmann::json& water = object["effects"][0];
     EXPECT_EQ(water["effect"], "water");
-    EXPECT_EQ(water["on"], true);
+    EXPECT_EQ(water["state"], "on");
     EXPECT_EQ(water["done"], true);
     EXPECT_TRUE(water["cannot"].is_null());
     EXPECT_GT(water["difference"]["median_distance_m"], 0.0);

@@ -35,6 +35,22 @@ TEST(Document, EveryEditIsOneCommandThatNamesItself) {
     EXPECT_EQ(changed, 3);
 }
 
+TEST(Document, InputsChangeAsOneCommandAndAreReadAnew) {
+    Document document;
+    document.replace(plainCase(), {}, {});
+    int reads = 0;
+    QObject::connect(&document, &Document::inputsChanged, [&] { ++reads; });
+    document.setInputs({{"terrain-1", InputRole::Terrain, "valley.asc", ""}}, QStringLiteral("terrain valley.asc"));
+    EXPECT_TRUE(document.modified());
+    EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("terrain valley.asc"));
+    document.setInputs(document.theCase().inputs, QStringLiteral("nothing new"));
+    EXPECT_EQ(document.undoStack().count(), 1);
+    document.undoStack().undo();
+    EXPECT_TRUE(document.theCase().inputs.empty());
+    EXPECT_FALSE(document.modified());
+    EXPECT_EQ(reads, 2);
+}
+
 TEST(Document, AGestureIsOneStepAndTwoGesturesAreTwo) {
     Document document;
     document.replace(plainCase(), {}, {});

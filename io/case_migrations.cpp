@@ -8,27 +8,32 @@ namespace {
 
 /// The ground was a switch; it became an effect that is off, on or auto. What is not as it should be is left for the reader to
 /// name.
-void groundBecomesAnEffect(nlohmann::json& document) {
-    const auto scenarios = document.find("scenarios");
-    if (scenarios == document.end() || !scenarios->is_array()) {
+void groundBecomesAnEffect(nlohmann::json& scenario) {
+    if (!scenario.is_object() || !scenario.contains("settings") || !scenario["settings"].is_object()) {
         return;
     }
-    for (nlohmann::json& scenario : *scenarios) {
-        if (!scenario.is_object() || !scenario.contains("settings") || !scenario["settings"].is_object()) {
-            continue;
-        }
-        nlohmann::json& settings = scenario["settings"];
-        if (const auto ground = settings.find("ground"); ground != settings.end() && ground->is_boolean()) {
-            *ground = ground->get<bool>() ? "on" : "off";
-        }
+    nlohmann::json& settings = scenario["settings"];
+    if (const auto ground = settings.find("ground"); ground != settings.end() && ground->is_boolean()) {
+        *ground = ground->get<bool>() ? "on" : "off";
+    }
+}
+
+void fromVersionOne(nlohmann::json& document) {
+    const auto scenarios = document.find("scenarios");
+    if (scenarios != document.end() && scenarios->is_array()) {
+        std::for_each(scenarios->begin(), scenarios->end(), groundBecomesAnEffect);
     }
 }
 
 }  // namespace
 
 std::span<const CaseMigration> caseMigrations() {
-    static constexpr CaseMigration steps[] = {{1, groundBecomesAnEffect}};
+    static constexpr CaseMigration steps[] = {{1, fromVersionOne}};
     return steps;
+}
+
+void migrateScenario(nlohmann::json& scenario) {
+    groundBecomesAnEffect(scenario);
 }
 
 bool migrateCase(nlohmann::json& document, int from, int to, std::span<const CaseMigration> steps) {

@@ -16,6 +16,9 @@ inline constexpr int caseVersion = 2;
 /// The known steps, one for each older version, oldest first.
 std::span<const CaseMigration> caseMigrations();
 
+/// Brings the scenario of a run up to date. A run bears no case version: what stands there tells which steps it needs.
+void migrateScenario(nlohmann::json& scenario);
+
 /// Brings a document from version `from` to version `to`, one step at a time, and writes the new version into it.
 /// @return false if a step between the two is missing
 bool migrateCase(nlohmann::json& document, int from, int to, std::span<const CaseMigration> steps);

@@ -2,6 +2,7 @@
 #include <mutex>
 
 #include "core/base/error.h"
+#include "io/case_migrations.h"
 #include "io/frame_cache.h"
 #include "io/run_columns.h"
 #include "io/run_file.h"
@@ -71,7 +72,8 @@ private:
 };
 
 RunFileReader::RunFileReader(const std::string& path, std::size_t cacheBytes) : m_columns(path), m_cache(cacheBytes) {
-    const nlohmann::json text = parseJson(m_columns.text(RunDataset::Origin), path + ": " + layoutOf(RunDataset::Origin).path);
+    nlohmann::json text = parseJson(m_columns.text(RunDataset::Origin), path + ": " + layoutOf(RunDataset::Origin).path);
+    migrateScenario(text);
     m_origin = originFromJson(JsonCursor(text, path, layoutOf(RunDataset::Origin).path));
     refresh();
 }

@@ -158,16 +158,15 @@ void CasePanel::setContent(const std::shared_ptr<const FeResult>& fe, const std:
 
 void CasePanel::setTerrain(const std::shared_ptr<const TerrainGrid>& terrain, const QString& path, const Findings& findings) {
     m_terrainFindings = findings;
-    m_terrain->setText(terrain == nullptr
-                           ? tr("level")
-                           : m_terrain->fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, 150));
-    m_terrain->setToolTip(terrain == nullptr ? QString()
-                                             : tr("%1\n%2 × %3 heights, %4 m apart, %5 to %6 m")
-                                                   .arg(path, shownCount(static_cast<std::int64_t>(terrain->nx())),
-                                                        shownCount(static_cast<std::int64_t>(terrain->ny())),
-                                                        QLocale().toString(terrain->cell(), 'g', 4),
-                                                        QLocale().toString(terrain->lowest(), 'f', 2),
-                                                        QLocale().toString(terrain->highest(), 'f', 2)));
+    m_terrain->setText(terrain == nullptr ? tr("level")
+                                          : m_terrain->fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, 150));
+    m_terrain->setToolTip(terrain == nullptr
+                              ? QString()
+                              : tr("%1\n%2 × %3 heights, %4 m apart, %5 to %6 m")
+                                    .arg(path, shownCount(static_cast<std::int64_t>(terrain->nx())),
+                                         shownCount(static_cast<std::int64_t>(terrain->ny())),
+                                         QLocale().toString(terrain->cell(), 'g', 4), QLocale().toString(terrain->lowest(), 'f', 2),
+                                         QLocale().toString(terrain->highest(), 'f', 2)));
 }
 
 void CasePanel::showFile(const FeResult* fe) {

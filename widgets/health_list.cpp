@@ -142,14 +142,12 @@ HealthList::HealthList(QWidget* parent)
 void HealthList::setContent(const Content& content) {
     showBreaches(content);
     const auto count = static_cast<std::int64_t>(content.health.breaches.size());
-    const bool waits = count > 0 && !content.acknowledged && !content.running;
+    const bool waits = count > 0 && !content.acknowledged;
     const QString passed = limitsPassed(count);
     if (count == 0) {
-        m_verdict->set(Notice::Kind::Note, content.running ? tr("Sound so far.") : tr("Sound: no limit was passed."));
+        m_verdict->set(Notice::Kind::Note, tr("Sound: no limit was passed."));
     } else if (waits) {
         m_verdict->set(Notice::Kind::Finding, tr("%1: this run is tainted until someone acknowledges it.").arg(passed));
-    } else if (content.running) {
-        m_verdict->set(Notice::Kind::Finding, tr("%1 so far.").arg(passed));
     } else {
         m_verdict->set(Notice::Kind::Note, passed + u'.');
     }

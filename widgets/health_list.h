@@ -27,7 +27,6 @@ public:
     struct Content {
         HealthReport health;
         std::optional<Acknowledgement> acknowledged;
-        bool running = false;        ///< what has been seen so far
         Vec3 origin = Vec3::Zero();  ///< m, of the local frame: places are shown in coordinates of the file
     };
     void setContent(const Content& content);

@@ -57,7 +57,8 @@ Digest decisionKey(const Inputs& inputs, const Scenario& scenario) {
 }  // namespace
 
 const HealthReport& RunRecord::health() const {
-    return outcome != nullptr ? outcome->health : soFar;
+    static const HealthReport nothing;
+    return outcome != nullptr ? outcome->health : nothing;
 }
 
 Computation::Computation(QObject* parent) : QObject(parent) {

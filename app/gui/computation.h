@@ -38,9 +38,7 @@ struct RunRecord {
     std::shared_ptr<const SimulationResult> outcome;
     std::optional<Acknowledgement> acknowledged;  ///< somebody vouches for it in spite of its breaches
 
-    HealthReport soFar;  ///< while it runs
-
-    /// What the monitor saw, so far or in all.
+    /// What the monitor saw; nothing before the run is complete.
     const HealthReport& health() const;
 };
 
@@ -104,8 +102,6 @@ signals:
     /// A frame was committed; at most about 25 times a second, in live mode for every frame.
     void runGrew(double time);
     void runEnded(bool complete);
-    /// A run that goes on has passed a limit of health; RunRecord::health() has it.
-    void breached();
     /// Effects were decided.
     void decided();
     /// The last run was acknowledged, or could not be: what was said against it.

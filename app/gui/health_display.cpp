@@ -41,20 +41,18 @@ HealthDisplay::HealthDisplay(Computation& computation, PanelDeck& deck, Playback
         clearSelection();
         refresh();
     });
-    connect(&computation, &Computation::breached, this, &HealthDisplay::refresh);
     connect(&computation, &Computation::runEnded, this, &HealthDisplay::refresh);
 }
 
 void HealthDisplay::refresh() {
     const RunRecord* record = m_computation.currentRun();
-    const bool judged = record != nullptr && (record->outcome != nullptr || record->running);
-    if (!judged) {
+    if (record == nullptr || record->outcome == nullptr) {
         m_timeline.setHealth({});
         m_deck.run().setHealth(std::nullopt);
         return;
     }
     const Frame& frame = m_computation.inputs().frame;
-    widgets::HealthList::Content content{record->health(), record->acknowledged, record->running, frame.origin.cast<double>()};
+    widgets::HealthList::Content content{record->health(), record->acknowledged, frame.origin.cast<double>()};
     m_timeline.setHealth(widgets::healthMarks(content.health, content.acknowledged.has_value(), content.origin));
     m_deck.run().setHealth(content);
 }

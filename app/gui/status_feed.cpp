@@ -113,8 +113,7 @@ void StatusFeed::showFindings() {
 
 void StatusFeed::showHealth() {
     const RunRecord* record = m_computation.currentRun();
-    const bool judged = record != nullptr && (record->outcome != nullptr || !record->health().breaches.empty());
-    if (!judged) {
+    if (record == nullptr || record->outcome == nullptr) {
         m_line.setFigure(Figure::Health, {}, {});
         return;
     }
@@ -127,11 +126,7 @@ void StatusFeed::showHealth() {
     const QString passed = widgets::limitsPassed(static_cast<std::int64_t>(health.breaches.size()));
     const bool acknowledged = record->acknowledged.has_value();
     m_line.setFigure(Figure::Health, acknowledged ? tr("Health") : QStringLiteral("⚠ ") + tr("Health"),
-                     acknowledged || record->running ? passed : tr("tainted"),
-                     acknowledged      ? tr("acknowledged")
-                     : record->running ? QString()
-                                       : passed,
-                     !acknowledged);
+                     acknowledged ? passed : tr("tainted"), acknowledged ? tr("acknowledged") : passed, !acknowledged);
     QStringList titles;
     for (const HealthBreach& breach : health.breaches) {
         titles << widgets::worded(breach.what);

@@ -67,7 +67,7 @@ TEST(HealthList, ABreachSaysWhatWhereWhenAndTheRemedy) {
 
 TEST(HealthList, ATaintedRunCanBeAcknowledgedWithNameAndNote) {
     HealthList list;
-    list.setContent({twoBreaches(), {}, false, Vec3::Zero()});
+    list.setContent({twoBreaches(), {}, Vec3::Zero()});
     EXPECT_TRUE(allText(list).contains(QStringLiteral("tainted")));
     ASSERT_TRUE(offersToAcknowledge(list));
     QStringList asked;
@@ -89,23 +89,16 @@ TEST(HealthList, ATaintedRunCanBeAcknowledgedWithNameAndNote) {
 TEST(HealthList, AnAcknowledgedRunShowsWhoAndWhy) {
     HealthList list;
     const Acknowledgement seen{"A. Examiner", "2024-05-31T08:15:30Z", "One body, far from the piers.", {}};
-    list.setContent({twoBreaches(), seen, false, Vec3::Zero()});
+    list.setContent({twoBreaches(), seen, Vec3::Zero()});
     EXPECT_FALSE(offersToAcknowledge(list));
     EXPECT_TRUE(allText(list).contains(QStringLiteral("A. Examiner")));
     EXPECT_TRUE(allText(list).contains(QStringLiteral("far from the piers")));
     EXPECT_FALSE(allText(list).contains(QStringLiteral("tainted")));
 }
 
-TEST(HealthList, WhileItRunsBreachesAreShownButNotAcknowledged) {
-    HealthList list;
-    list.setContent({twoBreaches(), {}, true, Vec3::Zero()});
-    EXPECT_TRUE(allText(list).contains(QStringLiteral("so far")));
-    EXPECT_FALSE(offersToAcknowledge(list));
-}
-
 TEST(HealthList, ShowLeadsToItsBreach) {
     HealthList list;
-    list.setContent({twoBreaches(), {}, false, Vec3::Zero()});
+    list.setContent({twoBreaches(), {}, Vec3::Zero()});
     std::vector<std::size_t> chosen;
     QObject::connect(&list, &HealthList::breachChosen, [&](std::size_t breach) { chosen.push_back(breach); });
     for (QPushButton* button : list.findChildren<QPushButton*>()) {

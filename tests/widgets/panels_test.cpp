@@ -219,7 +219,7 @@ TEST(RunPanel, TheSolverIsNamedWithItsCostAndItsPile) {
     };
     outcome.solver = SolverKind::SoftStep;
     panel.setOutcome(outcome);
-    EXPECT_TRUE(told(QStringLiteral("soft-step, 4 substeps, mean 2.3 ms per step, bulking of the pile 1.62")));
+    EXPECT_TRUE(told(QStringLiteral("soft-step, 4 substeps or more, mean 2.3 ms per step, bulking of the pile 1.62")));
     outcome.solver = SolverKind::Bullet;
     panel.setOutcome(outcome);
     EXPECT_TRUE(told(QStringLiteral("bullet, mean 2.3 ms per step")));

@@ -18,6 +18,8 @@ namespace {
 
 /// Boxes of one body: enough for the deck of a bridge, few enough for the engine.
 constexpr std::size_t partsMax = 64;
+/// Volume at rest below this share of the box around an element is rounding.
+constexpr double leastFill = 1e-9;
 
 Vec3 restCentre(const Mesh& mesh, ElementIndex e) {
     Vec3 centre = Vec3::Zero();
@@ -37,6 +39,7 @@ bool finite(const Momenta& m) {
 struct IslandMaker::Part {
     ComponentId component{};
     Vec3 rest = Vec3::Zero();    ///< m, its centre at rest
+    Quat axes;                   ///< of its box at the last state
     std::vector<Vec3> vertices;  ///< m, of its solid at the last state
 };
 
@@ -80,14 +83,14 @@ bool IslandMaker::addElement(ElementIndex element, IslandBody& body, std::vector
     }
     m_withoutVelocity += motion.known == 0;
     const ElementSolid solid = elementSolid(mesh, element, motion, components.section[at(element)], extents);
-    Part& part = parts.emplace_back(Part{components.of[at(element)], restCentre(mesh, element), {}});
+    Part& part = parts.emplace_back(Part{components.of[at(element)], restCentre(mesh, element), solid.sound.box.orientation, {}});
     for (int a = 0; a < cornerCount(solid.sound.shape); ++a) {
         part.vertices.emplace_back(solid.sound.corners.col(a));
     }
     body.boxes.push_back(solid.sound.box);
     // Without volume at rest it weighs nothing and goes along.
     const double mass = components.mass(element);
-    if (!(mass > 0.0) || !std::isfinite(mass)) {
+    if (!(mass > 0.0) || !std::isfinite(mass) || components.volume[at(element)] < leastFill * solid.sound.box.volume()) {
         return true;
     }
     const RigidFit fit = fitRigidMotion(solid, mass, extents);
@@ -134,7 +137,11 @@ void IslandMaker::giveShape(IslandBody& body, const std::vector<Part>& parts) co
             }
         }
         ConvexPart part;
-        part.box = tightBox(points, {}, true);
+        std::vector<Mat3> axes;
+        for (const std::size_t i : {members.front(), members[members.size() / 2], members.back()}) {
+            axes.push_back((inverse * parts[i].axes).toRotationMatrix());
+        }
+        part.box = tightBox(points, axes);
         const double least = minimumHalfExtent(part.box.halfExtents, settings.minimumThicknessRatio, settings.minimumHalfExtent);
         part.box.halfExtents = part.box.halfExtents.cwiseMax(least);
         body.shape.push_back(part);

@@ -35,7 +35,10 @@ protected:
     Scenario scenario;
     MemoryTrajectory trajectory;
 
-    void SetUp() override { scenario.simulation.settleTime = 3.0; }
+    void SetUp() override {
+        scenario.simulation.settleTime = 3.0;
+        scenario.effects.islands = LiveIslandPolicy::Held;  // they have tests of their own
+    }
     SimulationResult simulateScene(std::shared_ptr<const FeResult> fe) {
         return simulate(describe(std::move(fe), scenario), trajectory, Execution());
     }

@@ -92,6 +92,15 @@ TEST_F(ReleasedIslands, ASlabInTheAirGoesOnFalling) {
     EXPECT_EQ(result.findings.count("simulation.live_islands"), 0);
 }
 
+TEST_F(ReleasedIslands, FallWithTheStockSolverToo) {
+    scenario.simulation.solver = SolverKind::Bullet;
+    const SimulationResult result = simulateScene(scenes::makeScene({slab("slab", Vec3(0, 0, 20)), debris()}, 8, 0.1));
+    ASSERT_EQ(result.islands.released, 1);
+    // A step of Euler's is off by g t dt / 2 at most.
+    EXPECT_NEAR(heightAt(1.5, bodyOf(0)), 20.5 - 0.5 * g * 1.5 * 1.5, 0.5 * g * 0.8 / 60.0);
+    EXPECT_NEAR(heightAt(result.endTime, bodyOf(0)), 0.5, 0.05);
+}
+
 TEST_F(ReleasedIslands, HangsWhenHeld) {
     const auto fe = scenes::makeScene({slab("slab", Vec3(0, 0, 20)), debris()}, 8, 0.1);
     scenario.effects.islands = LiveIslandPolicy::Held;

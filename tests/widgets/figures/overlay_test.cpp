@@ -6,6 +6,7 @@
 
 #include "tests/scenes/fe_scenes.h"
 #include "tests/widgets/scenes/ballistic_run.h"
+#include "tests/widgets/scenes/released_slab.h"
 #include "widgets/figures/draw.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
@@ -83,6 +84,19 @@ TEST_F(Legends, CountWhatTheViewShows) {
     const Overlay fe = overlayFor(render::ColourBy::Highlight, render::PaneContent::Fe);
     ASSERT_EQ(fe.legend.size(), 1u);
     EXPECT_EQ(fe.legend[0].text, "active 4 of 16 elements");
+}
+
+TEST_F(Legends, ReleasedStructureIsCountedApart) {
+    scenes::ReleasedSlab run;
+    run.runToFeEnd();
+    run.release();
+    m_scene.setData(run.data);
+    const Overlay fragments = overlayFor(render::ColourBy::Highlight);
+    ASSERT_EQ(fragments.legend.size(), 3u);
+    EXPECT_EQ(fragments.legend[1].text, "active structure 3");
+    EXPECT_EQ(fragments.legend[2].text, "released structure 6");
+    EXPECT_EQ(fragments.legend[2].colour, palette(render::Theme::Light).released);
+    EXPECT_EQ(overlayFor(render::ColourBy::Highlight, render::PaneContent::Fe).legend[0].text, "active 9 of 10 elements");
 }
 
 TEST_F(Legends, EveryColouringExplainsItself) {

@@ -46,6 +46,8 @@ WorldSettings worldSettings(const RunDescription& description, const EffectDecis
     }
     world.pairs = description.scenario.effects.pairs.overriddenBy(s.friction, s.restitution);
     world.iterations = s.iterations;
+    world.substeps = s.substeps;
+    world.threads = execution.threads();
     world.freeze = s.freeze;
     world.freezeSpeed = s.freezeSpeed;
     world.freezeDelay = s.freezeDelay;
@@ -98,6 +100,7 @@ private:
     void handOverAt(std::size_t k, LedgerRow& row);
     void advance(double dt, double time, const std::function<void(double)>& movePieces);
     void step(double dt, double time);
+    void removeLost(double time);
     void keepWatch(double time);
     void breakUp(double dt, double time);
     void replace(const BodyRecord& whole, double time);
@@ -245,7 +248,7 @@ void Collapse::advance(double dt, double time, const std::function<void(double)>
     step(halved ? 0.5 * dt : dt, time);
 }
 
-void Collapse::keepWatch(double time) {
+void Collapse::removeLost(double time) {
     for (const BodyId id : m_outcomes.lost()) {
         const TrackedBody& body = m_outcomes.bodies()[at(id)];
         m_energy.leaving({body.mass, Vec3::Zero(), Vec3::Zero(), body.kinetic}, body.latest.pose.position.z());
@@ -256,6 +259,9 @@ void Collapse::keepWatch(double time) {
         m_records[at(id)].to = time;
         m_removed += !m_records[at(id)].isIsland();
     }
+}
+
+void Collapse::keepWatch(double time) {
     const bool stirred = m_structure.pieces().moving() > 0 || !m_outcomes.lost().empty();
     m_health.stepped(*m_world, m_outcomes.bodies(), {time, m_energy.gain(), stirred});
 }
@@ -268,6 +274,7 @@ void Collapse::step(double dt, double time) {
         m_execution.check();
         m_time = time;
         m_outcomes.stepped(*m_world, time, dt);
+        removeLost(time);
         updateEnergy();
         keepWatch(time);
         m_effects.stepped(dt);

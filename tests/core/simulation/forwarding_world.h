@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+
+#include "core/simulation/rigid_world.h"
+
+namespace rubble::test {
+
+/// A real world behind another, which a test may tamper with.
+class ForwardingWorld : public RigidWorld {
+public:
+    explicit ForwardingWorld(std::unique_ptr<RigidWorld> world) : m_world(std::move(world)) {}
+
+    BodyId addBody(const NewBody& body) override { return m_world->addBody(body); }
+    void removeBody(BodyId body) override { m_world->removeBody(body); }
+    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material) override {
+        return m_world->addPiece(shape, pose, material);
+    }
+    void removePiece(PieceId piece) override { m_world->removePiece(piece); }
+    void movePiece(PieceId piece, const Pose& atStepEnd) override { m_world->movePiece(piece, atStepEnd); }
+    void onSubstep(SubstepHook hook) override { m_world->onSubstep(std::move(hook)); }
+    void wake(BodyId body) override { m_world->wake(body); }
+    void step(double dt) override { m_world->step(dt); }
+    std::size_t bodyCount() const override { return m_world->bodyCount(); }
+    BodyState state(BodyId body) const override { return m_world->state(body); }
+    BodyMotion motion(BodyId body) const override { return m_world->motion(body); }
+    double mass(BodyId body) const override { return m_world->mass(body); }
+    double kineticEnergy(BodyId body) const override { return m_world->kineticEnergy(body); }
+    Momenta momenta(BodyId body) const override { return m_world->momenta(body); }
+    double smallestSide(BodyId body) const override { return m_world->smallestSide(body); }
+    double penetration(BodyId body) const override { return m_world->penetration(body); }
+    double birthDepth(BodyId body) const override { return m_world->birthDepth(body); }
+    bool pushedByPiece(BodyId body) const override { return m_world->pushedByPiece(body); }
+    const ContactReport& contacts() const override { return m_world->contacts(); }
+    const StepCosts& costs() const override { return m_world->costs(); }
+
+protected:
+    RigidWorld& world() { return *m_world; }
+
+private:
+    std::unique_ptr<RigidWorld> m_world;
+};
+
+}  // namespace rubble::test

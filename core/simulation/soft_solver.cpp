@@ -200,16 +200,16 @@ void SoftSolver::prepare(double h) {
 }
 
 void SoftSolver::solveSoft(double h, double pushOutSpeed) {
-    forEachContact([](SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b) {
-        for (const SolverPoint& p : points) {
+    forEachContact([](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) {
+        for (const SolverPoint& p : own) {
             if (p.normalImpulse > 0.0) {
                 apply(c, a, b, p,
                       p.normalImpulse * c.normal + p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1]);
             }
         }
     });
-    forEachContact([&](SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b) {
-        solveContact(c, points, a, b, h, pushOutSpeed);
+    forEachContact([&](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) {
+        solveContact(c, own, a, b, h, pushOutSpeed);
     });
 }
 
@@ -247,20 +247,19 @@ void SoftSolver::book() {
 }
 
 void SoftSolver::relax(double h) {
-    forEachContact([&](SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b) {
-        solveContact(c, points, a, b, h, 0.0);
-    });
-    forEachContact([&](SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b) {
+    forEachContact(
+        [&](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) { solveContact(c, own, a, b, h, 0.0); });
+    forEachContact([&](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) {
         if (c.booked) {
-            solveContact(c, points, a, b, h, 0.0);
+            solveContact(c, own, a, b, h, 0.0);
         }
     });
 }
 
 void SoftSolver::restitute(double threshold) {
-    forEachContact([&](SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b) {
+    forEachContact([&](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) {
         if (c.restitution > 0.0) {
-            restituteContact(c, points, a, b, threshold);
+            restituteContact(c, own, a, b, threshold);
         }
     });
 }

@@ -1,6 +1,8 @@
 #include "core/base/execution.h"
 
+#include <algorithm>
 #include <chrono>
+#include <thread>
 
 #include "core/base/error.h"
 
@@ -17,8 +19,15 @@ std::int64_t nowMs() {
 
 }  // namespace
 
-Execution::Execution(Listener listener) : m_shared(std::make_shared<Shared>()) {
+Execution::Execution(Listener listener)
+    : m_shared(std::make_shared<Shared>()), m_threads(static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))) {
     m_shared->listener = std::move(listener);
+}
+
+Execution Execution::withThreads(int threads) const {
+    Execution copy = *this;
+    copy.m_threads = std::max(1, threads);
+    return copy;
 }
 
 void Execution::check() const {

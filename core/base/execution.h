@@ -22,6 +22,11 @@ public:
 
     explicit Execution(Listener listener = {});
 
+    /// How many threads one piece of work may use; all there are unless withThreads() said otherwise. No result depends on it.
+    int threads() const { return m_threads; }
+    /// The same execution for work that shares the machine with other work.
+    Execution withThreads(int threads) const;
+
     void cancel() const { m_shared->cancelled.store(true); }
     bool cancelled() const { return m_shared->cancelled.load(std::memory_order_relaxed); }
     /// Throws Cancelled once cancel() has been called.
@@ -36,6 +41,7 @@ private:
         Listener listener;
     };
     std::shared_ptr<Shared> m_shared;
+    int m_threads;
 };
 
 }  // namespace rubble

@@ -59,9 +59,10 @@ struct GridSettings {
 };
 
 struct SimulationSettings {
-    SolverKind solver = SolverKind::Bullet;
+    SolverKind solver = SolverKind::SoftStep;
     double stepRate = 60.0;  ///< steps per second at least
-    int iterations = 10;     ///< solver iterations per step
+    int substeps = 4;        ///< of a step, soft-step solver
+    int iterations = 10;     ///< solver iterations per step, Bullet's solver
     ClusterShape shape = ClusterShape::OrientedBox;
     double boxBulking = 1.0;  ///< largest volume of a cluster's box over that of its fragments' boxes
     PieceKind pieces = PieceKind::GridBoxes;

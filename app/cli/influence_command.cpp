@@ -128,7 +128,7 @@ Command influenceCommand() {
          {"--repeats", "N", false, "repeats of the floor, at least 2 (default: 2)"},
          {"--instant", "WHEN", false, "debris at rest (default) or at fe_end, the last FE state"},
          {"--tolerances", "M,M", false, "distances of the accuracy rate, m (default: 0.1,0.2,0.3)"},
-         {"--threads", "N", false, "worlds at a time (default: as many as the machine has threads); no number depends on it"},
+         {"--threads", "N", false, "threads to work on (default: as many as the machine has); no result depends on it"},
          csvOption("write one row for each effect")},
         measureInfluence};
 }

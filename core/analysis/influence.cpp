@@ -49,7 +49,7 @@ std::vector<Switched> planSwitches(const StudyBase& base, std::span<const Effect
         if (row.switchable) {
             switched.push_back({report.effects.size(), std::move(scenario)});
         } else {
-            row.reason = other.reason;
+            row.reason = decision.asked == EffectSwitch::Auto ? decision.reason : other.reason;
         }
         report.effects.push_back(std::move(row));
     }

@@ -15,7 +15,7 @@ struct StudySettings {
     MeasureSettings measures;
     int repeats = 2;           ///< of the repeat floor, at least 1
     double birthShift = 1e-6;  ///< m, of the repeats
-    int threads = 0;           ///< worlds at a time; 0: as many as the machine has threads. No result depends on it
+    int threads = 0;           ///< in all; 0: as many as the execution grants. No result depends on it
 };
 
 /// One simulated world of a study, as far as the study needs it.

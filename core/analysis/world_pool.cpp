@@ -21,14 +21,15 @@ constexpr std::chrono::milliseconds lookEvery{50};
 /// The pieces of work, their threads and how far each is.
 class Pool {
 public:
-    Pool(std::size_t count, const std::function<void(std::size_t, const Execution&)>& work)
+    Pool(std::size_t count, int threadsEach, const std::function<void(std::size_t, const Execution&)>& work)
         : m_work(work), m_fractions(count, 0.0), m_errors(count) {
         for (std::size_t i = 0; i < count; ++i) {
-            m_executions.emplace_back([this, i](const Progress& progress) {
+            const Execution own([this, i](const Progress& progress) {
                 const std::scoped_lock lock(m_mutex);
                 // A piece has several stages; it never seems to go back.
                 m_fractions[i] = std::max(m_fractions[i], std::clamp(progress.fraction, 0.0, 0.999));
             });
+            m_executions.push_back(own.withThreads(threadsEach));
         }
     }
 
@@ -38,14 +39,17 @@ public:
         for (std::size_t t = 0; t < threads; ++t) {
             workers.emplace_back([this] { workLoop(); });
         }
-        watch(stage, execution);
+        const std::exception_ptr reporting = watch(stage, execution);
         workers.clear();
+        if (reporting) {
+            std::rethrow_exception(reporting);
+        }
         for (const std::exception_ptr& error : m_errors) {
             if (error) {
                 std::rethrow_exception(error);
             }
         }
-        execution.check();
+        execution.report(stage, 1.0);
     }
 
 private:
@@ -82,11 +86,13 @@ private:
         }
     }
 
-    void watch(const Message& stage, const Execution& execution) {
+    /// Until all threads have ended. Returns what the listener of the execution threw, if it did.
+    std::exception_ptr watch(const Message& stage, const Execution& execution) {
+        std::exception_ptr thrown;
         std::unique_lock lock(m_mutex);
         while (m_working > 0) {
             m_changed.wait_for(lock, lookEvery);
-            if (execution.cancelled()) {
+            if (execution.cancelled() || thrown) {
                 stop();
                 continue;
             }
@@ -99,9 +105,12 @@ private:
                 execution.report(stage, done / static_cast<double>(m_fractions.size()));
             } catch (const Cancelled&) {
                 // Seen again at the top of the loop.
+            } catch (...) {
+                thrown = std::current_exception();
             }
             lock.lock();
         }
+        return thrown;
     }
 
     const std::function<void(std::size_t, const Execution&)>& m_work;
@@ -123,8 +132,9 @@ void runInParallel(std::size_t count, int threads, const Message& stage, const E
     if (count == 0) {
         return;
     }
-    const std::size_t asked = threads > 0 ? static_cast<std::size_t>(threads) : std::max(1u, std::thread::hardware_concurrency());
-    Pool(count, work).run(std::min(asked, count), stage, execution);
+    const std::size_t granted = static_cast<std::size_t>(std::max(1, threads > 0 ? threads : execution.threads()));
+    const std::size_t workers = std::min(granted, count);
+    Pool(count, static_cast<int>(granted / workers), work).run(workers, stage, execution);
 }
 
 }  // namespace rubble

@@ -56,9 +56,11 @@ TEST_F(Influence, SaysWhatMattersAndWhatDoesNot) {
     const EffectInfluence& water = rowOf(found, EffectKind::Water);
     EXPECT_TRUE(water.decision.on);
     EXPECT_TRUE(water.done);
-    EXPECT_EQ(water.standing(), Standing::Above) << "4 m of water take most of 4 m/s";
-    // Drag stops the flight along y: with water less lies beyond the plan than without it.
-    EXPECT_LT(water.difference.of(Measure::RunOut), 0.0);
+    // Water takes most of 4 m/s from blocks that sink 4 m: they come down half a metre from where they would, and the repeats
+    // differ by centimetres.
+    EXPECT_EQ(water.standing(), Standing::Above);
+    EXPECT_GT(water.overFloor[static_cast<std::size_t>(Measure::MedianDistance)], 2.0);
+    EXPECT_GT(water.difference.of(Measure::MassMap), 0.05);
     EXPECT_NE(water.trajectoryHash, found.floor->trajectoryHash);
 
     const EffectInfluence& structure = rowOf(found, EffectKind::StructureContact);
@@ -84,13 +86,18 @@ TEST_F(Influence, AnEffectThatPilesHideStaysNearTheFloor) {
     EXPECT_FALSE(drag.decision.on);
     ASSERT_TRUE(drag.done);
     // Cubes of 2 t fall 8 m: drag changes their landing by 2 mm, less than blocks that hit each other differ from repeat to repeat.
-    EXPECT_LT(drag.difference.departure(Measure::MassMap), 0.1);
+    // Two draws of that chance differ by less than 3 times; contact shifts the height of the mass by 8 times as much.
+    const auto overFloor = [](const EffectInfluence& row, Measure measure) {
+        return row.overFloor[static_cast<std::size_t>(measure)];
+    };
+    EXPECT_LT(overFloor(drag, Measure::MassMap), 3.0);
+    EXPECT_GT(overFloor(drag, Measure::MassMap), 0.0);
     const EffectInfluence& contact = rowOf(found, EffectKind::FragmentContact);
     ASSERT_TRUE(contact.done);
     EXPECT_EQ(contact.standing(), Standing::Above);
     EXPECT_GT(contact.difference.of(Measure::MeanHeight), 0.1) << "with contact the upper layer lies on the lower one";
-    EXPECT_GT(contact.overFloor[static_cast<std::size_t>(Measure::HeightRms)],
-              drag.overFloor[static_cast<std::size_t>(Measure::HeightRms)]);
+    EXPECT_GT(overFloor(contact, Measure::MeanHeight), 2.0);
+    EXPECT_GT(overFloor(contact, Measure::MeanHeight), overFloor(drag, Measure::MeanHeight));
     EXPECT_FALSE(rowOf(found, EffectKind::Water).switchable) << "no level is given";
 }
 

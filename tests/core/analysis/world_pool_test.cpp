@@ -35,6 +35,18 @@ TEST(WorldPool, WorksOnNoMoreThreadsThanAsked) {
     EXPECT_FALSE(ids.contains(std::this_thread::get_id()));
 }
 
+TEST(WorldPool, SharesTheThreadsAmongThePieces) {
+    const auto threadsOfAPiece = [](std::size_t count, int threads, const Execution& execution) {
+        std::atomic<int> seen{0};
+        runInParallel(count, threads, stage, execution, [&](std::size_t, const Execution& own) { seen = own.threads(); });
+        return seen.load();
+    };
+    EXPECT_EQ(threadsOfAPiece(2, 8, Execution()), 4);
+    EXPECT_EQ(threadsOfAPiece(3, 8, Execution()), 2);
+    EXPECT_EQ(threadsOfAPiece(9, 8, Execution()), 1);
+    EXPECT_EQ(threadsOfAPiece(1, 0, Execution().withThreads(6)), 6);
+}
+
 TEST(WorldPool, ReportsFromTheCallingThreadAndNeverBackwards) {
     const std::thread::id caller = std::this_thread::get_id();
     std::vector<double> fractions;

@@ -59,7 +59,10 @@ public:
                                place(e, 0));
             }
         }
-        std::ranges::sort(m_ended, {}, [](const Lifetime& l) { return std::tuple(l.lastActive, at(l.element)); });
+        // By the user's number, so that the order of the elements in the file reaches no result.
+        const std::vector<std::int64_t>& number = m_fe.mesh().elementIds;
+        std::ranges::sort(m_ended, {},
+                          [&](const Lifetime& l) { return std::tuple(l.lastActive, number[at(l.element)], at(l.element)); });
         return std::move(m_ended);
     }
 

@@ -23,10 +23,10 @@ struct Lifetime {
     std::optional<std::uint32_t> backAt;  ///< state at which the element is active again (policy Follow only)
 };
 
-/// The lifetimes that end with a death, ordered by lastActive, then element. Under Latch an element has at most one and what comes
-/// back is counted; under Follow each death makes one. An element that is inactive at first and appears later begins its first life
-/// then, which is no revival; one that is never active has no life. Both are counted.
-/// Throws UsageError under Refuse if an element comes back to life, naming it and the state; Cancelled.
+/// The lifetimes that end with a death, ordered by lastActive, then the number of the element. Under Latch an element has at most
+/// one and what comes back is counted; under Follow each death makes one. An element that is inactive at first and appears later
+/// begins its first life then, which is no revival; one that is never active has no life. Both are counted. Throws UsageError under
+/// Refuse if an element comes back to life, naming it and the state; Cancelled.
 std::vector<Lifetime> endedLifetimes(const FeResult& fe, const Components& components, Revival policy, Findings& findings,
                                      const Execution& execution);
 

@@ -7,7 +7,7 @@ namespace rubble {
 void AirDrag::beforeSubstep(const SubstepBodies& bodies, double h) {
     for (MovingBody& body : bodies.moving) {
         const double speed = body.velocity.norm();
-        if (speed <= 0.0 || body.inverseMass <= 0.0) {
+        if (!(speed > 0.0) || !isNumber(body) || body.inverseMass <= 0.0) {
             continue;
         }
         OrientedBox box = body.box;

@@ -9,8 +9,10 @@ namespace {
 
 /// Pa, of steel.
 constexpr double youngsModulus = 200e9;
-/// Passes over the taut ties in a substep. Fewer: chains give; more: slower.
-constexpr int passes = 4;
+/// Passes over the taut ties in a substep at most. Fewer: chains bounce and give; more: slower.
+constexpr int passes = 12;
+/// m/s. No more passes once none changes the speed of a pair by more.
+constexpr double settledSpeed = 1e-4;
 /// Substeps in which the elastic stretch relaxes. Fewer: ties ring; more: they creep.
 constexpr double relaxation = 4.0;
 /// A frozen body is woken by a force above this share of its weight: less than the friction of any pair of materials holds.
@@ -35,11 +37,9 @@ struct Ties::Taut {
     double most = 0.0;          ///< N s
     double impulse = 0.0;
 
-    double opening() const {
-        const Vec3 atA = a != nullptr ? Vec3(a->velocity + a->spin.cross(armA)) : velocityA;
-        const Vec3 atB = b != nullptr ? Vec3(b->velocity + b->spin.cross(armB)) : velocityB;
-        return along.dot(atB - atA);
-    }
+    Vec3 endVelocityA() const { return a != nullptr ? Vec3(a->velocity + a->spin.cross(armA)) : velocityA; }
+    Vec3 endVelocityB() const { return b != nullptr ? Vec3(b->velocity + b->spin.cross(armB)) : velocityB; }
+    double opening() const { return along.dot(endVelocityB() - endVelocityA()); }
     /// Pulls by an impulse and says what work that did, J.
     double apply(double change) {
         const double before = opening();
@@ -125,7 +125,7 @@ bool Ties::stretch(Tie& tie, std::size_t index, const SubstepBodies& bodies, dou
     taut.a = bodies.find(tie.a);
     taut.b = bodies.find(tie.b);
     if (taut.a == nullptr && taut.b == nullptr) {
-        tie.impulse = 0.0;
+        tie.pull = Vec3::Zero();
         return true;
     }
     const auto place = [&](MovingBody* body, BodyId id, const Vec3& end, Vec3& arm, Vec3& velocity) {
@@ -146,11 +146,13 @@ bool Ties::stretch(Tie& tie, std::size_t index, const SubstepBodies& bodies, dou
     }
     // What the elastic stretch cannot be has yielded.
     tie.slackGap = std::max(tie.slackGap, gap - tie.yieldForce / tie.stiffness);
-    if (gap <= std::max(tie.slackGap, leastGap)) {
-        tie.impulse = 0.0;
+    // Ends that lie on each other are pulled against the way they would go.
+    const Vec3 ahead = to - from + h * (taut.endVelocityB() - taut.endVelocityA());
+    if (std::max(gap, ahead.norm()) <= std::max(tie.slackGap, leastGap)) {
+        tie.pull = Vec3::Zero();
         return true;
     }
-    taut.along = (to - from) / gap;
+    taut.along = gap > leastGap ? Vec3((to - from) / gap) : ahead.normalized();
     for (const auto& [body, arm] : {std::pair{taut.a, &taut.armA}, std::pair{taut.b, &taut.armB}}) {
         if (body != nullptr) {
             const Vec3 lever = arm->cross(taut.along);
@@ -161,19 +163,22 @@ bool Ties::stretch(Tie& tie, std::size_t index, const SubstepBodies& bodies, dou
     const double k = tie.stiffness;
     const double c = std::max(2.0 * std::sqrt(k / taut.yielding), relaxation * h * k);
     taut.softness = 1.0 / (h * (c + h * k));
-    taut.bias = k / (c + h * k) * (gap - tie.slackGap);
+    // What is still slack may open first.
+    taut.bias = gap > tie.slackGap ? k / (c + h * k) * (gap - tie.slackGap) : (gap - tie.slackGap) / h;
     taut.most = tie.yieldForce * h;
-    taut.impulse = std::min(tie.impulse, taut.most);
+    taut.impulse = std::clamp(tie.pull.dot(taut.along), 0.0, taut.most);
     m_work += taut.apply(taut.impulse);
     m_taut.push_back(taut);
     return true;
 }
 
-void Ties::pull(Taut& taut) {
+double Ties::pull(Taut& taut) {
     const double change = (taut.opening() + taut.bias - taut.softness * taut.impulse) / (taut.yielding + taut.softness);
     const double total = std::clamp(taut.impulse + change, 0.0, taut.most);
-    m_work += taut.apply(total - taut.impulse);
+    const double given = total - taut.impulse;
+    m_work += taut.apply(given);
     taut.impulse = total;
+    return std::abs(given) * taut.yielding;
 }
 
 void Ties::beforeSubstep(const SubstepBodies& bodies, double h) {
@@ -187,14 +192,17 @@ void Ties::beforeSubstep(const SubstepBodies& bodies, double h) {
         }
     }
     m_ties.resize(kept);
-    for (int pass = 0; pass < passes; ++pass) {
-        for (Taut& taut : m_taut) {
-            pull(taut);
+    // To and fro, so that a pull runs along a chain in one pass whichever way it was built.
+    double changed = 1.0;
+    for (int pass = 0; pass < passes && changed > settledSpeed; ++pass) {
+        changed = 0.0;
+        for (std::size_t i = 0; i < m_taut.size(); ++i) {
+            changed = std::max(changed, pull(m_taut[pass % 2 == 0 ? i : m_taut.size() - 1 - i]));
         }
     }
     for (const Taut& taut : m_taut) {
         Tie& tie = m_ties[taut.tie];
-        tie.impulse = taut.impulse;
+        tie.pull = taut.impulse * taut.along;
         for (const auto& [body, id] : {std::pair{taut.a, tie.a}, std::pair{taut.b, tie.b}}) {
             if (body == nullptr && taut.impulse > wakeShare * m_world.mass(id) * m_gravity * h) {
                 m_wake.push_back(id);

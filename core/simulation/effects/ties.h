@@ -14,11 +14,11 @@ struct Tie {
     BodyId b{};
     Vec3 onA = Vec3::Zero();  ///< m, in the frame of a
     Vec3 onB = Vec3::Zero();
-    double yieldForce = 0.0;  ///< N
-    double stiffness = 0.0;   ///< N/m
-    double breakGap = 0.0;    ///< m, distance of its ends at which it breaks
-    double slackGap = 0.0;    ///< m, up to which it is slack: grows as it yields
-    double impulse = 0.0;     ///< N s, of the latest substep
+    double yieldForce = 0.0;   ///< N
+    double stiffness = 0.0;    ///< N/m
+    double breakGap = 0.0;     ///< m, distance of its ends at which it breaks
+    double slackGap = 0.0;     ///< m, up to which it is slack: grows as it yields
+    Vec3 pull = Vec3::Zero();  ///< N s, on a, of the latest substep
 };
 
 /// Reinforcement between neighbouring clusters: where elements of reinforced components share faces, one tie a pair of clusters, of
@@ -29,11 +29,11 @@ struct Tie {
 /// breaks at d = tie_elongation times L. Shearing opens d as pulling does (dowel action). Strength and elongation are settings (500
 /// MPa; EN 1992-1-1 annex C asks for 2.5 to 7.5 % at maximum force, 10 to 20 % at rupture are usual).
 ///
-/// Solved by impulses along the line of the ends, a few passes a substep, implicit in stiffness with a damping that keeps the
-/// elastic part from ringing (relaxation over four substeps); the force, damping included, never passes A_s f_y. Impulses are equal
-/// and opposite on one line, so that momentum and angular momentum are kept. A frozen partner holds, and is woken when the force
-/// could move it. A tie forms when the later of its two bodies enters; what the gap has opened by then counts as yielded, and a gap
-/// beyond the elongation is torn already. A body that leaves takes its ties along.
+/// Solved by impulses along the line of the ends, at most a dozen passes a substep, implicit in stiffness with a damping that keeps
+/// the elastic part from ringing (relaxation over four substeps); the force, damping included, never passes A_s f_y. Impulses are
+/// equal and opposite on one line, so that momentum and angular momentum are kept. A frozen partner holds, and is woken when the
+/// force could move it. A tie forms when the later of its two bodies enters; what the gap has opened by then counts as yielded, and
+/// a gap beyond the elongation is torn already. A body that leaves takes its ties along.
 ///
 /// Limits: no ties to the live structure; no bond slip, no hardening, no bending stiffness of the bars; one bar at the centre of a
 /// shared area lets two clusters turn about it.
@@ -65,7 +65,8 @@ private:
     struct Taut;
     void form(const TieSite& site, const Ends& ends, const RigidWorld& world);
     bool stretch(Tie& tie, std::size_t index, const SubstepBodies& bodies, double h);
-    void pull(Taut& taut);
+    /// m/s, by how much it changed the opening speed.
+    double pull(Taut& taut);
 
     const RunDescription& m_description;
     RigidWorld& m_world;

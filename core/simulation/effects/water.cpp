@@ -13,7 +13,6 @@ struct Water::Wet {
     OrientedBox box;         ///< in the world
     double share = 0.0;      ///< of the box that is under water
     double displaced = 0.0;  ///< kg
-    double buoyancy = 0.0;   ///< N, expected at the end of the substep
     double perArea = 0.0;    ///< N/m3, what a square metre of waterplane gains in buoyancy per metre
 };
 
@@ -28,23 +27,31 @@ Water::Water(const EffectSettings& settings, double gravity)
     assert(settings.waterLevel);
 }
 
-void Water::carry(MovingBody& body, const Wet& wet, double h) {
-    const Vec3 relative = body.velocity - m_current;
-    const double speed = relative.norm();
-    const double area = speed > 0.0 ? wet.share * projectedArea(wet.box, relative / speed) : 0.0;
-    const double resistance = 0.5 * m_density * m_drag * area * speed + m_linearDrag * wet.displaced;
-    const double mass = 1.0 / body.inverseMass;
-    const double inert = mass + m_addedMass * wet.displaced;
-    const double heave = wet.perArea * wet.below.waterplane;
+Vec3 Water::meanVelocity(const MovingBody& body, const Vec3& contact, double h) const {
+    const double least = 1e-6 * m_gravity * h / body.inverseMass;
+    return contact.norm() > least ? body.velocity : Vec3(body.velocity + Vec3(0.0, 0.0, 0.5 * m_gravity * h));
+}
 
+void Water::carry(MovingBody& body, const Wet& wet, double h) {
+    const double mass = 1.0 / body.inverseMass;
     // What contacts did in the substep before stands for what they will do in this one.
     const Expected& expected = m_expected[at(body.id)];
     Vec3 contact = Vec3::Zero();
     if (expected.substep > 0 && expected.substep + 1 == m_substep) {
         contact = mass * (body.velocity - expected.velocity);
     }
+    const Vec3 velocity = meanVelocity(body, contact, h);
+    const Vec3 relative = velocity - m_current;
+    const double speed = relative.norm();
+    const double area = speed > 0.0 ? wet.share * projectedArea(wet.box, relative / speed) : 0.0;
+    const double resistance = 0.5 * m_density * m_drag * area * speed + m_linearDrag * wet.displaced;
+    const double inert = mass + m_addedMass * wet.displaced;
+    const double heave = wet.perArea * wet.below.waterplane;
+    const double full = wet.perArea * wet.box.volume();
+    const double buoyancy = std::clamp(m_gravity * wet.displaced - heave * h * velocity.z(), 0.0, full);
+
     Vec3 impulse = contact - h * resistance * relative;
-    impulse.z() += h * (wet.buoyancy - mass * m_gravity);
+    impulse.z() += h * (buoyancy - mass * m_gravity);
     Vec3 change = impulse / (inert + h * resistance);
     change.z() = impulse.z() / (inert + h * resistance + h * h * heave);
     // The world adds its gravity and its contacts to this, without knowing of the added mass.
@@ -65,7 +72,7 @@ void Water::turn(MovingBody& body, const Wet& wet, double h) const {
     const Mat3 resistance =
         axes * strips.asDiagonal() * axes.transpose() + m_linearDrag * wet.displaced * body.inverseMass * inertia;
     const Vec3 righting = wet.perArea * Vec3(wet.below.momentX, wet.below.momentY, 0.0);
-    const Vec3 moment = (wet.below.centroid - wet.box.centre).cross(Vec3(0.0, 0.0, wet.buoyancy));
+    const Vec3 moment = (wet.below.centroid - wet.box.centre).cross(Vec3(0.0, 0.0, m_gravity * wet.displaced));
 
     const Mat3 system = inertia + h * resistance + Mat3((h * h * righting).asDiagonal());
     const Vec3 drive = h * (moment - h * righting.cwiseProduct(body.spin) - resistance * body.spin);
@@ -76,7 +83,7 @@ void Water::beforeSubstep(const SubstepBodies& bodies, double h) {
     ++m_substep;
     m_expected.resize(bodies.slotOf.size());
     for (MovingBody& body : bodies.moving) {
-        if (body.inverseMass <= 0.0) {
+        if (body.inverseMass <= 0.0 || !isNumber(body)) {
             continue;
         }
         Wet wet;
@@ -90,10 +97,6 @@ void Water::beforeSubstep(const SubstepBodies& bodies, double h) {
         wet.share = std::min(1.0, wet.below.volume / wet.box.volume());
         wet.displaced = m_density * wet.share * body.volume;
         wet.perArea = m_density * m_gravity * body.volume / wet.box.volume();
-        const double full = m_density * m_gravity * body.volume;
-        wet.buoyancy =
-            std::clamp(m_gravity * wet.displaced - wet.perArea * wet.below.waterplane * h * body.velocity.z(), 0.0, full);
-
         const double before = kineticEnergy(body);
         carry(body, wet, h);
         turn(body, wet, h);

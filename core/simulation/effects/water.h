@@ -44,6 +44,8 @@ private:
         std::uint64_t substep = 0;  ///< the one after which it holds
     };
     struct Wet;
+    /// A world moves a body in free flight with the mean of its velocity before and after gravity's kick.
+    Vec3 meanVelocity(const MovingBody& body, const Vec3& contact, double h) const;
     void carry(MovingBody& body, const Wet& wet, double h);
     void turn(MovingBody& body, const Wet& wet, double h) const;
 

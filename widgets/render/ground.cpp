@@ -45,7 +45,7 @@ Rgb mixed(const Rgb& a, const Rgb& b, double share) {
 
 /// A colour in more or less light than level ground has.
 Rgb shaded(const Rgb& colour, double light) {
-    return light < 1.0 ? mixed({0, 0, 0}, colour, 0.4 + 0.6 * light) : mixed(colour, {255, 255, 255}, std::min(0.5, light - 1.0));
+    return light < 1.0 ? mixed({0, 0, 0}, colour, 0.55 + 0.45 * light) : mixed(colour, {255, 255, 255}, std::min(0.5, light - 1.0));
 }
 
 /// Share of the horizon's colour in the ground at a distance, both in model lengths.

@@ -13,8 +13,10 @@ constexpr double linesFar = 30.0;
 constexpr double nearShare = 0.6;
 /// Where the level beyond the raster has its rows, as shares of the way to the rim.
 constexpr std::array<double, 5> beyond{0.08, 0.2, 0.4, 0.7, 1.0};
-/// Light from the north-west, half way up.
-const Vec3 light = Vec3(-0.5, 0.5, 0.7071).normalized();
+/// Light from the north-west, high up; slopes are darker than level ground also where they face it, so that white ground shows
+/// them.
+const Vec3 light = Vec3(-0.35, 0.35, 0.87).normalized();
+constexpr double slopeShade = 0.65;
 
 /// Coordinates of the rows or columns, ascending.
 std::vector<double> linesAlong(double first, double cell, std::size_t nodes, double low, double high, double margin, double centre,
@@ -49,7 +51,8 @@ double shadeAt(const std::vector<Vec3>& points, std::size_t columns, std::size_t
     const auto at = [&](std::size_t x, std::size_t y) -> const Vec3& { return points[y * columns + x]; };
     const Vec3 east = at(std::min(i + 1, columns - 1), j) - at(i > 0 ? i - 1 : 0, j);
     const Vec3 north = at(i, std::min(j + 1, rows - 1)) - at(i, j > 0 ? j - 1 : 0);
-    return std::max(0.0, east.cross(north).normalized().dot(light)) / light.z();
+    const Vec3 normal = east.cross(north).normalized();
+    return std::max(0.0, normal.dot(light)) / light.z() * (1.0 - slopeShade + slopeShade * normal.z());
 }
 
 }  // namespace

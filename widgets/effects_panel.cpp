@@ -121,7 +121,7 @@ void EffectsPanel::setEditable(bool editable) {
 }
 
 void EffectsPanel::setContent(const Content& content) {
-    m_components = content.components;
+    m_content = content;
     std::size_t taking = 0;
     for (EffectRow* row : m_rows) {
         const auto i = static_cast<std::size_t>(row->kind());
@@ -173,11 +173,11 @@ QString EffectsPanel::sumText() const {
 }
 
 void EffectsPanel::showMaterials() {
-    m_materials->setComponents(m_components.get());
+    m_materials->setComponents(m_content.components.get());
     std::set<Material> present;
-    if (m_components != nullptr && !m_components->list.empty()) {
+    if (m_content.components != nullptr && !m_content.components->list.empty()) {
         present.insert(m_groundMaterial);
-        for (const Component& component : m_components->list) {
+        for (const Component& component : m_content.components->list) {
             present.insert(component.material);
         }
     }

@@ -28,8 +28,10 @@ public:
         std::shared_ptr<const SimulationResult> run;       ///< the last run, for what the effects cost; null: none
         bool runStale = false;                             ///< simulated under other settings
         std::shared_ptr<const Components> components;
+        friend bool operator==(const Content&, const Content&) = default;
     };
     void setContent(const Content& content);
+    const Content& content() const { return m_content; }
     void setScenario(const Scenario& scenario) override;
     void setEditable(bool editable) override;
     EffectRow* row(EffectKind kind) const { return m_rows[static_cast<std::size_t>(kind)]; }
@@ -47,7 +49,7 @@ private:
     QLabel* m_sum;
     MaterialsTable* m_materials;
     ContactTable* m_contact;
-    std::shared_ptr<const Components> m_components;
+    Content m_content;
     Material m_groundMaterial = Material::Soil;
 };
 

@@ -6,7 +6,6 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "core/simulation/rigid_world.h"
 #include "widgets/effects_panel.h"
 #include "widgets/wording.h"
 
@@ -15,11 +14,11 @@ namespace rubble::widgets {
 namespace {
 
 /// The solver with its cost and its effect on the pile.
-QString solverLine(SolverKind solver, const SimulationResult& result) {
+QString solverLine(const SimulationSettings& settings, const SimulationResult& result) {
     const QString cost = RunPanel::tr("mean %1 ms per step").arg(shownNumber(result.stepTimes.meanMs, 2));
     const QString pile = RunPanel::tr("bulking of the pile %1").arg(shownNumber(result.bulkingFactor));
-    return solver == SolverKind::SoftStep
-               ? RunPanel::tr("Solver: soft-step, %1 substeps or more, %2, %3").arg(WorldSettings().substeps).arg(cost, pile)
+    return settings.solver == SolverKind::SoftStep
+               ? RunPanel::tr("Solver: soft-step, %1 substeps or more, %2, %3").arg(settings.substeps).arg(cost, pile)
                : RunPanel::tr("Solver: bullet, %1, %2").arg(cost, pile);
 }
 
@@ -67,7 +66,7 @@ void RunPanel::setHealth(const std::optional<HealthList::Content>& health) {
 
 void RunPanel::buildSettings() {
     PanelGroup* engine = addGroup(tr("Engine"));
-    for (const char* key : {"solver", "step_rate", "iterations", "cluster_shape", "box_bulking", "gravity"}) {
+    for (const char* key : {"solver", "step_rate", "substeps", "iterations", "cluster_shape", "box_bulking", "gravity"}) {
         addParameter(engine, key);
     }
     addRemaining(Stage::Simulation, tr("Rest and recording"), isEffectParameter);
@@ -119,7 +118,7 @@ void RunPanel::setOutcome(const Outcome& outcome) {
     const SimulationResult& r = *outcome.result;
     const auto sum = static_cast<double>(std::max<std::int64_t>(1, r.births.births));
     const auto pair = [](double a, double b) { return QStringLiteral("%1, %2").arg(shownNumber(a, 2), shownNumber(b, 2)); };
-    m_solver->setText(solverLine(outcome.solver, r));
+    m_solver->setText(solverLine(outcome.settings, r));
     m_bodies->setText(shownCount(r.bodiesPeak));
     m_asleep->setText(shownShare(r.asleepAtEnd));
     m_moving->setText(shownCount(r.stillMoving));

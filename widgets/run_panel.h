@@ -22,7 +22,7 @@ public:
     /// What a finished run says about itself, with figures that only the window knows.
     struct Outcome {
         std::shared_ptr<const SimulationResult> result;
-        SolverKind solver = SolverKind::SoftStep;
+        SimulationSettings settings;
         double wallSeconds = 0.0;
         double liveMean = 0.0;   ///< FPS; 0: was not live
         double liveWorst = 0.0;  ///< FPS

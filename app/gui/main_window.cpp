@@ -197,7 +197,7 @@ void MainWindow::runEnded(bool complete) {
     if (record != nullptr && complete) {
         outcome.result = record->outcome;
         outcome.wallSeconds = record->wallSeconds;
-        outcome.solver = record->scenario.simulation.solver;
+        outcome.settings = record->scenario.simulation;
         outcome.fpsTarget = record->scenario.grid.fpsTarget;
         if (record->live) {
             outcome.liveMean = m_feed->liveMean();

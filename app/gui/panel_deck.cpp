@@ -122,10 +122,10 @@ void PanelDeck::showResults() {
     m_fragments->setContent(results.fragments, fe.get());
     m_grid->setContent(
         {results.sizing, results.clustering, results.fragments, results.components, fe != nullptr ? &fe->mesh() : nullptr});
-    showEffects();
+    showEffects(true);
 }
 
-void PanelDeck::showEffects() {
+void PanelDeck::showEffects(bool anew) {
     const Scenario& scenario = m_document.scenario();
     const RunRecord* record = m_computation.currentRun();
     widgets::EffectsPanel::Content content;
@@ -134,7 +134,10 @@ void PanelDeck::showEffects() {
     content.run = record != nullptr ? record->outcome : nullptr;
     content.runStale = record != nullptr && m_computation.runStale(scenario);
     content.components = m_computation.results().components;
-    m_effects->setContent(content);
+    // Progress comes many times a second.
+    if (anew || !(content == m_effects->content())) {
+        m_effects->setContent(content);
+    }
 }
 
 void PanelDeck::showScenario() {

@@ -39,7 +39,8 @@ public:
     void showScenario();
     void showOutcome(const widgets::RunPanel::Outcome& outcome);
     /// Effects have been decided, or a run has measured them.
-    void showEffects();
+    /// @param anew  also where nothing has changed, for other colours
+    void showEffects(bool anew = false);
     void showFailure(const QString& what, const QString& remedy, const std::string& id);
     void clearFailures();
 

@@ -217,10 +217,11 @@ TEST(RunPanel, TheSolverIsNamedWithItsCostAndItsPile) {
         }
         return false;
     };
-    outcome.solver = SolverKind::SoftStep;
+    outcome.settings.solver = SolverKind::SoftStep;
+    outcome.settings.substeps = 4;
     panel.setOutcome(outcome);
     EXPECT_TRUE(told(QStringLiteral("soft-step, 4 substeps or more, mean 2.3 ms per step, bulking of the pile 1.62")));
-    outcome.solver = SolverKind::Bullet;
+    outcome.settings.solver = SolverKind::Bullet;
     panel.setOutcome(outcome);
     EXPECT_TRUE(told(QStringLiteral("bullet, mean 2.3 ms per step")));
 }

@@ -15,49 +15,12 @@
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
 #include "io/case_file.h"
+#include "tests/app/gui/workbench.h"
 #include "widgets/case_panel.h"
 #include "widgets/status_line.h"
 #include "widgets/timeline.h"
 
 namespace rubble {
-
-namespace {
-
-const QString arch = QStringLiteral(RUBBLE_SOURCE_DIR "/resources/samples/rc-arch.exo");
-// Patience for machines that do much else at the same time; nothing is asserted about how long things take.
-constexpr int patience = 180'000;
-
-}  // namespace
-
-class Workbench : public testing::Test {
-protected:
-    void SetUp() override {
-        window = std::make_unique<MainWindow>();
-        window->resize(1280, 800);
-        window->show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), patience));
-        // Shortcuts need an active window, and a bare X server has no window manager to make one.
-        QApplication::setActiveWindow(window.get());
-    }
-
-    void openArch() {
-        window->open(arch);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    }
-    bool prepared() const {
-        return window->computation().results().clustering != nullptr && !window->computation().busy() &&
-               !window->computation().stale(Stage::Clusters, window->document().scenario());
-    }
-    /// Settings under which the arch is simulated in seconds: few bodies, no settling.
-    void makeCheap() {
-        window->document().setParameter(QStringLiteral("multiple"), 8.0);
-        window->document().setParameter(QStringLiteral("settle_time"), 0.0);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    }
-    widgets::StageState rail(PanelDeck::Entry entry) { return window->deck().rail().state(entry); }
-
-    std::unique_ptr<MainWindow> window;
-};
 
 TEST_F(Workbench, StartsEmptyAndSaysHowToBegin) {
     EXPECT_EQ(window->area().currentIndex(), 0);
@@ -189,7 +152,7 @@ TEST_F(Workbench, ClosingWhileItSimulatesIsClean) {
 }
 
 TEST_F(Workbench, ClosingWhileItOpensIsClean) {
-    window->open(arch);
+    window->open(arch());
     window.reset();
     QTest::qWait(50);
 }
@@ -229,7 +192,7 @@ TEST_F(Workbench, AnActiveFlagThatIsNotThereIsAnErrorInPlaceAndCostsNothing) {
 
 TEST_F(Workbench, ADroppedFileOpens) {
     QMimeData mime;
-    mime.setUrls({QUrl::fromLocalFile(arch)});
+    mime.setUrls({QUrl::fromLocalFile(arch())});
     QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(window.get(), &enter);
     EXPECT_TRUE(enter.isAccepted());

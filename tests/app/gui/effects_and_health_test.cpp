@@ -1,0 +1,98 @@
+#include <QFileInfo>
+
+#include "app/gui/file_commands.h"
+#include "app/gui/health_display.h"
+#include "app/gui/playback.h"
+#include "app/gui/view_area.h"
+#include "io/acknowledgements.h"
+#include "tests/app/gui/workbench.h"
+#include "widgets/effect_row.h"
+#include "widgets/effects_panel.h"
+#include "widgets/health_list.h"
+#include "widgets/status_line.h"
+#include "widgets/timeline.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr auto health = widgets::StatusLine::Figure::Health;
+
+}  // namespace
+
+TEST_F(Workbench, EffectsAreDecidedBeforeAnyRunAndAnewAfterAnEdit) {
+    openArch();
+    Computation& computation = window->computation();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return computation.decisions() != nullptr; }, patience));
+    EXPECT_EQ(computation.currentRun(), nullptr);
+    EXPECT_EQ(rail(PanelDeck::Effects), widgets::StageState::UpToDate);
+    const auto water = static_cast<std::size_t>(EffectKind::Water);
+    EXPECT_FALSE((*computation.decisions())[water].on) << "no level is given";
+    EXPECT_TRUE(window->deck().effects().row(EffectKind::Water)->stateText().contains(QStringLiteral("off")));
+
+    window->document().setParameter(QStringLiteral("water_level"), 1.0);
+    EXPECT_EQ(rail(PanelDeck::Effects), widgets::StageState::Stale);
+    EXPECT_TRUE(window->deck().effects().row(EffectKind::Water)->stateText().contains(QStringLiteral("before the change")));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return rail(PanelDeck::Effects) == widgets::StageState::UpToDate; }, patience));
+    EXPECT_TRUE((*computation.decisions())[water].on) << englishText((*computation.decisions())[water].reason);
+    window->document().undoStack().undo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return rail(PanelDeck::Effects) == widgets::StageState::UpToDate; }, patience));
+    EXPECT_FALSE((*computation.decisions())[water].on);
+}
+
+TEST_F(Workbench, AnEditInTheEffectsPanelIsOneStepOfUndo) {
+    openArch();
+    const Scenario before = window->document().scenario();
+    emit window->deck().effects().edited(QStringLiteral("air_drag"), ParameterValue(std::string("on")));
+    EXPECT_EQ(window->document().undoStack().count(), 1);
+    EXPECT_EQ(window->document().scenario().effects.of(EffectKind::AirDrag), EffectSwitch::On);
+    window->document().undoStack().undo();
+    EXPECT_EQ(window->document().scenario(), before);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+}
+
+// Without a ground everything falls for ever: 8 s of free fall are more than ten heights of the arch.
+TEST_F(Workbench, ABreachIsMarkedShownAndAcknowledged) {
+    openArch();
+    window->document().setParameter(QStringLiteral("multiple"), 8.0);
+    window->document().setParameter(QStringLiteral("ground"), std::string("off"));
+    window->document().setParameter(QStringLiteral("settle_time"), 8.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    window->simulate(false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().simulating(); }, patience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+    const RunRecord* record = window->computation().currentRun();
+    ASSERT_NE(record->outcome, nullptr);
+    const auto& breaches = record->outcome->health.breaches;
+    ASSERT_FALSE(breaches.empty());
+    EXPECT_TRUE(window->statusLine().figureText(health).contains(QStringLiteral("tainted")));
+
+    // Every effect that took part has a cost in the panel.
+    EXPECT_EQ(record->outcome->effects.size(), effectCount);
+    EXPECT_TRUE(window->deck().effects().row(EffectKind::Ground)->costText().isEmpty()) << "it was off";
+    EXPECT_FALSE(window->deck().effects().row(EffectKind::FragmentContact)->costText().isEmpty());
+
+    // A click on the sign leads to the first instant, with the body in the colour of selection.
+    widgets::Timeline& timeline = window->timeline();
+    EXPECT_FALSE(timeline.marksAt(timeline.signOf(0)).empty());
+    QTest::mouseClick(&timeline, Qt::LeftButton, {}, timeline.signOf(0).toPoint());
+    EXPECT_DOUBLE_EQ(window->playback().clock().time(), breaches[timeline.marksAt(timeline.signOf(0)).front()].from);
+    EXPECT_EQ(window->deck().stack().currentIndex(), PanelDeck::Run);
+    for (std::size_t i = 0; i < breaches.size(); ++i) {
+        if (breaches[i].body) {
+            window->health().show(i, true);
+            EXPECT_FALSE(window->area().views().view().selection.empty());
+        }
+    }
+
+    emit window->deck().run().health().acknowledgeRequested(QStringLiteral("A. Examiner"), QStringLiteral("A test of falling."));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return record->acknowledged.has_value(); }, patience));
+    EXPECT_EQ(record->acknowledged->by, "A. Examiner");
+    EXPECT_EQ(io::acknowledgements(record->path.toStdString()).size(), 1U);
+    window->deck().showState();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->statusLine().figureText(health).contains(QStringLiteral("acknowledged")); },
+                                patience));
+    EXPECT_FALSE(window->statusLine().figureText(health).contains(QStringLiteral("tainted")));
+}
+
+}  // namespace rubble

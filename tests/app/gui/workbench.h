@@ -1,0 +1,48 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QTest>
+
+#include "app/gui/main_window.h"
+#include "app/gui/panel_deck.h"
+
+namespace rubble {
+
+/// A window of the smallest size, and the steps that tests begin with.
+class Workbench : public testing::Test {
+protected:
+    static QString arch() { return QStringLiteral(RUBBLE_SOURCE_DIR "/resources/samples/rc-arch.exo"); }
+    /// ms. Patience for machines that do much else at the same time; nothing is asserted about how long things take.
+    static constexpr int patience = 180'000;
+
+    void SetUp() override {
+        window = std::make_unique<MainWindow>();
+        window->resize(1280, 800);
+        window->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), patience));
+        // Shortcuts need an active window, and a bare X server has no window manager to make one.
+        QApplication::setActiveWindow(window.get());
+    }
+
+    void openArch() {
+        window->open(arch());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    }
+    bool prepared() const {
+        return window->computation().results().clustering != nullptr && !window->computation().busy() &&
+               !window->computation().stale(Stage::Clusters, window->document().scenario());
+    }
+    /// Settings under which the arch is simulated in seconds: few bodies, no settling.
+    void makeCheap() {
+        window->document().setParameter(QStringLiteral("multiple"), 8.0);
+        window->document().setParameter(QStringLiteral("settle_time"), 0.0);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    }
+    widgets::StageState rail(PanelDeck::Entry entry) { return window->deck().rail().state(entry); }
+
+    std::unique_ptr<MainWindow> window;
+};
+
+}  // namespace rubble

@@ -4,8 +4,8 @@ namespace rubble::cli {
 
 const std::vector<Command>& commandTable() {
     static const std::vector<Command> table = [] {
-        std::vector<Command> rows{inspectCommand(), sizeCommand(), effectsCommand(),   runCommand(),       exportCommand(),
-                                  figureCommand(),  verifyCommand(), parametersCommand()};
+        std::vector<Command> rows{inspectCommand(), sizeCommand(),   effectsCommand(),  runCommand(),       exportCommand(),
+                                  figureCommand(),  verifyCommand(), selfTestCommand(), parametersCommand()};
         for (Command& row : rows) {
             row.options.push_back(jsonOption());
             row.options.push_back(helpOption());

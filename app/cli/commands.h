@@ -14,6 +14,7 @@ Command runCommand();
 Command exportCommand();
 Command figureCommand();
 Command verifyCommand();
+Command selfTestCommand();
 Command parametersCommand();
 
 /// Every command, in the order in which the help lists them.

@@ -22,18 +22,19 @@ constexpr std::uintmax_t bytesMax = std::uintmax_t{16} << 20;
 
 std::string contentOf(const std::string& path) {
     std::error_code failed;
-    const std::uintmax_t size = fs::file_size(path, failed);
-    if (!failed && size > bytesMax) {
+    if (fs::is_regular_file(path, failed) && fs::file_size(path, failed) > bytesMax) {
         throw ParseError({"io.acknowledged.too_large", "{0} is too large to hold acknowledgements", {path}},
                          {"io.acknowledged.damaged.remedy", "Move it away and acknowledge the run again.", {}});
     }
-    std::ifstream in(path, std::ios::binary);
-    std::string content{std::istreambuf_iterator<char>(in), {}};
-    if (failed || !in) {
+    std::ifstream in;
+    if (!failed && fs::is_regular_file(path, failed)) {
+        in.open(path, std::ios::binary);
+    }
+    if (!in.is_open()) {
         throw WorldError({"io.acknowledged.unreadable", "Cannot read the acknowledgements {0}", {path}},
                          {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
     }
-    return content;
+    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 std::vector<Acknowledgement> listFrom(const std::string& path) {
@@ -118,6 +119,24 @@ std::vector<Acknowledgement> acknowledgements(const std::string& runPath) {
         return {};
     }
     return listFrom(path);
+}
+
+Taint taintOf(const RunReader& run) {
+    Taint taint;
+    const auto result = run.result();
+    if (!result || !result->health.tainted()) {
+        return taint;
+    }
+    taint.breaches = result->health.breaches.size();
+    try {
+        const std::vector<Acknowledgement> list = acknowledgements(run.path());
+        if (const Acknowledgement* found = acknowledgementOf(*result, list)) {
+            taint.acknowledgement = *found;
+        }
+    } catch (const Error& error) {
+        taint.problem = error.message();
+    }
+    return taint;
 }
 
 }  // namespace rubble::io

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/simulation/acknowledgement.h"
 
 namespace rubble::io {
@@ -20,5 +23,19 @@ void acknowledge(const std::string& runPath, Acknowledgement acknowledgement);
 /// All acknowledgements that lie beside a run, in the order in which they were made; some may be of an earlier run of this name,
 /// see acknowledgementOf(). Empty if there is no sidecar. Throws WorldError, ParseError naming the sidecar.
 std::vector<Acknowledgement> acknowledgements(const std::string& runPath);
+
+class RunReader;
+
+/// What a run's breaches and the acknowledgements beside it come to.
+struct Taint {
+    std::size_t breaches = 0;
+    std::optional<Acknowledgement> acknowledgement;  ///< the one of these very breaches
+    Message problem;                                 ///< why the acknowledgements could not be read; empty if they could
+    bool tainted() const { return breaches > 0 && !acknowledgement; }
+};
+
+/// Of a complete run; one without an outcome has no breaches yet. A sidecar that cannot be read acknowledges nothing and is no
+/// error.
+Taint taintOf(const RunReader& run);
 
 }  // namespace rubble::io

@@ -1,7 +1,23 @@
+#include "io/acknowledgements.h"
 #include "io/exports.h"
 #include "io/run_json.h"
 
 namespace rubble::io {
+
+namespace {
+
+nlohmann::json healthText(const RunReader& run) {
+    const Taint taint = taintOf(run);
+    nlohmann::json text = {{"breaches", taint.breaches}, {"tainted", taint.tainted()}, {"acknowledged", nullptr}};
+    if (taint.acknowledgement) {
+        text["acknowledged"] = {{"by", taint.acknowledgement->by},
+                                {"when", taint.acknowledgement->when},
+                                {"note", taint.acknowledgement->note}};
+    }
+    return text;
+}
+
+}  // namespace
 
 std::string provenanceText(const RunReader& run) {
     const RunOrigin& origin = run.origin();
@@ -19,6 +35,7 @@ std::string provenanceText(const RunReader& run) {
     text["frames"] = run.frameCount();
     if (const auto result = run.result()) {
         text["trajectory_hash"] = result->trajectoryHash.hex();
+        text["health"] = healthText(run);
     }
     return jsonText(text);
 }

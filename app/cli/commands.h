@@ -11,9 +11,11 @@ Command inspectCommand();
 Command sizeCommand();
 Command effectsCommand();
 Command runCommand();
+Command influenceCommand();
 Command exportCommand();
 Command figureCommand();
 Command verifyCommand();
+Command acknowledgeCommand();
 Command selfTestCommand();
 Command parametersCommand();
 

@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/export_request.h"
+#include "app/cli/health_output.h"
 #include "app/cli/json_output.h"
 #include "app/cli/output_file.h"
 #include "app/cli/run_inputs.h"
@@ -13,12 +14,15 @@ void reportFiles(const Arguments& arguments, Session& session, const io::RunRead
     if (!run.complete()) {
         session.err() << "rubble-cli: note: this run is not complete; it holds " << run.frameCount() << " frames\n";
     }
+    const io::Taint taint = io::taintOf(run);
+    warnIfTainted(session, arguments.operand(), taint);
     if (arguments.json()) {
         Json object;
         object["run"] = arguments.operand();
         object["complete"] = run.complete();
         object["frames"] = run.frameCount();
         object["exports"] = files;
+        object["tainted"] = taint.tainted();
         printJson(session, object);
         return;
     }

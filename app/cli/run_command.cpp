@@ -4,6 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/export_request.h"
+#include "app/cli/health_output.h"
 #include "app/cli/output_file.h"
 #include "app/cli/run_report.h"
 #include "app/cli/run_sinks.h"
@@ -99,13 +100,16 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
         exports.perform(io::openRun(runPath), subject.inputs, session);
     }
     writeCsv(arguments, ledgerTable(recorder.ledger()));
-    const RunReport report{subject,        results, recorder.ledger(), allFindings(subject, results), temporary ? "" : runPath,
-                           exports.paths()};
+    const io::Taint taint =
+        runPath.empty() ? io::Taint{results.simulation->health.breaches.size(), {}, {}} : io::taintOf(*io::openRun(runPath));
+    const RunReport report{subject,         results, recorder.ledger(), allFindings(subject, results), temporary ? "" : runPath,
+                           exports.paths(), taint};
     if (arguments.json()) {
         printJson(session, report.json());
     } else {
         report.print(session.out());
     }
+    warnIfTainted(session, temporary ? "" : runPath, taint);
     return ExitCode::Ok;
 }
 

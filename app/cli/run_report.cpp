@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cli/health_output.h"
 #include "app/cli/effects_output.h"
 #include "app/cli/text_output.h"
 #include "core/base/message.h"
@@ -49,6 +50,48 @@ Json ledgerJson(const SimulationResult& run, const std::vector<LedgerRow>& ledge
     return object;
 }
 
+Json islandsJson(const LiveIslands& islands) {
+    return {{"islands", islands.islands},
+            {"released", islands.released},
+            {"held", islands.held()},
+            {"refused", islands.refused},
+            {"elements", islands.elements},
+            {"released_elements", islands.releasedElements},
+            {"mass_kg", islands.mass},
+            {"released_mass_kg", islands.releasedMass},
+            {"occupied", islands.occupied},
+            {"still_moving", islands.stillMoving},
+            {"dropped_kinetic_energy_j", islands.droppedKineticEnergy},
+            {"ledger",
+             {{"mass_error", islands.ledger.mass},
+              {"momentum_error", islands.ledger.momentum},
+              {"angular_momentum_error", islands.ledger.angularMomentum},
+              {"body_mass_error", islands.ledger.bodyMass},
+              {"body_momentum_error", islands.ledger.bodyMomentum},
+              {"body_angular_momentum_error", islands.ledger.bodyAngularMomentum}}}};
+}
+
+/// Apart from the fragments: live structure is not what the FE analysis deleted.
+void addIslands(FactList& facts, const LiveIslands& islands) {
+    facts.add("live islands", englishInteger(islands.islands) + " with " + englishInteger(islands.elements) + " elements, " +
+                                  tonnesText(islands.mass) + "; " + englishInteger(islands.moving) +
+                                  " elements were still moving at the FE end");
+    if (islands.released > 0) {
+        const LedgerErrors& e = islands.ledger;
+        facts.add("released structure",
+                  englishInteger(islands.released) + " of them as rigid bodies: " + englishInteger(islands.releasedElements) +
+                      " elements, " + tonnesText(islands.releasedMass) + "; " + englishInteger(islands.occupied) +
+                      " in occupied space, " + englishInteger(islands.stillMoving) + " still move at the end; against FE mass " +
+                      englishNumber(e.bodyMass) + ", momentum " + englishNumber(e.bodyMomentum) + ", angular momentum " +
+                      englishNumber(e.bodyAngularMomentum));
+    }
+    if (islands.held() > 0) {
+        facts.add("held structure",
+                  englishInteger(islands.held()) + " of them stay where the FE result ends" +
+                      (islands.refused > 0 ? "; " + englishInteger(islands.refused) + " could not be released" : std::string()));
+    }
+}
+
 void addSimulationJson(Json& object, const SimulationResult& run) {
     object["steps"] = run.steps;
     object["time_first_s"] = run.firstTime;
@@ -73,6 +116,7 @@ void addSimulationJson(Json& object, const SimulationResult& run) {
     object["bulking_factor"] = run.bulkingFactor;
     object["asleep_at_end"] = run.asleepAtEnd;
     object["still_moving"] = run.stillMoving;
+    object["islands"] = islandsJson(run.islands);
     object["live_islands"] = run.islands.islands;
     object["live_island_elements"] = run.islands.elements;
     object["live_island_mass_kg"] = run.islands.mass;
@@ -155,9 +199,7 @@ void printRun(std::ostream& out, const SimulationResult& run, const std::array<d
     facts.add("deepest penetration", withUnit(run.penetrationMax, "m"));
     facts.add("fastest body", withUnit(run.maxSpeed, "m/s"));
     facts.add("bulking factor", std::isfinite(run.bulkingFactor) ? englishNumber(run.bulkingFactor) : "-");
-    facts.add("live islands", englishInteger(run.islands.islands) + " with " + englishInteger(run.islands.elements) +
-                                  " elements, " + tonnesText(run.islands.mass) + ", held; " + englishInteger(run.islands.moving) +
-                                  " elements were still moving");
+    addIslands(facts, run.islands);
     facts.add("trajectory hash", run.trajectoryHash.hex());
     facts.print(out);
 }
@@ -243,6 +285,9 @@ Json RunReport::json() const {
     object["ms_per_step_rest"] = run.stepTimes.motionMs;
     object["wall_s"] = wallSecondsJson(results);
     object["ledger"] = ledgerJson(run, ledger);
+    object["health"] = healthJson(run);
+    object["tainted"] = taint.tainted();
+    object["acknowledged"] = acknowledgedJson(taint);
     object["warnings"] = findingsJson(findings);
     object["trajectory_hash"] = run.trajectoryHash.hex();
     object["scenario"] = subject.scenarioName;
@@ -259,13 +304,15 @@ void RunReport::print(std::ostream& out) const {
         out << "terrain " << terrainText(subject.terrain) << '\n';
     }
     if (results.fragments->list.empty()) {
-        out << "\nNo element dies in this result: there are no fragments, and nothing moves.\n";
+        out << "\nNo element dies in this result: there are no fragments"
+            << (results.simulation->islands.released > 0 ? ".\n" : ", and nothing moves.\n");
     } else {
         printFragments(out, *results.fragments, *results.components);
     }
     printSizing(out, *results.sizing, *results.fragments, *results.components, subject.inputs.fe->mesh());
     printClusters(out, *results.clustering);
     printRun(out, *results.simulation, results.wallSeconds);
+    printHealth(out, *results.simulation, taint);
     printEffects(out, *results.simulation);
     printLedger(out, *results.simulation, ledger);
     printFindings(out, findings);

@@ -8,6 +8,7 @@
 #include "app/cli/text_table.h"
 #include "core/pipeline/pipeline.h"
 #include "core/trajectory/trajectory.h"
+#include "io/acknowledgements.h"
 
 namespace rubble::cli {
 
@@ -19,9 +20,10 @@ struct RunReport {
     Findings findings;
     std::string runPath;             ///< empty if the run was not kept
     std::vector<std::string> files;  ///< exported
+    io::Taint taint;
 
     Json json() const;
-    /// Tables for people: fragments, Basic Grid, clusters, run, ledger, findings, files.
+    /// Tables for people: fragments, Basic Grid, clusters, run, health, ledger, findings, files.
     void print(std::ostream& out) const;
 };
 

@@ -111,6 +111,11 @@ ExitCode verifyRun(const Arguments& arguments, Session& session) {
     checks.push_back(compare("frames", englishInteger(static_cast<std::int64_t>(recorded->frameCount())),
                              englishInteger(static_cast<std::int64_t>(comparison.frames()))));
     checks.push_back(compare("steps", englishInteger(before.steps), englishInteger(now.steps)));
+    // Runs of before the monitor know of no effects either.
+    if (!before.effects.empty()) {
+        checks.push_back(compare("health breaches", englishInteger(static_cast<std::int64_t>(before.health.breaches.size())),
+                                 englishInteger(static_cast<std::int64_t>(now.health.breaches.size()))));
+    }
     checks.push_back(compare("trajectory hash", before.trajectoryHash.hex(), now.trajectoryHash.hex()));
     const bool good = checks.back().same;
     return report(arguments, session, checks, good ? "bit-equal" : "not equal", differenceText(comparison), good);

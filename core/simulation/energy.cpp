@@ -29,8 +29,9 @@ void EnergyAccount::update(double kinetic, double massHeight, const ContactRepor
                            m_balance.effectWork - m_balance.kineticNow;
     m_dissipatedMost = std::max(m_dissipatedMost, m_balance.dissipated);
     const double gain = m_dissipatedMost - m_balance.dissipated;
-    // Early on next to no work is done and rounding would be all of the ratio.
-    const double work = std::max(std::abs(m_balance.gravityWork), 1e-3 * m_balance.kineticIn);
+    // What rises and falls again leaves no net work, and what was born falling has most of its work of gravity behind it.
+    m_workMost = std::max({m_workMost, std::abs(m_balance.gravityWork), m_balance.kineticIn});
+    const double work = m_workMost;
     m_gain = gain > 0.0 && work > 0.0 ? gain / work : 0.0;
     m_balance.drift = std::max(m_balance.drift, m_gain);
 }

@@ -23,7 +23,8 @@ public:
     void update(double kinetic, double massHeight, const ContactReport& contacts, double effectWork);
 
     EnergyBalance balance() const { return m_balance; }
-    /// What has been gained and not been lost again since, over the work of gravity so far; 0 if nothing.
+    /// What has been gained and not been lost again since, over the most work of gravity so far or the kinetic energy that births
+    /// brought in, whichever is more; 0 if nothing.
     double gain() const { return m_gain; }
 
 private:
@@ -32,6 +33,7 @@ private:
     double m_kineticOut = 0.0;
     double m_dissipatedMost = 0.0;
     double m_gain = 0.0;
+    double m_workMost = 0.0;  ///< J
     EnergyBalance m_balance;
 };
 

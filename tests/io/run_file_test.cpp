@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/simulation/acknowledgement.h"
 #include "io/run_json.h"
 #include "io/run_tables.h"
 #include "tests/io/sample_run.h"
@@ -49,6 +50,11 @@ TEST(RunFile, GivesBackEverythingThatWasWritten) {
     expectSameRows(reader->bodies(), run.bodies);
     expectSameRows(reader->carriers(), run.carriers);
     expectSameRows(reader->ledger(), run.ledger);
+    ASSERT_EQ(reader->islands().size(), run.islands.size());
+    for (std::size_t i = 0; i < run.islands.size(); ++i) {
+        EXPECT_EQ(reader->islands()[i].body, run.islands[i].body);
+        EXPECT_EQ(reader->islands()[i].elements, run.islands[i].elements);
+    }
     EXPECT_THAT(reader->componentNames(), testing::ElementsAre("deck 1", "arch ring 1, failing strip", "pfeiler \xC3\xBC"));
     const auto fragments = reader->fragments();
     expectSameRows(fragments->list, run.description.fragments->list);
@@ -69,6 +75,10 @@ TEST(RunFile, GivesBackEverythingThatWasWritten) {
     expectSameRows(result->fragments, run.result.fragments);
     EXPECT_EQ(resultJson(*result), resultJson(run.result));
     EXPECT_EQ(result->penetrationMax, run.result.penetrationMax);
+    EXPECT_EQ(result->effects.size(), effectCount);
+    EXPECT_EQ(result->effects[1].decision.asked, EffectSwitch::On);
+    EXPECT_EQ(result->health.breaches[2].body, idAt<BodyId>(2));
+    EXPECT_EQ(breachesDigest(*result), breachesDigest(run.result));
     EXPECT_TRUE(std::isnan(result->bulkingFactor));
     EXPECT_EQ(reader->findings().count("test.simulation"), 3);
     EXPECT_EQ(reader->findings().list().size(), 3u);
@@ -315,6 +325,24 @@ TEST(RunFile, ANewRunTakesThePlaceOfOneThatIsBeingShown) {
     after.feed(*createRun(path, after.origin));
     expectSameTrajectory(before, *shown, 10);
     expectSameTrajectory(after, *openRun(path), 12);
+}
+
+TEST(RunFile, OpensRunsOfBeforeTheMonitor) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "older.run.h5";
+    std::filesystem::copy_file(RUBBLE_SOURCE_DIR "/tests/io/older/before-health.run.h5", path);
+    const auto reader = openRun(path);
+    ASSERT_TRUE(reader->complete());
+    const auto result = reader->result();
+    EXPECT_EQ(result->trajectoryHash.hex(), "7f3ef6f43dd3934827cb9e630ccec0b6");
+    EXPECT_EQ(result->bodiesPeak, 1);
+    EXPECT_GT(reader->frameCount(), 0u);
+    EXPECT_EQ(reader->fragments()->size(), 1u);
+    EXPECT_NE(reader->frame(0), nullptr);
+    EXPECT_TRUE(result->effects.empty());
+    EXPECT_FALSE(result->health.tainted());
+    EXPECT_TRUE(reader->islands().empty());
+    EXPECT_NO_THROW(checkRunDigest(path, Execution()));
 }
 
 TEST(RunFile, RefusesWhatIsNoRun) {

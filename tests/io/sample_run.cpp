@@ -129,6 +129,17 @@ void makeBodies(SampleRun& run, Dice& dice) {
     }
 }
 
+void makeIslands(SampleRun& run, Dice& dice) {
+    if (run.bodies.empty()) {
+        return;
+    }
+    run.islands.push_back({run.bodies.front().body, {idAt<ElementIndex>(3), idAt<ElementIndex>(5), idAt<ElementIndex>(8)}});
+    run.islands.push_back({run.bodies.back().body, {idAt<ElementIndex>(4)}});
+    run.islandLedger.time = 0.05;
+    run.islandLedger.fe = dice.momenta();
+    run.islandLedger.bodies = dice.momenta();
+}
+
 TrajectoryFrame makeFrame(Dice& dice, double time, std::size_t bodies) {
     TrajectoryFrame frame;
     frame.time = time;
@@ -140,6 +151,53 @@ TrajectoryFrame makeFrame(Dice& dice, double time, std::size_t bodies) {
         frame.states.push_back(static_cast<BodyState>(1 + dice.upTo(2)));
     }
     return frame;
+}
+
+void makeEffects(SimulationResult& result) {
+    for (std::size_t i = 0; i < effectCount; ++i) {
+        const double number = static_cast<double>(i);
+        EffectReport report;
+        report.decision = {static_cast<EffectKind>(i),
+                           static_cast<EffectSwitch>(i % 3),
+                           i % 2 == 0,
+                           finding("test.effect").what,
+                           17.0 / 3.0 + number,
+                           i == 0 ? std::numeric_limits<double>::quiet_NaN() : number};
+        report.msPerStep = 0.1 * number;
+        report.share = 0.01 * number;
+        report.work = -1e6 / 3.0;
+        report.events = static_cast<std::int64_t>(i);
+        result.effects.push_back(report);
+    }
+}
+
+void makeHealth(SimulationResult& result, Dice& dice) {
+    HealthReport& health = result.health;
+    for (std::size_t i = 0; i < healthCheckCount; ++i) {
+        HealthBreach breach;
+        breach.check = static_cast<HealthCheck>(i);
+        breach.from = dice.number(0, 10);
+        breach.to = breach.from + 0.1;
+        breach.worst = i == 5 ? std::numeric_limits<double>::quiet_NaN() : dice.number();
+        breach.limit = dice.number();
+        breach.bodies = static_cast<std::int64_t>(i);
+        if (i % 2 == 0) {
+            breach.body = idAt<BodyId>(i);
+            breach.place = dice.vector(100.0);
+        }
+        breach.what = finding("test.breach").what;
+        breach.remedy = finding("test.breach").remedy;
+        health.breaches.push_back(breach);
+    }
+    health.remedies = {{1.0 / 3.0, 2.0, 60}, {3.0, 3.5, 30}};
+    health.penetrationSustained = dice.number();
+    health.penetrationShare = dice.number();
+    health.crowdShare = dice.number();
+    health.fastestOverLimit = dice.number();
+    health.farthest = dice.number();
+    health.asleepPeak = dice.number();
+    health.contactsPeak = 12345;
+    health.bodiesLost = 2;
 }
 
 void makeResult(SampleRun& run, Dice& dice) {
@@ -154,7 +212,7 @@ void makeResult(SampleRun& run, Dice& dice) {
     run.result.energy = {1e9 / 3, 2e8, 3e5, 9e8, 1e-12};
     run.result.ledger = {1e-16, 2e-16, 3e-16, 4e-16, 5e-16, 6e-16};
     run.result.births = {4500, 900, 0.31, 1e6, -2e3, 12};
-    run.result.islands = {3, 41, 1e5, 2};
+    run.result.islands = {3, 41, 1e5, 2, 2, 40, 9e4, 1, 1, 1, 1e3, {1e-15, 2e-15, 3e-15, 4e-15, 5e-15, 6e-15}};
     run.result.penetrationMax = 0.123456789012345;
     run.result.asleepAtEnd = 0.875;
     run.result.stillMoving = 5;
@@ -162,6 +220,8 @@ void makeResult(SampleRun& run, Dice& dice) {
     run.result.bulkingFactor = std::numeric_limits<double>::quiet_NaN();
     run.result.trajectoryHash = Hasher().text("trajectory").finish();
     run.result.findings = findingsWith("test.simulation");
+    makeEffects(run.result);
+    makeHealth(run.result, dice);
 }
 
 }  // namespace
@@ -179,6 +239,7 @@ SampleRun makeSampleRun(std::uint32_t seed, std::size_t clusters, std::size_t fr
     run.origin.frame.origin = {100000, -200000, 3};
     makeScene(run, dice, clusters);
     makeBodies(run, dice);
+    makeIslands(run, dice);
     for (std::size_t i = 0; i < frames; ++i) {
         const double time = 0.04 * static_cast<double>(i);
         run.frames.push_back(makeFrame(dice, time, time < 0.05 ? run.firstBatch : run.bodies.size()));
@@ -196,6 +257,7 @@ void SampleRun::feed(TrajectorySink& sink, std::size_t frameCount) const {
     for (std::size_t i = 0; i < frameCount; ++i) {
         if (!second && frames[i].bodies() > firstBatch) {
             sink.addBodies(std::span(bodies).subspan(firstBatch), std::span(carriers).subspan(firstCarriers));
+            sink.addIslands(islands, islandLedger);
             second = true;
         }
         sink.commit(frames[i]);

@@ -19,6 +19,8 @@ struct SampleRun {
     std::size_t firstBatch = 0;     ///< bodies that enter before the first frame
     std::size_t firstCarriers = 0;  ///< carriers of these
     std::vector<TrajectoryFrame> frames;
+    std::vector<IslandRecord> islands;  ///< of bodies that exist; none without bodies
+    LedgerRow islandLedger;
     std::vector<LedgerRow> ledger;
     SimulationResult result;
 

@@ -20,10 +20,10 @@ std::optional<Material> materialNamed(std::string_view name) {
 }
 
 Material materialOfDensity(double density) {
-    if (density >= 5000.0) {
+    if (density >= 7000.0 && density < 9000.0) {
         return Material::Steel;
     }
-    if (density >= 2550.0) {
+    if (density >= 2550.0 && density < 3500.0) {
         return Material::Stone;
     }
     return density >= 1400.0 && density < 2100.0 ? Material::Masonry : Material::Concrete;

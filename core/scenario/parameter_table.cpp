@@ -36,8 +36,8 @@ std::vector<Parameter> componentRows() {
                    "Whether the component's smallest dimension bounds the Basic Grid.")
         .componentMaterial("component[*].material", "Material",
                            "What one component is made of: decides friction and restitution, and whether clusters break up. "
-                           "Automatic: from its density: from 5,000 kg/m3 steel, from 2,550 stone, from 2,100 concrete, from 1,400 "
-                           "masonry, below concrete.")
+                           "Automatic: from its density: from 7,000 to 9,000 kg/m3 steel, from 2,550 to 3,500 stone, from 1,400 to "
+                           "2,100 masonry, anything else concrete.")
         .componentSwitch("component[*].reinforced", &ComponentSettings::reinforced, "Reinforced",
                          "Steel runs through the component: neighbouring clusters of it are tied (effect ties).");
     return std::move(table.rows);

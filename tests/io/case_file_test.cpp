@@ -261,6 +261,20 @@ TEST(CaseMigration, TheGroundOfVersionOneWasASwitch) {
     EXPECT_THAT(errorOf(old.dump()), testing::HasSubstr("at /scenarios:"));
 }
 
+TEST(CaseMigration, TheScenarioOfAnOldRunIsReadToo) {
+    json scenario{{"settings", {{"ground", false}, {"friction", 0.5}}}};
+    migrateScenario(scenario);
+    EXPECT_EQ(scenario["settings"], (json{{"ground", "off"}, {"friction", 0.5}}));
+    const json now = scenario;
+    migrateScenario(scenario);
+    EXPECT_EQ(scenario, now);
+    for (json odd : {json(), json(3), json::array(), json{{"settings", 1}}, json{{"settings", {{"ground", "auto"}}}}}) {
+        const json before = odd;
+        migrateScenario(odd);
+        EXPECT_EQ(odd, before);
+    }
+}
+
 TEST(CaseFile, IsNotSavedWhenItCouldNotBeOpenedAgain) {
     const TemporaryFolder folder;
     const std::string path = folder / "kept.rubble";

@@ -293,17 +293,8 @@ Verdict Decider::fragmentContact() const {
             columns.push_back({m_reach[c].box, 0, c});
         }
     }
-    if (columns.size() + m_live.released.size() >= 2 && releasedMeet(columns)) {
-        return {true,
-                {"effect.fragment_contact.islands",
-                 "{0} islands of live structure are released at the end of the FE result and can meet other bodies",
-                 {m_live.released.size()}}};
-    }
-    if (columns.size() < 2) {
-        return impossible({"effect.fragment_contact.alone", "{0} bodies fall: none can meet another", {columns.size()}});
-    }
-    const std::vector<TimedBox> each = columns;
-    const BoxTree tree(std::move(columns));
+    const std::vector<TimedBox>& each = columns;
+    const BoxTree tree(columns);
     BoxTree::Nearest best;
     std::size_t other = 0;
     for (const TimedBox& column : each) {
@@ -313,6 +304,15 @@ Verdict Decider::fragmentContact() const {
         if (best.gap < -touching) {
             break;
         }
+    }
+    if (best.gap >= -touching && releasedMeet(columns)) {
+        return {true,
+                {"effect.fragment_contact.islands",
+                 "{0} islands of live structure are released at the end of the FE result and can meet other bodies",
+                 {m_live.released.size()}}};
+    }
+    if (columns.size() < 2) {
+        return impossible({"effect.fragment_contact.alone", "no two bodies fall", {}});
     }
     const std::string a = placeOf(m_scene, idAt<ClusterId>(other)), b = placeOf(m_scene, idAt<ClusterId>(best.tag));
     if (best.gap < -touching) {

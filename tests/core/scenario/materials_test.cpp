@@ -1,0 +1,112 @@
+#include "core/scenario/materials.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/message.h"
+#include "core/fe/components.h"
+#include "tests/scenes/fe_scenes.h"
+
+namespace rubble {
+namespace {
+
+TEST(Materials, HaveNamesThatReadBack) {
+    for (std::size_t i = 0; i < materialCount; ++i) {
+        const auto material = static_cast<Material>(i);
+        EXPECT_EQ(materialNamed(materialName(material)), material);
+    }
+    EXPECT_FALSE(materialNamed("timber"));
+    EXPECT_FALSE(materialNamed(""));
+}
+
+TEST(Materials, AreGuessedFromDensityEitherSideOfTheStatedLimits) {
+    for (const auto& [density, material] :
+         {std::pair(7850.0, Material::Steel), std::pair(8999.0, Material::Steel), std::pair(9000.0, Material::Concrete),
+          std::pair(7000.0, Material::Steel), std::pair(6999.0, Material::Concrete), std::pair(3500.0, Material::Concrete),
+          std::pair(3499.0, Material::Stone), std::pair(2550.0, Material::Stone), std::pair(2549.0, Material::Concrete),
+          std::pair(2100.0, Material::Concrete), std::pair(2099.0, Material::Masonry), std::pair(1400.0, Material::Masonry),
+          std::pair(1399.0, Material::Concrete), std::pair(0.0, Material::Concrete),
+          std::pair(std::numeric_limits<double>::quiet_NaN(), Material::Concrete)}) {
+        EXPECT_EQ(materialOfDensity(density), material) << density;
+    }
+}
+
+TEST(Materials, OfAComponentAreTheUsersWordOrTheGuess) {
+    scenes::Block block;
+    block.name = "pier";
+    block.density = 2700.0;
+    const auto fe = scenes::makeScene({block}, 2, 0.1);
+    EXPECT_EQ(groupComponents(fe->mesh(), {}, {}, {}).list[0].material, Material::Stone);
+    EXPECT_FALSE(groupComponents(fe->mesh(), {}, {}, {}).list[0].reinforced);
+    ComponentSettings settings;
+    settings.material = Material::Concrete;
+    settings.reinforced = true;
+    const Component component = groupComponents(fe->mesh(), {}, {{"pier", settings}}, {}).list[0];
+    EXPECT_EQ(component.material, Material::Concrete);
+    EXPECT_TRUE(component.reinforced);
+}
+
+TEST(PairTable, IsSymmetricAndEveryDefaultHasItsSource) {
+    const PairTable table;
+    std::set<std::string> names;
+    for (const PairSource& row : pairSources()) {
+        const auto [a, b] = row.pair;
+        EXPECT_LE(a, b);
+        EXPECT_TRUE(names.insert(pairName(row.pair)).second);
+        EXPECT_EQ(table.of(a, b), row.value);
+        EXPECT_EQ(table.of(b, a), row.value);
+        EXPECT_NE(row.friction.find("(1"), std::string_view::npos) << pairName(row.pair) << " names no year";
+        EXPECT_NE(row.restitution.find("(20"), std::string_view::npos) << pairName(row.pair) << " names no year";
+        // Published ranges: friction of steel on a bed of sand 0.2 to rock on rock 0.75, normal restitution 0.05 to 0.5.
+        EXPECT_GE(row.value.friction, 0.2);
+        EXPECT_LE(row.value.friction, 0.75);
+        EXPECT_GE(row.value.restitution, 0.05);
+        EXPECT_LE(row.value.restitution, 0.5);
+    }
+    // 6 materials make 21 pairs; 3 of them are of ground alone.
+    EXPECT_EQ(names.size(), 18u);
+}
+
+TEST(PairTable, OneNumberTakesThePlaceOfAll) {
+    const PairTable table = PairTable().overriddenBy(0.7, std::nullopt);
+    EXPECT_EQ(table.of(Material::Steel, Material::Soil).friction, 0.7);
+    EXPECT_EQ(table.of(Material::Steel, Material::Soil).restitution, PairTable().of(Material::Steel, Material::Soil).restitution);
+    EXPECT_EQ(PairTable().overriddenBy({}, {}), PairTable());
+    EXPECT_EQ(PairTable::uniform(0.7, 0.1), table.overriddenBy({}, 0.1));
+}
+
+TEST(PairTable, IsPrintedInTheManualWithItsSources) {
+    std::ifstream file(std::string(RUBBLE_SOURCE_DIR) + "/resources/manual/effects.md");
+    const std::string manual{std::istreambuf_iterator<char>(file), {}};
+    for (const PairSource& row : pairSources()) {
+        const std::string line = "| `" + pairName(row.pair) + "` | " + englishNumber(row.value.friction) + " | " +
+                                 std::string(row.friction) + " | " + englishNumber(row.value.restitution) + " | " +
+                                 std::string(row.restitution) + " |";
+        EXPECT_NE(manual.find(line), std::string::npos) << "not in the manual: " << line;
+    }
+}
+
+TEST(PairNames, AreTakenInEitherOrderAndRefusedWithARemedy) {
+    for (const MaterialPair& pair : materialPairs()) {
+        const std::string turned = std::string(materialName(pair.second)) + " , " + std::string(materialName(pair.first));
+        EXPECT_EQ(pairFrom(pairName(pair)), pair);
+        EXPECT_EQ(pairFrom(turned), pair) << turned;
+    }
+    for (const char* text : {"", ",", "stone", "stone,", "stone,stone,stone", "Stone,soil", "soil,soil", "water_bed,soil"}) {
+        EXPECT_FALSE(pairNamed(text)) << text;
+        try {
+            pairFrom(text);
+            FAIL() << text;
+        } catch (const UsageError& error) {
+            EXPECT_FALSE(error.remedy().empty());
+        }
+    }
+}
+
+}  // namespace
+}  // namespace rubble

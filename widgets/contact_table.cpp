@@ -124,7 +124,7 @@ ContactTable::ContactTable(QWidget* parent)
     column->addWidget(m_table);
     column->addWidget(m_complaint);
     column->addWidget(m_sources);
-    connect(m_table, &QTableWidget::itemChanged, this, &ContactTable::typed);
+    connect(m_table, &QTableWidget::cellChanged, this, &ContactTable::typed);
     connect(m_all, &QCheckBox::toggled, this, &ContactTable::fill);
     fill();
 }
@@ -239,15 +239,15 @@ void ContactTable::fillRow(int row, MaterialPair pair) {
     plain(Source, cited[0] == cited[1] ? cited[0] : cited.join(QStringLiteral(", ")), tip);
 }
 
-void ContactTable::typed(QTableWidgetItem* item) {
-    if (m_filling) {
+void ContactTable::typed(int row, int column) {
+    if (m_filling || (column != Friction && column != Restitution)) {
         return;
     }
-    const MaterialPair pair = m_shown[static_cast<std::size_t>(item->row())];
-    const QString key = keyOf(pair, item->column());
-    const QString text = item->text().trimmed();
+    const MaterialPair pair = m_shown[static_cast<std::size_t>(row)];
+    const QString key = keyOf(pair, column);
+    const QString text = m_table->item(row, column)->text().trimmed();
     if (text.isEmpty()) {
-        reset(item->row(), item->column());
+        reset(row, column);
         return;
     }
     bool ok = false;
@@ -255,17 +255,17 @@ void ContactTable::typed(QTableWidgetItem* item) {
     if (!ok) {
         value = QLocale::c().toDouble(text, &ok);
     }
-    const Parameter& row = *findParameter(key.toStdString()).first;
-    const double before = valueOf(m_pairs.of(pair.first, pair.second), item->column());
-    const bool good = ok && std::isfinite(value) && value >= row.low && value <= row.high;
+    const Parameter& parameter = *findParameter(key.toStdString()).first;
+    const double before = valueOf(m_pairs.of(pair.first, pair.second), column);
+    const bool good = ok && std::isfinite(value) && value >= parameter.low && value <= parameter.high;
     const bool same = text == shownCoefficient(before);
     // The scenario says what is shown: a value that is refused goes back.
     fill();
     m_complaint->setVisible(!good);
     if (!good) {
-        m_complaint->setText(
-            tr("“%1” is not a number from %2 to %3; %4 stays.")
-                .arg(text, QLocale().toString(row.low, 'g', 4), QLocale().toString(row.high, 'g', 4), shownCoefficient(before)));
+        m_complaint->setText(tr("“%1” is not a number from %2 to %3; %4 stays.")
+                                 .arg(text, QLocale().toString(parameter.low, 'g', 4), QLocale().toString(parameter.high, 'g', 4),
+                                      shownCoefficient(before)));
     } else if (!same) {
         emit edited(key, ParameterValue(value));
     }

@@ -9,7 +9,6 @@
 class QCheckBox;
 class QLabel;
 class QTableWidget;
-class QTableWidgetItem;
 
 namespace rubble::widgets {
 
@@ -42,7 +41,7 @@ private:
     void fill();
     void fillRow(int row, MaterialPair pair);
     QString cite(const QString& source);
-    void typed(QTableWidgetItem* item);
+    void typed(int row, int column);
     bool changed(MaterialPair pair, int column) const;
 
     QTableWidget* m_table;

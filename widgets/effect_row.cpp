@@ -102,8 +102,11 @@ EffectRow::EffectRow(EffectKind kind, const Parameter& effect, QWidget* parent)
     m_settings->hide();
     connect(m_fold, &QToolButton::toggled, this, &EffectRow::setUnfolded);
     setUnfolded(false);
+    // Nothing to unfold: the name stands where the others have theirs.
     m_fold->setEnabled(false);
-    m_fold->setIcon({});
+    QPixmap nothing(m_fold->iconSize());
+    nothing.fill(Qt::transparent);
+    m_fold->setIcon(nothing);
     setDecision(nullptr, false);
     setCost(nullptr, false);
 }
@@ -171,10 +174,8 @@ void EffectRow::setCost(const EffectReport* report, bool stale) {
                    .arg(shownCount(report->events));
     }
     m_costLine->setToolTip(stale ? tr("Settings have changed since.") + QStringLiteral("\n") + tip : tip);
-    for (QLabel* label : {m_cost, m_shareText}) {
-        label->setObjectName(stale ? QStringLiteral("muted") : QString());
-        label->setEnabled(!stale);
-    }
+    m_cost->setEnabled(!stale);
+    m_shareText->setEnabled(!stale);
 }
 
 QString EffectRow::stateText() const {

@@ -78,6 +78,7 @@ QToolButton#segment[place="last"] { border-top-right-radius: 4px; border-bottom-
 QToolButton#segment:checked { color: %accent%; background: %accentTint%; border-color: %accent%; font-weight: 600; }
 QToolButton#segment:focus { border-color: %text%; }
 QToolButton#fold { border: none; background: transparent; padding: 0; }
+QToolButton#fold:disabled { color: %text%; }
 QToolButton#fold:focus { border: 1px dotted %accent%; }
 QLineEdit { border: 1px solid %hairline%; border-radius: 4px; padding: 3px 6px; background: %field%; color: %text%;
   selection-background-color: %accent%; selection-color: %accentText%; }

@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include "core/clusters/sizing.h"
+#include "core/simulation/effects/decisions.h"
+#include "tests/samples/arches.h"
+
+namespace rubble {
+namespace {
+
+using Manifest = std::array<std::string, effectCount>;
+
+/// "on: reason", in the order of the effects.
+Manifest manifestOf(const arches::Arch& arch) {
+    const Scenario scenario;
+    const Sizing sizing = sizeBasicGrid(arch.fragments, arch.mesh(), arch.components, scenario.grid, Execution());
+    const Clustering clusters = makeClusters(arch.fragments, arch.mesh(), sizing.grid, scenario.grid, Execution());
+    Manifest lines;
+    for (const EffectDecision& decision : decideEffects({*arch.fe, arch.components, arch.fragments, clusters, nullptr, scenario})) {
+        lines[static_cast<std::size_t>(decision.kind)] =
+            std::string(effectName(decision.kind)) + (decision.on ? " on: " : " off: ") + englishText(decision.reason);
+    }
+    return lines;
+}
+
+// Numbers are printed to four digits, so that only a change of the tests or of what they look at shows.
+TEST(ArchEffects, TheManifestOfTheStoneArch) {
+    EXPECT_EQ(
+        manifestOf(arches::mergedStoneArch()),
+        (Manifest{"ground on: level ground at 0 m carries the debris; there is no terrain", "terrain off: the case has no terrain",
+                  "structure_contact on: element 28,633 (spandrel walls 1) is active within the ballistic reach of the fragment of "
+                  "element 60,229 (arch ring 1)",
+                  "fragment_contact on: bodies can meet: the fall columns of element 60,229 (arch ring 1) and element 38,993 (deck "
+                  "1) overlap by 31.03 m",
+                  "water off: no level of water is given (water_level)",
+                  "air_drag on: weight over drag at the highest possible speed of 29.34 m/s is only 8.833 (the fragment of element "
+                  "19,478 (arch ring 2)), below 17",
+                  "ties off: no component is marked as reinforced (component[NAME].reinforced)",
+                  "break_up off: no cluster of two or more fragments is of stone or masonry without reinforcement"}));
+}
+
+TEST(ArchEffects, TheManifestOfTheConcreteArch) {
+    EXPECT_EQ(
+        manifestOf(arches::rcArch()),
+        (Manifest{"ground on: level ground at 0 m carries the debris; there is no terrain", "terrain off: the case has no terrain",
+                  "structure_contact on: element 9,040 (spandrel columns 1) is active within the ballistic reach of the fragment "
+                  "of element 17,101 (west skewback hinge)",
+                  "fragment_contact on: bodies can meet: the fall columns of element 17,101 (west skewback hinge) and element 420 "
+                  "(arch rib 1) overlap by 6.138 m",
+                  "water off: no level of water is given (water_level)",
+                  "air_drag on: weight over drag at the highest possible speed of 21.47 m/s is only 13.81 (the fragment of element "
+                  "17,435 (deck slab)), below 17",
+                  "ties off: no component is marked as reinforced (component[NAME].reinforced)",
+                  "break_up off: no cluster of two or more fragments is of stone or masonry without reinforcement"}));
+}
+
+}  // namespace
+}  // namespace rubble

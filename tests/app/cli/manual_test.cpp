@@ -77,6 +77,7 @@ TEST(Manual, NamesEveryKeyOfEveryJsonObject) {
     std::set<std::string> keys;
     const std::vector<std::vector<std::string>> commandLines{{"inspect", fe},
                                                              {"size", fe},
+                                                             {"effects", fe},
                                                              {"run", fe, "--out", run, "--set", "settle_time=0.5"},
                                                              {"verify", run},
                                                              {"export", run, "--export", "fragments=" + (folder / "f.csv")},

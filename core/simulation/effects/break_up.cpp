@@ -24,7 +24,7 @@ void BreakUp::entered(std::span<const BodyRecord> bodies, RigidWorld& world) {
         if (whole && cluster.memberCount > 1 && fallsApart(component.material) && !component.reinforced) {
             m_candidateOf[at(record.body)] = static_cast<std::int32_t>(m_candidates.size());
             m_candidates.push_back(
-                {record, std::int64_t{cluster.memberCount} - 1, world.motion(record.body).velocity, Vec3::Zero()});
+                {record, std::int64_t{cluster.memberCount} - 1, world.motion(record.body).velocity, Vec3::Zero(), Vec3::Zero()});
         }
     }
 }
@@ -52,8 +52,10 @@ std::vector<BodyRecord> BreakUp::brokenBy(const RigidWorld& world, double dt, st
     std::vector<BodyRecord> broken;
     for (Candidate& candidate : m_candidates) {
         const Vec3 now = world.motion(candidate.record.body).velocity;
-        const double hit = (now - candidate.velocity - fall - candidate.excused).norm();
+        const Vec3 change = now - candidate.velocity - fall - candidate.excused;
+        const double hit = (candidate.change + change).norm();
         candidate.velocity = now;
+        candidate.change = change;
         candidate.excused = Vec3::Zero();
         if (hit <= m_threshold) {
             continue;

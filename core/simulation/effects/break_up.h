@@ -10,7 +10,7 @@
 namespace rubble {
 
 /// A cluster of stone or masonry without reinforcement that is hit hard falls apart into its fragments: when the velocity of its
-/// centre of mass changes within one step by more than a threshold, beyond what gravity and the other effects did to it, that is,
+/// centre of mass changes within two steps by more than a threshold, beyond what gravity and the other effects did to it, that is,
 /// when contacts gave it an impulse per mass above the threshold. One body for each fragment takes its place, at the same place and
 /// with the velocities of the rigid motion after the hit: mass, momentum, angular momentum and kinetic energy are those of the
 /// cluster.
@@ -18,8 +18,9 @@ namespace rubble {
 /// The threshold (break_up_speed, 6 m/s: a fall of 1.8 m) is an assumption and reported as one: what a bond of mortar or a flaw in
 /// a block bears on impact is known for no collapse in advance. Its influence on the debris can be measured.
 ///
-/// Limits: all or nothing, along element faces; no energy is spent on breaking; a hit that is spread over several steps counts by
-/// its hardest step; a cluster holds together where its fragments would bring the bodies present above bodies_max (counted).
+/// Limits: all or nothing, along element faces; no energy is spent on breaking; a hit that takes longer than two steps counts by
+/// its hardest two (a soft contact may begin at the end of one step and end in the next); a cluster holds together where its
+/// fragments would bring the bodies present above bodies_max (counted).
 class BreakUp : public Effect {
 public:
     explicit BreakUp(const RunDescription& description);
@@ -45,6 +46,7 @@ private:
         BodyRecord record;
         std::int64_t more = 0;         ///< bodies that its breaking up adds
         Vec3 velocity = Vec3::Zero();  ///< m/s, before the step
+        Vec3 change = Vec3::Zero();    ///< m/s, by contacts in the step before
         Vec3 excused = Vec3::Zero();
     };
     const RunDescription& m_description;

@@ -1,5 +1,6 @@
 #include "widgets/effect_row.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -56,6 +57,7 @@ EffectRow::EffectRow(EffectKind kind, const Parameter& effect, QWidget* parent)
     : QWidget(parent),
       m_kind(kind),
       m_fold(new QToolButton),
+      m_name(new QLabel),
       m_switch(new ParameterEditor(effect)),
       m_state(new QLabel),
       m_costLine(new QWidget),
@@ -72,14 +74,15 @@ EffectRow::EffectRow(EffectKind kind, const Parameter& effect, QWidget* parent)
     m_fold->setCheckable(true);
     m_fold->setIconSize({14, 14});
     m_fold->setFocusPolicy(Qt::StrongFocus);
-    m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_fold->setText(m_switch->label());
-    m_fold->setToolTip(m_switch->toolTip());
+    m_name->setText(m_switch->label());
+    m_name->setToolTip(m_switch->toolTip());
+    m_name->setWordWrap(true);
+    m_name->installEventFilter(this);
     QFont bold = textFont();
     bold.setWeight(QFont::DemiBold);
-    m_fold->setFont(bold);
+    m_name->setFont(bold);
     head->addWidget(m_fold);
-    head->addStretch();
+    head->addWidget(m_name, 1);
     head->addWidget(m_switch);
     column->addLayout(head);
     m_state->setWordWrap(true);
@@ -176,6 +179,14 @@ void EffectRow::setCost(const EffectReport* report, bool stale) {
     m_costLine->setToolTip(stale ? tr("Settings have changed since.") + QStringLiteral("\n") + tip : tip);
     m_cost->setEnabled(!stale);
     m_shareText->setEnabled(!stale);
+}
+
+bool EffectRow::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_name && event->type() == QEvent::MouseButtonRelease && m_fold->isEnabled()) {
+        setUnfolded(!unfolded());
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 QString EffectRow::stateText() const {

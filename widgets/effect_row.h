@@ -53,9 +53,13 @@ public:
     QString stateText() const;
     QString costText() const;
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     EffectKind m_kind;
     QToolButton* m_fold;
+    QLabel* m_name;
     ParameterEditor* m_switch;
     QLabel* m_state;
     QWidget* m_costLine;

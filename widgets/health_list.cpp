@@ -26,9 +26,14 @@ QString interval(const HealthBreach& breach) {
                                            : HealthList::tr("%1–%2 s").arg(seconds(breach.from), seconds(breach.to));
 }
 
+/// Messages are parts of sentences; here they stand alone.
+QString sentence(const Message& message) {
+    const QString text = worded(message);
+    return text.left(1).toUpper() + text.mid(1);
+}
+
 QString titleOf(const HealthBreach& breach) {
-    const QString title = worded(healthCheckTitle(breach.check));
-    return title.left(1).toUpper() + title.mid(1);
+    return sentence(healthCheckTitle(breach.check));
 }
 
 /// Where the worst body was, and how many there were.
@@ -70,7 +75,7 @@ QString limitsPassed(std::int64_t count) {
 
 QString breachWords(const HealthBreach& breach, const Vec3& origin) {
     QString text =
-        QStringLiteral("<b>%1</b> · %2<br/>%3").arg(titleOf(breach), interval(breach), worded(breach.what).toHtmlEscaped());
+        QStringLiteral("<b>%1</b> · %2<br/>%3").arg(titleOf(breach), interval(breach), sentence(breach.what).toHtmlEscaped());
     QStringList aside;
     if (const QString place = placeOf(breach, origin); !place.isEmpty()) {
         aside << place;
@@ -78,7 +83,7 @@ QString breachWords(const HealthBreach& breach, const Vec3& origin) {
     aside << against(breach);
     text += QStringLiteral("<br/>") + muted(aside.join(QStringLiteral("; ")));
     if (!breach.remedy.empty()) {
-        text += QStringLiteral("<br/>") + muted(worded(breach.remedy));
+        text += QStringLiteral("<br/>") + muted(sentence(breach.remedy));
     }
     return text;
 }

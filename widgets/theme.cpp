@@ -72,13 +72,12 @@ QPushButton#primary, QToolButton#primary { background: %accent%; border-color: %
 QPushButton#primary:disabled, QToolButton#primary:disabled { background: transparent; border-color: %hairline%; color: %muted%; }
 QToolButton#autoMark { padding: 1px 5px; border-radius: 8px; color: %muted%; background: transparent; }
 QToolButton#autoMark:checked { color: %accent%; background: %accentTint%; border-color: %accentTint%; }
-QToolButton#segment { border-radius: 0; padding: 2px 7px; margin-left: -1px; color: %muted%; }
+QToolButton#segment { border-radius: 0; padding: 1px 6px; font-size: %small%pt; margin-left: -1px; color: %muted%; }
 QToolButton#segment[place="first"] { border-top-left-radius: 4px; border-bottom-left-radius: 4px; margin-left: 0; }
 QToolButton#segment[place="last"] { border-top-right-radius: 4px; border-bottom-right-radius: 4px; }
 QToolButton#segment:checked { color: %accent%; background: %accentTint%; border-color: %accent%; font-weight: 600; }
 QToolButton#segment:focus { border-color: %text%; }
 QToolButton#fold { border: none; background: transparent; padding: 0; }
-QToolButton#fold:disabled { color: %text%; }
 QToolButton#fold:focus { border: 1px dotted %accent%; }
 QLineEdit { border: 1px solid %hairline%; border-radius: 4px; padding: 3px 6px; background: %field%; color: %text%;
   selection-background-color: %accent%; selection-color: %accentText%; }

@@ -221,7 +221,7 @@ void Timeline::paintHealth(QPainter& painter, const Rows& r) const {
     for (const HealthMark& mark : m_marks) {
         QColor wash = mark.acknowledged ? tints().muted : tints().finding;
         painter.setPen(Qt::NoPen);
-        wash.setAlphaF(0.16F);
+        wash.setAlphaF(0.09F);
         const QRectF column(QPointF(toX(mark.from), r.deathsTop - 4.0),
                             QPointF(std::max(toX(mark.to), toX(mark.from) + 2.0), r.barTop - 2.0));
         painter.fillRect(column, wash);

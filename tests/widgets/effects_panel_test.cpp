@@ -36,7 +36,8 @@ std::shared_ptr<EffectDecisions> someDecisions() {
 /// A run of 2 ms a step of which the effects that are on take 0.25 ms each; structure contact takes too little to be counted.
 std::shared_ptr<SimulationResult> someRun() {
     auto run = std::make_shared<SimulationResult>();
-    for (const EffectDecision& decision : *someDecisions()) {
+    const auto decisions = someDecisions();
+    for (const EffectDecision& decision : *decisions) {
         EffectReport report;
         report.decision = decision;
         report.msPerStep = decision.on ? 0.25 : 0.0;

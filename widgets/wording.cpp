@@ -87,7 +87,12 @@ QString shownCount(std::int64_t value) {
 }
 
 QString shownShare(double share, int decimals) {
-    return std::isfinite(share) ? QLocale().toString(100.0 * share, 'f', decimals) + QStringLiteral(" %") : QString(QChar(0x2013));
+    if (!std::isfinite(share)) {
+        return QString(QChar(0x2013));
+    }
+    // A run that has gone astray must not widen the window with its digits.
+    const double percent = 100.0 * share;
+    return (std::abs(percent) < 1e5 ? QLocale().toString(percent, 'f', decimals) : shownNumber(percent)) + QStringLiteral(" %");
 }
 
 QString shownDuration(double seconds) {

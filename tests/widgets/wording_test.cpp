@@ -49,6 +49,7 @@ TEST(Wording, NumbersShowWhatTheyDeserve) {
     EXPECT_EQ(shownNumber(-0.012345), QStringLiteral("-0.0123"));
     EXPECT_EQ(shownNumber(std::numeric_limits<double>::quiet_NaN()), QString(QChar(0x2013)));
     EXPECT_EQ(shownShare(0.984), QStringLiteral("98.4 %"));
+    EXPECT_LT(shownShare(3e200).size(), 16) << "no hundreds of digits";
     EXPECT_EQ(shownDuration(185.0), QStringLiteral("3 min 05 s"));
     EXPECT_EQ(shownName("oriented_box"), QStringLiteral("oriented box"));
 }

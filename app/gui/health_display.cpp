@@ -11,15 +11,20 @@ namespace rubble {
 
 namespace {
 
-/// Elements of the fragments that a body carries at a time.
-std::vector<ElementIndex> elementsOf(const RunRecord& record, BodyId body, double time) {
+/// Elements of what a body carries at any time: the worst body of a breach may be born after the breach began.
+std::vector<ElementIndex> elementsOf(const RunRecord& record, BodyId body) {
     std::vector<ElementIndex> elements;
     if (record.reader == nullptr || record.results.fragments == nullptr) {
         return elements;
     }
     for (const Carrier& carrier : record.reader->carriers()) {
-        if (carrier.body == body && carrier.from <= time && time <= carrier.to) {
+        if (carrier.body == body) {
             elements.push_back(record.results.fragments->list[at(carrier.fragment)].element);
+        }
+    }
+    for (const IslandRecord& island : record.reader->islands()) {
+        if (island.body == body) {
+            elements.insert(elements.end(), island.elements.begin(), island.elements.end());
         }
     }
     return elements;
@@ -66,7 +71,7 @@ void HealthDisplay::show(std::size_t breach, bool near) {
     m_playback.clock().pause();
     m_playback.scrub(shown.from);
     render::View view = m_area.views().view();
-    view.selection = shown.body ? elementsOf(*record, *shown.body, shown.from) : std::vector<ElementIndex>();
+    view.selection = shown.body ? elementsOf(*record, *shown.body) : std::vector<ElementIndex>();
     m_area.views().setView(view);
     if (near && shown.body && shown.place.allFinite()) {
         m_area.views().centreOn(shown.place);

@@ -16,6 +16,9 @@ constexpr double parallelEdges = 1e-6;
 /// Share of their separation by which the nearest places of two edges may lie beside each other.
 constexpr double edgeReach = 0.1;
 
+/// Feature of a corner that stands for a whole face.
+constexpr std::uint32_t loneCorner = 127;
+
 /// The axis along which two boxes are least deep in each other, or farthest apart.
 struct SeparatingAxis {
     double separation = -1e300;
@@ -176,6 +179,15 @@ ContactPatch faceContact(const PlacedBox& reference, const PlacedBox& incident, 
         }
     }
     kept = reduceToFour(std::span(polygon.points).first(static_cast<std::size_t>(kept)));
+    if (kept == 0) {
+        // Faces that miss each other: the nearest corner alone, so that a pair that overlaps never loses its contact.
+        const Vec3 reach = facing.cwiseSign().cwiseProduct(incident.halfExtents);
+        const Vec3 corner = incident.centre - incident.axes * reach - faceCentre;
+        polygon.points[0] = {std::clamp(eu.dot(corner), -reference.halfExtents[u], reference.halfExtents[u]),
+                             std::clamp(ev.dot(corner), -reference.halfExtents[v], reference.halfExtents[v]), outward.dot(corner),
+                             loneCorner};
+        kept = polygon.points[0].height < 0.0 ? 1 : 0;
+    }
     ContactPatch contact;
     contact.normal = outward;
     contact.count = kept;
@@ -197,15 +209,17 @@ ContactPatch collideBoxes(const PlacedBox& a, const PlacedBox& b, double margin)
     if (apart) {
         return {};
     }
-    if (axis.index >= 6) {
-        return edgeContact(a, b, axis);
-    }
+    ContactPatch contact;
     const std::uint32_t tag = static_cast<std::uint32_t>(axis.index) << 13;
-    if (axis.index < 3) {
-        return faceContact(a, b, axis.index, axis.normal, margin, tag);
+    if (axis.index >= 6) {
+        contact = edgeContact(a, b, axis);
+    } else if (axis.index < 3) {
+        contact = faceContact(a, b, axis.index, axis.normal, margin, tag);
+    } else {
+        contact = faceContact(b, a, axis.index - 3, -axis.normal, margin, tag);
+        contact.normal = axis.normal;
     }
-    ContactPatch contact = faceContact(b, a, axis.index - 3, -axis.normal, margin, tag);
-    contact.normal = axis.normal;
+    contact.separation = axis.separation;
     return contact;
 }
 

@@ -6,6 +6,16 @@ namespace rubble {
 
 /// m/s. A hit on a frozen body faster than this thaws it. Lower: the pile wakes for every pebble; higher: hits are swallowed.
 constexpr double thawSpeed = 1.0;
+/// Share of the motion by position only, as soft contacts settle, that counts against a body's rest. Lower: it freezes while it sinks;
+/// higher: towers lean before they freeze.
+constexpr double settlingShare = 0.3;
+/// Share of its smallest side that a body may lie in others and still count as settled.
+constexpr double restingDepth = 0.02;
+/// Share of its weight and of the load itself by which the load of a frozen body's contact may change before it thaws. Lower: piles never sleep; higher:
+/// columns stand when their walls go.
+constexpr double thawLoad = 0.5;
+/// Part that one step has in the mean load of a contact. Lower: late; higher: piles wake for trembling.
+constexpr double loadMemory = 0.1;
 /// m. A thawed body that has moved this far thaws what it touched. Lower: piles never sleep; higher: blocks hang in the air.
 constexpr double thawTravel = 0.005;
 /// m/s. Deeper contact than the solver asks for is pushed apart at most this fast. Lower: piles squeeze; higher: they burst.
@@ -15,8 +25,12 @@ constexpr double occupiedShare = 0.05;
 /// A piece that carries a body (from below) gives it per step at most this many times the impulse that would bring the free body
 /// up to its own speed. Lower: piles are not lifted; higher: what is trapped between two solids is shot out.
 constexpr double pieceCarryFactor = 3.0;
+/// The same in each substep of the soft-step solver, which does not overshoot: enough for a pile on the piece.
+constexpr double softCarryFactor = 20.0;
 /// m/s2. What it may add to that for the load that lies on the body.
 constexpr double carryAcceleration = 100.0;
+/// m/s2. What a piece that closes in slowly from above or from the side may press with besides stopping that approach.
+constexpr double nudgeAcceleration = 20.0;
 /// It gives way when this many such pushes in a row left more than half of the closing speed: the body is trapped.
 constexpr int piecePushes = 3;
 /// m/s. A piece that strikes a body from above or from the side changes its speed by this much in all, then gives way: the FE
@@ -32,6 +46,9 @@ constexpr double inertGap = 0.02;
 constexpr double pieceStillTravel = 0.002;
 /// m. Contacts are found this much before solids touch, plus the way they make in a step. Lower: contacts flicker; higher: slower.
 constexpr double contactMargin = 0.01;
+/// m/s2. Acceleration of the lighter body that bringing apart an overlap at birth may press with. Lower: overlap stays; higher: newborns heave up
+/// what lies on them.
+constexpr double partingAcceleration = 30.0;
 /// m/s. Soft contacts push overlap apart at most this fast. Lower: piles squeeze; higher: they burst.
 constexpr double pushOutSpeed = 1.0;
 /// m/s. Hits slower than this do not bounce. Lower: piles tremble; higher: small bounces are lost.
@@ -40,6 +57,8 @@ constexpr double restitutionThreshold = 0.5;
 constexpr double contactFrequency = 30.0;
 /// Share of the thinner body's smallest side by which its load may press a contact in. Lower: trembles; higher: thin plates vanish.
 constexpr double sinkShare = 0.03;
+/// m. Bodies with a smallest side below this are thin.
+constexpr double thinSide = 0.1;
 /// A step is halved further, at most this many times, as long as more than this share of the loaded contacts would sink in more.
 constexpr double softShare = 0.02;
 constexpr int mostDoublings = 2;

@@ -18,6 +18,7 @@ struct PatchPoint {
 /// Up to four points of contact with one normal.
 struct ContactPatch {
     Vec3 normal = Vec3::UnitZ();  ///< unit vector from the first solid to the second
+    double separation = 0.0;      ///< m, of the two solids along the normal; the points may lie less deep
     std::array<PatchPoint, 4> points;
     int count = 0;
 };

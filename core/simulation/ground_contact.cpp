@@ -58,6 +58,10 @@ void levelPatch(std::array<Corner, mostCandidates>& corners, std::size_t count, 
         const Corner& corner = corners[points[static_cast<std::size_t>(i)].feature];
         patch.points[static_cast<std::size_t>(i)] = {corner.place - Vec3(0.0, 0.0, 0.5 * corner.gap), corner.gap, corner.feature};
     }
+    patch.separation = 1e300;
+    for (const PatchPoint& point : std::span(patch.points).first(static_cast<std::size_t>(patch.count))) {
+        patch.separation = std::min(patch.separation, point.separation);
+    }
     patches.push_back(patch);
 }
 
@@ -98,6 +102,7 @@ void collideGround(const SiteSurface& ground, const ConvexPart& part, const Pose
         const double separation = patch.normal.dot(corner.place - surface);
         if (separation < margin) {
             patch.count = 1;
+            patch.separation = separation;
             patch.points[0] = {corner.place - 0.5 * separation * patch.normal, separation, corner.feature};
             patches.push_back(patch);
         }

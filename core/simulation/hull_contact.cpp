@@ -49,6 +49,7 @@ ContactPatch collideHulls(const btPolyhedralConvexShape& a, const btTransform& p
     }
     // Bullet's normal points from B to A.
     patch.normal = -fromBullet(closest.m_normalOnBInWorld);
+    patch.separation = closest.m_distance;
     Collector clipped;
     btVertexArray world1, world2;
     btPolyhedralContactClipping::clipHullAgainstHull(closest.m_normalOnBInWorld, *a.getConvexPolyhedron(), *b.getConvexPolyhedron(),

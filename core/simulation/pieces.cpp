@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 #include "core/fragments/solids.h"
@@ -64,7 +65,11 @@ void Pieces::makeGroups(const SimulationSettings& settings) {
     }
     // Ordered, so that pieces enter the engine in the same order every time.
     std::map<std::tuple<std::size_t, std::int64_t, std::int64_t, std::int64_t>, std::size_t> found;
-    for (std::size_t i = 0; i < mesh.elementCount(); ++i) {
+    // By the user's numbers, so that the order of the elements in the file reaches no result.
+    std::vector<std::size_t> order(mesh.elementCount());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(mesh.elementIds[i], i); });
+    for (const std::size_t i : order) {
         const ElementIndex e = idAt<ElementIndex>(i);
         const std::size_t component = at(m_components.of[i]);
         std::tuple<std::size_t, std::int64_t, std::int64_t, std::int64_t> key{component, 0, 0, 0};

@@ -75,6 +75,7 @@ struct ContactReport {
     double overlapWork = 0.0;        ///< J, done on bodies by pushing overlapping solids apart
     double pieceWork = 0.0;          ///< J, done by moving pieces on bodies
     std::int64_t piecesYielded = 0;  ///< contacts in which a moving piece gave way
+    std::int64_t speedLimits = 0;    ///< bodies held back because nothing they touched could have made them that fast
 };
 
 /// Wall time of the steps so far by what it was spent on, s. Pair finding, contact geometry and solving count for the kind of

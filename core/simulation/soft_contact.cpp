@@ -33,6 +33,9 @@ void sortContacts(std::vector<SoftContact>& contacts) {
 void carryOver(const SoftContact& from, SoftContact& to) {
     to.offset = std::clamp(to.depth, 0.0, from.offset);
     to.pressed = from.pressed;
+    to.yield = from.yield;
+    to.load = from.load;
+    to.restLoad = from.restLoad;
     to.pushes = from.pushes;
     to.yielded = from.yielded;
     std::array<bool, 4> fromDone{}, toDone{};

@@ -27,14 +27,17 @@ struct SoftContact {
     Vec3 normal = Vec3::UnitZ();  ///< from a to b
     int count = 0;
     std::array<Point, 4> points;
-    double depth = 0.0;     ///< m, of the deepest point
-    double offset = 0.0;    ///< m, rest offset: overlap at birth that is left, or what a piece that gave way has entered
-    double approach = 0.0;  ///< m/s, of a moving piece towards its body
-    double pressed = 0.0;   ///< m/s, by which a pressing piece has changed its body's speed
-    int pushes = 0;         ///< of a carrying piece in vain, in a row
-    bool yielded = false;   ///< the piece of this contact has given way
-    bool yielding = false;  ///< and goes on into the body now
-    bool pressing = false;  ///< it strikes from above or from the side
+    double depth = 0.0;            ///< m, of the two solids in each other along the normal
+    double yield = 1.0;            ///< share of the lighter one's inverse mass that the impulses were found with
+    Vec3 load = Vec3::Zero();      ///< N, on b, mean of the last steps
+    Vec3 restLoad = Vec3::Zero();  ///< N, the same when one of the two froze
+    double offset = 0.0;           ///< m, rest offset: overlap at birth that is left, or what a piece that gave way has entered
+    double approach = 0.0;         ///< m/s, of a moving piece towards its body
+    double pressed = 0.0;          ///< m/s, by which a pressing piece has changed its body's speed
+    int pushes = 0;                ///< of a carrying piece in vain, in a row
+    bool yielded = false;          ///< the piece of this contact has given way
+    bool yielding = false;         ///< and goes on into the body now
+    bool pressing = false;         ///< it strikes from above or from the side
 
     std::pair<ColliderPair, std::uint32_t> key() const { return {pair, part}; }
 };

@@ -11,6 +11,11 @@ namespace {
 
 /// Damping ratio of a contact: above 1, so that overlap comes apart without a bounce.
 constexpr double dampingRatio = 10.0;
+/// A load comes back in the next substep, a blow does not: what is new may grow by this factor from substep to substep. Lower:
+/// slow under a pile that is lifted; higher: what was hit flies on.
+constexpr double warmGrowth = 3.0;
+/// Rounds over the points of a contact that bounces.
+constexpr int restitutionRounds = 8;
 /// Contacts that one thread takes at a time.
 constexpr std::size_t grain = 96;
 /// Groups; a body with more contacts than this puts the rest into the ordered group.
@@ -103,7 +108,11 @@ void solveContact(const SolverContact& c, std::span<SolverPoint> points, SolverB
         }
         const double speed = c.normal.dot(relativeVelocity(a, b, p));
         const double wanted = p.normalImpulse - p.normalMass * massScale * (speed + bias) - impulseScale * p.normalImpulse;
-        const double total = std::clamp(wanted, 0.0, limit);
+        double total = std::clamp(wanted, 0.0, limit);
+        if (push > 0.0 && c.parting > 0.0) {
+            // Beyond what holds the two where they are, little is spent on bringing them apart.
+            total = std::max(total, std::min(p.normalImpulse - p.normalMass * (speed - c.parting), c.partingLimit));
+        }
         const double change = total - p.normalImpulse;
         p.normalImpulse = total;
         p.largestImpulse = std::max(p.largestImpulse, total);
@@ -127,15 +136,19 @@ void solveContact(const SolverContact& c, std::span<SolverPoint> points, SolverB
 }
 
 void restituteContact(const SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b, double threshold) {
-    for (SolverPoint& p : points) {
-        if (p.approachSpeed < threshold || p.largestImpulse == 0.0) {
-            continue;
+    // The points of one face share a blow; a few rounds find their shares.
+    for (int round = 0; round < restitutionRounds; ++round) {
+        for (SolverPoint& p : points) {
+            if (p.approachSpeed < threshold || p.largestImpulse == 0.0) {
+                continue;
+            }
+            const double speed = c.normal.dot(relativeVelocity(a, b, p));
+            // Over the whole step a contact never pulls.
+            const double change = std::max(-p.normalMass * (speed - c.restitution * p.approachSpeed), -p.impulseSum);
+            p.impulseSum += change;
+            p.normalImpulse = std::max(0.0, p.normalImpulse + change);
+            apply(c, a, b, p, change * c.normal);
         }
-        const double speed = c.normal.dot(relativeVelocity(a, b, p));
-        const double wanted = p.normalImpulse - p.normalMass * (speed - c.restitution * p.approachSpeed);
-        const double change = std::max(wanted, 0.0) - p.normalImpulse;
-        p.normalImpulse += change;
-        apply(c, a, b, p, change * c.normal);
     }
 }
 
@@ -201,7 +214,14 @@ void SoftSolver::prepare(double h) {
 
 void SoftSolver::solveSoft(double h, double pushOutSpeed) {
     forEachContact([](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) {
-        for (const SolverPoint& p : own) {
+        for (SolverPoint& p : own) {
+            const double most = warmGrowth * std::max(p.before, c.weight);
+            p.before = p.normalImpulse;
+            if (p.normalImpulse > most) {
+                p.tangentImpulse[0] *= most / p.normalImpulse;
+                p.tangentImpulse[1] *= most / p.normalImpulse;
+                p.normalImpulse = most;
+            }
             if (p.normalImpulse > 0.0) {
                 apply(c, a, b, p,
                       p.normalImpulse * c.normal + p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1]);
@@ -230,7 +250,6 @@ void SoftSolver::book() {
             SolverContact& c = contacts[i];
             for (std::size_t k = c.firstPoint; (c.booked || c.driven) && k < c.firstPoint + c.points; ++k) {
                 SolverPoint& p = points[k];
-                p.impulseSum += p.normalImpulse;
                 if (c.driven) {
                     const bool byA = bodies[c.a].inverseMass == 0.0;
                     const SolverBody& piece = bodies[byA ? c.a : c.b];
@@ -247,18 +266,17 @@ void SoftSolver::book() {
 }
 
 void SoftSolver::relax(double h) {
-    forEachContact(
-        [&](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) { solveContact(c, own, a, b, h, 0.0); });
     forEachContact([&](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) {
-        if (c.booked) {
-            solveContact(c, own, a, b, h, 0.0);
+        solveContact(c, own, a, b, h, 0.0);
+        for (SolverPoint& p : own) {
+            p.impulseSum += p.normalImpulse;
         }
     });
 }
 
 void SoftSolver::restitute(double threshold) {
     forEachContact([&](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) {
-        if (c.restitution > 0.0) {
+        if (!c.driven) {
             restituteContact(c, own, a, b, threshold);
         }
     });

@@ -26,6 +26,7 @@ struct SolverPoint {
     double separation = 0.0;     ///< m, at the start of the step, rest offset taken off
     double normalMass = 0.0;     ///< kg
     double normalImpulse = 0.0;  ///< N s in a substep, carried from step to step
+    double before = 0.0;         ///< the same, one substep earlier
     double tangentMass[2] = {0.0, 0.0};
     double tangentImpulse[2] = {0.0, 0.0};
     double approachSpeed = 0.0;   ///< m/s at the start of the step, positive when closing
@@ -45,11 +46,14 @@ struct SolverContact {
     double restitution = 0.0;
     double frequency = 0.0;     ///< Hz, of the contact as an oscillator, at least
     double sinkAllowed = 0.0;   ///< m, by which the load may press the two into each other; stiffer if it takes that
+    double weight = 0.0;        ///< N s, impulse of the lighter body's weight in a substep
     double yieldA = 1.0;        ///< share of a's inverse mass that this contact sees
     double yieldB = 1.0;        ///< share of b's
     double biasRate = 0.0;      ///< 1/s, of the soft pass
     double massScale = 1.0;     ///< of the soft pass
     double impulseScale = 0.0;  ///< of the soft pass
+    double parting = 0.0;       ///< m/s, at which overlap at birth is brought apart in the soft pass
+    double partingLimit = 0.0;  ///< N s per point and substep that may be spent on that
     double impulseLimit = 0.0;  ///< N s per point and substep; negative: none
     double work = 0.0;          ///< J, in this step: of pushing the bodies apart, or of a moving piece
     std::uint32_t found = 0;    ///< where the contact came from
@@ -90,7 +94,7 @@ public:
     void solveSoft(double h, double pushOutSpeed);
     /// Notes the velocities that are about to move the bodies, for the work of contacts that are accounted for.
     void noteOpening();
-    /// Solves once without the push; contacts that are parting an overlap once more, so that no speed is left of it.
+    /// Solves once without the push.
     void relax(double h);
     /// Books the work of this substep.
     void book();

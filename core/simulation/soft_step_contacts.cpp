@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 #include "core/simulation/constants.h"
 #include "core/simulation/hull_contact.h"
@@ -59,13 +60,12 @@ void append(const ContactPatch& patch, std::uint32_t part, Collider& a, Collider
     contact.b = &b;
     contact.normal = patch.normal;
     contact.count = patch.count;
-    contact.depth = -1e300;
+    contact.depth = -patch.separation;
     for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
         const PatchPoint& point = patch.points[i];
         contact.points[i].position = point.position;
         contact.points[i].separation = point.separation;
         contact.points[i].feature = point.feature;
-        contact.depth = std::max(contact.depth, -point.separation);
     }
 }
 
@@ -219,10 +219,38 @@ void SoftStepWorld::collideAll(double dt) {
     }
     sortContacts(m_contacts);
     remember();
-    rest(dt);
+    rest();
+}
+
+/// What lies on a lifted body is lifted in the same instant: as long as it sleeps it is a wall above the piece.
+void SoftStepWorld::wakeAbove(std::vector<std::uint32_t> lifted) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> above;  // lower, upper
+    for (const auto& [pair, contacts] : m_asleep) {
+        const SoftContact& c = contacts.front();
+        if (c.a->kind == ColliderKind::Body && c.b->kind == ColliderKind::Body && std::abs(c.normal.z()) > supportingNormal) {
+            above.emplace_back(c.normal.z() > 0.0 ? c.a->index : c.b->index, c.normal.z() > 0.0 ? c.b->index : c.a->index);
+        }
+    }
+    std::sort(above.begin(), above.end());
+    std::vector<char> seen(m_bodies.size(), 0);
+    while (!lifted.empty()) {
+        const std::uint32_t body = lifted.back();
+        lifted.pop_back();
+        if (std::exchange(seen[body], 1) != 0) {
+            continue;
+        }
+        m_justThawed.push_back(body);
+        for (auto i = std::lower_bound(above.begin(), above.end(), std::pair{body, 0u}); i != above.end() && i->first == body;
+             ++i) {
+            if (m_bodies[i->second].collider != nullptr && m_freeze.frozen(i->second)) {
+                lifted.push_back(i->second);
+            }
+        }
+    }
 }
 
 bool SoftStepWorld::wakeByContacts() {
+    std::vector<std::uint32_t> lifted;
     for (const SoftContact& contact : m_contacts) {
         for (auto [sleeper, other] : {std::pair{contact.a, contact.b}, std::pair{contact.b, contact.a}}) {
             if (sleeper->kind != ColliderKind::Body || awake(*sleeper) || other->kind == ColliderKind::Ground) {
@@ -243,8 +271,15 @@ bool SoftStepWorld::wakeByContacts() {
                 other->kind == ColliderKind::Piece && (other->moving || other->newborn) && closest < contactMargin;
             if (carriedOff || (awake(*other) && approach > thawSpeed)) {
                 m_justThawed.push_back(sleeper->index);
+                const double up = (other == contact.a ? 1.0 : -1.0) * contact.normal.z();
+                if (carriedOff && approach > 0.0 && up >= carryingNormal) {
+                    lifted.push_back(sleeper->index);
+                }
             }
         }
+    }
+    if (!lifted.empty()) {
+        wakeAbove(std::move(lifted));
     }
     std::sort(m_justThawed.begin(), m_justThawed.end());
     m_justThawed.erase(std::unique(m_justThawed.begin(), m_justThawed.end()), m_justThawed.end());
@@ -327,8 +362,7 @@ void SoftStepWorld::remember() {
     }
 }
 
-void SoftStepWorld::rest(double dt) {
-    const double bleed = m_settings.overlapSpeed * dt;
+void SoftStepWorld::rest() {
     for (std::size_t first = 0; first < m_contacts.size();) {
         std::size_t last = first + 1;
         while (last < m_contacts.size() && m_contacts[last].pair == m_contacts[first].pair) {
@@ -352,10 +386,6 @@ void SoftStepWorld::rest(double dt) {
         limitPiece(first, last);
         for (std::size_t i = first; i < last; ++i) {
             SoftContact& contact = m_contacts[i];
-            if (contact.offset > 0.0 && !contact.yielding) {
-                a.overlapping = b.overlapping = true;
-                contact.offset = std::max(0.0, contact.offset - bleed);
-            }
             if (!contact.yielding) {
                 const double depth = contact.depth - contact.offset;
                 m_report.penetrationMax = std::max(m_report.penetrationMax, depth);
@@ -423,6 +453,17 @@ void SoftStepWorld::buildSolver(double h) {
         const std::int32_t slot = c.kind == ColliderKind::Ground ? -1 : solidOf(c).slot;
         return slot < 0 ? m_stillSlot : static_cast<std::uint32_t>(slot);
     };
+    for (const std::uint32_t i : m_awake) {
+        m_bodies[i].drivers = 0;
+    }
+    for (const SoftContact& contact : m_contacts) {
+        const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
+        const Collider& piece = pieceIsA ? *contact.a : *contact.b;
+        const bool driven = piece.kind == ColliderKind::Piece && piece.moving && !contact.yielding;
+        if (driven && (contact.depth > -contactMargin || contact.approach > 0.0)) {
+            ++solidOf(pieceIsA ? *contact.b : *contact.a).drivers;
+        }
+    }
     std::vector<std::uint32_t> taken;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
     for (std::uint32_t i = 0; i < m_contacts.size(); ++i) {
@@ -433,6 +474,20 @@ void SoftStepWorld::buildSolver(double h) {
             ends.emplace_back(a, b);
         }
     }
+    // From the ground up, so that one pass carries the support of the lower ones to the upper ones.
+    std::vector<std::uint32_t> order(taken.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t x, std::uint32_t y) {
+        return m_contacts[taken[x]].points[0].position.z() < m_contacts[taken[y]].points[0].position.z();
+    });
+    std::vector<std::uint32_t> sortedTaken(taken.size());
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> sortedEnds(ends.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        sortedTaken[i] = taken[order[i]];
+        sortedEnds[i] = ends[order[i]];
+    }
+    taken.swap(sortedTaken);
+    ends.swap(sortedEnds);
     ContactColours colours;
     colourContacts(ends, m_awake.size(), colours);
     m_solver.firstOfGroup = colours.first;
@@ -467,21 +522,35 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
     c.points = static_cast<std::uint32_t>(contact.count);
     c.normal = contact.normal;
     c.friction = pair.friction;
-    c.restitution = contact.offset > 0.0 ? 0.0 : pair.restitution;
     c.driven = piece.kind == ColliderKind::Piece && piece.moving;
+    // What is limited or still overlaps does not bounce.
+    c.restitution = contact.offset > 0.0 || c.driven ? 0.0 : pair.restitution;
     c.booked = !c.driven && contact.offset > 0.0;
     c.impulseLimit = -1.0;
+    if (c.booked) {
+        c.parting = m_settings.overlapSpeed;
+        const double inverse = std::max(m_solver.bodies[c.a].inverseMass, m_solver.bodies[c.b].inverseMass);
+        c.partingLimit = partingAcceleration * h / (inverse * contact.count);
+    }
     const bool immovable = c.a >= m_awake.size() || c.b >= m_awake.size();
     c.frequency = immovable ? 2.0 * frequency : frequency;
     c.sinkAllowed = sinkAllowed(contact);
+    c.weight = m_settings.gravity * h / std::max(m_solver.bodies[c.a].inverseMass, m_solver.bodies[c.b].inverseMass);
     stiffenBelow(contact, c);
     if (c.driven) {
         const double mass = 1.0 / solidOf(pieceIsA ? *contact.b : *contact.a).inverseMass;
-        const double speed = contact.pressing ? std::max(0.0, piecePressSpeed - contact.pressed) / m_substeps
-                                              : pieceCarryFactor * contact.approach + carryAcceleration * h;
-        c.impulseLimit = mass * speed / contact.count;
+        const double dt = h * m_substeps;
+        const bool carrying = (pieceIsA ? 1.0 : -1.0) * contact.normal.z() >= carryingNormal;
+        const double speed = contact.pressing ? std::max(0.0, piecePressSpeed - contact.pressed)
+                             : carrying       ? softCarryFactor * contact.approach + carryAcceleration * dt
+                                              : contact.approach + nudgeAcceleration * dt;
+        // Several pieces of one structure share what they may do to a body.
+        const int pieces = solidOf(pieceIsA ? *contact.b : *contact.a).drivers;
+        c.impulseLimit = mass * speed / (contact.count * (carrying ? 1 : m_substeps * std::max(1, pieces)));
     }
-    const double carried = m_substepLength > 0.0 ? h / m_substepLength : 1.0;
+    // What a body carried while it counted as heavier must not hit it when it no longer does.
+    const double carried =
+        (m_substepLength > 0.0 ? h / m_substepLength : 1.0) * std::min(1.0, contact.yield / std::min(c.yieldA, c.yieldB));
     const auto centreOf = [&](const Collider& collider) {
         return collider.kind == ColliderKind::Ground ? Vec3(Vec3::Zero()) : solidOf(collider).pose.position;
     };
@@ -498,6 +567,7 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
         p.fromB = point.position - b;
         p.separation = point.separation + contact.offset;
         p.normalImpulse = c.impulseLimit < 0.0 ? carried * point.impulse : std::min(carried * point.impulse, c.impulseLimit);
+        p.before = p.normalImpulse;
         p.tangentImpulse[0] = carried * c.tangent[0].dot(point.friction);
         p.tangentImpulse[1] = carried * c.tangent[1].dot(point.friction);
         m_solver.points[c.firstPoint + k] = p;
@@ -532,11 +602,35 @@ void SoftStepWorld::noteSupport(const SoftContact& contact) {
     }
 }
 
+Vec3 SoftStepWorld::loadOf(const SoftContact& contact) const {
+    Vec3 impulse = Vec3::Zero();
+    for (const SoftContact::Point& point : std::span(contact.points).first(static_cast<std::size_t>(contact.count))) {
+        impulse += point.impulse * contact.normal + point.friction;
+    }
+    return impulse / m_substepLength;
+}
+
+/// A frozen body was at rest under the loads of its contacts; it thaws when one of them is no longer what it was.
+void SoftStepWorld::noteLoad(const SoftContact& contact) {
+    const bool a = contact.a->kind == ColliderKind::Body && !awake(*contact.a);
+    const bool b = contact.b->kind == ColliderKind::Body && !awake(*contact.b);
+    if (a == b) {
+        return;
+    }
+    const Solid& sleeper = solidOf(a ? *contact.a : *contact.b);
+    const double rest = contact.restLoad.norm();
+    const double lost = rest > 0.0 ? rest - contact.load.dot(contact.restLoad) / rest : 0.0;
+    if (lost > thawLoad * (m_settings.gravity / sleeper.inverseMass + rest)) {
+        m_unloaded.push_back((a ? contact.a : contact.b)->index);
+    }
+}
+
 void SoftStepWorld::takeResults() {
     m_report.pairs = 0;
     m_report.points = 0;
     for (const SolverContact& c : m_solver.contacts) {
         SoftContact& contact = m_contacts[c.found];
+        contact.yield = std::min(c.yieldA, c.yieldB);
         double pushed = 0.0;
         bool touching = false;
         for (std::uint32_t k = 0; k < c.points; ++k) {
@@ -549,6 +643,8 @@ void SoftStepWorld::takeResults() {
         if (touching) {
             noteSupport(contact);
         }
+        contact.load += loadMemory * (loadOf(contact) - contact.load);
+        noteLoad(contact);
         m_report.pairs += touching;
         m_report.points += touching ? c.points : 0;
         if (c.driven) {
@@ -569,6 +665,12 @@ void SoftStepWorld::bookPiece(SoftContact& contact, const SolverContact& c, doub
     }
     body.pushed = true;
     if (contact.approach <= pieceYieldSpeed) {
+        // Pressing as hard as it may and still coming deeper: it has given way, however slowly.
+        const double most = c.impulseLimit * c.points * m_substeps;
+        const bool carrying = (pieceIsA ? 1.0 : -1.0) * contact.normal.z() >= carryingNormal;
+        if (!carrying && pushed > 0.5 * most) {
+            contact.offset = std::max(contact.offset, contact.depth);
+        }
         return;
     }
     bool gaveWay = false;
@@ -592,6 +694,46 @@ void SoftStepWorld::bookPiece(SoftContact& contact, const SolverContact& c, doub
     }
     if (gaveWay) {
         contact.offset = std::max(contact.offset, contact.depth);
+    }
+}
+
+/// No body leaves a step faster than what it touches, directly or through others, could make it: a light body between heavy ones
+/// keeps what is left over when their passes have not converged, and would be shot out.
+void SoftStepWorld::limitSpeeds(double dt) {
+    std::vector<double> reach(m_stillSlot + 1, 0.0);
+    const auto speedOf = [](const Solid& solid) { return solid.velocity.norm() + solid.spin.norm() * solid.collider->radius; };
+    for (std::size_t i = 0; i < m_awake.size(); ++i) {
+        reach[i] = speedOf(m_bodies[m_awake[i]]);
+    }
+    for (std::size_t i = 0; i < m_moving.size(); ++i) {
+        reach[m_awake.size() + i] = speedOf(m_pieces[m_moving[i]]);
+    }
+    const auto spread = [&](const SolverContact& c) {
+        const double most = std::max(reach[c.a], reach[c.b]);
+        for (const std::uint32_t end : {c.a, c.b}) {
+            if (end < m_awake.size()) {
+                reach[end] = most;
+            }
+        }
+    };
+    for (int sweep = 0; sweep < 2; ++sweep) {
+        std::for_each(m_solver.contacts.begin(), m_solver.contacts.end(), spread);
+        std::for_each(m_solver.contacts.rbegin(), m_solver.contacts.rend(), spread);
+    }
+    for (std::size_t i = 0; i < m_awake.size(); ++i) {
+        SolverBody& body = m_solver.bodies[i];
+        const Solid& solid = m_bodies[m_awake[i]];
+        const double most = 2.0 * reach[i] + pushOutSpeed + 2.0 * m_settings.gravity * dt;
+        const double speed = body.velocity.norm();
+        const double turning = body.spin.norm() * solid.collider->radius;
+        if (speed > most && solid.active) {
+            body.velocity *= most / speed;
+            ++m_report.speedLimits;
+        }
+        if (turning > most && solid.active) {
+            body.spin *= most / turning;
+            ++m_report.speedLimits;
+        }
     }
 }
 

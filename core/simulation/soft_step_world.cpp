@@ -16,6 +16,9 @@ double since(Clock::time_point from) {
     return std::chrono::duration<double>(Clock::now() - from).count();
 }
 
+/// Largest energy of spin after a free turn over that before.
+constexpr double energyTolerance = 1.001;
+
 Quat turnedBy(const Quat& q, const Vec3& spin, double time) {
     const Vec3 half = 0.5 * time * spin;
     const Quat turn = Quat(1.0, half.x(), half.y(), half.z()) * q;
@@ -34,10 +37,21 @@ void turn(Quat& orientation, Vec3& spin, const Vec3& inertia, double h, Vec3& tu
         const Mat3 r = q.toRotationMatrix();
         return Vec3(r * (r.transpose() * momentum).cwiseQuotient(inertia));
     };
+    const auto energy = [&](const Vec3& local) { return local.cwiseProduct(inertia).dot(local); };
+    const Vec3 before = axes.transpose() * spin;
     const Vec3 middle = spinAt(turnedBy(orientation, spin, 0.5 * h));
-    orientation = turnedBy(orientation, middle, h);
-    turned += h * middle;
-    spin = spinAt(orientation);
+    const Quat next = turnedBy(orientation, middle, h);
+    const Vec3 after = spinAt(next);
+    if (energy(next.conjugate() * after) <= energyTolerance * energy(before)) {
+        orientation = next;
+        turned += h * middle;
+        spin = after;
+        return;
+    }
+    // A needle that turns far in one substep: its momentum cannot be followed; its spin stays what it is in the body's own axes.
+    orientation = turnedBy(orientation, spin, h);
+    turned += h * spin;
+    spin = orientation * before;
 }
 
 }  // namespace
@@ -206,10 +220,71 @@ void SoftStepWorld::substeps(double dt) {
         m_solver.book();
     }
     m_solver.restitute(restitutionThreshold);
+    limitSpeeds(dt);
     m_substepLength = h;
-    m_costs.substepHook += hook;
-    m_costs.motion -= hook;
-    shareSolveTime(since(from) - hook - motion);
+    static int shown = 0;
+    for (size_t i = 0; i < m_awake.size() && shown < 60; ++i) {
+        const auto& b = m_solver.bodies[i];
+        const auto& sd = m_bodies[m_awake[i]];
+        double dv = (b.velocity - sd.velocity).norm();
+        if (b.velocity.norm() > sd.velocity.norm() + 4) {
+            ++shown;
+            fprintf(stderr, "LAUNCH body %u mass %.0f side %.2f newborn %d v %.1f -> %.1f dv %.1f\n", m_awake[i],
+                    1 / sd.inverseMass, sd.collider->smallestSide, sd.collider->newborn, sd.velocity.norm(), b.velocity.norm(), dv);
+            for (auto& c : m_solver.contacts)
+                if (c.a == i || c.b == i) {
+                    double sum = 0, lg = 0;
+                    for (unsigned k = 0; k < c.points; ++k) {
+                        sum += m_solver.points[c.firstPoint + k].normalImpulse;
+                        lg = std::max(lg, m_solver.points[c.firstPoint + k].largestImpulse);
+                    }
+                    auto& f = m_contacts[c.found];
+                    if (lg * sd.inverseMass > 0.3)
+                        fprintf(stderr,
+                                "   with kind %d idx %u mass %.0f n %.2f %.2f %.2f pts %u sep %.3f depth %.3f off %.3f appr "
+                                "%.1f impulse/m %.2f largest/m %.2f limit/m %.2f yield %d %.3g %.3g frozen %d supported %d\n",
+                                int((c.a == i ? f.b : f.a)->kind), (c.a == i ? f.b : f.a)->index,
+                                c.a == i ? (m_solver.bodies[c.b].inverseMass > 0 ? 1 / m_solver.bodies[c.b].inverseMass : -1)
+                                         : (m_solver.bodies[c.a].inverseMass > 0 ? 1 / m_solver.bodies[c.a].inverseMass : -1),
+                                c.normal.x(), c.normal.y(), c.normal.z(), c.points, m_solver.points[c.firstPoint].separation,
+                                f.depth, f.offset, m_solver.points[c.firstPoint].approachSpeed, sum * sd.inverseMass,
+                                lg * sd.inverseMass, c.impulseLimit * sd.inverseMass, f.yielded, c.yieldA, c.yieldB, 0,
+                                sd.supported);
+                }
+        }
+    }
+}
+static int n = 0;
+if (++n % 30 == 0) {
+    size_t booked = 0, driven = 0, yl = 0;
+    double lim = 0;
+    for (auto& c : m_solver.contacts) {
+        booked += c.booked;
+        driven += c.driven;
+    }
+    for (auto& c : m_contacts) {
+        yl += c.yielding;
+    }
+    double pen = 0;
+    double vmax = 0;
+    for (auto& b : m_solver.bodies)
+        if (b.inverseMass > 0)
+            vmax = std::max(vmax, b.velocity.norm());
+    fprintf(stderr,
+            "DBG %d awake %zu moving %zu pairs S %zu F %zu contacts %zu solver %zu pts %zu groups %zu inorder %d substeps "
+            "%d booked %zu driven %zu yielding %zu vmax %.1f | costs m %.2f g %.2f s %.2f f %.2f hook %.2f solve %.2f ow "
+            "%.2f pw %.2f\n",
+            n, m_awake.size(), m_moving.size(), m_pairs[Structure].size(), m_pairs[Fragments].size(), m_contacts.size(),
+            m_solver.contacts.size(), m_solver.points.size(), m_solver.firstOfGroup.size(), m_solver.lastInOrder, m_substeps,
+            booked, driven, yl, vmax, m_costs.motion, m_costs.groundContact, m_costs.structureContact, m_costs.fragmentContact,
+            m_costs.substepHook, since(from), m_report.overlapWork / 1e9, m_report.pieceWork / 1e9);
+    (void)lim;
+    (void)pen;
+}
+}
+m_costs.substepHook += hook;
+m_costs.motion -= hook;
+shareSolveTime(since(from) - hook - motion);
 }
 
 int SoftStepWorld::substepsFor(double dt) const {
@@ -223,7 +298,9 @@ int SoftStepWorld::substepsFor(double dt) const {
         for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k) {
             load += contact.points[k].impulse / m_substepLength;
         }
-        if (load > 0.0) {
+        const double thinnest = std::min(contact.a->kind == ColliderKind::Body ? contact.a->smallestSide : thinSide,
+                                         contact.b->kind == ColliderKind::Body ? contact.b->smallestSide : thinSide);
+        if (load > 0.0 && thinnest < thinSide) {
             const double inverse = (awake(*contact.a) ? solidOf(*contact.a).inverseMass : 0.0) +
                                    (awake(*contact.b) ? solidOf(*contact.b).inverseMass : 0.0);
             needed.push_back(pointShare * load * inverse / sinkAllowed(contact));
@@ -232,7 +309,7 @@ int SoftStepWorld::substepsFor(double dt) const {
     for (int doublings = 0; doublings < mostDoublings; ++doublings) {
         const double most = SoftSolver::stiffest * substeps / dt;
         const auto tooSoft = std::count_if(needed.begin(), needed.end(), [&](double x) { return x > most * most; });
-        if (static_cast<double>(tooSoft) <= softShare * static_cast<double>(needed.size())) {
+        if (static_cast<double>(tooSoft) <= softShare * static_cast<double>(m_contacts.size())) {
             break;
         }
         substeps *= 2;
@@ -329,18 +406,28 @@ void SoftStepWorld::keepAboveGround(Solid& solid, double dt) {
 }
 
 void SoftStepWorld::settle(double dt) {
+    for (const std::uint32_t body : m_unloaded) {
+        if (m_freeze.frozen(body)) {
+            thaw(*m_bodies[body].collider);
+        }
+    }
+    m_unloaded.clear();
+    std::vector<char> froze(m_bodies.size(), 0);
     for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
         Solid& solid = m_bodies[i];
         if (solid.collider == nullptr) {
             continue;
         }
         Collider& body = *solid.collider;
-        if (awake(body)) {
-            const double speed = solid.velocity.norm() + solid.spin.norm() * body.radius;
-            if (body.overlapping) {
-                m_freeze.restart(i);
-            } else if (m_freeze.quiet(i, speed, dt) && solid.active && m_settings.freeze) {
+        if (awake(body) && solid.slot >= 0) {
+            // What a body does by position only, as overlap comes apart, is motion too.
+            const SolverBody& way = m_solver.bodies[static_cast<std::size_t>(solid.slot)];
+            const double moved = (way.moved.norm() + way.turned.norm() * body.radius) / dt;
+            const double speed = std::max(solid.velocity.norm() + solid.spin.norm() * body.radius,
+                                          (body.penetration > restingDepth * body.smallestSide ? 1.0 : settlingShare) * moved);
+            if (m_freeze.quiet(i, speed, dt) && solid.active && m_settings.freeze) {
                 freeze(body);
+                froze[i] = 1;
             }
             if (m_freeze.watched(i)) {
                 for (const std::uint32_t dependant : m_freeze.takeDependants(i, solid.pose.position)) {
@@ -350,7 +437,14 @@ void SoftStepWorld::settle(double dt) {
                 }
             }
         }
-        body.newborn = body.overlapping = false;
+        body.newborn = false;
+    }
+    for (SoftContact& c : m_contacts) {
+        const bool frozenNow = (c.a->kind == ColliderKind::Body && froze[c.a->index] != 0) ||
+                               (c.b->kind == ColliderKind::Body && froze[c.b->index] != 0);
+        if (frozenNow) {
+            c.restLoad = c.load;
+        }
     }
     linkDependants();
     // What no longer stirs keeps its contacts apart from those that are looked at in every step.

@@ -52,6 +52,7 @@ private:
         double inverseMass = 0.0;
         std::int32_t slot = -1;  ///< among the solver's bodies in this step; -1: immovable and still
         bool hull = false;       ///< a part is a hull
+        int drivers = 0;         ///< moving pieces that press on it in this step
         bool active = false;     ///< a contact acted on it in this step
         bool supported = false;  ///< it stood, in the step before, on something immovable or supported
         bool supportedNow = false;
@@ -79,14 +80,18 @@ private:
     void collideWithGround(double dt);
     void prepareHulls(Solid& solid);
     bool wakeByContacts();
+    void wakeAbove(std::vector<std::uint32_t> lifted);
+    void limitSpeeds(double dt);
     void wakeAndCollideAgain(double dt);
     void remember();
-    void rest(double dt);
+    void rest();
     void limitPiece(std::size_t first, std::size_t last);
     void buildSolver(double h);
     void fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h);
     void stiffenBelow(const SoftContact& contact, SolverContact& c);
     void noteSupport(const SoftContact& contact);
+    Vec3 loadOf(const SoftContact& contact) const;
+    void noteLoad(const SoftContact& contact);
     void substeps(double dt);
     int substepsFor(double dt) const;
     double sinkAllowed(const SoftContact& contact) const;
@@ -123,6 +128,7 @@ private:
     std::vector<SoftContact> m_contacts, m_previous;
     std::unordered_map<ColliderPair, std::vector<SoftContact>> m_asleep;  ///< contacts of pairs that no longer stir; looked up only
     std::vector<std::uint32_t> m_justThawed;
+    std::vector<std::uint32_t> m_unloaded;  ///< frozen bodies whose loads changed in this step
     std::vector<MovingBody> m_hooked;
     std::vector<std::int32_t> m_slotOf;
 };

@@ -6,13 +6,13 @@ namespace rubble {
 
 /// m/s. A hit on a frozen body faster than this thaws it. Lower: the pile wakes for every pebble; higher: hits are swallowed.
 constexpr double thawSpeed = 1.0;
-/// Share of the motion by position only, as soft contacts settle, that counts against a body's rest. Lower: it freezes while it sinks;
-/// higher: towers lean before they freeze.
+/// Share of the motion by position only, as soft contacts settle, that counts against a body's rest. Lower: it freezes while it
+/// sinks; higher: towers lean before they freeze.
 constexpr double settlingShare = 0.3;
 /// Share of its smallest side that a body may lie in others and still count as settled.
 constexpr double restingDepth = 0.02;
-/// Share of its weight and of the load itself by which the load of a frozen body's contact may change before it thaws. Lower: piles never sleep; higher:
-/// columns stand when their walls go.
+/// Share of its weight and of the load itself by which the load of a frozen body's contact may change before it thaws. Lower: piles
+/// never sleep; higher: columns stand when their walls go.
 constexpr double thawLoad = 0.5;
 /// Part that one step has in the mean load of a contact. Lower: late; higher: piles wake for trembling.
 constexpr double loadMemory = 0.1;
@@ -46,8 +46,8 @@ constexpr double inertGap = 0.02;
 constexpr double pieceStillTravel = 0.002;
 /// m. Contacts are found this much before solids touch, plus the way they make in a step. Lower: contacts flicker; higher: slower.
 constexpr double contactMargin = 0.01;
-/// m/s2. Acceleration of the lighter body that bringing apart an overlap at birth may press with. Lower: overlap stays; higher: newborns heave up
-/// what lies on them.
+/// m/s2. Acceleration of the lighter body that bringing apart an overlap at birth may press with. Lower: overlap stays; higher:
+/// newborns heave up what lies on them.
 constexpr double partingAcceleration = 30.0;
 /// m/s. Soft contacts push overlap apart at most this fast. Lower: piles squeeze; higher: they burst.
 constexpr double pushOutSpeed = 1.0;
@@ -66,6 +66,8 @@ constexpr int mostDoublings = 2;
 constexpr double pointShare = 2.0;
 /// Upward part of a normal from which on the lower of two bodies supports the upper one.
 constexpr double supportingNormal = 0.3;
+/// m/s. A body faster than this does not stand on anything.
+constexpr double standingSpeed = 0.3;
 /// A body under one heavier by more than this counts as heavier in that contact while it stands on something. Lower: light bodies
 /// pass on less of a blow; higher: heavy ones sink into them.
 constexpr double mostMassRatio = 30.0;

@@ -32,6 +32,7 @@ void sortContacts(std::vector<SoftContact>& contacts) {
 
 void carryOver(const SoftContact& from, SoftContact& to) {
     to.offset = std::clamp(to.depth, 0.0, from.offset);
+    to.fresh = false;
     to.pressed = from.pressed;
     to.yield = from.yield;
     to.load = from.load;

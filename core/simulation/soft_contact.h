@@ -35,6 +35,7 @@ struct SoftContact {
     double approach = 0.0;         ///< m/s, of a moving piece towards its body
     double pressed = 0.0;          ///< m/s, by which a pressing piece has changed its body's speed
     int pushes = 0;                ///< of a carrying piece in vain, in a row
+    bool fresh = true;             ///< not there in the step before
     bool yielded = false;          ///< the piece of this contact has given way
     bool yielding = false;         ///< and goes on into the body now
     bool pressing = false;         ///< it strikes from above or from the side

@@ -222,69 +222,9 @@ void SoftStepWorld::substeps(double dt) {
     m_solver.restitute(restitutionThreshold);
     limitSpeeds(dt);
     m_substepLength = h;
-    static int shown = 0;
-    for (size_t i = 0; i < m_awake.size() && shown < 60; ++i) {
-        const auto& b = m_solver.bodies[i];
-        const auto& sd = m_bodies[m_awake[i]];
-        double dv = (b.velocity - sd.velocity).norm();
-        if (b.velocity.norm() > sd.velocity.norm() + 4) {
-            ++shown;
-            fprintf(stderr, "LAUNCH body %u mass %.0f side %.2f newborn %d v %.1f -> %.1f dv %.1f\n", m_awake[i],
-                    1 / sd.inverseMass, sd.collider->smallestSide, sd.collider->newborn, sd.velocity.norm(), b.velocity.norm(), dv);
-            for (auto& c : m_solver.contacts)
-                if (c.a == i || c.b == i) {
-                    double sum = 0, lg = 0;
-                    for (unsigned k = 0; k < c.points; ++k) {
-                        sum += m_solver.points[c.firstPoint + k].normalImpulse;
-                        lg = std::max(lg, m_solver.points[c.firstPoint + k].largestImpulse);
-                    }
-                    auto& f = m_contacts[c.found];
-                    if (lg * sd.inverseMass > 0.3)
-                        fprintf(stderr,
-                                "   with kind %d idx %u mass %.0f n %.2f %.2f %.2f pts %u sep %.3f depth %.3f off %.3f appr "
-                                "%.1f impulse/m %.2f largest/m %.2f limit/m %.2f yield %d %.3g %.3g frozen %d supported %d\n",
-                                int((c.a == i ? f.b : f.a)->kind), (c.a == i ? f.b : f.a)->index,
-                                c.a == i ? (m_solver.bodies[c.b].inverseMass > 0 ? 1 / m_solver.bodies[c.b].inverseMass : -1)
-                                         : (m_solver.bodies[c.a].inverseMass > 0 ? 1 / m_solver.bodies[c.a].inverseMass : -1),
-                                c.normal.x(), c.normal.y(), c.normal.z(), c.points, m_solver.points[c.firstPoint].separation,
-                                f.depth, f.offset, m_solver.points[c.firstPoint].approachSpeed, sum * sd.inverseMass,
-                                lg * sd.inverseMass, c.impulseLimit * sd.inverseMass, f.yielded, c.yieldA, c.yieldB, 0,
-                                sd.supported);
-                }
-        }
-    }
-}
-static int n = 0;
-if (++n % 30 == 0) {
-    size_t booked = 0, driven = 0, yl = 0;
-    double lim = 0;
-    for (auto& c : m_solver.contacts) {
-        booked += c.booked;
-        driven += c.driven;
-    }
-    for (auto& c : m_contacts) {
-        yl += c.yielding;
-    }
-    double pen = 0;
-    double vmax = 0;
-    for (auto& b : m_solver.bodies)
-        if (b.inverseMass > 0)
-            vmax = std::max(vmax, b.velocity.norm());
-    fprintf(stderr,
-            "DBG %d awake %zu moving %zu pairs S %zu F %zu contacts %zu solver %zu pts %zu groups %zu inorder %d substeps "
-            "%d booked %zu driven %zu yielding %zu vmax %.1f | costs m %.2f g %.2f s %.2f f %.2f hook %.2f solve %.2f ow "
-            "%.2f pw %.2f\n",
-            n, m_awake.size(), m_moving.size(), m_pairs[Structure].size(), m_pairs[Fragments].size(), m_contacts.size(),
-            m_solver.contacts.size(), m_solver.points.size(), m_solver.firstOfGroup.size(), m_solver.lastInOrder, m_substeps,
-            booked, driven, yl, vmax, m_costs.motion, m_costs.groundContact, m_costs.structureContact, m_costs.fragmentContact,
-            m_costs.substepHook, since(from), m_report.overlapWork / 1e9, m_report.pieceWork / 1e9);
-    (void)lim;
-    (void)pen;
-}
-}
-m_costs.substepHook += hook;
-m_costs.motion -= hook;
-shareSolveTime(since(from) - hook - motion);
+    m_costs.substepHook += hook;
+    m_costs.motion -= hook;
+    shareSolveTime(since(from) - hook - motion);
 }
 
 int SoftStepWorld::substepsFor(double dt) const {

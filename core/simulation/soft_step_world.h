@@ -84,7 +84,7 @@ private:
     void limitSpeeds(double dt);
     void wakeAndCollideAgain(double dt);
     void remember();
-    void rest();
+    void rest(double dt);
     void limitPiece(std::size_t first, std::size_t last);
     void buildSolver(double h);
     void fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h);

@@ -1,0 +1,414 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "core/simulation/constants.h"
+#include "core/simulation/soft_step_world.h"
+
+namespace rubble {
+
+void SoftStepWorld::rest(double dt) {
+    for (std::size_t first = 0; first < m_contacts.size();) {
+        std::size_t last = first + 1;
+        while (last < m_contacts.size() && m_contacts[last].pair == m_contacts[first].pair) {
+            ++last;
+        }
+        Collider& a = *m_contacts[first].a;
+        Collider& b = *m_contacts[first].b;
+        for (std::size_t i = first; i < last; ++i) {
+            SoftContact& contact = m_contacts[i];
+            if (a.newborn || b.newborn) {
+                contact.offset = std::max(0.0, contact.depth);
+                contact.yielded = contact.offset > 0.0;
+            }
+            if (contact.fresh && contact.depth > contactMargin) {
+                // Nothing comes into being deep: what lies deeper than the way of one step was there, under another part's name.
+                contact.offset = std::max(contact.offset, contact.depth - marginOf(a, b, dt));
+            }
+            for (auto [born, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
+                const bool older = other->kind == ColliderKind::Piece || (other->kind == ColliderKind::Body && !other->newborn);
+                if (born->newborn && older) {
+                    born->birthDepth = std::max(born->birthDepth, contact.depth);
+                }
+            }
+        }
+        limitPiece(first, last);
+        for (std::size_t i = first; i < last; ++i) {
+            SoftContact& contact = m_contacts[i];
+            if (!contact.yielding) {
+                const double depth = contact.depth - contact.offset;
+                m_report.penetrationMax = std::max(m_report.penetrationMax, depth);
+                for (Collider* side : {&a, &b}) {
+                    side->penetration = awake(*side) ? std::max(side->penetration, depth) : side->penetration;
+                }
+            }
+        }
+        first = last;
+    }
+}
+
+void SoftStepWorld::limitPiece(std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+        SoftContact& contact = m_contacts[i];
+        contact.yielding = contact.pressing = false;
+        contact.approach = 0.0;
+        const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
+        const Collider& piece = pieceIsA ? *contact.a : *contact.b;
+        const Collider& body = pieceIsA ? *contact.b : *contact.a;
+        if (piece.kind != ColliderKind::Piece || !piece.moving) {
+            continue;
+        }
+        const Solid& p = solidOf(piece);
+        const Solid& q = solidOf(body);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k) {
+            const Vec3& where = contact.points[k].position;
+            const Vec3 relative =
+                p.velocity + p.spin.cross(where - p.pose.position) - q.velocity - q.spin.cross(where - q.pose.position);
+            contact.approach = std::max(contact.approach, (pieceIsA ? 1.0 : -1.0) * contact.normal.dot(relative));
+        }
+        const double up = (pieceIsA ? 1.0 : -1.0) * contact.normal.z();
+        const bool closing = contact.approach > pieceYieldSpeed;
+        contact.yielding = contact.yielded && closing;
+        contact.pressing = closing && up < carryingNormal;
+        if (contact.yielding) {
+            contact.offset = std::max(contact.offset, contact.depth);
+        }
+    }
+}
+
+void SoftStepWorld::buildSolver(double h) {
+    m_solver.bodies.resize(m_stillSlot + 1);
+    m_pool.loop(m_awake.size(), 128, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Solid& solid = m_bodies[m_awake[i]];
+            const Mat3 axes = solid.pose.orientation.toRotationMatrix();
+            SolverBody body;
+            body.velocity = solid.velocity;
+            body.spin = solid.spin;
+            body.inverseMass = solid.inverseMass;
+            body.inverseInertia = axes * solid.inertia.cwiseInverse().asDiagonal() * axes.transpose();
+            m_solver.bodies[i] = body;
+        }
+    });
+    for (std::size_t i = 0; i < m_moving.size(); ++i) {
+        SolverBody body;
+        body.velocity = m_pieces[m_moving[i]].velocity;
+        body.spin = m_pieces[m_moving[i]].spin;
+        m_solver.bodies[m_awake.size() + i] = body;
+    }
+    m_solver.bodies[m_stillSlot] = {};
+
+    const auto slotOf = [&](const Collider& c) {
+        const std::int32_t slot = c.kind == ColliderKind::Ground ? -1 : solidOf(c).slot;
+        return slot < 0 ? m_stillSlot : static_cast<std::uint32_t>(slot);
+    };
+    for (const std::uint32_t i : m_awake) {
+        m_bodies[i].drivers = 0;
+    }
+    for (const SoftContact& contact : m_contacts) {
+        const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
+        const Collider& piece = pieceIsA ? *contact.a : *contact.b;
+        const bool driven = piece.kind == ColliderKind::Piece && piece.moving && !contact.yielding;
+        if (driven && (contact.depth > -contactMargin || contact.approach > 0.0)) {
+            ++solidOf(pieceIsA ? *contact.b : *contact.a).drivers;
+        }
+    }
+    std::vector<std::uint32_t> taken;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+    for (std::uint32_t i = 0; i < m_contacts.size(); ++i) {
+        const SoftContact& contact = m_contacts[i];
+        const std::uint32_t a = slotOf(*contact.a), b = slotOf(*contact.b);
+        if (!contact.yielding && (a < m_awake.size() || b < m_awake.size())) {
+            taken.push_back(i);
+            ends.emplace_back(a, b);
+        }
+    }
+    // From the ground up, so that one pass carries the support of the lower ones to the upper ones.
+    std::vector<std::uint32_t> order(taken.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t x, std::uint32_t y) {
+        return m_contacts[taken[x]].points[0].position.z() < m_contacts[taken[y]].points[0].position.z();
+    });
+    std::vector<std::uint32_t> sortedTaken(taken.size());
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> sortedEnds(ends.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        sortedTaken[i] = taken[order[i]];
+        sortedEnds[i] = ends[order[i]];
+    }
+    taken.swap(sortedTaken);
+    ends.swap(sortedEnds);
+    ContactColours colours;
+    colourContacts(ends, m_awake.size(), colours);
+    m_solver.firstOfGroup = colours.first;
+    m_solver.lastInOrder = colours.lastInOrder;
+    m_solver.contacts.resize(taken.size());
+    std::uint32_t points = 0;
+    for (std::size_t k = 0; k < taken.size(); ++k) {
+        m_solver.contacts[k].firstPoint = points;
+        points += static_cast<std::uint32_t>(m_contacts[taken[colours.order[k]]].count);
+    }
+    m_solver.points.resize(points);
+    const double frequency = std::min(contactFrequency, 0.25 / h);
+    m_pool.loop(taken.size(), 256, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            const std::uint32_t from = taken[colours.order[k]];
+            const SoftContact& contact = m_contacts[from];
+            SolverContact& c = m_solver.contacts[k];
+            const std::uint32_t firstPoint = c.firstPoint;
+            c = {};
+            c.firstPoint = firstPoint;
+            c.found = from;
+            std::tie(c.a, c.b) = ends[colours.order[k]];
+            fillContact(contact, c, frequency, h);
+        }
+    });
+}
+
+void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h) {
+    const PairProperties& pair = m_settings.pairs.of(contact.a->material, contact.b->material);
+    const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
+    const Collider& piece = pieceIsA ? *contact.a : *contact.b;
+    c.points = static_cast<std::uint32_t>(contact.count);
+    c.normal = contact.normal;
+    c.friction = pair.friction;
+    c.driven = piece.kind == ColliderKind::Piece && piece.moving;
+    // What is limited or still overlaps does not bounce.
+    c.restitution = contact.offset > 0.0 || c.driven ? 0.0 : pair.restitution;
+    c.booked = !c.driven && contact.offset > 0.0;
+    c.impulseLimit = -1.0;
+    if (c.booked) {
+        c.parting = m_settings.overlapSpeed;
+        const double inverse = std::max(m_solver.bodies[c.a].inverseMass, m_solver.bodies[c.b].inverseMass);
+        c.partingLimit = partingAcceleration * h / (inverse * contact.count);
+    }
+    const bool immovable = c.a >= m_awake.size() || c.b >= m_awake.size();
+    c.frequency = immovable ? 2.0 * frequency : frequency;
+    c.sinkAllowed = sinkAllowed(contact);
+    c.weight = m_settings.gravity * h / std::max(m_solver.bodies[c.a].inverseMass, m_solver.bodies[c.b].inverseMass);
+    stiffenBelow(contact, c);
+    if (c.driven) {
+        const double mass = 1.0 / solidOf(pieceIsA ? *contact.b : *contact.a).inverseMass;
+        const double dt = h * m_substeps;
+        const bool carrying = (pieceIsA ? 1.0 : -1.0) * contact.normal.z() >= carryingNormal;
+        const double speed = contact.pressing ? std::max(0.0, piecePressSpeed - contact.pressed)
+                             : carrying       ? softCarryFactor * contact.approach + carryAcceleration * dt
+                                              : contact.approach + nudgeAcceleration * dt;
+        // Several pieces of one structure share what they may do to a body.
+        const int pieces = solidOf(pieceIsA ? *contact.b : *contact.a).drivers;
+        c.impulseLimit = mass * speed / (contact.count * (carrying ? 1 : m_substeps * std::max(1, pieces)));
+    }
+    // What a body carried while it counted as heavier must not hit it when it no longer does.
+    const double carried =
+        (m_substepLength > 0.0 ? h / m_substepLength : 1.0) * std::min(1.0, contact.yield / std::min(c.yieldA, c.yieldB));
+    const auto centreOf = [&](const Collider& collider) {
+        return collider.kind == ColliderKind::Ground ? Vec3(Vec3::Zero()) : solidOf(collider).pose.position;
+    };
+    const Vec3 a = centreOf(*contact.a), b = centreOf(*contact.b);
+    // Any direction off the normal will do for the first tangent, as long as it depends on the normal alone.
+    const Vec3& n = c.normal;
+    const Vec3 off = std::abs(n.x()) < 0.57735 ? Vec3(0.0, n.z(), -n.y()) : Vec3(n.y(), -n.x(), 0.0);
+    c.tangent[0] = off / std::sqrt(off.squaredNorm());
+    c.tangent[1] = n.cross(c.tangent[0]);
+    for (std::uint32_t k = 0; k < c.points; ++k) {
+        const SoftContact::Point& point = contact.points[k];
+        SolverPoint p;
+        p.fromA = point.position - a;
+        p.fromB = point.position - b;
+        p.separation = point.separation + contact.offset;
+        p.normalImpulse = c.impulseLimit < 0.0 ? carried * point.impulse : std::min(carried * point.impulse, c.impulseLimit);
+        p.before = p.normalImpulse;
+        p.tangentImpulse[0] = carried * c.tangent[0].dot(point.friction);
+        p.tangentImpulse[1] = carried * c.tangent[1].dot(point.friction);
+        m_solver.points[c.firstPoint + k] = p;
+    }
+}
+
+/// A light body that stands on something cannot be pressed away by a heavy one above it; passes over pairs alone would take as many
+/// rounds as the ratio of the masses to find that out.
+void SoftStepWorld::stiffenBelow(const SoftContact& contact, SolverContact& c) {
+    if (contact.a->kind != ColliderKind::Body || contact.b->kind != ColliderKind::Body) {
+        return;
+    }
+    const bool aBelow = contact.normal.z() > 0.0;
+    const Solid& below = solidOf(aBelow ? *contact.a : *contact.b);
+    const Solid& above = solidOf(aBelow ? *contact.b : *contact.a);
+    // One that moves would hand on more momentum than it has.
+    const double speed = below.velocity.norm() + below.spin.norm() * below.collider->radius;
+    if (speed > standingSpeed) {
+        return;
+    }
+    const double ratio = above.slot >= 0 ? below.inverseMass / above.inverseMass : 0.0;
+    if (ratio > mostMassRatio && below.supported && std::abs(contact.normal.z()) > supportingNormal) {
+        (aBelow ? c.yieldA : c.yieldB) = mostMassRatio / ratio;
+    }
+}
+
+void SoftStepWorld::noteSupport(const SoftContact& contact) {
+    const double up = contact.normal.z();
+    if (std::abs(up) < supportingNormal) {
+        return;
+    }
+    Collider& below = up > 0.0 ? *contact.a : *contact.b;
+    Collider& above = up > 0.0 ? *contact.b : *contact.a;
+    const bool firm = !awake(below) ? !below.moving : solidOf(below).supported;
+    if (firm && awake(above)) {
+        solidOf(above).supportedNow = true;
+    }
+}
+
+Vec3 SoftStepWorld::loadOf(const SoftContact& contact) const {
+    Vec3 impulse = Vec3::Zero();
+    for (const SoftContact::Point& point : std::span(contact.points).first(static_cast<std::size_t>(contact.count))) {
+        impulse += point.impulse * contact.normal + point.friction;
+    }
+    return impulse / m_substepLength;
+}
+
+/// A frozen body was at rest under the loads of its contacts; it thaws when one of them is no longer what it was.
+void SoftStepWorld::noteLoad(const SoftContact& contact) {
+    const bool a = contact.a->kind == ColliderKind::Body && !awake(*contact.a);
+    const bool b = contact.b->kind == ColliderKind::Body && !awake(*contact.b);
+    if (a == b) {
+        return;
+    }
+    const Solid& sleeper = solidOf(a ? *contact.a : *contact.b);
+    const double rest = contact.restLoad.norm();
+    const double lost = rest > 0.0 ? rest - contact.load.dot(contact.restLoad) / rest : 0.0;
+    if (lost > thawLoad * (m_settings.gravity / sleeper.inverseMass + rest)) {
+        m_unloaded.push_back((a ? contact.a : contact.b)->index);
+    }
+}
+
+void SoftStepWorld::takeResults() {
+    m_report.pairs = 0;
+    m_report.points = 0;
+    for (const SolverContact& c : m_solver.contacts) {
+        SoftContact& contact = m_contacts[c.found];
+        contact.yield = std::min(c.yieldA, c.yieldB);
+        double pushed = 0.0;
+        bool touching = false;
+        for (std::uint32_t k = 0; k < c.points; ++k) {
+            const SolverPoint& p = m_solver.points[c.firstPoint + k];
+            contact.points[k].impulse = p.normalImpulse;
+            contact.points[k].friction = p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1];
+            pushed += p.impulseSum;
+            touching = touching || p.largestImpulse > 0.0;
+        }
+        if (touching) {
+            noteSupport(contact);
+        }
+        contact.load += loadMemory * (loadOf(contact) - contact.load);
+        noteLoad(contact);
+        m_report.pairs += touching;
+        m_report.points += touching ? c.points : 0;
+        if (c.driven) {
+            m_report.pieceWork += c.work;
+            bookPiece(contact, c, pushed);
+        } else if (c.booked) {
+            m_report.overlapWork += c.work;
+        }
+    }
+}
+
+void SoftStepWorld::bookPiece(SoftContact& contact, const SolverContact& c, double pushed) {
+    const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
+    Collider& body = pieceIsA ? *contact.b : *contact.a;
+    if (pushed <= 0.0) {
+        contact.pushes = 0;
+        return;
+    }
+    body.pushed = true;
+    if (contact.approach <= pieceYieldSpeed) {
+        // Pressing as hard as it may and still coming deeper: it has given way, however slowly.
+        const double most = c.impulseLimit * c.points * m_substeps;
+        const bool carrying = (pieceIsA ? 1.0 : -1.0) * contact.normal.z() >= carryingNormal;
+        if (!carrying && pushed > 0.5 * most) {
+            contact.offset = std::max(contact.offset, contact.depth);
+        }
+        return;
+    }
+    bool gaveWay = false;
+    if (contact.pressing) {
+        contact.pressed += pushed * solidOf(body).inverseMass;
+        gaveWay = contact.pressed >= 0.99 * piecePressSpeed;
+    } else {
+        double left = 0.0;
+        for (std::uint32_t k = 0; k < c.points; ++k) {
+            const SolverPoint& p = m_solver.points[c.firstPoint + k];
+            const SolverBody& a = m_solver.bodies[c.a];
+            const SolverBody& b = m_solver.bodies[c.b];
+            left = std::max(left, -c.normal.dot(b.velocity + b.spin.cross(p.fromB) - a.velocity - a.spin.cross(p.fromA)));
+        }
+        contact.pushes = left > 0.5 * contact.approach ? contact.pushes + 1 : 0;
+        gaveWay = contact.pushes >= piecePushes;
+    }
+    if (gaveWay && !contact.yielded) {
+        contact.yielded = true;
+        ++m_report.piecesYielded;
+    }
+    if (gaveWay) {
+        contact.offset = std::max(contact.offset, contact.depth);
+    }
+}
+
+/// No body leaves a step faster than what it touches, directly or through others, could make it: a light body between heavy ones
+/// keeps what is left over when their passes have not converged, and would be shot out.
+void SoftStepWorld::limitSpeeds(double dt) {
+    std::vector<double> reach(m_stillSlot + 1, 0.0);
+    const auto speedOf = [](const Solid& solid) { return solid.velocity.norm() + solid.spin.norm() * solid.collider->radius; };
+    for (std::size_t i = 0; i < m_awake.size(); ++i) {
+        reach[i] = speedOf(m_bodies[m_awake[i]]);
+    }
+    for (std::size_t i = 0; i < m_moving.size(); ++i) {
+        reach[m_awake.size() + i] = speedOf(m_pieces[m_moving[i]]);
+    }
+    const auto spread = [&](const SolverContact& c) {
+        const double most = std::max(reach[c.a], reach[c.b]);
+        for (const std::uint32_t end : {c.a, c.b}) {
+            if (end < m_awake.size()) {
+                reach[end] = most;
+            }
+        }
+    };
+    for (int sweep = 0; sweep < 2; ++sweep) {
+        std::for_each(m_solver.contacts.begin(), m_solver.contacts.end(), spread);
+        std::for_each(m_solver.contacts.rbegin(), m_solver.contacts.rend(), spread);
+    }
+    for (std::size_t i = 0; i < m_awake.size(); ++i) {
+        SolverBody& body = m_solver.bodies[i];
+        const Solid& solid = m_bodies[m_awake[i]];
+        const double most = 2.0 * reach[i] + pushOutSpeed + 2.0 * m_settings.gravity * dt;
+        const double speed = body.velocity.norm();
+        const double turning = body.spin.norm() * solid.collider->radius;
+        if (speed > most && solid.active) {
+            body.velocity *= most / speed;
+            ++m_report.speedLimits;
+        }
+        if (turning > most && solid.active) {
+            body.spin *= most / turning;
+            ++m_report.speedLimits;
+        }
+    }
+}
+
+void SoftStepWorld::shareSolveTime(double seconds) {
+    double points[Kinds] = {0.0, 0.0, 0.0};
+    double all = 0.0;
+    for (const SolverContact& c : m_solver.contacts) {
+        const SoftContact& contact = m_contacts[c.found];
+        const Kind kind = contact.a->kind == ColliderKind::Ground                                            ? Ground
+                          : contact.a->kind == ColliderKind::Piece || contact.b->kind == ColliderKind::Piece ? Structure
+                                                                                                             : Fragments;
+        points[kind] += c.points;
+        all += c.points;
+    }
+    if (all > 0.0) {
+        m_costs.groundContact += seconds * points[Ground] / all;
+        m_costs.structureContact += seconds * points[Structure] / all;
+        m_costs.fragmentContact += seconds * points[Fragments] / all;
+        m_costs.motion -= seconds;
+    }
+}
+
+}  // namespace rubble

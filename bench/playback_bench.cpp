@@ -53,11 +53,11 @@ public:
         if (runPath.empty()) {
             auto trajectory = std::make_shared<MemoryTrajectory>();
             const Results results = run(inputs, sampleScenario(*inputs.fe), Stage::Simulation, {}, trajectory.get(), execution);
-            m_data = {inputs.fe, results.components, results.fragments, results.clustering, trajectory, 0.0};
+            m_data = {inputs.fe, results.components, results.fragments, results.clustering, trajectory, 0.0, nullptr, {}};
         } else {
             const auto made = io::openRun(runPath);
             const Results results = run(inputs, made->origin().scenario, Stage::Components, {}, nullptr, execution);
-            m_data = {inputs.fe, results.components, made->fragments(), made->clustering(), made, 0.0};
+            m_data = {inputs.fe, results.components, made->fragments(), made->clustering(), made, 0.0, nullptr, {}};
         }
         m_window->SetOffScreenRendering(1);
         m_window->SetMultiSamples(0);

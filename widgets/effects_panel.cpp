@@ -1,6 +1,7 @@
 #include "widgets/effects_panel.h"
 
 #include <QLabel>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <numeric>
 #include <set>

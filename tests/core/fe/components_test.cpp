@@ -192,8 +192,9 @@ TEST(Components, UserOverFileOverAssumptionWhichIsCounted) {
     EXPECT_EQ(fromFile.findings.count("components.assumed_density"), 1) << "a negative density is none";
     EXPECT_EQ(fromFile.section[1], 0.04);
 
-    const Components fromUser = groupComponents(mesh, {RenameComponent{"slab", "deck"}},
-                                                {{"deck", {.density = 1000, .section = 0.1, .structural = false}}}, assumptions);
+    const Components fromUser = groupComponents(
+        mesh, {RenameComponent{"slab", "deck"}},
+        {{"deck", {.density = 1000, .section = 0.1, .structural = false, .material = {}, .reinforced = false}}}, assumptions);
     EXPECT_NEAR(fromUser.list[0].mass, 8 * 0.1 * 1000, 1e-9);
     EXPECT_FALSE(fromUser.list[0].structural);
     EXPECT_TRUE(fromUser.list[1].structural);
@@ -201,7 +202,8 @@ TEST(Components, UserOverFileOverAssumptionWhichIsCounted) {
 
 TEST(Components, BoundsCountThicknessAndSection) {
     const Mesh mesh = shellAndBeam();
-    const Components components = groupComponents(mesh, {}, {{"slab", {{}, 0.5, {}}}, {"tie", {{}, 0.04, {}}}}, {});
+    const Components components =
+        groupComponents(mesh, {}, {{"slab", {{}, 0.5, {}, {}, false}}, {"tie", {{}, 0.04, {}, {}, false}}}, {});
     EXPECT_TRUE(components.list[0].bounds.isApprox(Aabb(Vec3(0, 0, 4.75), Vec3(4, 2, 5.25)), 1e-12));
     EXPECT_TRUE(components.list[1].bounds.isApprox(Aabb(Vec3(0, -0.1, -0.1), Vec3(3, 0.1, 0.1)), 1e-12));
     const Components merged = groupComponents(mesh, {MergeComponents{{"slab", "tie"}, "all"}}, {}, {});

@@ -127,7 +127,7 @@ TEST_P(TerrainContact, TheSameSceneGivesTheSameBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, TerrainContact, testing::Values(SolverKind::Bullet, SolverKind::SoftStep),
-                         [](const auto& info) { return info.param == SolverKind::Bullet ? "Bullet" : "SoftStep"; });
+                         [](const auto& solver) { return solver.param == SolverKind::Bullet ? "Bullet" : "SoftStep"; });
 
 }  // namespace
 }  // namespace rubble::test

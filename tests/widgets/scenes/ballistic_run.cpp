@@ -38,7 +38,12 @@ render::SceneData withoutRun(std::shared_ptr<const FeResult> fe, const FragmentS
 render::SceneData ballisticRun(std::shared_ptr<const FeResult> fe, double until, bool complete, const FragmentSettings& settings) {
     render::SceneData data = withoutRun(std::move(fe), settings);
     auto trajectory = std::make_shared<MemoryTrajectory>();
-    trajectory->begin({data.fe, {}, data.components, data.fragments, nullptr, data.clustering, {}});
+    RunDescription description;
+    description.fe = data.fe;
+    description.components = data.components;
+    description.fragments = data.fragments;
+    description.clustering = data.clustering;
+    trajectory->begin(description);
     const auto& clusters = data.clustering->list;
     std::size_t entered = 0;
     const int frames = static_cast<int>(until / frameInterval + 0.5);

@@ -61,7 +61,8 @@ private:
 };
 
 /// Mean height of a surface by distance from its centre (or along x).
-struct Profile {
+class Profile {
+public:
     static constexpr double width = cube;
     std::vector<double> height;  ///< m, mean over all cells, bare ones count as 0
 

@@ -32,7 +32,7 @@ constexpr double carryAcceleration = 100.0;
 /// m/s2. What a piece that closes in slowly from above or from the side may press with besides stopping that approach.
 constexpr double nudgeAcceleration = 20.0;
 /// It gives way when this many such pushes in a row left more than half of the closing speed: the body is trapped.
-constexpr int piecePushes = 3;
+constexpr int piecePushes = 8;
 /// m/s. A piece that strikes a body from above or from the side changes its speed by this much in all, then gives way: the FE
 /// analysis never felt the body, and the elements of the piece bring their own momentum when they are born.
 constexpr double piecePressSpeed = 0.5;

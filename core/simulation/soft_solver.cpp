@@ -15,7 +15,7 @@ constexpr double dampingRatio = 10.0;
 /// slow under a pile that is lifted; higher: what was hit flies on.
 constexpr double warmGrowth = 3.0;
 /// Rounds over the points of a contact that bounces.
-constexpr int restitutionRounds = 8;
+constexpr int restitutionRounds = 24;
 /// Contacts that one thread takes at a time.
 constexpr std::size_t grain = 96;
 /// Groups; a body with more contacts than this puts the rest into the ordered group.

@@ -342,22 +342,21 @@ void SoftStepWorld::remember() {
             }
         }
     });
-    if (m_asleep.empty()) {
-        return;
-    }
+    // A contact that was not there in the step before may have been put aside when both of its bodies came to rest.
     for (SoftContact& contact : m_contacts) {
-        const auto kept = m_asleep.find(contact.pair);
+        const auto kept = contact.fresh ? m_asleep.find(contact.pair) : m_asleep.end();
         if (kept == m_asleep.end()) {
             continue;
         }
-        const auto& parts = kept->second;
+        auto& parts = kept->second;
         const auto same = std::find_if(parts.begin(), parts.end(), [&](const SoftContact& c) { return c.part == contact.part; });
         if (same != parts.end()) {
             carryOver(*same, contact);
+            parts.erase(same);
         }
-    }
-    for (const SoftContact& contact : m_contacts) {
-        m_asleep.erase(contact.pair);
+        if (parts.empty()) {
+            m_asleep.erase(kept);
+        }
     }
 }
 

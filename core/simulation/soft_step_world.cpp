@@ -432,7 +432,6 @@ void SoftStepWorld::linkDependants() {
     for (const SoftContact& c : m_contacts) {
         link(c);
     }
-    // The order of a hash map must not reach the order in which bodies thaw, so dependants are taken in their own order.
     for (const auto& [pair, contacts] : m_asleep) {
         link(contacts.front());
     }

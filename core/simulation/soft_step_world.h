@@ -2,8 +2,8 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <map>
 #include <memory>
-#include <unordered_map>
 #include <vector>
 
 #include "core/simulation/box_contact.h"
@@ -126,7 +126,7 @@ private:
     std::vector<Pair> m_sleepingPairs;
     std::vector<std::vector<SoftContact>> m_parts;
     std::vector<SoftContact> m_contacts, m_previous;
-    std::unordered_map<ColliderPair, std::vector<SoftContact>> m_asleep;  ///< contacts of pairs that no longer stir; looked up only
+    std::map<ColliderPair, std::vector<SoftContact>> m_asleep;  ///< contacts of pairs that no longer stir
     std::vector<std::uint32_t> m_justThawed;
     std::vector<std::uint32_t> m_unloaded;  ///< frozen bodies whose loads changed in this step
     std::vector<MovingBody> m_hooked;

@@ -220,8 +220,8 @@ TEST(CaseFile, NamesThePlaceOfWhatItDoesNotUnderstand) {
 }
 
 TEST(CaseFile, LooksAtTheVersionBeforeAnythingElse) {
-    EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": 2, "unheard": []})"),
-                testing::HasSubstr("newer Rubble: case version 2"));
+    EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": 3, "unheard": []})"),
+                testing::HasSubstr("newer Rubble: case version 3"));
     EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": 0})"), testing::HasSubstr("/version"));
     EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": "1"})"), testing::HasSubstr("/version"));
     EXPECT_THAT(errorOf(R"({"format": "rubble-case"})"), testing::HasSubstr("\"version\" is missing"));

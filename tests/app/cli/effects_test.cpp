@@ -54,7 +54,7 @@ TEST_F(Effects, ASettingIsObeyedAndSaysWhatAutoWouldDo) {
 }
 
 TEST_F(Effects, ARunDecidesTheSameAndSaysWhatEachCost) {
-    const nlohmann::json before = json("effects", {});
+    const nlohmann::json before = json("effects", {"--set", "settle_time=0.2"});
     const nlohmann::json run = json("run", {"--set", "settle_time=0.2"});
     ASSERT_EQ(run["effects"].size(), before["effects"].size());
     for (const nlohmann::json& row : run["effects"]) {

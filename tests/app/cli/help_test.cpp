@@ -51,7 +51,7 @@ TEST_P(Usage, IsRefusedWithCode2AndARemedy) {
 INSTANTIATE_TEST_SUITE_P(
     CommandLine, Usage,
     testing::Values(
-        WrongUsage{{}, "rubble-cli COMMAND --help"}, WrongUsage{{"crush"}, "Commands: inspect, size, run"},
+        WrongUsage{{}, "rubble-cli COMMAND --help"}, WrongUsage{{"crush"}, "Commands: inspect, size, effects, run"},
         WrongUsage{{"inspect"}, "needs a file"}, WrongUsage{{"inspect", "a", "b"}, "cannot use \"b\""},
         WrongUsage{{"inspect", "--speed", "a"}, "no option --speed"}, WrongUsage{{"inspect", "a", "--csv"}, "--csv needs a value"},
         WrongUsage{{"inspect", "a", "--json=yes"}, "takes no value"},

@@ -26,7 +26,7 @@ std::set<std::string> matches(const std::string& text, const std::string& patter
 }
 
 std::set<std::string> commands() {
-    return matches(cli({"--help"}).out, "\n  rubble-cli ([a-z-]+)");
+    return matches(cli({"--help"}).out, "\n  rubble-cli ([a-z][a-z-]+)");
 }
 
 /// Keys of an object and of all objects in it; entries that are named by what the user has in hand are left out.

@@ -15,7 +15,7 @@ constexpr double dampingRatio = 10.0;
 /// slow under a pile that is lifted; higher: what was hit flies on.
 constexpr double warmGrowth = 3.0;
 /// Rounds over the points of a contact that bounces.
-constexpr int restitutionRounds = 24;
+constexpr int restitutionRounds = 8;
 /// Contacts that one thread takes at a time.
 constexpr std::size_t grain = 96;
 /// Groups; a body with more contacts than this puts the rest into the ordered group.
@@ -145,6 +145,10 @@ void restituteContact(const SolverContact& c, std::span<SolverPoint> points, Sol
             const double speed = c.normal.dot(relativeVelocity(a, b, p));
             // Over the whole step a contact never pulls.
             const double change = std::max(-p.normalMass * (speed - c.restitution * p.approachSpeed), -p.impulseSum);
+            // What a limit left of a moving piece's approach is not made up for here.
+            if (c.driven && change > 0.0) {
+                continue;
+            }
             p.impulseSum += change;
             p.normalImpulse = std::max(0.0, p.normalImpulse + change);
             apply(c, a, b, p, change * c.normal);
@@ -276,9 +280,7 @@ void SoftSolver::relax(double h) {
 
 void SoftSolver::restitute(double threshold) {
     forEachContact([&](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) {
-        if (!c.driven) {
-            restituteContact(c, own, a, b, threshold);
-        }
+        restituteContact(c, own, a, b, threshold);
     });
 }
 

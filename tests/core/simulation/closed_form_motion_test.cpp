@@ -96,8 +96,8 @@ TEST(ClosedFormMotion, HitsKeepMomentumAndPartAsRestitutionSays) {
             const Vec3 after = one.mass * hit.velocity(a) + two.mass * hit.velocity(b);
             // Each impulse acts on both alike: rounding only.
             EXPECT_LT((after - before).norm(), 1e-9 * one.mass * 6.0) << restitution;
-            // The approach is 6 m/s; the contact is met within a substep, 1 % of it.
-            EXPECT_NEAR(hit.velocity(b).x() - hit.velocity(a).x(), restitution * 6.0, 0.06) << restitution << ' ' << density;
+            // The approach is 6 m/s; what the blow left of overlap is parted in the next step: 1.5 % of it.
+            EXPECT_NEAR(hit.velocity(b).x() - hit.velocity(a).x(), restitution * 6.0, 0.09) << restitution << ' ' << density;
         }
     }
 }

@@ -10,9 +10,8 @@ nlohmann::json healthText(const RunReader& run) {
     const Taint taint = taintOf(run);
     nlohmann::json text = {{"breaches", taint.breaches}, {"tainted", taint.tainted()}, {"acknowledged", nullptr}};
     if (taint.acknowledgement) {
-        text["acknowledged"] = {{"by", taint.acknowledgement->by},
-                                {"when", taint.acknowledgement->when},
-                                {"note", taint.acknowledgement->note}};
+        text["acknowledged"] = {
+            {"by", taint.acknowledgement->by}, {"when", taint.acknowledgement->when}, {"note", taint.acknowledgement->note}};
     }
     return text;
 }

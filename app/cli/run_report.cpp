@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/cli/health_output.h"
 #include "app/cli/effects_output.h"
+#include "app/cli/health_output.h"
 #include "app/cli/text_output.h"
 #include "core/base/message.h"
 

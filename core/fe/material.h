@@ -16,8 +16,8 @@ std::string_view materialName(Material material);
 std::optional<Material> materialNamed(std::string_view name);
 
 /// A guess where nobody says what a component is made of: from 7,000 to 9,000 kg/m3 steel, from 2,550 to 3,500 stone (granite,
-/// limestone, sandstone: 2,550 to 2,800), from 1,400 to 2,100 masonry (brickwork), anything else concrete (2,200 to 2,500, or a slab
-/// that carries the mass of something else).
+/// limestone, sandstone: 2,550 to 2,800), from 1,400 to 2,100 masonry (brickwork), anything else concrete (2,200 to 2,500, or a
+/// slab that carries the mass of something else).
 Material materialOfDensity(double density);
 
 /// Whether a body may be made of it; soil and water bed are only ground.

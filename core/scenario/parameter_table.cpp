@@ -100,9 +100,10 @@ std::vector<Parameter> simulationRows() {
             "Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run.")
         .integer("iterations", 1, 1000, RUBBLE_AT(simulation.iterations), "Solver iterations",
                  "Iterations of Bullet's contact solver in each step. Costs time; a smaller step buys more.")
-        .integer("substeps", 1, 64, RUBBLE_AT(simulation.substeps), "Substeps",
-                 "Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin "
-                 "bodies would sink into each other under their load.")
+        .integer(
+            "substeps", 1, 64, RUBBLE_AT(simulation.substeps), "Substeps",
+            "Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin "
+            "bodies would sink into each other under their load.")
         .choice("cluster_shape", {"axis_box", "oriented_box", "hull", "compound"}, RUBBLE_AT(simulation.shape), "Cluster shape",
                 "Collision shape of a cluster. axis_box: as published. oriented_box: same cost, less empty space. hull: closer, "
                 "slower. "

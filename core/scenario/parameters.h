@@ -42,9 +42,7 @@ struct Parameter {
 
     bool keyed() const { return key.find("[*]") != std::string_view::npos; }
     ParameterSubject subject() const {
-        return !keyed()                  ? ParameterSubject::None
-               : key.starts_with("pair") ? ParameterSubject::Pair
-                                         : ParameterSubject::Component;
+        return !keyed() ? ParameterSubject::None : key.starts_with("pair") ? ParameterSubject::Pair : ParameterSubject::Component;
     }
     /// The key with a subject in the place of the star.
     std::string keyFor(const std::string& name) const;

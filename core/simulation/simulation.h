@@ -76,7 +76,8 @@ struct EnergyBalance {
     double kineticNow = 0.0;   ///< J
     double effectWork = 0.0;   ///< J, done by water, air drag and ties; negative where they took energy
     double dissipated = 0.0;   ///< J, lost in contacts; negative would be a gain
-    double drift = 0.0;        ///< largest gain so far beyond gravity, births, and the work of overlap, pieces and effects, over gravity work
+    double drift =
+        0.0;  ///< largest gain so far beyond gravity, births, and the work of overlap, pieces and effects, over gravity work
 };
 
 /// The outcome of a simulation. Everything except the times is bit-identical from run to run.

@@ -47,8 +47,8 @@ struct IslandRecord {
     std::vector<ElementIndex> elements;  ///< ascending
 };
 
-/// A fragment is carried by a body over an interval of time; the next carrier of a fragment ends the one before. While carried, a point of the fragment that lay at p (world) at
-/// hand-over lies at body pose * handOverToBody * p.
+/// A fragment is carried by a body over an interval of time; the next carrier of a fragment ends the one before. While carried, a
+/// point of the fragment that lay at p (world) at hand-over lies at body pose * handOverToBody * p.
 struct Carrier {
     FragmentId fragment{};
     BodyId body{};
@@ -132,8 +132,8 @@ public:
     std::size_t frameAt(double time) const;
 };
 
-/// Ends each carrier where the next one of its fragment begins, and with its last carrier a body whose fragments have all changed over
-/// to others (it broke up). Readers do this, since a sink only ever adds.
+/// Ends each carrier where the next one of its fragment begins, and with its last carrier a body whose fragments have all changed
+/// over to others (it broke up). Readers do this, since a sink only ever adds.
 /// @param carriers  in the order in which they were added
 void endReplaced(std::vector<BodyRecord>& bodies, std::vector<Carrier>& carriers);
 

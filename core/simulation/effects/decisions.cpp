@@ -473,7 +473,8 @@ Verdict Decider::breakUp() const {
         bodies += m_reach[c].speed >= m_effects.breakUpSpeed ? cluster.memberCount - 1 : 0;
     }
     if (candidates == 0) {
-        return impossible({"effect.break_up.none", "no cluster of two or more fragments is of stone or masonry without reinforcement", {}});
+        return impossible(
+            {"effect.break_up.none", "no cluster of two or more fragments is of stone or masonry without reinforcement", {}});
     }
     const Argument limit(m_effects.breakUpSpeed, "m/s"), speed(fastest, "m/s");
     if (fastest < m_effects.breakUpSpeed) {

@@ -22,6 +22,7 @@ TEST(PieceContact, LiftsWhatLiesOnIt) {
     for (const double speed : {1.0, 5.0}) {
         WorldScene scene;
         scene.settings.ground = false;
+        scene.settings.pairs = PairTable::uniform(0.6, 0.1);
         const PieceId floor = scene.piece({0, 0, -0.5}, {6, 6, 1});
         const BodyId body = scene.box({0, 0, 0.5}, {1, 1, 1});
         scene.run(0.5);

@@ -170,6 +170,26 @@ std::optional<Pose> Pieces::fit(const Group& group, const FeState& state) const 
     return Pose{centre, Quat(nearestRotation(covariance)).normalized()};
 }
 
+std::optional<Pose> Pieces::follow(const Group& group, const FeState& from, const FeState& to) const {
+    const auto centreAt = [&](const FeState& state) {
+        Vec3 sum = Vec3::Zero();
+        for (const std::uint32_t node : group.nodes) {
+            sum += state.positions[node];
+        }
+        return Vec3(sum / static_cast<double>(group.nodes.size()));
+    };
+    const Vec3 before = centreAt(from);
+    const Vec3 after = centreAt(to);
+    Mat3 covariance = Mat3::Zero();
+    for (const std::uint32_t node : group.nodes) {
+        covariance += (to.positions[node] - after) * (from.positions[node] - before).transpose();
+    }
+    if (!covariance.allFinite() || !after.allFinite()) {
+        return std::nullopt;
+    }
+    return Pose{after, (Quat(nearestRotation(covariance)) * group.pose.orientation).normalized()};
+}
+
 CollisionShape Pieces::shapeOf(const Group& group) const {
     std::vector<Vec3> points;
     for (const ElementIndex e : group.members) {
@@ -239,7 +259,7 @@ void Pieces::beginInterval(RigidWorld& world, std::size_t k) {
         if (!group.piece) {
             continue;
         }
-        const std::optional<Pose> finish = fit(group, *to);
+        const std::optional<Pose> finish = follow(group, *from, *to);
         if (finish && travel(group.box, group.pose, *finish) > pieceStillTravel) {
             group.start = group.pose;
             group.finish = *finish;

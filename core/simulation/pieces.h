@@ -56,7 +56,11 @@ private:
     std::vector<ElementIndex> membersOf(const Group& group, std::size_t k) const;
     void rebuild(RigidWorld& world, Group& group, const FeState& from);
     CollisionShape shapeOf(const Group& group) const;
+    /// Where the nodes at rest have gone.
     std::optional<Pose> fit(const Group& group, const FeState& state) const;
+    /// Where the piece goes with its nodes in an interval. Following their motion, not their shape at rest, its corners move no
+    /// faster than they do, however they are deformed.
+    std::optional<Pose> follow(const Group& group, const FeState& from, const FeState& to) const;
 
     const FeResult& m_fe;
     const Components& m_components;

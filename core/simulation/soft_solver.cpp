@@ -18,6 +18,12 @@ constexpr double warmGrowth = 3.0;
 constexpr int restitutionRounds = 8;
 /// Contacts that one thread takes at a time.
 constexpr std::size_t grain = 96;
+/// The same, side by side.
+constexpr std::size_t laneGrain = 16;
+/// Bodies that one thread takes at a time.
+constexpr std::size_t bodyGrain = 512;
+/// N s. No limit.
+constexpr float unlimited = 3e38f;
 /// Groups; a body with more contacts than this puts the rest into the ordered group.
 constexpr std::uint32_t mostColours = 63;
 
@@ -64,75 +70,13 @@ void prepareContact(SolverContact& c, std::span<SolverPoint> points, const Solve
         p.tangentMass[0] = massAlong(c, a, b, p, c.tangent[0]);
         p.tangentMass[1] = massAlong(c, a, b, p, c.tangent[1]);
         p.approachSpeed = -c.normal.dot(relativeVelocity(a, b, p));
-        p.largestImpulse = p.impulseSum = p.opening = 0.0;
+        p.largestImpulse = p.impulseSum = 0.0;
         // At rest a contact sinks by load / (mass omega^2).
         if (p.normalMass > 0.0) {
             squared = std::max(squared, p.normalImpulse / h / (p.normalMass * c.sinkAllowed));
         }
     }
     setSoftness(c, std::min(std::sqrt(squared), SoftSolver::stiffest / h), h);
-}
-
-void solveFriction(const SolverContact& c, SolverPoint& p, SolverBody& a, SolverBody& b) {
-    const Vec3 relative = relativeVelocity(a, b, p);
-    double t0 = p.tangentImpulse[0] - p.tangentMass[0] * c.tangent[0].dot(relative);
-    double t1 = p.tangentImpulse[1] - p.tangentMass[1] * c.tangent[1].dot(relative);
-    const double limit = c.friction * p.normalImpulse;
-    const double length = t0 * t0 + t1 * t1;
-    if (length > limit * limit) {
-        const double scale = limit / std::sqrt(length);
-        t0 *= scale;
-        t1 *= scale;
-    }
-    const Vec3 impulse = (t0 - p.tangentImpulse[0]) * c.tangent[0] + (t1 - p.tangentImpulse[1]) * c.tangent[1];
-    p.tangentImpulse[0] = t0;
-    p.tangentImpulse[1] = t1;
-    apply(c, a, b, p, impulse);
-}
-
-/// One pass over the points of a contact. @param push  m/s at most for pushing overlap apart; zero: relax
-void solveContact(const SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b, double h, double push) {
-    const Vec3 moved = b.moved - a.moved;
-    const double limit = c.impulseLimit < 0.0 ? 1e300 : c.impulseLimit;
-    for (SolverPoint& p : points) {
-        const double separation = p.separation + c.normal.dot(moved + b.turned.cross(p.fromB) - a.turned.cross(p.fromA));
-        double bias = 0.0;
-        double massScale = 1.0;
-        double impulseScale = 0.0;
-        if (separation > 0.0) {
-            bias = separation / h;
-        } else if (push > 0.0) {
-            bias = std::max(c.biasRate * separation, -push);
-            massScale = c.massScale;
-            impulseScale = c.impulseScale;
-        }
-        const double speed = c.normal.dot(relativeVelocity(a, b, p));
-        const double wanted = p.normalImpulse - p.normalMass * massScale * (speed + bias) - impulseScale * p.normalImpulse;
-        double total = std::clamp(wanted, 0.0, limit);
-        if (push > 0.0 && c.parting > 0.0) {
-            // Beyond what holds the two where they are, little is spent on bringing them apart.
-            total = std::max(total, std::min(p.normalImpulse - p.normalMass * (speed - c.parting), c.partingLimit));
-        }
-        const double change = total - p.normalImpulse;
-        p.normalImpulse = total;
-        p.largestImpulse = std::max(p.largestImpulse, total);
-        if (change != 0.0) {
-            apply(c, a, b, p, change * c.normal);
-        }
-        if (total > 0.0) {
-            if (a.inverseMass > 0.0) {
-                a.active = true;
-            }
-            if (b.inverseMass > 0.0) {
-                b.active = true;
-            }
-        }
-    }
-    for (SolverPoint& p : points) {
-        if (p.normalImpulse > 0.0 || p.tangentImpulse[0] != 0.0 || p.tangentImpulse[1] != 0.0) {
-            solveFriction(c, p, a, b);
-        }
-    }
 }
 
 void restituteContact(const SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b, double threshold) {
@@ -207,73 +151,224 @@ void SoftSolver::forEachContact(Work work) {
     }
 }
 
-void SoftSolver::prepare(double h) {
+template <class Pass>
+void SoftSolver::forEachColour(Pass pass) {
+    for (const Colour& colour : m_colours) {
+        const std::size_t count = colour.last - colour.first;
+        m_pool.loop(count, colour.inOrder ? count : laneGrain,
+                    [&](std::size_t from, std::size_t to) { pass(m_scene, colour.first + from, colour.first + to); });
+    }
+}
+
+void SoftSolver::prepare(double h, std::size_t movable) {
     m_pool.loop(contacts.size(), grain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             SolverContact& c = contacts[i];
             prepareContact(c, std::span<SolverPoint>(points).subspan(c.firstPoint, c.points), bodies[c.a], bodies[c.b], h);
         }
     });
-}
-
-void SoftSolver::solveSoft(double h, double pushOutSpeed) {
-    forEachContact([](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) {
-        for (SolverPoint& p : own) {
-            const double most = warmGrowth * std::max(p.before, c.weight);
-            p.before = p.normalImpulse;
-            if (p.normalImpulse > most) {
-                p.tangentImpulse[0] *= most / p.normalImpulse;
-                p.tangentImpulse[1] *= most / p.normalImpulse;
-                p.normalImpulse = most;
-            }
-            if (p.normalImpulse > 0.0) {
-                apply(c, a, b, p,
-                      p.normalImpulse * c.normal + p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1]);
-            }
-        }
-    });
-    forEachContact([&](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) {
-        solveContact(c, own, a, b, h, pushOutSpeed);
-    });
-}
-
-void SoftSolver::noteOpening() {
-    m_pool.loop(contacts.size(), grain, [&](std::size_t from, std::size_t to) {
+    m_laneBodies.resize(bodies.size());
+    m_laneTravel.assign(bodies.size(), {});
+    layOut();
+    m_scene = {
+        m_lanes.data(),       m_lanePoints.data(), m_laneBodies.data(), m_laneTravel.data(), static_cast<std::uint32_t>(movable),
+        static_cast<float>(h)};
+    m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            const SolverContact& c = contacts[i];
-            for (std::size_t k = c.firstPoint; c.booked && k < c.firstPoint + c.points; ++k) {
-                points[k].opening = c.normal.dot(relativeVelocity(bodies[c.a], bodies[c.b], points[k]));
-            }
+            fillLanes(m_lanes[i]);
         }
     });
 }
 
-void SoftSolver::book() {
-    m_pool.loop(contacts.size(), grain, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) {
-            SolverContact& c = contacts[i];
-            for (std::size_t k = c.firstPoint; (c.booked || c.driven) && k < c.firstPoint + c.points; ++k) {
-                SolverPoint& p = points[k];
-                if (c.driven) {
-                    const bool byA = bodies[c.a].inverseMass == 0.0;
-                    const SolverBody& piece = bodies[byA ? c.a : c.b];
-                    const Vec3 speed = piece.velocity + piece.spin.cross(byA ? p.fromA : p.fromB);
-                    const Vec3 onB =
-                        p.normalImpulse * c.normal + p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1];
-                    c.work += (byA ? 1.0 : -1.0) * onB.dot(speed);
-                } else {
-                    c.work += std::max(0.0, p.normalImpulse * p.opening);
+void SoftSolver::layOut() {
+    m_lanes.clear();
+    m_colours.clear();
+    std::uint32_t point = 0;
+    for (std::size_t group = 0; group + 1 < firstOfGroup.size(); ++group) {
+        const bool inOrder = lastInOrder && group + 2 == firstOfGroup.size();
+        Colour colour{m_lanes.size(), 0, inOrder};
+        const auto put = [&](std::uint32_t contact) {
+            const std::uint32_t count = contacts[contact].points;
+            const bool begin = m_lanes.size() == colour.first || inOrder || m_lanes.back().count == solverLanes;
+            if (begin) {
+                m_lanes.emplace_back();
+                m_lanes.back().firstPoint = point;
+                m_lanes.back().points = count;
+                point += count;
+            }
+            LaneContacts& lanes = m_lanes.back();
+            lanes.found[lanes.count++] = contact;
+        };
+        // Those with as many points side by side; within a colour the order does not matter.
+        for (std::uint32_t count = inOrder ? 0 : 4; count > 0; --count) {
+            for (std::uint32_t i = firstOfGroup[group]; i < firstOfGroup[group + 1]; ++i) {
+                if (contacts[i].points == count) {
+                    put(i);
                 }
             }
         }
+        for (std::uint32_t i = firstOfGroup[group]; inOrder && i < firstOfGroup[group + 1]; ++i) {
+            put(i);
+        }
+        colour.last = m_lanes.size();
+        m_colours.push_back(colour);
+    }
+    m_lanePoints.resize(point);
+}
+
+namespace {
+
+void setLane(LaneVector& to, int lane, const Vec3& v) {
+    to.x[lane] = static_cast<float>(v.x());
+    to.y[lane] = static_cast<float>(v.y());
+    to.z[lane] = static_cast<float>(v.z());
+}
+
+void setLane(LaneTensor& to, int lane, const Mat3& t) {
+    to.xx[lane] = static_cast<float>(t(0, 0));
+    to.yy[lane] = static_cast<float>(t(1, 1));
+    to.zz[lane] = static_cast<float>(t(2, 2));
+    to.xy[lane] = static_cast<float>(t(0, 1));
+    to.xz[lane] = static_cast<float>(t(0, 2));
+    to.yz[lane] = static_cast<float>(t(1, 2));
+}
+
+void setLane(LanePoint& to, int lane, const SolverPoint& p) {
+    setLane(to.fromA, lane, p.fromA);
+    setLane(to.fromB, lane, p.fromB);
+    to.separation[lane] = to.now[lane] = static_cast<float>(p.separation);
+    to.normalMass[lane] = static_cast<float>(p.normalMass);
+    to.normalImpulse[lane] = to.before[lane] = static_cast<float>(p.normalImpulse);
+    for (int t = 0; t < 2; ++t) {
+        to.tangentMass[t][lane] = static_cast<float>(p.tangentMass[t]);
+        to.tangentImpulse[t][lane] = static_cast<float>(p.tangentImpulse[t]);
+    }
+}
+
+}  // namespace
+
+void SoftSolver::fillLanes(LaneContacts& lanes) {
+    const std::uint32_t count = lanes.count, first = lanes.firstPoint, most = lanes.points;
+    const auto still = static_cast<std::uint32_t>(bodies.size() - 1);
+    for (std::uint32_t i = count; i < solverLanes; ++i) {
+        lanes.a[i] = lanes.b[i] = still;
+    }
+    std::fill_n(m_lanePoints.begin() + first, most, LanePoint{});
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const int lane = static_cast<int>(i);
+        const SolverContact& c = contacts[lanes.found[i]];
+        const SolverBody& a = bodies[c.a];
+        const SolverBody& b = bodies[c.b];
+        lanes.a[i] = c.a;
+        lanes.b[i] = c.b;
+        setLane(lanes.normal, lane, c.normal);
+        setLane(lanes.tangent[0], lane, c.tangent[0]);
+        setLane(lanes.tangent[1], lane, c.tangent[1]);
+        setLane(lanes.inverseInertiaA, lane, c.yieldA * a.inverseInertia);
+        setLane(lanes.inverseInertiaB, lane, c.yieldB * b.inverseInertia);
+        lanes.friction[lane] = static_cast<float>(c.friction);
+        lanes.inverseMassA[lane] = static_cast<float>(c.yieldA * a.inverseMass);
+        lanes.inverseMassB[lane] = static_cast<float>(c.yieldB * b.inverseMass);
+        lanes.weight[lane] = static_cast<float>(c.weight);
+        lanes.biasRate[lane] = static_cast<float>(c.biasRate);
+        lanes.massScale[lane] = static_cast<float>(c.massScale);
+        lanes.impulseScale[lane] = static_cast<float>(c.impulseScale);
+        lanes.parting[lane] = static_cast<float>(c.parting);
+        lanes.partingLimit[lane] = static_cast<float>(c.partingLimit);
+        lanes.impulseLimit[lane] = c.impulseLimit < 0.0 ? unlimited : static_cast<float>(c.impulseLimit);
+        lanes.bookedShare[lane] = c.booked ? 1.0f : 0.0f;
+        lanes.drivenByA[lane] = c.driven && a.inverseMass == 0.0 ? 1.0f : 0.0f;
+        lanes.drivenByB[lane] = c.driven && a.inverseMass != 0.0 ? 1.0f : 0.0f;
+        lanes.booked = lanes.booked || c.booked || c.driven;
+        for (std::uint32_t k = 0; k < c.points; ++k) {
+            setLane(m_lanePoints[first + k], lane, points[c.firstPoint + k]);
+        }
+    }
+}
+
+void SoftSolver::send() {
+    m_pool.loop(bodies.size(), bodyGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            LaneBody& lane = m_laneBodies[i];
+            for (int k = 0; k < 3; ++k) {
+                lane.velocity[k] = static_cast<float>(bodies[i].velocity[k]);
+                lane.spin[k] = static_cast<float>(bodies[i].spin[k]);
+            }
+            lane.velocity[3] = 0.0f;
+        }
     });
 }
 
-void SoftSolver::relax(double h) {
-    forEachContact([&](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) {
-        solveContact(c, own, a, b, h, 0.0);
-        for (SolverPoint& p : own) {
-            p.impulseSum += p.normalImpulse;
+void SoftSolver::sendTravel() {
+    m_pool.loop(bodies.size(), bodyGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                m_laneTravel[i].moved[k] = static_cast<float>(bodies[i].moved[k]);
+                m_laneTravel[i].turned[k] = static_cast<float>(bodies[i].turned[k]);
+            }
+        }
+    });
+}
+
+void SoftSolver::receive() {
+    m_pool.loop(m_scene.movable, bodyGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            const LaneBody& lane = m_laneBodies[i];
+            for (int k = 0; k < 3; ++k) {
+                double& velocity = bodies[i].velocity[k];
+                double& spin = bodies[i].spin[k];
+                velocity += static_cast<double>(lane.velocity[k]) - static_cast<double>(static_cast<float>(velocity));
+                spin += static_cast<double>(lane.spin[k]) - static_cast<double>(static_cast<float>(spin));
+            }
+            bodies[i].active = lane.velocity[3] > 0.0f;
+        }
+    });
+}
+
+void SoftSolver::solveSoft(double push) {
+    send();
+    forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) {
+        m_passes.warmStart(scene, first, last, static_cast<float>(warmGrowth));
+    });
+    forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) {
+        m_passes.soft(scene, first, last, static_cast<float>(push));
+    });
+    receive();
+}
+
+void SoftSolver::noteOpening() {
+    m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) { m_passes.noteOpening(m_scene, from, to); });
+}
+
+void SoftSolver::relax() {
+    send();
+    sendTravel();
+    forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) { m_passes.relax(scene, first, last); });
+    receive();
+}
+
+void SoftSolver::book() {
+    m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) { m_passes.book(m_scene, from, to); });
+}
+
+void SoftSolver::takeBack() {
+    m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            const LaneContacts& lanes = m_lanes[i];
+            for (std::uint32_t k = 0; k < lanes.count; ++k) {
+                const int lane = static_cast<int>(k);
+                SolverContact& c = contacts[lanes.found[k]];
+                c.work = lanes.work[lane];
+                for (std::uint32_t n = 0; n < c.points; ++n) {
+                    const LanePoint& lanePoint = m_lanePoints[lanes.firstPoint + n];
+                    SolverPoint& p = points[c.firstPoint + n];
+                    p.normalImpulse = lanePoint.normalImpulse[lane];
+                    p.tangentImpulse[0] = lanePoint.tangentImpulse[0][lane];
+                    p.tangentImpulse[1] = lanePoint.tangentImpulse[1][lane];
+                    p.largestImpulse = lanePoint.largestImpulse[lane];
+                    p.impulseSum = lanePoint.impulseSum[lane];
+                }
+            }
         }
     });
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/simulation/soft_lanes.h"
 #include "core/simulation/worker_pool.h"
 
 namespace rubble {
@@ -26,12 +27,10 @@ struct SolverPoint {
     double separation = 0.0;     ///< m, at the start of the step, rest offset taken off
     double normalMass = 0.0;     ///< kg
     double normalImpulse = 0.0;  ///< N s in a substep, carried from step to step
-    double before = 0.0;         ///< the same, one substep earlier
     double tangentMass[2] = {0.0, 0.0};
     double tangentImpulse[2] = {0.0, 0.0};
     double approachSpeed = 0.0;   ///< m/s at the start of the step, positive when closing
     double largestImpulse = 0.0;  ///< N s, of any substep
-    double opening = 0.0;         ///< m/s, while the bodies moved in this substep
     double impulseSum = 0.0;      ///< N s along the normal, over the substeps
 };
 
@@ -74,7 +73,8 @@ void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> end
 
 /// Soft contacts solved by small substeps: one warm-started soft pass that pushes overlap apart, then, after the bodies moved, one
 /// relax pass without the push. Macklin et al. 2019, Small steps in physics simulation; Catto 2024, Solver2D.
-/// Contacts lie in the order of the colours.
+/// Contacts lie in the order of the colours. The passes run over several contacts of a colour side by side, in single precision
+/// (soft_lanes.h); velocities take over only what a pass changed.
 class SoftSolver {
 public:
     /// Largest omega h of a contact. Higher: what is pressed hard trembles; lower: it sinks in.
@@ -88,24 +88,46 @@ public:
     std::vector<std::uint32_t> firstOfGroup;  ///< [groups + 1]
     bool lastInOrder = false;
 
-    /// Masses of the points, speeds of approach, stiffness of the contacts for substeps of h [s].
-    void prepare(double h);
-    /// Applies the impulses of the substep before and solves once, pushing overlap apart.
-    void solveSoft(double h, double pushOutSpeed);
+    /// Masses of the points, speeds of approach, stiffness of the contacts for substeps of h [s]; lays the contacts side by side.
+    /// @param movable  bodies below this one move
+    void prepare(double h, std::size_t movable);
+    /// Applies the impulses of the substep before and solves once, pushing overlap apart at `push` [m/s] at most.
+    void solveSoft(double push);
     /// Notes the velocities that are about to move the bodies, for the work of contacts that are accounted for.
     void noteOpening();
     /// Solves once without the push.
-    void relax(double h);
+    void relax();
     /// Books the work of this substep.
     void book();
+    /// Puts impulses and work into contacts and points. The passes above do not reach those.
+    void takeBack();
     /// Gives back the speed of approach of every hit above `threshold` [m/s].
     void restitute(double threshold);
 
 private:
+    /// Groups of lanes of one colour.
+    struct Colour {
+        std::size_t first = 0, last = 0;
+        bool inOrder = false;
+    };
     template <class Work>
     void forEachContact(Work work);
+    template <class Pass>
+    void forEachColour(Pass pass);
+    void layOut();
+    void fillLanes(LaneContacts& lanes);
+    void send();
+    void sendTravel();
+    void receive();
 
     WorkerPool& m_pool;
+    const LanePasses& m_passes = lanePasses();
+    LaneScene m_scene;
+    std::vector<Colour> m_colours;
+    std::vector<LaneContacts> m_lanes;
+    std::vector<LanePoint> m_lanePoints;
+    std::vector<LaneBody> m_laneBodies;
+    std::vector<LaneTravel> m_laneTravel;
 };
 
 }  // namespace rubble

@@ -217,7 +217,6 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
         p.fromB = point.position - b;
         p.separation = point.separation + contact.offset;
         p.normalImpulse = c.impulseLimit < 0.0 ? carried * point.impulse : std::min(carried * point.impulse, c.impulseLimit);
-        p.before = p.normalImpulse;
         p.tangentImpulse[0] = carried * c.tangent[0].dot(point.friction);
         p.tangentImpulse[1] = carried * c.tangent[1].dot(point.friction);
         m_solver.points[c.firstPoint + k] = p;

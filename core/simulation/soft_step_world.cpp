@@ -198,7 +198,7 @@ void SoftStepWorld::substeps(double dt) {
     m_substeps = substepsFor(dt);
     const double h = dt / m_substeps;
     buildSolver(h);
-    m_solver.prepare(h);
+    m_solver.prepare(h, m_awake.size());
     double hook = 0.0;
     double motion = 0.0;
     for (int substep = 0; substep < m_substeps; ++substep) {
@@ -208,17 +208,17 @@ void SoftStepWorld::substeps(double dt) {
         const auto moving = Clock::now();
         for (std::size_t i = 0; i < m_awake.size(); ++i) {
             m_solver.bodies[i].velocity.z() -= m_settings.gravity * h;
-            m_solver.bodies[i].active = false;
         }
         motion += since(moving);
-        m_solver.solveSoft(h, pushOutSpeed);
+        m_solver.solveSoft(pushOutSpeed);
         m_solver.noteOpening();
         const auto moved = Clock::now();
         moveBodies(h);
         motion += since(moved);
-        m_solver.relax(h);
+        m_solver.relax();
         m_solver.book();
     }
+    m_solver.takeBack();
     m_solver.restitute(restitutionThreshold);
     limitSpeeds(dt);
     m_substepLength = h;

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace rubble {
+
+/// Contacts that the solver takes side by side: no two of them move the same body.
+constexpr int solverLanes = 8;
+
+/// One number of each of those contacts. Single precision: what is solved for are changes of velocity within a step; positions and
+/// velocities themselves are kept in double.
+using Lanes = float __attribute__((vector_size(4 * solverLanes), aligned(4 * solverLanes)));
+
+struct LaneVector {
+    Lanes x, y, z;
+};
+/// Symmetric.
+struct LaneTensor {
+    Lanes xx, yy, zz, xy, xz, yz;
+};
+
+/// What the passes change of a body. The fourth number of the velocity is 1 once a contact has acted on it in this substep.
+struct alignas(32) LaneBody {
+    float velocity[4] = {};  ///< m/s
+    float spin[4] = {};      ///< rad/s, world axes
+};
+/// How far a body has gone since the start of the step.
+struct alignas(32) LaneTravel {
+    float moved[4] = {};   ///< m
+    float turned[4] = {};  ///< rad
+};
+
+/// A point of each contact; where a contact has fewer points, its masses are zero.
+struct alignas(4 * solverLanes) LanePoint {
+    LaneVector fromA, fromB;  ///< m, from the centres of mass, at the start of the step
+    Lanes separation;         ///< m, at the start of the step, rest offset taken off
+    Lanes now;                ///< m, in this substep
+    Lanes normalMass;         ///< kg
+    Lanes tangentMass[2];
+    Lanes normalImpulse;  ///< N s in a substep
+    Lanes before;         ///< the same, one substep earlier
+    Lanes tangentImpulse[2];
+    Lanes largestImpulse;  ///< N s, of any substep
+    Lanes impulseSum;      ///< N s along the normal, over the substeps
+    Lanes opening;         ///< m/s, while the bodies moved in this substep
+};
+
+/// Contacts side by side. Missing ones at the end of a colour have no mass and no body.
+struct alignas(4 * solverLanes) LaneContacts {
+    std::uint32_t a[solverLanes], b[solverLanes];  ///< bodies
+    std::uint32_t firstPoint = 0;
+    std::uint32_t points = 0;          ///< the most of any of them
+    std::uint32_t found[solverLanes];  ///< contact in each lane
+    std::uint32_t count = 0;           ///< lanes in use
+    bool booked = false;               ///< one of them accounts for its work
+    LaneVector normal;                 ///< from a to b
+    LaneVector tangent[2];
+    Lanes friction;
+    Lanes inverseMassA, inverseMassB;  ///< 1/kg, as this contact sees them
+    LaneTensor inverseInertiaA, inverseInertiaB;
+    Lanes weight;        ///< N s, impulse of the lighter body's weight in a substep
+    Lanes biasRate;      ///< 1/s, of the soft pass
+    Lanes massScale;     ///< of the soft pass
+    Lanes impulseScale;  ///< of the soft pass
+    Lanes parting;       ///< m/s, at which overlap at birth is brought apart in the soft pass; zero: none
+    Lanes partingLimit;  ///< N s per point and substep that may be spent on that
+    Lanes impulseLimit;  ///< N s per point and substep
+    Lanes bookedShare;   ///< 1: its work of pushing apart is accounted for
+    Lanes drivenByA;     ///< 1: the work of a moving piece a is accounted for
+    Lanes drivenByB;     ///< 1: the same of b
+    Lanes work;          ///< J, in this step
+};
+
+/// All that the passes work on.
+struct LaneScene {
+    LaneContacts* contacts = nullptr;
+    LanePoint* points = nullptr;
+    LaneBody* bodies = nullptr;
+    const LaneTravel* travel = nullptr;
+    std::uint32_t movable = 0;  ///< bodies below this one move
+    float h = 0.0f;             ///< s, length of a substep
+};
+
+/// The passes over contacts [first, last) of one colour, in two makes: for every processor, and for those with 256-bit vectors.
+/// Both round alike.
+struct LanePasses {
+    /// Applies the impulses of the substep before. @param growth  most by which what is new may grow
+    void (*warmStart)(const LaneScene& scene, std::size_t first, std::size_t last, float growth);
+    /// Solves once. @param push  m/s at most for pushing overlap apart
+    void (*soft)(const LaneScene& scene, std::size_t first, std::size_t last, float push);
+    /// Solves once without the push, where the bodies have moved to.
+    void (*relax)(const LaneScene& scene, std::size_t first, std::size_t last);
+    /// Notes the velocities that are about to move the bodies, for the work of contacts that are accounted for.
+    void (*noteOpening)(const LaneScene& scene, std::size_t first, std::size_t last);
+    /// Books the work of a substep.
+    void (*book)(const LaneScene& scene, std::size_t first, std::size_t last);
+};
+
+/// The make for this processor.
+const LanePasses& lanePasses();
+
+}  // namespace rubble

@@ -1,0 +1,283 @@
+// The passes themselves; included once for each make, with RUBBLE_LANE_MAKE as the name of its namespace. Nothing with external
+// linkage may be used here: the linker would keep one of two versions, made for the wrong processor.
+#include "core/simulation/soft_lanes.h"
+
+namespace rubble::RUBBLE_LANE_MAKE {
+
+namespace {
+
+using Mask = std::int32_t __attribute__((vector_size(4 * solverLanes)));
+
+inline Lanes all(float x) {
+    return Lanes{x, x, x, x, x, x, x, x};
+}
+inline Lanes larger(Lanes a, Lanes b) {
+    return a > b ? a : b;
+}
+inline Lanes smaller(Lanes a, Lanes b) {
+    return a < b ? a : b;
+}
+inline Lanes root(Lanes a) {
+    Lanes r;
+    for (int i = 0; i < solverLanes; ++i) {
+        r[i] = __builtin_sqrtf(a[i]);
+    }
+    return r;
+}
+inline bool any(Mask m) {
+    std::int32_t r = 0;
+    for (int i = 0; i < solverLanes; ++i) {
+        r |= m[i];
+    }
+    return r != 0;
+}
+
+inline LaneVector operator+(const LaneVector& a, const LaneVector& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline LaneVector operator-(const LaneVector& a, const LaneVector& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline LaneVector operator*(Lanes s, const LaneVector& a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
+inline Lanes dot(const LaneVector& a, const LaneVector& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline LaneVector cross(const LaneVector& a, const LaneVector& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline LaneVector operator*(const LaneTensor& t, const LaneVector& v) {
+    return {t.xx * v.x + t.xy * v.y + t.xz * v.z, t.xy * v.x + t.yy * v.y + t.yz * v.z, t.xz * v.x + t.yz * v.y + t.zz * v.z};
+}
+
+/// Rows to columns and back.
+inline void transpose(Lanes (&r)[8]) {
+    const Lanes a0 = __builtin_shufflevector(r[0], r[1], 0, 8, 1, 9, 4, 12, 5, 13);
+    const Lanes a1 = __builtin_shufflevector(r[0], r[1], 2, 10, 3, 11, 6, 14, 7, 15);
+    const Lanes a2 = __builtin_shufflevector(r[2], r[3], 0, 8, 1, 9, 4, 12, 5, 13);
+    const Lanes a3 = __builtin_shufflevector(r[2], r[3], 2, 10, 3, 11, 6, 14, 7, 15);
+    const Lanes a4 = __builtin_shufflevector(r[4], r[5], 0, 8, 1, 9, 4, 12, 5, 13);
+    const Lanes a5 = __builtin_shufflevector(r[4], r[5], 2, 10, 3, 11, 6, 14, 7, 15);
+    const Lanes a6 = __builtin_shufflevector(r[6], r[7], 0, 8, 1, 9, 4, 12, 5, 13);
+    const Lanes a7 = __builtin_shufflevector(r[6], r[7], 2, 10, 3, 11, 6, 14, 7, 15);
+    const Lanes b0 = __builtin_shufflevector(a0, a2, 0, 1, 8, 9, 4, 5, 12, 13);
+    const Lanes b1 = __builtin_shufflevector(a0, a2, 2, 3, 10, 11, 6, 7, 14, 15);
+    const Lanes b2 = __builtin_shufflevector(a1, a3, 0, 1, 8, 9, 4, 5, 12, 13);
+    const Lanes b3 = __builtin_shufflevector(a1, a3, 2, 3, 10, 11, 6, 7, 14, 15);
+    const Lanes b4 = __builtin_shufflevector(a4, a6, 0, 1, 8, 9, 4, 5, 12, 13);
+    const Lanes b5 = __builtin_shufflevector(a4, a6, 2, 3, 10, 11, 6, 7, 14, 15);
+    const Lanes b6 = __builtin_shufflevector(a5, a7, 0, 1, 8, 9, 4, 5, 12, 13);
+    const Lanes b7 = __builtin_shufflevector(a5, a7, 2, 3, 10, 11, 6, 7, 14, 15);
+    r[0] = __builtin_shufflevector(b0, b4, 0, 1, 2, 3, 8, 9, 10, 11);
+    r[1] = __builtin_shufflevector(b1, b5, 0, 1, 2, 3, 8, 9, 10, 11);
+    r[2] = __builtin_shufflevector(b2, b6, 0, 1, 2, 3, 8, 9, 10, 11);
+    r[3] = __builtin_shufflevector(b3, b7, 0, 1, 2, 3, 8, 9, 10, 11);
+    r[4] = __builtin_shufflevector(b0, b4, 4, 5, 6, 7, 12, 13, 14, 15);
+    r[5] = __builtin_shufflevector(b1, b5, 4, 5, 6, 7, 12, 13, 14, 15);
+    r[6] = __builtin_shufflevector(b2, b6, 4, 5, 6, 7, 12, 13, 14, 15);
+    r[7] = __builtin_shufflevector(b3, b7, 4, 5, 6, 7, 12, 13, 14, 15);
+}
+
+template <class Record>
+inline void gather(const Record* records, const std::uint32_t (&which)[solverLanes], Lanes (&columns)[8]) {
+    for (int i = 0; i < solverLanes; ++i) {
+        columns[i] = *reinterpret_cast<const Lanes*>(&records[which[i]]);
+    }
+    transpose(columns);
+}
+
+/// The bodies at one end of the contacts.
+struct End {
+    LaneVector velocity, spin;
+    Lanes touched;
+};
+
+inline End load(const LaneBody* bodies, const std::uint32_t (&which)[solverLanes]) {
+    Lanes c[8];
+    gather(bodies, which, c);
+    return {{c[0], c[1], c[2]}, {c[4], c[5], c[6]}, c[3]};
+}
+
+inline void store(const End& end, LaneBody* bodies, const std::uint32_t (&which)[solverLanes], std::uint32_t movable) {
+    Lanes c[8] = {end.velocity.x, end.velocity.y, end.velocity.z, end.touched, end.spin.x, end.spin.y, end.spin.z, all(0.0f)};
+    transpose(c);
+    for (int i = 0; i < solverLanes; ++i) {
+        // Threads may share an immovable body, so nothing is written to it.
+        if (which[i] < movable) {
+            *reinterpret_cast<Lanes*>(&bodies[which[i]]) = c[i];
+        }
+    }
+}
+
+inline LaneVector relativeVelocity(const End& a, const End& b, const LanePoint& p) {
+    return b.velocity + cross(b.spin, p.fromB) - a.velocity - cross(a.spin, p.fromA);
+}
+
+inline void apply(const LaneContacts& c, End& a, End& b, const LanePoint& p, const LaneVector& impulse) {
+    a.velocity = a.velocity - c.inverseMassA * impulse;
+    a.spin = a.spin - c.inverseInertiaA * cross(p.fromA, impulse);
+    b.velocity = b.velocity + c.inverseMassB * impulse;
+    b.spin = b.spin + c.inverseInertiaB * cross(p.fromB, impulse);
+}
+
+inline LaneVector impulseOf(const LaneContacts& c, const LanePoint& p) {
+    return p.normalImpulse * c.normal + p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1];
+}
+
+inline void applyFriction(const LaneContacts& c, End& a, End& b, LanePoint& p) {
+    const LaneVector relative = relativeVelocity(a, b, p);
+    Lanes t0 = p.tangentImpulse[0] - p.tangentMass[0] * dot(c.tangent[0], relative);
+    Lanes t1 = p.tangentImpulse[1] - p.tangentMass[1] * dot(c.tangent[1], relative);
+    const Lanes limit = c.friction * p.normalImpulse;
+    const Lanes length = t0 * t0 + t1 * t1;
+    const Mask beyond = length > limit * limit;
+    const Lanes scale = beyond ? limit / root(beyond ? length : all(1.0f)) : all(1.0f);
+    t0 = t0 * scale;
+    t1 = t1 * scale;
+    const LaneVector impulse = (t0 - p.tangentImpulse[0]) * c.tangent[0] + (t1 - p.tangentImpulse[1]) * c.tangent[1];
+    p.tangentImpulse[0] = t0;
+    p.tangentImpulse[1] = t1;
+    apply(c, a, b, p, impulse);
+}
+
+/// One pass over the points of contacts; with Push overlap is pushed apart at `push` [m/s] at most.
+template <bool Push>
+inline void solve(const LaneScene& scene, LaneContacts& c, float push) {
+    End a = load(scene.bodies, c.a);
+    End b = load(scene.bodies, c.b);
+    LanePoint* points = scene.points + c.firstPoint;
+    const Lanes zero = all(0.0f);
+    const Lanes perSubstep = all(1.0f / scene.h);
+    LaneVector moved{}, turnedA{}, turnedB{};
+    if (!Push) {
+        Lanes ta[8], tb[8];
+        gather(scene.travel, c.a, ta);
+        gather(scene.travel, c.b, tb);
+        moved = LaneVector{tb[0], tb[1], tb[2]} - LaneVector{ta[0], ta[1], ta[2]};
+        turnedA = {ta[4], ta[5], ta[6]};
+        turnedB = {tb[4], tb[5], tb[6]};
+    }
+    Lanes acted = zero;
+    for (std::uint32_t k = 0; k < c.points; ++k) {
+        LanePoint& p = points[k];
+        if (!Push) {
+            p.now = p.separation + dot(c.normal, moved + cross(turnedB, p.fromB) - cross(turnedA, p.fromA));
+        }
+        const Mask apart = p.now > zero;
+        const Lanes ahead = p.now * perSubstep;
+        const Lanes speed = dot(c.normal, relativeVelocity(a, b, p));
+        Lanes wanted;
+        if (Push) {
+            const Lanes bias = apart ? ahead : larger(c.biasRate * p.now, all(-push));
+            const Lanes massScale = apart ? all(1.0f) : c.massScale;
+            const Lanes impulseScale = apart ? zero : c.impulseScale;
+            wanted = p.normalImpulse - p.normalMass * massScale * (speed + bias) - impulseScale * p.normalImpulse;
+        } else {
+            wanted = p.normalImpulse - p.normalMass * (speed + (apart ? ahead : zero));
+        }
+        Lanes total = smaller(larger(wanted, zero), c.impulseLimit);
+        if (Push) {
+            // Beyond what holds the two where they are, little is spent on bringing them apart.
+            const Lanes parted = smaller(p.normalImpulse - p.normalMass * (speed - c.parting), c.partingLimit);
+            total = c.parting > zero ? larger(total, parted) : total;
+        }
+        const Lanes change = total - p.normalImpulse;
+        p.normalImpulse = total;
+        p.largestImpulse = larger(p.largestImpulse, total);
+        acted = total > zero ? all(1.0f) : acted;
+        apply(c, a, b, p, change * c.normal);
+    }
+    for (std::uint32_t k = 0; k < c.points; ++k) {
+        applyFriction(c, a, b, points[k]);
+        if (!Push) {
+            points[k].impulseSum += points[k].normalImpulse;
+        }
+    }
+    a.touched = larger(a.touched, acted);
+    b.touched = larger(b.touched, acted);
+    store(a, scene.bodies, c.a, scene.movable);
+    store(b, scene.bodies, c.b, scene.movable);
+}
+
+void warmStart(const LaneScene& scene, std::size_t first, std::size_t last, float growth) {
+    for (std::size_t i = first; i < last; ++i) {
+        const LaneContacts& c = scene.contacts[i];
+        LanePoint* points = scene.points + c.firstPoint;
+        Lanes largest = all(0.0f);
+        for (std::uint32_t k = 0; k < c.points; ++k) {
+            LanePoint& p = points[k];
+            const Lanes most = all(growth) * larger(p.before, c.weight);
+            p.before = p.normalImpulse;
+            const Mask over = p.normalImpulse > most;
+            const Lanes scale = over ? most / (over ? p.normalImpulse : all(1.0f)) : all(1.0f);
+            p.tangentImpulse[0] = p.tangentImpulse[0] * scale;
+            p.tangentImpulse[1] = p.tangentImpulse[1] * scale;
+            p.normalImpulse = over ? most : p.normalImpulse;
+            largest = larger(largest, p.normalImpulse);
+        }
+        if (!any(largest > all(0.0f))) {
+            continue;
+        }
+        End a = load(scene.bodies, c.a);
+        End b = load(scene.bodies, c.b);
+        for (std::uint32_t k = 0; k < c.points; ++k) {
+            apply(c, a, b, points[k], impulseOf(c, points[k]));
+        }
+        store(a, scene.bodies, c.a, scene.movable);
+        store(b, scene.bodies, c.b, scene.movable);
+    }
+}
+
+void soft(const LaneScene& scene, std::size_t first, std::size_t last, float push) {
+    for (std::size_t i = first; i < last; ++i) {
+        solve<true>(scene, scene.contacts[i], push);
+    }
+}
+
+void relax(const LaneScene& scene, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+        solve<false>(scene, scene.contacts[i], 0.0f);
+    }
+}
+
+void noteOpening(const LaneScene& scene, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+        const LaneContacts& c = scene.contacts[i];
+        if (!c.booked) {
+            continue;
+        }
+        const End a = load(scene.bodies, c.a);
+        const End b = load(scene.bodies, c.b);
+        for (std::uint32_t k = 0; k < c.points; ++k) {
+            LanePoint& p = scene.points[c.firstPoint + k];
+            p.opening = dot(c.normal, relativeVelocity(a, b, p));
+        }
+    }
+}
+
+void book(const LaneScene& scene, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+        LaneContacts& c = scene.contacts[i];
+        if (!c.booked) {
+            continue;
+        }
+        const End a = load(scene.bodies, c.a);
+        const End b = load(scene.bodies, c.b);
+        for (std::uint32_t k = 0; k < c.points; ++k) {
+            const LanePoint& p = scene.points[c.firstPoint + k];
+            const LaneVector impulse = impulseOf(c, p);
+            const LaneVector speedA = a.velocity + cross(a.spin, p.fromA);
+            const LaneVector speedB = b.velocity + cross(b.spin, p.fromB);
+            c.work += c.drivenByA * dot(impulse, speedA) - c.drivenByB * dot(impulse, speedB) +
+                      c.bookedShare * larger(p.normalImpulse * p.opening, all(0.0f));
+        }
+    }
+}
+
+}  // namespace
+
+extern const LanePasses passes;
+const LanePasses passes{warmStart, soft, relax, noteOpening, book};
+
+}  // namespace rubble::RUBBLE_LANE_MAKE

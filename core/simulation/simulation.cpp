@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/fe/ground_surface.h"
+#include "core/fe/site_surface.h"
 #include "core/fragments/lifetimes.h"
 #include "core/simulation/bulking.h"
 #include "core/simulation/collapse_run.h"
@@ -129,7 +129,7 @@ private:
     Activity m_activity;
     EffectDecisions m_decisions;
     WorldSettings m_worldSettings;
-    GroundSurface m_surface;
+    SiteSurface m_surface;
     std::unique_ptr<RigidWorld> m_world;
     StructureContact m_structure;
     EffectRun m_effects;

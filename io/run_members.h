@@ -260,6 +260,7 @@ struct Members<HealthBreach> {
         visit("check", b.check);
         visit("from", b.from);
         visit("to", b.to);
+        visit.added("worst_at", b.worstAt);
         visit("body", b.body);
         visit("place", b.place);
         visit("worst", b.worst);

@@ -286,6 +286,9 @@ void Collapse::removeLost(double time) {
 void Collapse::keepWatch(double time) {
     const bool stirred = m_structure.pieces().moving() > 0 || !m_outcomes.lost().empty();
     m_health.stepped(*m_world, m_outcomes.bodies(), {time, m_energy.gain(), stirred});
+    if (const std::vector<HealthBreach> news = m_health.news(time); !news.empty()) {
+        m_sink.addBreaches(news);
+    }
 }
 
 void Collapse::step(double dt, double time) {

@@ -178,6 +178,7 @@ void makeHealth(SimulationResult& result, Dice& dice) {
         breach.check = static_cast<HealthCheck>(i);
         breach.from = dice.number(0, 10);
         breach.to = breach.from + 0.1;
+        breach.worstAt = breach.from + 0.05;
         breach.worst = i == 5 ? std::numeric_limits<double>::quiet_NaN() : dice.number();
         breach.limit = dice.number();
         breach.bodies = static_cast<std::int64_t>(i);
@@ -262,6 +263,15 @@ void SampleRun::feed(TrajectorySink& sink, std::size_t frameCount) const {
         }
         sink.commit(frames[i]);
         sink.addLedger(ledger[i]);
+        // Half way what is known of the first breaches, and at each frame after that how the last of these goes on.
+        const std::size_t known = std::min<std::size_t>(3, result.health.breaches.size());
+        if (i == frames.size() / 2) {
+            sink.addBreaches({result.health.breaches.begin(), result.health.breaches.begin() + static_cast<std::ptrdiff_t>(known)});
+        } else if (i > frames.size() / 2 && known > 0) {
+            HealthBreach longer = result.health.breaches[known - 1];
+            longer.to += frames[i].time;
+            sink.addBreaches({longer});
+        }
     }
     if (frameCount == frames.size()) {
         sink.finish(result);

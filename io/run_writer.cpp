@@ -297,7 +297,7 @@ void RunWriter::addBreaches(const std::vector<HealthBreach>& breaches) {
     for (const HealthBreach& breach : breaches) {
         lines += jsonLine(breachJson(breach)) + '\n';
     }
-    m_jobs.add(lines.size(), [this, text = std::move(lines)] { m_store.appendText(RunDataset::Breaches, text); });
+    m_jobs.add(lines.size(), [this, lines] { m_store.appendText(RunDataset::Breaches, lines); });
 }
 
 void RunWriter::writeResult(const SimulationResult& result) {

@@ -22,7 +22,7 @@ struct Collider {
     bool pushed = false;        ///< a body that a moving piece has pushed
     bool bornBelow = false;     ///< a body whose centre was below ground when it entered
     bool leaving = false;       ///< to be taken out before the next step
-    bool overlapping = false;   ///< a body whose overlap at birth is being bled off in this step
+    bool overlapping = false;   ///< a body that is in overlap from birth in this step
     bool justThawed = false;    ///< its frozen neighbours are not noted yet
     bool broken = false;        ///< a body that was given a velocity that is no number; it goes on without
     bool touched = false;       ///< a body that a contact acted on in this step

@@ -131,8 +131,9 @@ inline void applyFriction(const LaneContacts& c, End& a, End& b, LanePoint& p) {
     apply(c, a, b, p, impulse);
 }
 
-/// One pass over the points of contacts; with Push overlap is pushed apart at `push` [m/s] at most.
-template <bool Push>
+/// One pass over the points of contacts. Push: overlap is pushed apart at `push` [m/s] at most. Moved: the bodies have moved since
+/// the pass before.
+template <bool Push, bool Moved>
 inline void solve(const LaneScene& scene, LaneContacts& c, double push) {
     End a = load(scene.bodies, c.a);
     End b = load(scene.bodies, c.b);
@@ -140,7 +141,7 @@ inline void solve(const LaneScene& scene, LaneContacts& c, double push) {
     const Lanes zero = all(0.0);
     const Lanes perSubstep = all(1.0 / scene.h);
     LaneVector moved{}, turnedA{}, turnedB{};
-    if (!Push) {
+    if (Moved) {
         Lanes ma[4], mb[4], ta[4], tb[4];
         gather(scene.travel, &LaneTravel::moved, c.a, ma);
         gather(scene.travel, &LaneTravel::moved, c.b, mb);
@@ -153,8 +154,7 @@ inline void solve(const LaneScene& scene, LaneContacts& c, double push) {
     Lanes acted = zero;
     for (std::uint32_t k = 0; k < c.points; ++k) {
         LanePoint& p = points[k];
-        if (!Push) {
-            p.raised = impulseOf(c, p).z;
+        if (Moved) {
             p.now = p.separation + dot(c.normal, moved + cross(turnedB, p.fromB) - cross(turnedA, p.fromA));
         }
         const Mask apart = p.now > zero;
@@ -183,8 +183,8 @@ inline void solve(const LaneScene& scene, LaneContacts& c, double push) {
     }
     for (std::uint32_t k = 0; k < c.points; ++k) {
         applyFriction(c, a, b, points[k]);
-        if (!Push) {
-            points[k].impulseSum += points[k].normalImpulse;
+        if (Push) {
+            points[k].raised = impulseOf(c, points[k]).z;
         }
     }
     a.touched = larger(a.touched, acted);
@@ -224,13 +224,13 @@ void warmStart(const LaneScene& scene, std::size_t first, std::size_t last, doub
 
 void soft(const LaneScene& scene, std::size_t first, std::size_t last, double push) {
     for (std::size_t i = first; i < last; ++i) {
-        solve<true>(scene, scene.contacts[i], push);
+        solve<true, false>(scene, scene.contacts[i], push);
     }
 }
 
-void relax(const LaneScene& scene, std::size_t first, std::size_t last) {
+void relax(const LaneScene& scene, std::size_t first, std::size_t last, bool moved) {
     for (std::size_t i = first; i < last; ++i) {
-        solve<false>(scene, scene.contacts[i], 0.0);
+        moved ? solve<false, true>(scene, scene.contacts[i], 0.0) : solve<false, false>(scene, scene.contacts[i], 0.0);
     }
 }
 
@@ -255,6 +255,10 @@ void noteOpening(const LaneScene& scene, std::size_t first, std::size_t last) {
 void book(const LaneScene& scene, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
         LaneContacts& c = scene.contacts[i];
+        for (std::uint32_t k = 0; k < c.points; ++k) {
+            LanePoint& p = scene.points[c.firstPoint + k];
+            p.impulseSum += p.normalImpulse;
+        }
         if (!c.booked) {
             continue;
         }

@@ -14,6 +14,9 @@ constexpr double dampingRatio = 10.0;
 /// A load comes back in the next substep, a blow does not: what is new may grow by this factor from substep to substep. Lower:
 /// slow under a pile that is lifted; higher: what was hit flies on.
 constexpr double warmGrowth = 3.0;
+/// Passes that take the push back. Fewer: piles creep and tremble, since what one contact leaves the others have to take; more:
+/// slower.
+constexpr int relaxPasses = 3;
 /// Rounds over the points of a contact that bounces.
 constexpr int restitutionRounds = 8;
 /// Contacts that one thread takes at a time.
@@ -334,7 +337,10 @@ void SoftSolver::solveSoft(double push) {
 void SoftSolver::relax() {
     send();
     sendTravel();
-    forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) { m_passes.relax(scene, first, last); });
+    for (int pass = 0; pass < relaxPasses; ++pass) {
+        forEachColour(
+            [&](const LaneScene& scene, std::size_t first, std::size_t last) { m_passes.relax(scene, first, last, pass == 0); });
+    }
     receive();
 }
 

@@ -73,7 +73,7 @@ struct ContactColours {
 void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> ends, std::size_t movable, ContactColours& colours);
 
 /// Soft contacts solved by small substeps: one warm-started soft pass that pushes overlap apart, then, after the bodies moved, one
-/// relax pass without the push. Macklin et al. 2019, Small steps in physics simulation; Catto 2024, Solver2D.
+/// few relax passes without the push. Macklin et al. 2019, Small steps in physics simulation; Catto 2024, Solver2D.
 /// Contacts lie in the order of the colours. The passes run over several contacts of a colour side by side (soft_lanes.h).
 class SoftSolver {
 public:
@@ -93,9 +93,9 @@ public:
     void prepare(double h, std::size_t movable);
     /// Applies the impulses of the substep before and solves once, pushing overlap apart at `push` [m/s] at most.
     void solveSoft(double push);
-    /// Solves once without the push.
+    /// Solves without the push until little of it is left.
     void relax();
-    /// Books the work of this substep.
+    /// Books the impulses and the work of this substep.
     void book();
     /// Puts impulses and work into contacts and points. The passes above do not reach those.
     void takeBack();

@@ -36,6 +36,9 @@ void SoftStepWorld::rest(double dt) {
         limitPiece(first, last);
         for (std::size_t i = first; i < last; ++i) {
             SoftContact& contact = m_contacts[i];
+            if (contact.offset > 0.0) {
+                a.overlapping = b.overlapping = true;
+            }
             if (!contact.yielding) {
                 const double depth = contact.depth - contact.offset;
                 m_report.penetrationMax = std::max(m_report.penetrationMax, depth);
@@ -175,9 +178,11 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
     c.driven = piece.kind == ColliderKind::Piece && piece.moving;
     // What is limited or still overlaps does not bounce.
     c.restitution = contact.offset > 0.0 || c.driven ? 0.0 : pair.restitution;
-    c.booked = !c.driven && contact.offset > 0.0;
+    // What a body in overlap does to others, overlap does.
+    const auto swelling = [](const Collider& x) { return x.kind == ColliderKind::Body && x.overlapping; };
+    c.booked = !c.driven && (contact.offset > 0.0 || swelling(*contact.a) || swelling(*contact.b));
     c.impulseLimit = -1.0;
-    if (c.booked) {
+    if (!c.driven && contact.offset > 0.0) {
         c.parting = m_settings.overlapSpeed;
         const double inverse = std::max(m_solver.bodies[c.a].inverseMass, m_solver.bodies[c.b].inverseMass);
         c.partingLimit = partingAcceleration * h / (inverse * contact.count);

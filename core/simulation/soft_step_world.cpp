@@ -149,6 +149,7 @@ void SoftStepWorld::takeSlots(double dt) {
             place(body);
             sweep(body, dt);
             body.active = false;
+            body.collider->overlapping = false;
             body.collider->penetration = 0.0;
         }
     });

@@ -100,7 +100,7 @@ PileMeasures measuresAt(const CaseSetting& setting, double rate, int seeds) {
 void stepHalved(const CaseSetting& setting, Outcome& outcome) {
     // Averages over seeds repeat better than one pile does (1.7 % and 1.5 %, PHYSICS section 3, divided by the root of their
     // number).
-    const int seeds = setting.small ? 2 : 4;
+    const int seeds = 8;
     std::vector<PileMeasures> at;
     for (const double rate : {60.0, 120.0, 240.0, 480.0}) {
         at.push_back(measuresAt(setting, rate, seeds));

@@ -376,6 +376,21 @@ void SoftStepWorld::limitSpeeds(double dt) {
             }
         }
     };
+    // One far lighter than what strikes it has nothing to hand on: only what it touches itself can make it faster.
+    std::vector<double> struck(m_awake.size(), 0.0);
+    for (const SolverContact& c : m_solver.contacts) {
+        const auto own = std::span(m_solver.points).subspan(c.firstPoint, c.points);
+        if (std::none_of(own.begin(), own.end(), [](const SolverPoint& p) { return p.largestImpulse > 0.0; })) {
+            continue;
+        }
+        for (const auto& [light, heavy] : {std::pair{c.a, c.b}, std::pair{c.b, c.a}}) {
+            if (light < m_awake.size() && m_solver.bodies[light].inverseMass > mostMassRatio * m_solver.bodies[heavy].inverseMass &&
+                heavy != m_stillSlot) {
+                const double speed = std::max(reach[heavy], m_solver.bodies[heavy].velocity.norm());
+                struck[light] = std::max(struck[light], (1.0 + c.restitution) * std::max(speed, reach[light]));
+            }
+        }
+    }
     for (int sweep = 0; sweep < 2; ++sweep) {
         std::for_each(m_solver.contacts.begin(), m_solver.contacts.end(), spread);
         std::for_each(m_solver.contacts.rbegin(), m_solver.contacts.rend(), spread);
@@ -383,7 +398,7 @@ void SoftStepWorld::limitSpeeds(double dt) {
     for (std::size_t i = 0; i < m_awake.size(); ++i) {
         SolverBody& body = m_solver.bodies[i];
         const Solid& solid = m_bodies[m_awake[i]];
-        const double most = 2.0 * reach[i] + pushOutSpeed + 2.0 * m_settings.gravity * dt;
+        const double most = (struck[i] > 0.0 ? struck[i] : 2.0 * reach[i]) + pushOutSpeed + 2.0 * m_settings.gravity * dt;
         const double speed = body.velocity.norm();
         const double turning = body.spin.norm() * solid.collider->radius;
         if (speed > most && solid.active) {

@@ -79,11 +79,15 @@ void prepareContact(SolverContact& c, std::span<SolverPoint> points, const Solve
     setSoftness(c, std::min(std::sqrt(squared), SoftSolver::stiffest / h), h);
 }
 
+bool bounces(const SolverPoint& p, double threshold) {
+    return p.approachSpeed >= threshold && p.largestImpulse != 0.0;
+}
+
 void restituteContact(const SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b, double threshold) {
     // The points of one face share a blow; a few rounds find their shares.
     for (int round = 0; round < restitutionRounds; ++round) {
         for (SolverPoint& p : points) {
-            if (p.approachSpeed < threshold || p.largestImpulse == 0.0) {
+            if (!bounces(p, threshold)) {
                 continue;
             }
             const double speed = c.normal.dot(relativeVelocity(a, b, p));
@@ -136,21 +140,6 @@ void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> end
     }
 }
 
-template <class Work>
-void SoftSolver::forEachContact(Work work) {
-    for (std::size_t group = 0; group + 1 < firstOfGroup.size(); ++group) {
-        const std::size_t first = firstOfGroup[group];
-        const std::size_t count = firstOfGroup[group + 1] - first;
-        const bool inOrder = lastInOrder && group + 2 == firstOfGroup.size();
-        m_pool.loop(count, inOrder ? count : grain, [&](std::size_t from, std::size_t to) {
-            for (std::size_t i = first + from; i < first + to; ++i) {
-                SolverContact& c = contacts[i];
-                work(c, std::span<SolverPoint>(points).subspan(c.firstPoint, c.points), bodies[c.a], bodies[c.b]);
-            }
-        });
-    }
-}
-
 template <class Pass>
 void SoftSolver::forEachColour(Pass pass) {
     for (const Colour& colour : m_colours) {
@@ -175,34 +164,34 @@ void SoftSolver::prepare(double h, std::size_t movable) {
         static_cast<float>(h)};
     m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            fillLanes(m_lanes[i]);
+            fillLanes(m_groups[i], m_lanes[i]);
         }
     });
 }
 
 void SoftSolver::layOut() {
-    m_lanes.clear();
+    m_groups.clear();
     m_colours.clear();
+    std::vector<std::uint8_t> counts(contacts.size());
+    std::transform(contacts.begin(), contacts.end(), counts.begin(),
+                   [](const SolverContact& c) { return static_cast<std::uint8_t>(c.points); });
     std::uint32_t point = 0;
     for (std::size_t group = 0; group + 1 < firstOfGroup.size(); ++group) {
         const bool inOrder = lastInOrder && group + 2 == firstOfGroup.size();
-        Colour colour{m_lanes.size(), 0, inOrder};
+        Colour colour{m_groups.size(), 0, inOrder};
         const auto put = [&](std::uint32_t contact) {
-            const std::uint32_t count = contacts[contact].points;
-            const bool begin = m_lanes.size() == colour.first || inOrder || m_lanes.back().count == solverLanes;
+            const bool begin = m_groups.size() == colour.first || inOrder || m_groups.back().count == solverLanes;
             if (begin) {
-                m_lanes.emplace_back();
-                m_lanes.back().firstPoint = point;
-                m_lanes.back().points = count;
-                point += count;
+                m_groups.push_back({point, counts[contact], 0, {}});
+                point += counts[contact];
             }
-            LaneContacts& lanes = m_lanes.back();
+            Group& lanes = m_groups.back();
             lanes.found[lanes.count++] = contact;
         };
         // Those with as many points side by side; within a colour the order does not matter.
         for (std::uint32_t count = inOrder ? 0 : 4; count > 0; --count) {
             for (std::uint32_t i = firstOfGroup[group]; i < firstOfGroup[group + 1]; ++i) {
-                if (contacts[i].points == count) {
+                if (counts[i] == count) {
                     put(i);
                 }
             }
@@ -210,9 +199,10 @@ void SoftSolver::layOut() {
         for (std::uint32_t i = firstOfGroup[group]; inOrder && i < firstOfGroup[group + 1]; ++i) {
             put(i);
         }
-        colour.last = m_lanes.size();
+        colour.last = m_groups.size();
         m_colours.push_back(colour);
     }
+    m_lanes.resize(m_groups.size());
     m_lanePoints.resize(point);
 }
 
@@ -247,8 +237,13 @@ void setLane(LanePoint& to, int lane, const SolverPoint& p) {
 
 }  // namespace
 
-void SoftSolver::fillLanes(LaneContacts& lanes) {
-    const std::uint32_t count = lanes.count, first = lanes.firstPoint, most = lanes.points;
+void SoftSolver::fillLanes(const Group& group, LaneContacts& lanes) {
+    const std::uint32_t count = group.count, first = group.firstPoint, most = group.points;
+    lanes = LaneContacts{};
+    lanes.firstPoint = first;
+    lanes.points = most;
+    lanes.count = count;
+    std::copy_n(group.found, solverLanes, lanes.found);
     const auto still = static_cast<std::uint32_t>(bodies.size() - 1);
     for (std::uint32_t i = count; i < solverLanes; ++i) {
         lanes.a[i] = lanes.b[i] = still;
@@ -374,9 +369,30 @@ void SoftSolver::takeBack() {
 }
 
 void SoftSolver::restitute(double threshold) {
-    forEachContact([&](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) {
-        restituteContact(c, own, a, b, threshold);
+    m_hit.assign(contacts.size(), 0);
+    m_pool.loop(contacts.size(), grain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            const auto own = std::span<SolverPoint>(points).subspan(contacts[i].firstPoint, contacts[i].points);
+            m_hit[i] = std::any_of(own.begin(), own.end(), [&](const SolverPoint& p) { return bounces(p, threshold); });
+        }
     });
+    std::vector<std::uint32_t> hit;
+    for (std::size_t group = 0; group + 1 < firstOfGroup.size(); ++group) {
+        hit.clear();
+        for (std::uint32_t i = firstOfGroup[group]; i < firstOfGroup[group + 1]; ++i) {
+            if (m_hit[i] != 0) {
+                hit.push_back(i);
+            }
+        }
+        const bool inOrder = lastInOrder && group + 2 == firstOfGroup.size();
+        m_pool.loop(hit.size(), inOrder ? hit.size() : grain, [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i) {
+                SolverContact& c = contacts[hit[i]];
+                const auto own = std::span<SolverPoint>(points).subspan(c.firstPoint, c.points);
+                restituteContact(c, own, bodies[c.a], bodies[c.b], threshold);
+            }
+        });
+    }
 }
 
 }  // namespace rubble

@@ -110,12 +110,17 @@ private:
         std::size_t first = 0, last = 0;
         bool inOrder = false;
     };
-    template <class Work>
-    void forEachContact(Work work);
+    /// Contacts that go side by side.
+    struct Group {
+        std::uint32_t firstPoint = 0;
+        std::uint32_t points = 0;  ///< the most of any of them
+        std::uint32_t count = 0;
+        std::uint32_t found[solverLanes] = {};
+    };
     template <class Pass>
     void forEachColour(Pass pass);
     void layOut();
-    void fillLanes(LaneContacts& lanes);
+    void fillLanes(const Group& group, LaneContacts& lanes);
     void send();
     void sendTravel();
     void receive();
@@ -124,6 +129,8 @@ private:
     const LanePasses& m_passes = lanePasses();
     LaneScene m_scene;
     std::vector<Colour> m_colours;
+    std::vector<char> m_hit;  ///< [contacts] it may bounce
+    std::vector<Group> m_groups;
     std::vector<LaneContacts> m_lanes;
     std::vector<LanePoint> m_lanePoints;
     std::vector<LaneBody> m_laneBodies;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 #include "core/simulation/constants.h"
 
@@ -82,6 +83,7 @@ void SoftStepWorld::addBody(Collider* body) {
     solid.inverseMass = body->object->getInvMass();
     solid.hull = std::any_of(body->parts.begin(), body->parts.end(), [](const ConvexPart& p) { return !p.points.empty(); });
     m_bodies.push_back(std::move(solid));
+    enter(*body);
     m_freeze.addBody();
 }
 
@@ -91,11 +93,20 @@ void SoftStepWorld::addPiece(Collider* piece) {
     solid.pose = fromBullet(piece->object->getWorldTransform());
     solid.hull = std::any_of(piece->parts.begin(), piece->parts.end(), [](const ConvexPart& p) { return !p.points.empty(); });
     m_pieces.push_back(std::move(solid));
+    enter(*piece);
+}
+
+void SoftStepWorld::enter(Collider& collider) {
+    m_entered.resize(std::max<std::size_t>(m_entered.size(), collider.number + 1));
+    m_entered[collider.number].collider = &collider;
+    m_entered[collider.number].kind = collider.kind;
 }
 
 void SoftStepWorld::forget(Collider& collider) {
     Solid& solid = solidOf(collider);
     solid.collider = nullptr;
+    m_entered[collider.number].collider = nullptr;
+    m_boxes.remove(collider.number);
     solid.placed.clear();
     solid.hulls.clear();
     const auto gone = [&](const SoftContact& c) { return c.a == &collider || c.b == &collider; };
@@ -199,6 +210,9 @@ void SoftStepWorld::substeps(double dt) {
     const double h = dt / m_substeps;
     buildSolver(h);
     m_solver.prepare(h, m_awake.size());
+    if (m_hook) {
+        prepareHook();
+    }
     double hook = 0.0;
     double motion = 0.0;
     for (int substep = 0; substep < m_substeps; ++substep) {
@@ -262,29 +276,49 @@ double SoftStepWorld::sinkAllowed(const SoftContact& contact) const {
     return std::max(1e-5, sinkShare * std::min(thickness(*contact.a), thickness(*contact.b)));
 }
 
+/// The bodies as the hook sees them, but for how they move.
+void SoftStepWorld::prepareHook() {
+    m_hooked.resize(m_awake.size());
+    m_slotOf.assign(m_bodies.size(), -1);
+    m_pool.loop(m_awake.size(), 128, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Solid& solid = m_bodies[m_awake[i]];
+            m_slotOf[m_awake[i]] = static_cast<std::int32_t>(i);
+            MovingBody& hooked = m_hooked[i];
+            hooked.id = idAt<BodyId>(m_awake[i]);
+            hooked.inverseMass = solid.inverseMass;
+            hooked.inertia = solid.inertia;
+            hooked.inverseInertia = m_solver.bodies[i].inverseInertia;
+            hooked.box = solid.collider->box;
+            hooked.volume = solid.collider->volume;
+        }
+    });
+}
+
 void SoftStepWorld::runHook(double h) {
     if (!m_hook) {
         return;
     }
-    m_hooked.resize(m_awake.size());
-    m_slotOf.assign(m_bodies.size(), -1);
-    for (std::size_t i = 0; i < m_awake.size(); ++i) {
-        const Solid& solid = m_bodies[m_awake[i]];
-        const SolverBody& body = m_solver.bodies[i];
-        m_slotOf[m_awake[i]] = static_cast<std::int32_t>(i);
-        m_hooked[i] = {
-            idAt<BodyId>(m_awake[i]), solid.pose.position, solid.pose.orientation, body.velocity,       body.spin,
-            body.inverseMass,         solid.inertia,       body.inverseInertia,    solid.collider->box, solid.collider->volume};
-    }
-    m_hook({m_hooked, m_slotOf}, h);
-    for (std::size_t i = 0; i < m_awake.size(); ++i) {
-        if (!isNumber(m_hooked[i])) {
-            m_bodies[m_awake[i]].collider->broken = true;
-            continue;
+    m_pool.loop(m_awake.size(), 256, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Pose& pose = m_bodies[m_awake[i]].pose;
+            m_hooked[i].position = pose.position;
+            m_hooked[i].orientation = pose.orientation;
+            m_hooked[i].velocity = m_solver.bodies[i].velocity;
+            m_hooked[i].spin = m_solver.bodies[i].spin;
         }
-        m_solver.bodies[i].velocity = m_hooked[i].velocity;
-        m_solver.bodies[i].spin = m_hooked[i].spin;
-    }
+    });
+    m_hook({m_hooked, m_slotOf}, h);
+    m_pool.loop(m_awake.size(), 256, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            if (!isNumber(m_hooked[i])) {
+                m_bodies[m_awake[i]].collider->broken = true;
+                continue;
+            }
+            m_solver.bodies[i].velocity = m_hooked[i].velocity;
+            m_solver.bodies[i].spin = m_hooked[i].spin;
+        }
+    });
 }
 
 void SoftStepWorld::moveBodies(double h) {
@@ -311,28 +345,33 @@ void SoftStepWorld::moveBodies(double h) {
 }
 
 void SoftStepWorld::writeBack(double dt) {
-    for (std::size_t i = 0; i < m_awake.size(); ++i) {
-        Solid& solid = m_bodies[m_awake[i]];
-        solid.velocity = m_solver.bodies[i].velocity;
-        solid.spin = m_solver.bodies[i].spin;
-        solid.supported = std::exchange(solid.supportedNow, false);
-        keepAboveGround(solid, dt);
-        btRigidBody& object = *solid.collider->object;
-        object.setWorldTransform(toBullet(solid.pose));
-        object.setLinearVelocity(toBullet(solid.velocity));
-        object.setAngularVelocity(toBullet(solid.spin));
-    }
+    std::vector<double> lifting(m_awake.size());  // J
+    m_pool.loop(m_awake.size(), 128, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            Solid& solid = m_bodies[m_awake[i]];
+            solid.velocity = m_solver.bodies[i].velocity;
+            solid.spin = m_solver.bodies[i].spin;
+            solid.supported = std::exchange(solid.supportedNow, false);
+            lifting[i] = keepAboveGround(solid, dt);
+            btRigidBody& object = *solid.collider->object;
+            object.setWorldTransform(toBullet(solid.pose));
+            object.setLinearVelocity(toBullet(solid.velocity));
+            object.setAngularVelocity(toBullet(solid.spin));
+        }
+    });
+    m_report.overlapWork = std::accumulate(lifting.begin(), lifting.end(), m_report.overlapWork);
     for (const std::uint32_t i : m_moving) {
         m_pieces[i].pose = fromBullet(m_pieces[i].collider->object->getWorldTransform());
     }
 }
 
-void SoftStepWorld::keepAboveGround(Solid& solid, double dt) {
+/// Returns the work [J] that it took.
+double SoftStepWorld::keepAboveGround(Solid& solid, double dt) const {
     Collider& collider = *solid.collider;
     const double sunk = m_surface.depth(solid.pose.position);
     collider.bornBelow = sunk > 0.0 && (collider.bornBelow || collider.newborn);
     if (sunk <= 0.0) {
-        return;
+        return 0.0;
     }
     // A centre below ground has been squeezed there; contact alone may not bring it back from under a pile.
     const Vec3 before = solid.pose.position;
@@ -340,9 +379,9 @@ void SoftStepWorld::keepAboveGround(Solid& solid, double dt) {
     const double most = separationSpeed * dt;
     const double share = collider.bornBelow && way.norm() > most ? most / way.norm() : 1.0;
     solid.pose.position += share * way;
-    m_report.overlapWork += m_settings.gravity * share * way.z() / solid.inverseMass;
     const Vec3 normal = m_surface.normal(before.x(), before.y());
     solid.velocity -= std::min(0.0, solid.velocity.dot(normal)) * normal;
+    return m_settings.gravity * share * way.z() / solid.inverseMass;
 }
 
 void SoftStepWorld::settle(double dt) {
@@ -405,8 +444,8 @@ void SoftStepWorld::freeze(Collider& body) {
     body.object->setAngularVelocity(btVector3(0, 0, 0));
     place(solid);
     sweep(solid, 0.0);
-    m_broadphasePairCache->setAabb(body.object->getBroadphaseHandle(), toBullet(solid.swept.min()), toBullet(solid.swept.max()),
-                                   m_dispatcher1);
+    m_entered[body.number].swept = solid.swept;
+    m_boxes.set(body.number, solid.swept);
 }
 
 void SoftStepWorld::thaw(Collider& body) {

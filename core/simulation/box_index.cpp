@@ -9,9 +9,9 @@ namespace rubble {
 namespace {
 
 /// Times that every box may move before the tree is laid out anew. Lower: more sorting; higher: wider nodes.
-constexpr std::uint64_t mostMoves = 16;
+constexpr std::uint64_t mostMoves = 4;
 /// A new box, which goes to the end for the time being, counts as so many moves.
-constexpr std::uint64_t movesOfNew = 64;
+constexpr std::uint64_t movesOfNew = 16;
 /// Bits per axis along the space-filling curve.
 constexpr int curveBits = 21;
 
@@ -96,8 +96,10 @@ BoxIndex::Bounds BoxIndex::around(const Node& node) const {
 /// Makes room for as many boxes as there are keys.
 void BoxIndex::grow() {
     Node empty;
-    std::fill_n(empty.low, 3, Eight{} + nowhere);
-    std::fill_n(empty.high, 3, Eight{} - nowhere);
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::fill_n(empty.low[k], width, nowhere);
+        std::fill_n(empty.high[k], width, -nowhere);
+    }
     std::size_t count = m_keys.size();
     for (std::size_t level = 0; level == 0 || count > 1; ++level) {
         count = (count + width - 1) / width;

@@ -36,15 +36,16 @@ private:
     static constexpr std::uint32_t width = 8;
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     static constexpr float nowhere = std::numeric_limits<float>::infinity();
-    using Eight = float __attribute__((vector_size(4 * width), aligned(4 * width)));
-    using EightMarks = std::int32_t __attribute__((vector_size(4 * width), aligned(4 * width)));
+    /// Every processor compares four at once.
+    using Four = float __attribute__((vector_size(16), may_alias));
+    using FourMarks = std::int32_t __attribute__((vector_size(16)));
 
     struct Bounds {
         std::array<float, 3> low{nowhere, nowhere, nowhere};
         std::array<float, 3> high{-nowhere, -nowhere, -nowhere};
     };
-    struct Node {
-        Eight low[3], high[3];
+    struct alignas(32) Node {
+        float low[3][width], high[3][width];
     };
     struct Level {
         std::vector<Node> nodes;
@@ -54,12 +55,18 @@ private:
     static Bounds bounds(const Aabb& box);
     /// One bit for each of the node's eight that overlaps.
     static unsigned overlapping(const Node& node, const Bounds& box) {
-        EightMarks marks = EightMarks{1, 2, 4, 8, 16, 32, 64, 128};
-        for (std::size_t k = 0; k < 3; ++k) {
-            marks &= (node.low[k] <= box.high[k]) & (node.high[k] >= box.low[k]);
+        FourMarks marks{};
+        for (std::size_t half = 0; half < width; half += 4) {
+            FourMarks own = half == 0 ? FourMarks{1, 2, 4, 8} : FourMarks{16, 32, 64, 128};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Four low = *reinterpret_cast<const Four*>(node.low[k] + half);
+                const Four high = *reinterpret_cast<const Four*>(node.high[k] + half);
+                own &= (low <= box.high[k]) & (high >= box.low[k]);
+            }
+            marks |= own;
         }
-        const auto halves = std::bit_cast<std::array<std::uint64_t, 4>>(marks);
-        const std::uint64_t all = (halves[0] | halves[1]) | (halves[2] | halves[3]);
+        const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(marks);
+        const std::uint64_t all = halves[0] | halves[1];
         return static_cast<unsigned>((all | all >> 32) & 0xff);
     }
     template <class Visit>

@@ -29,6 +29,16 @@ double volumeOf(const RunDescription& description, std::span<const FragmentId> m
     return volume;
 }
 
+/// A wire or a point is as hard to turn as the least box that its shape was thickened to: a contact off its centre would find next
+/// to no mass there and sink in. Its angular momentum stays.
+void fillOut(NewBody& body) {
+    const double least = body.mass * body.smallestSide * body.smallestSide / 6.0;
+    const Vec3 filled = body.inertia.cwiseMax(least);
+    const Vec3 spin = body.pose.orientation.conjugate() * body.angularVelocity;
+    body.angularVelocity = body.pose.orientation * spin.cwiseProduct(body.inertia).cwiseQuotient(filled);
+    body.inertia = filled;
+}
+
 /// Nothing if it is none that the engine can take.
 std::optional<NewBody> soundBody(const RunDescription& description, const Cluster& cluster, std::span<const FragmentId> members) {
     if (!cluster.inertia.allFinite()) {
@@ -48,6 +58,7 @@ std::optional<NewBody> soundBody(const RunDescription& description, const Cluste
     body.shape = clusterShape(*description.fragments, members, frame.pose, scenario.simulation.shape,
                               scenario.simulation.boxBulking, scenario.fragments);
     body.smallestSide = smallestSide(body.shape);
+    fillOut(body);
     body.volume = volumeOf(description, members);
     body.material = description.components->list[at(cluster.component)].material;
     return sound(body.shape) ? std::optional(body) : std::nullopt;

@@ -6,11 +6,11 @@
 namespace rubble {
 
 /// Contacts that the solver takes side by side: no two of them move the same body.
-constexpr int solverLanes = 8;
+constexpr int solverLanes = 4;
 
-/// One number of each of those contacts. Single precision: what is solved for are changes of velocity within a step; positions and
-/// velocities themselves are kept in double.
-using Lanes = float __attribute__((vector_size(4 * solverLanes), aligned(4 * solverLanes)));
+/// One number of each of those contacts. In single precision momentum would be kept to six digits only, and towers of twenty blocks
+/// lean.
+using Lanes = double __attribute__((vector_size(8 * solverLanes), aligned(8 * solverLanes)));
 
 struct LaneVector {
     Lanes x, y, z;
@@ -22,17 +22,17 @@ struct LaneTensor {
 
 /// What the passes change of a body. The fourth number of the velocity is 1 once a contact has acted on it in this substep.
 struct alignas(32) LaneBody {
-    float velocity[4] = {};  ///< m/s
-    float spin[4] = {};      ///< rad/s, world axes
+    double velocity[4] = {};  ///< m/s
+    double spin[4] = {};      ///< rad/s, world axes
 };
 /// How far a body has gone since the start of the step.
 struct alignas(32) LaneTravel {
-    float moved[4] = {};   ///< m
-    float turned[4] = {};  ///< rad
+    double moved[4] = {};   ///< m
+    double turned[4] = {};  ///< rad
 };
 
 /// A point of each contact; where a contact has fewer points, its masses are zero.
-struct alignas(4 * solverLanes) LanePoint {
+struct alignas(8 * solverLanes) LanePoint {
     LaneVector fromA, fromB;  ///< m, from the centres of mass, at the start of the step
     Lanes separation;         ///< m, at the start of the step, rest offset taken off
     Lanes now;                ///< m, in this substep
@@ -47,7 +47,7 @@ struct alignas(4 * solverLanes) LanePoint {
 };
 
 /// Contacts side by side. Missing ones at the end of a colour have no mass and no body.
-struct alignas(4 * solverLanes) LaneContacts {
+struct alignas(8 * solverLanes) LaneContacts {
     std::uint32_t a[solverLanes], b[solverLanes];  ///< bodies
     std::uint32_t firstPoint = 0;
     std::uint32_t points = 0;          ///< the most of any of them
@@ -79,16 +79,16 @@ struct LaneScene {
     LaneBody* bodies = nullptr;
     const LaneTravel* travel = nullptr;
     std::uint32_t movable = 0;  ///< bodies below this one move
-    float h = 0.0f;             ///< s, length of a substep
+    double h = 0.0;             ///< s, length of a substep
 };
 
 /// The passes over contacts [first, last) of one colour, in two makes: for every processor, and for those with 256-bit vectors.
 /// Both round alike.
 struct LanePasses {
     /// Applies the impulses of the substep before. @param growth  most by which what is new may grow
-    void (*warmStart)(const LaneScene& scene, std::size_t first, std::size_t last, float growth);
+    void (*warmStart)(const LaneScene& scene, std::size_t first, std::size_t last, double growth);
     /// Solves once. @param push  m/s at most for pushing overlap apart
-    void (*soft)(const LaneScene& scene, std::size_t first, std::size_t last, float push);
+    void (*soft)(const LaneScene& scene, std::size_t first, std::size_t last, double push);
     /// Solves once without the push, where the bodies have moved to.
     void (*relax)(const LaneScene& scene, std::size_t first, std::size_t last);
     /// Notes the velocities that are about to move the bodies, for the work of contacts that are accounted for.

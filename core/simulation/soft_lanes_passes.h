@@ -6,10 +6,10 @@ namespace rubble::RUBBLE_LANE_MAKE {
 
 namespace {
 
-using Mask = std::int32_t __attribute__((vector_size(4 * solverLanes)));
+using Mask = std::int64_t __attribute__((vector_size(8 * solverLanes)));
 
-inline Lanes all(float x) {
-    return Lanes{x, x, x, x, x, x, x, x};
+inline Lanes all(double x) {
+    return Lanes{x, x, x, x};
 }
 inline Lanes larger(Lanes a, Lanes b) {
     return a > b ? a : b;
@@ -20,12 +20,12 @@ inline Lanes smaller(Lanes a, Lanes b) {
 inline Lanes root(Lanes a) {
     Lanes r;
     for (int i = 0; i < solverLanes; ++i) {
-        r[i] = __builtin_sqrtf(a[i]);
+        r[i] = __builtin_sqrt(a[i]);
     }
     return r;
 }
 inline bool any(Mask m) {
-    std::int32_t r = 0;
+    std::int64_t r = 0;
     for (int i = 0; i < solverLanes; ++i) {
         r |= m[i];
     }
@@ -52,37 +52,23 @@ inline LaneVector operator*(const LaneTensor& t, const LaneVector& v) {
 }
 
 /// Rows to columns and back.
-inline void transpose(Lanes (&r)[8]) {
-    const Lanes a0 = __builtin_shufflevector(r[0], r[1], 0, 8, 1, 9, 4, 12, 5, 13);
-    const Lanes a1 = __builtin_shufflevector(r[0], r[1], 2, 10, 3, 11, 6, 14, 7, 15);
-    const Lanes a2 = __builtin_shufflevector(r[2], r[3], 0, 8, 1, 9, 4, 12, 5, 13);
-    const Lanes a3 = __builtin_shufflevector(r[2], r[3], 2, 10, 3, 11, 6, 14, 7, 15);
-    const Lanes a4 = __builtin_shufflevector(r[4], r[5], 0, 8, 1, 9, 4, 12, 5, 13);
-    const Lanes a5 = __builtin_shufflevector(r[4], r[5], 2, 10, 3, 11, 6, 14, 7, 15);
-    const Lanes a6 = __builtin_shufflevector(r[6], r[7], 0, 8, 1, 9, 4, 12, 5, 13);
-    const Lanes a7 = __builtin_shufflevector(r[6], r[7], 2, 10, 3, 11, 6, 14, 7, 15);
-    const Lanes b0 = __builtin_shufflevector(a0, a2, 0, 1, 8, 9, 4, 5, 12, 13);
-    const Lanes b1 = __builtin_shufflevector(a0, a2, 2, 3, 10, 11, 6, 7, 14, 15);
-    const Lanes b2 = __builtin_shufflevector(a1, a3, 0, 1, 8, 9, 4, 5, 12, 13);
-    const Lanes b3 = __builtin_shufflevector(a1, a3, 2, 3, 10, 11, 6, 7, 14, 15);
-    const Lanes b4 = __builtin_shufflevector(a4, a6, 0, 1, 8, 9, 4, 5, 12, 13);
-    const Lanes b5 = __builtin_shufflevector(a4, a6, 2, 3, 10, 11, 6, 7, 14, 15);
-    const Lanes b6 = __builtin_shufflevector(a5, a7, 0, 1, 8, 9, 4, 5, 12, 13);
-    const Lanes b7 = __builtin_shufflevector(a5, a7, 2, 3, 10, 11, 6, 7, 14, 15);
-    r[0] = __builtin_shufflevector(b0, b4, 0, 1, 2, 3, 8, 9, 10, 11);
-    r[1] = __builtin_shufflevector(b1, b5, 0, 1, 2, 3, 8, 9, 10, 11);
-    r[2] = __builtin_shufflevector(b2, b6, 0, 1, 2, 3, 8, 9, 10, 11);
-    r[3] = __builtin_shufflevector(b3, b7, 0, 1, 2, 3, 8, 9, 10, 11);
-    r[4] = __builtin_shufflevector(b0, b4, 4, 5, 6, 7, 12, 13, 14, 15);
-    r[5] = __builtin_shufflevector(b1, b5, 4, 5, 6, 7, 12, 13, 14, 15);
-    r[6] = __builtin_shufflevector(b2, b6, 4, 5, 6, 7, 12, 13, 14, 15);
-    r[7] = __builtin_shufflevector(b3, b7, 4, 5, 6, 7, 12, 13, 14, 15);
+inline void transpose(Lanes (&r)[4]) {
+    const Lanes a0 = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6);
+    const Lanes a1 = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
+    const Lanes a2 = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6);
+    const Lanes a3 = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
+    r[0] = __builtin_shufflevector(a0, a2, 0, 1, 4, 5);
+    r[1] = __builtin_shufflevector(a1, a3, 0, 1, 4, 5);
+    r[2] = __builtin_shufflevector(a0, a2, 2, 3, 6, 7);
+    r[3] = __builtin_shufflevector(a1, a3, 2, 3, 6, 7);
 }
 
+/// Four numbers of each lane's record.
 template <class Record>
-inline void gather(const Record* records, const std::uint32_t (&which)[solverLanes], Lanes (&columns)[8]) {
+inline void gather(const Record* records, double (Record::*member)[4], const std::uint32_t (&which)[solverLanes],
+                   Lanes (&columns)[4]) {
     for (int i = 0; i < solverLanes; ++i) {
-        columns[i] = *reinterpret_cast<const Lanes*>(&records[which[i]]);
+        columns[i] = *reinterpret_cast<const Lanes*>(records[which[i]].*member);
     }
     transpose(columns);
 }
@@ -94,18 +80,22 @@ struct End {
 };
 
 inline End load(const LaneBody* bodies, const std::uint32_t (&which)[solverLanes]) {
-    Lanes c[8];
-    gather(bodies, which, c);
-    return {{c[0], c[1], c[2]}, {c[4], c[5], c[6]}, c[3]};
+    Lanes v[4], w[4];
+    gather(bodies, &LaneBody::velocity, which, v);
+    gather(bodies, &LaneBody::spin, which, w);
+    return {{v[0], v[1], v[2]}, {w[0], w[1], w[2]}, v[3]};
 }
 
 inline void store(const End& end, LaneBody* bodies, const std::uint32_t (&which)[solverLanes], std::uint32_t movable) {
-    Lanes c[8] = {end.velocity.x, end.velocity.y, end.velocity.z, end.touched, end.spin.x, end.spin.y, end.spin.z, all(0.0f)};
-    transpose(c);
+    Lanes v[4] = {end.velocity.x, end.velocity.y, end.velocity.z, end.touched};
+    Lanes w[4] = {end.spin.x, end.spin.y, end.spin.z, all(0.0)};
+    transpose(v);
+    transpose(w);
     for (int i = 0; i < solverLanes; ++i) {
         // Threads may share an immovable body, so nothing is written to it.
         if (which[i] < movable) {
-            *reinterpret_cast<Lanes*>(&bodies[which[i]]) = c[i];
+            *reinterpret_cast<Lanes*>(bodies[which[i]].velocity) = v[i];
+            *reinterpret_cast<Lanes*>(bodies[which[i]].spin) = w[i];
         }
     }
 }
@@ -132,7 +122,7 @@ inline void applyFriction(const LaneContacts& c, End& a, End& b, LanePoint& p) {
     const Lanes limit = c.friction * p.normalImpulse;
     const Lanes length = t0 * t0 + t1 * t1;
     const Mask beyond = length > limit * limit;
-    const Lanes scale = beyond ? limit / root(beyond ? length : all(1.0f)) : all(1.0f);
+    const Lanes scale = beyond ? limit / root(beyond ? length : all(1.0)) : all(1.0);
     t0 = t0 * scale;
     t1 = t1 * scale;
     const LaneVector impulse = (t0 - p.tangentImpulse[0]) * c.tangent[0] + (t1 - p.tangentImpulse[1]) * c.tangent[1];
@@ -143,20 +133,22 @@ inline void applyFriction(const LaneContacts& c, End& a, End& b, LanePoint& p) {
 
 /// One pass over the points of contacts; with Push overlap is pushed apart at `push` [m/s] at most.
 template <bool Push>
-inline void solve(const LaneScene& scene, LaneContacts& c, float push) {
+inline void solve(const LaneScene& scene, LaneContacts& c, double push) {
     End a = load(scene.bodies, c.a);
     End b = load(scene.bodies, c.b);
     LanePoint* points = scene.points + c.firstPoint;
-    const Lanes zero = all(0.0f);
-    const Lanes perSubstep = all(1.0f / scene.h);
+    const Lanes zero = all(0.0);
+    const Lanes perSubstep = all(1.0 / scene.h);
     LaneVector moved{}, turnedA{}, turnedB{};
     if (!Push) {
-        Lanes ta[8], tb[8];
-        gather(scene.travel, c.a, ta);
-        gather(scene.travel, c.b, tb);
-        moved = LaneVector{tb[0], tb[1], tb[2]} - LaneVector{ta[0], ta[1], ta[2]};
-        turnedA = {ta[4], ta[5], ta[6]};
-        turnedB = {tb[4], tb[5], tb[6]};
+        Lanes ma[4], mb[4], ta[4], tb[4];
+        gather(scene.travel, &LaneTravel::moved, c.a, ma);
+        gather(scene.travel, &LaneTravel::moved, c.b, mb);
+        gather(scene.travel, &LaneTravel::turned, c.a, ta);
+        gather(scene.travel, &LaneTravel::turned, c.b, tb);
+        moved = LaneVector{mb[0], mb[1], mb[2]} - LaneVector{ma[0], ma[1], ma[2]};
+        turnedA = {ta[0], ta[1], ta[2]};
+        turnedB = {tb[0], tb[1], tb[2]};
     }
     Lanes acted = zero;
     for (std::uint32_t k = 0; k < c.points; ++k) {
@@ -170,7 +162,7 @@ inline void solve(const LaneScene& scene, LaneContacts& c, float push) {
         Lanes wanted;
         if (Push) {
             const Lanes bias = apart ? ahead : larger(c.biasRate * p.now, all(-push));
-            const Lanes massScale = apart ? all(1.0f) : c.massScale;
+            const Lanes massScale = apart ? all(1.0) : c.massScale;
             const Lanes impulseScale = apart ? zero : c.impulseScale;
             wanted = p.normalImpulse - p.normalMass * massScale * (speed + bias) - impulseScale * p.normalImpulse;
         } else {
@@ -185,7 +177,7 @@ inline void solve(const LaneScene& scene, LaneContacts& c, float push) {
         const Lanes change = total - p.normalImpulse;
         p.normalImpulse = total;
         p.largestImpulse = larger(p.largestImpulse, total);
-        acted = total > zero ? all(1.0f) : acted;
+        acted = total > zero ? all(1.0) : acted;
         apply(c, a, b, p, change * c.normal);
     }
     for (std::uint32_t k = 0; k < c.points; ++k) {
@@ -200,23 +192,23 @@ inline void solve(const LaneScene& scene, LaneContacts& c, float push) {
     store(b, scene.bodies, c.b, scene.movable);
 }
 
-void warmStart(const LaneScene& scene, std::size_t first, std::size_t last, float growth) {
+void warmStart(const LaneScene& scene, std::size_t first, std::size_t last, double growth) {
     for (std::size_t i = first; i < last; ++i) {
         const LaneContacts& c = scene.contacts[i];
         LanePoint* points = scene.points + c.firstPoint;
-        Lanes largest = all(0.0f);
+        Lanes largest = all(0.0);
         for (std::uint32_t k = 0; k < c.points; ++k) {
             LanePoint& p = points[k];
             const Lanes most = all(growth) * larger(p.before, c.weight);
             p.before = p.normalImpulse;
             const Mask over = p.normalImpulse > most;
-            const Lanes scale = over ? most / (over ? p.normalImpulse : all(1.0f)) : all(1.0f);
+            const Lanes scale = over ? most / (over ? p.normalImpulse : all(1.0)) : all(1.0);
             p.tangentImpulse[0] = p.tangentImpulse[0] * scale;
             p.tangentImpulse[1] = p.tangentImpulse[1] * scale;
             p.normalImpulse = over ? most : p.normalImpulse;
             largest = larger(largest, p.normalImpulse);
         }
-        if (!any(largest > all(0.0f))) {
+        if (!any(largest > all(0.0))) {
             continue;
         }
         End a = load(scene.bodies, c.a);
@@ -229,7 +221,7 @@ void warmStart(const LaneScene& scene, std::size_t first, std::size_t last, floa
     }
 }
 
-void soft(const LaneScene& scene, std::size_t first, std::size_t last, float push) {
+void soft(const LaneScene& scene, std::size_t first, std::size_t last, double push) {
     for (std::size_t i = first; i < last; ++i) {
         solve<true>(scene, scene.contacts[i], push);
     }
@@ -237,7 +229,7 @@ void soft(const LaneScene& scene, std::size_t first, std::size_t last, float pus
 
 void relax(const LaneScene& scene, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-        solve<false>(scene, scene.contacts[i], 0.0f);
+        solve<false>(scene, scene.contacts[i], 0.0);
     }
 }
 
@@ -270,7 +262,7 @@ void book(const LaneScene& scene, std::size_t first, std::size_t last) {
             const LaneVector speedA = a.velocity + cross(a.spin, p.fromA);
             const LaneVector speedB = b.velocity + cross(b.spin, p.fromB);
             c.work += c.drivenByA * dot(impulse, speedA) - c.drivenByB * dot(impulse, speedB) +
-                      c.bookedShare * larger(p.normalImpulse * p.opening, all(0.0f));
+                      c.bookedShare * larger(p.normalImpulse * p.opening, all(0.0));
         }
     }
 }

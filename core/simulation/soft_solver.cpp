@@ -23,7 +23,7 @@ constexpr std::size_t laneGrain = 16;
 /// Bodies that one thread takes at a time.
 constexpr std::size_t bodyGrain = 512;
 /// N s. No limit.
-constexpr float unlimited = 3e38f;
+constexpr double unlimited = 1e300;
 /// Groups; a body with more contacts than this puts the rest into the ordered group.
 constexpr std::uint32_t mostColours = 63;
 
@@ -160,8 +160,7 @@ void SoftSolver::prepare(double h, std::size_t movable) {
     m_laneTravel.assign(bodies.size(), {});
     layOut();
     m_scene = {
-        m_lanes.data(),       m_lanePoints.data(), m_laneBodies.data(), m_laneTravel.data(), static_cast<std::uint32_t>(movable),
-        static_cast<float>(h)};
+        m_lanes.data(), m_lanePoints.data(), m_laneBodies.data(), m_laneTravel.data(), static_cast<std::uint32_t>(movable), h};
     m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             fillLanes(m_groups[i], m_lanes[i]);
@@ -209,29 +208,29 @@ void SoftSolver::layOut() {
 namespace {
 
 void setLane(LaneVector& to, int lane, const Vec3& v) {
-    to.x[lane] = static_cast<float>(v.x());
-    to.y[lane] = static_cast<float>(v.y());
-    to.z[lane] = static_cast<float>(v.z());
+    to.x[lane] = v.x();
+    to.y[lane] = v.y();
+    to.z[lane] = v.z();
 }
 
 void setLane(LaneTensor& to, int lane, const Mat3& t) {
-    to.xx[lane] = static_cast<float>(t(0, 0));
-    to.yy[lane] = static_cast<float>(t(1, 1));
-    to.zz[lane] = static_cast<float>(t(2, 2));
-    to.xy[lane] = static_cast<float>(t(0, 1));
-    to.xz[lane] = static_cast<float>(t(0, 2));
-    to.yz[lane] = static_cast<float>(t(1, 2));
+    to.xx[lane] = t(0, 0);
+    to.yy[lane] = t(1, 1);
+    to.zz[lane] = t(2, 2);
+    to.xy[lane] = t(0, 1);
+    to.xz[lane] = t(0, 2);
+    to.yz[lane] = t(1, 2);
 }
 
 void setLane(LanePoint& to, int lane, const SolverPoint& p) {
     setLane(to.fromA, lane, p.fromA);
     setLane(to.fromB, lane, p.fromB);
-    to.separation[lane] = to.now[lane] = static_cast<float>(p.separation);
-    to.normalMass[lane] = static_cast<float>(p.normalMass);
-    to.normalImpulse[lane] = to.before[lane] = static_cast<float>(p.normalImpulse);
+    to.separation[lane] = to.now[lane] = p.separation;
+    to.normalMass[lane] = p.normalMass;
+    to.normalImpulse[lane] = to.before[lane] = p.normalImpulse;
     for (int t = 0; t < 2; ++t) {
-        to.tangentMass[t][lane] = static_cast<float>(p.tangentMass[t]);
-        to.tangentImpulse[t][lane] = static_cast<float>(p.tangentImpulse[t]);
+        to.tangentMass[t][lane] = p.tangentMass[t];
+        to.tangentImpulse[t][lane] = p.tangentImpulse[t];
     }
 }
 
@@ -261,19 +260,19 @@ void SoftSolver::fillLanes(const Group& group, LaneContacts& lanes) {
         setLane(lanes.tangent[1], lane, c.tangent[1]);
         setLane(lanes.inverseInertiaA, lane, c.yieldA * a.inverseInertia);
         setLane(lanes.inverseInertiaB, lane, c.yieldB * b.inverseInertia);
-        lanes.friction[lane] = static_cast<float>(c.friction);
-        lanes.inverseMassA[lane] = static_cast<float>(c.yieldA * a.inverseMass);
-        lanes.inverseMassB[lane] = static_cast<float>(c.yieldB * b.inverseMass);
-        lanes.weight[lane] = static_cast<float>(c.weight);
-        lanes.biasRate[lane] = static_cast<float>(c.biasRate);
-        lanes.massScale[lane] = static_cast<float>(c.massScale);
-        lanes.impulseScale[lane] = static_cast<float>(c.impulseScale);
-        lanes.parting[lane] = static_cast<float>(c.parting);
-        lanes.partingLimit[lane] = static_cast<float>(c.partingLimit);
-        lanes.impulseLimit[lane] = c.impulseLimit < 0.0 ? unlimited : static_cast<float>(c.impulseLimit);
-        lanes.bookedShare[lane] = c.booked ? 1.0f : 0.0f;
-        lanes.drivenByA[lane] = c.driven && a.inverseMass == 0.0 ? 1.0f : 0.0f;
-        lanes.drivenByB[lane] = c.driven && a.inverseMass != 0.0 ? 1.0f : 0.0f;
+        lanes.friction[lane] = c.friction;
+        lanes.inverseMassA[lane] = c.yieldA * a.inverseMass;
+        lanes.inverseMassB[lane] = c.yieldB * b.inverseMass;
+        lanes.weight[lane] = c.weight;
+        lanes.biasRate[lane] = c.biasRate;
+        lanes.massScale[lane] = c.massScale;
+        lanes.impulseScale[lane] = c.impulseScale;
+        lanes.parting[lane] = c.parting;
+        lanes.partingLimit[lane] = c.partingLimit;
+        lanes.impulseLimit[lane] = c.impulseLimit < 0.0 ? unlimited : c.impulseLimit;
+        lanes.bookedShare[lane] = c.booked ? 1.0 : 0.0;
+        lanes.drivenByA[lane] = c.driven && a.inverseMass == 0.0 ? 1.0 : 0.0;
+        lanes.drivenByB[lane] = c.driven && a.inverseMass != 0.0 ? 1.0 : 0.0;
         lanes.booked = lanes.booked || c.booked || c.driven;
         for (std::uint32_t k = 0; k < c.points; ++k) {
             setLane(m_lanePoints[first + k], lane, points[c.firstPoint + k]);
@@ -286,10 +285,10 @@ void SoftSolver::send() {
         for (std::size_t i = from; i < to; ++i) {
             LaneBody& lane = m_laneBodies[i];
             for (int k = 0; k < 3; ++k) {
-                lane.velocity[k] = static_cast<float>(bodies[i].velocity[k]);
-                lane.spin[k] = static_cast<float>(bodies[i].spin[k]);
+                lane.velocity[k] = bodies[i].velocity[k];
+                lane.spin[k] = bodies[i].spin[k];
             }
-            lane.velocity[3] = 0.0f;
+            lane.velocity[3] = 0.0;
         }
     });
 }
@@ -298,8 +297,8 @@ void SoftSolver::sendTravel() {
     m_pool.loop(bodies.size(), bodyGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             for (int k = 0; k < 3; ++k) {
-                m_laneTravel[i].moved[k] = static_cast<float>(bodies[i].moved[k]);
-                m_laneTravel[i].turned[k] = static_cast<float>(bodies[i].turned[k]);
+                m_laneTravel[i].moved[k] = bodies[i].moved[k];
+                m_laneTravel[i].turned[k] = bodies[i].turned[k];
             }
         }
     });
@@ -309,25 +308,18 @@ void SoftSolver::receive() {
     m_pool.loop(m_scene.movable, bodyGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             const LaneBody& lane = m_laneBodies[i];
-            for (int k = 0; k < 3; ++k) {
-                double& velocity = bodies[i].velocity[k];
-                double& spin = bodies[i].spin[k];
-                velocity += static_cast<double>(lane.velocity[k]) - static_cast<double>(static_cast<float>(velocity));
-                spin += static_cast<double>(lane.spin[k]) - static_cast<double>(static_cast<float>(spin));
-            }
-            bodies[i].active = lane.velocity[3] > 0.0f;
+            bodies[i].velocity = Vec3(lane.velocity);
+            bodies[i].spin = Vec3(lane.spin);
+            bodies[i].active = lane.velocity[3] > 0.0;
         }
     });
 }
 
 void SoftSolver::solveSoft(double push) {
     send();
-    forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) {
-        m_passes.warmStart(scene, first, last, static_cast<float>(warmGrowth));
-    });
-    forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) {
-        m_passes.soft(scene, first, last, static_cast<float>(push));
-    });
+    forEachColour(
+        [&](const LaneScene& scene, std::size_t first, std::size_t last) { m_passes.warmStart(scene, first, last, warmGrowth); });
+    forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) { m_passes.soft(scene, first, last, push); });
     receive();
 }
 

@@ -73,8 +73,7 @@ void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> end
 
 /// Soft contacts solved by small substeps: one warm-started soft pass that pushes overlap apart, then, after the bodies moved, one
 /// relax pass without the push. Macklin et al. 2019, Small steps in physics simulation; Catto 2024, Solver2D.
-/// Contacts lie in the order of the colours. The passes run over several contacts of a colour side by side, in single precision
-/// (soft_lanes.h); velocities take over only what a pass changed.
+/// Contacts lie in the order of the colours. The passes run over several contacts of a colour side by side (soft_lanes.h).
 class SoftSolver {
 public:
     /// Largest omega h of a contact. Higher: what is pressed hard trembles; lower: it sinks in.

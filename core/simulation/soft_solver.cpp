@@ -19,7 +19,7 @@ constexpr int restitutionRounds = 8;
 /// Contacts that one thread takes at a time.
 constexpr std::size_t grain = 96;
 /// The same, side by side.
-constexpr std::size_t laneGrain = 16;
+constexpr std::size_t laneGrain = 12;
 /// Bodies that one thread takes at a time.
 constexpr std::size_t bodyGrain = 512;
 /// N s. No limit.
@@ -79,15 +79,11 @@ void prepareContact(SolverContact& c, std::span<SolverPoint> points, const Solve
     setSoftness(c, std::min(std::sqrt(squared), SoftSolver::stiffest / h), h);
 }
 
-bool bounces(const SolverPoint& p, double threshold) {
-    return p.approachSpeed >= threshold && p.largestImpulse != 0.0;
-}
-
 void restituteContact(const SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b, double threshold) {
     // The points of one face share a blow; a few rounds find their shares.
     for (int round = 0; round < restitutionRounds; ++round) {
         for (SolverPoint& p : points) {
-            if (!bounces(p, threshold)) {
+            if (p.approachSpeed < threshold || p.largestImpulse == 0.0) {
                 continue;
             }
             const double speed = c.normal.dot(relativeVelocity(a, b, p));
@@ -149,16 +145,26 @@ void SoftSolver::forEachColour(Pass pass) {
     }
 }
 
-void SoftSolver::prepare(double h, std::size_t movable) {
-    m_pool.loop(contacts.size(), grain, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) {
-            SolverContact& c = contacts[i];
-            prepareContact(c, std::span<SolverPoint>(points).subspan(c.firstPoint, c.points), bodies[c.a], bodies[c.b], h);
-        }
-    });
+void SoftSolver::resize(std::size_t contactCount, std::size_t pointCount) {
+    contacts.resize(contactCount);
+    points.resize(pointCount);
+    m_fastest.resize(contactCount);
+}
+
+void SoftSolver::prepareContact(std::size_t contact, double h) {
+    SolverContact& c = contacts[contact];
+    const auto own = std::span<SolverPoint>(points).subspan(c.firstPoint, c.points);
+    rubble::prepareContact(c, own, bodies[c.a], bodies[c.b], h);
+    m_fastest[contact] = 0.0;
+    for (const SolverPoint& p : own) {
+        m_fastest[contact] = std::max(m_fastest[contact], p.approachSpeed);
+    }
+}
+
+void SoftSolver::layOut(double h, std::size_t movable) {
     m_laneBodies.resize(bodies.size());
     m_laneTravel.assign(bodies.size(), {});
-    layOut();
+    arrange();
     m_scene = {
         m_lanes.data(), m_lanePoints.data(), m_laneBodies.data(), m_laneTravel.data(), static_cast<std::uint32_t>(movable), h};
     m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
@@ -168,7 +174,7 @@ void SoftSolver::prepare(double h, std::size_t movable) {
     });
 }
 
-void SoftSolver::layOut() {
+void SoftSolver::arrange() {
     m_groups.clear();
     m_colours.clear();
     std::vector<std::uint8_t> counts(contacts.size());
@@ -361,18 +367,11 @@ void SoftSolver::takeBack() {
 }
 
 void SoftSolver::restitute(double threshold) {
-    m_hit.assign(contacts.size(), 0);
-    m_pool.loop(contacts.size(), grain, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) {
-            const auto own = std::span<SolverPoint>(points).subspan(contacts[i].firstPoint, contacts[i].points);
-            m_hit[i] = std::any_of(own.begin(), own.end(), [&](const SolverPoint& p) { return bounces(p, threshold); });
-        }
-    });
     std::vector<std::uint32_t> hit;
     for (std::size_t group = 0; group + 1 < firstOfGroup.size(); ++group) {
         hit.clear();
         for (std::uint32_t i = firstOfGroup[group]; i < firstOfGroup[group + 1]; ++i) {
-            if (m_hit[i] != 0) {
+            if (m_fastest[i] >= threshold) {
                 hit.push_back(i);
             }
         }

@@ -87,9 +87,13 @@ public:
     std::vector<std::uint32_t> firstOfGroup;  ///< [groups + 1]
     bool lastInOrder = false;
 
-    /// Masses of the points, speeds of approach, stiffness of the contacts for substeps of h [s]; lays the contacts side by side.
+    /// Makes room for contacts and points.
+    void resize(std::size_t contactCount, std::size_t pointCount);
+    /// Masses of the points, speeds of approach and stiffness of a contact for substeps of h [s]. On any thread.
+    void prepareContact(std::size_t contact, double h);
+    /// Lays the prepared contacts side by side.
     /// @param movable  bodies below this one move
-    void prepare(double h, std::size_t movable);
+    void layOut(double h, std::size_t movable);
     /// Applies the impulses of the substep before and solves once, pushing overlap apart at `push` [m/s] at most.
     void solveSoft(double push);
     /// Notes the velocities that are about to move the bodies, for the work of contacts that are accounted for.
@@ -118,7 +122,7 @@ private:
     };
     template <class Pass>
     void forEachColour(Pass pass);
-    void layOut();
+    void arrange();
     void fillLanes(const Group& group, LaneContacts& lanes);
     void send();
     void sendTravel();
@@ -128,7 +132,7 @@ private:
     const LanePasses& m_passes = lanePasses();
     LaneScene m_scene;
     std::vector<Colour> m_colours;
-    std::vector<char> m_hit;  ///< [contacts] it may bounce
+    std::vector<double> m_fastest;  ///< m/s, [contacts] speed of approach
     std::vector<Group> m_groups;
     std::vector<LaneContacts> m_lanes;
     std::vector<LanePoint> m_lanePoints;

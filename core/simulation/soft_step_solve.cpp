@@ -137,6 +137,9 @@ void SoftStepWorld::limitPiece(std::size_t first, std::size_t last) {
 
 void SoftStepWorld::takeBodies() {
     m_solver.bodies.resize(m_stillSlot + 1);
+    m_supported.assign(m_stillSlot + 1, 0);
+    m_supported[m_stillSlot] = 1;
+    m_supportedNow.assign(m_stillSlot + 1, 0);
     m_pool.loop(m_awake.size(), 128, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             Solid& solid = m_bodies[m_awake[i]];
@@ -148,6 +151,7 @@ void SoftStepWorld::takeBodies() {
             body.inverseInertia = axes * solid.inertia.cwiseInverse().asDiagonal() * axes.transpose();
             m_solver.bodies[i] = body;
             solid.drivers = 0;
+            m_supported[i] = solid.supported;
         }
     });
     for (std::size_t i = 0; i < m_moving.size(); ++i) {
@@ -193,12 +197,11 @@ void SoftStepWorld::buildSolver(double h) {
     colourContacts(ends, m_awake.size(), colours);
     m_solver.firstOfGroup = colours.first;
     m_solver.lastInOrder = colours.lastInOrder;
-    m_solver.contacts.resize(taken.size());
     std::vector<std::uint32_t> firstPoint(taken.size() + 1, 0);
     for (std::size_t k = 0; k < taken.size(); ++k) {
         firstPoint[k + 1] = firstPoint[k] + taken[colours.order[k]].points;
     }
-    m_solver.points.resize(firstPoint.back());
+    m_solver.resize(taken.size(), firstPoint.back());
     const double frequency = std::min(contactFrequency, 0.25 / h);
     m_pool.loop(taken.size(), 256, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
@@ -210,6 +213,7 @@ void SoftStepWorld::buildSolver(double h) {
             c.a = from.a;
             c.b = from.b;
             fillContact(m_contacts[from.contact], c, frequency, h);
+            m_solver.prepareContact(k, h);
         }
     });
 }
@@ -292,16 +296,15 @@ void SoftStepWorld::stiffenBelow(const SoftContact& contact, SolverContact& c) {
     }
 }
 
-void SoftStepWorld::noteSupport(const SoftContact& contact) {
-    const double up = contact.normal.z();
+void SoftStepWorld::noteSupport(const SolverContact& c) {
+    const double up = c.normal.z();
     if (std::abs(up) < supportingNormal) {
         return;
     }
-    Collider& below = up > 0.0 ? *contact.a : *contact.b;
-    Collider& above = up > 0.0 ? *contact.b : *contact.a;
-    const bool firm = !awake(below) ? !below.moving : solidOf(below).supported;
-    if (firm && awake(above)) {
-        std::atomic_ref(solidOf(above).supportedNow).store(true, std::memory_order_relaxed);
+    const std::uint32_t below = up > 0.0 ? c.a : c.b;
+    const std::uint32_t above = up > 0.0 ? c.b : c.a;
+    if (m_supported[below] != 0) {
+        std::atomic_ref(m_supportedNow[above]).store(1, std::memory_order_relaxed);
     }
 }
 
@@ -338,10 +341,10 @@ void SoftStepWorld::takeResult(const SolverContact& c, Outcome& outcome) {
         outcome.points = outcome.points > 0 || p.largestImpulse > 0.0 ? c.points : 0;
     }
     if (outcome.points > 0) {
-        noteSupport(contact);
+        noteSupport(c);
     }
     contact.load += loadMemory * (loadOf(contact) - contact.load);
-    outcome.unloads = unloads(contact);
+    outcome.unloads = (c.a == m_stillSlot || c.b == m_stillSlot) && unloads(contact);
     outcome.works = c.driven || c.booked;
 }
 

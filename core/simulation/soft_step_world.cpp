@@ -209,7 +209,7 @@ void SoftStepWorld::substeps(double dt) {
     m_substeps = substepsFor(dt);
     const double h = dt / m_substeps;
     buildSolver(h);
-    m_solver.prepare(h, m_awake.size());
+    m_solver.layOut(h, m_awake.size());
     if (m_hook) {
         prepareHook();
     }
@@ -351,7 +351,7 @@ void SoftStepWorld::writeBack(double dt) {
             Solid& solid = m_bodies[m_awake[i]];
             solid.velocity = m_solver.bodies[i].velocity;
             solid.spin = m_solver.bodies[i].spin;
-            solid.supported = std::exchange(solid.supportedNow, false);
+            solid.supported = m_supportedNow[i] != 0;
             lifting[i] = keepAboveGround(solid, dt);
             btRigidBody& object = *solid.collider->object;
             object.setWorldTransform(toBullet(solid.pose));

@@ -57,7 +57,6 @@ private:
         int drivers = 0;         ///< moving pieces that press on it in this step
         bool active = false;     ///< a contact acted on it in this step
         bool supported = false;  ///< it stood, in the step before, on something immovable or supported
-        bool supportedNow = false;
     };
     struct Pair {
         Collider* a = nullptr;  ///< entered first
@@ -130,7 +129,7 @@ private:
     void buildSolver(double h);
     void fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h);
     void stiffenBelow(const SoftContact& contact, SolverContact& c);
-    void noteSupport(const SoftContact& contact);
+    void noteSupport(const SolverContact& c);
     Vec3 loadOf(const SoftContact& contact) const;
     bool unloads(const SoftContact& contact) const;
     void substeps(double dt);
@@ -163,8 +162,9 @@ private:
     std::vector<std::uint32_t> m_awake;   ///< body of each slot, in order of entry
     std::vector<std::uint32_t> m_moving;  ///< piece of each slot behind the bodies
     std::uint32_t m_stillSlot = 0;
-    int m_substeps = 1;            ///< of this step
-    double m_substepLength = 0.0;  ///< s, of the step before: what the impulses carried on are for
+    std::vector<char> m_supported, m_supportedNow;  ///< [slots] firm in the step before, in this step; moving pieces never
+    int m_substeps = 1;                             ///< of this step
+    double m_substepLength = 0.0;                   ///< s, of the step before: what the impulses carried on are for
     std::vector<Pair> m_pairs[Kinds];
     BoxIndex m_boxes;                                    ///< swept boxes by number
     std::vector<Entered> m_entered;                      ///< [numbers]

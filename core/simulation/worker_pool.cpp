@@ -16,8 +16,8 @@ void pause() {
 
 /// Looks at an atomic before a thread lets others go first, and after that, before it goes to sleep: most loops of a step follow
 /// each other within microseconds, and all within some hundred; waking a thread takes longer than most of them.
-constexpr int patience = 2000;
-constexpr int politePatience = 300;
+constexpr int patience = 500;
+constexpr int politePatience = 60;
 
 /// Waits until the atomic is no longer `old`.
 template <class T>

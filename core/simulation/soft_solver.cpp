@@ -137,6 +137,15 @@ void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> end
 }
 
 template <class Pass>
+void SoftSolver::forEachBooked(Pass pass) {
+    m_pool.loop(m_booked.size(), laneGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            pass(m_scene, m_booked[i], m_booked[i] + std::size_t{1});
+        }
+    });
+}
+
+template <class Pass>
 void SoftSolver::forEachColour(Pass pass) {
     for (const Colour& colour : m_colours) {
         const std::size_t count = colour.last - colour.first;
@@ -170,8 +179,15 @@ void SoftSolver::layOut(double h, std::size_t movable) {
     m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             fillLanes(m_groups[i], m_lanes[i]);
+            m_groups[i].booked = m_lanes[i].booked;
         }
     });
+    m_booked.clear();
+    for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
+        if (m_groups[i].booked) {
+            m_booked.push_back(i);
+        }
+    }
 }
 
 void SoftSolver::arrange() {
@@ -187,7 +203,7 @@ void SoftSolver::arrange() {
         const auto put = [&](std::uint32_t contact) {
             const bool begin = m_groups.size() == colour.first || inOrder || m_groups.back().count == solverLanes;
             if (begin) {
-                m_groups.push_back({point, counts[contact], 0, {}});
+                m_groups.push_back({point, counts[contact], 0, {}, false});
                 point += counts[contact];
             }
             Group& lanes = m_groups.back();
@@ -330,7 +346,7 @@ void SoftSolver::solveSoft(double push) {
 }
 
 void SoftSolver::noteOpening() {
-    m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) { m_passes.noteOpening(m_scene, from, to); });
+    forEachBooked(m_passes.noteOpening);
 }
 
 void SoftSolver::relax() {
@@ -341,7 +357,7 @@ void SoftSolver::relax() {
 }
 
 void SoftSolver::book() {
-    m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) { m_passes.book(m_scene, from, to); });
+    forEachBooked(m_passes.book);
 }
 
 void SoftSolver::takeBack() {

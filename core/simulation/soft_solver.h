@@ -119,7 +119,10 @@ private:
         std::uint32_t points = 0;  ///< the most of any of them
         std::uint32_t count = 0;
         std::uint32_t found[solverLanes] = {};
+        bool booked = false;  ///< one of them accounts for its work
     };
+    template <class Pass>
+    void forEachBooked(Pass pass);
     template <class Pass>
     void forEachColour(Pass pass);
     void arrange();
@@ -134,6 +137,7 @@ private:
     std::vector<Colour> m_colours;
     std::vector<double> m_fastest;  ///< m/s, [contacts] speed of approach
     std::vector<Group> m_groups;
+    std::vector<std::uint32_t> m_booked;  ///< groups
     std::vector<LaneContacts> m_lanes;
     std::vector<LanePoint> m_lanePoints;
     std::vector<LaneBody> m_laneBodies;

@@ -272,14 +272,7 @@ void SoftStepWorld::wakeAndCollideAgain(double dt) {
         thaw(*m_bodies[i].collider);
         m_bodies[i].active = false;
     }
-    // Slots follow the order of entry, whoever woke late.
-    m_awake.clear();
-    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
-        if (m_bodies[i].collider != nullptr && !m_freeze.frozen(i)) {
-            m_bodies[i].slot = static_cast<std::int32_t>(m_awake.size());
-            m_awake.push_back(i);
-        }
-    }
+    listAwake();
     for (std::size_t i = 0; i < m_moving.size(); ++i) {
         m_pieces[m_moving[i]].slot = static_cast<std::int32_t>(m_awake.size() + i);
     }

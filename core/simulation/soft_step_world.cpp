@@ -85,6 +85,7 @@ void SoftStepWorld::addBody(Collider* body) {
     m_bodies.push_back(std::move(solid));
     enter(*body);
     m_freeze.addBody();
+    m_still.push_back(0);
 }
 
 void SoftStepWorld::addPiece(Collider* piece) {
@@ -106,6 +107,9 @@ void SoftStepWorld::forget(Collider& collider) {
     Solid& solid = solidOf(collider);
     solid.collider = nullptr;
     m_entered[collider.number].collider = nullptr;
+    if (collider.kind == ColliderKind::Body) {
+        m_still[collider.index] = 1;
+    }
     m_boxes.remove(collider.number);
     solid.placed.clear();
     solid.hulls.clear();
@@ -127,16 +131,11 @@ void SoftStepWorld::internalSingleStepSimulation(btScalar dt) {
 }
 
 void SoftStepWorld::takeSlots(double dt) {
-    m_awake.clear();
-    m_moving.clear();
-    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
-        Solid& body = m_bodies[i];
-        body.slot = -1;
-        if (body.collider != nullptr && !m_freeze.frozen(i)) {
-            body.slot = static_cast<std::int32_t>(m_awake.size());
-            m_awake.push_back(i);
-        }
+    for (const std::uint32_t i : m_awake) {
+        m_bodies[i].slot = -1;
     }
+    listAwake();
+    m_moving.clear();
     for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
         Solid& piece = m_pieces[i];
         piece.slot = -1;
@@ -144,6 +143,7 @@ void SoftStepWorld::takeSlots(double dt) {
             continue;
         }
         piece.velocity = piece.spin = Vec3::Zero();
+        piece.rim = 0.0;
         if (piece.collider->moving) {
             const Pose end = fromBullet(piece.collider->object->getWorldTransform());
             piece.velocity = (end.position - piece.pose.position) / dt;
@@ -171,6 +171,17 @@ void SoftStepWorld::takeSlots(double dt) {
     }
 }
 
+/// Bodies that move, in the order of entry, whoever woke late.
+void SoftStepWorld::listAwake() {
+    m_awake.clear();
+    for (std::uint32_t i = 0; i < m_still.size(); ++i) {
+        if (m_still[i] == 0) {
+            m_bodies[i].slot = static_cast<std::int32_t>(m_awake.size());
+            m_awake.push_back(i);
+        }
+    }
+}
+
 void SoftStepWorld::place(Solid& solid) {
     const CollisionShape& parts = solid.collider->parts;
     solid.placed.resize(parts.size());
@@ -189,16 +200,15 @@ void SoftStepWorld::sweep(Solid& solid, double dt) {
         box.extend(part.centre + reach);
     }
     const Vec3 travel = solid.velocity * dt;
-    const double slack = contactMargin + solid.spin.norm() * solid.collider->radius * dt + m_settings.gravity * dt * dt;
+    solid.rim = solid.spin.norm() * solid.collider->radius;
+    const double slack = contactMargin + solid.rim * dt + m_settings.gravity * dt * dt;
     box.min() += travel.cwiseMin(0.0) - Vec3::Constant(slack);
     box.max() += travel.cwiseMax(0.0) + Vec3::Constant(slack);
     solid.swept = box;
 }
 
 double SoftStepWorld::marginOf(const Collider& a, const Collider& b, double dt) const {
-    const auto spinning = [&](const Collider& c) {
-        return c.kind == ColliderKind::Ground ? 0.0 : solidOf(c).spin.norm() * c.radius;
-    };
+    const auto spinning = [&](const Collider& c) { return c.kind == ColliderKind::Ground ? 0.0 : solidOf(c).rim; };
     const Vec3 va = a.kind == ColliderKind::Ground ? Vec3(Vec3::Zero()) : solidOf(a).velocity;
     const double speed = (solidOf(b).velocity - va).norm() + spinning(a) + spinning(b);
     return contactMargin + speed * dt + m_settings.gravity * dt * dt;
@@ -392,27 +402,22 @@ void SoftStepWorld::settle(double dt) {
     }
     m_unloaded.clear();
     std::vector<char> froze(m_bodies.size(), 0);
-    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
+    for (const std::uint32_t i : m_awake) {
         Solid& solid = m_bodies[i];
-        if (solid.collider == nullptr) {
-            continue;
-        }
         Collider& body = *solid.collider;
-        if (awake(body) && solid.slot >= 0) {
-            // What a body does by position only, as overlap comes apart, is motion too.
-            const SolverBody& way = m_solver.bodies[static_cast<std::size_t>(solid.slot)];
-            const double moved = (way.moved.norm() + way.turned.norm() * body.radius) / dt;
-            const double speed = std::max(solid.velocity.norm() + solid.spin.norm() * body.radius,
-                                          (body.penetration > restingDepth * body.smallestSide ? 1.0 : settlingShare) * moved);
-            if (m_freeze.quiet(i, speed, dt) && solid.active && m_settings.freeze) {
-                freeze(body);
-                froze[i] = 1;
-            }
-            if (m_freeze.watched(i)) {
-                for (const std::uint32_t dependant : m_freeze.takeDependants(i, solid.pose.position)) {
-                    if (m_bodies[dependant].collider != nullptr && m_freeze.frozen(dependant)) {
-                        thaw(*m_bodies[dependant].collider);
-                    }
+        // What a body does by position only, as overlap comes apart, is motion too.
+        const SolverBody& way = m_solver.bodies[static_cast<std::size_t>(solid.slot)];
+        const double moved = (way.moved.norm() + way.turned.norm() * body.radius) / dt;
+        const double speed = std::max(solid.velocity.norm() + solid.spin.norm() * body.radius,
+                                      (body.penetration > restingDepth * body.smallestSide ? 1.0 : settlingShare) * moved);
+        if (m_freeze.quiet(i, speed, dt) && solid.active && m_settings.freeze) {
+            freeze(body);
+            froze[i] = 1;
+        }
+        if (m_freeze.watched(i)) {
+            for (const std::uint32_t dependant : m_freeze.takeDependants(i, solid.pose.position)) {
+                if (m_bodies[dependant].collider != nullptr && m_freeze.frozen(dependant)) {
+                    thaw(*m_bodies[dependant].collider);
                 }
             }
         }
@@ -438,6 +443,7 @@ void SoftStepWorld::settle(double dt) {
 
 void SoftStepWorld::freeze(Collider& body) {
     m_freeze.freeze(body.index);
+    m_still[body.index] = 1;
     Solid& solid = m_bodies[body.index];
     solid.velocity = solid.spin = Vec3::Zero();
     body.object->setLinearVelocity(btVector3(0, 0, 0));
@@ -450,6 +456,7 @@ void SoftStepWorld::freeze(Collider& body) {
 
 void SoftStepWorld::thaw(Collider& body) {
     m_freeze.thaw(body.index, m_bodies[body.index].pose.position);
+    m_still[body.index] = 0;
     body.justThawed = true;
     m_justThawed.push_back(body.index);
 }

@@ -18,10 +18,10 @@
 
 namespace rubble {
 
-/// Bullet's world stepped by soft contacts in small substeps. Objects, shapes, broad phase and the geometry of hulls are Bullet's;
+/// Bullet's world stepped by soft contacts in small substeps. Shapes and the geometry of hulls are Bullet's; the search for pairs,
 /// box and ground contact, solver, freeze, births and pieces are Rubble's. One step: boxes swept by the motion ahead, pairs,
 /// contacts once, then substeps of {the caller's hook, gravity, one soft pass, move, one relax pass}, restitution, freeze and thaw.
-/// Every contact has its place in an order of its own, so neither threads nor the history of the broad phase reach a result.
+/// Every contact has its place in an order of its own, so neither threads nor the history of the search for pairs reach a result.
 class SoftStepWorld : public btDiscreteDynamicsWorld {
 public:
     SoftStepWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, btConstraintSolver* solver,
@@ -50,6 +50,7 @@ private:
         Pose pose;
         Vec3 velocity = Vec3::Zero();
         Vec3 spin = Vec3::Zero();
+        double rim = 0.0;  ///< m/s, of the farthest corner by the spin, at the start of the step
         Vec3 inertia = Vec3::Ones();
         double inverseMass = 0.0;
         std::int32_t slot = -1;  ///< among the solver's bodies in this step; -1: immovable and still
@@ -98,6 +99,7 @@ private:
 
     void enter(Collider& collider);
     void takeSlots(double dt);
+    void listAwake();
     void place(Solid& solid);
     void sweep(Solid& solid, double dt);
     void findPairs();
@@ -161,6 +163,7 @@ private:
     std::vector<Solid> m_pieces;          ///< [pieces]
     std::vector<std::uint32_t> m_awake;   ///< body of each slot, in order of entry
     std::vector<std::uint32_t> m_moving;  ///< piece of each slot behind the bodies
+    std::vector<char> m_still;            ///< [bodies] frozen or gone
     std::uint32_t m_stillSlot = 0;
     std::vector<char> m_supported, m_supportedNow;  ///< [slots] firm in the step before, in this step; moving pieces never
     int m_substeps = 1;                             ///< of this step

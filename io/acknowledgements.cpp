@@ -123,11 +123,12 @@ std::vector<Acknowledgement> acknowledgements(const std::string& runPath) {
 
 Taint taintOf(const RunReader& run) {
     Taint taint;
+    taint.breaches = run.breaches().size();
     const auto result = run.result();
-    if (!result || !result->health.tainted()) {
+    taint.complete = result != nullptr;
+    if (!result || taint.breaches == 0) {
         return taint;
     }
-    taint.breaches = result->health.breaches.size();
     try {
         const std::vector<Acknowledgement> list = acknowledgements(run.path());
         if (const Acknowledgement* found = acknowledgementOf(*result, list)) {

@@ -31,11 +31,12 @@ struct Taint {
     std::size_t breaches = 0;
     std::optional<Acknowledgement> acknowledgement;  ///< the one of these very breaches
     Message problem;                                 ///< why the acknowledgements could not be read; empty if they could
+    bool complete = true;                            ///< only a run that is can be acknowledged
     bool tainted() const { return breaches > 0 && !acknowledgement; }
 };
 
-/// Of a complete run; one without an outcome has no breaches yet. A sidecar that cannot be read acknowledges nothing and is no
-/// error.
+/// Of a run as far as it is there; one that is not complete cannot be acknowledged. A sidecar that cannot be read acknowledges
+/// nothing and is no error.
 Taint taintOf(const RunReader& run);
 
 }  // namespace rubble::io

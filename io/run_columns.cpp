@@ -17,8 +17,12 @@ namespace {
 // 1 ns each time, so that these add up to 17 ms; its own choice of 100 would never end on a damaged file.
 constexpr unsigned readAttempts = 24;
 
-// Of the datasets that older files lack.
-constexpr const char* islandGroup = "/islands";
+// Whether a file has a dataset that older ones lack; its group may be missing as well.
+bool holds(hid_t file, const std::string& path) {
+    const std::size_t group = path.rfind('/');
+    return (group == 0 || H5Lexists(file, path.substr(0, group).c_str(), H5P_DEFAULT) > 0) &&
+           H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0;
+}
 
 const Message damagedRemedy{"io.run.damaged.remedy", "Run the case again, or take a good copy of the run file.", {}};
 
@@ -85,8 +89,7 @@ void RunColumns::openDatasets() {
     for (const RunDataset dataset : runDatasets()) {
         const auto i = static_cast<std::size_t>(dataset);
         const RunDatasetLayout& layout = layoutOf(dataset);
-        if (mayBeMissing(dataset) &&
-            (H5Lexists(m_file.get(), islandGroup, H5P_DEFAULT) <= 0 || H5Lexists(m_file.get(), layout.path, H5P_DEFAULT) <= 0)) {
+        if (mayBeMissing(dataset) && !holds(m_file.get(), layout.path)) {
             continue;
         }
         m_datasets[i] = Hdf5Handle(H5Dopen2(m_file.get(), layout.path, H5P_DEFAULT), H5Dclose);

@@ -37,6 +37,9 @@ public:
     /// Looks for frames that were committed since.
     virtual void refresh() = 0;
     virtual std::vector<LedgerRow> ledger() const = 0;
+    /// Breaches of health up to the newest frame, in the order in which they began; none in runs that were stopped before such were
+    /// written on the way.
+    virtual std::vector<HealthBreach> breaches() const = 0;
     /// The solids, components and clusters of the run, so that it can be shown and exported without its FE file; null or empty
     /// until the run has begun.
     virtual std::shared_ptr<const FragmentSet> fragments() const = 0;

@@ -231,6 +231,14 @@ SimulationResult resultFromJson(const JsonCursor& object) {
     return membersFromJson<SimulationResult>(object);
 }
 
+json breachJson(const HealthBreach& breach) {
+    return membersJson(breach);
+}
+
+HealthBreach breachFromJson(const JsonCursor& object) {
+    return membersFromJson<HealthBreach>(object);
+}
+
 json clusteringJson(const Clustering& clustering) {
     return membersJson(clustering);
 }
@@ -292,6 +300,10 @@ RunOrigin originFromJson(const JsonCursor& object) {
 
 std::string jsonText(const json& value) {
     return value.dump(1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string jsonLine(const json& value) {
+    return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 }  // namespace rubble::io

@@ -18,6 +18,9 @@ Sizing sizingFromJson(const JsonCursor& object);
 nlohmann::json resultJson(const SimulationResult& result);
 SimulationResult resultFromJson(const JsonCursor& object);
 
+nlohmann::json breachJson(const HealthBreach& breach);
+HealthBreach breachFromJson(const JsonCursor& object);
+
 /// Without clusters and members.
 nlohmann::json clusteringJson(const Clustering& clustering);
 Clustering clusteringFromJson(const JsonCursor& object);
@@ -33,5 +36,7 @@ RunOrigin originFromJson(const JsonCursor& object);
 
 /// JSON as text for the file: sorted; bytes that are not UTF-8 (names of files may hold any) are replaced.
 std::string jsonText(const nlohmann::json& value);
+/// The same on one line.
+std::string jsonLine(const nlohmann::json& value);
 
 }  // namespace rubble::io

@@ -47,6 +47,7 @@ std::array<RunDatasetLayout, runDatasetCount> makeLayouts() {
         tableOf<IslandRow>(D::Islands, "/islands/table"),
         {D::IslandElements, "/islands/elements", 1, listChunk, 4, {"element"}},
         tableOf<LedgerRow>(D::IslandLedger, "/islands/ledger"),
+        {D::Breaches, "/breaches", 1, textChunk, 1, {"json"}},
     }};
 }
 
@@ -81,6 +82,7 @@ Number numberOf(RunDataset dataset) {
         case RunDataset::Description:
         case RunDataset::Result:
         case RunDataset::Digests:
+        case RunDataset::Breaches:
             return Number::Byte;
         default:
             return Number::Double;

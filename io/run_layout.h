@@ -41,11 +41,13 @@ enum class RunDataset {
     Islands,         ///< released islands of live structure: body, and where its elements are; runs before these have none
     IslandElements,  ///< indices of elements, island by island
     IslandLedger,    ///< one row, of all released islands
+    Breaches,        ///< JSON text, a line for each breach that began, or grew, while the run went on; runs before these have none
 };
-inline constexpr std::size_t runDatasetCount = 24;
+inline constexpr std::size_t runDatasetCount = 25;
 /// Files that were written before a dataset came up lack it, and read as if it were empty.
 constexpr bool mayBeMissing(RunDataset dataset) {
-    return dataset == RunDataset::Islands || dataset == RunDataset::IslandElements || dataset == RunDataset::IslandLedger;
+    return dataset == RunDataset::Islands || dataset == RunDataset::IslandElements || dataset == RunDataset::IslandLedger ||
+           dataset == RunDataset::Breaches;
 }
 
 /// A released island; its elements are a part of IslandElements.

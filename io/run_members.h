@@ -215,6 +215,11 @@ struct Members<StepTimes> {
         visit("real_time_factor", t.realTimeFactor);
         visit.added("all_ms", t.allMs);
         visit.added("motion_ms", t.motionMs);
+        visit.added("hook_ms", t.hookMs);
+        visit.added("bookkeeping_ms", t.bookkeepingMs);
+        visit.added("health_ms", t.healthMs);
+        visit.added("recording_ms", t.recordingMs);
+        visit.added("births_ms", t.birthsMs);
     }
 };
 
@@ -255,6 +260,7 @@ struct Members<HealthBreach> {
         visit("check", b.check);
         visit("from", b.from);
         visit("to", b.to);
+        visit.added("worst_at", b.worstAt);
         visit("body", b.body);
         visit("place", b.place);
         visit("worst", b.worst);

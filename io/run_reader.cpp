@@ -13,9 +13,9 @@ namespace rubble::io {
 
 namespace {
 
-constexpr std::array<RunDataset, 8> frameDatasets{RunDataset::Positions, RunDataset::Orientations,  RunDataset::Speeds,
-                                                  RunDataset::States,    RunDataset::Bodies,        RunDataset::Carriers,
-                                                  RunDataset::Islands,   RunDataset::IslandElements};
+constexpr std::array<RunDataset, 9> frameDatasets{RunDataset::Positions, RunDataset::Orientations,   RunDataset::Speeds,
+                                                  RunDataset::States,    RunDataset::Bodies,         RunDataset::Carriers,
+                                                  RunDataset::Islands,   RunDataset::IslandElements, RunDataset::Breaches};
 
 class RunFileReader : public RunReader {
 public:
@@ -32,6 +32,7 @@ public:
     const RunOrigin& origin() const override { return m_origin; }
     void refresh() override;
     std::vector<LedgerRow> ledger() const override;
+    std::vector<HealthBreach> breaches() const override;
     std::shared_ptr<const FragmentSet> fragments() const override;
     std::shared_ptr<const Clustering> clustering() const override;
     std::vector<std::string> componentNames() const override;
@@ -56,6 +57,8 @@ private:
     std::shared_ptr<Clustering> readClustering(const nlohmann::json& text, std::size_t fragments) const;
     void takeNewFrames();
     void takeNewBodies() const;
+    void takeNewBreaches() const;
+    void takeBreach(const HealthBreach& breach) const;
     std::shared_ptr<const TrajectoryFrame> readFrame(const FrameRow& row) const;
     bool takeIfIntact(std::size_t index, const FrameRow& row);
 
@@ -69,6 +72,8 @@ private:
     mutable std::shared_ptr<const SimulationResult> m_result;
     mutable std::vector<BodyRecord> m_bodies;
     mutable std::vector<Carrier> m_carriers;
+    mutable std::size_t m_breachText = 0;  ///< bytes of it that are taken
+    mutable std::vector<HealthBreach> m_breaches;
 };
 
 RunFileReader::RunFileReader(const std::string& path, std::size_t cacheBytes) : m_columns(path), m_cache(cacheBytes) {
@@ -227,6 +232,44 @@ std::vector<LedgerRow> RunFileReader::ledger() const {
     const std::scoped_lock lock(m_mutex);
     m_columns.refresh(RunDataset::Ledger);
     return m_columns.table<LedgerRow>(RunDataset::Ledger);
+}
+
+void RunFileReader::takeNewBreaches() const {
+    const std::string place = layoutOf(RunDataset::Breaches).path;
+    std::string text(m_columns.rows(RunDataset::Breaches) - m_breachText, '\0');
+    m_columns.read(RunDataset::Breaches, m_breachText, text.size(), text.data());
+    std::size_t from = 0;
+    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', from)) {
+        try {
+            const nlohmann::json line = parseJson(text.substr(from, end - from), m_columns.path() + ": " + place);
+            takeBreach(breachFromJson(JsonCursor(line, m_columns.path(), place)));
+        } catch (const ParseError&) {
+            break;  // a writer that was stopped may have left a line that never came; the frames are intact without it
+        }
+        from = end + 1;
+    }
+    m_breachText += from;
+}
+
+void RunFileReader::takeBreach(const HealthBreach& breach) const {
+    const auto before = [](const HealthBreach& a, const HealthBreach& b) {
+        return a.from != b.from ? a.from < b.from : a.check < b.check;
+    };
+    const auto place = std::lower_bound(m_breaches.begin(), m_breaches.end(), breach, before);
+    if (place != m_breaches.end() && !before(breach, *place)) {
+        *place = breach;
+    } else {
+        m_breaches.insert(place, breach);
+    }
+}
+
+std::vector<HealthBreach> RunFileReader::breaches() const {
+    if (const auto outcome = result()) {
+        return outcome->health.breaches;
+    }
+    const std::scoped_lock lock(m_mutex);
+    takeNewBreaches();
+    return m_breaches;
 }
 
 std::shared_ptr<FragmentSet> RunFileReader::readFragments(std::size_t components) const {

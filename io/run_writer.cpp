@@ -126,6 +126,7 @@ public:
     void addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) override;
     void commit(const TrajectoryFrame& frame) override;
     void addLedger(const LedgerRow& row) override;
+    void addBreaches(const std::vector<HealthBreach>& breaches) override;
     void finish(const SimulationResult& result) override;
 
 private:
@@ -279,8 +280,8 @@ void RunWriter::writeFrame(const TrajectoryFrame& frame) {
 void RunWriter::flushFrames() {
     // The index goes last: whoever finds a row in it finds the frame as well.
     for (const RunDataset dataset : {RunDataset::Bodies, RunDataset::Carriers, RunDataset::IslandElements, RunDataset::Islands,
-                                     RunDataset::IslandLedger, RunDataset::Ledger, RunDataset::Positions, RunDataset::Orientations,
-                                     RunDataset::Speeds, RunDataset::States, RunDataset::Index}) {
+                                     RunDataset::IslandLedger, RunDataset::Ledger, RunDataset::Breaches, RunDataset::Positions,
+                                     RunDataset::Orientations, RunDataset::Speeds, RunDataset::States, RunDataset::Index}) {
         m_store.flush(dataset);
     }
     m_flushed = std::chrono::steady_clock::now();
@@ -289,6 +290,14 @@ void RunWriter::flushFrames() {
 
 void RunWriter::addLedger(const LedgerRow& row) {
     m_jobs.add(0, [this, packed = packRows(std::span(&row, 1))] { m_store.append(RunDataset::Ledger, packed.data(), 1); });
+}
+
+void RunWriter::addBreaches(const std::vector<HealthBreach>& breaches) {
+    std::string lines;
+    for (const HealthBreach& breach : breaches) {
+        lines += jsonLine(breachJson(breach)) + '\n';
+    }
+    m_jobs.add(lines.size(), [this, lines] { m_store.appendText(RunDataset::Breaches, lines); });
 }
 
 void RunWriter::writeResult(const SimulationResult& result) {

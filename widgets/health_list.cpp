@@ -52,8 +52,9 @@ QString placeOf(const HealthBreach& breach, const Vec3& origin) {
 }
 
 QString against(const HealthBreach& breach) {
-    return HealthList::tr("worst %1, limit %2")
-        .arg(std::isfinite(breach.worst) ? shownNumber(breach.worst) : HealthList::tr("no number"), shownNumber(breach.limit));
+    const QString worst = std::isfinite(breach.worst) ? shownNumber(breach.worst) : HealthList::tr("no number");
+    const QString when = std::isfinite(breach.worstAt) ? HealthList::tr(" at %1 s").arg(seconds(breach.worstAt)) : QString();
+    return HealthList::tr("worst %1%2, limit %3").arg(worst, when, shownNumber(breach.limit));
 }
 
 QString muted(const QString& text) {
@@ -132,7 +133,7 @@ HealthList::HealthList(QWidget* parent)
     };
     field(0, tr("Name"), m_name, tr("Who has looked at these breaches and vouches for the run"));
     field(1, tr("Note"), m_note, tr("Why the run may be used all the same"));
-    m_button->setToolTip(tr("Write name, note and time into the run file; the run no longer counts as tainted"));
+    m_button->setToolTip(tr("Write name, note and time beside the run file; the run no longer counts as tainted"));
     m_button->setObjectName(QStringLiteral("acknowledge"));
     m_complaint->setObjectName(QStringLiteral("complaint"));
     m_complaint->setWordWrap(true);

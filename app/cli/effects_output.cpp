@@ -78,6 +78,16 @@ Json effectsJson(const std::vector<EffectReport>& reports) {
     return list;
 }
 
+Json costsJson(const SimulationResult& run) {
+    const StepTimes& times = run.stepTimes;
+    const double sum = accountedMs(run);
+    return {{"effects", sum - times.restMs()}, {"motion", times.motionMs},
+            {"substep_hook", times.hookMs},    {"bookkeeping", times.bookkeepingMs},
+            {"health", times.healthMs},        {"sum", sum},
+            {"measured", times.allMs},         {"difference_percent", 100.0 * accountError(run)},
+            {"recording", times.recordingMs},  {"births", times.birthsMs}};
+}
+
 TextTable effectsTable(const EffectDecisions& decisions) {
     TextTable table({{"effect", "effect"},
                      {"asked", "asked"},
@@ -124,11 +134,26 @@ void printEffects(std::ostream& out, const SimulationResult& run) {
         }
         table.add(std::move(row));
     }
-    if (run.stepTimes.allMs > 0.0) {
-        table.add({textCell("all else"), textCell(""), textCell(""), numberCell(run.stepTimes.motionMs),
-                   share(run.stepTimes.motionMs / run.stepTimes.allMs), textCell(""), textCell("")});
+    const StepTimes& times = run.stepTimes;
+    const auto addRest = [&](const std::string& name, double ms) {
+        table.add(
+            {textCell(name), textCell(""), textCell(""), numberCell(ms), share(ms / times.allMs), textCell(""), textCell("")});
+    };
+    if (times.allMs > 0.0) {
+        addRest("motion, freezing", times.motionMs);
+        addRest("substep hook", times.hookMs);
+        addRest("bookkeeping", times.bookkeepingMs);
+        addRest("health monitor", times.healthMs);
+        addRest("sum", accountedMs(run));
+        addRest("measured step", times.allMs);
     }
     table.print(out);
+    if (times.allMs > 0.0) {
+        out << "  the sum differs from the measured step by "
+            << englishNumber(std::round(1000.0 * std::abs(accountError(run))) / 10.0)
+            << " %; between the steps, per step: recording " << englishNumber(times.recordingMs) << " ms, births and ledger "
+            << englishNumber(times.birthsMs) << " ms\n";
+    }
     printReasons(out, decisions);
 }
 

@@ -16,6 +16,8 @@ Json effectsJson(const EffectDecisions& decisions);
 Json effectsJson(const std::vector<EffectReport>& reports);
 
 /// One row for each effect, with measure and threshold for programs.
+/// What a step of a run cost, by what took it, and how far that is from the measured step; see the manual.
+Json costsJson(const SimulationResult& run);
 TextTable effectsTable(const EffectDecisions& decisions);
 
 /// State and reason of each effect, as a list: the reasons are too long for a table on a terminal.

@@ -3,10 +3,10 @@
 #include <QString>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iostream>
 
+#include "app/cli/option_value.h"
 #include "app/cli/virtual_display.h"
 #include "core/base/error.h"
 #include "core/fe/components.h"
@@ -28,23 +28,12 @@ constexpr std::array<ColourName, 5> colourNames{{{"highlight", render::ColourBy:
 constexpr int smallestPixels = 100;
 constexpr int largestPixels = 8000;
 
-UsageError wrongValue(std::string_view option, const std::string& value, std::string_view offered) {
-    return UsageError({"cli.option_value", "{0} {1}: this value is not known.", {option, value}},
-                      {"cli.option_value.remedy", "Give {0}.", {offered}});
-}
-
-template <class Number>
-bool parse(std::string_view text, Number& number) {
-    const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
-    return end.ec == std::errc{} && end.ptr == text.data() + text.size();
-}
-
 QSize parseSize(const std::string& text) {
     const std::size_t cross = text.find('x');
     int width = 0;
     int height = 0;
-    const bool parsed = cross != std::string::npos && parse(std::string_view(text).substr(0, cross), width) &&
-                        parse(std::string_view(text).substr(cross + 1), height);
+    const bool parsed = cross != std::string::npos && parseNumber(std::string_view(text).substr(0, cross), width) &&
+                        parseNumber(std::string_view(text).substr(cross + 1), height);
     if (!parsed || std::min(width, height) < smallestPixels || std::max(width, height) > largestPixels) {
         throw wrongValue("--size", text, "WIDTHxHEIGHT in pixels, each from 100 to 8000");
     }
@@ -79,14 +68,14 @@ FigureRequest::FigureRequest(const Arguments& arguments) {
     }
     if (const auto time = arguments.value("--time"); time && *time != "end") {
         double seconds = 0.0;
-        if (!parse(*time, seconds) || !std::isfinite(seconds)) {
+        if (!parseNumber(*time, seconds) || !std::isfinite(seconds)) {
             throw wrongValue("--time", *time, "seconds with a point as decimal sign, or end");
         }
         m_time = seconds;
     }
     if (const auto state = arguments.value("--state")) {
         std::size_t number = 0;
-        if (!parse(*state, number) || arguments.has("--time")) {
+        if (!parseNumber(*state, number) || arguments.has("--time")) {
             throw wrongValue("--state", *state, "the number of an FE state, from 0, and no --time beside it");
         }
         m_state = number;

@@ -13,6 +13,7 @@ Json breachJson(const HealthBreach& breach) {
     object["check"] = healthCheckName(breach.check);
     object["from_s"] = breach.from;
     object["to_s"] = breach.to;
+    object["worst_at_s"] = breach.worstAt;
     object["body"] = breach.body ? Json(at(*breach.body)) : Json();
     object["place_m"] = breach.body ? Json{breach.place.x(), breach.place.y(), breach.place.z()} : Json();
     object["worst"] = breach.worst;
@@ -98,11 +99,17 @@ void printHealth(std::ostream& out, const SimulationResult& result, const io::Ta
                                                      : englishInteger(static_cast<std::int64_t>(breaches.size())) + " breaches" +
                                                            (taint.tainted() ? ", tainted" : ", acknowledged")));
     if (!breaches.empty()) {
-        TextTable table(
-            {{"check", ""}, {"from [s]", ""}, {"to [s]", ""}, {"worst", ""}, {"limit", ""}, {"bodies", ""}, {"where", ""}});
+        TextTable table({{"check", ""},
+                         {"from [s]", ""},
+                         {"to [s]", ""},
+                         {"worst", ""},
+                         {"at [s]", ""},
+                         {"limit", ""},
+                         {"bodies", ""},
+                         {"where", ""}});
         for (const HealthBreach& breach : breaches) {
             table.add({textCell(std::string(healthCheckName(breach.check))), numberCell(breach.from), numberCell(breach.to),
-                       numberCell(breach.worst), numberCell(breach.limit), integerCell(breach.bodies),
+                       numberCell(breach.worst), numberCell(breach.worstAt), numberCell(breach.limit), integerCell(breach.bodies),
                        textCell(placeText(breach))});
         }
         table.print(out);
@@ -123,7 +130,7 @@ void warnIfTainted(Session& session, const std::string& runPath, const io::Taint
     if (!taint.problem.empty()) {
         session.err() << "  " << englishText(taint.problem) << '\n';
     }
-    if (!runPath.empty()) {
+    if (!runPath.empty() && taint.complete) {
         session.err() << "  rubble-cli acknowledge " << runPath << " --by NAME --note TEXT says that it may be used all the same\n";
     }
 }

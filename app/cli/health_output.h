@@ -10,7 +10,8 @@
 
 namespace rubble::cli {
 
-/// {breaches [{check, from_s, to_s, body, place_m, worst, limit, bodies, what, remedy}], ...}; the manual lists the keys.
+/// {breaches [{check, from_s, to_s, worst_at_s, body, place_m, worst, limit, bodies, what, remedy}], ...}; the manual lists the
+/// keys.
 Json healthJson(const SimulationResult& result);
 /// {by, when, note}, or null.
 Json acknowledgedJson(const io::Taint& taint);

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "app/cli/commands.h"
 #include "app/cli/influence_report.h"
+#include "app/cli/option_value.h"
 #include "app/cli/output_file.h"
 #include "core/base/error.h"
 
@@ -13,17 +13,6 @@ namespace {
 
 constexpr int repeatsMax = 100;
 constexpr int threadsMax = 1024;
-
-UsageError wrongValue(std::string_view option, const std::string& value, std::string_view offered) {
-    return UsageError({"cli.option_value", "{0} {1}: this value is not known.", {option, value}},
-                      {"cli.option_value.remedy", "Give {0}.", {offered}});
-}
-
-template <class Number>
-bool parse(std::string_view text, Number& number) {
-    const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
-    return end.ec == std::errc{} && end.ptr == text.data() + text.size();
-}
 
 std::vector<std::string> splitAtCommas(const std::string& text) {
     std::vector<std::string> parts(1);
@@ -59,7 +48,7 @@ std::vector<EffectKind> parseEffects(const std::string& text) {
 int parseCount(const Arguments& arguments, std::string_view option, int low, int high, int otherwise) {
     const auto text = arguments.value(option);
     int number = otherwise;
-    if (text && (!parse(*text, number) || number < low || number > high)) {
+    if (text && (!parseNumber(*text, number) || number < low || number > high)) {
         throw wrongValue(option, *text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
     }
     return number;
@@ -79,7 +68,7 @@ StudySettings parseSettings(const Arguments& arguments) {
         settings.measures.tolerances.clear();
         for (const std::string& part : splitAtCommas(*text)) {
             double tolerance = 0.0;
-            if (!parse(part, tolerance) || !std::isfinite(tolerance) || tolerance <= 0.0) {
+            if (!parseNumber(part, tolerance) || !std::isfinite(tolerance) || tolerance <= 0.0) {
                 throw wrongValue("--tolerances", part, "distances above zero in m, separated by commas");
             }
             settings.measures.tolerances.push_back(tolerance);

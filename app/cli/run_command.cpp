@@ -101,7 +101,7 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
     }
     writeCsv(arguments, ledgerTable(recorder.ledger()));
     const io::Taint taint =
-        runPath.empty() ? io::Taint{results.simulation->health.breaches.size(), {}, {}} : io::taintOf(*io::openRun(runPath));
+        runPath.empty() ? io::Taint{results.simulation->health.breaches.size(), {}, {}, true} : io::taintOf(*io::openRun(runPath));
     const RunReport report{subject,         results, recorder.ledger(), allFindings(subject, results), temporary ? "" : runPath,
                            exports.paths(), taint};
     if (arguments.json()) {

@@ -282,7 +282,8 @@ Json RunReport::json() const {
     addSimulationJson(object, run);
     object["effects"] = effectsJson(run.effects);
     object["ms_per_step_all"] = run.stepTimes.allMs;
-    object["ms_per_step_rest"] = run.stepTimes.motionMs;
+    object["ms_per_step_rest"] = run.stepTimes.restMs();
+    object["ms_per_step_costs"] = costsJson(run);
     object["wall_s"] = wallSecondsJson(results);
     object["ledger"] = ledgerJson(run, ledger);
     object["health"] = healthJson(run);

@@ -5,44 +5,16 @@
 
 namespace rubble::cli {
 
-void LedgerRecorder::begin(const RunDescription& description) {
-    if (m_next) {
-        m_next->begin(description);
-    }
-}
-
-void LedgerRecorder::addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) {
-    if (m_next) {
-        m_next->addBodies(bodies, carriers);
-    }
-}
-
-void LedgerRecorder::addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) {
-    if (m_next) {
-        m_next->addIslands(islands, ledger);
-    }
-}
-
 void LedgerRecorder::commit(const TrajectoryFrame& frame) {
-    if (m_next) {
-        m_next->commit(frame);
-    }
+    SinkRelay::commit(frame);
     // Counted after the sink took it: what failed to be written is not a frame.
     ++m_frames;
     m_lastTime = frame.time;
 }
 
 void LedgerRecorder::addLedger(const LedgerRow& row) {
-    if (m_next) {
-        m_next->addLedger(row);
-    }
+    SinkRelay::addLedger(row);
     m_ledger.push_back(row);
-}
-
-void LedgerRecorder::finish(const SimulationResult& result) {
-    if (m_next) {
-        m_next->finish(result);
-    }
 }
 
 namespace {

@@ -5,29 +5,23 @@
 #include <string>
 #include <vector>
 
-#include "core/trajectory/trajectory.h"
+#include "core/trajectory/sink_relay.h"
 
 namespace rubble::cli {
 
 /// Keeps the ledger and counts the frames of a run, and hands everything on to another sink, if there is one.
-class LedgerRecorder : public TrajectorySink {
+class LedgerRecorder : public SinkRelay {
 public:
-    /// @param next  not owned, may be null
-    explicit LedgerRecorder(TrajectorySink* next) : m_next(next) {}
+    using SinkRelay::SinkRelay;
 
-    void begin(const RunDescription& description) override;
-    void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) override;
-    void addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) override;
     void commit(const TrajectoryFrame& frame) override;
     void addLedger(const LedgerRow& row) override;
-    void finish(const SimulationResult& result) override;
 
     const std::vector<LedgerRow>& ledger() const { return m_ledger; }
     std::int64_t frames() const { return m_frames; }
     double lastTime() const { return m_lastTime; }  ///< s, of the last frame
 
 private:
-    TrajectorySink* m_next;
     std::vector<LedgerRow> m_ledger;
     std::int64_t m_frames = 0;
     double m_lastTime = 0.0;

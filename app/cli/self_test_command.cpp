@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <string>
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/cli/option_value.h"
 #include "app/cli/output_file.h"
 #include "app/cli/text_output.h"
 #include "core/base/error.h"
@@ -32,8 +32,7 @@ SolverKind solverOf(const Arguments& arguments) {
 int threadsOf(const Arguments& arguments) {
     const std::string text = arguments.value("--threads").value_or("2");
     int threads = 0;
-    const auto end = std::from_chars(text.data(), text.data() + text.size(), threads);
-    if (end.ec != std::errc{} || end.ptr != text.data() + text.size() || threads < 1 || threads > mostThreads) {
+    if (!parseNumber(text, threads) || threads < 1 || threads > mostThreads) {
         throw UsageError({"cli.threads", "--threads {0}: this is no number of threads.", {text}},
                          {"cli.threads.remedy", "Give a number from 1 to {0}.", {mostThreads}});
     }

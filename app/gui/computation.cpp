@@ -56,11 +56,6 @@ Digest decisionKey(const Inputs& inputs, const Scenario& scenario) {
 
 }  // namespace
 
-const HealthReport& RunRecord::health() const {
-    static const HealthReport nothing;
-    return outcome != nullptr ? outcome->health : nothing;
-}
-
 Computation::Computation(QObject* parent) : QObject(parent) {
     connect(&m_worker, &Worker::progressed, this, &Computation::showProgress);
     connect(&m_worker, &Worker::changed, this, [this] {
@@ -340,6 +335,7 @@ void Computation::committed(const std::shared_ptr<RunRecord>& record, double tim
     if (record == m_run && record->running) {
         record->newest = time;
         record->reader->refresh();
+        record->soFar.breaches = record->reader->breaches();
         emit runGrew(time);
     }
 }
@@ -357,6 +353,7 @@ void Computation::ended(const std::shared_ptr<RunRecord>& record, const std::sha
     if (record->reader != nullptr) {
         try {
             record->reader->refresh();
+            record->soFar.breaches = record->reader->breaches();
             if (const std::size_t frames = record->reader->frameCount(); frames > 0) {
                 record->newest = record->reader->frameTime(frames - 1);
             }

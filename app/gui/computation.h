@@ -36,10 +36,11 @@ struct RunRecord {
     double newest = 0.0;  ///< s, time of the last committed frame
     double wallSeconds = 0.0;
     std::shared_ptr<const SimulationResult> outcome;
+    HealthReport soFar;                           ///< its breaches up to the newest frame, while there is no outcome
     std::optional<Acknowledgement> acknowledged;  ///< somebody vouches for it in spite of its breaches
 
-    /// What the monitor saw; nothing before the run is complete.
-    const HealthReport& health() const;
+    /// What the monitor saw; its breaches only, while the run is not complete.
+    const HealthReport& health() const { return outcome != nullptr ? outcome->health : soFar; }
 };
 
 /// What has been computed for the open case: the FE result, the results by stage and the run. Starts the work on the worker and

@@ -46,20 +46,28 @@ HealthDisplay::HealthDisplay(Computation& computation, PanelDeck& deck, Playback
         clearSelection();
         refresh();
     });
+    connect(&computation, &Computation::runGrew, this, &HealthDisplay::showMarks);
     connect(&computation, &Computation::runEnded, this, &HealthDisplay::refresh);
 }
 
 void HealthDisplay::refresh() {
+    showMarks();
     const RunRecord* record = m_computation.currentRun();
     if (record == nullptr || record->outcome == nullptr) {
-        m_timeline.setHealth({});
         m_deck.run().setHealth(std::nullopt);
         return;
     }
-    const Frame& frame = m_computation.inputs().frame;
-    widgets::HealthList::Content content{record->health(), record->acknowledged, frame.origin.cast<double>()};
-    m_timeline.setHealth(widgets::healthMarks(content.health, content.acknowledged.has_value(), content.origin));
-    m_deck.run().setHealth(content);
+    m_deck.run().setHealth(widgets::HealthList::Content{record->health(), record->acknowledged, origin()});
+}
+
+void HealthDisplay::showMarks() {
+    const RunRecord* record = m_computation.currentRun();
+    m_timeline.setHealth(record == nullptr ? std::vector<widgets::HealthMark>()
+                                           : widgets::healthMarks(record->health(), record->acknowledged.has_value(), origin()));
+}
+
+Vec3 HealthDisplay::origin() const {
+    return m_computation.inputs().frame.origin.cast<double>();
 }
 
 void HealthDisplay::show(std::size_t breach, bool near) {

@@ -2,6 +2,8 @@
 
 #include <QObject>
 
+#include "core/base/geometry.h"
+
 namespace rubble {
 
 class Computation;
@@ -28,6 +30,10 @@ public:
     void show(std::size_t breach, bool near);
 
 private:
+    /// The breaches that are known, also of a run that goes on.
+    void showMarks();
+    /// m, of the local frame.
+    Vec3 origin() const;
     void acknowledged(const QString& complaint);
     void clearSelection();
 

@@ -113,7 +113,8 @@ void StatusFeed::showFindings() {
 
 void StatusFeed::showHealth() {
     const RunRecord* record = m_computation.currentRun();
-    if (record == nullptr || record->outcome == nullptr) {
+    // Before the end nothing is sound yet, but a breach is one.
+    if (record == nullptr || (record->outcome == nullptr && !record->health().tainted())) {
         m_line.setFigure(Figure::Health, {}, {});
         return;
     }

@@ -49,19 +49,11 @@ void LivePace::shown(double time) {
 }
 
 WatchedSink::WatchedSink(TrajectorySink& inner, Listener listener, std::shared_ptr<LivePace> pace, Execution execution)
-    : m_inner(inner), m_listener(std::move(listener)), m_pace(std::move(pace)), m_execution(std::move(execution)) {}
+    : SinkRelay(&inner), m_listener(std::move(listener)), m_pace(std::move(pace)), m_execution(std::move(execution)) {}
 
 void WatchedSink::begin(const RunDescription& description) {
-    m_inner.begin(description);
+    SinkRelay::begin(description);
     m_listener.begun(description);
-}
-
-void WatchedSink::addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) {
-    m_inner.addBodies(bodies, carriers);
-}
-
-void WatchedSink::addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) {
-    m_inner.addIslands(islands, ledger);
 }
 
 void WatchedSink::commit(const TrajectoryFrame& frame) {
@@ -70,16 +62,8 @@ void WatchedSink::commit(const TrajectoryFrame& frame) {
     if (live) {
         m_pace->waitFor(frame.time, m_execution);
     }
-    m_inner.commit(frame);
+    SinkRelay::commit(frame);
     m_listener.committed(frame.time, live);
-}
-
-void WatchedSink::addLedger(const LedgerRow& row) {
-    m_inner.addLedger(row);
-}
-
-void WatchedSink::finish(const SimulationResult& result) {
-    m_inner.finish(result);
 }
 
 }  // namespace rubble

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "core/base/execution.h"
-#include "core/trajectory/trajectory.h"
+#include "core/trajectory/sink_relay.h"
 
 namespace rubble {
 
@@ -42,7 +42,7 @@ private:
 };
 
 /// Hands a run on to another sink, tells how it grows, and keeps the pace of live mode if there is one.
-class WatchedSink : public TrajectorySink {
+class WatchedSink : public SinkRelay {
 public:
     struct Listener {
         std::function<void(const RunDescription&)> begun;       ///< after the inner sink has begun
@@ -51,14 +51,9 @@ public:
     WatchedSink(TrajectorySink& inner, Listener listener, std::shared_ptr<LivePace> pace, Execution execution);
 
     void begin(const RunDescription& description) override;
-    void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) override;
-    void addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) override;
     void commit(const TrajectoryFrame& frame) override;
-    void addLedger(const LedgerRow& row) override;
-    void finish(const SimulationResult& result) override;
 
 private:
-    TrajectorySink& m_inner;
     Listener m_listener;
     std::shared_ptr<LivePace> m_pace;
     Execution m_execution;

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/fe/frame_transform.h"
 #include "core/selftest/collapse_scene.h"
+#include "core/selftest/killed_trajectory.h"
 #include "core/selftest/pile.h"
 
 namespace rubble::selftest {
@@ -139,22 +140,6 @@ void shuffledBirths(const CaseSetting& setting, Outcome& outcome) {
     outcome.none("fragments that end elsewhere in the last bit", differ);
     outcome.none("trajectory hash differs", straight.result().trajectoryHash != shuffled.result().trajectoryHash);
 }
-
-/// Stops a run after so many frames, as a kill would, and keeps what was committed.
-class KilledTrajectory : public MemoryTrajectory {
-public:
-    KilledTrajectory(const Execution& execution, std::size_t frames) : m_execution(execution), m_frames(frames) {}
-    void commit(const TrajectoryFrame& frame) override {
-        MemoryTrajectory::commit(frame);
-        if (frameCount() >= m_frames) {
-            m_execution.cancel();
-        }
-    }
-
-private:
-    const Execution& m_execution;
-    std::size_t m_frames;
-};
 
 Digest hashOfFrames(const MemoryTrajectory& trajectory, std::size_t frames) {
     Hasher hasher;

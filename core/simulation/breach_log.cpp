@@ -6,6 +6,9 @@ namespace rubble {
 
 namespace {
 
+/// s. A breach that goes on is not told anew at every step.
+constexpr double retellAfter = 1.0;
+
 std::string bodyText(const HealthObservation& o) {
     return o.body ? "body " + englishInteger(static_cast<std::int64_t>(at(*o.body))) : std::string("no body");
 }
@@ -72,23 +75,52 @@ Message whatOf(const HealthObservation& o) {
 void BreachLog::hold(const HealthObservation& observation, double since, double time) {
     std::vector<Span>& spans = m_spans[static_cast<std::size_t>(observation.check)];
     if (spans.empty() || since - spans.back().to > m_interval + 1e-9) {
-        spans.push_back({since, time, observation});
+        spans.push_back({since, time, time, observation});
         return;
     }
     Span& span = spans.back();
     span.to = std::max(span.to, time);
+    span.changed = true;
     if (observation.severity > span.worst.severity) {
         span.worst = observation;
+        span.worstAt = time;
     }
+}
+
+HealthBreach BreachLog::breachOf(const Span& span) {
+    const HealthObservation& o = span.worst;
+    return {o.check,
+            span.from,
+            span.to,
+            span.worstAt,
+            o.body,
+            o.place,
+            o.measured,
+            o.limit,
+            o.bodies,
+            whatOf(o),
+            healthRemedy(o.check, o.measured, o.limit)};
+}
+
+std::vector<HealthBreach> BreachLog::news(double time) {
+    std::vector<HealthBreach> list;
+    for (std::vector<Span>& spans : m_spans) {
+        for (Span& span : spans) {
+            if (span.changed && time - span.toldAt >= retellAfter) {
+                list.push_back(breachOf(span));
+                span.changed = false;
+                span.toldAt = time;
+            }
+        }
+    }
+    return list;
 }
 
 std::vector<HealthBreach> BreachLog::breaches() const {
     std::vector<HealthBreach> list;
     for (const std::vector<Span>& spans : m_spans) {
         for (const Span& span : spans) {
-            const HealthObservation& o = span.worst;
-            list.push_back({o.check, span.from, span.to, o.body, o.place, o.measured, o.limit, o.bodies, whatOf(o),
-                            healthRemedy(o.check, o.measured, o.limit)});
+            list.push_back(breachOf(span));
         }
     }
     std::stable_sort(list.begin(), list.end(), [](const HealthBreach& a, const HealthBreach& b) { return a.from < b.from; });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "core/simulation/health.h"
@@ -29,13 +30,21 @@ public:
     bool empty(HealthCheck check) const { return m_spans[static_cast<std::size_t>(check)].empty(); }
     /// In the order in which they began, those of one instant in the order of the checks, with their texts.
     std::vector<HealthBreach> breaches() const;
+    /// Those that have begun since the last call, and those that have grown longer or worse and were last told of a second or more
+    /// before `time` [s]. A breach is known by its check and its beginning.
+    std::vector<HealthBreach> news(double time);
 
 private:
     struct Span {
         double from = 0.0;
         double to = 0.0;
+        double worstAt = 0.0;
         HealthObservation worst;
+        double toldAt = -std::numeric_limits<double>::infinity();
+        bool changed = true;  ///< since it was told
     };
+    static HealthBreach breachOf(const Span& span);
+
     double m_interval;
     std::array<std::vector<Span>, healthCheckCount> m_spans;
 };

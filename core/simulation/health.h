@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -51,13 +52,14 @@ struct HealthLimits {
 /// A limit that was passed, from when to when.
 struct HealthBreach {
     HealthCheck check{};
-    double from = 0.0;           ///< s
-    double to = 0.0;             ///< s, the last instant at which it held
-    std::optional<BodyId> body;  ///< the worst one, where there is one
-    Vec3 place = Vec3::Zero();   ///< m, local, of that body at the worst instant
-    double worst = 0.0;          ///< measured, in the unit of the limit; NaN where it was no number
+    double from = 0.0;                                          ///< s
+    double to = 0.0;                                            ///< s, the last instant at which it held
+    double worstAt = std::numeric_limits<double>::quiet_NaN();  ///< s, when it was worst; NaN in a run that did not note it
+    std::optional<BodyId> body;                                 ///< the worst one, where there is one
+    Vec3 place = Vec3::Zero();                                  ///< m, local, of that body then
+    double worst = 0.0;                                         ///< measured, in the unit of the limit; NaN where it was no number
     double limit = 0.0;
-    std::int64_t bodies = 0;  ///< how many broke it at the worst instant
+    std::int64_t bodies = 0;  ///< how many broke it then
     Message what;             ///< with numbers and units
     Message remedy;           ///< names the setting to change
 };

@@ -52,6 +52,8 @@ public:
     void remedied(double from, double to);
 
     HealthReport report() const;
+    /// Breaches to tell of while the run goes on (BreachLog::news()).
+    std::vector<HealthBreach> news(double time) { return m_log.news(time); }
     /// One finding for each check that was breached, counting bodies (or breaches, where it is not about bodies), and one for the
     /// remedies.
     void addFindings(Findings& findings) const;

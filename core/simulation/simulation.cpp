@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/fe/ground_surface.h"
+#include "core/fe/site_surface.h"
 #include "core/fragments/lifetimes.h"
 #include "core/simulation/bulking.h"
 #include "core/simulation/collapse_run.h"
@@ -66,6 +66,17 @@ HealthSite healthSite(const RunDescription& description, const EffectDecisions& 
     return site;
 }
 
+/// Wall time so far, s. Steps have a clock of their own, around them, so that it is found out and not arranged whether the parts
+/// make up the whole.
+struct StepSeconds {
+    double steps = 0.0;      ///< whole steps, with what the pieces take to begin an interval
+    double replacing = 0.0;  ///< fragments put in the place of clusters that break up
+    double bookkeeping = 0.0;
+    double health = 0.0;
+    double recording = 0.0;  ///< between the steps
+    double births = 0.0;     ///< between the steps
+};
+
 /// One run from the first hand-over to the end.
 class Collapse {
 public:
@@ -95,6 +106,7 @@ private:
     void followStructure();
     void settle();
     void atState(std::size_t k);
+    void record(FrameKind kind);
     void releaseIslands();
     void removeEnded(double time);
     void handOverAt(std::size_t k, LedgerRow& row);
@@ -129,7 +141,7 @@ private:
     Activity m_activity;
     EffectDecisions m_decisions;
     WorldSettings m_worldSettings;
-    GroundSurface m_surface;
+    SiteSurface m_surface;
     std::unique_ptr<RigidWorld> m_world;
     StructureContact m_structure;
     EffectRun m_effects;
@@ -146,7 +158,7 @@ private:
     double m_time = 0.0;
     double m_lastBirth = 0.0;
     bool m_clockRuns = false;
-    double m_stepSeconds = 0.0;  ///< of wall time, all steps
+    StepSeconds m_seconds;
     SimulationResult m_result;
 };
 
@@ -210,17 +222,26 @@ void Collapse::releaseIslands() {
 }
 
 void Collapse::atState(std::size_t k) {
-    removeEnded(m_times[k]);
     LedgerRow row;
-    handOverAt(k, row);
-    if (k + 1 == m_times.size()) {
-        releaseIslands();
+    {
+        const Stopwatch watch(m_seconds.births);
+        removeEnded(m_times[k]);
+        handOverAt(k, row);
+        if (k + 1 == m_times.size()) {
+            releaseIslands();
+        }
     }
-    m_recorder.commit(*m_world, m_times[k], FrameKind::Fe);
+    record(FrameKind::Fe);
     addLedgerRow(row);
 }
 
+void Collapse::record(FrameKind kind) {
+    const Stopwatch watch(m_seconds.recording);
+    m_recorder.commit(*m_world, m_time, kind);
+}
+
 void Collapse::addLedgerRow(LedgerRow row) {
+    const Stopwatch watch(m_seconds.births);
     double massHeight = 0.0;
     for (std::size_t i = 0; i < m_world->bodyCount(); ++i) {
         const BodyId id = idAt<BodyId>(i);
@@ -237,6 +258,7 @@ void Collapse::addLedgerRow(LedgerRow row) {
 }
 
 void Collapse::advance(double dt, double time, const std::function<void(double)>& movePieces) {
+    const Stopwatch watch(m_seconds.steps);
     // What the monitor says depends on the bodies alone, so that a run with remedies repeats bit by bit.
     const bool halved = m_settings.autoRemedy && m_health.unwell(m_time);
     if (halved) {
@@ -264,22 +286,29 @@ void Collapse::removeLost(double time) {
 void Collapse::keepWatch(double time) {
     const bool stirred = m_structure.pieces().moving() > 0 || !m_outcomes.lost().empty();
     m_health.stepped(*m_world, m_outcomes.bodies(), {time, m_energy.gain(), stirred});
+    if (const std::vector<HealthBreach> news = m_health.news(time); !news.empty()) {
+        m_sink.addBreaches(news);
+    }
 }
 
 void Collapse::step(double dt, double time) {
     const auto from = std::chrono::steady_clock::now();
+    m_world->step(dt);
+    m_execution.check();
+    m_time = time;
     {
-        const Stopwatch watch(m_stepSeconds);
-        m_world->step(dt);
-        m_execution.check();
-        m_time = time;
+        const Stopwatch watch(m_seconds.bookkeeping);
         m_outcomes.stepped(*m_world, time, dt);
         removeLost(time);
         updateEnergy();
-        keepWatch(time);
-        m_effects.stepped(dt);
-        breakUp(dt, time);
     }
+    {
+        const Stopwatch watch(m_seconds.health);
+        keepWatch(time);
+    }
+    m_effects.stepped(dt);
+    breakUp(dt, time);
+    const Stopwatch watch(m_seconds.bookkeeping);
     if (m_clockRuns) {
         m_clock.add(from, dt);
     }
@@ -289,6 +318,7 @@ void Collapse::step(double dt, double time) {
 
 void Collapse::breakUp(double dt, double time) {
     for (const BodyRecord& whole : m_effects.brokenUp(dt, m_description.scenario.grid.bodiesMax - present())) {
+        const Stopwatch watch(m_seconds.replacing);
         replace(whole, time);
     }
 }
@@ -328,7 +358,10 @@ void Collapse::followStructure() {
     m_clockRuns = true;
     for (std::size_t k = first; k + 1 < m_times.size(); ++k) {
         atState(k);
-        m_structure.beginInterval(*m_world, k);
+        {
+            const Stopwatch watch(m_seconds.steps);
+            m_structure.beginInterval(*m_world, k);
+        }
         const double span = m_times[k + 1] - m_times[k];
         const auto steps = static_cast<std::int64_t>(std::max(1.0, std::ceil(span * m_settings.stepRate - 1e-6)));
         const double dt = span / static_cast<double>(steps);
@@ -337,7 +370,7 @@ void Collapse::followStructure() {
                 m_structure.moveTo(*m_world, (static_cast<double>(i - 1) + part) / static_cast<double>(steps));
             });
             if (i < steps && m_recorder.due(m_time)) {
-                m_recorder.commit(*m_world, m_time, FrameKind::Simulated);
+                record(FrameKind::Simulated);
             }
         }
         if (m_clockRuns && m_times[k + 1] >= m_lastBirth - 1e-9) {
@@ -370,7 +403,7 @@ void Collapse::settle() {
     for (std::int64_t i = 1; !atRest() && static_cast<double>(i) * dt <= m_settings.settleTime + 1e-9; ++i) {
         advance(dt, from + static_cast<double>(i) * dt, [](double) {});
         if (m_recorder.due(m_time)) {
-            m_recorder.commit(*m_world, m_time, FrameKind::Simulated);
+            record(FrameKind::Simulated);
         }
         if (m_time >= nextRow - 1e-9) {
             LedgerRow row;
@@ -448,18 +481,26 @@ void Collapse::warn() {
 }
 
 void Collapse::reportCosts() {
-    const double seconds = m_stepSeconds + m_structure.seconds();
-    m_result.effects = m_effects.reports(m_decisions, m_result.steps, seconds, m_structure.seconds());
-    const double steps = static_cast<double>(std::max<std::int64_t>(m_result.steps, 1));
-    m_result.stepTimes.allMs = m_result.stepTimes.motionMs = 1000.0 * seconds / steps;
-    for (const EffectReport& report : m_result.effects) {
-        m_result.stepTimes.motionMs -= report.msPerStep;
-    }
+    const StepCosts& world = m_world->costs();
+    const double contact = world.groundContact + world.structureContact + world.fragmentContact;
+    const double effects = m_effects.secondsInSubsteps();
+    const double hook = std::max(world.substepHook, effects);
+    const double perStep = 1000.0 / static_cast<double>(std::max<std::int64_t>(m_result.steps, 1));
+    StepTimes& times = m_result.stepTimes;
+    times.allMs = perStep * m_seconds.steps;
+    times.motionMs = perStep * (world.total - contact - hook);
+    times.hookMs = perStep * (hook - effects);
+    times.bookkeepingMs = perStep * m_seconds.bookkeeping;
+    times.healthMs = perStep * m_seconds.health;
+    times.recordingMs = perStep * m_seconds.recording;
+    times.birthsMs = perStep * m_seconds.births;
+    m_result.effects =
+        m_effects.reports(m_decisions, {m_result.steps, m_seconds.steps, m_structure.seconds(), m_seconds.replacing});
 }
 
 void Collapse::finish() {
     if (m_recorder.frames() > 0 && m_recorder.lastTime() < m_time) {
-        m_recorder.commit(*m_world, m_time, FrameKind::Simulated);
+        record(FrameKind::Simulated);
     }
     m_outcomes.finish(*m_world);
     m_result.endTime = m_time;
@@ -505,6 +546,19 @@ SimulationResult Collapse::run() {
 }
 
 }  // namespace
+
+double accountedMs(const SimulationResult& result) {
+    double sum = result.stepTimes.restMs();
+    for (const EffectReport& report : result.effects) {
+        sum += report.msPerStep;
+    }
+    return sum;
+}
+
+double accountError(const SimulationResult& result) {
+    const double measured = result.stepTimes.allMs;
+    return measured > 0.0 ? accountedMs(result) / measured - 1.0 : 0.0;
+}
 
 SimulationResult simulateIn(const WorldFactory& makeWorld, const RunDescription& description, TrajectorySink& sink,
                             const Execution& execution) {

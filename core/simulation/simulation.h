@@ -66,8 +66,19 @@ struct StepTimes {
     double worstMs = 0.0;
     double shareInTime = 0.0;     ///< share of steps from first to last birth that took less than the time they simulate
     double realTimeFactor = 0.0;  ///< simulated over wall time, first to last birth, recording included
-    double allMs = 0.0;           ///< mean over all steps, settling included: what the costs of the effects are shares of
-    double motionMs = 0.0;        ///< of these, what no effect took: motion, freezing, bookkeeping
+
+    // Means over all steps, settling included.
+    double allMs = 0.0;          ///< by a clock around each step: what the costs of the effects are shares of
+    double motionMs = 0.0;       ///< the world, less contact and hook: motion, freezing; with solver = bullet contact too
+    double hookMs = 0.0;         ///< handing bodies to the effects that act in substeps, less those effects
+    double bookkeepingMs = 0.0;  ///< places, speeds, hits, energy, progress
+    double healthMs = 0.0;       ///< the monitor
+    // Between the steps, over the same number.
+    double recordingMs = 0.0;  ///< frames made and handed to the sink; in live mode its waiting for the screen too
+    double birthsMs = 0.0;     ///< bodies in and out at FE states, the ledger
+
+    /// What no effect took.
+    double restMs() const { return motionMs + hookMs + bookkeepingMs + healthMs; }
 };
 
 struct EnergyBalance {
@@ -103,6 +114,13 @@ struct SimulationResult {
     Digest trajectoryHash;  ///< of every committed frame, in double precision
     Findings findings;
 };
+
+/// ms per step, all effects and the rest: to be held against the measured allMs, which it makes up to what nobody has on the
+/// account.
+double accountedMs(const SimulationResult& result);
+/// How far the account is from the measured step, as a share of it; negative: time that nobody has on the account. 0 without a
+/// step.
+double accountError(const SimulationResult& result);
 
 /// Simulates a clustered scene from the first hand-over to the end (DESIGN.md 2.4). Steps have equal length within an FE interval,
 /// at most 1 / stepRate, and meet every FE state exactly. Deterministic: the same description gives the same trajectory hash.

@@ -43,7 +43,8 @@ struct alignas(8 * solverLanes) LanePoint {
     Lanes tangentImpulse[2];
     Lanes largestImpulse;  ///< N s, of any substep
     Lanes impulseSum;      ///< N s along the normal, over the substeps
-    Lanes opening;         ///< m/s, while the bodies moved in this substep
+    LaneVector opening;    ///< m/s, of b from a, before any impulse of this substep
+    Lanes raised;          ///< N s, upward part of what acted in the soft pass
 };
 
 /// Contacts side by side. Missing ones at the end of a colour have no mass and no body.
@@ -66,6 +67,7 @@ struct alignas(8 * solverLanes) LaneContacts {
     Lanes parting;       ///< m/s, at which overlap at birth is brought apart in the soft pass; zero: none
     Lanes partingLimit;  ///< N s per point and substep that may be spent on that
     Lanes impulseLimit;  ///< N s per point and substep
+    Lanes lift;          ///< m/s, what an upward impulse gains against gravity in a substep; zero between two that move
     Lanes bookedShare;   ///< 1: its work of pushing apart is accounted for
     Lanes drivenByA;     ///< 1: the work of a moving piece a is accounted for
     Lanes drivenByB;     ///< 1: the same of b
@@ -91,7 +93,7 @@ struct LanePasses {
     void (*soft)(const LaneScene& scene, std::size_t first, std::size_t last, double push);
     /// Solves once without the push, where the bodies have moved to.
     void (*relax)(const LaneScene& scene, std::size_t first, std::size_t last);
-    /// Notes the velocities that are about to move the bodies, for the work of contacts that are accounted for.
+    /// Notes the velocities before any impulse, for the work of contacts that are accounted for.
     void (*noteOpening)(const LaneScene& scene, std::size_t first, std::size_t last);
     /// Books the work of a substep.
     void (*book)(const LaneScene& scene, std::size_t first, std::size_t last);

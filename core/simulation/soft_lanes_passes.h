@@ -154,6 +154,7 @@ inline void solve(const LaneScene& scene, LaneContacts& c, double push) {
     for (std::uint32_t k = 0; k < c.points; ++k) {
         LanePoint& p = points[k];
         if (!Push) {
+            p.raised = impulseOf(c, p).z;
             p.now = p.separation + dot(c.normal, moved + cross(turnedB, p.fromB) - cross(turnedA, p.fromA));
         }
         const Mask apart = p.now > zero;
@@ -243,11 +244,14 @@ void noteOpening(const LaneScene& scene, std::size_t first, std::size_t last) {
         const End b = load(scene.bodies, c.b);
         for (std::uint32_t k = 0; k < c.points; ++k) {
             LanePoint& p = scene.points[c.firstPoint + k];
-            p.opening = dot(c.normal, relativeVelocity(a, b, p));
+            p.opening = relativeVelocity(a, b, p);
         }
     }
 }
 
+/// Impulse times the mean of the relative velocities before and after is what a contact adds to the kinetic energy. Bodies move
+/// with the velocities of the soft pass; between two that move this leaves their centre of mass in place, next to an immovable one
+/// it lifts.
 void book(const LaneScene& scene, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
         LaneContacts& c = scene.contacts[i];
@@ -259,10 +263,9 @@ void book(const LaneScene& scene, std::size_t first, std::size_t last) {
         for (std::uint32_t k = 0; k < c.points; ++k) {
             const LanePoint& p = scene.points[c.firstPoint + k];
             const LaneVector impulse = impulseOf(c, p);
-            const LaneVector speedA = a.velocity + cross(a.spin, p.fromA);
-            const LaneVector speedB = b.velocity + cross(b.spin, p.fromB);
-            c.work += c.drivenByA * dot(impulse, speedA) - c.drivenByB * dot(impulse, speedB) +
-                      c.bookedShare * larger(p.normalImpulse * p.opening, all(0.0));
+            const Lanes input = all(0.5) * dot(impulse, p.opening + relativeVelocity(a, b, p)) + c.lift * p.raised;
+            c.work += c.drivenByA * dot(impulse, a.velocity + cross(a.spin, p.fromA)) -
+                      c.drivenByB * dot(impulse, b.velocity + cross(b.spin, p.fromB)) + c.bookedShare * larger(input, all(0.0));
         }
     }
 }

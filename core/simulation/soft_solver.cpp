@@ -291,6 +291,8 @@ void SoftSolver::fillLanes(const Group& group, LaneContacts& lanes) {
         lanes.impulseScale[lane] = c.impulseScale;
         lanes.parting[lane] = c.parting;
         lanes.partingLimit[lane] = c.partingLimit;
+        lanes.lift[lane] = c.lift;
+        lanes.lift[lane] = c.lift;
         lanes.impulseLimit[lane] = c.impulseLimit < 0.0 ? unlimited : c.impulseLimit;
         lanes.bookedShare[lane] = c.booked ? 1.0 : 0.0;
         lanes.drivenByA[lane] = c.driven && a.inverseMass == 0.0 ? 1.0 : 0.0;
@@ -339,14 +341,11 @@ void SoftSolver::receive() {
 
 void SoftSolver::solveSoft(double push) {
     send();
+    forEachBooked(m_passes.noteOpening);
     forEachColour(
         [&](const LaneScene& scene, std::size_t first, std::size_t last) { m_passes.warmStart(scene, first, last, warmGrowth); });
     forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) { m_passes.soft(scene, first, last, push); });
     receive();
-}
-
-void SoftSolver::noteOpening() {
-    forEachBooked(m_passes.noteOpening);
 }
 
 void SoftSolver::relax() {

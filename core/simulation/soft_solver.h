@@ -52,6 +52,7 @@ struct SolverContact {
     double massScale = 1.0;     ///< of the soft pass
     double impulseScale = 0.0;  ///< of the soft pass
     double parting = 0.0;       ///< m/s, at which overlap at birth is brought apart in the soft pass
+    double lift = 0.0;          ///< m/s, what an upward impulse gains against gravity in a substep; see LaneContacts
     double partingLimit = 0.0;  ///< N s per point and substep that may be spent on that
     double impulseLimit = 0.0;  ///< N s per point and substep; negative: none
     double work = 0.0;          ///< J, in this step: of pushing the bodies apart, or of a moving piece
@@ -96,8 +97,6 @@ public:
     void layOut(double h, std::size_t movable);
     /// Applies the impulses of the substep before and solves once, pushing overlap apart at `push` [m/s] at most.
     void solveSoft(double push);
-    /// Notes the velocities that are about to move the bodies, for the work of contacts that are accounted for.
-    void noteOpening();
     /// Solves once without the push.
     void relax();
     /// Books the work of this substep.

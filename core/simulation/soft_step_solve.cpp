@@ -236,6 +236,7 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
         c.partingLimit = partingAcceleration * h / (inverse * contact.count);
     }
     const bool immovable = c.a >= m_awake.size() || c.b >= m_awake.size();
+    c.lift = immovable ? (c.a >= m_awake.size() ? 1.0 : -1.0) * m_settings.gravity * h : 0.0;
     c.frequency = immovable ? 2.0 * frequency : frequency;
     c.sinkAllowed = sinkAllowed(contact);
     c.weight = m_settings.gravity * h / std::max(m_solver.bodies[c.a].inverseMass, m_solver.bodies[c.b].inverseMass);

@@ -235,7 +235,6 @@ void SoftStepWorld::substeps(double dt) {
         }
         motion += since(moving);
         m_solver.solveSoft(pushOutSpeed);
-        m_solver.noteOpening();
         const auto moved = Clock::now();
         moveBodies(h);
         motion += since(moved);

@@ -97,10 +97,11 @@ struct RunDescription {
 };
 
 struct SimulationResult;
+struct HealthBreach;
 
-/// Takes a run as it is made. Calls come from one thread in this order: begin, then any number of addBodies, commit and addLedger
-/// and at most one addIslands right after the addBodies of its bodies, then finish (not after a cancel or an error). What was
-/// committed stays readable whatever happens next.
+/// Takes a run as it is made. Calls come from one thread in this order: begin, then any number of addBodies, commit, addLedger and
+/// addBreaches and at most one addIslands right after the addBodies of its bodies, then finish (not after a cancel or an error).
+/// What was committed stays readable whatever happens next.
 class TrajectorySink {
 public:
     virtual ~TrajectorySink() = default;
@@ -113,6 +114,9 @@ public:
     virtual void addIslands(std::span<const IslandRecord> /*islands*/, const LedgerRow& /*ledger*/) {}
     virtual void commit(const TrajectoryFrame& frame) = 0;
     virtual void addLedger(const LedgerRow& row) = 0;
+    /// Breaches of health that have begun, or have grown longer or worse: one with the same check and beginning takes the place of
+    /// what was said of it before. The result of the run says the last word.
+    virtual void addBreaches(const std::vector<HealthBreach>& /*breaches*/) {}
     virtual void finish(const SimulationResult& result) = 0;
 };
 

@@ -89,7 +89,8 @@ TEST_F(Acknowledgements, NeedANameANoteAndARunWithBreaches) {
     const SampleRun stopped = makeSampleRun(4, 10, 3);
     stopped.feed(*createRun(path, stopped.origin), 2);
     EXPECT_EQ(idOf([&] { acknowledge(path, {"Ada", "", "note", {}}); }), "io.acknowledged.incomplete");
-    EXPECT_FALSE(taintOf(*openRun(path)).tainted()) << "nothing is known of it yet";
+    EXPECT_TRUE(taintOf(*openRun(path)).tainted()) << "it tells of breaches on its way";
+    EXPECT_FALSE(taintOf(*openRun(path)).complete);
     EXPECT_THROW(acknowledge(folder / "none.run.h5", {"Ada", "", "note", {}}), WorldError);
     std::ofstream(folder / "text") << "no run";
     EXPECT_THROW(acknowledge(folder / "text", {"Ada", "", "note", {}}), ParseError);

@@ -14,6 +14,7 @@
 
 #include "core/base/error.h"
 #include "core/simulation/acknowledgement.h"
+#include "io/acknowledgements.h"
 #include "io/run_json.h"
 #include "io/run_tables.h"
 #include "tests/io/sample_run.h"
@@ -34,6 +35,18 @@ void expectSameTrajectory(const SampleRun& run, const RunReader& reader, std::si
         EXPECT_EQ(reader.frameTime(i), run.frames[i].time);
         EXPECT_TRUE(sameFrame(*reader.frame(i), run.frames[i])) << i;
     }
+}
+
+// Waits for the writing thread; there is no limit on how long it may take other than the test's own.
+template <class Condition>
+bool eventually(const Condition& condition) {
+    for (int i = 0; i < 2000; ++i) {
+        if (condition()) {
+            return true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
 }
 
 TEST(RunFile, GivesBackEverythingThatWasWritten) {
@@ -86,6 +99,49 @@ TEST(RunFile, GivesBackEverythingThatWasWritten) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
+// What a run that is not complete says of its health: the last word on each breach, in the order in which they began.
+TEST(RunFile, TellsOfBreachesBeforeTheRunIsComplete) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "growing.run.h5";
+    const SampleRun run = makeSampleRun(8, 50, 40);
+    const auto sink = createRun(path, run.origin);
+    const auto reader = openRun(path);
+    EXPECT_TRUE(reader->breaches().empty());
+    run.feed(*sink, 30);
+    // One flush more than two seconds later hands everything to the readers.
+    ASSERT_TRUE(eventually([&] {
+        TrajectoryFrame again = run.frames[29];
+        sink->commit(again);
+        reader->refresh();
+        return reader->breaches().size() == 3 && reader->frameCount() >= 30;
+    }));
+    EXPECT_FALSE(reader->complete());
+    const std::vector<HealthBreach> known = reader->breaches();
+    EXPECT_TRUE(
+        std::is_sorted(known.begin(), known.end(), [](const HealthBreach& a, const HealthBreach& b) { return a.from < b.from; }));
+    for (const HealthBreach& breach : known) {
+        HealthBreach whole = run.result.health.breaches[static_cast<std::size_t>(breach.check)];
+        whole.to += breach.check == HealthCheck::Speed ? run.frames[29].time : 0.0;
+        EXPECT_EQ(breachJson(breach), breachJson(whole));
+    }
+    EXPECT_EQ(taintOf(*reader).breaches, 3u);
+    EXPECT_FALSE(taintOf(*reader).complete);
+}
+
+TEST(RunFile, AResultThatDoesNotSayWhenItWasWorstIsRead) {
+    const SampleRun run = makeSampleRun(9, 3, 1);
+    nlohmann::json text = resultJson(run.result);
+    for (nlohmann::json& breach : text["health"]["breaches"]) {
+        breach.erase("worst_at");
+    }
+    text["step_times"].erase("health_ms");
+    const SimulationResult older = resultFromJson(JsonCursor(text, "older", ""));
+    EXPECT_TRUE(std::isnan(older.health.breaches[0].worstAt));
+    EXPECT_EQ(older.stepTimes.healthMs, 0.0);
+    // An acknowledgement of then holds on.
+    EXPECT_EQ(breachesDigest(older), breachesDigest(run.result));
+}
+
 TEST(RunFile, HoldsARunWithoutAnyBody) {
     const TemporaryFolder folder;
     const SampleRun run = makeSampleRun(2, 0, 2);
@@ -95,18 +151,6 @@ TEST(RunFile, HoldsARunWithoutAnyBody) {
     EXPECT_EQ(reader->fragments()->size(), 0u);
     EXPECT_TRUE(reader->result()->fragments.empty());
     EXPECT_NO_THROW(checkRunDigest(folder / "empty.run.h5", Execution()));
-}
-
-// Waits for the writing thread; there is no limit on how long it may take other than the test's own.
-template <class Condition>
-bool eventually(const Condition& condition) {
-    for (int i = 0; i < 2000; ++i) {
-        if (condition()) {
-            return true;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return false;
 }
 
 TEST(RunFile, IsReadInTheSameProcessWhileItGrows) {
@@ -342,6 +386,7 @@ TEST(RunFile, OpensRunsOfBeforeTheMonitor) {
     EXPECT_TRUE(result->effects.empty());
     EXPECT_FALSE(result->health.tainted());
     EXPECT_TRUE(reader->islands().empty());
+    EXPECT_TRUE(reader->breaches().empty());
     EXPECT_NO_THROW(checkRunDigest(path, Execution()));
 }
 

@@ -178,6 +178,7 @@ void makeHealth(SimulationResult& result, Dice& dice) {
         breach.check = static_cast<HealthCheck>(i);
         breach.from = dice.number(0, 10);
         breach.to = breach.from + 0.1;
+        breach.worstAt = breach.from + 0.05;
         breach.worst = i == 5 ? std::numeric_limits<double>::quiet_NaN() : dice.number();
         breach.limit = dice.number();
         breach.bodies = static_cast<std::int64_t>(i);
@@ -208,7 +209,7 @@ void makeResult(SampleRun& run, Dice& dice) {
     run.result.steps = 4711;
     run.result.firstTime = 1.0 / 3.0;
     run.result.endTime = 19.68;
-    run.result.stepTimes = {1.5, 2.5, 17.25, 0.99, 1.7};
+    run.result.stepTimes = {1.5, 2.5, 17.25, 0.99, 1.7, 1.6, 0.25, 0.125, 0.0625, 0.03125, 0.5, 0.75};
     run.result.energy = {1e9 / 3, 2e8, 3e5, 9e8, 1e-12};
     run.result.ledger = {1e-16, 2e-16, 3e-16, 4e-16, 5e-16, 6e-16};
     run.result.births = {4500, 900, 0.31, 1e6, -2e3, 12};
@@ -262,6 +263,15 @@ void SampleRun::feed(TrajectorySink& sink, std::size_t frameCount) const {
         }
         sink.commit(frames[i]);
         sink.addLedger(ledger[i]);
+        // Half way what is known of the first breaches, and at each frame after that how the last of these goes on.
+        const std::size_t known = std::min<std::size_t>(3, result.health.breaches.size());
+        if (i == frames.size() / 2) {
+            sink.addBreaches({result.health.breaches.begin(), result.health.breaches.begin() + static_cast<std::ptrdiff_t>(known)});
+        } else if (i > frames.size() / 2 && known > 0) {
+            HealthBreach longer = result.health.breaches[known - 1];
+            longer.to += frames[i].time;
+            sink.addBreaches({longer});
+        }
     }
     if (frameCount == frames.size()) {
         sink.finish(result);

@@ -19,6 +19,7 @@ HealthReport twoBreaches() {
     deep.check = HealthCheck::Penetration;
     deep.from = 3.2;
     deep.to = 4.1;
+    deep.worstAt = 3.75;
     deep.body = idAt<BodyId>(1234);
     deep.place = Vec3(12.5, -3.0, 0.4);
     deep.worst = 0.31;
@@ -59,7 +60,7 @@ TEST(HealthList, ASoundRunSaysSoAndAsksForNothing) {
 
 TEST(HealthList, ABreachSaysWhatWhereWhenAndTheRemedy) {
     const QString words = breachWords(twoBreaches().breaches[0], Vec3(500000, 4000000, 0));
-    for (const char* part : {"inside each other", "3.20", "4.10", "1,234", "500,012.5", "3,999,997.0", "0.310", "0.100",
+    for (const char* part : {"inside each other", "3.20", "4.10", "3.75", "1,234", "500,012.5", "3,999,997.0", "0.310", "0.100",
                              "17 bodies", "Raise step_rate"}) {
         EXPECT_TRUE(words.contains(QLatin1String(part))) << part << " in " << words.toStdString();
     }

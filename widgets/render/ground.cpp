@@ -15,12 +15,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "widgets/render/disc.h"
 #include "widgets/render/relief.h"
 
 namespace rubble::render {
 namespace {
 
-constexpr int sectors = 64;
 constexpr double planeReach = 14.0;  // model lengths until ground and sky are one
 constexpr double gridReach = 1.1;    // model lengths until the grid has faded
 
@@ -53,9 +53,12 @@ double haze(double distance) {
     return 1.0 - std::exp(-std::pow(distance / 4.5, 2));
 }
 
+std::array<std::uint8_t, 4> opaque(const Rgb& c) {
+    return {c.r, c.g, c.b, 255};
+}
+
 void addColour(vtkUnsignedCharArray& colours, const Rgb& c) {
-    const std::array<unsigned char, 4> rgba{c.r, c.g, c.b, 255};
-    colours.InsertNextTypedTuple(rgba.data());
+    colours.InsertNextTypedTuple(opaque(c).data());
 }
 
 }  // namespace
@@ -143,36 +146,9 @@ void Ground::makeSky(const Vec3& centre, const SceneColours& colours) {
 
 void Ground::makePlane(const Vec3& centre, const SceneColours& colours) {
     constexpr std::array<double, 10> rings{0.6, 1.0, 1.6, 2.3, 3.2, 4.3, 5.6, 7.5, 10.0, planeReach};
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkCellArray> cells;
-    vtkNew<vtkUnsignedCharArray> rgba;
-    rgba->SetNumberOfComponents(4);
-    points->InsertNextPoint(centre.data());
-    addColour(*rgba, colours.ground);
-    const double unit = m_reach / planeReach;
-    for (const double ring : rings) {
-        for (int s = 0; s < sectors; ++s) {
-            const double angle = 2.0 * std::numbers::pi * s / sectors;
-            points->InsertNextPoint(centre.x() + unit * ring * std::cos(angle), centre.y() + unit * ring * std::sin(angle),
-                                    centre.z());
-            addColour(*rgba, ring == planeReach ? colours.skyHorizon : mixed(colours.ground, colours.skyHorizon, haze(ring)));
-        }
-    }
-    for (int s = 0; s < sectors; ++s) {
-        const vtkIdType next = (s + 1) % sectors;
-        const std::array<vtkIdType, 3> first{0, 1 + s, 1 + next};
-        cells->InsertNextCell(3, first.data());
-        for (std::size_t r = 0; r + 1 < rings.size(); ++r) {
-            const vtkIdType inner = 1 + static_cast<vtkIdType>(r) * sectors;
-            const vtkIdType outer = inner + sectors;
-            const std::array<vtkIdType, 4> quad{inner + s, outer + s, outer + next, inner + next};
-            cells->InsertNextCell(4, quad.data());
-        }
-    }
-    m_plane->SetPoints(points);
-    m_plane->SetPolys(cells);
-    m_plane->GetPointData()->SetScalars(rgba);
-    m_plane->Modified();
+    makeDisc(*m_plane, centre, m_reach / planeReach, rings, [&](double ring) {
+        return opaque(ring == planeReach ? colours.skyHorizon : mixed(colours.ground, colours.skyHorizon, haze(ring)));
+    });
 }
 
 void Ground::makeRelief(const TerrainGrid& terrain, const Aabb& bounds, const SceneColours& colours) {

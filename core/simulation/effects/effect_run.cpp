@@ -37,25 +37,25 @@ EffectRun::EffectRun(const EffectDecisions& decisions, const RunDescription& des
 void EffectRun::makeEffects(const EffectDecisions& decisions, const RunDescription& description) {
     const Scenario& scenario = description.scenario;
     if (isOn(decisions, EffectKind::AirDrag)) {
-        m_effects.push_back({std::make_unique<AirDrag>(scenario.effects), 0.0, true});
+        m_effects.push_back({std::make_unique<AirDrag>(scenario.effects), 0.0, 0.0, true});
     }
     if (isOn(decisions, EffectKind::Ties)) {
-        m_effects.push_back({std::make_unique<Ties>(description, m_world), 0.0, true});
+        m_effects.push_back({std::make_unique<Ties>(description, m_world), 0.0, 0.0, true});
     }
     // Water acts after the others: what they did is load to it, as contact is.
     if (isOn(decisions, EffectKind::Water)) {
-        m_effects.push_back({std::make_unique<Water>(scenario.effects, scenario.simulation.gravity), 0.0, true});
+        m_effects.push_back({std::make_unique<Water>(scenario.effects, scenario.simulation.gravity), 0.0, 0.0, true});
     }
     if (isOn(decisions, EffectKind::BreakUp)) {
         auto breakUp = std::make_unique<BreakUp>(description);
         m_breakUp = breakUp.get();
-        m_effects.push_back({std::move(breakUp), 0.0, false});
+        m_effects.push_back({std::move(breakUp), 0.0, 0.0, false});
     }
 }
 
 void EffectRun::beforeSubstep(const SubstepBodies& bodies, double h) {
     if (m_breakUp != nullptr) {
-        const Stopwatch watch(m_effects.back().seconds);
+        const Stopwatch watch(m_effects.back().substepSeconds);
         m_before.clear();
         for (const MovingBody& body : bodies.moving) {
             m_before.push_back(body.velocity);
@@ -63,12 +63,12 @@ void EffectRun::beforeSubstep(const SubstepBodies& bodies, double h) {
     }
     for (Timed& timed : m_effects) {
         if (timed.inSubsteps) {
-            const Stopwatch watch(timed.seconds);
+            const Stopwatch watch(timed.substepSeconds);
             timed.effect->beforeSubstep(bodies, h);
         }
     }
     if (m_breakUp != nullptr) {
-        const Stopwatch watch(m_effects.back().seconds);
+        const Stopwatch watch(m_effects.back().substepSeconds);
         for (std::size_t i = 0; i < m_before.size(); ++i) {
             m_breakUp->excuse(bodies.moving[i].id, bodies.moving[i].velocity - m_before[i]);
         }
@@ -110,7 +110,7 @@ double EffectRun::work() const {
     return work;
 }
 
-double EffectRun::secondsOf(const EffectDecisions& decisions, EffectKind kind, double structureSeconds) const {
+double EffectRun::secondsOf(const EffectDecisions& decisions, EffectKind kind, const EffectTimes& times) const {
     const StepCosts& costs = m_world.costs();
     switch (kind) {
         case EffectKind::Ground:
@@ -119,7 +119,7 @@ double EffectRun::secondsOf(const EffectDecisions& decisions, EffectKind kind, d
         case EffectKind::Terrain:
             return costs.groundContact;
         case EffectKind::StructureContact:
-            return costs.structureContact + structureSeconds;
+            return costs.structureContact + times.structureSeconds;
         case EffectKind::FragmentContact:
             return costs.fragmentContact;
         default:
@@ -127,22 +127,30 @@ double EffectRun::secondsOf(const EffectDecisions& decisions, EffectKind kind, d
     }
     for (const Timed& timed : m_effects) {
         if (timed.effect->kind() == kind) {
-            return timed.seconds;
+            const double replacing = kind == EffectKind::BreakUp ? times.breakUpSeconds : 0.0;
+            return timed.seconds + timed.substepSeconds + replacing;
         }
     }
     return 0.0;
 }
 
-std::vector<EffectReport> EffectRun::reports(const EffectDecisions& decisions, std::int64_t steps, double stepSeconds,
-                                             double structureSeconds) const {
+double EffectRun::secondsInSubsteps() const {
+    double seconds = 0.0;
+    for (const Timed& timed : m_effects) {
+        seconds += timed.substepSeconds;
+    }
+    return seconds;
+}
+
+std::vector<EffectReport> EffectRun::reports(const EffectDecisions& decisions, const EffectTimes& times) const {
     std::vector<EffectReport> reports;
     for (const EffectDecision& decision : decisions) {
         EffectReport report;
         report.decision = decision;
-        if (decision.on && steps > 0) {
-            const double seconds = secondsOf(decisions, decision.kind, structureSeconds);
-            report.msPerStep = 1000.0 * seconds / static_cast<double>(steps);
-            report.share = stepSeconds > 0.0 ? seconds / stepSeconds : 0.0;
+        if (decision.on && times.steps > 0) {
+            const double seconds = secondsOf(decisions, decision.kind, times);
+            report.msPerStep = 1000.0 * seconds / static_cast<double>(times.steps);
+            report.share = times.seconds > 0.0 ? seconds / times.seconds : 0.0;
         }
         for (const Timed& timed : m_effects) {
             if (timed.effect->kind() == decision.kind) {

@@ -17,6 +17,14 @@ inline bool isOn(const EffectDecisions& decisions, EffectKind kind) {
 /// Sets a world up for the effects that are on; leaves out the others.
 void setUpWorld(const EffectDecisions& decisions, const RunDescription& description, WorldSettings& world);
 
+/// Wall time of the steps of a run, as far as effects have to know.
+struct EffectTimes {
+    std::int64_t steps = 0;
+    double seconds = 0.0;           ///< of all steps
+    double structureSeconds = 0.0;  ///< of these, what the pieces took outside the world
+    double breakUpSeconds = 0.0;    ///< of these, what putting fragments in the place of clusters took
+};
+
 /// The effects that act on bodies while a run goes on: makes those that are on and no others, calls them, and keeps the account of
 /// their time, work and events.
 class EffectRun {
@@ -41,21 +49,21 @@ public:
 
     /// J, done on bodies by all effects so far; the work of contacts is the world's.
     double work() const;
+    /// s of wall time that effects took before substeps.
+    double secondsInSubsteps() const;
     /// Every effect, in the order of EffectKind; contact costs what the world says.
-    /// @param stepSeconds       wall time of all steps, all that belongs to them included
-    /// @param structureSeconds  of that, what the pieces took outside the world
-    std::vector<EffectReport> reports(const EffectDecisions& decisions, std::int64_t steps, double stepSeconds,
-                                      double structureSeconds) const;
+    std::vector<EffectReport> reports(const EffectDecisions& decisions, const EffectTimes& times) const;
 
 private:
     struct Timed {
         std::unique_ptr<Effect> effect;
-        double seconds = 0.0;
+        double seconds = 0.0;         ///< after steps
+        double substepSeconds = 0.0;  ///< before substeps
         bool inSubsteps = false;
     };
     void makeEffects(const EffectDecisions& decisions, const RunDescription& description);
     void beforeSubstep(const SubstepBodies& bodies, double h);
-    double secondsOf(const EffectDecisions& decisions, EffectKind kind, double structureSeconds) const;
+    double secondsOf(const EffectDecisions& decisions, EffectKind kind, const EffectTimes& times) const;
 
     RigidWorld& m_world;
     std::vector<Timed> m_effects;  ///< in the order in which they act

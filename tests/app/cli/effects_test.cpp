@@ -66,6 +66,26 @@ TEST_F(Effects, ARunDecidesTheSameAndSaysWhatEachCost) {
     }
 }
 
+TEST_F(Effects, ARunShowsTheAccountOfAStep) {
+    const nlohmann::json run = json("run", {"--set", "settle_time=2"});
+    const nlohmann::json& costs = run["ms_per_step_costs"];
+    double effects = 0.0;
+    for (const nlohmann::json& row : run["effects"]) {
+        effects += row["ms_per_step"].get<double>();
+    }
+    const double measured = run["ms_per_step_all"];
+    const double sum = costs["sum"];
+    EXPECT_NEAR(costs["effects"], effects, 1e-12);
+    EXPECT_NEAR(sum, effects + run["ms_per_step_rest"].get<double>(), 1e-12);
+    EXPECT_EQ(costs["measured"], measured);
+    EXPECT_NEAR(costs["difference_percent"], 100.0 * (sum - measured) / measured, 1e-9);
+    EXPECT_GT(costs["recording"], 0.0);
+    const Outcome text = cli({"run", m_path, "--set", "settle_time=2"});
+    for (const char* row : {"motion, freezing", "health monitor", "bookkeeping", "measured step", "differs from the measured step by"}) {
+        EXPECT_THAT(text.out, HasSubstr(row));
+    }
+}
+
 TEST_F(Effects, TheTableGoesToAFile) {
     const std::string file = m_folder / "effects.csv";
     const Outcome outcome = cli({"effects", m_path, "--csv", file});

@@ -55,6 +55,7 @@ TEST_F(Health, ABreachTaintsTheRunUntilItIsAcknowledged) {
     EXPECT_EQ(breach["check"], "outside_site") << object["health"].dump(1);
     EXPECT_GT(breach["worst"], breach["limit"]);
     EXPECT_EQ(breach["to_s"], object["time_end_s"]);
+    EXPECT_EQ(breach["worst_at_s"], breach["to_s"]) << "it flies further and further";
     EXPECT_EQ(breach["place_m"].size(), 3u);
     EXPECT_THAT(m_outcome.err, HasSubstr("nobody has acknowledged"));
     EXPECT_THAT(m_outcome.err, HasSubstr("rubble-cli acknowledge " + m_out));

@@ -29,20 +29,9 @@ std::vector<std::string> linesOf(const std::string& text) {
     return lines;
 }
 
-class Run : public testing::Test {
+class Run : public SmallRun {
 protected:
-    /// Runs the small collapse into m_out.
-    nlohmann::json run(std::vector<std::string> more = {}) {
-        std::vector<std::string> words{"run", m_path, "--out", m_out, "--json", "--set", "settle_time=1"};
-        words.insert(words.end(), more.begin(), more.end());
-        const Outcome outcome = cli(words);
-        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-        return outcome.json();
-    }
-
-    io::TemporaryFolder m_folder;
-    std::string m_path = writeSmallCollapse(m_folder / "small.exo");
-    std::string m_out = m_folder / "small.run.h5";
+    nlohmann::json run(std::vector<std::string> more = {}) { return SmallRun::run(std::move(more), "1"); }
 };
 
 TEST_F(Run, JsonHasTheDocumentedKeysAndClosesItsLedger) {

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "tests/app/cli/command_run.h"
+
 namespace rubble::cli {
 
 io::ExodusBuilder smallCollapse() {
@@ -35,6 +37,14 @@ io::ExodusBuilder smallCollapse() {
 std::string writeSmallCollapse(const std::string& path) {
     smallCollapse().write(path);
     return path;
+}
+
+nlohmann::json SmallRun::run(std::vector<std::string> more, const std::string& settleTime) {
+    std::vector<std::string> words{"run", m_path, "--out", m_out, "--json", "--set", "settle_time=" + settleTime};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = cli(words);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    return outcome.json();
 }
 
 }  // namespace rubble::cli

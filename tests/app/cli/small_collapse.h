@@ -1,8 +1,13 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tests/io/exodus/exodus_builder.h"
+#include "tests/io/temporary_folder.h"
 
 namespace rubble::cli {
 
@@ -15,5 +20,16 @@ io::ExodusBuilder smallCollapse();
 
 /// Writes it to a file and returns the path.
 std::string writeSmallCollapse(const std::string& path);
+
+/// The small collapse in a folder of its own, and its run.
+class SmallRun : public testing::Test {
+protected:
+    /// Runs it into m_out with so many seconds to settle; the JSON of the run.
+    nlohmann::json run(std::vector<std::string> more, const std::string& settleTime);
+
+    io::TemporaryFolder m_folder;
+    std::string m_path = writeSmallCollapse(m_folder / "small.exo");
+    std::string m_out = m_folder / "small.run.h5";
+};
 
 }  // namespace rubble::cli

@@ -27,19 +27,10 @@ std::string writeLevel(const std::string& path, double height) {
     return path;
 }
 
-class Terrain : public testing::Test {
+class Terrain : public SmallRun {
 protected:
-    nlohmann::json run(std::vector<std::string> more = {}) {
-        std::vector<std::string> words{"run", m_path, "--out", m_out, "--json", "--set", "settle_time=2"};
-        words.insert(words.end(), more.begin(), more.end());
-        const Outcome outcome = cli(words);
-        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-        return outcome.json();
-    }
+    nlohmann::json run(std::vector<std::string> more = {}) { return SmallRun::run(std::move(more), "2"); }
 
-    io::TemporaryFolder m_folder;
-    std::string m_path = writeSmallCollapse(m_folder / "small.exo");
-    std::string m_out = m_folder / "small.run.h5";
     std::string m_terrain = writeLevel(m_folder / "level.asc", -1.5);
 };
 

@@ -51,6 +51,30 @@ TEST_F(Workbench, AnEditInTheEffectsPanelIsOneStepOfUndo) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
 }
 
+// An hour of free fall that nobody waits for: the sign is there while it goes on, and stays when it is cancelled.
+TEST_F(Workbench, ABreachIsMarkedWhileTheRunGoesOn) {
+    openArch();
+    window->document().setParameter(QStringLiteral("multiple"), 8.0);
+    window->document().setParameter(QStringLiteral("ground"), std::string("off"));
+    window->document().setParameter(QStringLiteral("settle_time"), 3600.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    window->simulate(false);
+    Computation& computation = window->computation();
+    const auto marked = [&] {
+        const RunRecord* record = computation.currentRun();
+        return record != nullptr && record->running && !record->health().breaches.empty();
+    };
+    ASSERT_TRUE(QTest::qWaitFor(marked, patience));
+    EXPECT_EQ(computation.currentRun()->outcome, nullptr);
+    widgets::Timeline& timeline = window->timeline();
+    EXPECT_FALSE(timeline.marksAt(timeline.signOf(0)).empty());
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return window->statusLine().figureText(health).contains(QStringLiteral("tainted")); }, patience));
+    computation.cancel();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !computation.busy(); }, patience));
+    EXPECT_FALSE(timeline.marksAt(timeline.signOf(0)).empty());
+}
+
 // Without a ground everything falls for ever: 8 s of free fall are more than ten heights of the arch.
 TEST_F(Workbench, ABreachIsMarkedShownAndAcknowledged) {
     openArch();

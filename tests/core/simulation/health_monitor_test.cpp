@@ -76,6 +76,7 @@ TEST_F(HealthMonitorTest, EnergyGainJustBeyondTheLimitIsABreach) {
     EXPECT_EQ(breach.check, HealthCheck::Energy);
     EXPECT_EQ(breach.from, 1.0 + step);
     EXPECT_EQ(breach.to, last);
+    EXPECT_EQ(breach.worstAt, last - step);
     EXPECT_EQ(breach.worst, 0.003);
     EXPECT_EQ(breach.limit, 0.001);
     EXPECT_NE(englishText(breach.what).find("0.3 %"), std::string::npos) << englishText(breach.what);

@@ -180,6 +180,40 @@ TEST_F(HealthRun, EnergyFromNowhereIsABreachWithAPlaceAndATime) {
     EXPECT_NEAR(result.energy.drift, breach.worst, 1e-12);
 }
 
+/// Keeps what a run tells of breaches on its way, the last word on each.
+class BreachListener : public MemoryTrajectory {
+public:
+    void addBreaches(const std::vector<HealthBreach>& breaches) override {
+        for (const HealthBreach& breach : breaches) {
+            const auto same = [&](const HealthBreach& b) { return b.check == breach.check && b.from == breach.from; };
+            std::erase_if(told, same);
+            told.push_back(breach);
+        }
+        framesAtFirst = framesAtFirst == 0 ? frameCount() : framesAtFirst;
+    }
+    std::vector<HealthBreach> told;
+    std::size_t framesAtFirst = 0;
+};
+
+TEST_F(HealthRun, BreachesAreToldWhileTheRunGoesOn) {
+    BreachListener sink;
+    const SimulationResult result = run(twoFallingBlocks(), heating(0.25, 0.3, 1.02), sink);
+    ASSERT_FALSE(result.health.breaches.empty());
+    EXPECT_LT(sink.framesAtFirst, sink.frameCount() / 2) << "not at the end";
+    for (const HealthBreach& breach : result.health.breaches) {
+        EXPECT_LE(breach.from, breach.worstAt);
+        EXPECT_LE(breach.worstAt, breach.to);
+        // The pile is measured when all is over.
+        if (breach.check != HealthCheck::Bulking) {
+            const auto told = std::find_if(sink.told.begin(), sink.told.end(),
+                                           [&](const HealthBreach& b) { return b.check == breach.check && b.from == breach.from; });
+            ASSERT_NE(told, sink.told.end()) << healthCheckName(breach.check);
+            EXPECT_LE(told->to, breach.to);
+            EXPECT_LE(breach.to - told->to, 1.0) << "it is told once a second at least";
+        }
+    }
+}
+
 TEST_F(HealthRun, ALaunchIsABreachOfSpeed) {
     const SimulationResult result = run(twoFallingBlocks(), [](double time, const SubstepBodies& bodies) {
         MovingBody* body = bodies.find(idAt<BodyId>(0));
@@ -226,7 +260,7 @@ TEST(Acknowledgement, HoldsForTheVeryBreachesOnly) {
     SimulationResult result;
     result.trajectoryHash = Hasher().text("run").finish();
     EXPECT_FALSE(isTainted(result, {}));
-    result.health.breaches.push_back({HealthCheck::Energy, 1.0, 2.0, std::nullopt, Vec3::Zero(), 0.002, 0.001, 0, {}, {}});
+    result.health.breaches.push_back({HealthCheck::Energy, 1.0, 2.0, 1.5, std::nullopt, Vec3::Zero(), 0.002, 0.001, 0, {}, {}});
     EXPECT_TRUE(isTainted(result, {}));
     const std::vector<Acknowledgement> list{{"A", utcNow(), "looked at it", breachesDigest(result)}};
     EXPECT_FALSE(isTainted(result, list));

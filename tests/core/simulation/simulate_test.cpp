@@ -8,27 +8,15 @@
 
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
+#include "core/selftest/killed_trajectory.h"
 #include "core/simulation/hand_over.h"
 #include "tests/core/fragments/element_scene.h"
+#include "tests/core/simulation/effects/run_scene.h"
 #include "tests/core/simulation/world_scene.h"
 #include "tests/scenes/fe_scenes.h"
 
 namespace rubble {
 namespace {
-
-/// Everything before the simulation, so that tests can tamper with it.
-RunDescription describe(std::shared_ptr<const FeResult> fe, const Scenario& scenario) {
-    const Inputs inputs{fe, {}};
-    const Results results = run(inputs, scenario, Stage::Clusters, {}, nullptr, Execution());
-    RunDescription description;
-    description.fe = std::move(fe);
-    description.scenario = scenario;
-    description.components = results.components;
-    description.fragments = results.fragments;
-    description.sizing = results.sizing;
-    description.clustering = results.clustering;
-    return description;
-}
 
 class Simulate : public testing::Test {
 protected:
@@ -40,7 +28,7 @@ protected:
         scenario.effects.islands = LiveIslandPolicy::Held;  // they have tests of their own
     }
     SimulationResult simulateScene(std::shared_ptr<const FeResult> fe) {
-        return simulate(describe(std::move(fe), scenario), trajectory, Execution());
+        return simulate(test::describe(std::move(fe), scenario), trajectory, Execution());
     }
 };
 
@@ -101,7 +89,7 @@ TEST_F(Simulate, LedgerClosesAtEveryHandOver) {
 }
 
 TEST_F(Simulate, RepeatsBitByBit) {
-    const RunDescription description = describe(scenes::collapsingWall(8, 6), scenario);
+    const RunDescription description = test::describe(scenes::collapsingWall(8, 6), scenario);
     MemoryTrajectory other;
     const SimulationResult first = simulate(description, trajectory, Execution());
     // Memory lies elsewhere the second time.
@@ -139,7 +127,7 @@ TEST_F(Simulate, CommitsEveryFeStateAndFramesInBetween) {
 }
 
 TEST_F(Simulate, CarriersBringFragmentsToTheirPlaces) {
-    const RunDescription description = describe(scenes::collapsingWall(), scenario);
+    const RunDescription description = test::describe(scenes::collapsingWall(), scenario);
     const SimulationResult result = simulate(description, trajectory, Execution());
     const auto last = trajectory.frame(trajectory.frameCount() - 1);
     ASSERT_EQ(trajectory.carriers().size(), description.fragments->size());
@@ -182,26 +170,10 @@ TEST_F(Simulate, NoFragmentsIsAValidAnswer) {
     EXPECT_TRUE(trajectory.complete());
 }
 
-/// Cancels the run once so many frames are in.
-class CancellingTrajectory : public MemoryTrajectory {
-public:
-    CancellingTrajectory(const Execution& execution, std::size_t frames) : m_execution(execution), m_frames(frames) {}
-    void commit(const TrajectoryFrame& frame) override {
-        MemoryTrajectory::commit(frame);
-        if (frameCount() >= m_frames) {
-            m_execution.cancel();
-        }
-    }
-
-private:
-    const Execution& m_execution;
-    std::size_t m_frames;
-};
-
 TEST_F(Simulate, CancelKeepsWhatWasCommitted) {
-    const RunDescription description = describe(scenes::collapsingWall(), scenario);
+    const RunDescription description = test::describe(scenes::collapsingWall(), scenario);
     const Execution execution;
-    CancellingTrajectory sink(execution, 3);
+    selftest::KilledTrajectory sink(execution, 3);
     EXPECT_THROW(simulate(description, sink, execution), Cancelled);
     EXPECT_FALSE(sink.complete());
     EXPECT_EQ(sink.frameCount(), 3u);
@@ -241,7 +213,7 @@ TEST_F(Simulate, RemovesBodiesWhoseElementsComeBack) {
 
 TEST_F(Simulate, RefusesWhatIsNoBody) {
     for (int damage = 0; damage < 4; ++damage) {
-        RunDescription description = describe(scenes::collapsingWall(), scenario);
+        RunDescription description = test::describe(scenes::collapsingWall(), scenario);
         auto clustering = std::make_shared<Clustering>(*description.clustering);
         Cluster& broken = clustering->list.front();
         switch (damage) {
@@ -281,7 +253,7 @@ TEST_F(Simulate, MassPropertiesComeFromTheElements) {
     for (const ClusterShape shape :
          {ClusterShape::AxisBox, ClusterShape::OrientedBox, ClusterShape::Hull, ClusterShape::Compound}) {
         scenario.simulation.shape = shape;
-        const RunDescription description = describe(scenes::collapsingWall(), scenario);
+        const RunDescription description = test::describe(scenes::collapsingWall(), scenario);
         Findings findings;
         for (std::size_t c = 0; c < description.clustering->list.size(); ++c) {
             const Cluster& cluster = description.clustering->list[c];
@@ -304,7 +276,7 @@ TEST_F(Simulate, ABoxIsDrawnInToTheBulkingAskedFor) {
         bool drawn = false;
         for (const double bulking : {1.0, 1.5, 1000.0}) {
             scenario.simulation.boxBulking = bulking;
-            const RunDescription description = describe(scenes::collapsingWall(), scenario);
+            const RunDescription description = test::describe(scenes::collapsingWall(), scenario);
             Findings findings;
             for (std::size_t c = 0; c < description.clustering->list.size(); ++c) {
                 double material = 0.0;

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/trajectory/trajectory.h"
+
+namespace rubble {
+
+/// Hands a run on to another sink: what looks on overrides the calls it looks at, and calls these.
+class SinkRelay : public TrajectorySink {
+public:
+    /// @param next  not owned; null: there is none
+    explicit SinkRelay(TrajectorySink* next) : m_next(next) {}
+
+    void begin(const RunDescription& description) override;
+    void addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) override;
+    void addIslands(std::span<const IslandRecord> islands, const LedgerRow& ledger) override;
+    void commit(const TrajectoryFrame& frame) override;
+    void addLedger(const LedgerRow& row) override;
+    void addBreaches(const std::vector<HealthBreach>& breaches) override;
+    void finish(const SimulationResult& result) override;
+
+private:
+    TrajectorySink* m_next;
+};
+
+}  // namespace rubble

@@ -33,13 +33,23 @@ struct Polygon {
 };
 
 /// Clips against sign * coordinate <= limit, where coordinate is u or v.
-Polygon clip(const Polygon& in, bool alongU, double sign, double limit, std::uint32_t plane) {
+void clip(Polygon& polygon, bool alongU, double sign, double limit, std::uint32_t plane) {
+    std::array<double, 8> beyond;
+    bool inside = true;
+    for (int i = 0; i < polygon.count; ++i) {
+        const PlanePoint& p = polygon.points[static_cast<std::size_t>(i)];
+        beyond[static_cast<std::size_t>(i)] = sign * (alongU ? p.u : p.v) - limit;
+        inside = inside && beyond[static_cast<std::size_t>(i)] < 0;
+    }
+    if (inside) {
+        return;
+    }
     Polygon out;
-    for (int i = 0; i < in.count; ++i) {
-        const PlanePoint& p = in.points[static_cast<std::size_t>(i)];
-        const PlanePoint& q = in.points[static_cast<std::size_t>(i + 1 == in.count ? 0 : i + 1)];
-        const double dp = sign * (alongU ? p.u : p.v) - limit;
-        const double dq = sign * (alongU ? q.u : q.v) - limit;
+    for (int i = 0; i < polygon.count; ++i) {
+        const auto from = static_cast<std::size_t>(i), to = static_cast<std::size_t>(i + 1 == polygon.count ? 0 : i + 1);
+        const PlanePoint& p = polygon.points[from];
+        const PlanePoint& q = polygon.points[to];
+        const double dp = beyond[from], dq = beyond[to];
         if (dp <= 0 && out.count < 8) {
             out.points[static_cast<std::size_t>(out.count++)] = p;
         }
@@ -51,7 +61,7 @@ Polygon clip(const Polygon& in, bool alongU, double sign, double limit, std::uin
                                                                  p.height + s * (q.height - p.height), feature};
         }
     }
-    return out;
+    polygon = out;
 }
 
 SeparatingAxis findAxis(const PlacedBox& a, const PlacedBox& b, double margin, bool& apart) {
@@ -168,10 +178,10 @@ ContactPatch faceContact(const PlacedBox& reference, const PlacedBox& incident, 
         const Vec3 p = centre + signs[n][0] * hu + signs[n][1] * hv - faceCentre;
         polygon.points[n] = {eu.dot(p), ev.dot(p), outward.dot(p), static_cast<std::uint32_t>(n)};
     }
-    polygon = clip(polygon, true, 1, reference.halfExtents[u], 0);
-    polygon = clip(polygon, true, -1, reference.halfExtents[u], 1);
-    polygon = clip(polygon, false, 1, reference.halfExtents[v], 2);
-    polygon = clip(polygon, false, -1, reference.halfExtents[v], 3);
+    clip(polygon, true, 1, reference.halfExtents[u], 0);
+    clip(polygon, true, -1, reference.halfExtents[u], 1);
+    clip(polygon, false, 1, reference.halfExtents[v], 2);
+    clip(polygon, false, -1, reference.halfExtents[v], 3);
     int kept = 0;
     for (int n = 0; n < polygon.count; ++n) {
         if (polygon.points[static_cast<std::size_t>(n)].height <= margin) {

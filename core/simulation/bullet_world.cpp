@@ -55,9 +55,10 @@ BulletWorld::~BulletWorld() {
     }
 }
 
-void BulletWorld::begin(std::unique_ptr<btDiscreteDynamicsWorld> world, bool groundObject) {
+void BulletWorld::begin(std::unique_ptr<btDiscreteDynamicsWorld> world, bool holdsObjects) {
     m_world = std::move(world);
-    if ((m_settings.ground || m_settings.terrain) && groundObject) {
+    m_holdsObjects = holdsObjects;
+    if ((m_settings.ground || m_settings.terrain) && holdsObjects) {
         addGround();
     }
 }
@@ -80,7 +81,9 @@ void BulletWorld::insert(Collider& collider, int group, int mask) {
     btRigidBody& object = *collider.object;
     object.setUserPointer(&collider);
     object.setFlags(0);
-    m_world->addRigidBody(&object, group, mask);
+    if (m_holdsObjects) {
+        m_world->addRigidBody(&object, group, mask);
+    }
 }
 
 void BulletWorld::addGround() {
@@ -163,10 +166,11 @@ void BulletWorld::takeOut() {
     aboutToLeave();
     bool pieces = false;
     for (Collider* collider : m_leaving) {
-        m_world->removeRigidBody(collider->object.get());
+        if (m_holdsObjects) {
+            m_world->removeRigidBody(collider->object.get());
+        }
         left(*collider);
-        if (collider->kind == ColliderKind::Body) {
-        } else {
+        if (collider->kind == ColliderKind::Piece) {
             pieces = true;
             collider->object.reset();
             collider->shape = {};

@@ -36,8 +36,9 @@ public:
 protected:
     explicit BulletWorld(const WorldSettings& settings);
     /// Takes over the Bullet world and puts the ground in.
-    /// @param groundObject  put the ground in as an object; a world with a ground of its own leaves it out
-    void begin(std::unique_ptr<btDiscreteDynamicsWorld> world, bool groundObject = true);
+    /// @param holdsObjects  the Bullet world holds ground, bodies and pieces; one with a ground and a search for pairs of its own
+    ///                      does without
+    void begin(std::unique_ptr<btDiscreteDynamicsWorld> world, bool holdsObjects = true);
     Collider& bodyAt(BodyId body) { return *m_bodies[at(body)]; }
     bool removed(BodyId body) const { return m_bodies[at(body)]->leaving; }
     btDispatcher* dispatcher() { return &m_dispatcher; }
@@ -64,6 +65,7 @@ private:
     FragmentDispatcher m_dispatcher;
     btDbvtBroadphase m_broadphase;
     std::unique_ptr<btDiscreteDynamicsWorld> m_world;
+    bool m_holdsObjects = true;
     std::vector<std::unique_ptr<Collider>> m_ground;
     std::vector<std::unique_ptr<Collider>> m_bodies;
     std::vector<std::unique_ptr<Collider>> m_pieces;

@@ -15,23 +15,23 @@ enum class ColliderKind : std::uint8_t { Ground, Body, Piece };
 /// What stands behind a Bullet object: its place in the order of entry, and what the steps need to know about it.
 struct Collider {
     ColliderKind kind = ColliderKind::Body;
-    std::uint32_t number = 0;   ///< among all colliders, in order of entry
-    std::uint32_t index = 0;    ///< among those of its kind
-    bool newborn = true;        ///< not yet stepped
-    bool moving = false;        ///< a piece that moves in this step
-    bool pushed = false;        ///< a body that a moving piece has pushed
-    bool bornBelow = false;     ///< a body whose centre was below ground when it entered
-    bool leaving = false;       ///< to be taken out before the next step
-    bool overlapping = false;   ///< a body that is in overlap from birth in this step
-    bool justThawed = false;    ///< its frozen neighbours are not noted yet
-    bool broken = false;        ///< a body that was given a velocity that is no number; it goes on without
-    bool touched = false;       ///< a body that a contact acted on in this step
+    std::uint32_t number = 0;  ///< among all colliders, in order of entry
+    std::uint32_t index = 0;   ///< among those of its kind
+    bool newborn = true;       ///< not yet stepped
+    bool moving = false;       ///< a piece that moves in this step
+    bool pushed = false;       ///< a body that a moving piece has pushed
+    bool bornBelow = false;    ///< a body whose centre was below ground when it entered
+    bool leaving = false;      ///< to be taken out before the next step
+    bool overlapping = false;  ///< a body that is in overlap from birth in this step
+    bool justThawed = false;   ///< its frozen neighbours are not noted yet
+    bool broken = false;       ///< a body that was given a velocity that is no number; it goes on without
+    bool touched = false;      ///< a body that a contact acted on in this step
+    Material material = Material::Concrete;
     double radius = 0.0;        ///< m, of the farthest corner
     double birthDepth = 0.0;    ///< m, inside older colliders
     double penetration = 0.0;   ///< m, of a body: its deepest contact in its latest step awake, overlap at birth excepted
     double smallestSide = 0.0;  ///< m, of a body
     double volume = 0.0;        ///< m3, of its material
-    Material material = Material::Concrete;
     const PairTable* pairs = nullptr;
     CollisionShape parts;
     OrientedBox box;            ///< around the parts

@@ -48,7 +48,7 @@ constexpr double pieceStillTravel = 0.002;
 constexpr double contactMargin = 0.01;
 /// m/s2. Acceleration of the lighter body that bringing apart an overlap at birth may press with. Lower: overlap stays; higher:
 /// newborns heave up what lies on them.
-constexpr double partingAcceleration = 30.0;
+constexpr double partingAcceleration = 200.0;
 /// m/s. Soft contacts push overlap apart at most this fast. Lower: piles squeeze; higher: they burst.
 constexpr double pushOutSpeed = 1.0;
 /// m/s. Hits slower than this do not bounce. Lower: piles tremble; higher: small bounces are lost.

@@ -16,20 +16,6 @@ void take(const SoftContact::Point& from, const SoftContact& to, SoftContact::Po
 
 }  // namespace
 
-void sortContacts(std::vector<SoftContact>& contacts) {
-    std::vector<std::uint32_t> order(contacts.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) {
-        order[i] = i;
-    }
-    std::sort(order.begin(), order.end(), [&](std::uint32_t x, std::uint32_t y) { return contacts[x].key() < contacts[y].key(); });
-    std::vector<SoftContact> sorted;
-    sorted.reserve(contacts.size());
-    for (const std::uint32_t i : order) {
-        sorted.push_back(contacts[i]);
-    }
-    contacts.swap(sorted);
-}
-
 void carryOver(const SoftContact& from, SoftContact& to) {
     to.offset = std::clamp(to.depth, 0.0, from.offset);
     to.fresh = false;

@@ -43,9 +43,6 @@ struct SoftContact {
     std::pair<ColliderPair, std::uint32_t> key() const { return {pair, part}; }
 };
 
-/// Puts contacts into their order: by pair, then part.
-void sortContacts(std::vector<SoftContact>& contacts);
-
 /// Hands on what a contact carries to the one found in its place a step later. Points are matched by feature, then by nearness.
 void carryOver(const SoftContact& from, SoftContact& to);
 

@@ -92,10 +92,11 @@ struct LanePasses {
     /// Solves once. @param push  m/s at most for pushing overlap apart
     void (*soft)(const LaneScene& scene, std::size_t first, std::size_t last, double push);
     /// Solves once without the push, where the bodies have moved to. @param moved  they have since the pass before
-    void (*relax)(const LaneScene& scene, std::size_t first, std::size_t last, bool moved);
+    /// @param final  the last pass of the substep: its impulses are added up
+    void (*relax)(const LaneScene& scene, std::size_t first, std::size_t last, bool moved, bool final);
     /// Notes the velocities before any impulse, for the work of contacts that are accounted for.
     void (*noteOpening)(const LaneScene& scene, std::size_t first, std::size_t last);
-    /// Books the impulses and the work of a substep.
+    /// Books the work of a substep.
     void (*book)(const LaneScene& scene, std::size_t first, std::size_t last);
 };
 

@@ -134,7 +134,7 @@ inline void applyFriction(const LaneContacts& c, End& a, End& b, LanePoint& p) {
 /// One pass over the points of contacts. Push: overlap is pushed apart at `push` [m/s] at most. Moved: the bodies have moved since
 /// the pass before.
 template <bool Push, bool Moved>
-inline void solve(const LaneScene& scene, LaneContacts& c, double push) {
+inline void solve(const LaneScene& scene, LaneContacts& c, double push, bool last) {
     End a = load(scene.bodies, c.a);
     End b = load(scene.bodies, c.b);
     LanePoint* points = scene.points + c.firstPoint;
@@ -185,6 +185,8 @@ inline void solve(const LaneScene& scene, LaneContacts& c, double push) {
         applyFriction(c, a, b, points[k]);
         if (Push) {
             points[k].raised = impulseOf(c, points[k]).z;
+        } else if (last) {
+            points[k].impulseSum += points[k].normalImpulse;
         }
     }
     a.touched = larger(a.touched, acted);
@@ -224,13 +226,14 @@ void warmStart(const LaneScene& scene, std::size_t first, std::size_t last, doub
 
 void soft(const LaneScene& scene, std::size_t first, std::size_t last, double push) {
     for (std::size_t i = first; i < last; ++i) {
-        solve<true, false>(scene, scene.contacts[i], push);
+        solve<true, false>(scene, scene.contacts[i], push, false);
     }
 }
 
-void relax(const LaneScene& scene, std::size_t first, std::size_t last, bool moved) {
+void relax(const LaneScene& scene, std::size_t first, std::size_t last, bool moved, bool final) {
     for (std::size_t i = first; i < last; ++i) {
-        moved ? solve<false, true>(scene, scene.contacts[i], 0.0) : solve<false, false>(scene, scene.contacts[i], 0.0);
+        moved ? solve<false, true>(scene, scene.contacts[i], 0.0, final)
+              : solve<false, false>(scene, scene.contacts[i], 0.0, final);
     }
 }
 
@@ -255,10 +258,6 @@ void noteOpening(const LaneScene& scene, std::size_t first, std::size_t last) {
 void book(const LaneScene& scene, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
         LaneContacts& c = scene.contacts[i];
-        for (std::uint32_t k = 0; k < c.points; ++k) {
-            LanePoint& p = scene.points[c.firstPoint + k];
-            p.impulseSum += p.normalImpulse;
-        }
         if (!c.booked) {
             continue;
         }

@@ -22,7 +22,7 @@ constexpr int restitutionRounds = 8;
 /// Contacts that one thread takes at a time.
 constexpr std::size_t grain = 96;
 /// The same, side by side.
-constexpr std::size_t laneGrain = 16;
+constexpr std::size_t laneGrain = 12;
 /// Bodies that one thread takes at a time.
 constexpr std::size_t bodyGrain = 512;
 /// N s. No limit.
@@ -139,19 +139,13 @@ void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> end
     }
 }
 
-template <class Work>
-void SoftSolver::forEachContact(Work work) {
-    for (std::size_t group = 0; group + 1 < firstOfGroup.size(); ++group) {
-        const std::size_t first = firstOfGroup[group];
-        const std::size_t count = firstOfGroup[group + 1] - first;
-        const bool inOrder = lastInOrder && group + 2 == firstOfGroup.size();
-        m_pool.loop(count, inOrder ? count : grain, [&](std::size_t from, std::size_t to) {
-            for (std::size_t i = first + from; i < first + to; ++i) {
-                SolverContact& c = contacts[i];
-                work(c, std::span<SolverPoint>(points).subspan(c.firstPoint, c.points), bodies[c.a], bodies[c.b]);
-            }
-        });
-    }
+template <class Pass>
+void SoftSolver::forEachBooked(Pass pass) {
+    m_pool.loop(m_booked.size(), laneGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            pass(m_scene, m_booked[i], m_booked[i] + std::size_t{1});
+        }
+    });
 }
 
 template <class Pass>
@@ -163,48 +157,65 @@ void SoftSolver::forEachColour(Pass pass) {
     }
 }
 
-void SoftSolver::prepare(double h, std::size_t movable) {
-    m_pool.loop(contacts.size(), grain, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) {
-            SolverContact& c = contacts[i];
-            prepareContact(c, std::span<SolverPoint>(points).subspan(c.firstPoint, c.points), bodies[c.a], bodies[c.b], h);
-        }
-    });
+void SoftSolver::resize(std::size_t contactCount, std::size_t pointCount) {
+    contacts.resize(contactCount);
+    points.resize(pointCount);
+    m_fastest.resize(contactCount);
+}
+
+void SoftSolver::prepareContact(std::size_t contact, double h) {
+    SolverContact& c = contacts[contact];
+    const auto own = std::span<SolverPoint>(points).subspan(c.firstPoint, c.points);
+    rubble::prepareContact(c, own, bodies[c.a], bodies[c.b], h);
+    m_fastest[contact] = 0.0;
+    for (const SolverPoint& p : own) {
+        m_fastest[contact] = std::max(m_fastest[contact], p.approachSpeed);
+    }
+}
+
+void SoftSolver::layOut(double h, std::size_t movable) {
     m_laneBodies.resize(bodies.size());
     m_laneTravel.assign(bodies.size(), {});
-    layOut();
+    arrange();
     m_scene = {
         m_lanes.data(), m_lanePoints.data(), m_laneBodies.data(), m_laneTravel.data(), static_cast<std::uint32_t>(movable), h};
     m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            fillLanes(m_lanes[i]);
+            fillLanes(m_groups[i], m_lanes[i]);
+            m_groups[i].booked = m_lanes[i].booked;
         }
     });
+    m_booked.clear();
+    for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
+        if (m_groups[i].booked) {
+            m_booked.push_back(i);
+        }
+    }
 }
 
-void SoftSolver::layOut() {
-    m_lanes.clear();
+void SoftSolver::arrange() {
+    m_groups.clear();
     m_colours.clear();
+    std::vector<std::uint8_t> counts(contacts.size());
+    std::transform(contacts.begin(), contacts.end(), counts.begin(),
+                   [](const SolverContact& c) { return static_cast<std::uint8_t>(c.points); });
     std::uint32_t point = 0;
     for (std::size_t group = 0; group + 1 < firstOfGroup.size(); ++group) {
         const bool inOrder = lastInOrder && group + 2 == firstOfGroup.size();
-        Colour colour{m_lanes.size(), 0, inOrder};
+        Colour colour{m_groups.size(), 0, inOrder};
         const auto put = [&](std::uint32_t contact) {
-            const std::uint32_t count = contacts[contact].points;
-            const bool begin = m_lanes.size() == colour.first || inOrder || m_lanes.back().count == solverLanes;
+            const bool begin = m_groups.size() == colour.first || inOrder || m_groups.back().count == solverLanes;
             if (begin) {
-                m_lanes.emplace_back();
-                m_lanes.back().firstPoint = point;
-                m_lanes.back().points = count;
-                point += count;
+                m_groups.push_back({point, counts[contact], 0, {}, false});
+                point += counts[contact];
             }
-            LaneContacts& lanes = m_lanes.back();
+            Group& lanes = m_groups.back();
             lanes.found[lanes.count++] = contact;
         };
         // Those with as many points side by side; within a colour the order does not matter.
         for (std::uint32_t count = inOrder ? 0 : 4; count > 0; --count) {
             for (std::uint32_t i = firstOfGroup[group]; i < firstOfGroup[group + 1]; ++i) {
-                if (contacts[i].points == count) {
+                if (counts[i] == count) {
                     put(i);
                 }
             }
@@ -212,9 +223,10 @@ void SoftSolver::layOut() {
         for (std::uint32_t i = firstOfGroup[group]; inOrder && i < firstOfGroup[group + 1]; ++i) {
             put(i);
         }
-        colour.last = m_lanes.size();
+        colour.last = m_groups.size();
         m_colours.push_back(colour);
     }
+    m_lanes.resize(m_groups.size());
     m_lanePoints.resize(point);
 }
 
@@ -249,8 +261,13 @@ void setLane(LanePoint& to, int lane, const SolverPoint& p) {
 
 }  // namespace
 
-void SoftSolver::fillLanes(LaneContacts& lanes) {
-    const std::uint32_t count = lanes.count, first = lanes.firstPoint, most = lanes.points;
+void SoftSolver::fillLanes(const Group& group, LaneContacts& lanes) {
+    const std::uint32_t count = group.count, first = group.firstPoint, most = group.points;
+    lanes = LaneContacts{};
+    lanes.firstPoint = first;
+    lanes.points = most;
+    lanes.count = count;
+    std::copy_n(group.found, solverLanes, lanes.found);
     const auto still = static_cast<std::uint32_t>(bodies.size() - 1);
     for (std::uint32_t i = count; i < solverLanes; ++i) {
         lanes.a[i] = lanes.b[i] = still;
@@ -327,7 +344,7 @@ void SoftSolver::receive() {
 
 void SoftSolver::solveSoft(double push) {
     send();
-    m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) { m_passes.noteOpening(m_scene, from, to); });
+    forEachBooked(m_passes.noteOpening);
     forEachColour(
         [&](const LaneScene& scene, std::size_t first, std::size_t last) { m_passes.warmStart(scene, first, last, warmGrowth); });
     forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) { m_passes.soft(scene, first, last, push); });
@@ -338,14 +355,15 @@ void SoftSolver::relax() {
     send();
     sendTravel();
     for (int pass = 0; pass < relaxPasses; ++pass) {
-        forEachColour(
-            [&](const LaneScene& scene, std::size_t first, std::size_t last) { m_passes.relax(scene, first, last, pass == 0); });
+        forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) {
+            m_passes.relax(scene, first, last, pass == 0, pass + 1 == relaxPasses);
+        });
     }
     receive();
 }
 
 void SoftSolver::book() {
-    m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) { m_passes.book(m_scene, from, to); });
+    forEachBooked(m_passes.book);
 }
 
 void SoftSolver::takeBack() {
@@ -371,9 +389,23 @@ void SoftSolver::takeBack() {
 }
 
 void SoftSolver::restitute(double threshold) {
-    forEachContact([&](SolverContact& c, std::span<SolverPoint> own, SolverBody& a, SolverBody& b) {
-        restituteContact(c, own, a, b, threshold);
-    });
+    std::vector<std::uint32_t> hit;
+    for (std::size_t group = 0; group + 1 < firstOfGroup.size(); ++group) {
+        hit.clear();
+        for (std::uint32_t i = firstOfGroup[group]; i < firstOfGroup[group + 1]; ++i) {
+            if (m_fastest[i] >= threshold) {
+                hit.push_back(i);
+            }
+        }
+        const bool inOrder = lastInOrder && group + 2 == firstOfGroup.size();
+        m_pool.loop(hit.size(), inOrder ? hit.size() : grain, [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i) {
+                SolverContact& c = contacts[hit[i]];
+                const auto own = std::span<SolverPoint>(points).subspan(c.firstPoint, c.points);
+                restituteContact(c, own, bodies[c.a], bodies[c.b], threshold);
+            }
+        });
+    }
 }
 
 }  // namespace rubble

@@ -88,14 +88,18 @@ public:
     std::vector<std::uint32_t> firstOfGroup;  ///< [groups + 1]
     bool lastInOrder = false;
 
-    /// Masses of the points, speeds of approach, stiffness of the contacts for substeps of h [s]; lays the contacts side by side.
+    /// Makes room for contacts and points.
+    void resize(std::size_t contactCount, std::size_t pointCount);
+    /// Masses of the points, speeds of approach and stiffness of a contact for substeps of h [s]. On any thread.
+    void prepareContact(std::size_t contact, double h);
+    /// Lays the prepared contacts side by side.
     /// @param movable  bodies below this one move
-    void prepare(double h, std::size_t movable);
+    void layOut(double h, std::size_t movable);
     /// Applies the impulses of the substep before and solves once, pushing overlap apart at `push` [m/s] at most.
     void solveSoft(double push);
     /// Solves without the push until little of it is left.
     void relax();
-    /// Books the impulses and the work of this substep.
+    /// Books the work of this substep.
     void book();
     /// Puts impulses and work into contacts and points. The passes above do not reach those.
     void takeBack();
@@ -108,12 +112,20 @@ private:
         std::size_t first = 0, last = 0;
         bool inOrder = false;
     };
-    template <class Work>
-    void forEachContact(Work work);
+    /// Contacts that go side by side.
+    struct Group {
+        std::uint32_t firstPoint = 0;
+        std::uint32_t points = 0;  ///< the most of any of them
+        std::uint32_t count = 0;
+        std::uint32_t found[solverLanes] = {};
+        bool booked = false;  ///< one of them accounts for its work
+    };
+    template <class Pass>
+    void forEachBooked(Pass pass);
     template <class Pass>
     void forEachColour(Pass pass);
-    void layOut();
-    void fillLanes(LaneContacts& lanes);
+    void arrange();
+    void fillLanes(const Group& group, LaneContacts& lanes);
     void send();
     void sendTravel();
     void receive();
@@ -122,6 +134,9 @@ private:
     const LanePasses& m_passes = lanePasses();
     LaneScene m_scene;
     std::vector<Colour> m_colours;
+    std::vector<double> m_fastest;  ///< m/s, [contacts] speed of approach
+    std::vector<Group> m_groups;
+    std::vector<std::uint32_t> m_booked;  ///< groups
     std::vector<LaneContacts> m_lanes;
     std::vector<LanePoint> m_lanePoints;
     std::vector<LaneBody> m_laneBodies;

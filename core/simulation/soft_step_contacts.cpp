@@ -70,43 +70,6 @@ void append(const ContactPatch& patch, std::uint32_t part, Collider& a, Collider
 
 }  // namespace
 
-void SoftStepWorld::findPairs() {
-    const auto update = [&](Solid& solid) {
-        m_broadphasePairCache->setAabb(solid.collider->object->getBroadphaseHandle(), toBullet(solid.swept.min()),
-                                       toBullet(solid.swept.max()), m_dispatcher1);
-    };
-    for (const std::uint32_t i : m_awake) {
-        update(m_bodies[i]);
-    }
-    for (Solid& piece : m_pieces) {
-        if (piece.collider != nullptr && (piece.collider->moving || piece.collider->newborn)) {
-            update(piece);
-        }
-    }
-    m_broadphasePairCache->calculateOverlappingPairs(m_dispatcher1);
-    for (std::vector<Pair>& list : m_pairs) {
-        list.clear();
-    }
-    m_sleepingPairs.clear();
-    const btBroadphasePairArray& broad = m_broadphasePairCache->getOverlappingPairCache()->getOverlappingPairArray();
-    for (int i = 0; i < broad.size(); ++i) {
-        Collider* a = &colliderOf(static_cast<const btCollisionObject*>(broad[i].m_pProxy0->m_clientObject));
-        Collider* b = &colliderOf(static_cast<const btCollisionObject*>(broad[i].m_pProxy1->m_clientObject));
-        if (a->number > b->number) {
-            std::swap(a, b);
-        }
-        if (!stirs(*a) && !stirs(*b)) {
-            m_sleepingPairs.push_back({a, b});
-            continue;
-        }
-        if (!solidOf(*a).swept.intersects(solidOf(*b).swept)) {
-            continue;
-        }
-        const bool structure = a->kind == ColliderKind::Piece || b->kind == ColliderKind::Piece;
-        m_pairs[structure ? Structure : Fragments].push_back({a, b});
-    }
-}
-
 void SoftStepWorld::prepareHulls(Solid& solid) {
     if (solid.hulls.empty()) {
         for (const ConvexPart& part : solid.collider->parts) {
@@ -151,49 +114,62 @@ void SoftStepWorld::collidePairs(std::vector<Pair>& pairs, Kind kind, double dt)
         }
     }
     constexpr std::size_t grain = 256;
-    m_parts.resize(std::max(m_parts.size(), pairs.size() / grain + 1));
-    for (std::vector<SoftContact>& part : m_parts) {
-        part.clear();
-    }
+    const std::size_t begin = beginRun(pairs.size(), grain);
     m_pool.loop(pairs.size(), grain, [&](std::size_t first, std::size_t last) {
-        std::vector<SoftContact>& found = m_parts[first / grain];
+        std::vector<SoftContact>& found = m_parts[begin + first / grain];
         for (std::size_t i = first; i < last; ++i) {
             collidePair(pairs[i], dt, found);
         }
     });
-    for (const std::vector<SoftContact>& part : m_parts) {
-        m_contacts.insert(m_contacts.end(), part.begin(), part.end());
-    }
     const double seconds = since(from);
     (kind == Structure ? m_costs.structureContact : m_costs.fragmentContact) += seconds;
     m_costs.motion -= seconds;
 }
 
-void SoftStepWorld::collideWithGround(double dt) {
+/// Makes room for one more run of contacts in the order of their keys, found in parts of `grain`; returns its first part.
+std::size_t SoftStepWorld::beginRun(std::size_t count, std::size_t grain) {
+    const std::size_t first = m_partsUsed;
+    m_partsUsed += count / grain + 1;
+    m_parts.resize(std::max(m_parts.size(), m_partsUsed));
+    for (std::size_t i = first; i < m_partsUsed; ++i) {
+        m_parts[i].clear();
+    }
+    m_runs.push_back(first);
+    return first;
+}
+
+void SoftStepWorld::collideWithGround(Solid& solid, double dt, std::vector<SoftContact>& found) {
+    const double highest = m_surface.terrain ? m_surface.terrain->highestOver(solid.swept.min().x(), solid.swept.min().y(),
+                                                                              solid.swept.max().x(), solid.swept.max().y())
+                                             : m_surface.levelHeight;
+    if (solid.swept.min().z() > highest) {
+        return;
+    }
+    std::vector<ContactPatch> patches;
+    const double margin = marginOf(m_ground, *solid.collider, dt);
+    for (std::size_t part = 0; part < solid.collider->parts.size(); ++part) {
+        patches.clear();
+        collideGround(m_surface, solid.collider->parts[part], solid.pose, solid.velocity, dt, margin, patches);
+        for (const ContactPatch& patch : patches) {
+            const std::uint32_t feature = m_surface.terrain ? patch.points[0].feature : 0;
+            append(patch, static_cast<std::uint32_t>(part) * 2 * patchesPerPart + feature, m_ground, *solid.collider, found);
+        }
+    }
+}
+
+void SoftStepWorld::collideWithGround(std::span<const std::uint32_t> bodies, double dt) {
     if (!m_surface.present()) {
         return;
     }
     const auto from = Clock::now();
-    std::vector<ContactPatch> patches;
-    for (const std::uint32_t i : m_awake) {
-        Solid& solid = m_bodies[i];
-        const double highest = m_surface.terrain ? m_surface.terrain->highestOver(solid.swept.min().x(), solid.swept.min().y(),
-                                                                                  solid.swept.max().x(), solid.swept.max().y())
-                                                 : m_surface.levelHeight;
-        if (solid.swept.min().z() > highest) {
-            continue;
+    constexpr std::size_t grain = 128;
+    const std::size_t begin = beginRun(bodies.size(), grain);
+    m_pool.loop(bodies.size(), grain, [&](std::size_t first, std::size_t last) {
+        std::vector<SoftContact>& found = m_parts[begin + first / grain];
+        for (std::size_t i = first; i < last; ++i) {
+            collideWithGround(m_bodies[bodies[i]], dt, found);
         }
-        const double margin = marginOf(m_ground, *solid.collider, dt);
-        for (std::size_t part = 0; part < solid.collider->parts.size(); ++part) {
-            patches.clear();
-            collideGround(m_surface, solid.collider->parts[part], solid.pose, solid.velocity, dt, margin, patches);
-            for (std::size_t k = 0; k < patches.size(); ++k) {
-                const std::uint32_t feature = m_surface.terrain ? patches[k].points[0].feature : 0;
-                append(patches[k], static_cast<std::uint32_t>(part) * 2 * patchesPerPart + feature, m_ground, *solid.collider,
-                       m_contacts);
-            }
-        }
-    }
+    });
     const double seconds = since(from);
     m_costs.groundContact += seconds;
     m_costs.motion -= seconds;
@@ -201,8 +177,8 @@ void SoftStepWorld::collideWithGround(double dt) {
 
 void SoftStepWorld::collideAll(double dt) {
     const auto from = Clock::now();
-    m_previous.swap(m_contacts);
-    m_contacts.clear();
+    m_partsUsed = 0;
+    m_runs.clear();
     findPairs();
     const double broad = since(from);
     const double pairs = std::max<double>(1.0, static_cast<double>(m_pairs[Structure].size() + m_pairs[Fragments].size()));
@@ -210,14 +186,14 @@ void SoftStepWorld::collideAll(double dt) {
     m_costs.fragmentContact += broad * static_cast<double>(m_pairs[Fragments].size()) / pairs;
     m_costs.motion -= m_pairs[Structure].empty() && m_pairs[Fragments].empty() ? 0.0 : broad;
 
-    collideWithGround(dt);
+    collideWithGround(m_awake, dt);
     collidePairs(m_pairs[Structure], Structure, dt);
     collidePairs(m_pairs[Fragments], Fragments, dt);
     if (wakeByContacts()) {
         wakeAndCollideAgain(dt);
     }
-    sortContacts(m_contacts);
-    remember();
+    takeFound();
+    recallSleeping();
     rest(dt);
 }
 
@@ -248,33 +224,38 @@ void SoftStepWorld::wakeAbove(std::vector<std::uint32_t> lifted) {
     }
 }
 
+void SoftStepWorld::wakeByContact(const SoftContact& contact, std::vector<std::uint32_t>& lifted) {
+    for (auto [sleeper, other] : {std::pair{contact.a, contact.b}, std::pair{contact.b, contact.a}}) {
+        if (sleeper->kind != ColliderKind::Body || awake(*sleeper) || other->kind == ColliderKind::Ground) {
+            continue;
+        }
+        double closest = 1e300;
+        Vec3 where = Vec3::Zero();
+        for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
+            if (contact.points[i].separation < closest) {
+                closest = contact.points[i].separation;
+                where = contact.points[i].position;
+            }
+        }
+        const Solid& solid = solidOf(*other);
+        const double along = contact.normal.dot(solid.velocity + solid.spin.cross(where - solid.pose.position));
+        const double approach = other == contact.a ? along : -along;
+        const bool carriedOff = other->kind == ColliderKind::Piece && (other->moving || other->newborn) && closest < contactMargin;
+        if (carriedOff || (awake(*other) && approach > thawSpeed)) {
+            m_justThawed.push_back(sleeper->index);
+            const double up = (other == contact.a ? 1.0 : -1.0) * contact.normal.z();
+            if (carriedOff && approach > 0.0 && up >= carryingNormal) {
+                lifted.push_back(sleeper->index);
+            }
+        }
+    }
+}
+
 bool SoftStepWorld::wakeByContacts() {
     std::vector<std::uint32_t> lifted;
-    for (const SoftContact& contact : m_contacts) {
-        for (auto [sleeper, other] : {std::pair{contact.a, contact.b}, std::pair{contact.b, contact.a}}) {
-            if (sleeper->kind != ColliderKind::Body || awake(*sleeper) || other->kind == ColliderKind::Ground) {
-                continue;
-            }
-            double closest = 1e300;
-            Vec3 where = Vec3::Zero();
-            for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
-                if (contact.points[i].separation < closest) {
-                    closest = contact.points[i].separation;
-                    where = contact.points[i].position;
-                }
-            }
-            const Solid& solid = solidOf(*other);
-            const double along = contact.normal.dot(solid.velocity + solid.spin.cross(where - solid.pose.position));
-            const double approach = other == contact.a ? along : -along;
-            const bool carriedOff =
-                other->kind == ColliderKind::Piece && (other->moving || other->newborn) && closest < contactMargin;
-            if (carriedOff || (awake(*other) && approach > thawSpeed)) {
-                m_justThawed.push_back(sleeper->index);
-                const double up = (other == contact.a ? 1.0 : -1.0) * contact.normal.z();
-                if (carriedOff && approach > 0.0 && up >= carryingNormal) {
-                    lifted.push_back(sleeper->index);
-                }
-            }
+    for (std::size_t part = 0; part < m_partsUsed; ++part) {
+        for (const SoftContact& contact : m_parts[part]) {
+            wakeByContact(contact, lifted);
         }
     }
     if (!lifted.empty()) {
@@ -291,60 +272,70 @@ void SoftStepWorld::wakeAndCollideAgain(double dt) {
         thaw(*m_bodies[i].collider);
         m_bodies[i].active = false;
     }
-    // Slots follow the order of entry, whoever woke late.
-    m_awake.clear();
-    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
-        if (m_bodies[i].collider != nullptr && !m_freeze.frozen(i)) {
-            m_bodies[i].slot = static_cast<std::int32_t>(m_awake.size());
-            m_awake.push_back(i);
-        }
-    }
+    listAwake();
     for (std::size_t i = 0; i < m_moving.size(); ++i) {
         m_pieces[m_moving[i]].slot = static_cast<std::int32_t>(m_awake.size() + i);
     }
     m_stillSlot = static_cast<std::uint32_t>(m_awake.size() + m_moving.size());
     std::vector<Pair> structure, fragments;
-    std::erase_if(m_sleepingPairs, [&](const Pair& pair) {
-        if (!stirs(*pair.a) && !stirs(*pair.b)) {
-            return false;
-        }
-        (pair.a->kind == ColliderKind::Piece || pair.b->kind == ColliderKind::Piece ? structure : fragments).push_back(pair);
-        return true;
-    });
+    findPairsOfWoken(woken, dt, structure, fragments);
     collidePairs(structure, Structure, dt);
     collidePairs(fragments, Fragments, dt);
-    if (!m_surface.present()) {
-        return;
-    }
-    const std::vector<std::uint32_t> all = std::exchange(m_awake, woken);
-    collideWithGround(dt);
-    m_awake = all;
+    collideWithGround(woken, dt);
 }
 
-void SoftStepWorld::remember() {
-    const auto find = [&](std::size_t& next, const SoftContact& contact) -> const SoftContact* {
-        while (next < m_previous.size() && m_previous[next].key() < contact.key()) {
-            ++next;
-        }
-        if (next < m_previous.size() && m_previous[next].key() == contact.key()) {
-            return &m_previous[next];
-        }
-        return nullptr;
-    };
-    m_pool.loop(m_contacts.size(), 2048, [&](std::size_t first, std::size_t last) {
-        std::size_t next = static_cast<std::size_t>(
-            std::lower_bound(m_previous.begin(), m_previous.end(), m_contacts[first],
-                             [](const SoftContact& x, const SoftContact& y) { return x.key() < y.key(); }) -
-            m_previous.begin());
-        for (std::size_t i = first; i < last; ++i) {
-            if (const SoftContact* before = find(next, m_contacts[i])) {
-                carryOver(*before, m_contacts[i]);
+/// What was found, in the order of the keys.
+std::vector<SoftStepWorld::Found> SoftStepWorld::foundInOrder() const {
+    const auto byKey = [](const Found& x, const Found& y) { return x.pair != y.pair ? x.pair < y.pair : x.part < y.part; };
+    std::vector<Found> all;
+    for (std::size_t run = 0; run < m_runs.size(); ++run) {
+        const auto begin = static_cast<std::ptrdiff_t>(all.size());
+        const std::size_t end = run + 1 < m_runs.size() ? m_runs[run + 1] : m_partsUsed;
+        for (std::size_t i = m_runs[run]; i < end; ++i) {
+            for (const SoftContact& contact : m_parts[i]) {
+                all.push_back({contact.pair, contact.part, &contact});
             }
         }
+        // On terrain and after a body woke a run may not be in order.
+        if (!std::is_sorted(all.begin() + begin, all.end(), byKey)) {
+            std::stable_sort(all.begin() + begin, all.end(), byKey);
+        }
+        std::inplace_merge(all.begin(), all.begin() + begin, all.end(), byKey);
+    }
+    return all;
+}
+
+/// Puts the contacts found into their order and hands on to each what it carried in the step before.
+void SoftStepWorld::takeFound() {
+    const std::vector<Found> found = foundInOrder();
+    m_previous.swap(m_contacts);
+    m_contacts.resize(found.size());
+    m_fresh.assign(found.size(), 0);
+    const auto isBefore = [](const SoftContact& x, const Found& y) { return x.pair != y.pair ? x.pair < y.pair : x.part < y.part; };
+    m_pool.loop(found.size(), 512, [&](std::size_t first, std::size_t last) {
+        auto before = std::lower_bound(m_previous.begin(), m_previous.end(), found[first], isBefore);
+        for (std::size_t i = first; i < last; ++i) {
+            SoftContact& contact = m_contacts[i];
+            contact = *found[i].contact;
+            while (before != m_previous.end() && isBefore(*before, found[i])) {
+                ++before;
+            }
+            if (before != m_previous.end() && before->key() == contact.key()) {
+                carryOver(*before, contact);
+            }
+            m_fresh[i] = contact.fresh;
+        }
     });
-    // A contact that was not there in the step before may have been put aside when both of its bodies came to rest.
-    for (SoftContact& contact : m_contacts) {
-        const auto kept = contact.fresh ? m_asleep.find(contact.pair) : m_asleep.end();
+}
+
+/// A contact that was not there in the step before may have been put aside when both of its bodies came to rest.
+void SoftStepWorld::recallSleeping() {
+    for (std::size_t i = 0; i < m_contacts.size() && !m_asleep.empty(); ++i) {
+        if (m_fresh[i] == 0) {
+            continue;
+        }
+        SoftContact& contact = m_contacts[i];
+        const auto kept = m_asleep.find(contact.pair);
         if (kept == m_asleep.end()) {
             continue;
         }

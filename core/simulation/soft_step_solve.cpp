@@ -1,53 +1,112 @@
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 
 #include "core/simulation/constants.h"
 #include "core/simulation/soft_step_world.h"
 
 namespace rubble {
 
+namespace {
+
+/// Raises a number that threads share to at least this; in which order they come does not matter.
+void raise(double& number, double least) {
+    std::atomic_ref<double> shared(number);
+    double now = shared.load(std::memory_order_relaxed);
+    while (now < least && !shared.compare_exchange_weak(now, least, std::memory_order_relaxed)) {
+    }
+}
+
+/// A number that is the larger the higher, as bits.
+std::uint64_t heightKey(double height) {
+    const auto bits = std::bit_cast<std::uint64_t>(height + 0.0);  // no negative zero
+    constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+    return (bits & sign) != 0 ? ~bits : bits | sign;
+}
+
+/// Sorts by height, digit by digit from the last one on; what is equally high keeps its order.
+template <class Entry>
+void sortByHeight(std::vector<Entry>& entries) {
+    constexpr unsigned digitBits = 11, digits = 6;
+    constexpr std::uint64_t mask = (1u << digitBits) - 1;
+    std::vector<std::array<std::uint32_t, mask + 1>> counts(digits);
+    for (const Entry& entry : entries) {
+        for (unsigned d = 0; d < digits; ++d) {
+            ++counts[d][entry.height >> (d * digitBits) & mask];
+        }
+    }
+    std::vector<Entry> sorted(entries.size());
+    for (unsigned d = 0; d < digits && !entries.empty(); ++d) {
+        const auto digitOf = [&](const Entry& entry) { return entry.height >> (d * digitBits) & mask; };
+        if (counts[d][digitOf(entries[0])] == entries.size()) {
+            continue;
+        }
+        std::exclusive_scan(counts[d].begin(), counts[d].end(), counts[d].begin(), 0u);
+        for (const Entry& entry : entries) {
+            sorted[counts[d][digitOf(entry)]++] = entry;
+        }
+        entries.swap(sorted);
+    }
+}
+
+}  // namespace
+
 void SoftStepWorld::rest(double dt) {
-    for (std::size_t first = 0; first < m_contacts.size();) {
-        std::size_t last = first + 1;
-        while (last < m_contacts.size() && m_contacts[last].pair == m_contacts[first].pair) {
-            ++last;
+    m_pool.loop(m_contacts.size(), 512, [&](std::size_t first, std::size_t last) {
+        // A pair belongs to the part in which it begins.
+        while (first > 0 && first < last && m_contacts[first].pair == m_contacts[first - 1].pair) {
+            ++first;
         }
-        Collider& a = *m_contacts[first].a;
-        Collider& b = *m_contacts[first].b;
-        for (std::size_t i = first; i < last; ++i) {
-            SoftContact& contact = m_contacts[i];
-            if (a.newborn || b.newborn) {
-                contact.offset = std::max(0.0, contact.depth);
-                contact.yielded = contact.offset > 0.0;
+        while (first < last) {
+            std::size_t end = first + 1;
+            while (end < m_contacts.size() && m_contacts[end].pair == m_contacts[first].pair) {
+                ++end;
             }
-            if (contact.fresh && contact.depth > contactMargin) {
-                // Nothing comes into being deep: what lies deeper than the way of one step was there, under another part's name.
-                contact.offset = std::max(contact.offset, contact.depth - marginOf(a, b, dt));
+            restPair(first, end, dt);
+            first = end;
+        }
+    });
+}
+
+void SoftStepWorld::restPair(std::size_t first, std::size_t last, double dt) {
+    Collider& a = *m_contacts[first].a;
+    Collider& b = *m_contacts[first].b;
+    for (std::size_t i = first; i < last; ++i) {
+        SoftContact& contact = m_contacts[i];
+        if (a.newborn || b.newborn) {
+            contact.offset = std::max(0.0, contact.depth);
+            contact.yielded = contact.offset > 0.0;
+        }
+        if (contact.fresh && contact.depth > contactMargin) {
+            // Nothing comes into being deep: what lies deeper than the way of one step was there, under another part's name.
+            contact.offset = std::max(contact.offset, contact.depth - marginOf(a, b, dt));
+        }
+        for (auto [born, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
+            const bool older = other->kind == ColliderKind::Piece || (other->kind == ColliderKind::Body && !other->newborn);
+            if (born->newborn && older) {
+                raise(born->birthDepth, contact.depth);
             }
-            for (auto [born, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
-                const bool older = other->kind == ColliderKind::Piece || (other->kind == ColliderKind::Body && !other->newborn);
-                if (born->newborn && older) {
-                    born->birthDepth = std::max(born->birthDepth, contact.depth);
+        }
+    }
+    limitPiece(first, last);
+    for (std::size_t i = first; i < last; ++i) {
+        SoftContact& contact = m_contacts[i];
+        if (contact.offset > 0.0) {
+            std::atomic_ref(a.overlapping).store(true, std::memory_order_relaxed);
+            std::atomic_ref(b.overlapping).store(true, std::memory_order_relaxed);
+        }
+        if (!contact.yielding) {
+            const double depth = contact.depth - contact.offset;
+            raise(m_report.penetrationMax, depth);
+            for (Collider* side : {&a, &b}) {
+                if (awake(*side)) {
+                    raise(side->penetration, depth);
                 }
             }
         }
-        limitPiece(first, last);
-        for (std::size_t i = first; i < last; ++i) {
-            SoftContact& contact = m_contacts[i];
-            if (contact.offset > 0.0) {
-                a.overlapping = b.overlapping = true;
-            }
-            if (!contact.yielding) {
-                const double depth = contact.depth - contact.offset;
-                m_report.penetrationMax = std::max(m_report.penetrationMax, depth);
-                for (Collider* side : {&a, &b}) {
-                    side->penetration = awake(*side) ? std::max(side->penetration, depth) : side->penetration;
-                }
-            }
-        }
-        first = last;
     }
 }
 
@@ -80,11 +139,14 @@ void SoftStepWorld::limitPiece(std::size_t first, std::size_t last) {
     }
 }
 
-void SoftStepWorld::buildSolver(double h) {
+void SoftStepWorld::takeBodies() {
     m_solver.bodies.resize(m_stillSlot + 1);
+    m_supported.assign(m_stillSlot + 1, 0);
+    m_supported[m_stillSlot] = 1;
+    m_supportedNow.assign(m_stillSlot + 1, 0);
     m_pool.loop(m_awake.size(), 128, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            const Solid& solid = m_bodies[m_awake[i]];
+            Solid& solid = m_bodies[m_awake[i]];
             const Mat3 axes = solid.pose.orientation.toRotationMatrix();
             SolverBody body;
             body.velocity = solid.velocity;
@@ -92,6 +154,8 @@ void SoftStepWorld::buildSolver(double h) {
             body.inverseMass = solid.inverseMass;
             body.inverseInertia = axes * solid.inertia.cwiseInverse().asDiagonal() * axes.transpose();
             m_solver.bodies[i] = body;
+            solid.drivers = 0;
+            m_supported[i] = solid.supported;
         }
     });
     for (std::size_t i = 0; i < m_moving.size(); ++i) {
@@ -101,69 +165,59 @@ void SoftStepWorld::buildSolver(double h) {
         m_solver.bodies[m_awake.size() + i] = body;
     }
     m_solver.bodies[m_stillSlot] = {};
+}
 
+/// Contacts that the solver gets, from the ground up, so that one pass carries the support of the lower ones to the upper ones.
+std::vector<SoftStepWorld::Taken> SoftStepWorld::takeContacts() {
     const auto slotOf = [&](const Collider& c) {
         const std::int32_t slot = c.kind == ColliderKind::Ground ? -1 : solidOf(c).slot;
         return slot < 0 ? m_stillSlot : static_cast<std::uint32_t>(slot);
     };
-    for (const std::uint32_t i : m_awake) {
-        m_bodies[i].drivers = 0;
-    }
-    for (const SoftContact& contact : m_contacts) {
-        const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
-        const Collider& piece = pieceIsA ? *contact.a : *contact.b;
-        const bool driven = piece.kind == ColliderKind::Piece && piece.moving && !contact.yielding;
-        if (driven && (contact.depth > -contactMargin || contact.approach > 0.0)) {
-            ++solidOf(pieceIsA ? *contact.b : *contact.a).drivers;
+    std::vector<Taken> all(m_contacts.size());
+    m_pool.loop(m_contacts.size(), 512, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const SoftContact& contact = m_contacts[i];
+            const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
+            const Collider& piece = pieceIsA ? *contact.a : *contact.b;
+            const bool driven = piece.kind == ColliderKind::Piece && piece.moving && !contact.yielding;
+            if (driven && (contact.depth > -contactMargin || contact.approach > 0.0)) {
+                std::atomic_ref(solidOf(pieceIsA ? *contact.b : *contact.a).drivers).fetch_add(1, std::memory_order_relaxed);
+            }
+            all[i] = {heightKey(contact.points[0].position.z()), static_cast<std::uint32_t>(i), slotOf(*contact.a),
+                      slotOf(*contact.b), contact.yielding ? 0 : static_cast<std::uint32_t>(contact.count)};
         }
-    }
-    std::vector<std::uint32_t> taken;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
-    for (std::uint32_t i = 0; i < m_contacts.size(); ++i) {
-        const SoftContact& contact = m_contacts[i];
-        const std::uint32_t a = slotOf(*contact.a), b = slotOf(*contact.b);
-        if (!contact.yielding && (a < m_awake.size() || b < m_awake.size())) {
-            taken.push_back(i);
-            ends.emplace_back(a, b);
-        }
-    }
-    // From the ground up, so that one pass carries the support of the lower ones to the upper ones.
-    std::vector<std::uint32_t> order(taken.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t x, std::uint32_t y) {
-        return m_contacts[taken[x]].points[0].position.z() < m_contacts[taken[y]].points[0].position.z();
     });
-    std::vector<std::uint32_t> sortedTaken(taken.size());
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> sortedEnds(ends.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        sortedTaken[i] = taken[order[i]];
-        sortedEnds[i] = ends[order[i]];
-    }
-    taken.swap(sortedTaken);
-    ends.swap(sortedEnds);
+    std::erase_if(all, [&](const Taken& x) { return x.points == 0 || (x.a >= m_awake.size() && x.b >= m_awake.size()); });
+    sortByHeight(all);
+    return all;
+}
+
+void SoftStepWorld::buildSolver(double h) {
+    takeBodies();
+    const std::vector<Taken> taken = takeContacts();
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends(taken.size());
+    std::transform(taken.begin(), taken.end(), ends.begin(), [](const Taken& x) { return std::pair{x.a, x.b}; });
     ContactColours colours;
     colourContacts(ends, m_awake.size(), colours);
     m_solver.firstOfGroup = colours.first;
     m_solver.lastInOrder = colours.lastInOrder;
-    m_solver.contacts.resize(taken.size());
-    std::uint32_t points = 0;
+    std::vector<std::uint32_t> firstPoint(taken.size() + 1, 0);
     for (std::size_t k = 0; k < taken.size(); ++k) {
-        m_solver.contacts[k].firstPoint = points;
-        points += static_cast<std::uint32_t>(m_contacts[taken[colours.order[k]]].count);
+        firstPoint[k + 1] = firstPoint[k] + taken[colours.order[k]].points;
     }
-    m_solver.points.resize(points);
+    m_solver.resize(taken.size(), firstPoint.back());
     const double frequency = std::min(contactFrequency, 0.25 / h);
     m_pool.loop(taken.size(), 256, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
-            const std::uint32_t from = taken[colours.order[k]];
-            const SoftContact& contact = m_contacts[from];
+            const Taken& from = taken[colours.order[k]];
             SolverContact& c = m_solver.contacts[k];
-            const std::uint32_t firstPoint = c.firstPoint;
             c = {};
-            c.firstPoint = firstPoint;
-            c.found = from;
-            std::tie(c.a, c.b) = ends[colours.order[k]];
-            fillContact(contact, c, frequency, h);
+            c.firstPoint = firstPoint[k];
+            c.found = from.contact;
+            c.a = from.a;
+            c.b = from.b;
+            fillContact(m_contacts[from.contact], c, frequency, h);
+            m_solver.prepareContact(k, h);
         }
     });
 }
@@ -249,16 +303,15 @@ void SoftStepWorld::stiffenBelow(const SoftContact& contact, SolverContact& c) {
     }
 }
 
-void SoftStepWorld::noteSupport(const SoftContact& contact) {
-    const double up = contact.normal.z();
+void SoftStepWorld::noteSupport(const SolverContact& c) {
+    const double up = c.normal.z();
     if (std::abs(up) < supportingNormal) {
         return;
     }
-    Collider& below = up > 0.0 ? *contact.a : *contact.b;
-    Collider& above = up > 0.0 ? *contact.b : *contact.a;
-    const bool firm = !awake(below) ? !below.moving : solidOf(below).supported;
-    if (firm && awake(above)) {
-        solidOf(above).supportedNow = true;
+    const std::uint32_t below = up > 0.0 ? c.a : c.b;
+    const std::uint32_t above = up > 0.0 ? c.b : c.a;
+    if (m_supported[below] != 0) {
+        std::atomic_ref(m_supportedNow[above]).store(1, std::memory_order_relaxed);
     }
 }
 
@@ -271,47 +324,61 @@ Vec3 SoftStepWorld::loadOf(const SoftContact& contact) const {
 }
 
 /// A frozen body was at rest under the loads of its contacts; it thaws when one of them is no longer what it was.
-void SoftStepWorld::noteLoad(const SoftContact& contact) {
+bool SoftStepWorld::unloads(const SoftContact& contact) const {
     const bool a = contact.a->kind == ColliderKind::Body && !awake(*contact.a);
     const bool b = contact.b->kind == ColliderKind::Body && !awake(*contact.b);
     if (a == b) {
-        return;
+        return false;
     }
     const Solid& sleeper = solidOf(a ? *contact.a : *contact.b);
     const double rest = contact.restLoad.norm();
     const double lost = rest > 0.0 ? rest - contact.load.dot(contact.restLoad) / rest : 0.0;
-    if (lost > thawLoad * (m_settings.gravity / sleeper.inverseMass + rest)) {
-        m_unloaded.push_back((a ? contact.a : contact.b)->index);
+    return lost > thawLoad * (m_settings.gravity / sleeper.inverseMass + rest);
+}
+
+void SoftStepWorld::takeResult(const SolverContact& c, Outcome& outcome) {
+    SoftContact& contact = m_contacts[c.found];
+    contact.yield = std::min(c.yieldA, c.yieldB);
+    outcome = {};
+    for (std::uint32_t k = 0; k < c.points; ++k) {
+        const SolverPoint& p = m_solver.points[c.firstPoint + k];
+        contact.points[k].impulse = p.normalImpulse;
+        contact.points[k].friction = p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1];
+        outcome.pushed += p.impulseSum;
+        outcome.points = outcome.points > 0 || p.largestImpulse > 0.0 ? c.points : 0;
     }
+    if (outcome.points > 0) {
+        noteSupport(c);
+    }
+    contact.load += loadMemory * (loadOf(contact) - contact.load);
+    outcome.unloads = (c.a == m_stillSlot || c.b == m_stillSlot) && unloads(contact);
+    outcome.works = c.driven || c.booked;
 }
 
 void SoftStepWorld::takeResults() {
+    m_outcomes.resize(m_solver.contacts.size());
+    m_pool.loop(m_outcomes.size(), 256, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            takeResult(m_solver.contacts[i], m_outcomes[i]);
+        }
+    });
     m_report.pairs = 0;
     m_report.points = 0;
-    for (const SolverContact& c : m_solver.contacts) {
-        SoftContact& contact = m_contacts[c.found];
-        contact.yield = std::min(c.yieldA, c.yieldB);
-        double pushed = 0.0;
-        bool touching = false;
-        for (std::uint32_t k = 0; k < c.points; ++k) {
-            const SolverPoint& p = m_solver.points[c.firstPoint + k];
-            contact.points[k].impulse = p.normalImpulse;
-            contact.points[k].friction = p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1];
-            pushed += p.impulseSum;
-            touching = touching || p.largestImpulse > 0.0;
+    for (std::size_t i = 0; i < m_outcomes.size(); ++i) {
+        const Outcome& outcome = m_outcomes[i];
+        m_report.pairs += outcome.points > 0;
+        m_report.points += outcome.points;
+        const SolverContact& c = m_solver.contacts[i];
+        if (outcome.unloads) {
+            const SoftContact& contact = m_contacts[c.found];
+            const bool sleeperIsA = contact.a->kind == ColliderKind::Body && !awake(*contact.a);
+            m_unloaded.push_back((sleeperIsA ? contact.a : contact.b)->index);
         }
-        if (touching) {
-            noteSupport(contact);
+        if (outcome.works) {
+            (c.driven ? m_report.pieceWork : m_report.overlapWork) += c.work;
         }
-        contact.load += loadMemory * (loadOf(contact) - contact.load);
-        noteLoad(contact);
-        m_report.pairs += touching;
-        m_report.points += touching ? c.points : 0;
-        if (c.driven) {
-            m_report.pieceWork += c.work;
-            bookPiece(contact, c, pushed);
-        } else if (c.booked) {
-            m_report.overlapWork += c.work;
+        if (outcome.works && c.driven) {
+            bookPiece(m_contacts[c.found], c, outcome.pushed);
         }
     }
 }
@@ -368,9 +435,12 @@ void SoftStepWorld::limitSpeeds(double dt) {
     for (std::size_t i = 0; i < m_moving.size(); ++i) {
         reach[m_awake.size() + i] = speedOf(m_pieces[m_moving[i]]);
     }
-    const auto spread = [&](const SolverContact& c) {
-        const double most = std::max(reach[c.a], reach[c.b]);
-        for (const std::uint32_t end : {c.a, c.b}) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends(m_solver.contacts.size());
+    std::transform(m_solver.contacts.begin(), m_solver.contacts.end(), ends.begin(),
+                   [](const SolverContact& c) { return std::pair{c.a, c.b}; });
+    const auto spread = [&](const std::pair<std::uint32_t, std::uint32_t>& pair) {
+        const double most = std::max(reach[pair.first], reach[pair.second]);
+        for (const std::uint32_t end : {pair.first, pair.second}) {
             if (end < m_awake.size()) {
                 reach[end] = most;
             }
@@ -392,8 +462,8 @@ void SoftStepWorld::limitSpeeds(double dt) {
         }
     }
     for (int sweep = 0; sweep < 2; ++sweep) {
-        std::for_each(m_solver.contacts.begin(), m_solver.contacts.end(), spread);
-        std::for_each(m_solver.contacts.rbegin(), m_solver.contacts.rend(), spread);
+        std::for_each(ends.begin(), ends.end(), spread);
+        std::for_each(ends.rbegin(), ends.rend(), spread);
     }
     for (std::size_t i = 0; i < m_awake.size(); ++i) {
         SolverBody& body = m_solver.bodies[i];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 #include "core/simulation/constants.h"
 
@@ -82,7 +83,9 @@ void SoftStepWorld::addBody(Collider* body) {
     solid.inverseMass = body->object->getInvMass();
     solid.hull = std::any_of(body->parts.begin(), body->parts.end(), [](const ConvexPart& p) { return !p.points.empty(); });
     m_bodies.push_back(std::move(solid));
+    enter(*body);
     m_freeze.addBody();
+    m_still.push_back(0);
 }
 
 void SoftStepWorld::addPiece(Collider* piece) {
@@ -91,11 +94,23 @@ void SoftStepWorld::addPiece(Collider* piece) {
     solid.pose = fromBullet(piece->object->getWorldTransform());
     solid.hull = std::any_of(piece->parts.begin(), piece->parts.end(), [](const ConvexPart& p) { return !p.points.empty(); });
     m_pieces.push_back(std::move(solid));
+    enter(*piece);
+}
+
+void SoftStepWorld::enter(Collider& collider) {
+    m_entered.resize(std::max<std::size_t>(m_entered.size(), collider.number + 1));
+    m_entered[collider.number].collider = &collider;
+    m_entered[collider.number].kind = collider.kind;
 }
 
 void SoftStepWorld::forget(Collider& collider) {
     Solid& solid = solidOf(collider);
     solid.collider = nullptr;
+    m_entered[collider.number].collider = nullptr;
+    if (collider.kind == ColliderKind::Body) {
+        m_still[collider.index] = 1;
+    }
+    m_boxes.remove(collider.number);
     solid.placed.clear();
     solid.hulls.clear();
     const auto gone = [&](const SoftContact& c) { return c.a == &collider || c.b == &collider; };
@@ -116,16 +131,11 @@ void SoftStepWorld::internalSingleStepSimulation(btScalar dt) {
 }
 
 void SoftStepWorld::takeSlots(double dt) {
-    m_awake.clear();
-    m_moving.clear();
-    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
-        Solid& body = m_bodies[i];
-        body.slot = -1;
-        if (body.collider != nullptr && !m_freeze.frozen(i)) {
-            body.slot = static_cast<std::int32_t>(m_awake.size());
-            m_awake.push_back(i);
-        }
+    for (const std::uint32_t i : m_awake) {
+        m_bodies[i].slot = -1;
     }
+    listAwake();
+    m_moving.clear();
     for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
         Solid& piece = m_pieces[i];
         piece.slot = -1;
@@ -133,6 +143,7 @@ void SoftStepWorld::takeSlots(double dt) {
             continue;
         }
         piece.velocity = piece.spin = Vec3::Zero();
+        piece.rim = 0.0;
         if (piece.collider->moving) {
             const Pose end = fromBullet(piece.collider->object->getWorldTransform());
             piece.velocity = (end.position - piece.pose.position) / dt;
@@ -161,6 +172,17 @@ void SoftStepWorld::takeSlots(double dt) {
     }
 }
 
+/// Bodies that move, in the order of entry, whoever woke late.
+void SoftStepWorld::listAwake() {
+    m_awake.clear();
+    for (std::uint32_t i = 0; i < m_still.size(); ++i) {
+        if (m_still[i] == 0) {
+            m_bodies[i].slot = static_cast<std::int32_t>(m_awake.size());
+            m_awake.push_back(i);
+        }
+    }
+}
+
 void SoftStepWorld::place(Solid& solid) {
     const CollisionShape& parts = solid.collider->parts;
     solid.placed.resize(parts.size());
@@ -179,16 +201,15 @@ void SoftStepWorld::sweep(Solid& solid, double dt) {
         box.extend(part.centre + reach);
     }
     const Vec3 travel = solid.velocity * dt;
-    const double slack = contactMargin + solid.spin.norm() * solid.collider->radius * dt + m_settings.gravity * dt * dt;
+    solid.rim = solid.spin.norm() * solid.collider->radius;
+    const double slack = contactMargin + solid.rim * dt + m_settings.gravity * dt * dt;
     box.min() += travel.cwiseMin(0.0) - Vec3::Constant(slack);
     box.max() += travel.cwiseMax(0.0) + Vec3::Constant(slack);
     solid.swept = box;
 }
 
 double SoftStepWorld::marginOf(const Collider& a, const Collider& b, double dt) const {
-    const auto spinning = [&](const Collider& c) {
-        return c.kind == ColliderKind::Ground ? 0.0 : solidOf(c).spin.norm() * c.radius;
-    };
+    const auto spinning = [&](const Collider& c) { return c.kind == ColliderKind::Ground ? 0.0 : solidOf(c).rim; };
     const Vec3 va = a.kind == ColliderKind::Ground ? Vec3(Vec3::Zero()) : solidOf(a).velocity;
     const double speed = (solidOf(b).velocity - va).norm() + spinning(a) + spinning(b);
     return contactMargin + speed * dt + m_settings.gravity * dt * dt;
@@ -199,7 +220,10 @@ void SoftStepWorld::substeps(double dt) {
     m_substeps = substepsFor(dt);
     const double h = dt / m_substeps;
     buildSolver(h);
-    m_solver.prepare(h, m_awake.size());
+    m_solver.layOut(h, m_awake.size());
+    if (m_hook) {
+        prepareHook();
+    }
     double hook = 0.0;
     double motion = 0.0;
     for (int substep = 0; substep < m_substeps; ++substep) {
@@ -262,29 +286,49 @@ double SoftStepWorld::sinkAllowed(const SoftContact& contact) const {
     return std::max(1e-5, sinkShare * std::min(thickness(*contact.a), thickness(*contact.b)));
 }
 
+/// The bodies as the hook sees them, but for how they move.
+void SoftStepWorld::prepareHook() {
+    m_hooked.resize(m_awake.size());
+    m_slotOf.assign(m_bodies.size(), -1);
+    m_pool.loop(m_awake.size(), 128, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Solid& solid = m_bodies[m_awake[i]];
+            m_slotOf[m_awake[i]] = static_cast<std::int32_t>(i);
+            MovingBody& hooked = m_hooked[i];
+            hooked.id = idAt<BodyId>(m_awake[i]);
+            hooked.inverseMass = solid.inverseMass;
+            hooked.inertia = solid.inertia;
+            hooked.inverseInertia = m_solver.bodies[i].inverseInertia;
+            hooked.box = solid.collider->box;
+            hooked.volume = solid.collider->volume;
+        }
+    });
+}
+
 void SoftStepWorld::runHook(double h) {
     if (!m_hook) {
         return;
     }
-    m_hooked.resize(m_awake.size());
-    m_slotOf.assign(m_bodies.size(), -1);
-    for (std::size_t i = 0; i < m_awake.size(); ++i) {
-        const Solid& solid = m_bodies[m_awake[i]];
-        const SolverBody& body = m_solver.bodies[i];
-        m_slotOf[m_awake[i]] = static_cast<std::int32_t>(i);
-        m_hooked[i] = {
-            idAt<BodyId>(m_awake[i]), solid.pose.position, solid.pose.orientation, body.velocity,       body.spin,
-            body.inverseMass,         solid.inertia,       body.inverseInertia,    solid.collider->box, solid.collider->volume};
-    }
-    m_hook({m_hooked, m_slotOf}, h);
-    for (std::size_t i = 0; i < m_awake.size(); ++i) {
-        if (!isNumber(m_hooked[i])) {
-            m_bodies[m_awake[i]].collider->broken = true;
-            continue;
+    m_pool.loop(m_awake.size(), 256, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Pose& pose = m_bodies[m_awake[i]].pose;
+            m_hooked[i].position = pose.position;
+            m_hooked[i].orientation = pose.orientation;
+            m_hooked[i].velocity = m_solver.bodies[i].velocity;
+            m_hooked[i].spin = m_solver.bodies[i].spin;
         }
-        m_solver.bodies[i].velocity = m_hooked[i].velocity;
-        m_solver.bodies[i].spin = m_hooked[i].spin;
-    }
+    });
+    m_hook({m_hooked, m_slotOf}, h);
+    m_pool.loop(m_awake.size(), 256, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            if (!isNumber(m_hooked[i])) {
+                m_bodies[m_awake[i]].collider->broken = true;
+                continue;
+            }
+            m_solver.bodies[i].velocity = m_hooked[i].velocity;
+            m_solver.bodies[i].spin = m_hooked[i].spin;
+        }
+    });
 }
 
 void SoftStepWorld::moveBodies(double h) {
@@ -311,28 +355,33 @@ void SoftStepWorld::moveBodies(double h) {
 }
 
 void SoftStepWorld::writeBack(double dt) {
-    for (std::size_t i = 0; i < m_awake.size(); ++i) {
-        Solid& solid = m_bodies[m_awake[i]];
-        solid.velocity = m_solver.bodies[i].velocity;
-        solid.spin = m_solver.bodies[i].spin;
-        solid.supported = std::exchange(solid.supportedNow, false);
-        keepAboveGround(solid, dt);
-        btRigidBody& object = *solid.collider->object;
-        object.setWorldTransform(toBullet(solid.pose));
-        object.setLinearVelocity(toBullet(solid.velocity));
-        object.setAngularVelocity(toBullet(solid.spin));
-    }
+    std::vector<double> lifting(m_awake.size());  // J
+    m_pool.loop(m_awake.size(), 128, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            Solid& solid = m_bodies[m_awake[i]];
+            solid.velocity = m_solver.bodies[i].velocity;
+            solid.spin = m_solver.bodies[i].spin;
+            solid.supported = m_supportedNow[i] != 0;
+            lifting[i] = keepAboveGround(solid, dt);
+            btRigidBody& object = *solid.collider->object;
+            object.setWorldTransform(toBullet(solid.pose));
+            object.setLinearVelocity(toBullet(solid.velocity));
+            object.setAngularVelocity(toBullet(solid.spin));
+        }
+    });
+    m_report.overlapWork = std::accumulate(lifting.begin(), lifting.end(), m_report.overlapWork);
     for (const std::uint32_t i : m_moving) {
         m_pieces[i].pose = fromBullet(m_pieces[i].collider->object->getWorldTransform());
     }
 }
 
-void SoftStepWorld::keepAboveGround(Solid& solid, double dt) {
+/// Returns the work [J] that it took.
+double SoftStepWorld::keepAboveGround(Solid& solid, double dt) const {
     Collider& collider = *solid.collider;
     const double sunk = m_surface.depth(solid.pose.position);
     collider.bornBelow = sunk > 0.0 && (collider.bornBelow || collider.newborn);
     if (sunk <= 0.0) {
-        return;
+        return 0.0;
     }
     // A centre below ground has been squeezed there; contact alone may not bring it back from under a pile.
     const Vec3 before = solid.pose.position;
@@ -340,9 +389,9 @@ void SoftStepWorld::keepAboveGround(Solid& solid, double dt) {
     const double most = separationSpeed * dt;
     const double share = collider.bornBelow && way.norm() > most ? most / way.norm() : 1.0;
     solid.pose.position += share * way;
-    m_report.overlapWork += m_settings.gravity * share * way.z() / solid.inverseMass;
     const Vec3 normal = m_surface.normal(before.x(), before.y());
     solid.velocity -= std::min(0.0, solid.velocity.dot(normal)) * normal;
+    return m_settings.gravity * share * way.z() / solid.inverseMass;
 }
 
 void SoftStepWorld::settle(double dt) {
@@ -353,27 +402,22 @@ void SoftStepWorld::settle(double dt) {
     }
     m_unloaded.clear();
     std::vector<char> froze(m_bodies.size(), 0);
-    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
+    for (const std::uint32_t i : m_awake) {
         Solid& solid = m_bodies[i];
-        if (solid.collider == nullptr) {
-            continue;
-        }
         Collider& body = *solid.collider;
-        if (awake(body) && solid.slot >= 0) {
-            // What a body does by position only, as overlap comes apart, is motion too.
-            const SolverBody& way = m_solver.bodies[static_cast<std::size_t>(solid.slot)];
-            const double moved = (way.moved.norm() + way.turned.norm() * body.radius) / dt;
-            const double speed = std::max(solid.velocity.norm() + solid.spin.norm() * body.radius,
-                                          (body.penetration > restingDepth * body.smallestSide ? 1.0 : settlingShare) * moved);
-            if (m_freeze.quiet(i, speed, dt) && solid.active && m_settings.freeze) {
-                freeze(body);
-                froze[i] = 1;
-            }
-            if (m_freeze.watched(i)) {
-                for (const std::uint32_t dependant : m_freeze.takeDependants(i, solid.pose.position)) {
-                    if (m_bodies[dependant].collider != nullptr && m_freeze.frozen(dependant)) {
-                        thaw(*m_bodies[dependant].collider);
-                    }
+        // What a body does by position only, as overlap comes apart, is motion too.
+        const SolverBody& way = m_solver.bodies[static_cast<std::size_t>(solid.slot)];
+        const double moved = (way.moved.norm() + way.turned.norm() * body.radius) / dt;
+        const double speed = std::max(solid.velocity.norm() + solid.spin.norm() * body.radius,
+                                      (body.penetration > restingDepth * body.smallestSide ? 1.0 : settlingShare) * moved);
+        if (m_freeze.quiet(i, speed, dt) && solid.active && m_settings.freeze) {
+            freeze(body);
+            froze[i] = 1;
+        }
+        if (m_freeze.watched(i)) {
+            for (const std::uint32_t dependant : m_freeze.takeDependants(i, solid.pose.position)) {
+                if (m_bodies[dependant].collider != nullptr && m_freeze.frozen(dependant)) {
+                    thaw(*m_bodies[dependant].collider);
                 }
             }
         }
@@ -399,18 +443,20 @@ void SoftStepWorld::settle(double dt) {
 
 void SoftStepWorld::freeze(Collider& body) {
     m_freeze.freeze(body.index);
+    m_still[body.index] = 1;
     Solid& solid = m_bodies[body.index];
     solid.velocity = solid.spin = Vec3::Zero();
     body.object->setLinearVelocity(btVector3(0, 0, 0));
     body.object->setAngularVelocity(btVector3(0, 0, 0));
     place(solid);
     sweep(solid, 0.0);
-    m_broadphasePairCache->setAabb(body.object->getBroadphaseHandle(), toBullet(solid.swept.min()), toBullet(solid.swept.max()),
-                                   m_dispatcher1);
+    m_entered[body.number].swept = solid.swept;
+    m_boxes.set(body.number, solid.swept);
 }
 
 void SoftStepWorld::thaw(Collider& body) {
     m_freeze.thaw(body.index, m_bodies[body.index].pose.position);
+    m_still[body.index] = 0;
     body.justThawed = true;
     m_justThawed.push_back(body.index);
 }

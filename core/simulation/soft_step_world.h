@@ -4,9 +4,11 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/simulation/box_contact.h"
+#include "core/simulation/box_index.h"
 #include "core/simulation/collider.h"
 #include "core/simulation/freeze.h"
 #include "core/simulation/ground_contact.h"
@@ -16,10 +18,10 @@
 
 namespace rubble {
 
-/// Bullet's world stepped by soft contacts in small substeps. Objects, shapes, broad phase and the geometry of hulls are Bullet's;
+/// Bullet's world stepped by soft contacts in small substeps. Shapes and the geometry of hulls are Bullet's; the search for pairs,
 /// box and ground contact, solver, freeze, births and pieces are Rubble's. One step: boxes swept by the motion ahead, pairs,
 /// contacts once, then substeps of {the caller's hook, gravity, one soft pass, move, one relax pass}, restitution, freeze and thaw.
-/// Every contact has its place in an order of its own, so neither threads nor the history of the broad phase reach a result.
+/// Every contact has its place in an order of its own, so neither threads nor the history of the search for pairs reach a result.
 class SoftStepWorld : public btDiscreteDynamicsWorld {
 public:
     SoftStepWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, btConstraintSolver* solver,
@@ -48,6 +50,7 @@ private:
         Pose pose;
         Vec3 velocity = Vec3::Zero();
         Vec3 spin = Vec3::Zero();
+        double rim = 0.0;  ///< m/s, of the farthest corner by the spin, at the start of the step
         Vec3 inertia = Vec3::Ones();
         double inverseMass = 0.0;
         std::int32_t slot = -1;  ///< among the solver's bodies in this step; -1: immovable and still
@@ -55,11 +58,37 @@ private:
         int drivers = 0;         ///< moving pieces that press on it in this step
         bool active = false;     ///< a contact acted on it in this step
         bool supported = false;  ///< it stood, in the step before, on something immovable or supported
-        bool supportedNow = false;
     };
     struct Pair {
         Collider* a = nullptr;  ///< entered first
         Collider* b = nullptr;
+    };
+    /// What the search for pairs looks at in a collider, side by side.
+    struct alignas(64) Entered {
+        Aabb swept;
+        Collider* collider = nullptr;  ///< null once gone
+        ColliderKind kind = ColliderKind::Body;
+        bool stirs = false;  ///< in this step
+    };
+    /// A contact of this step where it was found.
+    struct Found {
+        ColliderPair pair = 0;
+        std::uint32_t part = 0;
+        const SoftContact* contact = nullptr;
+    };
+    /// A contact on its way to the solver.
+    struct Taken {
+        std::uint64_t height = 0;  ///< of its first point, as a number that grows with it
+        std::uint32_t contact = 0;
+        std::uint32_t a = 0, b = 0;  ///< slots
+        std::uint32_t points = 0;
+    };
+    /// What the solver made of a contact.
+    struct Outcome {
+        double pushed = 0.0;       ///< N s along the normal, over the substeps
+        std::uint32_t points = 0;  ///< if one of them acted
+        bool unloads = false;      ///< a frozen body
+        bool works = false;        ///< its work is accounted for
     };
     enum Kind : std::size_t { Ground, Structure, Fragments, Kinds };
 
@@ -68,39 +97,54 @@ private:
     bool awake(const Collider& c) const { return c.kind == ColliderKind::Body && !m_freeze.frozen(c.index); }
     bool stirs(const Collider& c) const { return awake(c) || c.moving || c.newborn; }
 
+    void enter(Collider& collider);
     void takeSlots(double dt);
+    void listAwake();
     void place(Solid& solid);
     void sweep(Solid& solid, double dt);
     void findPairs();
+    void findPairsOfWoken(const std::vector<std::uint32_t>& woken, double dt, std::vector<Pair>& structure,
+                          std::vector<Pair>& fragments) const;
+    bool mayMeet(ColliderKind a, ColliderKind b) const;
     double marginOf(const Collider& a, const Collider& b, double dt) const;
     void collideAll(double dt);
     void collidePairs(std::vector<Pair>& pairs, Kind kind, double dt);
     void collidePair(const Pair& pair, double dt, std::vector<SoftContact>& found) const;
     void collideParts(const Solid& a, std::size_t i, const Solid& b, std::size_t j, double margin, ContactPatch& patch) const;
-    void collideWithGround(double dt);
+    void collideWithGround(std::span<const std::uint32_t> bodies, double dt);
+    void collideWithGround(Solid& solid, double dt, std::vector<SoftContact>& found);
+    std::size_t beginRun(std::size_t count, std::size_t grain);
     void prepareHulls(Solid& solid);
     bool wakeByContacts();
+    void wakeByContact(const SoftContact& contact, std::vector<std::uint32_t>& lifted);
     void wakeAbove(std::vector<std::uint32_t> lifted);
     void limitSpeeds(double dt);
     void wakeAndCollideAgain(double dt);
-    void remember();
+    std::vector<Found> foundInOrder() const;
+    void takeFound();
+    void recallSleeping();
     void rest(double dt);
+    void restPair(std::size_t first, std::size_t last, double dt);
     void limitPiece(std::size_t first, std::size_t last);
+    void takeBodies();
+    std::vector<Taken> takeContacts();
     void buildSolver(double h);
     void fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h);
     void stiffenBelow(const SoftContact& contact, SolverContact& c);
-    void noteSupport(const SoftContact& contact);
+    void noteSupport(const SolverContact& c);
     Vec3 loadOf(const SoftContact& contact) const;
-    void noteLoad(const SoftContact& contact);
+    bool unloads(const SoftContact& contact) const;
     void substeps(double dt);
     int substepsFor(double dt) const;
     double sinkAllowed(const SoftContact& contact) const;
+    void prepareHook();
     void runHook(double h);
     void moveBodies(double h);
+    void takeResult(const SolverContact& c, Outcome& outcome);
     void takeResults();
     void bookPiece(SoftContact& contact, const SolverContact& c, double pushed);
     void writeBack(double dt);
-    void keepAboveGround(Solid& solid, double dt);
+    double keepAboveGround(Solid& solid, double dt) const;
     void settle(double dt);
     void freeze(Collider& body);
     void linkDependants();
@@ -119,13 +163,22 @@ private:
     std::vector<Solid> m_pieces;          ///< [pieces]
     std::vector<std::uint32_t> m_awake;   ///< body of each slot, in order of entry
     std::vector<std::uint32_t> m_moving;  ///< piece of each slot behind the bodies
+    std::vector<char> m_still;            ///< [bodies] frozen or gone
     std::uint32_t m_stillSlot = 0;
-    int m_substeps = 1;            ///< of this step
-    double m_substepLength = 0.0;  ///< s, of the step before: what the impulses carried on are for
+    std::vector<char> m_supported, m_supportedNow;  ///< [slots] firm in the step before, in this step; moving pieces never
+    int m_substeps = 1;                             ///< of this step
+    double m_substepLength = 0.0;                   ///< s, of the step before: what the impulses carried on are for
     std::vector<Pair> m_pairs[Kinds];
-    std::vector<Pair> m_sleepingPairs;
-    std::vector<std::vector<SoftContact>> m_parts;
+    BoxIndex m_boxes;                                    ///< swept boxes by number
+    std::vector<Entered> m_entered;                      ///< [numbers]
+    std::vector<std::uint32_t> m_stirring;               ///< numbers, in this step
+    std::vector<std::vector<ColliderPair>> m_pairParts;  ///< as found
+    std::vector<std::vector<SoftContact>> m_parts;       ///< contacts as found, run after run
+    std::vector<std::size_t> m_runs;                     ///< first part of each run
+    std::size_t m_partsUsed = 0;
     std::vector<SoftContact> m_contacts, m_previous;
+    std::vector<char> m_fresh;                                  ///< [contacts]
+    std::vector<Outcome> m_outcomes;                            ///< [contacts of the solver]
     std::map<ColliderPair, std::vector<SoftContact>> m_asleep;  ///< contacts of pairs that no longer stir
     std::vector<std::uint32_t> m_justThawed;
     std::vector<std::uint32_t> m_unloaded;  ///< frozen bodies whose loads changed in this step

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/simulation/constants.h"
+
 namespace rubble {
 
 namespace {
@@ -17,7 +19,8 @@ void take(const SoftContact::Point& from, const SoftContact& to, SoftContact::Po
 }  // namespace
 
 void carryOver(const SoftContact& from, SoftContact& to) {
-    to.offset = std::clamp(to.depth, 0.0, from.offset);
+    to.offset = std::min(to.depth, from.offset);
+    to.offset = to.offset > touchingDepth ? to.offset : 0.0;
     to.fresh = false;
     to.pressed = from.pressed;
     to.yield = from.yield;
@@ -25,6 +28,7 @@ void carryOver(const SoftContact& from, SoftContact& to) {
     to.restLoad = from.restLoad;
     to.pushes = from.pushes;
     to.yielded = from.yielded;
+    to.born = from.born;
     std::array<bool, 4> fromDone{}, toDone{};
     for (int i = 0; i < to.count; ++i) {
         for (int j = 0; j < from.count; ++j) {

@@ -77,8 +77,8 @@ void SoftStepWorld::restPair(std::size_t first, std::size_t last, double dt) {
     for (std::size_t i = first; i < last; ++i) {
         SoftContact& contact = m_contacts[i];
         if (a.newborn || b.newborn) {
-            contact.offset = std::max(0.0, contact.depth);
-            contact.yielded = contact.offset > 0.0;
+            contact.offset = contact.depth > touchingDepth ? contact.depth : 0.0;
+            contact.yielded = contact.born = contact.offset > 0.0;
         }
         if (contact.fresh && contact.depth > contactMargin) {
             // Nothing comes into being deep: what lies deeper than the way of one step was there, under another part's name.
@@ -237,9 +237,9 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
     c.booked = !c.driven && (contact.offset > 0.0 || swelling(*contact.a) || swelling(*contact.b));
     c.impulseLimit = -1.0;
     if (!c.driven && contact.offset > 0.0) {
-        c.parting = m_settings.overlapSpeed;
+        c.parting = std::min(m_settings.overlapSpeed, contact.offset / (h * m_substeps));
         const double inverse = std::max(m_solver.bodies[c.a].inverseMass, m_solver.bodies[c.b].inverseMass);
-        c.partingLimit = partingAcceleration * h / (inverse * contact.count);
+        c.partingLimit = (contact.born ? birthPartingAcceleration : partingAcceleration) * h / (inverse * contact.count);
     }
     const bool immovable = c.a >= m_awake.size() || c.b >= m_awake.size();
     c.lift = immovable ? (c.a >= m_awake.size() ? 1.0 : -1.0) * m_settings.gravity * h : 0.0;

@@ -75,6 +75,10 @@ constexpr double standingSpeed = 0.3;
 /// A body under one heavier by more than this counts as heavier in that contact while it stands on something. Lower: light bodies
 /// pass on less of a blow; higher: heavy ones sink into them.
 constexpr double mostMassRatio = 30.0;
+/// m, s. A piece gives way to a body that has been this deep in it for so long. Lower: pieces carry less; higher: what is jammed
+/// between a piece and the ground presses on its neighbours.
+constexpr double jamDepth = 0.05;
+constexpr double jamTime = 0.25;
 /// m. Half the thickness of the ground box: more than any body is deep.
 constexpr double groundHalfThickness = 50.0;
 /// m. The ground reaches this far beyond the structure, or ten times its size, whichever is more.

@@ -62,7 +62,7 @@ struct WorldSettings {
     bool freeze = true;
     double freezeSpeed = 0.02;  ///< m/s
     double freezeDelay = 0.5;   ///< s
-    double overlapSpeed = 0.2;  ///< m/s
+    double overlapSpeed = 0.4;  ///< m/s
     /// Asked now and then within a step; a step that is told to stop ends early and leaves the world good for destruction only.
     std::function<bool()> cancelled;
 };

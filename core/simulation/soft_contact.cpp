@@ -23,6 +23,7 @@ void carryOver(const SoftContact& from, SoftContact& to) {
     to.offset = to.offset > touchingDepth ? to.offset : 0.0;
     to.fresh = false;
     to.pressed = from.pressed;
+    to.jammedFor = from.jammedFor;
     to.yield = from.yield;
     to.load = from.load;
     to.restLoad = from.restLoad;

@@ -34,6 +34,7 @@ struct SoftContact {
     double offset = 0.0;           ///< m, rest offset: overlap at birth that is left, or what a piece that gave way has entered
     double approach = 0.0;         ///< m/s, of a moving piece towards its body
     double pressed = 0.0;          ///< m/s, by which a pressing piece has changed its body's speed
+    double jammedFor = 0.0;        ///< s, that a body has been deeper in a piece than it ought to be
     int pushes = 0;                ///< of a carrying piece in vain, in a row
     bool fresh = true;             ///< not there in the step before
     bool yielded = false;          ///< the piece of this contact has given way

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/simulation/constants.h"
 #include "core/simulation/soft_step_world.h"
@@ -94,6 +95,7 @@ void SoftStepWorld::restPair(std::size_t first, std::size_t last, double dt) {
     limitPiece(first, last);
     for (std::size_t i = first; i < last; ++i) {
         SoftContact& contact = m_contacts[i];
+        giveWayToJam(contact, dt);
         if (contact.offset > 0.0) {
             std::atomic_ref(a.overlapping).store(true, std::memory_order_relaxed);
             std::atomic_ref(b.overlapping).store(true, std::memory_order_relaxed);
@@ -106,6 +108,20 @@ void SoftStepWorld::restPair(std::size_t first, std::size_t last, double dt) {
                     raise(side->penetration, depth);
                 }
             }
+        }
+    }
+}
+
+/// A body that a piece and something else hold between them cannot get out of both: after a while the piece gives way, since the FE
+/// analysis never felt the body.
+void SoftStepWorld::giveWayToJam(SoftContact& contact, double dt) {
+    const bool piece = contact.a->kind == ColliderKind::Piece || contact.b->kind == ColliderKind::Piece;
+    contact.jammedFor = piece && !contact.fresh && contact.depth - contact.offset > jamDepth ? contact.jammedFor + dt : 0.0;
+    if (contact.jammedFor > jamTime) {
+        contact.jammedFor = 0.0;
+        contact.offset = contact.depth;
+        if (!std::exchange(contact.yielded, true)) {
+            std::atomic_ref(m_report.piecesYielded).fetch_add(1, std::memory_order_relaxed);
         }
     }
 }

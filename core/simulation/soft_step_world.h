@@ -126,6 +126,7 @@ private:
     void rest(double dt);
     void restPair(std::size_t first, std::size_t last, double dt);
     void limitPiece(std::size_t first, std::size_t last);
+    void giveWayToJam(SoftContact& contact, double dt);
     void takeBodies();
     std::vector<Taken> takeContacts();
     void buildSolver(double h);

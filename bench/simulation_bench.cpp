@@ -11,23 +11,34 @@
 namespace rubble {
 namespace {
 
-/// Takes everything and keeps nothing: what recording to memory costs is measured with the command line.
+/// Takes everything and keeps nothing but where the bodies were at last: what recording to memory costs is measured with the
+/// command line.
 class NoTrajectory : public TrajectorySink {
 public:
+    double meanHeight() const { return m_meanHeight; }  ///< m, of the bodies' centres
     void begin(const RunDescription&) override {}
     void addBodies(std::span<const BodyRecord>, std::span<const Carrier>) override {}
-    void commit(const TrajectoryFrame& frame) override { benchmark::DoNotOptimize(frame.positions.data()); }
+    void commit(const TrajectoryFrame& frame) override {
+        m_meanHeight = 0.0;
+        for (const Eigen::Vector3f& p : frame.positions) {
+            m_meanHeight += p.z() / static_cast<double>(frame.bodies());
+        }
+    }
     void addLedger(const LedgerRow&) override {}
     void finish(const SimulationResult&) override {}
+
+private:
+    double m_meanHeight = 0.0;
 };
 
-/// The stone arch of the sample case, clustered for so many bodies.
-RunDescription clusteredArch(PieceKind pieces) {
+/// The stone arch of the sample case, clustered, or every fragment its own body.
+RunDescription clusteredArch(PieceKind pieces, bool reference = false) {
     const arches::Arch& arch = arches::mergedStoneArch();
     RunDescription description;
     description.fe = arch.fe;
     description.scenario.simulation.pieces = pieces;
     description.scenario.simulation.settleTime = 0.0;
+    description.scenario.grid.oneBodyPerFragment = reference;
     description.components = std::make_shared<Components>(arch.components);
     description.fragments = std::make_shared<FragmentSet>(arch.fragments);
     const GridSettings& grid = description.scenario.grid;
@@ -61,6 +72,29 @@ void clusteredCollapse(benchmark::State& state, PieceKind pieces) {
         state.counters["plain over ours"] = plain.stepTimes.meanMs / ours.stepTimes.meanMs;
     }
 }
+/// Every fragment its own body: the time of a step, the deepest contact and the mean height of the bodies when the structure has
+/// fallen, ours and plain Bullet's.
+void referenceCollapse(benchmark::State& state, PieceKind pieces) {
+    const RunDescription description = clusteredArch(pieces, true);
+    const Execution execution;
+    for (auto _ : state) {
+        NoTrajectory sink, plainSink;
+        const SimulationResult ours = simulate(description, sink, execution);
+        const SimulationResult plain = simulateIn(makePlainBulletWorld, description, plainSink, execution);
+        count(state, ours);
+        state.counters["plain ms/step"] = plain.stepTimes.meanMs;
+        state.counters["plain over ours"] = plain.stepTimes.meanMs / ours.stepTimes.meanMs;
+        state.counters["deepest m"] = ours.penetrationMax;
+        state.counters["plain deepest m"] = plain.penetrationMax;
+        state.counters["mean height m"] = sink.meanHeight();
+        state.counters["plain mean height m"] = plainSink.meanHeight();
+    }
+}
+BENCHMARK_CAPTURE(referenceCollapse, none, PieceKind::None)
+    ->Name("stone arch, reference without pieces")
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+
 BENCHMARK_CAPTURE(clusteredCollapse, grid, PieceKind::GridBoxes)
     ->Name("stone arch, clustered collapse with pieces")
     ->Iterations(1)

@@ -20,7 +20,7 @@ void EnergyAccount::replaced(double kineticLost, double massHeightLost) {
     m_potentialIn -= m_gravity * massHeightLost;
 }
 
-void EnergyAccount::update(double time, double kinetic, double massHeight, const ContactReport& contacts, double effectWork) {
+void EnergyAccount::update(double kinetic, double massHeight, const ContactReport& contacts, double effectWork) {
     m_balance.kineticNow = kinetic;
     m_balance.gravityWork = m_potentialIn - m_gravity * massHeight;
     // An effect that failed on one body leaves no number; the account goes on with what was known.
@@ -28,14 +28,7 @@ void EnergyAccount::update(double time, double kinetic, double massHeight, const
     m_balance.dissipated = m_balance.kineticIn - m_kineticOut + m_balance.gravityWork + contacts.overlapWork + contacts.pieceWork +
                            m_balance.effectWork - m_balance.kineticNow;
     m_dissipatedMost = std::max(m_dissipatedMost, m_balance.dissipated);
-    while (!m_latest.empty() && m_latest.back().second <= m_balance.dissipated) {
-        m_latest.pop_back();
-    }
-    m_latest.emplace_back(time, m_balance.dissipated);
-    while (m_latest.front().first < time - heldFor) {
-        m_latest.pop_front();
-    }
-    const double gain = m_dissipatedMost - m_latest.front().second;
+    const double gain = m_dissipatedMost - m_balance.dissipated;
     // What rises and falls again leaves no net work, and what was born falling has most of its work of gravity behind it.
     m_workMost = std::max({m_workMost, std::abs(m_balance.gravityWork), m_balance.kineticIn});
     const double work = m_workMost;

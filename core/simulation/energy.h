@@ -1,21 +1,14 @@
 #pragma once
 
-#include <deque>
-#include <utility>
-
 #include "core/simulation/rigid_world.h"
 #include "core/simulation/simulation.h"
 
 namespace rubble {
 
 /// Keeps the account of energy over all bodies: what gravity, births, overlap, pieces and effects put in, what is there, what
-/// contacts took. A gain is what was dissipated falling below what it has been already, for as long as `heldFor`: what contacts
-/// are pressed together by they give back sooner.
+/// contacts took. A gain is any fall of what was dissipated below what it has been already.
 class EnergyAccount {
 public:
-    /// s
-    static constexpr double heldFor = 0.25;
-
     explicit EnergyAccount(double gravity) : m_gravity(gravity) {}
 
     /// A body has entered at a height above zero [m].
@@ -27,8 +20,7 @@ public:
     void replaced(double kineticLost, double massHeightLost);
     /// Takes stock: total kinetic energy [J] and the sum of mass times height above zero [kg m] of the bodies present.
     /// @param effectWork  J, done on bodies by water, drag and ties so far
-    /// @param time        s, not before that of the last call
-    void update(double time, double kinetic, double massHeight, const ContactReport& contacts, double effectWork);
+    void update(double kinetic, double massHeight, const ContactReport& contacts, double effectWork);
 
     EnergyBalance balance() const { return m_balance; }
     /// What has been gained and not been lost again since, over the most work of gravity so far or the kinetic energy that births
@@ -40,7 +32,6 @@ private:
     double m_potentialIn = 0.0;
     double m_kineticOut = 0.0;
     double m_dissipatedMost = 0.0;
-    std::deque<std::pair<double, double>> m_latest;  ///< s, J: what was dissipated lately, falling
     double m_gain = 0.0;
     double m_workMost = 0.0;  ///< J
     EnergyBalance m_balance;

@@ -170,7 +170,7 @@ void Collapse::report(double time) const {
 }
 
 void Collapse::updateEnergy() {
-    m_energy.update(m_time, m_outcomes.kineticEnergy(), m_outcomes.massHeight(), m_world->contacts(), m_effects.work());
+    m_energy.update(m_outcomes.kineticEnergy(), m_outcomes.massHeight(), m_world->contacts(), m_effects.work());
 }
 
 void Collapse::removeEnded(double time) {

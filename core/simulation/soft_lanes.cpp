@@ -1,20 +1,20 @@
+#include "core/simulation/soft_lanes.h"
+
 #define RUBBLE_LANE_MAKE common_lanes
 #include "core/simulation/soft_lanes_passes.h"
 
 namespace rubble {
 
-#ifdef RUBBLE_WIDE_LANES
-namespace wide_lanes {
-extern const LanePasses passes;
+const LanePasses& commonLanePasses() {
+    return common_lanes::passes;
 }
-#endif
 
 const LanePasses& lanePasses() {
 #ifdef RUBBLE_WIDE_LANES
     static const bool wide = __builtin_cpu_supports("avx2") != 0;
-    return wide ? wide_lanes::passes : common_lanes::passes;
+    return wide ? *wideLanePasses() : commonLanePasses();
 #else
-    return common_lanes::passes;
+    return commonLanePasses();
 #endif
 }
 

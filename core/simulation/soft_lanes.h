@@ -102,5 +102,9 @@ struct LanePasses {
 
 /// The make for this processor.
 const LanePasses& lanePasses();
+/// The make for every processor.
+const LanePasses& commonLanePasses();
+/// The make for 256-bit vectors; null where it was not built. Its passes need a processor that has them.
+const LanePasses* wideLanePasses();
 
 }  // namespace rubble

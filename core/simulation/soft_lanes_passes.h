@@ -1,3 +1,5 @@
+#pragma once
+
 // The passes themselves; included once for each make, with RUBBLE_LANE_MAKE as the name of its namespace. Nothing with external
 // linkage may be used here: the linker would keep one of two versions, made for the wrong processor.
 #include "core/simulation/soft_lanes.h"

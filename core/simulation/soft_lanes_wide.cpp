@@ -1,5 +1,18 @@
-// Compiled for 256-bit vectors; where there are none for the target, it holds nothing.
+#include "core/simulation/soft_lanes.h"
+
 #ifdef RUBBLE_WIDE_LANES
 #define RUBBLE_LANE_MAKE wide_lanes
 #include "core/simulation/soft_lanes_passes.h"
 #endif
+
+namespace rubble {
+
+const LanePasses* wideLanePasses() {
+#ifdef RUBBLE_WIDE_LANES
+    return &wide_lanes::passes;
+#else
+    return nullptr;
+#endif
+}
+
+}  // namespace rubble

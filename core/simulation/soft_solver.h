@@ -82,6 +82,9 @@ public:
 
     explicit SoftSolver(WorkerPool& pool) : m_pool(pool) {}
 
+    /// Takes another make of the passes than the processor's own.
+    void use(const LanePasses& passes) { m_passes = passes; }
+
     std::vector<SolverBody> bodies;
     std::vector<SolverContact> contacts;
     std::vector<SolverPoint> points;
@@ -131,7 +134,7 @@ private:
     void receive();
 
     WorkerPool& m_pool;
-    const LanePasses& m_passes = lanePasses();
+    LanePasses m_passes = lanePasses();
     LaneScene m_scene;
     std::vector<Colour> m_colours;
     std::vector<double> m_fastest;  ///< m/s, [contacts] speed of approach

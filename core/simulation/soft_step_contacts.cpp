@@ -267,7 +267,11 @@ bool SoftStepWorld::wakeByContacts() {
 }
 
 void SoftStepWorld::wakeAndCollideAgain(double dt) {
-    const std::vector<std::uint32_t> woken = std::exchange(m_justThawed, {});
+    std::vector<std::uint32_t> woken = std::exchange(m_justThawed, {});
+    // Who was woken before the step has been looked at already.
+    const auto before = std::stable_partition(woken.begin(), woken.end(), [&](std::uint32_t i) { return m_freeze.frozen(i); });
+    m_justThawed.assign(before, woken.end());
+    woken.erase(before, woken.end());
     for (const std::uint32_t i : woken) {
         thaw(*m_bodies[i].collider);
         m_bodies[i].active = false;

@@ -372,6 +372,7 @@ void SoftStepWorld::writeBack(double dt) {
     m_report.overlapWork = std::accumulate(lifting.begin(), lifting.end(), m_report.overlapWork);
     for (const std::uint32_t i : m_moving) {
         m_pieces[i].pose = fromBullet(m_pieces[i].collider->object->getWorldTransform());
+        place(m_pieces[i]);
     }
 }
 

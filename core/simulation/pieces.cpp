@@ -48,6 +48,28 @@ double travel(const Aabb& box, const Pose& a, const Pose& b) {
     return most;
 }
 
+/// Where the mean of nodes goes and how they turn from one set of places to another, by least squares; nothing if a place is no
+/// number.
+std::optional<Pose> fittedMotion(const std::vector<std::uint32_t>& nodes, const std::vector<Vec3>& from,
+                                 const std::vector<Vec3>& to) {
+    const auto meanOf = [&](const std::vector<Vec3>& places) {
+        Vec3 sum = Vec3::Zero();
+        for (const std::uint32_t node : nodes) {
+            sum += places[node];
+        }
+        return Vec3(sum / static_cast<double>(nodes.size()));
+    };
+    const Vec3 before = meanOf(from), after = meanOf(to);
+    Mat3 covariance = Mat3::Zero();
+    for (const std::uint32_t node : nodes) {
+        covariance += (to[node] - after) * (from[node] - before).transpose();
+    }
+    if (!covariance.allFinite() || !after.allFinite()) {
+        return std::nullopt;
+    }
+    return Pose{after, Quat(nearestRotation(covariance)).normalized()};
+}
+
 }  // namespace
 
 Pieces::Pieces(const FeResult& fe, const Components& components, const Activity& activity, const SimulationSettings& settings)
@@ -154,40 +176,15 @@ std::vector<ElementIndex> Pieces::membersOf(const Group& group, std::size_t k) c
 }
 
 std::optional<Pose> Pieces::fit(const Group& group, const FeState& state) const {
-    const Mesh& mesh = m_fe.mesh();
-    Vec3 centre = Vec3::Zero();
-    for (const std::uint32_t node : group.nodes) {
-        centre += state.positions[node];
-    }
-    centre /= static_cast<double>(group.nodes.size());
-    Mat3 covariance = Mat3::Zero();
-    for (const std::uint32_t node : group.nodes) {
-        covariance += (state.positions[node] - centre) * (mesh.nodes[node] - group.restCentre).transpose();
-    }
-    if (!covariance.allFinite() || !centre.allFinite()) {
-        return std::nullopt;
-    }
-    return Pose{centre, Quat(nearestRotation(covariance)).normalized()};
+    return fittedMotion(group.nodes, m_fe.mesh().nodes, state.positions);
 }
 
-std::optional<Pose> Pieces::follow(const Group& group, const FeState& from, const FeState& to) const {
-    const auto centreAt = [&](const FeState& state) {
-        Vec3 sum = Vec3::Zero();
-        for (const std::uint32_t node : group.nodes) {
-            sum += state.positions[node];
-        }
-        return Vec3(sum / static_cast<double>(group.nodes.size()));
-    };
-    const Vec3 before = centreAt(from);
-    const Vec3 after = centreAt(to);
-    Mat3 covariance = Mat3::Zero();
-    for (const std::uint32_t node : group.nodes) {
-        covariance += (to.positions[node] - after) * (from.positions[node] - before).transpose();
+std::optional<Pose> Pieces::follow(const Group& group, const FeState& from, const FeState& to) {
+    std::optional<Pose> motion = fittedMotion(group.nodes, from.positions, to.positions);
+    if (motion) {
+        motion->orientation = (motion->orientation * group.pose.orientation).normalized();
     }
-    if (!covariance.allFinite() || !after.allFinite()) {
-        return std::nullopt;
-    }
-    return Pose{after, (Quat(nearestRotation(covariance)) * group.pose.orientation).normalized()};
+    return motion;
 }
 
 CollisionShape Pieces::shapeOf(const Group& group) const {

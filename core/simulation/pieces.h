@@ -60,7 +60,7 @@ private:
     std::optional<Pose> fit(const Group& group, const FeState& state) const;
     /// Where the piece goes with its nodes in an interval. Following their motion, not their shape at rest, its corners move no
     /// faster than they do, however they are deformed.
-    std::optional<Pose> follow(const Group& group, const FeState& from, const FeState& to) const;
+    static std::optional<Pose> follow(const Group& group, const FeState& from, const FeState& to);
 
     const FeResult& m_fe;
     const Components& m_components;

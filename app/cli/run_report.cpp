@@ -180,7 +180,9 @@ void printRun(std::ostream& out, const SimulationResult& run, const std::array<d
     facts.add("time", englishNumber(run.firstTime) + " s to " + withUnit(run.endTime, "s") + "; the FE result ends at " +
                           withUnit(run.feEndTime, "s"));
     facts.add("bodies", englishInteger(run.bodiesPeak) + " at most");
-    facts.add("steps", englishInteger(run.steps) + ", mean " + withUnit(run.stepTimes.meanMs, "ms") + ", 95 % below " +
+    facts.add("steps", englishInteger(run.steps) + ", " +
+                           withUnit(static_cast<double>(run.steps) / std::max(1e-9, run.endTime - run.firstTime), "1/s") +
+                           ", mean " + withUnit(run.stepTimes.meanMs, "ms") + ", 95 % below " +
                            withUnit(run.stepTimes.p95Ms, "ms") + ", worst " + withUnit(run.stepTimes.worstMs, "ms"));
     facts.add("real-time factor", englishNumber(run.stepTimes.realTimeFactor) + " from first to last birth; " +
                                       percent(run.stepTimes.shareInTime) + " of the steps took less than the time they simulate");

@@ -11,7 +11,7 @@ namespace rubble {
 namespace {
 
 /// Raised by one whenever the code of a stage changes what it makes from the same scenario.
-constexpr std::array<int, stageCount> stageVersions{1, 2, 1, 1, 1, 2};
+constexpr std::array<int, stageCount> stageVersions{1, 2, 1, 1, 1, 3};
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

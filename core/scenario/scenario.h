@@ -60,9 +60,9 @@ struct GridSettings {
 
 struct SimulationSettings {
     SolverKind solver = SolverKind::SoftStep;
-    double stepRate = 60.0;  ///< steps per second at least
-    int substeps = 4;        ///< of a step, soft-step solver
-    int iterations = 10;     ///< solver iterations per step, Bullet's solver
+    std::optional<double> stepRate;  ///< steps per second at least; unset: by the size of the bodies
+    int substeps = 4;                ///< of a step, soft-step solver
+    int iterations = 10;             ///< solver iterations per step, Bullet's solver
     ClusterShape shape = ClusterShape::OrientedBox;
     double boxBulking = 1.0;  ///< largest volume of a cluster's box over that of its fragments' boxes
     PieceKind pieces = PieceKind::GridBoxes;

@@ -130,10 +130,13 @@ std::vector<HealthBreach> BreachLog::breaches() const {
 Message healthRemedy(HealthCheck check, double measured, double limit) {
     switch (check) {
         case HealthCheck::Energy:
-            return {"health.energy.remedy", "raise step_rate, or set auto_remedy = true; solver = soft-step gains least", {}};
+            return {"health.energy.remedy",
+                    "raise step_rate, or set auto_remedy = true; solver = bullet gains more than soft-step",
+                    {}};
         case HealthCheck::Penetration:
             return {"health.penetration.remedy",
-                    "raise step_rate, or set auto_remedy = true; solver = soft-step keeps deep piles apart",
+                    "raise step_rate, or set auto_remedy = true, or raise bodies_max for smaller clusters; under solver = bullet "
+                    "deep piles squeeze together, take soft-step there",
                     {}};
         case HealthCheck::Speed:
             return {"health.speed.remedy",
@@ -159,7 +162,9 @@ Message healthRemedy(HealthCheck check, double measured, double limit) {
             break;
     }
     return measured < limit
-               ? Message{"health.bulking_low.remedy", "use solver = soft-step, or raise step_rate", {}}
+               ? Message{"health.bulking_low.remedy",
+                         "raise step_rate; under solver = bullet piles squeeze together, take soft-step there",
+                         {}}
                : Message{"health.bulking_high.remedy",
                          "lower box_bulking, choose cluster_shape = hull or compound, or raise bodies_max for smaller clusters",
                          {}};

@@ -21,6 +21,7 @@
 #include "core/simulation/ledger.h"
 #include "core/simulation/outcomes.h"
 #include "core/simulation/step_clock.h"
+#include "core/simulation/step_rate.h"
 
 namespace rubble {
 
@@ -88,6 +89,7 @@ public:
           m_execution(execution),
           m_activity(activityUnder(description.fe->activity(), description.scenario.fragments.revival)),
           m_decisions(decisionsOf(description)),
+          m_stepRate(stepRateOf(description, m_decisions)),
           m_worldSettings(worldSettings(description, m_decisions, execution)),
           m_surface{m_worldSettings.ground, m_worldSettings.groundHeight, m_worldSettings.terrain},
           m_world(makeWorld(m_worldSettings)),
@@ -140,6 +142,7 @@ private:
     const Execution& m_execution;
     Activity m_activity;
     EffectDecisions m_decisions;
+    const double m_stepRate;  ///< 1/s
     WorldSettings m_worldSettings;
     SiteSurface m_surface;
     std::unique_ptr<RigidWorld> m_world;
@@ -363,7 +366,7 @@ void Collapse::followStructure() {
             m_structure.beginInterval(*m_world, k);
         }
         const double span = m_times[k + 1] - m_times[k];
-        const auto steps = static_cast<std::int64_t>(std::max(1.0, std::ceil(span * m_settings.stepRate - 1e-6)));
+        const auto steps = static_cast<std::int64_t>(std::max(1.0, std::ceil(span * m_stepRate - 1e-6)));
         const double dt = span / static_cast<double>(steps);
         for (std::int64_t i = 1; i <= steps; ++i) {
             advance(dt, i == steps ? m_times[k + 1] : m_times[k] + static_cast<double>(i) * dt, [&](double part) {
@@ -395,7 +398,7 @@ double Collapse::asleep() const {
 }
 
 void Collapse::settle() {
-    const double dt = 1.0 / m_settings.stepRate;
+    const double dt = 1.0 / m_stepRate;
     const double from = m_times.back();
     double nextRow = from + 1.0;
     m_structure.hold();

@@ -123,7 +123,7 @@ double accountedMs(const SimulationResult& result);
 double accountError(const SimulationResult& result);
 
 /// Simulates a clustered scene from the first hand-over to the end (DESIGN.md 2.4). Steps have equal length within an FE interval,
-/// at most 1 / stepRate, and meet every FE state exactly. Deterministic: the same description gives the same trajectory hash.
+/// at most 1 / stepRateOf(), and meet every FE state exactly. Deterministic: the same description gives the same trajectory hash.
 /// Throws Cancelled (all committed frames stay in the sink) and whatever the sink throws.
 SimulationResult simulate(const RunDescription& description, TrajectorySink& sink, const Execution& execution);
 

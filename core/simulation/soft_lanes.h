@@ -11,13 +11,22 @@ constexpr int solverLanes = 4;
 /// One number of each of those contacts. In single precision momentum would be kept to six digits only, and towers of twenty blocks
 /// lean.
 using Lanes = double __attribute__((vector_size(8 * solverLanes), aligned(8 * solverLanes)));
+/// The same as kept in memory where single precision does: what both bodies see alike, and what nothing adds up. The passes wait
+/// for memory, and this halves it.
+using KeptLanes = float __attribute__((vector_size(4 * solverLanes), aligned(4 * solverLanes)));
 
 struct LaneVector {
     Lanes x, y, z;
 };
+struct KeptLaneVector {
+    KeptLanes x, y, z;
+};
 /// Symmetric.
 struct LaneTensor {
     Lanes xx, yy, zz, xy, xz, yz;
+};
+struct KeptLaneTensor {
+    KeptLanes xx, yy, zz, xy, xz, yz;
 };
 
 /// What the passes change of a body. The fourth number of the velocity is 1 once a contact has acted on it in this substep.
@@ -33,18 +42,22 @@ struct alignas(32) LaneTravel {
 
 /// A point of each contact; where a contact has fewer points, its masses are zero.
 struct alignas(8 * solverLanes) LanePoint {
-    LaneVector fromA, fromB;  ///< m, from the centres of mass, at the start of the step
-    Lanes separation;         ///< m, at the start of the step, rest offset taken off
-    Lanes now;                ///< m, in this substep
-    Lanes normalMass;         ///< kg
-    Lanes tangentMass[2];
     Lanes normalImpulse;  ///< N s in a substep
-    Lanes before;         ///< the same, one substep earlier
     Lanes tangentImpulse[2];
-    Lanes largestImpulse;  ///< N s, of any substep
-    Lanes impulseSum;      ///< N s along the normal, over the substeps
-    LaneVector opening;    ///< m/s, of b from a, before any impulse of this substep
-    Lanes raised;          ///< N s, upward part of what acted in the soft pass
+    KeptLaneVector fromA, fromB;  ///< m, from the centres of mass, at the start of the step
+    KeptLanes separation;         ///< m, at the start of the step, rest offset taken off
+    KeptLanes now;                ///< m, in this substep
+    KeptLanes normalMass;         ///< kg
+    KeptLanes tangentMass[2];
+    KeptLanes before;          ///< N s, normal impulse one substep earlier
+    KeptLanes largestImpulse;  ///< N s, of any substep
+    KeptLanes impulseSum;      ///< N s along the normal, over the substeps
+};
+
+/// What accounting for the work of a point takes.
+struct alignas(8 * solverLanes) LanePointWork {
+    LaneVector opening;  ///< m/s, of b from a, before any impulse of this substep
+    Lanes raised;        ///< N s, upward part of what acted in the soft pass
 };
 
 /// Contacts side by side. Missing ones at the end of a colour have no mass and no body.
@@ -55,29 +68,30 @@ struct alignas(8 * solverLanes) LaneContacts {
     std::uint32_t found[solverLanes];  ///< contact in each lane
     std::uint32_t count = 0;           ///< lanes in use
     bool booked = false;               ///< one of them accounts for its work
-    LaneVector normal;                 ///< from a to b
-    LaneVector tangent[2];
-    Lanes friction;
     Lanes inverseMassA, inverseMassB;  ///< 1/kg, as this contact sees them
-    LaneTensor inverseInertiaA, inverseInertiaB;
-    Lanes weight;        ///< N s, impulse of the lighter body's weight in a substep
-    Lanes biasRate;      ///< 1/s, of the soft pass
-    Lanes massScale;     ///< of the soft pass
-    Lanes impulseScale;  ///< of the soft pass
-    Lanes parting;       ///< m/s, at which overlap at birth is brought apart in the soft pass; zero: none
-    Lanes partingLimit;  ///< N s per point and substep that may be spent on that
-    Lanes impulseLimit;  ///< N s per point and substep
-    Lanes lift;          ///< m/s, what an upward impulse gains against gravity in a substep; zero between two that move
-    Lanes bookedShare;   ///< 1: its work of pushing apart is accounted for
-    Lanes drivenByA;     ///< 1: the work of a moving piece a is accounted for
-    Lanes drivenByB;     ///< 1: the same of b
-    Lanes work;          ///< J, in this step
+    KeptLaneTensor inverseInertiaA, inverseInertiaB;
+    KeptLaneVector normal;  ///< from a to b
+    KeptLaneVector tangent[2];
+    KeptLanes friction;
+    KeptLanes weight;        ///< N s, impulse of the lighter body's weight in a substep
+    KeptLanes biasRate;      ///< 1/s, of the soft pass
+    KeptLanes massScale;     ///< of the soft pass
+    KeptLanes impulseScale;  ///< of the soft pass
+    KeptLanes parting;       ///< m/s, at which overlap at birth is brought apart in the soft pass; zero: none
+    KeptLanes partingLimit;  ///< N s per point and substep that may be spent on that
+    KeptLanes impulseLimit;  ///< N s per point and substep
+    KeptLanes lift;          ///< m/s, what an upward impulse gains against gravity in a substep; zero between two that move
+    KeptLanes bookedShare;   ///< 1: its work of pushing apart is accounted for
+    KeptLanes drivenByA;     ///< 1: the work of a moving piece a is accounted for
+    KeptLanes drivenByB;     ///< 1: the same of b
+    Lanes work;              ///< J, in this step
 };
 
 /// All that the passes work on.
 struct LaneScene {
     LaneContacts* contacts = nullptr;
     LanePoint* points = nullptr;
+    LanePointWork* works = nullptr;  ///< beside the points
     LaneBody* bodies = nullptr;
     const LaneTravel* travel = nullptr;
     std::uint32_t movable = 0;  ///< bodies below this one move

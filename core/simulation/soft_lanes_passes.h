@@ -13,6 +13,19 @@ using Mask = std::int64_t __attribute__((vector_size(8 * solverLanes)));
 inline Lanes all(double x) {
     return Lanes{x, x, x, x};
 }
+/// In double precision.
+inline Lanes wide(KeptLanes x) {
+    return __builtin_convertvector(x, Lanes);
+}
+inline KeptLanes kept(Lanes x) {
+    return __builtin_convertvector(x, KeptLanes);
+}
+inline LaneVector wide(const KeptLaneVector& v) {
+    return {wide(v.x), wide(v.y), wide(v.z)};
+}
+inline LaneTensor wide(const KeptLaneTensor& t) {
+    return {wide(t.xx), wide(t.yy), wide(t.zz), wide(t.xy), wide(t.xz), wide(t.yz)};
+}
 inline Lanes larger(Lanes a, Lanes b) {
     return a > b ? a : b;
 }
@@ -102,25 +115,48 @@ inline void store(const End& end, LaneBody* bodies, const std::uint32_t (&which)
     }
 }
 
-inline LaneVector relativeVelocity(const End& a, const End& b, const LanePoint& p) {
-    return b.velocity + cross(b.spin, p.fromB) - a.velocity - cross(a.spin, p.fromA);
+/// The arms of a point.
+struct Arms {
+    explicit Arms(const LanePoint& p) : a(wide(p.fromA)), b(wide(p.fromB)) {}
+    LaneVector a, b;
+};
+
+/// Directions and masses of contacts.
+struct Pair {
+    explicit Pair(const LaneContacts& c)
+        : normal(wide(c.normal)),
+          tangent{wide(c.tangent[0]), wide(c.tangent[1])},
+          inverseMassA(c.inverseMassA),
+          inverseMassB(c.inverseMassB),
+          inverseInertiaA(wide(c.inverseInertiaA)),
+          inverseInertiaB(wide(c.inverseInertiaB)),
+          friction(wide(c.friction)) {}
+    LaneVector normal, tangent[2];
+    Lanes inverseMassA, inverseMassB;
+    LaneTensor inverseInertiaA, inverseInertiaB;
+    Lanes friction;
+};
+
+inline LaneVector relativeVelocity(const End& a, const End& b, const Arms& arms) {
+    return b.velocity + cross(b.spin, arms.b) - a.velocity - cross(a.spin, arms.a);
 }
 
-inline void apply(const LaneContacts& c, End& a, End& b, const LanePoint& p, const LaneVector& impulse) {
+inline void apply(const Pair& c, End& a, End& b, const Arms& arms, const LaneVector& impulse) {
     a.velocity = a.velocity - c.inverseMassA * impulse;
-    a.spin = a.spin - c.inverseInertiaA * cross(p.fromA, impulse);
+    a.spin = a.spin - c.inverseInertiaA * cross(arms.a, impulse);
     b.velocity = b.velocity + c.inverseMassB * impulse;
-    b.spin = b.spin + c.inverseInertiaB * cross(p.fromB, impulse);
+    b.spin = b.spin + c.inverseInertiaB * cross(arms.b, impulse);
 }
 
-inline LaneVector impulseOf(const LaneContacts& c, const LanePoint& p) {
+inline LaneVector impulseOf(const Pair& c, const LanePoint& p) {
     return p.normalImpulse * c.normal + p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1];
 }
 
-inline void applyFriction(const LaneContacts& c, End& a, End& b, LanePoint& p) {
-    const LaneVector relative = relativeVelocity(a, b, p);
-    Lanes t0 = p.tangentImpulse[0] - p.tangentMass[0] * dot(c.tangent[0], relative);
-    Lanes t1 = p.tangentImpulse[1] - p.tangentMass[1] * dot(c.tangent[1], relative);
+inline void applyFriction(const Pair& c, End& a, End& b, LanePoint& p) {
+    const Arms arms(p);
+    const LaneVector relative = relativeVelocity(a, b, arms);
+    Lanes t0 = p.tangentImpulse[0] - wide(p.tangentMass[0]) * dot(c.tangent[0], relative);
+    Lanes t1 = p.tangentImpulse[1] - wide(p.tangentMass[1]) * dot(c.tangent[1], relative);
     const Lanes limit = c.friction * p.normalImpulse;
     const Lanes length = t0 * t0 + t1 * t1;
     const Mask beyond = length > limit * limit;
@@ -130,7 +166,7 @@ inline void applyFriction(const LaneContacts& c, End& a, End& b, LanePoint& p) {
     const LaneVector impulse = (t0 - p.tangentImpulse[0]) * c.tangent[0] + (t1 - p.tangentImpulse[1]) * c.tangent[1];
     p.tangentImpulse[0] = t0;
     p.tangentImpulse[1] = t1;
-    apply(c, a, b, p, impulse);
+    apply(c, a, b, arms, impulse);
 }
 
 /// One pass over the points of contacts. Push: overlap is pushed apart at `push` [m/s] at most. Moved: the bodies have moved since
@@ -140,6 +176,7 @@ inline void solve(const LaneScene& scene, LaneContacts& c, double push, bool las
     End a = load(scene.bodies, c.a);
     End b = load(scene.bodies, c.b);
     LanePoint* points = scene.points + c.firstPoint;
+    const Pair pair(c);
     const Lanes zero = all(0.0);
     const Lanes perSubstep = all(1.0 / scene.h);
     LaneVector moved{}, turnedA{}, turnedB{};
@@ -156,39 +193,44 @@ inline void solve(const LaneScene& scene, LaneContacts& c, double push, bool las
     Lanes acted = zero;
     for (std::uint32_t k = 0; k < c.points; ++k) {
         LanePoint& p = points[k];
+        const Arms arms(p);
+        Lanes now = wide(p.now);
         if (Moved) {
-            p.now = p.separation + dot(c.normal, moved + cross(turnedB, p.fromB) - cross(turnedA, p.fromA));
+            now = wide(p.separation) + dot(pair.normal, moved + cross(turnedB, arms.b) - cross(turnedA, arms.a));
+            p.now = kept(now);
         }
-        const Mask apart = p.now > zero;
-        const Lanes ahead = p.now * perSubstep;
-        const Lanes speed = dot(c.normal, relativeVelocity(a, b, p));
+        const Lanes mass = wide(p.normalMass);
+        const Mask apart = now > zero;
+        const Lanes ahead = now * perSubstep;
+        const Lanes speed = dot(pair.normal, relativeVelocity(a, b, arms));
         Lanes wanted;
         if (Push) {
-            const Lanes bias = apart ? ahead : larger(c.biasRate * p.now, all(-push));
-            const Lanes massScale = apart ? all(1.0) : c.massScale;
-            const Lanes impulseScale = apart ? zero : c.impulseScale;
-            wanted = p.normalImpulse - p.normalMass * massScale * (speed + bias) - impulseScale * p.normalImpulse;
+            const Lanes bias = apart ? ahead : larger(wide(c.biasRate) * now, all(-push));
+            const Lanes massScale = apart ? all(1.0) : wide(c.massScale);
+            const Lanes impulseScale = apart ? zero : wide(c.impulseScale);
+            wanted = p.normalImpulse - mass * massScale * (speed + bias) - impulseScale * p.normalImpulse;
         } else {
-            wanted = p.normalImpulse - p.normalMass * (speed + (apart ? ahead : zero));
+            wanted = p.normalImpulse - mass * (speed + (apart ? ahead : zero));
         }
-        Lanes total = smaller(larger(wanted, zero), c.impulseLimit);
+        Lanes total = smaller(larger(wanted, zero), wide(c.impulseLimit));
         if (Push) {
             // Beyond what holds the two where they are, little is spent on bringing them apart.
-            const Lanes parted = smaller(p.normalImpulse - p.normalMass * (speed - c.parting), c.partingLimit);
-            total = c.parting > zero ? larger(total, parted) : total;
+            const Lanes parting = wide(c.parting);
+            const Lanes parted = smaller(p.normalImpulse - mass * (speed - parting), wide(c.partingLimit));
+            total = parting > zero ? larger(total, parted) : total;
         }
         const Lanes change = total - p.normalImpulse;
         p.normalImpulse = total;
-        p.largestImpulse = larger(p.largestImpulse, total);
+        p.largestImpulse = kept(larger(wide(p.largestImpulse), total));
         acted = total > zero ? all(1.0) : acted;
-        apply(c, a, b, p, change * c.normal);
+        apply(pair, a, b, arms, change * pair.normal);
     }
     for (std::uint32_t k = 0; k < c.points; ++k) {
-        applyFriction(c, a, b, points[k]);
-        if (Push) {
-            points[k].raised = impulseOf(c, points[k]).z;
-        } else if (last) {
-            points[k].impulseSum += points[k].normalImpulse;
+        applyFriction(pair, a, b, points[k]);
+        if (Push && c.booked) {
+            scene.works[c.firstPoint + k].raised = impulseOf(pair, points[k]).z;
+        } else if (!Push && last) {
+            points[k].impulseSum = kept(wide(points[k].impulseSum) + points[k].normalImpulse);
         }
     }
     a.touched = larger(a.touched, acted);
@@ -204,8 +246,8 @@ void warmStart(const LaneScene& scene, std::size_t first, std::size_t last, doub
         Lanes largest = all(0.0);
         for (std::uint32_t k = 0; k < c.points; ++k) {
             LanePoint& p = points[k];
-            const Lanes most = all(growth) * larger(p.before, c.weight);
-            p.before = p.normalImpulse;
+            const Lanes most = all(growth) * larger(wide(p.before), wide(c.weight));
+            p.before = kept(p.normalImpulse);
             const Mask over = p.normalImpulse > most;
             const Lanes scale = over ? most / (over ? p.normalImpulse : all(1.0)) : all(1.0);
             p.tangentImpulse[0] = p.tangentImpulse[0] * scale;
@@ -216,10 +258,11 @@ void warmStart(const LaneScene& scene, std::size_t first, std::size_t last, doub
         if (!any(largest > all(0.0))) {
             continue;
         }
+        const Pair pair(c);
         End a = load(scene.bodies, c.a);
         End b = load(scene.bodies, c.b);
         for (std::uint32_t k = 0; k < c.points; ++k) {
-            apply(c, a, b, points[k], impulseOf(c, points[k]));
+            apply(pair, a, b, Arms(points[k]), impulseOf(pair, points[k]));
         }
         store(a, scene.bodies, c.a, scene.movable);
         store(b, scene.bodies, c.b, scene.movable);
@@ -248,8 +291,7 @@ void noteOpening(const LaneScene& scene, std::size_t first, std::size_t last) {
         const End a = load(scene.bodies, c.a);
         const End b = load(scene.bodies, c.b);
         for (std::uint32_t k = 0; k < c.points; ++k) {
-            LanePoint& p = scene.points[c.firstPoint + k];
-            p.opening = relativeVelocity(a, b, p);
+            scene.works[c.firstPoint + k].opening = relativeVelocity(a, b, Arms(scene.points[c.firstPoint + k]));
         }
     }
 }
@@ -263,14 +305,18 @@ void book(const LaneScene& scene, std::size_t first, std::size_t last) {
         if (!c.booked) {
             continue;
         }
+        const Pair pair(c);
         const End a = load(scene.bodies, c.a);
         const End b = load(scene.bodies, c.b);
         for (std::uint32_t k = 0; k < c.points; ++k) {
             const LanePoint& p = scene.points[c.firstPoint + k];
-            const LaneVector impulse = impulseOf(c, p);
-            const Lanes input = all(0.5) * dot(impulse, p.opening + relativeVelocity(a, b, p)) + c.lift * p.raised;
-            c.work += c.drivenByA * dot(impulse, a.velocity + cross(a.spin, p.fromA)) -
-                      c.drivenByB * dot(impulse, b.velocity + cross(b.spin, p.fromB)) + c.bookedShare * larger(input, all(0.0));
+            const LanePointWork& work = scene.works[c.firstPoint + k];
+            const Arms arms(p);
+            const LaneVector impulse = impulseOf(pair, p);
+            const Lanes input = all(0.5) * dot(impulse, work.opening + relativeVelocity(a, b, arms)) + wide(c.lift) * work.raised;
+            c.work += wide(c.drivenByA) * dot(impulse, a.velocity + cross(a.spin, arms.a)) -
+                      wide(c.drivenByB) * dot(impulse, b.velocity + cross(b.spin, arms.b)) +
+                      wide(c.bookedShare) * larger(input, all(0.0));
         }
     }
 }

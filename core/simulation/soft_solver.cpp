@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace rubble {
@@ -26,7 +27,7 @@ constexpr std::size_t laneGrain = 12;
 /// Bodies that one thread takes at a time.
 constexpr std::size_t bodyGrain = 512;
 /// N s. No limit.
-constexpr double unlimited = 1e300;
+constexpr float unlimited = std::numeric_limits<float>::max();
 /// Groups; a body with more contacts than this puts the rest into the ordered group.
 constexpr std::uint32_t mostColours = 63;
 
@@ -177,8 +178,13 @@ void SoftSolver::layOut(double h, std::size_t movable) {
     m_laneBodies.resize(bodies.size());
     m_laneTravel.assign(bodies.size(), {});
     arrange();
-    m_scene = {
-        m_lanes.data(), m_lanePoints.data(), m_laneBodies.data(), m_laneTravel.data(), static_cast<std::uint32_t>(movable), h};
+    m_scene = {m_lanes.data(),
+               m_lanePoints.data(),
+               m_laneWorks.data(),
+               m_laneBodies.data(),
+               m_laneTravel.data(),
+               static_cast<std::uint32_t>(movable),
+               h};
     m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             fillLanes(m_groups[i], m_lanes[i]);
@@ -228,33 +234,35 @@ void SoftSolver::arrange() {
     }
     m_lanes.resize(m_groups.size());
     m_lanePoints.resize(point);
+    m_laneWorks.resize(point);
 }
 
 namespace {
 
-void setLane(LaneVector& to, int lane, const Vec3& v) {
-    to.x[lane] = v.x();
-    to.y[lane] = v.y();
-    to.z[lane] = v.z();
+void setLane(KeptLaneVector& to, int lane, const Vec3& v) {
+    to.x[lane] = static_cast<float>(v.x());
+    to.y[lane] = static_cast<float>(v.y());
+    to.z[lane] = static_cast<float>(v.z());
 }
 
-void setLane(LaneTensor& to, int lane, const Mat3& t) {
-    to.xx[lane] = t(0, 0);
-    to.yy[lane] = t(1, 1);
-    to.zz[lane] = t(2, 2);
-    to.xy[lane] = t(0, 1);
-    to.xz[lane] = t(0, 2);
-    to.yz[lane] = t(1, 2);
+void setLane(KeptLaneTensor& to, int lane, const Mat3& t) {
+    to.xx[lane] = static_cast<float>(t(0, 0));
+    to.yy[lane] = static_cast<float>(t(1, 1));
+    to.zz[lane] = static_cast<float>(t(2, 2));
+    to.xy[lane] = static_cast<float>(t(0, 1));
+    to.xz[lane] = static_cast<float>(t(0, 2));
+    to.yz[lane] = static_cast<float>(t(1, 2));
 }
 
 void setLane(LanePoint& to, int lane, const SolverPoint& p) {
     setLane(to.fromA, lane, p.fromA);
     setLane(to.fromB, lane, p.fromB);
-    to.separation[lane] = to.now[lane] = p.separation;
-    to.normalMass[lane] = p.normalMass;
-    to.normalImpulse[lane] = to.before[lane] = p.normalImpulse;
+    to.separation[lane] = to.now[lane] = static_cast<float>(p.separation);
+    to.normalMass[lane] = static_cast<float>(p.normalMass);
+    to.normalImpulse[lane] = p.normalImpulse;
+    to.before[lane] = static_cast<float>(p.normalImpulse);
     for (int t = 0; t < 2; ++t) {
-        to.tangentMass[t][lane] = p.tangentMass[t];
+        to.tangentMass[t][lane] = static_cast<float>(p.tangentMass[t]);
         to.tangentImpulse[t][lane] = p.tangentImpulse[t];
     }
 }
@@ -285,21 +293,20 @@ void SoftSolver::fillLanes(const Group& group, LaneContacts& lanes) {
         setLane(lanes.tangent[1], lane, c.tangent[1]);
         setLane(lanes.inverseInertiaA, lane, c.yieldA * a.inverseInertia);
         setLane(lanes.inverseInertiaB, lane, c.yieldB * b.inverseInertia);
-        lanes.friction[lane] = c.friction;
+        lanes.friction[lane] = static_cast<float>(c.friction);
         lanes.inverseMassA[lane] = c.yieldA * a.inverseMass;
         lanes.inverseMassB[lane] = c.yieldB * b.inverseMass;
-        lanes.weight[lane] = c.weight;
-        lanes.biasRate[lane] = c.biasRate;
-        lanes.massScale[lane] = c.massScale;
-        lanes.impulseScale[lane] = c.impulseScale;
-        lanes.parting[lane] = c.parting;
-        lanes.partingLimit[lane] = c.partingLimit;
-        lanes.lift[lane] = c.lift;
-        lanes.lift[lane] = c.lift;
-        lanes.impulseLimit[lane] = c.impulseLimit < 0.0 ? unlimited : c.impulseLimit;
-        lanes.bookedShare[lane] = c.booked ? 1.0 : 0.0;
-        lanes.drivenByA[lane] = c.driven && a.inverseMass == 0.0 ? 1.0 : 0.0;
-        lanes.drivenByB[lane] = c.driven && a.inverseMass != 0.0 ? 1.0 : 0.0;
+        lanes.weight[lane] = static_cast<float>(c.weight);
+        lanes.biasRate[lane] = static_cast<float>(c.biasRate);
+        lanes.massScale[lane] = static_cast<float>(c.massScale);
+        lanes.impulseScale[lane] = static_cast<float>(c.impulseScale);
+        lanes.parting[lane] = static_cast<float>(c.parting);
+        lanes.partingLimit[lane] = static_cast<float>(c.partingLimit);
+        lanes.lift[lane] = static_cast<float>(c.lift);
+        lanes.impulseLimit[lane] = c.impulseLimit < 0.0 ? unlimited : static_cast<float>(c.impulseLimit);
+        lanes.bookedShare[lane] = c.booked ? 1.0f : 0.0f;
+        lanes.drivenByA[lane] = c.driven && a.inverseMass == 0.0 ? 1.0f : 0.0f;
+        lanes.drivenByB[lane] = c.driven && a.inverseMass != 0.0 ? 1.0f : 0.0f;
         lanes.booked = lanes.booked || c.booked || c.driven;
         for (std::uint32_t k = 0; k < c.points; ++k) {
             setLane(m_lanePoints[first + k], lane, points[c.firstPoint + k]);

@@ -142,6 +142,7 @@ private:
     std::vector<std::uint32_t> m_booked;  ///< groups
     std::vector<LaneContacts> m_lanes;
     std::vector<LanePoint> m_lanePoints;
+    std::vector<LanePointWork> m_laneWorks;
     std::vector<LaneBody> m_laneBodies;
     std::vector<LaneTravel> m_laneTravel;
 };

@@ -100,7 +100,9 @@ void SoftStepWorld::restPair(std::size_t first, std::size_t last, double dt) {
             std::atomic_ref(a.overlapping).store(true, std::memory_order_relaxed);
             std::atomic_ref(b.overlapping).store(true, std::memory_order_relaxed);
         }
-        if (!contact.yielding) {
+        // How deep a piece sweeps into what may not resist it is how far it went, not what the solver let through.
+        const bool swept = contact.pressed > 0.0 && (a.moving || b.moving);
+        if (!contact.yielding && !swept) {
             const double depth = contact.depth - contact.offset;
             raise(m_report.penetrationMax, depth);
             for (Collider* side : {&a, &b}) {

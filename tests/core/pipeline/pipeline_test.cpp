@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/scenario/parameters.h"
 #include "tests/scenes/fe_scenes.h"
@@ -22,7 +24,8 @@ ParameterValue changed(const Parameter& row, const Scenario& scenario) {
         case ParameterKind::Integer:
             return std::holds_alternative<std::int64_t>(now) ? std::get<std::int64_t>(now) + 1 : std::int64_t{1};
         case ParameterKind::Number: {
-            const double value = std::holds_alternative<double>(now) ? std::get<double>(now) : std::min(1.9, row.high);
+            const double value =
+                std::holds_alternative<double>(now) ? std::get<double>(now) : std::clamp(1.9, 1.2 * row.low, row.high);
             return value * 0.9 + 0.007 >= row.low ? value * 0.9 + 0.007 : value * 1.1;
         }
         case ParameterKind::Choice:

@@ -1,0 +1,54 @@
+#include "core/simulation/step_rate.h"
+
+#include <gtest/gtest.h>
+
+#include "core/pipeline/pipeline.h"
+#include "core/simulation/effects/decisions.h"
+#include "tests/scenes/fe_scenes.h"
+
+namespace rubble {
+namespace {
+
+/// Cubes of one side that all die at one state, under a beam that stays.
+double rateOf(double side, Scenario scenario = {}) {
+    scenes::Block wall;
+    wall.name = "wall";
+    wall.size = Vec3::Constant(3.0 * side);
+    wall.cells = {3, 3, 3};
+    wall.deathState = [](std::size_t) { return std::size_t{2}; };
+    scenes::Block beam;
+    beam.name = "beam";
+    beam.low = Vec3(0, 0, 9.0 * side);
+    beam.size = Vec3::Constant(side);
+    beam.cells = {1, 1, 1};
+    const Inputs inputs{scenes::makeScene({wall, beam}, 4, 0.1), {}};
+    scenario.grid.oneBodyPerFragment = true;
+    const Results results = run(inputs, scenario, Stage::Clusters, {}, nullptr, Execution());
+    return stepRateOf(describeRun(inputs, scenario, results),
+                      decideEffects({*inputs.fe, *results.components, *results.fragments, *results.clustering, nullptr, scenario}));
+}
+
+TEST(StepRate, FallsWithTheRootOfTheSize) {
+    EXPECT_NEAR(rateOf(0.6), 60.0 * std::sqrt(0.5), 1e-9);
+    EXPECT_NEAR(rateOf(0.9), 60.0 / std::sqrt(3.0), 1e-9);
+}
+
+TEST(StepRate, StaysWithinWhatWasVerified) {
+    EXPECT_EQ(rateOf(0.05), 60.0);
+    EXPECT_EQ(rateOf(5.0), 30.0);
+}
+
+TEST(StepRate, OfTheScenarioGoesFirst) {
+    Scenario scenario;
+    scenario.simulation.stepRate = 90.0;
+    EXPECT_EQ(rateOf(5.0, scenario), 90.0);
+}
+
+TEST(StepRate, IsThatOfTheFinestForBullet) {
+    Scenario scenario;
+    scenario.simulation.solver = SolverKind::Bullet;
+    EXPECT_EQ(rateOf(5.0, scenario), 60.0);
+}
+
+}  // namespace
+}  // namespace rubble

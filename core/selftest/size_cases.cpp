@@ -47,10 +47,16 @@ void stackSizes(Pile& pile, const std::vector<Vec3>& sizes, double width, Sequen
     }
 }
 
-void sizesTogether(const CaseSetting& setting, Outcome& outcome) {
+struct HeapOfSizes {
+    double below = 0.0;    ///< bodies with their centre below the ground at the end
+    double fastest = 0.0;  ///< over sqrt(2 g h), at any time
+    double left = 0.0;     ///< m/s, fastest at the end
+};
+
+HeapOfSizes heapOfSizes(const CaseSetting& setting, std::uint64_t seed) {
     WorldScene scene(setting);
     Pile pile(scene);
-    Sequence random(400);
+    Sequence random(seed);
     std::vector<Vec3> sizes;
     // Sides from 1 cm to 10 m, evenly in their logarithm.
     for (int i = 0; i < 400; ++i) {
@@ -59,10 +65,35 @@ void sizesTogether(const CaseSetting& setting, Outcome& outcome) {
     sizes[0] = Vec3::Constant(10.0);
     sizes[200] = Vec3::Constant(0.01);
     stackSizes(pile, sizes, 40.0, random);
+    double height = 0.0;
+    for (const Vec3& place : pile.places()) {
+        height = std::max(height, place.z());
+    }
+    HeapOfSizes heap;
+    const double fall = std::sqrt(2.0 * scene.settings.gravity * height);
     // The heap stands up to 100 m high at first; a pebble struck at its end flies and rolls for ten seconds more.
-    scene.run(20.0);
-    outcome.none("centres below ground of 400", static_cast<double>(pile.centresBelow(0.0)));
-    outcome.atMost("fastest at the end", scene.maxSpeed(), 1.0, "m/s");
+    for (int i = 0; i < 250; ++i) {
+        scene.run(0.1);
+        heap.fastest = std::max(heap.fastest, scene.maxSpeed() / fall);
+    }
+    heap.below = static_cast<double>(pile.centresBelow(0.0));
+    heap.left = scene.maxSpeed();
+    return heap;
+}
+
+void sizesTogether(const CaseSetting& setting, Outcome& outcome) {
+    HeapOfSizes worst;
+    // What a heap throws out depends on how its blocks come to lie.
+    for (std::uint64_t seed = 400; seed < (setting.small ? 402u : 408u); ++seed) {
+        const HeapOfSizes heap = heapOfSizes(setting, seed);
+        worst.below += heap.below;
+        worst.fastest = std::max(worst.fastest, heap.fastest);
+        worst.left = std::max(worst.left, heap.left);
+    }
+    outcome.none("centres below ground, of 400 in each heap", worst.below);
+    // What falls farthest is the fastest; a tenth for a pebble that a falling block strikes.
+    outcome.atMost("fastest over sqrt(2 g h)", worst.fastest, 1.1);
+    outcome.atMost("fastest at the end", worst.left, 1.0, "m/s");
 }
 
 }  // namespace
@@ -72,7 +103,7 @@ std::vector<HardCase> sizeCases() {
         {"mass-ratio", "heavy on small, 1 : 100, 10,000 and 1,000,000", "the small one is pressed through",
          "sinks less than a quarter of the small side, below 1 m/s", 0.3, massRatio},
         {"sizes-1cm-10m", "400 cubes of 1 cm to 10 m in one heap", "small ones are pressed into the ground or shot out",
-         "none below ground, end below 1 m/s", 4.0, sizesTogether},
+         "none below ground, none above 1.1 sqrt(2 g h), end below 1 m/s, in each of several heaps", 10.0, sizesTogether},
     };
 }
 

@@ -13,7 +13,8 @@ constexpr int solverLanes = 4;
 using Lanes = double __attribute__((vector_size(8 * solverLanes), aligned(8 * solverLanes)));
 /// The same as kept in memory where single precision does: what both bodies see alike, and what nothing adds up. The passes wait
 /// for memory, and this halves it.
-using KeptLanes = float __attribute__((vector_size(4 * solverLanes), aligned(4 * solverLanes)));
+using KeptNumber = float;
+using KeptLanes = KeptNumber __attribute__((vector_size(4 * solverLanes), aligned(4 * solverLanes)));
 
 struct LaneVector {
     Lanes x, y, z;
@@ -44,14 +45,14 @@ struct alignas(32) LaneTravel {
 struct alignas(8 * solverLanes) LanePoint {
     Lanes normalImpulse;  ///< N s in a substep
     Lanes tangentImpulse[2];
+    Lanes impulseSum;             ///< N s along the normal, over the substeps
+    Lanes separation;             ///< m, at the start of the step, rest offset taken off
+    Lanes now;                    ///< m, in this substep
     KeptLaneVector fromA, fromB;  ///< m, from the centres of mass, at the start of the step
-    KeptLanes separation;         ///< m, at the start of the step, rest offset taken off
-    KeptLanes now;                ///< m, in this substep
     KeptLanes normalMass;         ///< kg
     KeptLanes tangentMass[2];
     KeptLanes before;          ///< N s, normal impulse one substep earlier
     KeptLanes largestImpulse;  ///< N s, of any substep
-    KeptLanes impulseSum;      ///< N s along the normal, over the substeps
 };
 
 /// What accounting for the work of a point takes.

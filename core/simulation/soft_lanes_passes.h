@@ -194,10 +194,10 @@ inline void solve(const LaneScene& scene, LaneContacts& c, double push, bool las
     for (std::uint32_t k = 0; k < c.points; ++k) {
         LanePoint& p = points[k];
         const Arms arms(p);
-        Lanes now = wide(p.now);
+        Lanes now = p.now;
         if (Moved) {
-            now = wide(p.separation) + dot(pair.normal, moved + cross(turnedB, arms.b) - cross(turnedA, arms.a));
-            p.now = kept(now);
+            now = p.separation + dot(pair.normal, moved + cross(turnedB, arms.b) - cross(turnedA, arms.a));
+            p.now = now;
         }
         const Lanes mass = wide(p.normalMass);
         const Mask apart = now > zero;
@@ -230,7 +230,7 @@ inline void solve(const LaneScene& scene, LaneContacts& c, double push, bool las
         if (Push && c.booked) {
             scene.works[c.firstPoint + k].raised = impulseOf(pair, points[k]).z;
         } else if (!Push && last) {
-            points[k].impulseSum = kept(wide(points[k].impulseSum) + points[k].normalImpulse);
+            points[k].impulseSum += points[k].normalImpulse;
         }
     }
     a.touched = larger(a.touched, acted);

@@ -27,7 +27,7 @@ constexpr std::size_t laneGrain = 12;
 /// Bodies that one thread takes at a time.
 constexpr std::size_t bodyGrain = 512;
 /// N s. No limit.
-constexpr float unlimited = std::numeric_limits<float>::max();
+constexpr KeptNumber unlimited = std::numeric_limits<KeptNumber>::max();
 /// Groups; a body with more contacts than this puts the rest into the ordered group.
 constexpr std::uint32_t mostColours = 63;
 
@@ -35,24 +35,23 @@ Vec3 relativeVelocity(const SolverBody& a, const SolverBody& b, const SolverPoin
     return b.velocity + b.spin.cross(p.fromB) - a.velocity - a.spin.cross(p.fromA);
 }
 
-void apply(const SolverContact& c, SolverBody& a, SolverBody& b, const SolverPoint& p, const Vec3& impulse) {
+void apply(SolverBody& a, SolverBody& b, const SolverPoint& p, const Vec3& impulse) {
     // Threads may share an immovable body, so nothing is written to it.
     if (a.inverseMass > 0.0) {
-        a.velocity -= (c.yieldA * a.inverseMass) * impulse;
-        a.spin -= a.inverseInertia * (p.fromA.cross(impulse) * c.yieldA);
+        a.velocity -= a.inverseMass * impulse;
+        a.spin -= a.inverseInertia * p.fromA.cross(impulse);
     }
     if (b.inverseMass > 0.0) {
-        b.velocity += (c.yieldB * b.inverseMass) * impulse;
-        b.spin += b.inverseInertia * (p.fromB.cross(impulse) * c.yieldB);
+        b.velocity += b.inverseMass * impulse;
+        b.spin += b.inverseInertia * p.fromB.cross(impulse);
     }
 }
 
 /// kg that a push at the point along a direction moves.
-double massAlong(const SolverContact& c, const SolverBody& a, const SolverBody& b, const SolverPoint& p, const Vec3& direction) {
+double massAlong(const SolverBody& a, const SolverBody& b, const SolverPoint& p, const Vec3& direction) {
     const Vec3 ra = p.fromA.cross(direction);
     const Vec3 rb = p.fromB.cross(direction);
-    const double inverse =
-        c.yieldA * (a.inverseMass + ra.dot(a.inverseInertia * ra)) + c.yieldB * (b.inverseMass + rb.dot(b.inverseInertia * rb));
+    const double inverse = a.inverseMass + ra.dot(a.inverseInertia * ra) + b.inverseMass + rb.dot(b.inverseInertia * rb);
     return inverse > 0.0 ? 1.0 / inverse : 0.0;
 }
 
@@ -70,9 +69,9 @@ void prepareContact(SolverContact& c, std::span<SolverPoint> points, const Solve
     const double soft = 2.0 * std::numbers::pi * c.frequency;
     double squared = soft * soft;
     for (SolverPoint& p : points) {
-        p.normalMass = massAlong(c, a, b, p, c.normal);
-        p.tangentMass[0] = massAlong(c, a, b, p, c.tangent[0]);
-        p.tangentMass[1] = massAlong(c, a, b, p, c.tangent[1]);
+        p.normalMass = massAlong(a, b, p, c.normal);
+        p.tangentMass[0] = massAlong(a, b, p, c.tangent[0]);
+        p.tangentMass[1] = massAlong(a, b, p, c.tangent[1]);
         p.approachSpeed = -c.normal.dot(relativeVelocity(a, b, p));
         p.largestImpulse = p.impulseSum = 0.0;
         // At rest a contact sinks by load / (mass omega^2).
@@ -99,7 +98,7 @@ void restituteContact(const SolverContact& c, std::span<SolverPoint> points, Sol
             }
             p.impulseSum += change;
             p.normalImpulse = std::max(0.0, p.normalImpulse + change);
-            apply(c, a, b, p, change * c.normal);
+            apply(a, b, p, change * c.normal);
         }
     }
 }
@@ -240,29 +239,29 @@ void SoftSolver::arrange() {
 namespace {
 
 void setLane(KeptLaneVector& to, int lane, const Vec3& v) {
-    to.x[lane] = static_cast<float>(v.x());
-    to.y[lane] = static_cast<float>(v.y());
-    to.z[lane] = static_cast<float>(v.z());
+    to.x[lane] = static_cast<KeptNumber>(v.x());
+    to.y[lane] = static_cast<KeptNumber>(v.y());
+    to.z[lane] = static_cast<KeptNumber>(v.z());
 }
 
 void setLane(KeptLaneTensor& to, int lane, const Mat3& t) {
-    to.xx[lane] = static_cast<float>(t(0, 0));
-    to.yy[lane] = static_cast<float>(t(1, 1));
-    to.zz[lane] = static_cast<float>(t(2, 2));
-    to.xy[lane] = static_cast<float>(t(0, 1));
-    to.xz[lane] = static_cast<float>(t(0, 2));
-    to.yz[lane] = static_cast<float>(t(1, 2));
+    to.xx[lane] = static_cast<KeptNumber>(t(0, 0));
+    to.yy[lane] = static_cast<KeptNumber>(t(1, 1));
+    to.zz[lane] = static_cast<KeptNumber>(t(2, 2));
+    to.xy[lane] = static_cast<KeptNumber>(t(0, 1));
+    to.xz[lane] = static_cast<KeptNumber>(t(0, 2));
+    to.yz[lane] = static_cast<KeptNumber>(t(1, 2));
 }
 
 void setLane(LanePoint& to, int lane, const SolverPoint& p) {
     setLane(to.fromA, lane, p.fromA);
     setLane(to.fromB, lane, p.fromB);
-    to.separation[lane] = to.now[lane] = static_cast<float>(p.separation);
-    to.normalMass[lane] = static_cast<float>(p.normalMass);
+    to.separation[lane] = to.now[lane] = p.separation;
+    to.normalMass[lane] = static_cast<KeptNumber>(p.normalMass);
     to.normalImpulse[lane] = p.normalImpulse;
-    to.before[lane] = static_cast<float>(p.normalImpulse);
+    to.before[lane] = static_cast<KeptNumber>(p.normalImpulse);
     for (int t = 0; t < 2; ++t) {
-        to.tangentMass[t][lane] = static_cast<float>(p.tangentMass[t]);
+        to.tangentMass[t][lane] = static_cast<KeptNumber>(p.tangentMass[t]);
         to.tangentImpulse[t][lane] = p.tangentImpulse[t];
     }
 }
@@ -291,22 +290,22 @@ void SoftSolver::fillLanes(const Group& group, LaneContacts& lanes) {
         setLane(lanes.normal, lane, c.normal);
         setLane(lanes.tangent[0], lane, c.tangent[0]);
         setLane(lanes.tangent[1], lane, c.tangent[1]);
-        setLane(lanes.inverseInertiaA, lane, c.yieldA * a.inverseInertia);
-        setLane(lanes.inverseInertiaB, lane, c.yieldB * b.inverseInertia);
-        lanes.friction[lane] = static_cast<float>(c.friction);
-        lanes.inverseMassA[lane] = c.yieldA * a.inverseMass;
-        lanes.inverseMassB[lane] = c.yieldB * b.inverseMass;
-        lanes.weight[lane] = static_cast<float>(c.weight);
-        lanes.biasRate[lane] = static_cast<float>(c.biasRate);
-        lanes.massScale[lane] = static_cast<float>(c.massScale);
-        lanes.impulseScale[lane] = static_cast<float>(c.impulseScale);
-        lanes.parting[lane] = static_cast<float>(c.parting);
-        lanes.partingLimit[lane] = static_cast<float>(c.partingLimit);
-        lanes.lift[lane] = static_cast<float>(c.lift);
-        lanes.impulseLimit[lane] = c.impulseLimit < 0.0 ? unlimited : static_cast<float>(c.impulseLimit);
-        lanes.bookedShare[lane] = c.booked ? 1.0f : 0.0f;
-        lanes.drivenByA[lane] = c.driven && a.inverseMass == 0.0 ? 1.0f : 0.0f;
-        lanes.drivenByB[lane] = c.driven && a.inverseMass != 0.0 ? 1.0f : 0.0f;
+        setLane(lanes.inverseInertiaA, lane, a.inverseInertia);
+        setLane(lanes.inverseInertiaB, lane, b.inverseInertia);
+        lanes.friction[lane] = static_cast<KeptNumber>(c.friction);
+        lanes.inverseMassA[lane] = a.inverseMass;
+        lanes.inverseMassB[lane] = b.inverseMass;
+        lanes.weight[lane] = static_cast<KeptNumber>(c.weight);
+        lanes.biasRate[lane] = static_cast<KeptNumber>(c.biasRate);
+        lanes.massScale[lane] = static_cast<KeptNumber>(c.massScale);
+        lanes.impulseScale[lane] = static_cast<KeptNumber>(c.impulseScale);
+        lanes.parting[lane] = static_cast<KeptNumber>(c.parting);
+        lanes.partingLimit[lane] = static_cast<KeptNumber>(c.partingLimit);
+        lanes.lift[lane] = static_cast<KeptNumber>(c.lift);
+        lanes.impulseLimit[lane] = c.impulseLimit < 0.0 ? unlimited : static_cast<KeptNumber>(c.impulseLimit);
+        lanes.bookedShare[lane] = c.booked ? 1 : 0;
+        lanes.drivenByA[lane] = c.driven && a.inverseMass == 0.0 ? 1 : 0;
+        lanes.drivenByB[lane] = c.driven && a.inverseMass != 0.0 ? 1 : 0;
         lanes.booked = lanes.booked || c.booked || c.driven;
         for (std::uint32_t k = 0; k < c.points; ++k) {
             setLane(m_lanePoints[first + k], lane, points[c.firstPoint + k]);

@@ -18,6 +18,7 @@ struct SolverBody {
     Vec3 turned = Vec3::Zero();          ///< rad, since the start of the step
     double inverseMass = 0.0;            ///< 1/kg
     Mat3 inverseInertia = Mat3::Zero();  ///< 1/(kg m2), world axes
+    double yield = 1.0;                  ///< share of the true inverse mass and inertia that the two above are
     bool active = false;                 ///< a contact acts on it in this substep
 };
 
@@ -46,8 +47,6 @@ struct SolverContact {
     double frequency = 0.0;     ///< Hz, of the contact as an oscillator, at least
     double sinkAllowed = 0.0;   ///< m, by which the load may press the two into each other; stiffer if it takes that
     double weight = 0.0;        ///< N s, impulse of the lighter body's weight in a substep
-    double yieldA = 1.0;        ///< share of a's inverse mass that this contact sees
-    double yieldB = 1.0;        ///< share of b's
     double biasRate = 0.0;      ///< 1/s, of the soft pass
     double massScale = 1.0;     ///< of the soft pass
     double impulseScale = 0.0;  ///< of the soft pass

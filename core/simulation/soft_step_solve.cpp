@@ -213,6 +213,7 @@ std::vector<SoftStepWorld::Taken> SoftStepWorld::takeContacts() {
 void SoftStepWorld::buildSolver(double h) {
     takeBodies();
     const std::vector<Taken> taken = takeContacts();
+    weighDown(taken);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ends(taken.size());
     std::transform(taken.begin(), taken.end(), ends.begin(), [](const Taken& x) { return std::pair{x.a, x.b}; });
     ContactColours colours;
@@ -264,7 +265,6 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
     c.frequency = immovable ? 2.0 * frequency : frequency;
     c.sinkAllowed = sinkAllowed(contact);
     c.weight = m_settings.gravity * h / std::max(m_solver.bodies[c.a].inverseMass, m_solver.bodies[c.b].inverseMass);
-    stiffenBelow(contact, c);
     if (c.driven) {
         const double mass = 1.0 / solidOf(pieceIsA ? *contact.b : *contact.a).inverseMass;
         const double dt = h * m_substeps;
@@ -277,8 +277,7 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
         c.impulseLimit = mass * speed / (contact.count * (carrying ? 1 : m_substeps * std::max(1, pieces)));
     }
     // What a body carried while it counted as heavier must not hit it when it no longer does.
-    const double carried =
-        (m_substepLength > 0.0 ? h / m_substepLength : 1.0) * std::min(1.0, contact.yield / std::min(c.yieldA, c.yieldB));
+    const double carried = (m_substepLength > 0.0 ? h / m_substepLength : 1.0) * std::min(1.0, contact.yield / yieldOf(c));
     const auto centreOf = [&](const Collider& collider) {
         return collider.kind == ColliderKind::Ground ? Vec3(Vec3::Zero()) : solidOf(collider).pose.position;
     };
@@ -302,23 +301,32 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
 }
 
 /// A light body that stands on something cannot be pressed away by a heavy one above it; passes over pairs alone would take as many
-/// rounds as the ratio of the masses to find that out.
-void SoftStepWorld::stiffenBelow(const SoftContact& contact, SolverContact& c) {
-    if (contact.a->kind != ColliderKind::Body || contact.b->kind != ColliderKind::Body) {
-        return;
+/// rounds as the ratio of the masses to find that out. It counts as heavier, from the top of a stack down, and in all its contacts
+/// alike: were it heavy in one and light in another, their impulses would outgrow each other.
+void SoftStepWorld::weighDown(const std::vector<Taken>& taken) {
+    for (auto entry = taken.rbegin(); entry != taken.rend(); ++entry) {
+        const SoftContact& contact = m_contacts[entry->contact];
+        if (entry->a >= m_awake.size() || entry->b >= m_awake.size() || std::abs(contact.normal.z()) <= supportingNormal) {
+            continue;
+        }
+        const bool aBelow = contact.normal.z() > 0.0;
+        SolverBody& below = m_solver.bodies[aBelow ? entry->a : entry->b];
+        const double share = mostMassRatio * m_solver.bodies[aBelow ? entry->b : entry->a].inverseMass / below.inverseMass;
+        if (share >= 1.0) {
+            continue;
+        }
+        const Solid& solid = solidOf(aBelow ? *contact.a : *contact.b);
+        // One that moves would hand on more momentum than it has.
+        if (solid.supported && solid.velocity.norm() + solid.spin.norm() * solid.collider->radius <= standingSpeed) {
+            below.inverseMass *= share;
+            below.inverseInertia *= share;
+            below.yield *= share;
+        }
     }
-    const bool aBelow = contact.normal.z() > 0.0;
-    const Solid& below = solidOf(aBelow ? *contact.a : *contact.b);
-    const Solid& above = solidOf(aBelow ? *contact.b : *contact.a);
-    // One that moves would hand on more momentum than it has.
-    const double speed = below.velocity.norm() + below.spin.norm() * below.collider->radius;
-    if (speed > standingSpeed) {
-        return;
-    }
-    const double ratio = above.slot >= 0 ? below.inverseMass / above.inverseMass : 0.0;
-    if (ratio > mostMassRatio && below.supported && std::abs(contact.normal.z()) > supportingNormal) {
-        (aBelow ? c.yieldA : c.yieldB) = mostMassRatio / ratio;
-    }
+}
+
+double SoftStepWorld::yieldOf(const SolverContact& c) const {
+    return std::min(m_solver.bodies[c.a].yield, m_solver.bodies[c.b].yield);
 }
 
 void SoftStepWorld::noteSupport(const SolverContact& c) {
@@ -356,7 +364,7 @@ bool SoftStepWorld::unloads(const SoftContact& contact) const {
 
 void SoftStepWorld::takeResult(const SolverContact& c, Outcome& outcome) {
     SoftContact& contact = m_contacts[c.found];
-    contact.yield = std::min(c.yieldA, c.yieldB);
+    contact.yield = yieldOf(c);
     outcome = {};
     for (std::uint32_t k = 0; k < c.points; ++k) {
         const SolverPoint& p = m_solver.points[c.firstPoint + k];
@@ -442,61 +450,70 @@ void SoftStepWorld::bookPiece(SoftContact& contact, const SolverContact& c, doub
     }
 }
 
-/// No body leaves a step faster than what it touches, directly or through others, could make it: a light body between heavy ones
-/// keeps what is left over when their passes have not converged, and would be shot out.
-void SoftStepWorld::limitSpeeds(double dt) {
+/// No body gets faster in a step than what it touches, directly or through others, could make it: a light body between heavy ones
+/// keeps what is left over where their passes have not converged, and would be shot out.
+void SoftStepWorld::boundSpeeds(double dt) {
+    const std::size_t movable = m_awake.size();
     std::vector<double> reach(m_stillSlot + 1, 0.0);
     const auto speedOf = [](const Solid& solid) { return solid.velocity.norm() + solid.spin.norm() * solid.collider->radius; };
-    for (std::size_t i = 0; i < m_awake.size(); ++i) {
+    for (std::size_t i = 0; i < movable; ++i) {
         reach[i] = speedOf(m_bodies[m_awake[i]]);
     }
     for (std::size_t i = 0; i < m_moving.size(); ++i) {
-        reach[m_awake.size() + i] = speedOf(m_pieces[m_moving[i]]);
+        reach[movable + i] = speedOf(m_pieces[m_moving[i]]);
     }
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends(m_solver.contacts.size());
-    std::transform(m_solver.contacts.begin(), m_solver.contacts.end(), ends.begin(),
-                   [](const SolverContact& c) { return std::pair{c.a, c.b}; });
-    const auto spread = [&](const std::pair<std::uint32_t, std::uint32_t>& pair) {
-        const double most = std::max(reach[pair.first], reach[pair.second]);
-        for (const std::uint32_t end : {pair.first, pair.second}) {
-            if (end < m_awake.size()) {
-                reach[end] = most;
-            }
+    const std::vector<SolverContact>& contacts = m_solver.contacts;
+    const auto inverse = [&](std::uint32_t slot) { return m_solver.bodies[slot].inverseMass; };
+    const auto hand = [&](std::uint32_t from, std::uint32_t to) {
+        if (to < movable) {
+            // Of a blow in the middle, two masses m and M: at most 2 M / (m + M) of the speed.
+            const double share = std::min(1.0, 2.0 * inverse(to) / (inverse(to) + inverse(from)));
+            reach[to] = std::max(reach[to], share * reach[from]);
         }
     };
-    // One far lighter than what strikes it has nothing to hand on: only what it touches itself can make it faster.
-    std::vector<double> struck(m_awake.size(), 0.0);
-    for (const SolverContact& c : m_solver.contacts) {
-        const auto own = std::span(m_solver.points).subspan(c.firstPoint, c.points);
-        if (std::none_of(own.begin(), own.end(), [](const SolverPoint& p) { return p.largestImpulse > 0.0; })) {
-            continue;
-        }
-        for (const auto& [light, heavy] : {std::pair{c.a, c.b}, std::pair{c.b, c.a}}) {
-            if (light < m_awake.size() && m_solver.bodies[light].inverseMass > mostMassRatio * m_solver.bodies[heavy].inverseMass &&
-                heavy != m_stillSlot) {
-                const double speed = std::max(reach[heavy], m_solver.bodies[heavy].velocity.norm());
-                struck[light] = std::max(struck[light], (1.0 + c.restitution) * std::max(speed, reach[light]));
+    const auto spread = [&](const SolverContact& c) {
+        hand(c.a, c.b);
+        hand(c.b, c.a);
+    };
+    for (int sweep = 0; sweep < 2; ++sweep) {
+        std::for_each(contacts.begin(), contacts.end(), spread);
+        std::for_each(contacts.rbegin(), contacts.rend(), spread);
+    }
+    std::vector<double> struck(movable, 0.0);  // what is far lighter than what it meets
+    for (const SolverContact& c : contacts) {
+        for (const auto& [to, from] : {std::pair{c.a, c.b}, std::pair{c.b, c.a}}) {
+            if (to < movable && from != m_stillSlot && inverse(to) > mostMassRatio * inverse(from)) {
+                // Seen from what strikes it, it leaves no faster than it came.
+                const Vec3& strikes = m_solver.bodies[from].velocity;
+                const double own = strikes.norm();
+                struck[to] = std::max(struck[to], own + (m_solver.bodies[to].velocity - strikes).norm() +
+                                                      (1.0 + c.restitution) * std::max(0.0, reach[from] - own));
             }
         }
     }
-    for (int sweep = 0; sweep < 2; ++sweep) {
-        std::for_each(ends.begin(), ends.end(), spread);
-        std::for_each(ends.rbegin(), ends.rend(), spread);
+    m_fastest.resize(movable);
+    for (std::size_t i = 0; i < movable; ++i) {
+        m_fastest[i] = (struck[i] > 0.0 ? struck[i] : 2.0 * reach[i]) + pushOutSpeed + 2.0 * m_settings.gravity * dt;
     }
-    for (std::size_t i = 0; i < m_awake.size(); ++i) {
-        SolverBody& body = m_solver.bodies[i];
-        const Solid& solid = m_bodies[m_awake[i]];
-        const double most = (struck[i] > 0.0 ? struck[i] : 2.0 * reach[i]) + pushOutSpeed + 2.0 * m_settings.gravity * dt;
-        const double speed = body.velocity.norm();
-        const double turning = body.spin.norm() * solid.collider->radius;
-        if (speed > most && solid.active) {
-            body.velocity *= most / speed;
-            ++m_report.speedLimits;
-        }
-        if (turning > most && solid.active) {
-            body.spin *= most / turning;
-            ++m_report.speedLimits;
-        }
+}
+
+void SoftStepWorld::holdBack(std::size_t slot) {
+    SolverBody& body = m_solver.bodies[slot];
+    const Solid& solid = m_bodies[m_awake[slot]];
+    if (!solid.active && !body.active) {
+        return;
+    }
+    const double most = m_fastest[slot];
+    const double speed = body.velocity.norm();
+    const double turning = body.spin.norm() * solid.collider->radius;
+    if (speed > most) {
+        body.velocity *= most / speed;
+    }
+    if (turning > most) {
+        body.spin *= most / turning;
+    }
+    if (speed > most || turning > most) {
+        std::atomic_ref(m_report.speedLimits).fetch_add(1, std::memory_order_relaxed);
     }
 }
 

@@ -221,6 +221,7 @@ void SoftStepWorld::substeps(double dt) {
     const double h = dt / m_substeps;
     buildSolver(h);
     m_solver.layOut(h, m_awake.size());
+    boundSpeeds(dt);
     if (m_hook) {
         prepareHook();
     }
@@ -244,7 +245,9 @@ void SoftStepWorld::substeps(double dt) {
     }
     m_solver.takeBack();
     m_solver.restitute(restitutionThreshold);
-    limitSpeeds(dt);
+    for (std::size_t i = 0; i < m_awake.size(); ++i) {
+        holdBack(i);
+    }
     m_substepLength = h;
     m_costs.substepHook += hook;
     m_costs.motion -= hook;
@@ -334,6 +337,7 @@ void SoftStepWorld::runHook(double h) {
 void SoftStepWorld::moveBodies(double h) {
     m_pool.loop(m_awake.size(), 128, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
+            holdBack(i);
             SolverBody& body = m_solver.bodies[i];
             Solid& solid = m_bodies[m_awake[i]];
             Vec3 way = h * body.velocity;

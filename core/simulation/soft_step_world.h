@@ -118,7 +118,8 @@ private:
     bool wakeByContacts();
     void wakeByContact(const SoftContact& contact, std::vector<std::uint32_t>& lifted);
     void wakeAbove(std::vector<std::uint32_t> lifted);
-    void limitSpeeds(double dt);
+    void boundSpeeds(double dt);
+    void holdBack(std::size_t slot);
     void wakeAndCollideAgain(double dt);
     std::vector<Found> foundInOrder() const;
     void takeFound();
@@ -131,7 +132,8 @@ private:
     std::vector<Taken> takeContacts();
     void buildSolver(double h);
     void fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h);
-    void stiffenBelow(const SoftContact& contact, SolverContact& c);
+    void weighDown(const std::vector<Taken>& taken);
+    double yieldOf(const SolverContact& c) const;
     void noteSupport(const SolverContact& c);
     Vec3 loadOf(const SoftContact& contact) const;
     bool unloads(const SoftContact& contact) const;
@@ -167,6 +169,7 @@ private:
     std::vector<char> m_still;            ///< [bodies] frozen or gone
     std::uint32_t m_stillSlot = 0;
     std::vector<char> m_supported, m_supportedNow;  ///< [slots] firm in the step before, in this step; moving pieces never
+    std::vector<double> m_fastest;                  ///< m/s, [slots] that a body may get to in this step
     int m_substeps = 1;                             ///< of this step
     double m_substepLength = 0.0;                   ///< s, of the step before: what the impulses carried on are for
     std::vector<Pair> m_pairs[Kinds];

@@ -12,6 +12,7 @@ Command sizeCommand();
 Command effectsCommand();
 Command runCommand();
 Command influenceCommand();
+Command accuracyCommand();
 Command exportCommand();
 Command figureCommand();
 Command verifyCommand();

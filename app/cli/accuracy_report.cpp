@@ -159,7 +159,8 @@ Json openJson(const AccuracyReport& report) {
 Cell standingCell(const AccuracyPoint& point, Measure measure) {
     const double value = point.difference.of(measure);
     const Standing standing = point.standings[static_cast<std::size_t>(measure)];
-    return {numberOrDash(value) + (standing == Standing::Below ? "~" : ""), exactNumber(value), true};
+    return {standing == Standing::Identical ? "same" : numberOrDash(value) + (standing == Standing::Below ? "~" : ""),
+            exactNumber(value), true};
 }
 
 /// "12 to 18 (15)", or why nothing is said.

@@ -13,6 +13,7 @@ Command effectsCommand();
 Command runCommand();
 Command influenceCommand();
 Command accuracyCommand();
+Command calibrateCommand();
 Command exportCommand();
 Command figureCommand();
 Command verifyCommand();

@@ -17,6 +17,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Share of the machine's time that a live run takes, next to a timed one.
 constexpr double liveWeight = 1.2;
 
+constexpr std::string_view memoryFailure = "accuracy.memory";
+
 double middleOf(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t half = values.size() / 2;
@@ -78,18 +80,13 @@ public:
         }
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return m_worlds[a].weight > m_worlds[b].weight; });
-        PoolShare share{m_options.study.threads, m_options.jobs, {}};
+        simulateTogether(order, m_options.jobs);
+        // What found no memory beside others may find it alone.
+        std::erase_if(order, [&](std::size_t i) { return m_worlds[i].world || !outOfMemory(m_worlds[i]); });
         for (const std::size_t i : order) {
-            share.weights.push_back(m_worlds[i].weight);
+            m_worlds[i].point->failure = {};
         }
-        const bool alone = m_options.jobs == 1 || threads() == 1;
-        runInParallel(order.size(), share,
-                      {"analysis.accuracy", "simulating {0} worlds: the reference, its repeats, the settings", {order.size()}},
-                      m_execution, [&](std::size_t i, const Execution& own) {
-                          SweepWorld& world = m_worlds[order[i]];
-                          simulateOne(world, own);
-                          world.simulatedAlone = alone;
-                      });
+        simulateTogether(order, 1);
     }
 
     /// What the worlds that are there say.
@@ -175,6 +172,23 @@ private:
                            : describeRepeat(m_base, m_options.study, world.repeat, execution);
     }
 
+    void simulateTogether(const std::vector<std::size_t>& order, int jobs) {
+        PoolShare share{m_options.study.threads, jobs};
+        for (const std::size_t i : order) {
+            share.weights.push_back(m_worlds[i].weight);
+        }
+        const bool alone = jobs == 1 || threads() == 1;
+        runInParallel(order.size(), share,
+                      {"analysis.accuracy", "simulating {0} worlds: the reference, its repeats, the settings", {order.size()}},
+                      m_execution, [&](std::size_t i, const Execution& own) {
+                          SweepWorld& world = m_worlds[order[i]];
+                          simulateOne(world, own);
+                          world.simulatedAlone = alone;
+                      });
+    }
+
+    static bool outOfMemory(const SweepWorld& world) { return world.point && world.point->failure.id == memoryFailure; }
+
     bool takeKept(SweepWorld& world) {
         if (!m_options.store) {
             return false;
@@ -214,7 +228,7 @@ private:
         try {
             act();
         } catch (const std::bad_alloc&) {
-            point.failure = {"accuracy.memory", "there was not enough memory for it", {}};
+            point.failure = {std::string(memoryFailure), "there was not enough memory for it", {}};
         } catch (const Error& error) {
             point.failure = error.message();
         }
@@ -243,7 +257,7 @@ private:
         point.fragmentErrors = fragmentErrors(reference.field.debris, measured.field.debris);
         for (std::size_t m = 0; m < measureCount; ++m) {
             const Measure measure = static_cast<Measure>(m);
-            point.standings[m] = &point == &report.reference
+            point.standings[m] = point.trajectoryHash == reference.trajectoryHash
                                      ? Standing::Identical
                                      : standingOf(point.difference.departure(measure), report.floor->largest.departure(measure));
         }

@@ -85,9 +85,9 @@ json pointJson(const KnownPoint& point) {
     for (std::size_t w = 0; w < predictedCount; ++w) {
         values[std::string(predictedKey(static_cast<Predicted>(w)))] = jsonNumber(point.values[w]);
     }
-    return {
-        {"version", formatVersion},       {"scene", point.scene.hex()},   {"machine", point.machine}, {"setting", point.setting},
-        {"parameters", point.parameters}, {"fragments", point.fragments}, {"bodies", point.bodies},   {"values", values}};
+    return {{"version", formatVersion},     {"scene", point.scene.hex()}, {"machine", point.machine},
+            {"threads", point.threads},     {"setting", point.setting},   {"parameters", point.parameters},
+            {"fragments", point.fragments}, {"bodies", point.bodies},     {"values", values}};
 }
 
 KnownPoint pointFrom(const JsonCursor& cursor) {
@@ -97,6 +97,7 @@ KnownPoint pointFrom(const JsonCursor& cursor) {
     KnownPoint point;
     point.scene = digestFrom(cursor["scene"]);
     point.machine = cursor["machine"].text();
+    point.threads = static_cast<int>(cursor["threads"].integer());
     point.setting = cursor["setting"].text();
     for (const auto& [key, value] : cursor["parameters"].members()) {
         point.parameters[key] = value.text();
@@ -190,7 +191,7 @@ std::string StudyFiles::costPath(const WorldOrigin& origin, int threads) const {
 
 std::string StudyFiles::pointPath(const KnownPoint& point) const {
     Hasher hasher;
-    hasher.text(point.machine).value(point.bodies);
+    hasher.text(point.machine).value(point.threads).value(point.bodies);
     for (const auto& [key, value] : point.parameters) {
         hasher.text(key).text(value);
     }

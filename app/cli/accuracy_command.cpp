@@ -66,9 +66,8 @@ std::vector<Predictions> predictAll(const AccuracyReport& report, const std::str
     std::vector<Predictions> all;
     const Digest scene = sceneDigest(report.reference.origin, report.instant);
     for (const AccuracyPoint& point : report.points) {
-        const KnownPoint open = openPoint(scene, machine, point.scenario, point.fragments, point.bodies);
-        std::vector<KnownPoint> others(known.begin(), known.end());
-        std::erase_if(others, [&](const KnownPoint& k) { return k.bodies == open.bodies && k.parameters == open.parameters; });
+        const KnownPoint open = openPoint(scene, machine, point.cost.threads, point.scenario, point.fragments, point.bodies);
+        const std::vector<KnownPoint> others = pointsBut(open, known);
         Predictions& predictions = all.emplace_back();
         for (std::size_t w = 0; w < predictedCount; ++w) {
             predictions[w] = predict(static_cast<Predicted>(w), open, others, calibration ? &*calibration : nullptr);
@@ -128,15 +127,12 @@ ExitCode measureAccuracy(const Arguments& arguments, Session& session) {
     if (!arguments.has("--no-fps")) {
         options.screen = display.screenMaker();
     }
-    // Earlier points are of the scene, which the reference names: nothing is simulated for that.
-    AccuracyOptions planned = options;
-    planned.simulated = false;
-    AccuracyReport report = accuracyStudy(subject.inputs, subject.scenario, {}, planned, session.execution());
     Findings kept;
     const std::optional<Calibration> calibration = files.calibration(options.machine, kept);
-    const Digest scene = sceneDigest(report.reference.origin, options.study.instant);
+    const WorldOrigin reference = originOf(subject.inputs, referenceScenario(subject.scenario), 0, 0.0, options.machine);
+    const Digest scene = sceneDigest(reference, options.study.instant);
     const std::vector<KnownPoint> earlier = files.points(scene, kept);
-    report = accuracyStudy(subject.inputs, subject.scenario, settings, options, session.execution());
+    AccuracyReport report = accuracyStudy(subject.inputs, subject.scenario, settings, options, session.execution());
     keepPoints(files, report);
     report.findings.append(kept);
 

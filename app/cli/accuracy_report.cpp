@@ -363,7 +363,7 @@ void AccuracyOutput::print(std::ostream& out) const {
     }
     if (checks) {
         printHeading(out, "How well the 80 % intervals hold: each of " + englishInteger(static_cast<std::int64_t>(knownPoints)) +
-                              " points predicted from all others");
+                              " points predicted from those of other settings");
         checkTable().print(out);
     }
     Findings findings = allFindings(subject, {});

@@ -158,6 +158,7 @@ private:
         point.fragments = static_cast<std::int64_t>(results.fragments->size());
         point.bodies = static_cast<std::int64_t>(results.clustering->list.size());
         point.origin = origin(point.scenario, 0);
+        point.cost.threads = threads();
         SweepWorld world;
         world.point = &point;
         world.results = std::move(results);
@@ -282,7 +283,6 @@ private:
         if (const auto kept = m_options.store ? m_options.store->cost(point.origin, threads()) : std::nullopt) {
             point.cost = *kept;
         }
-        point.cost.threads = threads();
         const double middle = from + (to - from) * (m_options.timed ? 1.0 : 0.0) / costWeight();
         if (m_options.timed && !point.cost.timed()) {
             if (world.simulatedAlone) {

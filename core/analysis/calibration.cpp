@@ -74,7 +74,7 @@ public:
 private:
     LiveRate drawingAlone(const RunDescription& description) const {
         RunDescription recorded = description;
-        recorded.scenario.simulation.frameRate = m_settings.target;
+        recorded.scenario.simulation.frameRate = 2.0 * m_settings.target;
         recorded.scenario.simulation.settleTime = 0.0;
         const auto trajectory = std::make_shared<MemoryTrajectory>();
         simulate(recorded, *trajectory, m_execution);

@@ -20,6 +20,9 @@ using Clock = std::chrono::steady_clock;
 /// How often the drawing thread looks for a cancel while it waits for a frame.
 constexpr std::chrono::milliseconds lookEvery{50};
 
+/// Frames recorded for each live one: frames stand at the ends of steps, so that recording at the target itself would give fewer.
+constexpr double recordedRate = 2.0;
+
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -246,7 +249,7 @@ LiveRate measureLive(const RunDescription& description, double target, const Scr
     const auto newest = std::make_shared<NewestFrame>(target);
     const std::unique_ptr<LiveScreen> screen = makeScreen ? makeScreen(description, newest) : nullptr;
     RunDescription live = description;
-    live.scenario.simulation.frameRate = target;
+    live.scenario.simulation.frameRate = recordedRate * target;
     const double end = description.fe->times().back();
     std::vector<FrameStamp> frames;
     execution.report(liveStage(), 0.0);

@@ -132,7 +132,7 @@ Digest sceneDigest(const WorldOrigin& reference, DebrisInstant instant) {
     return Hasher().text("scene").digest(reference.key).value(instant).finish();
 }
 
-KnownPoint openPoint(const Digest& scene, const std::string& machine, const Scenario& scenario, std::int64_t fragments,
+KnownPoint openPoint(const Digest& scene, const std::string& machine, int threads, const Scenario& scenario, std::int64_t fragments,
                      std::int64_t bodies) {
     // The grid decides the bodies and nothing else, so it is left out; so is what does not reach the debris.
     static const std::set<std::string_view> left{
@@ -141,6 +141,7 @@ KnownPoint openPoint(const Digest& scene, const std::string& machine, const Scen
     KnownPoint point;
     point.scene = scene;
     point.machine = machine;
+    point.threads = threads;
     point.fragments = fragments;
     point.bodies = bodies;
     point.values.fill(none);
@@ -156,9 +157,17 @@ KnownPoint openPoint(const Digest& scene, const std::string& machine, const Scen
     return point;
 }
 
+std::vector<KnownPoint> pointsBut(const KnownPoint& setting, std::span<const KnownPoint> known) {
+    std::vector<KnownPoint> others(known.begin(), known.end());
+    std::erase_if(others, [&](const KnownPoint& point) {
+        return point.scene == setting.scene && point.bodies == setting.bodies && point.parameters == setting.parameters;
+    });
+    return others;
+}
+
 KnownPoint knownPoint(const AccuracyPoint& point, const AccuracyReport& report) {
-    KnownPoint known = openPoint(sceneDigest(report.reference.origin, report.instant), point.origin.machine, point.scenario,
-                                 point.fragments, point.bodies);
+    KnownPoint known = openPoint(sceneDigest(report.reference.origin, report.instant), point.origin.machine, point.cost.threads,
+                                 point.scenario, point.fragments, point.bodies);
     known.setting = point.setting;
     const auto set = [&known](Predicted what, double value) { known.values[static_cast<std::size_t>(what)] = value; };
     set(Predicted::WallSeconds, point.cost.wallSeconds);
@@ -180,13 +189,14 @@ Prediction predict(Predicted what, const KnownPoint& open, std::span<const Known
     std::set<std::string> numbers;
     for (const KnownPoint& point : known) {
         const bool valued = std::isfinite(point.of(what)) && point.bodies > 0;
-        if (valued && point.scene == open.scene && (!ofTime(what) || point.machine == open.machine) &&
-            sameKind(point, open, numbers)) {
+        if (valued && point.scene == open.scene &&
+            (!ofTime(what) || (point.machine == open.machine && point.threads == open.threads)) && sameKind(point, open, numbers)) {
             alike.push_back(&point);
         }
     }
     if (alike.size() < pointsLeast || alike.size() < 3 + numbers.size()) {
-        const bool curve = what == Predicted::Fps && calibration && calibration->machine == open.machine;
+        const bool curve =
+            what == Predicted::Fps && calibration && calibration->machine == open.machine && calibration->threads == open.threads;
         return curve
                    ? fromCurve(open, *calibration)
                    : notKnown("prediction.few_points", "{0} earlier points with the same settings but for numbers; {1} are needed",
@@ -234,9 +244,7 @@ std::vector<PredictionCheck> checkPredictions(std::span<const KnownPoint> known)
                 continue;
             }
             ++check.points;
-            std::vector<KnownPoint> others(known.begin(), known.end());
-            others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-            const Prediction prediction = predict(check.what, known[i], others, nullptr);
+            const Prediction prediction = predict(check.what, known[i], pointsBut(known[i], known), nullptr);
             if (!prediction.known) {
                 ++check.unknown;
                 continue;

@@ -23,6 +23,7 @@ std::string_view predictedKey(Predicted what);
 struct KnownPoint {
     Digest scene;         ///< what collapses, and when debris is looked at: accuracy holds for one scene only
     std::string machine;  ///< figures of time hold for one machine only
+    int threads = 0;      ///< and for so many threads
     std::string setting;
     std::map<std::string, std::string> parameters;  ///< those that differ from the defaults, the grid left out
     std::int64_t fragments = 0;
@@ -36,8 +37,10 @@ struct KnownPoint {
 KnownPoint knownPoint(const AccuracyPoint& point, const AccuracyReport& report);
 
 /// A setting to be predicted: as a known point, without values.
-KnownPoint openPoint(const Digest& scene, const std::string& machine, const Scenario& scenario, std::int64_t fragments,
+KnownPoint openPoint(const Digest& scene, const std::string& machine, int threads, const Scenario& scenario, std::int64_t fragments,
                      std::int64_t bodies);
+/// All points but those of the same setting of the same scene: what it could be predicted from, had nobody measured it.
+std::vector<KnownPoint> pointsBut(const KnownPoint& setting, std::span<const KnownPoint> known);
 /// The scene that a reference and an instant stand for.
 Digest sceneDigest(const WorldOrigin& reference, DebrisInstant instant);
 
@@ -61,7 +64,7 @@ inline constexpr double predictionChance = 0.8;
 /// there is one. Nothing is said far outside what was measured, nor where the interval would be wider than the value.
 Prediction predict(Predicted what, const KnownPoint& open, std::span<const KnownPoint> known, const Calibration* calibration);
 
-/// How well the intervals hold: each point predicted from all others.
+/// How well the intervals hold: each point predicted from those of other settings.
 struct PredictionCheck {
     Predicted what = Predicted::WallSeconds;
     std::size_t points = 0;   ///< with a value

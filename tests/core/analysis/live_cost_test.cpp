@@ -83,7 +83,7 @@ TEST_F(LiveCost, DrawsOneFrameForEachFrameTimeOnTheCallingThread) {
     const LiveRate rate = measureLive(description, 24.0, noting(), Execution());
     const double first = notes.front().time;
     const double span = inputs.fe->times().back() - first;
-    // One frame for each 1/24 s; a frame stands at the end of the step that passes it, 1/60 s late at most.
+    // One frame for each 1/24 s, give or take one at the ends: a frame stands at the end of the second step at most that passes it.
     EXPECT_NEAR(static_cast<double>(notes.size()), 1.0 + span * 24.0, 1.5);
     EXPECT_EQ(rate.frames, static_cast<std::int64_t>(notes.size()));
     EXPECT_GT(rate.mean, 0.0);
@@ -92,7 +92,7 @@ TEST_F(LiveCost, DrawsOneFrameForEachFrameTimeOnTheCallingThread) {
         EXPECT_EQ(notes[i].thread, std::this_thread::get_id());
         EXPECT_TRUE(i == 0 || (notes[i].time > notes[i - 1].time && notes[i].bodies >= notes[i - 1].bodies));
     }
-    EXPECT_EQ(notes.back().bodies, 12u);
+    EXPECT_GE(notes.back().bodies, 12u) << "a body for each fragment, and the beam once it is released";
 }
 
 TEST_F(LiveCost, RunsWithoutAScreenAndDrawsWithoutARun) {

@@ -17,7 +17,7 @@ Digest sceneOf(int number) {
 }
 
 KnownPoint open(std::int64_t bodies, const Scenario& scenario = {}, int scene = 1) {
-    return openPoint(sceneOf(scene), "here", scenario, 10000, bodies);
+    return openPoint(sceneOf(scene), "here", 2, scenario, 10000, bodies);
 }
 
 KnownPoint known(std::int64_t bodies, Predicted what, double value, const Scenario& scenario = {}, int scene = 1) {
@@ -84,6 +84,9 @@ TEST(Prediction, SaysWhenItDoesNotKnow) {
     KnownPoint elsewhere = open(3000);
     elsewhere.machine = "another machine";
     EXPECT_FALSE(knows(elsewhere, points)) << "figures of time hold for one machine";
+    KnownPoint onFour = open(3000);
+    onFour.threads = 4;
+    EXPECT_FALSE(knows(onFour, points)) << "and for one number of threads";
     EXPECT_TRUE(predict(Predicted::MassMap, elsewhere, points, nullptr).known) << "debris does not depend on the machine";
     Scenario hulls;
     hulls.simulation.shape = ClusterShape::Hull;
@@ -129,6 +132,7 @@ TEST(Prediction, NumbersAreCoordinatesOfTheirOwn) {
 TEST(Prediction, LiveRatesOfAnUnknownSceneComeFromTheCalibration) {
     Calibration calibration;
     calibration.machine = "here";
+    calibration.threads = 2;
     for (const std::int64_t bodies : {500, 1000, 2000, 4000, 8000}) {
         const double typical = 1e5 / static_cast<double>(bodies);
         calibration.points.push_back({PileKind::Typical, bodies, 2.0 * typical, 2.0 * typical, typical});
@@ -144,6 +148,22 @@ TEST(Prediction, LiveRatesOfAnUnknownSceneComeFromTheCalibration) {
         << "how long the collapse is it does not know";
     calibration.machine = "elsewhere";
     EXPECT_FALSE(predict(Predicted::Fps, open(3000), {}, &calibration).known);
+}
+
+// The same setting measured on two numbers of threads has one accuracy: it must not predict itself.
+TEST(Prediction, ASettingDoesNotPredictItself) {
+    RandomNumbers random(9);
+    std::vector<KnownPoint> points = sweep(random, 1, 5, 0.5);
+    const std::vector<PredictionCheck> once = checkPredictions(points);
+    for (const KnownPoint& point : std::vector<KnownPoint>(points)) {
+        points.push_back(point);
+        points.back().threads = 4;
+    }
+    EXPECT_EQ(pointsBut(points[0], points).size(), 8u);
+    const PredictionCheck& mass = once[static_cast<std::size_t>(Predicted::MassMap)];
+    const PredictionCheck twice = checkPredictions(points)[static_cast<std::size_t>(Predicted::MassMap)];
+    EXPECT_EQ(mass.points, 5u);
+    EXPECT_EQ(twice.points, 10u);
 }
 
 TEST(Prediction, KnownPointsHoldWhatAPointOfASweepSays) {

@@ -118,7 +118,7 @@ public:
     void measureCosts() {
         double all = 0.0;
         for (const SweepWorld& world : m_worlds) {
-            all += world.point ? costWeight() * world.weight : 0.0;
+            all += world.point ? world.weight : 0.0;
         }
         double before = 0.0;
         for (SweepWorld& world : m_worlds) {
@@ -126,7 +126,7 @@ public:
                 continue;
             }
             const double from = before / all;
-            before += costWeight() * world.weight;
+            before += world.weight;
             guarded(*world.point, [&] { measureCost(world, from, before / all); });
         }
     }
@@ -144,8 +144,6 @@ private:
     }
 
     int threads() const { return m_options.study.threads > 0 ? m_options.study.threads : m_execution.threads(); }
-
-    double costWeight() const { return (m_options.timed ? 1.0 : 0.0) + (m_options.screen ? liveWeight : 0.0); }
 
     void add(AccuracyPoint& point, Results results) {
         const Sizing& sizing = *results.sizing;
@@ -283,7 +281,7 @@ private:
         if (const auto kept = m_options.store ? m_options.store->cost(point.origin, threads()) : std::nullopt) {
             point.cost = *kept;
         }
-        const double middle = from + (to - from) * (m_options.timed ? 1.0 : 0.0) / costWeight();
+        const double middle = !m_options.timed ? from : m_options.screen ? from + (to - from) / (1.0 + liveWeight) : to;
         if (m_options.timed && !point.cost.timed()) {
             if (world.simulatedAlone) {
                 take(point.cost, *world.world);

@@ -6,7 +6,6 @@
 #include "widgets/figures/palette.h"
 #include "widgets/figures/x_display.h"
 #include "widgets/render/camera.h"
-#include "widgets/render/scene.h"
 
 namespace rubble::figures {
 
@@ -51,6 +50,10 @@ void OffscreenView::draw(double time) {
     m_impl->scene.update(m_impl->view, m_impl->width, m_impl->height);
     m_impl->window->Render();
     m_impl->window->WaitForCompletion();
+}
+
+const render::PaneStatus& OffscreenView::status(render::PaneContent content) const {
+    return m_impl->scene.status(content);
 }
 
 std::string OffscreenView::renderer() const {

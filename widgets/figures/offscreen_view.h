@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "widgets/render/scene_data.h"
+#include "widgets/render/scene.h"
 
 namespace rubble::figures {
 
@@ -19,6 +19,8 @@ public:
 
     /// Draws the data as they are at a time [s] and waits until the picture is done.
     void draw(double time);
+    /// What the last picture showed.
+    const render::PaneStatus& status(render::PaneContent content) const;
     /// What draws, in words of the GL: "llvmpipe (LLVM 15.0.6, 256 bits)".
     std::string renderer() const;
 

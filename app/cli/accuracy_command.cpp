@@ -66,7 +66,8 @@ std::vector<Predictions> predictAll(const AccuracyReport& report, const std::str
     std::vector<Predictions> all;
     const Digest scene = sceneDigest(report.reference.origin, report.instant);
     for (const AccuracyPoint& point : report.points) {
-        const KnownPoint open = openPoint(scene, machine, point.cost.threads, point.scenario, point.fragments, point.bodies);
+        KnownPoint open = openPoint(scene, machine, point.cost.threads, point.scenario, point.fragments, point.bodies);
+        open.span = report.span;
         const std::vector<KnownPoint> others = pointsBut(open, known);
         Predictions& predictions = all.emplace_back();
         for (std::size_t w = 0; w < predictedCount; ++w) {

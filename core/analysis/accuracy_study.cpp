@@ -25,6 +25,15 @@ double middleOf(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
+/// From the first birth to the end of the FE result, s; 0 without fragments.
+double spanOf(const FragmentSet& fragments, double feEnd) {
+    double first = feEnd;
+    for (const Fragment& fragment : fragments.list) {
+        first = std::min(first, fragment.birthTime);
+    }
+    return feEnd - first;
+}
+
 /// One world of a sweep: the reference, one of its repeats, or a setting.
 struct SweepWorld {
     AccuracyPoint* point = nullptr;  ///< null: a repeat
@@ -48,6 +57,7 @@ public:
         m_base = beginStudy(m_inputs, reference, m_options.study, m_execution);
         report.instant = m_options.study.instant;
         report.elements = static_cast<std::int64_t>(m_inputs.fe->mesh().elementCount());
+        report.span = spanOf(*m_base.results.fragments, m_inputs.fe->times().back());
         report.reference.setting = std::string(referenceSetting);
         report.reference.scenario = reference;
         report.points.resize(settings.size());

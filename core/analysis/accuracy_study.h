@@ -60,6 +60,7 @@ struct FloorSpread {
 struct AccuracyReport {
     DebrisInstant instant = DebrisInstant::AtRest;
     std::int64_t elements = 0;
+    double span = 0.0;                 ///< s, from the first birth to the last FE state
     AccuracyPoint reference;           ///< its difference is that from itself
     std::optional<RepeatFloor> floor;  ///< of the repeats that are done; unset without the reference
     FloorSpread spread;

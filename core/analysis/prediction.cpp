@@ -103,19 +103,33 @@ Prediction notKnown(std::string_view id, std::string_view pattern, std::vector<A
     return prediction;
 }
 
+/// Whether the curve of a machine says anything of a quantity.
+bool onCurve(Predicted what, const KnownPoint& open, const Calibration* calibration) {
+    const bool covered = what == Predicted::Fps || (what == Predicted::WallSeconds && open.span > 0.0);
+    return covered && calibration && calibration->machine == open.machine && calibration->threads == open.threads;
+}
+
 /// From the curve of the machine: between what the worst second of the worst pile and the best of a typical one give.
-Prediction fromCurve(const KnownPoint& open, const Calibration& calibration) {
-    const auto typical = calibration.fps(PileKind::Typical, LiveLoad::Both, static_cast<double>(open.bodies));
-    const auto worst = calibration.fps(PileKind::Worst, LiveLoad::Both, static_cast<double>(open.bodies));
+Prediction fromCurve(Predicted what, const KnownPoint& open, const Calibration& calibration) {
+    const LiveLoad load = what == Predicted::Fps ? LiveLoad::Both : LiveLoad::Physics;
+    const auto typical = calibration.fps(PileKind::Typical, load, static_cast<double>(open.bodies));
+    const auto worst = calibration.fps(PileKind::Worst, load, static_cast<double>(open.bodies));
     if (!typical || !worst) {
         return notKnown("prediction.outside_calibration", "{0} bodies are more or fewer than this machine was calibrated with",
                         {open.bodies});
     }
     Prediction prediction;
-    prediction.known = prediction.fromCalibration = true;
+    prediction.fromCalibration = true;
     prediction.low = std::min(typical->low, worst->low);
     prediction.value = typical->value;
     prediction.high = typical->high;
+    if (what == Predicted::WallSeconds) {
+        const double slowest = prediction.low;
+        prediction.low = open.span * calibration.target / prediction.high;
+        prediction.high = (open.span + open.settle) * calibration.target / slowest;
+        prediction.value = (open.span + 0.5 * open.settle) * calibration.target / prediction.value;
+    }
+    prediction.known = true;
     return prediction;
 }
 
@@ -144,6 +158,7 @@ KnownPoint openPoint(const Digest& scene, const std::string& machine, int thread
     point.threads = threads;
     point.fragments = fragments;
     point.bodies = bodies;
+    point.settle = scenario.simulation.settleTime;
     point.values.fill(none);
     for (const Parameter& row : parameterTable()) {
         if (row.stage < Stage::Fragments || row.keyed() || left.contains(row.key)) {
@@ -169,6 +184,7 @@ KnownPoint knownPoint(const AccuracyPoint& point, const AccuracyReport& report) 
     KnownPoint known = openPoint(sceneDigest(report.reference.origin, report.instant), point.origin.machine, point.cost.threads,
                                  point.scenario, point.fragments, point.bodies);
     known.setting = point.setting;
+    known.span = report.span;
     const auto set = [&known](Predicted what, double value) { known.values[static_cast<std::size_t>(what)] = value; };
     set(Predicted::WallSeconds, point.cost.wallSeconds);
     set(Predicted::StepMeanMs, point.cost.stepMeanMs);
@@ -195,10 +211,8 @@ Prediction predict(Predicted what, const KnownPoint& open, std::span<const Known
         }
     }
     if (alike.size() < pointsLeast || alike.size() < 3 + numbers.size()) {
-        const bool curve =
-            what == Predicted::Fps && calibration && calibration->machine == open.machine && calibration->threads == open.threads;
-        return curve
-                   ? fromCurve(open, *calibration)
+        return onCurve(what, open, calibration)
+                   ? fromCurve(what, open, *calibration)
                    : notKnown("prediction.few_points", "{0} earlier points with the same settings but for numbers; {1} are needed",
                               {alike.size(), std::max(pointsLeast, 3 + numbers.size())});
     }

@@ -28,6 +28,8 @@ struct KnownPoint {
     std::map<std::string, std::string> parameters;  ///< those that differ from the defaults, the grid left out
     std::int64_t fragments = 0;
     std::int64_t bodies = 0;
+    double span = 0.0;                            ///< s, from the first birth to the last FE state; 0: not known
+    double settle = 0.0;                          ///< s, at most after that
     std::array<double, predictedCount> values{};  ///< NaN: not known
 
     double of(Predicted what) const { return values[static_cast<std::size_t>(what)]; }

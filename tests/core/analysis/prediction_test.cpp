@@ -146,6 +146,15 @@ TEST(Prediction, LiveRatesOfAnUnknownSceneComeFromTheCalibration) {
     EXPECT_FALSE(predict(Predicted::Fps, open(100000), {}, &calibration).known) << "more than was calibrated";
     EXPECT_FALSE(predict(Predicted::WallSeconds, open(3000), {}, &calibration).known)
         << "how long the collapse is it does not know";
+    // 10 s of collapse and up to 10 s to settle, at 24 frames a second of which a machine makes 2e5 / 3000 = 66.7, or half of them.
+    KnownPoint lasting = open(3000);
+    lasting.span = 10.0;
+    const Prediction wall = predict(Predicted::WallSeconds, lasting, {}, &calibration);
+    ASSERT_TRUE(wall.known);
+    EXPECT_NEAR(wall.value, 15.0 * 24.0 / (2e5 / 3000.0), 0.1);
+    EXPECT_LT(wall.low, 10.0 * 24.0 / (2e5 / 3000.0));
+    EXPECT_GT(wall.high, 20.0 * 24.0 / (1e5 / 3000.0));
+    EXPECT_FALSE(predict(Predicted::MassMap, lasting, {}, &calibration).known) << "of debris it says nothing";
     calibration.machine = "elsewhere";
     EXPECT_FALSE(predict(Predicted::Fps, open(3000), {}, &calibration).known);
 }

@@ -77,7 +77,8 @@ json costJson(const WorldOrigin& origin, const SettingCost& cost) {
             {"ms_per_step_mean", jsonNumber(cost.stepMeanMs)},
             {"ms_per_step_worst", jsonNumber(cost.stepWorstMs)},
             {"fps", jsonNumber(cost.fps)},
-            {"fps_worst", jsonNumber(cost.fpsWorst)}};
+            {"fps_worst", jsonNumber(cost.fpsWorst)},
+            {"others_share", jsonNumber(cost.othersShare)}};
 }
 
 json pointJson(const KnownPoint& point) {
@@ -250,6 +251,7 @@ std::optional<SettingCost> StudyFiles::cost(const WorldOrigin& origin, int threa
         cost.stepWorstMs = cursor["ms_per_step_worst"].anyNumber();
         cost.fps = cursor["fps"].anyNumber();
         cost.fpsWorst = cursor["fps_worst"].anyNumber();
+        cost.othersShare = cursor["others_share"].anyNumber();
         cost.threads = threads;
         return cost;
     });

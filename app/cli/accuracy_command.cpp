@@ -55,6 +55,7 @@ AccuracyOptions parseOptions(const Arguments& arguments) {
     tolerances.erase(std::unique(tolerances.begin(), tolerances.end()), tolerances.end());
     options.jobs = parseCount(arguments, "--jobs", 1, jobsMax, 0);
     options.timed = !arguments.has("--no-timing");
+    options.retimed = arguments.has("--retime");
     options.simulated = !arguments.has("--predict");
     options.machine = io::machineText();
     return options;
@@ -171,6 +172,7 @@ Command accuracyCommand() {
         {"--jobs", "N", false, "worlds at a time for the accuracy (default: one for each thread); no accuracy depends on it"},
         {"--no-fps", "", false, "leave live FPS out: saves drawing each setting once"},
         {"--no-timing", "", false, "leave wall time and ms per step out: saves simulating each setting once more"},
+        {"--retime", "", false, "measure times anew, although they are kept: on a machine that is quiet now"},
         {"--predict", "", false, "simulate nothing: say what earlier points let expect of the settings"},
         {"--check", "", false, "say how well the predicted intervals hold; with no settings named, of earlier points alone"},
         {"--cache", "FOLDER", false, "where worlds and costs are kept (default: RUBBLE_CACHE, else the user's cache)"},

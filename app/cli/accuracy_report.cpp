@@ -130,6 +130,7 @@ Json detailJson(const AccuracyPoint& point, const Predictions* predictions) {
         object["standings"][std::string(measureKey(measure))] = standingName(point.standings[m]);
     });
     object["fps_worst"] = point.cost.fpsWorst;
+    object["others_share"] = point.cost.othersShare;
     object["threads"] = point.cost.threads;
     object["predicted"] = Json();
     if (predictions) {
@@ -285,12 +286,18 @@ TextTable AccuracyOutput::costTable() const {
                      {"ms/step", ""},
                      {"worst", ""},
                      {"live FPS", ""},
-                     {"worst second", ""}});
+                     {"worst second", ""},
+                     {"taken by others", ""}});
     const auto add = [&table](const AccuracyPoint& point) {
         if (point.done) {
-            table.add({textCell(point.setting), integerCell(point.bodies), numberCell(point.cost.wallSeconds),
-                       numberCell(point.cost.stepMeanMs), numberCell(point.cost.stepWorstMs), numberCell(point.cost.fps),
-                       numberCell(point.cost.fpsWorst)});
+            table.add({textCell(point.setting),
+                       integerCell(point.bodies),
+                       numberCell(point.cost.wallSeconds),
+                       numberCell(point.cost.stepMeanMs),
+                       numberCell(point.cost.stepWorstMs),
+                       numberCell(point.cost.fps),
+                       numberCell(point.cost.fpsWorst),
+                       {percentOrDash(point.cost.othersShare), "", true}});
         }
     };
     add(report.reference);

@@ -138,6 +138,12 @@ public:
             const double from = before / all;
             before += world.weight;
             guarded(*world.point, [&] { measureCost(world, from, before / all); });
+            if (world.point->cost.disturbed()) {
+                report.findings.add({"accuracy.disturbed", "Other programs worked on this machine while settings were timed.", {}},
+                                    {"accuracy.disturbed.remedy", "Time them again on a quiet machine with --retime.", {}},
+                                    world.point->setting + ": " + englishNumber(100.0 * world.point->cost.othersShare) +
+                                        " % of the processors' time");
+            }
         }
     }
 
@@ -288,7 +294,8 @@ private:
         AccuracyPoint& point = *world.point;
         const Message stage{"analysis.accuracy_cost", "timing one setting at a time: {0}", {point.setting}};
         m_execution.report(stage, from);
-        if (const auto kept = m_options.store ? m_options.store->cost(point.origin, threads()) : std::nullopt) {
+        if (const auto kept =
+                m_options.store && !m_options.retimed ? m_options.store->cost(point.origin, threads()) : std::nullopt) {
             point.cost = *kept;
         }
         const double middle = !m_options.timed ? from : m_options.screen ? from + (to - from) / (1.0 + liveWeight) : to;
@@ -322,6 +329,7 @@ private:
         }
         cost.fps = rate.mean;
         cost.fpsWorst = rate.worst;
+        cost.othersShare = std::fmax(cost.othersShare, rate.othersShare);
         keep([&](StudyStore& store) { store.keep(world.point->origin, cost); });
     }
 
@@ -330,6 +338,7 @@ private:
         cost.wallSeconds = timed.wallSeconds;
         cost.stepMeanMs = timed.stepMeanMs;
         cost.stepWorstMs = timed.stepWorstMs;
+        cost.othersShare = timed.othersShare;
     }
 
     const Inputs& m_inputs;

@@ -20,6 +20,7 @@ struct AccuracyOptions {
     StudySettings study;
     int jobs = 0;                 ///< worlds at a time for the accuracy columns; 0: one for each thread
     bool simulated = true;        ///< false: only clusters are made, and the report holds nothing that is measured
+    bool retimed = false;         ///< figures of time that are kept do not count
     bool timed = true;            ///< measure wall time and ms per step, one setting at a time
     ScreenMaker screen;           ///< for live FPS; null: not measured
     std::string machine;          ///< in words: what figures of time hold for

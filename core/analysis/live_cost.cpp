@@ -8,6 +8,7 @@
 #include <mutex>
 #include <thread>
 
+#include "core/analysis/machine_load.h"
 #include "core/base/error.h"
 #include "core/trajectory/sink_relay.h"
 
@@ -241,6 +242,7 @@ SettingCost timeRun(const RunDescription& description, const Execution& executio
     cost.wallSeconds = world.wallSeconds;
     cost.stepMeanMs = world.stepMeanMs;
     cost.stepWorstMs = world.stepWorstMs;
+    cost.othersShare = world.othersShare;
     cost.threads = execution.threads();
     return cost;
 }
@@ -258,6 +260,8 @@ LiveRate measureLive(const RunDescription& description, double target, const Scr
         execution.report(liveStage(), std::clamp(done, 0.0, 0.999));
     };
     const Clock::time_point start = Clock::now();
+    const MachineLoad load;
+    double othersShare = 0.0;
     {
         const LiveRun run(std::move(live), *newest, execution.threads());
         while (newest->wait(report)) {
@@ -272,9 +276,12 @@ LiveRate measureLive(const RunDescription& description, double target, const Scr
             }
             report();
         }
+        othersShare = load.othersShare();
     }
     execution.report(liveStage(), 1.0);
-    return rateOf(frames, description);
+    LiveRate rate = rateOf(frames, description);
+    rate.othersShare = othersShare;
+    return rate;
 }
 
 LiveRate measureDrawing(const RunDescription& description, const std::shared_ptr<const TrajectoryReader>& run, double target,

@@ -30,8 +30,9 @@ struct FrameStamp {
 
 /// Frames per second of wall clock.
 struct LiveRate {
-    double mean = std::numeric_limits<double>::quiet_NaN();   ///< from the first to the last birth
-    double worst = std::numeric_limits<double>::quiet_NaN();  ///< of the worst second of wall clock
+    double mean = std::numeric_limits<double>::quiet_NaN();         ///< from the first to the last birth
+    double worst = std::numeric_limits<double>::quiet_NaN();        ///< of the worst second of wall clock
+    double othersShare = std::numeric_limits<double>::quiet_NaN();  ///< of the processors' time, taken by other programs
     std::int64_t frames = 0;
 };
 

@@ -186,9 +186,12 @@ KnownPoint knownPoint(const AccuracyPoint& point, const AccuracyReport& report) 
     known.setting = point.setting;
     known.span = report.span;
     const auto set = [&known](Predicted what, double value) { known.values[static_cast<std::size_t>(what)] = value; };
-    set(Predicted::WallSeconds, point.cost.wallSeconds);
-    set(Predicted::StepMeanMs, point.cost.stepMeanMs);
-    set(Predicted::Fps, point.cost.fps);
+    // What was timed beside other work says what the other work was.
+    if (!point.cost.disturbed()) {
+        set(Predicted::WallSeconds, point.cost.wallSeconds);
+        set(Predicted::StepMeanMs, point.cost.stepMeanMs);
+        set(Predicted::Fps, point.cost.fps);
+    }
     // The reference is at no distance from itself: that says nothing of any other setting.
     if (point.done && point.setting != referenceSetting) {
         set(Predicted::MassMap, point.difference.of(Measure::MassMap));

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/analysis/machine_load.h"
 #include "core/base/build.h"
 #include "core/scenario/parameters.h"
 
@@ -23,10 +24,19 @@ Digest scenarioDigest(const Scenario& scenario) {
 }  // namespace
 
 SettingCost::SettingCost()
-    : wallSeconds(unmeasured), stepMeanMs(unmeasured), stepWorstMs(unmeasured), fps(unmeasured), fpsWorst(unmeasured) {}
+    : wallSeconds(unmeasured),
+      stepMeanMs(unmeasured),
+      stepWorstMs(unmeasured),
+      fps(unmeasured),
+      fpsWorst(unmeasured),
+      othersShare(unmeasured) {}
 
 bool SettingCost::timed() const {
     return std::isfinite(wallSeconds);
+}
+
+bool SettingCost::disturbed() const {
+    return othersShare > MachineLoad::quietBelow;
 }
 
 WorldOrigin originOf(const Inputs& inputs, const Scenario& scenario, std::int64_t repeat, double birthShift,

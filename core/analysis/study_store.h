@@ -34,10 +34,13 @@ struct SettingCost {
     double stepWorstMs;  ///< likewise
     double fps;          ///< live FPS, mean from the first to the last birth
     double fpsWorst;     ///< live FPS of the worst second
+    double othersShare;  ///< of the processors' time that other programs took meanwhile, the larger of both measurements
     int threads = 0;
 
     SettingCost();
     bool timed() const;
+    /// Other programs took so much that the figures say little of the setting.
+    bool disturbed() const;
 };
 
 /// Where a study keeps what took long to make, so that a second start goes on from there. Members may be called from several

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/analysis/machine_load.h"
 #include "core/base/error.h"
 #include "core/clusters/rejoin.h"
 
@@ -57,10 +58,12 @@ RunDescription describeRepeat(const StudyBase& base, const StudySettings& settin
 
 SimulatedWorld simulateDebris(const RunDescription& description, const Execution& execution) {
     const auto start = std::chrono::steady_clock::now();
+    const MachineLoad load;
     DebrisRecorder recorder;
     const SimulationResult result = simulate(description, recorder, execution);
     SimulatedWorld world;
     world.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    world.othersShare = load.othersShare();
     world.trajectoryHash = result.trajectoryHash;
     world.endTime = result.endTime;
     world.stepMeanMs = result.stepTimes.meanMs;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/analysis/collapse_plan.h"
@@ -21,12 +22,13 @@ struct StudySettings {
 /// What a simulated world leaves behind, whatever is measured on it later: it can be kept on disk and taken up again.
 struct SimulatedWorld {
     Digest trajectoryHash;
-    double endTime = 0.0;         ///< s
-    double wallSeconds = 0.0;     ///< of the simulation
-    double stepMeanMs = 0.0;      ///< from the first to the last birth
-    double stepWorstMs = 0.0;     ///< likewise
-    std::int64_t breaches = 0;    ///< of the limits of health
-    std::int64_t bodiesPeak = 0;  ///< of clusters, at one time
+    double endTime = 0.0;                                           ///< s
+    double wallSeconds = 0.0;                                       ///< of the simulation
+    double stepMeanMs = 0.0;                                        ///< from the first to the last birth
+    double stepWorstMs = 0.0;                                       ///< likewise
+    double othersShare = std::numeric_limits<double>::quiet_NaN();  ///< of the processors' time, taken by other programs
+    std::int64_t breaches = 0;                                      ///< of the limits of health
+    std::int64_t bodiesPeak = 0;                                    ///< of clusters, at one time
     Debris atRest;
     Debris atFeEnd;
 

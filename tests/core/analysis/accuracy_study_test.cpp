@@ -203,6 +203,11 @@ TEST_F(AccuracyStudy, CostsAreMeasuredOnceAndTakenUp) {
     EXPECT_EQ(screens, 4) << "nothing is measured twice";
     EXPECT_EQ(second.points[0].cost.wallSeconds, first.points[0].cost.wallSeconds);
     EXPECT_EQ(second.points[0].cost.fps, first.points[0].cost.fps);
+    store.costs[first.points[0].origin.key].othersShare = 0.5;
+    EXPECT_GE(study().findings.count("accuracy.disturbed"), 1);
+    options.retimed = true;
+    study();
+    EXPECT_EQ(screens, 8) << "everything is measured again";
 }
 
 TEST_F(AccuracyStudy, WithoutADisplayEverythingElseIsMeasured) {

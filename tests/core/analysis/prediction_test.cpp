@@ -199,6 +199,11 @@ TEST(Prediction, KnownPointsHoldWhatAPointOfASweepSays) {
     EXPECT_EQ(ofReference.of(Predicted::WallSeconds), 7.0);
     EXPECT_TRUE(std::isnan(ofReference.of(Predicted::CoreIou))) << "its distance from itself says nothing of others";
     EXPECT_EQ(kept.scene, ofReference.scene);
+    point.cost.wallSeconds = 9.0;
+    EXPECT_EQ(knownPoint(point, report).of(Predicted::WallSeconds), 9.0);
+    point.cost.othersShare = 0.4;
+    EXPECT_TRUE(std::isnan(knownPoint(point, report).of(Predicted::WallSeconds))) << "timed beside other work";
+    EXPECT_EQ(knownPoint(point, report).of(Predicted::MassMap), 0.2);
     AccuracyReport atFeEnd = report;
     atFeEnd.instant = DebrisInstant::AtFeEnd;
     EXPECT_NE(knownPoint(point, atFeEnd).scene, kept.scene);

@@ -126,10 +126,15 @@ json calibrationJson(const Calibration& calibration) {
                           {"drawing_fps", jsonNumber(point.drawingFps)},
                           {"live_fps", jsonNumber(point.liveFps)}});
     }
-    return {{"version", formatVersion},         {"machine", calibration.machine},
-            {"renderer", calibration.renderer}, {"build", calibration.build},
-            {"threads", calibration.threads},   {"target_fps", calibration.target},
-            {"complete", calibration.complete}, {"points", points}};
+    return {{"version", formatVersion},
+            {"machine", calibration.machine},
+            {"renderer", calibration.renderer},
+            {"build", calibration.build},
+            {"threads", calibration.threads},
+            {"others_share", jsonNumber(calibration.othersShare)},
+            {"target_fps", calibration.target},
+            {"complete", calibration.complete},
+            {"points", points}};
 }
 
 Calibration calibrationFrom(const JsonCursor& cursor) {
@@ -141,6 +146,7 @@ Calibration calibrationFrom(const JsonCursor& cursor) {
     calibration.renderer = cursor["renderer"].text();
     calibration.build = cursor["build"].text();
     calibration.threads = static_cast<int>(cursor["threads"].integer());
+    calibration.othersShare = cursor["others_share"].anyNumber();
     calibration.target = cursor["target_fps"].number();
     calibration.complete = cursor["complete"].flag();
     for (const JsonCursor& row : cursor["points"].elements()) {

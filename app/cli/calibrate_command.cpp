@@ -78,6 +78,7 @@ void printCalibration(std::ostream& out, const Calibration& calibration, const s
     facts.add("machine", calibration.machine);
     facts.add("drawn by", calibration.renderer.empty() ? "nothing could be drawn" : calibration.renderer);
     facts.add("threads", std::to_string(calibration.threads));
+    facts.add("taken by others", percentOrDash(calibration.othersShare));
     facts.print(out);
     printHeading(out, "Frames per second of " + englishNumber(1.0 / calibration.target) +
                           " s of collapse each: typical pile in the mean, worst pile in its worst second");
@@ -115,6 +116,7 @@ Json calibrationJson(const Calibration& calibration, const std::string& path) {
     object["machine"] = calibration.machine;
     object["renderer"] = calibration.renderer.empty() ? Json() : Json(calibration.renderer);
     object["threads"] = calibration.threads;
+    object["others_share"] = calibration.othersShare;
     object["fps_target"] = calibration.target;
     object["complete"] = calibration.complete;
     object["points"] = Json::array();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/analysis/machine_load.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/fe/block_scene.h"
@@ -95,6 +96,10 @@ std::string_view pileName(PileKind kind) {
 
 double CalibrationPoint::fps(LiveLoad load) const {
     return load == LiveLoad::Physics ? physicsFps : load == LiveLoad::Drawing ? drawingFps : liveFps;
+}
+
+bool Calibration::disturbed() const {
+    return othersShare > MachineLoad::quietBelow;
 }
 
 std::optional<FitInterval> Calibration::fps(PileKind pile, LiveLoad load, double bodies) const {
@@ -201,6 +206,7 @@ Calibration calibrate(const CalibrationSettings& settings, const Execution& exec
         all += 2.0 * static_cast<double>(n);
     }
     double before = 0.0;
+    const MachineLoad load;
     try {
         // A measurement has several stages; only whole ones move the line on.
         const Execution own([&](const Progress&) {
@@ -217,6 +223,14 @@ Calibration calibrate(const CalibrationSettings& settings, const Execution& exec
         calibration.complete = true;
     } catch (const Cancelled&) {
         // What was measured by now is reported.
+    }
+    calibration.othersShare = load.othersShare();
+    if (calibration.disturbed()) {
+        calibration.findings.add({"calibration.disturbed",
+                                  "Other programs worked on this machine while it was measured: nothing is predicted from this.",
+                                  {}},
+                                 {"calibration.disturbed.remedy", "Measure again when the machine is quiet.", {}},
+                                 englishNumber(100.0 * calibration.othersShare) + " % of the processors' time");
     }
     const auto drawn = [](const CalibrationPoint& point) { return std::isfinite(point.liveFps); };
     if (settings.renderer && std::any_of(calibration.points.begin(), calibration.points.end(), drawn)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,8 +41,12 @@ struct Calibration {
     int threads = 0;
     double target = 24.0;  ///< frames per second of the collapse that were asked for
     std::vector<CalibrationPoint> points;
+    double othersShare = std::numeric_limits<double>::quiet_NaN();  ///< of the processors' time, taken by other programs meanwhile
     Findings findings;
     bool complete = false;  ///< false after a cancel
+
+    /// Other programs took so much that the curve says little of the machine: nothing is predicted from it.
+    bool disturbed() const;
 
     /// FPS at a number of bodies with their 80 % interval; unset with fewer than three points, and further than 1.5 times beyond
     /// them.

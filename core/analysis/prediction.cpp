@@ -111,6 +111,9 @@ bool onCurve(Predicted what, const KnownPoint& open, const Calibration* calibrat
 
 /// From the curve of the machine: between what the worst second of the worst pile and the best of a typical one give.
 Prediction fromCurve(Predicted what, const KnownPoint& open, const Calibration& calibration) {
+    if (calibration.disturbed()) {
+        return notKnown("prediction.calibration_disturbed", "this machine was busy with other work when it was calibrated");
+    }
     const LiveLoad load = what == Predicted::Fps ? LiveLoad::Both : LiveLoad::Physics;
     const auto typical = calibration.fps(PileKind::Typical, load, static_cast<double>(open.bodies));
     const auto worst = calibration.fps(PileKind::Worst, load, static_cast<double>(open.bodies));

@@ -226,6 +226,7 @@ TEST_F(StudyFilesTest, ACalibrationIsKeptForItsMachine) {
     calibration.renderer = "llvmpipe";
     calibration.build = "some build";
     calibration.threads = 2;
+    calibration.othersShare = 0.03;
     calibration.complete = true;
     calibration.points = {{PileKind::Typical, 500, 100.0, 50.0, 33.0}, {PileKind::Worst, 500, 40.0, none, none}};
     files.keep(calibration);
@@ -235,6 +236,7 @@ TEST_F(StudyFilesTest, ACalibrationIsKeptForItsMachine) {
     EXPECT_EQ(back->points[0].liveFps, 33.0);
     EXPECT_EQ(back->points[1].pile, PileKind::Worst);
     EXPECT_TRUE(std::isnan(back->points[1].liveFps));
+    EXPECT_EQ(back->othersShare, 0.03);
     EXPECT_EQ(back->renderer, "llvmpipe");
     EXPECT_FALSE(files.calibration("another machine", findings));
     EXPECT_TRUE(findings.empty());

@@ -155,6 +155,10 @@ TEST(Prediction, LiveRatesOfAnUnknownSceneComeFromTheCalibration) {
     EXPECT_LT(wall.low, 10.0 * 24.0 / (2e5 / 3000.0));
     EXPECT_GT(wall.high, 20.0 * 24.0 / (1e5 / 3000.0));
     EXPECT_FALSE(predict(Predicted::MassMap, lasting, {}, &calibration).known) << "of debris it says nothing";
+    calibration.othersShare = 0.3;
+    EXPECT_EQ(predict(Predicted::Fps, open(3000), {}, &calibration).reason.id, "prediction.calibration_disturbed");
+    calibration.othersShare = 0.02;
+    EXPECT_TRUE(predict(Predicted::Fps, open(3000), {}, &calibration).known);
     calibration.machine = "elsewhere";
     EXPECT_FALSE(predict(Predicted::Fps, open(3000), {}, &calibration).known);
 }

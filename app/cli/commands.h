@@ -12,6 +12,8 @@ Command sizeCommand();
 Command effectsCommand();
 Command runCommand();
 Command influenceCommand();
+Command accuracyCommand();
+Command calibrateCommand();
 Command exportCommand();
 Command figureCommand();
 Command verifyCommand();

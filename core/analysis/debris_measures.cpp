@@ -163,17 +163,21 @@ double median(std::vector<double> values) {
     return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
+UsageError notComparable(const Debris& first, const Debris& second) {
+    return UsageError({"analysis.not_comparable",
+                       "Debris of {0} fragments cannot be compared with debris of {1}: they are of different collapses, or were "
+                       "measured in different ways.",
+                       {first.fragments.size(), second.fragments.size()}},
+                      {"analysis.not_comparable.remedy", "Compare runs of the same FE result with the same cells and shares.", {}});
+}
+
 /// Distances of the fragments and the share of them within each tolerance.
 void comparePlaces(const Debris& first, const Debris& second, DebrisDifference& difference) {
-    std::vector<double> distances;
+    std::vector<double> distances = fragmentErrors(first, second);
+    std::erase_if(distances, [](double distance) { return std::isnan(distance); });
     std::size_t either = 0;
     for (std::size_t f = 0; f < first.fragments.size(); ++f) {
-        const DebrisFragment& a = first.fragments[f];
-        const DebrisFragment& b = second.fragments[f];
-        either += a.present || b.present;
-        if (a.present && b.present) {
-            distances.push_back((b.centre - a.centre).norm());
-        }
+        either += first.fragments[f].present || second.fragments[f].present;
     }
     for (const double tolerance : difference.tolerances) {
         const auto within = std::count_if(distances.begin(), distances.end(), [&](double d) { return d < tolerance; });
@@ -215,12 +219,7 @@ double DebrisDifference::departure(Measure measure) const {
 
 DebrisDifference compareDebris(const DebrisField& first, const DebrisField& second) {
     if (first.debris.fragments.size() != second.debris.fragments.size() || !sameSettings(first.settings, second.settings)) {
-        throw UsageError(
-            {"analysis.not_comparable",
-             "Debris of {0} fragments cannot be compared with debris of {1}: they are of different collapses, or were "
-             "measured in different ways.",
-             {first.debris.fragments.size(), second.debris.fragments.size()}},
-            {"analysis.not_comparable.remedy", "Compare runs of the same FE result with the same cells and shares.", {}});
+        throw notComparable(first.debris, second.debris);
     }
     DebrisDifference difference;
     difference.tolerances = first.settings.tolerances;
@@ -233,6 +232,21 @@ DebrisDifference compareDebris(const DebrisField& first, const DebrisField& seco
     difference.of(Measure::CentroidShift) = (second.figures.centroid - first.figures.centroid).norm();
     comparePlaces(first.debris, second.debris, difference);
     return difference;
+}
+
+std::vector<double> fragmentErrors(const Debris& first, const Debris& second) {
+    if (first.fragments.size() != second.fragments.size()) {
+        throw notComparable(first, second);
+    }
+    std::vector<double> errors(first.fragments.size(), none);
+    for (std::size_t f = 0; f < errors.size(); ++f) {
+        const DebrisFragment& a = first.fragments[f];
+        const DebrisFragment& b = second.fragments[f];
+        if (a.present && b.present) {
+            errors[f] = (b.centre - a.centre).norm();
+        }
+    }
+    return errors;
 }
 
 DebrisDifference largerOf(const DebrisDifference& a, const DebrisDifference& b) {

@@ -82,6 +82,10 @@ struct DebrisDifference {
 /// Throws UsageError if they are not of the same number of fragments, or the settings differ.
 DebrisDifference compareDebris(const DebrisField& first, const DebrisField& second);
 
+/// Distance of each fragment between its two places, m; NaN where it is absent from either. This is what a view colours by and what
+/// the accuracy rate counts. Throws UsageError if the two are not of the same number of fragments.
+std::vector<double> fragmentErrors(const Debris& first, const Debris& second);
+
 /// The larger departure of each measure, the smaller accuracy rate; what is NaN in one is taken from the other.
 DebrisDifference largerOf(const DebrisDifference& a, const DebrisDifference& b);
 

@@ -121,7 +121,7 @@ InfluenceReport influence(const Inputs& inputs, const Scenario& scenario, std::s
             return i <= repeats ? describeRepeat(base, settings, static_cast<int>(i), own)
                                 : describeRun(base.inputs, switched[i - repeats - 1].scenario, base.results);
         };
-        runInParallel(worlds.size(), settings.threads,
+        runInParallel(worlds.size(), {settings.threads},
                       {"analysis.influence",
                        "simulating {0} worlds: the run, {1} repeats, {2} effects switched",
                        {worlds.size(), repeats, switched.size()}},

@@ -40,7 +40,7 @@ RepeatFloor repeatFloor(const Inputs& inputs, const Scenario& scenario, const St
     const StudyBase base = beginStudy(inputs, scenario, settings, execution);
     const std::size_t worlds = 1 + static_cast<std::size_t>(settings.repeats);
     std::vector<std::optional<StudyWorld>> done(worlds);
-    runInParallel(worlds, settings.threads, {"analysis.floor", "simulating {0} worlds for the repeat floor", {worlds}}, execution,
+    runInParallel(worlds, {settings.threads}, {"analysis.floor", "simulating {0} worlds for the repeat floor", {worlds}}, execution,
                   [&](std::size_t i, const Execution& own) {
                       const RunDescription description =
                           i == 0 ? describeBase(base) : describeRepeat(base, settings, static_cast<int>(i), own);

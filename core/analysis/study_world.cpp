@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/analysis/machine_load.h"
 #include "core/base/error.h"
 #include "core/clusters/rejoin.h"
 
@@ -55,18 +56,38 @@ RunDescription describeRepeat(const StudyBase& base, const StudySettings& settin
     return describeRun(base.inputs, shifted, results);
 }
 
-StudyWorld simulateWorld(const RunDescription& description, const StudyBase& base, const StudySettings& settings,
-                         const Execution& execution) {
+SimulatedWorld simulateDebris(const RunDescription& description, const Execution& execution) {
     const auto start = std::chrono::steady_clock::now();
+    const MachineLoad load;
     DebrisRecorder recorder;
     const SimulationResult result = simulate(description, recorder, execution);
-    StudyWorld world;
+    SimulatedWorld world;
     world.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    world.othersShare = load.othersShare();
     world.trajectoryHash = result.trajectoryHash;
     world.endTime = result.endTime;
+    world.stepMeanMs = result.stepTimes.meanMs;
+    world.stepWorstMs = result.stepTimes.worstMs;
     world.breaches = static_cast<std::int64_t>(result.health.breaches.size());
-    world.field = measureDebris(recorder.debris(settings.instant), base.plan, base.ground, settings.measures);
+    world.bodiesPeak = result.bodiesPeak;
+    world.atRest = recorder.debris(DebrisInstant::AtRest);
+    world.atFeEnd = recorder.debris(DebrisInstant::AtFeEnd);
     return world;
+}
+
+StudyWorld measureWorld(const SimulatedWorld& world, const StudyBase& base, const StudySettings& settings) {
+    StudyWorld measured;
+    measured.trajectoryHash = world.trajectoryHash;
+    measured.endTime = world.endTime;
+    measured.wallSeconds = world.wallSeconds;
+    measured.breaches = world.breaches;
+    measured.field = measureDebris(world.debris(settings.instant), base.plan, base.ground, settings.measures);
+    return measured;
+}
+
+StudyWorld simulateWorld(const RunDescription& description, const StudyBase& base, const StudySettings& settings,
+                         const Execution& execution) {
+    return measureWorld(simulateDebris(description, execution), base, settings);
 }
 
 }  // namespace rubble

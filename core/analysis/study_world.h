@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/analysis/collapse_plan.h"
@@ -18,7 +19,23 @@ struct StudySettings {
     int threads = 0;           ///< in all; 0: as many as the execution grants. No result depends on it
 };
 
-/// One simulated world of a study, as far as the study needs it.
+/// What a simulated world leaves behind, whatever is measured on it later: it can be kept on disk and taken up again.
+struct SimulatedWorld {
+    Digest trajectoryHash;
+    double endTime = 0.0;                                           ///< s
+    double wallSeconds = 0.0;                                       ///< of the simulation
+    double stepMeanMs = 0.0;                                        ///< from the first to the last birth
+    double stepWorstMs = 0.0;                                       ///< likewise
+    double othersShare = std::numeric_limits<double>::quiet_NaN();  ///< of the processors' time, taken by other programs
+    std::int64_t breaches = 0;                                      ///< of the limits of health
+    std::int64_t bodiesPeak = 0;                                    ///< of clusters, at one time
+    Debris atRest;
+    Debris atFeEnd;
+
+    const Debris& debris(DebrisInstant instant) const { return instant == DebrisInstant::AtRest ? atRest : atFeEnd; }
+};
+
+/// One simulated world of a study, measured.
 struct StudyWorld {
     Digest trajectoryHash;
     double endTime = 0.0;       ///< s
@@ -51,7 +68,13 @@ RunDescription describeBase(const StudyBase& base);
 /// @param repeat  1, 2, ...: added to the seed of the scenario
 RunDescription describeRepeat(const StudyBase& base, const StudySettings& settings, int repeat, const Execution& execution);
 
-/// Simulates a world and measures its debris; frames are not kept. Throws what simulate() and measureDebris() throw.
+/// Simulates a world; frames are not kept. Throws what simulate() throws.
+SimulatedWorld simulateDebris(const RunDescription& description, const Execution& execution);
+
+/// Measures a world at the instant of the settings. Throws what measureDebris() throws.
+StudyWorld measureWorld(const SimulatedWorld& world, const StudyBase& base, const StudySettings& settings);
+
+/// Both of them.
 StudyWorld simulateWorld(const RunDescription& description, const StudyBase& base, const StudySettings& settings,
                          const Execution& execution);
 

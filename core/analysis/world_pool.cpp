@@ -1,11 +1,13 @@
 #include "core/analysis/world_pool.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <thread>
 #include <vector>
 
@@ -21,8 +23,11 @@ constexpr std::chrono::milliseconds lookEvery{50};
 /// The pieces of work, their threads and how far each is.
 class Pool {
 public:
-    Pool(std::size_t count, int threadsEach, const std::function<void(std::size_t, const Execution&)>& work)
-        : m_work(work), m_fractions(count, 0.0), m_errors(count) {
+    Pool(std::size_t count, int threadsEach, std::vector<double> weights,
+         const std::function<void(std::size_t, const Execution&)>& work)
+        : m_work(work), m_weights(std::move(weights)), m_fractions(count, 0.0), m_errors(count) {
+        m_weights.resize(count, 1.0);
+        m_allWeight = std::accumulate(m_weights.begin(), m_weights.end(), 0.0);
         for (std::size_t i = 0; i < count; ++i) {
             const Execution own([this, i](const Progress& progress) {
                 const std::scoped_lock lock(m_mutex);
@@ -97,12 +102,12 @@ private:
                 continue;
             }
             double done = 0.0;
-            for (const double fraction : m_fractions) {
-                done += fraction;
+            for (std::size_t i = 0; i < m_fractions.size(); ++i) {
+                done += m_weights[i] * m_fractions[i];
             }
             lock.unlock();
             try {
-                execution.report(stage, done / static_cast<double>(m_fractions.size()));
+                execution.report(stage, done / m_allWeight);
             } catch (const Cancelled&) {
                 // Seen again at the top of the loop.
             } catch (...) {
@@ -117,6 +122,8 @@ private:
     std::vector<Execution> m_executions;
     std::mutex m_mutex;
     std::condition_variable m_changed;
+    std::vector<double> m_weights;
+    double m_allWeight = 1.0;
     std::vector<double> m_fractions;
     std::vector<std::exception_ptr> m_errors;
     std::size_t m_next = 0;
@@ -126,15 +133,18 @@ private:
 
 }  // namespace
 
-void runInParallel(std::size_t count, int threads, const Message& stage, const Execution& execution,
+void runInParallel(std::size_t count, const PoolShare& share, const Message& stage, const Execution& execution,
                    const std::function<void(std::size_t, const Execution&)>& work) {
+    assert(share.weights.empty() || share.weights.size() == count);
     execution.check();
     if (count == 0) {
         return;
     }
-    const std::size_t granted = static_cast<std::size_t>(std::max(1, threads > 0 ? threads : execution.threads()));
-    const std::size_t workers = std::min(granted, count);
-    Pool(count, static_cast<int>(granted / workers), work).run(workers, stage, execution);
+    const std::size_t granted = static_cast<std::size_t>(std::max(1, share.threads > 0 ? share.threads : execution.threads()));
+    const std::size_t atOnce = share.atOnce > 0 ? static_cast<std::size_t>(share.atOnce) : granted;
+    const std::size_t workers = std::min(atOnce, count);
+    const int threadsEach = static_cast<int>(std::max<std::size_t>(1, granted / workers));
+    Pool(count, threadsEach, share.weights, work).run(workers, stage, execution);
 }
 
 }  // namespace rubble

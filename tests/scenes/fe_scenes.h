@@ -2,13 +2,13 @@
 
 #include <memory>
 
-#include "core/selftest/block_scene.h"
+#include "core/fe/block_scene.h"
 
 namespace rubble::scenes {
 
-using selftest::Block;
-using selftest::makeScene;
-using selftest::never;
+using blocks::Block;
+using blocks::makeScene;
+using blocks::never;
 
 /// A wall of nx x 1 x nz blocks of 1 m that stands on the ground as part "wall", under a beam "beam" that falls row by row: every
 /// second element of the wall dies at state 2, the rest of it at state 4; the beam stays alive and falls with gravity.

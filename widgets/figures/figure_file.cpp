@@ -153,12 +153,7 @@ struct Studio::Impl {
 };
 
 Studio::Studio(const render::SceneData& data) {
-    if (!displayAvailable()) {
-        throw WorldError({"figure.no_display", "No figure can be drawn: there is no X display that answers", {}},
-                         {"figure.no_display.remedy",
-                          "Set DISPLAY to a running X server, or install xvfb: the command line then starts one itself.",
-                          {}});
-    }
+    requireDisplay();
     m_impl = std::make_unique<Impl>();
     m_impl->window->SetOffScreenRendering(1);
     m_impl->window->SetMultiSamples(samples);

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "core/base/error.h"
+
 namespace rubble::figures {
 
 bool displayAvailable() {
@@ -29,6 +31,15 @@ bool displayAvailable() {
     held = display;
     heldName = name;
     return true;
+}
+
+void requireDisplay() {
+    if (!displayAvailable()) {
+        throw WorldError({"figure.no_display", "No figure can be drawn: there is no X display that answers", {}},
+                         {"figure.no_display.remedy",
+                          "Set DISPLAY to a running X server, or install xvfb: the command line then starts one itself.",
+                          {}});
+    }
 }
 
 }  // namespace rubble::figures

@@ -75,15 +75,18 @@ TEST(Manual, NamesEveryKeyOfEveryJsonObject) {
     const std::string fe = writeSmallCollapse(folder / "small.exo");
     const std::string run = folder / "small.run.h5";
     std::set<std::string> keys;
-    const std::vector<std::vector<std::string>> commandLines{{"inspect", fe},
-                                                             {"size", fe},
-                                                             {"effects", fe},
-                                                             {"run", fe, "--out", run, "--set", "settle_time=0.5"},
-                                                             {"verify", run},
-                                                             {"export", run, "--export", "fragments=" + (folder / "f.csv")},
-                                                             {"self-test", "--only", "free-fall"},
-                                                             {"parameters"},
-                                                             {"inspect", folder / "missing.exo"}};
+    const std::vector<std::vector<std::string>> commandLines{
+        {"inspect", fe},
+        {"size", fe},
+        {"effects", fe},
+        {"run", fe, "--out", run, "--set", "settle_time=0.5"},
+        {"verify", run},
+        {"export", run, "--export", "fragments=" + (folder / "f.csv")},
+        {"self-test", "--only", "free-fall"},
+        {"parameters"},
+        {"accuracy", fe, "--check", "--no-fps", "--multiples", "2", "--set", "settle_time=0.5", "--cache", folder / "cache"},
+        {"calibrate", "--bodies", "8,12,27", "--no-drawing", "--cache", folder / "cache"},
+        {"inspect", folder / "missing.exo"}};
     for (std::vector<std::string> words : commandLines) {
         words.push_back("--json");
         collectKeys(cli(words).json(), keys);

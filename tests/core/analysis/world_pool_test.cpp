@@ -18,16 +18,16 @@ const Message stage{"test.stage", "working", {}};
 TEST(WorldPool, DoesEveryPieceOnceWhateverTheThreads) {
     for (const int threads : {0, 1, 2, 7, 64}) {
         std::vector<int> done(23, 0);
-        runInParallel(done.size(), threads, stage, Execution(), [&](std::size_t i, const Execution&) { ++done[i]; });
+        runInParallel(done.size(), {threads}, stage, Execution(), [&](std::size_t i, const Execution&) { ++done[i]; });
         EXPECT_EQ(done, std::vector<int>(23, 1)) << threads;
     }
-    runInParallel(0, 2, stage, Execution(), [](std::size_t, const Execution&) { FAIL(); });
+    runInParallel(0, {2}, stage, Execution(), [](std::size_t, const Execution&) { FAIL(); });
 }
 
 TEST(WorldPool, WorksOnNoMoreThreadsThanAsked) {
     std::mutex mutex;
     std::set<std::thread::id> ids;
-    runInParallel(30, 2, stage, Execution(), [&](std::size_t, const Execution&) {
+    runInParallel(30, {2}, stage, Execution(), [&](std::size_t, const Execution&) {
         const std::scoped_lock lock(mutex);
         ids.insert(std::this_thread::get_id());
     });
@@ -38,7 +38,7 @@ TEST(WorldPool, WorksOnNoMoreThreadsThanAsked) {
 TEST(WorldPool, SharesTheThreadsAmongThePieces) {
     const auto threadsOfAPiece = [](std::size_t count, int threads, const Execution& execution) {
         std::atomic<int> seen{0};
-        runInParallel(count, threads, stage, execution, [&](std::size_t, const Execution& own) { seen = own.threads(); });
+        runInParallel(count, {threads}, stage, execution, [&](std::size_t, const Execution& own) { seen = own.threads(); });
         return seen.load();
     };
     EXPECT_EQ(threadsOfAPiece(2, 8, Execution()), 4);
@@ -55,7 +55,7 @@ TEST(WorldPool, ReportsFromTheCallingThreadAndNeverBackwards) {
         EXPECT_EQ(progress.stage.id, stage.id);
         fractions.push_back(progress.fraction);
     });
-    runInParallel(4, 2, stage, execution, [&](std::size_t, const Execution& own) {
+    runInParallel(4, {2}, stage, execution, [&](std::size_t, const Execution& own) {
         for (int k = 0; k <= 10; ++k) {
             own.report(stage, k / 10.0);
             std::this_thread::sleep_for(std::chrono::milliseconds(15));
@@ -81,9 +81,9 @@ TEST(WorldPool, CancelReachesEveryPieceAndKeepsWhatIsDone) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
     };
-    EXPECT_THROW(runInParallel(5, 2, stage, execution, work), Cancelled);
+    EXPECT_THROW(runInParallel(5, {2}, stage, execution, work), Cancelled);
     EXPECT_EQ(finished, 1);
-    EXPECT_THROW(runInParallel(5, 2, stage, execution, work), Cancelled) << "nothing begins after a cancel";
+    EXPECT_THROW(runInParallel(5, {2}, stage, execution, work), Cancelled) << "nothing begins after a cancel";
     EXPECT_EQ(finished, 1);
 }
 
@@ -100,7 +100,7 @@ TEST(WorldPool, TheErrorOfTheFirstPieceStopsTheRest) {
         }
     };
     try {
-        runInParallel(40, 2, stage, Execution(), work);
+        runInParallel(40, {2}, stage, Execution(), work);
         FAIL() << "no error came out";
     } catch (const UsageError& error) {
         EXPECT_EQ(error.message().id, "test.broken");

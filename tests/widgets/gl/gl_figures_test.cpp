@@ -10,6 +10,7 @@
 #include "tests/scenes/fe_scenes.h"
 #include "tests/widgets/scenes/ballistic_run.h"
 #include "widgets/figures/figure_file.h"
+#include "widgets/figures/offscreen_view.h"
 #include "widgets/figures/palette.h"
 #include "widgets/render/camera.h"
 
@@ -197,6 +198,24 @@ TEST_F(GlFigures, WithoutADisplayTheErrorNamesTheRemedy) {
         }
     }
     setenv("DISPLAY", display.c_str(), 1);
+}
+
+TEST_F(GlFigures, TheViewForMeasuringDrawsWhatAFigureShows) {
+    OffscreenView view(m_data, 640, 400);
+    Studio studio(m_data);
+    m_view.layout = render::defaultView(m_data, 640, 400).layout;
+    for (const double time : {0.1, 0.5, 0.9}) {
+        view.draw(time);
+        m_view.time = time;
+        studio.picture(m_view, m_window);
+        for (const render::PaneContent pane : {render::PaneContent::Fe, render::PaneContent::Fragments}) {
+            EXPECT_EQ(view.status(pane).time, studio.status(pane).time);
+            EXPECT_EQ(view.status(pane).faces, studio.status(pane).faces);
+            EXPECT_EQ(view.status(pane).fragments, studio.status(pane).fragments);
+        }
+        EXPECT_GT(view.status(render::PaneContent::Fragments).faces, 0u);
+    }
+    EXPECT_FALSE(view.renderer().empty());
 }
 
 }  // namespace

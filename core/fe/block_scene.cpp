@@ -1,8 +1,8 @@
-#include "core/selftest/block_scene.h"
+#include "core/fe/block_scene.h"
 
 #include <cassert>
 
-namespace rubble::selftest {
+namespace rubble::blocks {
 
 namespace {
 
@@ -123,4 +123,4 @@ std::shared_ptr<const FeResult> makeScene(const std::vector<Block>& blocks, std:
     return std::make_shared<FeResult>(std::move(contents));
 }
 
-}  // namespace rubble::selftest
+}  // namespace rubble::blocks

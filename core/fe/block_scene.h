@@ -9,7 +9,7 @@
 
 #include "core/fe/fe_result.h"
 
-namespace rubble::selftest {
+namespace rubble::blocks {
 
 /// A regular block of hexahedra that becomes one part of a scene.
 struct Block {
@@ -30,4 +30,4 @@ inline constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 std::shared_ptr<const FeResult> makeScene(const std::vector<Block>& blocks, std::size_t states, double interval,
                                           bool withVelocity = true);
 
-}  // namespace rubble::selftest
+}  // namespace rubble::blocks

@@ -1,0 +1,196 @@
+#include <algorithm>
+
+#include "app/cli/accuracy_report.h"
+#include "app/cli/commands.h"
+#include "app/cli/live_display.h"
+#include "app/cli/option_value.h"
+#include "app/cli/output_file.h"
+#include "app/cli/published_tables.h"
+#include "app/cli/study_options.h"
+#include "core/base/error.h"
+#include "io/files.h"
+#include "io/machine.h"
+#include "io/study_files.h"
+
+namespace rubble::cli {
+
+namespace {
+
+constexpr int jobsMax = 1024;
+
+std::vector<std::string> parseMultiples(const Arguments& arguments) {
+    const auto text = arguments.value("--multiples");
+    return text ? splitAtCommas(*text) : std::vector<std::string>{};
+}
+
+std::vector<VariedParameter> parseVaried(const Arguments& arguments) {
+    std::vector<VariedParameter> varied;
+    for (const std::string& text : arguments.values("--vary")) {
+        const auto [key, values] = splitAssignment("--vary", text);
+        varied.push_back({std::string(key), splitAtCommas(values)});
+    }
+    return varied;
+}
+
+/// The settings that are asked for; none where earlier points alone are to be checked.
+std::vector<AccuracySetting> parseSettings(const Arguments& arguments, const Scenario& scenario) {
+    std::vector<std::string> multiples = parseMultiples(arguments);
+    const std::vector<VariedParameter> varied = parseVaried(arguments);
+    if (multiples.empty() && varied.empty()) {
+        if (arguments.has("--check")) {
+            return {};
+        }
+        multiples = {"1", "1.5", "2", "2.5", "3", "4"};
+    }
+    return sweepSettings(scenario, multiples, varied);
+}
+
+AccuracyOptions parseOptions(const Arguments& arguments) {
+    AccuracyOptions options;
+    options.study = parseStudySettings(arguments, 1);
+    // The columns of the published table are there whatever else is asked for.
+    std::vector<double>& tolerances = options.study.measures.tolerances;
+    tolerances.insert(tolerances.end(), publishedTolerances.begin(), publishedTolerances.end());
+    std::sort(tolerances.begin(), tolerances.end());
+    tolerances.erase(std::unique(tolerances.begin(), tolerances.end()), tolerances.end());
+    options.jobs = parseCount(arguments, "--jobs", 1, jobsMax, 0);
+    options.timed = !arguments.has("--no-timing");
+    options.retimed = arguments.has("--retime");
+    options.simulated = !arguments.has("--predict");
+    options.machine = io::machineText();
+    return options;
+}
+
+/// What each setting would have been said to be, had nobody simulated it: its own earlier point does not count.
+std::vector<Predictions> predictAll(const AccuracyReport& report, const std::string& machine, std::span<const KnownPoint> known,
+                                    const std::optional<Calibration>& calibration) {
+    std::vector<Predictions> all;
+    const Digest scene = sceneDigest(report.reference.origin, report.instant);
+    for (const AccuracyPoint& point : report.points) {
+        KnownPoint open = openPoint(scene, machine, point.cost.threads, point.scenario, point.fragments, point.bodies);
+        open.span = report.span;
+        const std::vector<KnownPoint> others = pointsBut(open, known);
+        Predictions& predictions = all.emplace_back();
+        for (std::size_t w = 0; w < predictedCount; ++w) {
+            predictions[w] = predict(static_cast<Predicted>(w), open, others, calibration ? &*calibration : nullptr);
+        }
+    }
+    return all;
+}
+
+/// Keeps what was measured for later predictions; a cache without room is a finding.
+void keepPoints(io::StudyFiles& files, AccuracyReport& report) {
+    const auto keep = [&](const AccuracyPoint& point) {
+        if (!point.done) {
+            return;
+        }
+        try {
+            files.keep(knownPoint(point, report));
+        } catch (const WorldError& error) {
+            report.findings.add({"accuracy.not_kept", "A result could not be kept for a second start.", {}},
+                                {"accuracy.not_kept.remedy", "Make room for the cache, or name another folder.", {}}, error.what());
+        }
+    };
+    keep(report.reference);
+    std::for_each(report.points.begin(), report.points.end(), keep);
+}
+
+void writeErrors(const Arguments& arguments, const AccuracyOutput& output) {
+    if (const auto path = arguments.value("--errors")) {
+        const TextTable table = output.errorTable();
+        io::writeAtomically(*path, [&](std::ostream& out) { table.writeCsv(out); });
+    }
+}
+
+ExitCode exitCodeOf(const AccuracyReport& report, Session& session) {
+    if (report.complete) {
+        return ExitCode::Ok;
+    }
+    if (session.execution().cancelled()) {
+        session.err() << "rubble-cli: cancelled; what is done is kept, and the same command goes on from there\n";
+        return ExitCode::Cancelled;
+    }
+    session.err() << "rubble-cli: some settings failed; what is done is kept, and the same command goes on from there\n";
+    return ExitCode::Failed;
+}
+
+ExitCode measureAccuracy(const Arguments& arguments, Session& session) {
+    AccuracyOptions options = parseOptions(arguments);
+    const Subject subject = openSubject(arguments, session);
+    checkCsvPath(arguments, subject.files);
+    if (const auto path = arguments.value("--errors")) {
+        checkOutputPath(*path, subject.files);
+    }
+    const std::vector<AccuracySetting> settings = parseSettings(arguments, subject.scenario);
+    options.simulated = options.simulated && !settings.empty();
+    io::StudyFiles files(arguments.value("--cache").value_or(io::cacheFolder()));
+    options.store = &files;
+    LiveDisplay display;
+    if (!arguments.has("--no-fps")) {
+        options.screen = display.screenMaker();
+    }
+    Findings kept;
+    const std::optional<Calibration> calibration = files.calibration(options.machine, kept);
+    const WorldOrigin reference = originOf(subject.inputs, referenceScenario(subject.scenario), 0, 0.0, options.machine);
+    const Digest scene = sceneDigest(reference, options.study.instant);
+    const std::vector<KnownPoint> earlier = files.points(scene, kept);
+    AccuracyReport report = accuracyStudy(subject.inputs, subject.scenario, settings, options, session.execution());
+    keepPoints(files, report);
+    report.findings.append(kept);
+
+    AccuracyOutput output{subject, report, options,       predictAll(report, options.machine, earlier, calibration),
+                          {},      0,      files.folder()};
+    if (arguments.has("--check")) {
+        Findings ignored;
+        const std::vector<KnownPoint> all = files.points(scene, ignored);
+        output.knownPoints = all.size();
+        output.checks = checkPredictions(all);
+    }
+    writeCsv(arguments, output.table());
+    writeErrors(arguments, output);
+    if (arguments.json()) {
+        Json object = output.json();
+        if (session.execution().cancelled()) {
+            object["cancelled"] = true;
+        }
+        printJson(session, object);
+    } else {
+        output.print(session.out());
+    }
+    return exitCodeOf(report, session);
+}
+
+}  // namespace
+
+Command accuracyCommand() {
+    std::vector<Option> options{
+        setOption(),
+        scenarioOption(),
+        terrainOption(),
+        {"--multiples", "A,B", false, "multiples of the mean distance to sweep, auto among them (default: 1,1.5,2,2.5,3,4)"},
+        {"--vary", "KEY=A,B", true, "values of a parameter to sweep, in every combination with the others"},
+        {"--jobs", "N", false, "worlds at a time for the accuracy (default: one for each thread); no accuracy depends on it"},
+        {"--no-fps", "", false, "leave live FPS out: saves drawing each setting once"},
+        {"--no-timing", "", false, "leave wall time and ms per step out: saves simulating each setting once more"},
+        {"--retime", "", false, "measure times anew, although they are kept: on a machine that is quiet now"},
+        {"--predict", "", false, "simulate nothing: say what earlier points let expect of the settings"},
+        {"--check", "", false, "say how well the predicted intervals hold; with no settings named, of earlier points alone"},
+        {"--cache", "FOLDER", false, "where worlds and costs are kept (default: RUBBLE_CACHE, else the user's cache)"},
+        {"--errors", "FILE", false, "write the error of every fragment in every setting"},
+    };
+    for (const Option& option : studyOptions()) {
+        options.push_back(option);
+    }
+    options.push_back(csvOption("write one row for the reference, the floor and each setting"));
+    return {
+        "accuracy",
+        "FE|CASE",
+        "what accuracy costs in time, against the repeat floor",
+        "Simulates the reference (each fragment its own body), its repeats with births shifted by a micrometre, and every setting; "
+        "compares each with the reference, and then times each alone. Worlds that were simulated before are taken from the cache: "
+        "after Ctrl-C the same command goes on from there.",
+        std::move(options),
+        measureAccuracy};
+}
+
+}  // namespace rubble::cli

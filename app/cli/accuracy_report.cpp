@@ -1,0 +1,381 @@
+#include "app/cli/accuracy_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/cli/measure_output.h"
+#include "app/cli/published_tables.h"
+#include "app/cli/text_output.h"
+
+namespace rubble::cli {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// One row of the sweep as its columns need it.
+struct SweepRow {
+    std::string setting;
+    std::array<double, 3> multiple{none, none, none};
+    std::array<double, 3> grid{none, none, none};
+    std::int64_t fragments = 0;
+    std::int64_t bodies = 0;
+    const DebrisDifference* difference = nullptr;
+    SettingCost cost;
+};
+
+SweepRow rowOf(const AccuracyPoint& point) {
+    return {point.setting, point.multiple, point.grid, point.fragments, point.bodies, &point.difference, point.cost};
+}
+
+/// The reference, the floor, and what is done of the settings.
+std::vector<SweepRow> rowsOf(const AccuracyReport& report) {
+    std::vector<SweepRow> rows;
+    if (report.reference.done) {
+        rows.push_back(rowOf(report.reference));
+    }
+    if (report.floor && !report.floor->repeats.empty()) {
+        SweepRow floor;
+        floor.setting = std::string(floorSetting);
+        floor.fragments = report.reference.fragments;
+        floor.bodies = report.reference.bodies;
+        floor.difference = &report.floor->largest;
+        rows.push_back(std::move(floor));
+    }
+    for (const AccuracyPoint& point : report.points) {
+        if (point.done) {
+            rows.push_back(rowOf(point));
+        }
+    }
+    return rows;
+}
+
+/// One column: its key and, of a row, its value.
+struct SweepColumn {
+    std::string_view key;
+    double (*value)(const SweepRow& row);
+    bool whole = false;
+};
+
+template <Measure measure>
+double measured(const SweepRow& row) {
+    return row.difference->of(measure);
+}
+
+const std::vector<SweepColumn>& sweepColumns() {
+    static const std::vector<SweepColumn> columns{
+        {"multiple_x", [](const SweepRow& r) { return r.multiple[0]; }},
+        {"multiple_y", [](const SweepRow& r) { return r.multiple[1]; }},
+        {"multiple_z", [](const SweepRow& r) { return r.multiple[2]; }},
+        {"grid_l_m", [](const SweepRow& r) { return r.grid[0]; }},
+        {"grid_w_m", [](const SweepRow& r) { return r.grid[1]; }},
+        {"grid_h_m", [](const SweepRow& r) { return r.grid[2]; }},
+        {"fragments", [](const SweepRow& r) { return static_cast<double>(r.fragments); }, true},
+        {"bodies", [](const SweepRow& r) { return static_cast<double>(r.bodies); }, true},
+        {"accuracy_0_1m", [](const SweepRow& r) { return publishedRate(*r.difference, 0); }},
+        {"accuracy_0_2m", [](const SweepRow& r) { return publishedRate(*r.difference, 1); }},
+        {"accuracy_0_3m", [](const SweepRow& r) { return publishedRate(*r.difference, 2); }},
+        {"mass_map_difference", measured<Measure::MassMap>},
+        {"core_iou", measured<Measure::CoreIou>},
+        {"footprint_iou", measured<Measure::FootprintIou>},
+        {"runout95_error_m", measured<Measure::RunOut>},
+        {"height_rms_m", measured<Measure::HeightRms>},
+        {"mean_height_error_m", measured<Measure::MeanHeight>},
+        {"centroid_shift_m", measured<Measure::CentroidShift>},
+        {"wall_s", [](const SweepRow& r) { return r.cost.wallSeconds; }},
+        {"ms_per_step_mean", [](const SweepRow& r) { return r.cost.stepMeanMs; }},
+        {"ms_per_step_worst", [](const SweepRow& r) { return r.cost.stepWorstMs; }},
+        {"fps", [](const SweepRow& r) { return r.cost.fps; }},
+    };
+    return columns;
+}
+
+Json pointJson(const SweepRow& row) {
+    Json object;
+    object["setting"] = row.setting;
+    for (const SweepColumn& column : sweepColumns()) {
+        const double value = column.value(row);
+        object[std::string(column.key)] = column.whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+    }
+    return object;
+}
+
+Json predictionJson(const Prediction& prediction) {
+    if (!prediction.known) {
+        return {{"known", false}, {"reason", englishText(prediction.reason)}};
+    }
+    return {{"known", true},           {"low", prediction.low},       {"value", prediction.value},
+            {"high", prediction.high}, {"points", prediction.points}, {"from_calibration", prediction.fromCalibration}};
+}
+
+Json spreadJson(const FloorSpread& spread) {
+    Json object;
+    object["pairs"] = spread.pairs;
+    forEachMeasure([&](Measure measure, std::size_t m) {
+        object[std::string(measureKey(measure))] = {
+            {"least", spread.least[m]}, {"middle", spread.middle[m]}, {"largest", spread.largest[m]}};
+    });
+    return object;
+}
+
+Json detailJson(const AccuracyPoint& point, const Predictions* predictions) {
+    Json object;
+    object["setting"] = point.setting;
+    object["trajectory_hash"] = point.trajectoryHash.hex();
+    object["health_breaches"] = point.breaches;
+    object["bodies_peak"] = point.bodiesPeak;
+    object["kept"] = point.kept;
+    object["difference"] = differenceJson(point.difference);
+    forEachMeasure([&](Measure measure, std::size_t m) {
+        object["standings"][std::string(measureKey(measure))] = standingName(point.standings[m]);
+    });
+    object["fps_worst"] = point.cost.fpsWorst;
+    object["others_share"] = point.cost.othersShare;
+    object["threads"] = point.cost.threads;
+    object["predicted"] = Json();
+    if (predictions) {
+        for (std::size_t w = 0; w < predictedCount; ++w) {
+            object["predicted"][std::string(predictedKey(static_cast<Predicted>(w)))] = predictionJson((*predictions)[w]);
+        }
+    }
+    return object;
+}
+
+/// What is not done, and why.
+Json openJson(const AccuracyReport& report) {
+    Json list = Json::array();
+    const auto add = [&list](const AccuracyPoint& point) {
+        if (!point.done || !point.failure.empty()) {
+            list.push_back({{"setting", point.setting},
+                            {"bodies", point.bodies},
+                            {"failure", point.failure.empty() ? Json() : Json(englishText(point.failure))}});
+        }
+    };
+    add(report.reference);
+    std::for_each(report.points.begin(), report.points.end(), add);
+    return list;
+}
+
+/// "0.12~": no larger than the floor.
+Cell standingCell(const AccuracyPoint& point, Measure measure) {
+    const double value = point.difference.of(measure);
+    const Standing standing = point.standings[static_cast<std::size_t>(measure)];
+    return {standing == Standing::Identical ? "same" : numberOrDash(value) + (standing == Standing::Below ? "~" : ""),
+            exactNumber(value), true};
+}
+
+/// "12 to 18 (15)", or why nothing is said.
+std::string predictionText(const Prediction& prediction) {
+    return prediction.known ? englishNumber(prediction.value) + " (" + englishNumber(prediction.low) + " to " +
+                                  englishNumber(prediction.high) + ")" + (prediction.fromCalibration ? " c" : "")
+                            : "not known";
+}
+
+}  // namespace
+
+TextTable AccuracyOutput::table() const {
+    std::vector<TextTable::Column> columns{{"setting", "setting"}};
+    for (const SweepColumn& column : sweepColumns()) {
+        columns.push_back({std::string(column.key), std::string(column.key)});
+    }
+    TextTable table(std::move(columns));
+    for (const SweepRow& row : rowsOf(report)) {
+        std::vector<Cell> cells{textCell(row.setting)};
+        for (const SweepColumn& column : sweepColumns()) {
+            const double value = column.value(row);
+            cells.push_back(column.whole ? integerCell(static_cast<std::int64_t>(value)) : numberCell(value));
+        }
+        table.add(std::move(cells));
+    }
+    return table;
+}
+
+TextTable AccuracyOutput::errorTable() const {
+    TextTable table({{"setting", "setting"}, {"fragment", "fragment_id"}, {"element", "element_id"}, {"error [m]", "error_m"}});
+    if (!report.reference.done) {
+        return table;
+    }
+    const Results results = run(subject.inputs, subject.scenario, Stage::Fragments, {}, nullptr, Execution());
+    const Mesh& mesh = subject.inputs.fe->mesh();
+    for (const AccuracyPoint& point : report.points) {
+        for (std::size_t f = 0; point.done && f < point.fragmentErrors.size(); ++f) {
+            const ElementIndex element = results.fragments->list[f].element;
+            table.add({textCell(point.setting), integerCell(static_cast<std::int64_t>(f)),
+                       integerCell(mesh.elementIds[at(element)]), numberCell(point.fragmentErrors[f])});
+        }
+    }
+    return table;
+}
+
+Json AccuracyOutput::json() const {
+    Json object;
+    object["scenario"] = subject.scenarioName;
+    object["fe"] = {{"path", subject.fePath}, {"sha256", subject.inputs.fe->contents().sha256}};
+    object["instant"] = report.instant == DebrisInstant::AtRest ? "rest" : "fe_end";
+    object["complete"] = report.complete;
+    object["machine"] = options.machine;
+    object["cache"] = cacheFolder.empty() ? Json() : Json(cacheFolder);
+    object["points"] = Json::array();
+    for (const SweepRow& row : rowsOf(report)) {
+        object["points"].push_back(pointJson(row));
+    }
+    object["details"] = Json::array();
+    for (std::size_t i = 0; i < report.points.size(); ++i) {
+        if (report.points[i].done || !options.simulated) {
+            object["details"].push_back(detailJson(report.points[i], i < predictions.size() ? &predictions[i] : nullptr));
+        }
+    }
+    object["open"] = openJson(report);
+    object["repeat_floor"] = Json();
+    if (report.floor) {
+        object["repeat_floor"] = floorJson(*report.floor, options.study.birthShift);
+        object["repeat_floor"]["spread"] = spreadJson(report.spread);
+    }
+    object["table_1"] = publishedFpsJson(report);
+    object["table_2"] = publishedAccuracyJson(report);
+    object["check"] = Json();
+    if (checks) {
+        object["check"] = Json::array();
+        for (const PredictionCheck& check : *checks) {
+            object["check"].push_back({{"quantity", predictedKey(check.what)},
+                                       {"points", check.points},
+                                       {"unknown", check.unknown},
+                                       {"held", check.held},
+                                       {"coverage", check.coverage()},
+                                       {"half_width", check.halfWidth}});
+        }
+    }
+    Findings findings = allFindings(subject, {});
+    findings.append(report.findings);
+    object["warnings"] = findingsJson(findings);
+    return object;
+}
+
+TextTable AccuracyOutput::measureTable() const {
+    std::vector<TextTable::Column> columns{{"setting", ""}, {"bodies", ""}};
+    forEachMeasure([&](Measure measure, std::size_t) { columns.push_back({std::string(measureTitle(measure)), ""}); });
+    for (const double tolerance : options.study.measures.tolerances) {
+        columns.push_back({"within " + englishNumber(tolerance) + " m", ""});
+    }
+    TextTable table(std::move(columns));
+    const auto add = [&](std::string name, std::int64_t bodies, const DebrisDifference& difference, const AccuracyPoint* point) {
+        std::vector<Cell> cells{textCell(std::move(name)), integerCell(bodies)};
+        forEachMeasure([&](Measure measure, std::size_t) {
+            cells.push_back(point ? standingCell(*point, measure) : numberCell(difference.of(measure)));
+        });
+        for (const double share : difference.accuracy) {
+            cells.push_back({percentOrDash(share), "", true});
+        }
+        table.add(std::move(cells));
+    };
+    if (report.floor && !report.floor->repeats.empty()) {
+        add(std::string(floorSetting), report.reference.bodies, report.floor->largest, nullptr);
+    }
+    for (const AccuracyPoint& point : report.points) {
+        if (point.done) {
+            add(point.setting, point.bodies, point.difference, &point);
+        }
+    }
+    return table;
+}
+
+TextTable AccuracyOutput::costTable() const {
+    TextTable table({{"setting", ""},
+                     {"bodies", ""},
+                     {"wall [s]", ""},
+                     {"ms/step", ""},
+                     {"worst", ""},
+                     {"live FPS", ""},
+                     {"worst second", ""},
+                     {"taken by others", ""}});
+    const auto add = [&table](const AccuracyPoint& point) {
+        if (point.done) {
+            table.add({textCell(point.setting),
+                       integerCell(point.bodies),
+                       numberCell(point.cost.wallSeconds),
+                       numberCell(point.cost.stepMeanMs),
+                       numberCell(point.cost.stepWorstMs),
+                       numberCell(point.cost.fps),
+                       numberCell(point.cost.fpsWorst),
+                       {percentOrDash(point.cost.othersShare), "", true}});
+        }
+    };
+    add(report.reference);
+    std::for_each(report.points.begin(), report.points.end(), add);
+    return table;
+}
+
+TextTable AccuracyOutput::predictionTable() const {
+    std::vector<TextTable::Column> columns{{"setting", ""}, {"bodies", ""}};
+    for (const Predicted what : {Predicted::WallSeconds, Predicted::Fps, Predicted::MassMap, Predicted::CoreIou}) {
+        columns.push_back({std::string(predictedKey(what)), ""});
+        columns.push_back({"measured", ""});
+    }
+    TextTable table(std::move(columns));
+    for (std::size_t i = 0; i < predictions.size(); ++i) {
+        const AccuracyPoint& point = report.points[i];
+        std::vector<Cell> cells{textCell(point.setting), integerCell(point.bodies)};
+        const KnownPoint known = knownPoint(point, report);
+        for (const Predicted what : {Predicted::WallSeconds, Predicted::Fps, Predicted::MassMap, Predicted::CoreIou}) {
+            cells.push_back({predictionText(predictions[i][static_cast<std::size_t>(what)]), "", true});
+            cells.push_back({point.done ? numberOrDash(known.of(what)) : "-", "", true});
+        }
+        table.add(std::move(cells));
+    }
+    return table;
+}
+
+TextTable AccuracyOutput::checkTable() const {
+    TextTable table(
+        {{"quantity", ""}, {"points", ""}, {"not known", ""}, {"in the interval", ""}, {"share", ""}, {"half width", ""}});
+    for (const PredictionCheck& check : *checks) {
+        table.add({textCell(std::string(predictedKey(check.what))),
+                   integerCell(static_cast<std::int64_t>(check.points)),
+                   integerCell(static_cast<std::int64_t>(check.unknown)),
+                   integerCell(static_cast<std::int64_t>(check.held)),
+                   {percentOrDash(check.coverage()), "", true},
+                   {percentOrDash(check.halfWidth), "", true}});
+    }
+    return table;
+}
+
+void AccuracyOutput::print(std::ostream& out) const {
+    out << subject.fePath << ", scenario \"" << subject.scenarioName << "\"\n";
+    if (report.floor) {
+        printHeading(
+            out, report.instant == DebrisInstant::AtRest ? "The reference, debris at rest" : "The reference, debris at the FE end");
+        printFigures(out, *report.floor);
+        printFloor(out, *report.floor, options.study.birthShift);
+        printHeading(out, "Accuracy: each setting less the reference (~ no larger than the floor, which says nothing)");
+        measureTable().print(out);
+        printHeading(out, "Cost, one setting at a time");
+        costTable().print(out);
+        printHeading(out, "Table 1 of the published method: live FPS without and with clusters");
+        publishedFpsTable(report).print(out);
+        printHeading(out, "Table 2 of the published method: accuracy rates");
+        publishedAccuracyTable(report).print(out);
+    } else if (options.simulated) {
+        out << "  the reference was not simulated to its end\n";
+    }
+    for (const Json& open : openJson(report)) {
+        if (options.simulated) {
+            out << "  not done: " << open["setting"].get<std::string>()
+                << (open["failure"].is_null() ? "" : ": " + open["failure"].get<std::string>()) << '\n';
+        }
+    }
+    if (!predictions.empty()) {
+        printHeading(
+            out, "Predicted from other points of this scene, with the interval that 80 % should lie in (c: from the calibration)");
+        predictionTable().print(out);
+    }
+    if (checks) {
+        printHeading(out, "How well the 80 % intervals hold: each of " + englishInteger(static_cast<std::int64_t>(knownPoints)) +
+                              " points predicted from those of other settings");
+        checkTable().print(out);
+    }
+    Findings findings = allFindings(subject, {});
+    findings.append(report.findings);
+    printFindings(out, findings);
+}
+
+}  // namespace rubble::cli

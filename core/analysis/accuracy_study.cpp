@@ -1,0 +1,405 @@
+#include "core/analysis/accuracy_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <new>
+
+#include "core/analysis/world_pool.h"
+#include "core/base/error.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Share of the machine's time that a live run takes, next to a timed one.
+constexpr double liveWeight = 1.2;
+
+constexpr std::string_view memoryFailure = "accuracy.memory";
+
+double middleOf(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+/// From the first birth to the end of the FE result, s; 0 without fragments.
+double spanOf(const FragmentSet& fragments, double feEnd) {
+    double first = feEnd;
+    for (const Fragment& fragment : fragments.list) {
+        first = std::min(first, fragment.birthTime);
+    }
+    return feEnd - first;
+}
+
+/// One world of a sweep: the reference, one of its repeats, or a setting.
+struct SweepWorld {
+    AccuracyPoint* point = nullptr;  ///< null: a repeat
+    int repeat = 0;
+    Results results;  ///< up to the clusters
+    WorldOrigin origin;
+    double weight = 1.0;
+    std::optional<SimulatedWorld> world;
+    bool simulatedAlone = false;  ///< here and now, with the whole machine to itself
+};
+
+/// A sweep while it is made.
+class Sweep {
+public:
+    Sweep(const Inputs& inputs, const AccuracyOptions& options, const Execution& execution)
+        : m_inputs(inputs), m_options(options), m_execution(execution) {}
+
+    /// Everything up to the clusters of all settings.
+    void plan(const Scenario& scenario, std::span<const AccuracySetting> settings) {
+        const Scenario reference = referenceScenario(scenario);
+        m_base = beginStudy(m_inputs, reference, m_options.study, m_execution);
+        report.instant = m_options.study.instant;
+        report.elements = static_cast<std::int64_t>(m_inputs.fe->mesh().elementCount());
+        report.span = spanOf(*m_base.results.fragments, m_inputs.fe->times().back());
+        report.reference.setting = std::string(referenceSetting);
+        report.reference.scenario = reference;
+        report.points.resize(settings.size());
+        add(report.reference, m_base.results);
+        for (int repeat = 1; repeat <= m_options.study.repeats; ++repeat) {
+            SweepWorld world;
+            world.repeat = repeat;
+            world.results = m_base.results;
+            world.weight = m_worlds.front().weight;
+            world.origin = origin(reference, repeat);
+            m_worlds.push_back(std::move(world));
+        }
+        for (std::size_t i = 0; i < settings.size(); ++i) {
+            AccuracyPoint& point = report.points[i];
+            point.setting = settings[i].name;
+            point.scenario = settings[i].scenario;
+            m_execution.report({"analysis.accuracy_plan", "clustering {0} settings", {settings.size()}},
+                               static_cast<double>(i) / static_cast<double>(settings.size()));
+            add(point, run(m_inputs, point.scenario, Stage::Clusters, m_base.results, nullptr, m_execution));
+        }
+    }
+
+    /// All worlds, in parallel; the largest first, so that none is left alone at the end.
+    void simulateAll() {
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < m_worlds.size(); ++i) {
+            if (!takeKept(m_worlds[i])) {
+                order.push_back(i);
+            }
+        }
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return m_worlds[a].weight > m_worlds[b].weight; });
+        simulateTogether(order, m_options.jobs);
+        // What found no memory beside others may find it alone.
+        std::erase_if(order, [&](std::size_t i) { return m_worlds[i].world || !outOfMemory(m_worlds[i]); });
+        for (const std::size_t i : order) {
+            m_worlds[i].point->failure = {};
+        }
+        simulateTogether(order, 1);
+    }
+
+    /// What the worlds that are there say.
+    void measureAll() {
+        std::vector<std::optional<StudyWorld>> measured(m_worlds.size());
+        std::vector<const DebrisField*> floorFields;
+        const std::size_t floorWorlds = std::min(m_worlds.size(), 1 + static_cast<std::size_t>(m_options.study.repeats));
+        for (std::size_t i = 0; i < m_worlds.size(); ++i) {
+            if (m_worlds[i].world && (i == 0 || measured[0])) {
+                measured[i] = measureWorld(*m_worlds[i].world, m_base, m_options.study);
+                if (i < floorWorlds) {
+                    floorFields.push_back(&measured[i]->field);
+                }
+            }
+        }
+        if (measured.empty() || !measured[0]) {
+            return;
+        }
+        report.floor = floorOf(*measured[0], std::span(measured).subspan(1, floorWorlds - 1), m_base.scenario.fragments.seed);
+        report.spread = spreadOf(floorFields);
+        for (std::size_t i = 0; i < m_worlds.size(); ++i) {
+            if (m_worlds[i].point && measured[i]) {
+                fill(*m_worlds[i].point, m_worlds[i], *measured[0], *measured[i]);
+            }
+        }
+    }
+
+    /// Wall time, ms per step and live FPS, one setting at a time.
+    void measureCosts() {
+        double all = 0.0;
+        for (const SweepWorld& world : m_worlds) {
+            all += world.point ? world.weight : 0.0;
+        }
+        double before = 0.0;
+        for (SweepWorld& world : m_worlds) {
+            if (!world.point || !world.point->failure.empty()) {
+                continue;
+            }
+            const double from = before / all;
+            before += world.weight;
+            guarded(*world.point, [&] { measureCost(world, from, before / all); });
+            if (world.point->cost.disturbed()) {
+                report.findings.add({"accuracy.disturbed", "Other programs worked on this machine while settings were timed.", {}},
+                                    {"accuracy.disturbed.remedy", "Time them again on a quiet machine with --retime.", {}},
+                                    world.point->setting + ": " + englishNumber(100.0 * world.point->cost.othersShare) +
+                                        " % of the processors' time");
+            }
+        }
+    }
+
+    bool failed() const {
+        return !report.reference.failure.empty() ||
+               std::any_of(report.points.begin(), report.points.end(), [](const AccuracyPoint& p) { return !p.failure.empty(); });
+    }
+
+    AccuracyReport report;
+
+private:
+    WorldOrigin origin(const Scenario& scenario, int repeat) const {
+        return originOf(m_inputs, scenario, repeat, m_options.study.birthShift, m_options.machine);
+    }
+
+    int threads() const { return m_options.study.threads > 0 ? m_options.study.threads : m_execution.threads(); }
+
+    void add(AccuracyPoint& point, Results results) {
+        const Sizing& sizing = *results.sizing;
+        const bool single = point.scenario.grid.oneBodyPerFragment;
+        const std::array<double, 3> grid{sizing.grid.l, sizing.grid.w, sizing.grid.h};
+        for (std::size_t a = 0; a < 3; ++a) {
+            point.multiple[a] = single ? none : sizing.axis[a].multiple;
+            point.grid[a] = single ? none : grid[a];
+        }
+        point.fragments = static_cast<std::int64_t>(results.fragments->size());
+        point.bodies = static_cast<std::int64_t>(results.clustering->list.size());
+        point.origin = origin(point.scenario, 0);
+        point.cost.threads = threads();
+        SweepWorld world;
+        world.point = &point;
+        world.results = std::move(results);
+        world.origin = point.origin;
+        // A step costs about as much as there are bodies, and something always.
+        world.weight = 50.0 + static_cast<double>(point.bodies);
+        m_worlds.push_back(std::move(world));
+    }
+
+    RunDescription describe(const SweepWorld& world, const Execution& execution) const {
+        return world.point ? describeRun(m_inputs, world.point->scenario, world.results)
+                           : describeRepeat(m_base, m_options.study, world.repeat, execution);
+    }
+
+    void simulateTogether(const std::vector<std::size_t>& order, int jobs) {
+        PoolShare share{m_options.study.threads, jobs};
+        for (const std::size_t i : order) {
+            share.weights.push_back(m_worlds[i].weight);
+        }
+        const bool alone = jobs == 1 || threads() == 1;
+        runInParallel(order.size(), share,
+                      {"analysis.accuracy", "simulating {0} worlds: the reference, its repeats, the settings", {order.size()}},
+                      m_execution, [&](std::size_t i, const Execution& own) {
+                          SweepWorld& world = m_worlds[order[i]];
+                          simulateOne(world, own);
+                          world.simulatedAlone = alone;
+                      });
+    }
+
+    static bool outOfMemory(const SweepWorld& world) { return world.point && world.point->failure.id == memoryFailure; }
+
+    bool takeKept(SweepWorld& world) {
+        if (!m_options.store) {
+            return false;
+        }
+        world.world = m_options.store->world(world.origin, report.findings);
+        const std::size_t fragments = m_base.results.fragments->size();
+        if (world.world &&
+            (world.world->atRest.fragments.size() != fragments || world.world->atFeEnd.fragments.size() != fragments)) {
+            world.world.reset();
+        }
+        if (world.world && world.point) {
+            world.point->kept = true;
+        }
+        return world.world.has_value();
+    }
+
+    void simulateOne(SweepWorld& world, const Execution& own) {
+        const auto simulated = [&] {
+            SimulatedWorld made = simulateDebris(describe(world, own), own);
+            keep([&](StudyStore& store) { store.keep(world.origin, made); });
+            world.world = std::move(made);
+        };
+        AccuracyPoint lost;
+        AccuracyPoint& point = world.point ? *world.point : lost;
+        guarded(point, simulated);
+        if (!world.point && !lost.failure.empty()) {
+            const std::scoped_lock lock(m_mutex);
+            report.findings.add({"accuracy.repeat_lost", "A repeat of the reference could not be simulated.", {}},
+                                {"accuracy.repeat_lost.remedy", "Start again: what is done is kept.", {}},
+                                englishText(lost.failure));
+        }
+    }
+
+    /// A setting that fails takes no other with it.
+    template <class Act>
+    void guarded(AccuracyPoint& point, Act act) {
+        try {
+            act();
+        } catch (const std::bad_alloc&) {
+            point.failure = {std::string(memoryFailure), "there was not enough memory for it", {}};
+        } catch (const Error& error) {
+            point.failure = error.message();
+        }
+    }
+
+    template <class Keep>
+    void keep(Keep keepIn) {
+        if (!m_options.store) {
+            return;
+        }
+        try {
+            keepIn(*m_options.store);
+        } catch (const WorldError& error) {
+            const std::scoped_lock lock(m_mutex);
+            report.findings.add({"accuracy.not_kept", "A result could not be kept for a second start.", {}},
+                                {"accuracy.not_kept.remedy", "Make room for the cache, or name another folder.", {}}, error.what());
+        }
+    }
+
+    void fill(AccuracyPoint& point, const SweepWorld& swept, const StudyWorld& reference, const StudyWorld& measured) {
+        point.done = true;
+        point.trajectoryHash = measured.trajectoryHash;
+        point.breaches = measured.breaches;
+        point.bodiesPeak = swept.world->bodiesPeak;
+        point.difference = compareDebris(reference.field, measured.field);
+        point.fragmentErrors = fragmentErrors(reference.field.debris, measured.field.debris);
+        for (std::size_t m = 0; m < measureCount; ++m) {
+            const Measure measure = static_cast<Measure>(m);
+            point.standings[m] = point.trajectoryHash == reference.trajectoryHash
+                                     ? Standing::Identical
+                                     : standingOf(point.difference.departure(measure), report.floor->largest.departure(measure));
+        }
+    }
+
+    /// Does a piece of work whose progress is a part of the whole.
+    template <class Act>
+    auto within(const Message& stage, double from, double to, Act act) {
+        const Execution own([&](const Progress& progress) {
+            if (m_execution.cancelled()) {
+                throw Cancelled();
+            }
+            m_execution.report(stage, from + (to - from) * std::clamp(progress.fraction, 0.0, 1.0));
+        });
+        return act(own.withThreads(threads()));
+    }
+
+    void measureCost(SweepWorld& world, double from, double to) {
+        AccuracyPoint& point = *world.point;
+        const Message stage{"analysis.accuracy_cost", "timing one setting at a time: {0}", {point.setting}};
+        m_execution.report(stage, from);
+        if (const auto kept =
+                m_options.store && !m_options.retimed ? m_options.store->cost(point.origin, threads()) : std::nullopt) {
+            point.cost = *kept;
+        }
+        const double middle = !m_options.timed ? from : m_options.screen ? from + (to - from) / (1.0 + liveWeight) : to;
+        if (m_options.timed && !point.cost.timed()) {
+            if (world.simulatedAlone) {
+                take(point.cost, *world.world);
+            } else {
+                take(point.cost,
+                     within(stage, from, middle, [&](const Execution& own) { return timeRun(describe(world, own), own); }));
+            }
+            keep([&](StudyStore& store) { store.keep(point.origin, point.cost); });
+        }
+        if (m_options.screen && m_screenWorks && !std::isfinite(point.cost.fps)) {
+            measureFps(world, stage, middle, to);
+        }
+    }
+
+    void measureFps(SweepWorld& world, const Message& stage, double from, double to) {
+        SettingCost& cost = world.point->cost;
+        LiveRate rate;
+        try {
+            rate = within(stage, from, to, [&](const Execution& own) {
+                return measureLive(describe(world, own), world.point->scenario.grid.fpsTarget, m_options.screen, own);
+            });
+        } catch (const WorldError& error) {
+            // Without a display no setting has a live rate; everything else is as good as with one.
+            m_screenWorks = false;
+            report.findings.add({"accuracy.no_fps", "Live FPS could not be measured: nothing can be drawn here.", {}},
+                                error.remedy(), error.what());
+            return;
+        }
+        cost.fps = rate.mean;
+        cost.fpsWorst = rate.worst;
+        cost.othersShare = std::fmax(cost.othersShare, rate.othersShare);
+        keep([&](StudyStore& store) { store.keep(world.point->origin, cost); });
+    }
+
+    template <class Timed>
+    static void take(SettingCost& cost, const Timed& timed) {
+        cost.wallSeconds = timed.wallSeconds;
+        cost.stepMeanMs = timed.stepMeanMs;
+        cost.stepWorstMs = timed.stepWorstMs;
+        cost.othersShare = timed.othersShare;
+    }
+
+    const Inputs& m_inputs;
+    const AccuracyOptions& m_options;
+    const Execution& m_execution;
+    StudyBase m_base;
+    std::vector<SweepWorld> m_worlds;  ///< the reference, its repeats, the settings
+    std::mutex m_mutex;                ///< of findings while worlds run
+    bool m_screenWorks = true;
+};
+
+}  // namespace
+
+FloorSpread spreadOf(std::span<const DebrisField* const> worlds) {
+    FloorSpread spread;
+    std::array<std::vector<double>, measureCount> departures;
+    for (std::size_t a = 0; a < worlds.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            const DebrisDifference difference = compareDebris(*worlds[b], *worlds[a]);
+            ++spread.pairs;
+            for (std::size_t m = 0; m < measureCount; ++m) {
+                const double departure = difference.departure(static_cast<Measure>(m));
+                if (!std::isnan(departure)) {
+                    departures[m].push_back(departure);
+                }
+            }
+        }
+    }
+    for (std::size_t m = 0; m < measureCount; ++m) {
+        const std::vector<double>& of = departures[m];
+        spread.least[m] = of.empty() ? none : *std::min_element(of.begin(), of.end());
+        spread.middle[m] = of.empty() ? none : middleOf(of);
+        spread.largest[m] = of.empty() ? none : *std::max_element(of.begin(), of.end());
+    }
+    return spread;
+}
+
+AccuracyReport accuracyStudy(const Inputs& inputs, const Scenario& scenario, std::span<const AccuracySetting> settings,
+                             const AccuracyOptions& options, const Execution& execution) {
+    Sweep sweep(inputs, options, execution);
+    bool cancelled = false;
+    try {
+        sweep.plan(scenario, settings);
+        if (!options.simulated) {
+            sweep.report.complete = true;
+            return std::move(sweep.report);
+        }
+        sweep.simulateAll();
+    } catch (const Cancelled&) {
+        cancelled = true;
+    }
+    sweep.measureAll();
+    try {
+        if (!cancelled) {
+            sweep.measureCosts();
+        }
+    } catch (const Cancelled&) {
+        cancelled = true;
+    }
+    sweep.report.complete = !cancelled && !sweep.failed();
+    return std::move(sweep.report);
+}
+
+}  // namespace rubble

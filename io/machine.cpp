@@ -1,0 +1,63 @@
+#include "io/machine.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "core/base/error.h"
+
+namespace rubble::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string processorName() {
+    std::ifstream stream("/proc/cpuinfo");
+    for (std::string line; std::getline(stream, line);) {
+        const std::size_t colon = line.find(':');
+        if (line.starts_with("model name") && colon != std::string::npos && colon + 2 < line.size()) {
+            return line.substr(colon + 2);
+        }
+    }
+    return "unknown processor";
+}
+
+/// An absolute path from the environment; relative ones are to be ignored, says the standard.
+fs::path folderFrom(const char* variable) {
+    const char* value = std::getenv(variable);
+    const fs::path path = value ? value : "";
+    return path.is_absolute() ? path : fs::path();
+}
+
+}  // namespace
+
+std::string machineText() {
+    const double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    std::array<char, 32> memory{};
+    std::snprintf(memory.data(), memory.size(), "%.1f", bytes / (1024.0 * 1024.0 * 1024.0));
+    return processorName() + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads, " + memory.data() + " GiB";
+}
+
+std::string cacheFolder() {
+    if (const fs::path own = folderFrom("RUBBLE_CACHE"); !own.empty()) {
+        return own.string();
+    }
+    if (const fs::path shared = folderFrom("XDG_CACHE_HOME"); !shared.empty()) {
+        return (shared / "rubble").string();
+    }
+    if (const fs::path home = folderFrom("HOME"); !home.empty()) {
+        return (home / ".cache" / "rubble").string();
+    }
+    throw WorldError({"io.no_cache",
+                      "There is no folder for what can be made again: neither RUBBLE_CACHE, XDG_CACHE_HOME nor HOME is an "
+                      "absolute path.",
+                      {}},
+                     {"io.no_cache.remedy", "Set RUBBLE_CACHE to a folder with room.", {}});
+}
+
+}  // namespace rubble::io

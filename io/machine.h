@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace rubble::io {
+
+/// This machine in words, as far as it decides figures of time: "AMD EPYC 7R13, 2 threads, 7.6 GiB".
+std::string machineText();
+
+/// Folder for what can be made again: $RUBBLE_CACHE, else $XDG_CACHE_HOME/rubble, else $HOME/.cache/rubble (XDG base directories).
+/// Throws WorldError if none of them is set to an absolute path.
+std::string cacheFolder();
+
+}  // namespace rubble::io

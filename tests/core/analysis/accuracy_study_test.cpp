@@ -1,0 +1,321 @@
+#include "core/analysis/accuracy_study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+
+#include "core/base/error.h"
+#include "tests/scenes/fe_scenes.h"
+
+namespace rubble {
+namespace {
+
+/// Keeps worlds in memory, and counts.
+class MemoryStore : public StudyStore {
+public:
+    std::optional<SimulatedWorld> world(const WorldOrigin& origin, Findings&) override {
+        const std::scoped_lock lock(m_mutex);
+        const auto found = worlds.find(origin.key);
+        return found == worlds.end() ? std::nullopt : std::optional(found->second);
+    }
+    void keep(const WorldOrigin& origin, const SimulatedWorld& world) override {
+        const std::scoped_lock lock(m_mutex);
+        if (full) {
+            throw WorldError({"test.full", "the disk is full", {}}, {"test.room", "make room", {}});
+        }
+        // After a cancel a world that is under way may come to its end before it hears of it.
+        if (interrupted && interrupted->cancelled()) {
+            throw Cancelled();
+        }
+        EXPECT_TRUE(worlds.emplace(origin.key, world).second) << "simulated twice";
+        order.push_back(origin);
+        if (interrupted && order.size() == interruptAfter) {
+            interrupted->cancel();
+        }
+    }
+    std::optional<SettingCost> cost(const WorldOrigin& origin, int) override {
+        const auto found = costs.find(origin.key);
+        return found == costs.end() ? std::nullopt : std::optional(found->second);
+    }
+    void keep(const WorldOrigin& origin, const SettingCost& cost) override { costs[origin.key] = cost; }
+
+    std::map<Digest, SimulatedWorld> worlds;
+    std::map<Digest, SettingCost> costs;
+    std::vector<WorldOrigin> order;
+    const Execution* interrupted = nullptr;
+    std::size_t interruptAfter = 0;  ///< worlds
+    bool full = false;
+
+private:
+    std::mutex m_mutex;
+};
+
+class AccuracyStudy : public testing::Test {
+protected:
+    void SetUp() override {
+        scenario.simulation.settleTime = 1.0;
+        inputs.fe = scenes::collapsingWall(4, 3);
+        options.timed = false;
+        options.machine = "this one";
+    }
+    AccuracyReport study(const Execution& execution = Execution()) const {
+        return accuracyStudy(inputs, scenario, sweepSettings(scenario, multiples, {}), options, execution);
+    }
+    std::vector<std::string> multiples{"1", "2.2"};
+    Inputs inputs;
+    Scenario scenario;
+    AccuracyOptions options;
+};
+
+void expectSamePoint(const AccuracyPoint& a, const AccuracyPoint& b) {
+    EXPECT_EQ(a.setting, b.setting);
+    EXPECT_EQ(a.done, b.done);
+    EXPECT_EQ(a.trajectoryHash, b.trajectoryHash);
+    EXPECT_EQ(a.difference.values, b.difference.values);
+    EXPECT_EQ(a.difference.accuracy, b.difference.accuracy);
+    EXPECT_EQ(a.standings, b.standings);
+    EXPECT_EQ(a.bodies, b.bodies);
+    EXPECT_EQ(a.bodiesPeak, b.bodiesPeak);
+    EXPECT_EQ(a.fragmentErrors, b.fragmentErrors);
+}
+
+void expectSame(const AccuracyReport& a, const AccuracyReport& b) {
+    ASSERT_TRUE(a.floor && b.floor);
+    EXPECT_EQ(a.floor->largest.values, b.floor->largest.values);
+    EXPECT_EQ(a.spread.middle, b.spread.middle);
+    ASSERT_EQ(a.points.size(), b.points.size());
+    expectSamePoint(a.reference, b.reference);
+    for (std::size_t i = 0; i < a.points.size(); ++i) {
+        expectSamePoint(a.points[i], b.points[i]);
+    }
+}
+
+TEST_F(AccuracyStudy, ComparesEachSettingWithTheReference) {
+    const AccuracyReport report = study();
+    EXPECT_TRUE(report.complete);
+    ASSERT_EQ(report.points.size(), 3u);
+    EXPECT_EQ(report.points.back().setting, "paper");
+    EXPECT_TRUE(std::isnan(report.reference.multiple[0]));
+    EXPECT_EQ(report.reference.bodies, 12);
+    EXPECT_EQ(report.reference.difference.of(Measure::CoreIou), 1.0);
+    EXPECT_EQ(report.reference.difference.accuracy, (std::vector<double>{1.0, 1.0, 1.0}));
+    EXPECT_EQ(report.spread.pairs, 3);
+    // By hand: two runs of the pipeline, measured and compared.
+    const auto fieldOf = [&](const Scenario& one) {
+        DebrisRecorder sink;
+        const Results results = run(inputs, one, Stage::Simulation, {}, &sink, Execution());
+        return measureDebris(sink.debris(DebrisInstant::AtRest), CollapsePlan(*results.fragments, inputs.fe->mesh()), {}, {});
+    };
+    for (const AccuracyPoint& point : report.points) {
+        ASSERT_TRUE(point.done);
+        const DebrisField reference = fieldOf(referenceScenario(scenario));
+        const DebrisField other = fieldOf(point.scenario);
+        EXPECT_EQ(compareDebris(reference, other).values, point.difference.values) << point.setting;
+        for (std::size_t f = 0; f < point.fragmentErrors.size(); ++f) {
+            EXPECT_EQ(point.fragmentErrors[f], (other.debris.fragments[f].centre - reference.debris.fragments[f].centre).norm());
+        }
+    }
+    // Every fragment has an error, and the rate counts them.
+    const AccuracyPoint& paper = report.points.back();
+    const auto within = std::count_if(paper.fragmentErrors.begin(), paper.fragmentErrors.end(), [](double e) { return e < 0.3; });
+    EXPECT_EQ(static_cast<double>(within) / 12.0, paper.difference.accuracy[2]);
+    EXPECT_LT(report.points[1].bodies, 12) << "2.2 mean distances take neighbours together";
+}
+
+TEST_F(AccuracyStudy, TheFloorIsThatOfTheReference) {
+    options.study.repeats = 3;
+    const AccuracyReport report = study();
+    StudySettings settings;
+    settings.repeats = 3;
+    const RepeatFloor byHand = repeatFloor(inputs, referenceScenario(scenario), settings, Execution());
+    EXPECT_EQ(report.floor->trajectoryHash, byHand.trajectoryHash);
+    EXPECT_EQ(report.floor->largest.values, byHand.largest.values);
+    EXPECT_EQ(report.spread.pairs, 6);
+    for (std::size_t m = 0; m < measureCount; ++m) {
+        EXPECT_EQ(report.spread.largest[m], byHand.largest.departure(static_cast<Measure>(m)));
+        EXPECT_LE(report.spread.least[m], report.spread.middle[m]);
+        EXPECT_LE(report.spread.middle[m], report.spread.largest[m]);
+    }
+}
+
+TEST_F(AccuracyStudy, DoesNotDependOnHowManyWorldsRunAtOnce) {
+    options.jobs = 1;
+    const AccuracyReport one = study();
+    for (const int jobs : {2, 5}) {
+        options.jobs = jobs;
+        expectSame(study(), one);
+    }
+}
+
+TEST_F(AccuracyStudy, AnInterruptedSweepGoesOnAndEndsTheSame) {
+    const AccuracyReport whole = study();
+    for (const std::size_t after : {1u, 2u, 4u}) {
+        MemoryStore store;
+        options.store = &store;
+        options.jobs = 1;
+        const Execution execution;
+        store.interrupted = &execution;
+        store.interruptAfter = after;
+        const AccuracyReport partial = study(execution);
+        EXPECT_FALSE(partial.complete);
+        EXPECT_EQ(store.order.size(), after);
+        for (std::size_t i = 0; i < partial.points.size(); ++i) {
+            if (partial.points[i].done) {
+                expectSamePoint(partial.points[i], whole.points[i]);
+            }
+        }
+        store.interrupted = nullptr;
+        options.jobs = 3;
+        const AccuracyReport second = study();
+        EXPECT_TRUE(second.complete);
+        EXPECT_EQ(store.order.size(), 6u) << "the reference, two repeats, two multiples, the paper: none twice";
+        expectSame(second, whole);
+        EXPECT_TRUE(second.reference.kept);
+        options.store = nullptr;
+    }
+}
+
+TEST_F(AccuracyStudy, CostsAreMeasuredOnceAndTakenUp) {
+    MemoryStore store;
+    options.store = &store;
+    options.timed = true;
+    int screens = 0;
+    struct Blank : LiveScreen {
+        void draw(double) override {}
+    };
+    options.screen = [&](const RunDescription&, const std::shared_ptr<const TrajectoryReader>&) {
+        ++screens;
+        return std::make_unique<Blank>();
+    };
+    const AccuracyReport first = study();
+    EXPECT_EQ(screens, 4);
+    EXPECT_GT(first.reference.cost.wallSeconds, 0.0);
+    for (const AccuracyPoint& point : first.points) {
+        EXPECT_GT(point.cost.wallSeconds, 0.0) << point.setting;
+        EXPECT_GT(point.cost.stepMeanMs, 0.0);
+        EXPECT_GE(point.cost.stepWorstMs, point.cost.stepMeanMs);
+        EXPECT_GT(point.cost.fps, 0.0);
+    }
+    const AccuracyReport second = study();
+    EXPECT_EQ(screens, 4) << "nothing is measured twice";
+    EXPECT_EQ(second.points[0].cost.wallSeconds, first.points[0].cost.wallSeconds);
+    EXPECT_EQ(second.points[0].cost.fps, first.points[0].cost.fps);
+    store.costs[first.points[0].origin.key].othersShare = 0.5;
+    EXPECT_GE(study().findings.count("accuracy.disturbed"), 1);
+    options.retimed = true;
+    study();
+    EXPECT_EQ(screens, 8) << "everything is measured again";
+}
+
+TEST_F(AccuracyStudy, WithoutADisplayEverythingElseIsMeasured) {
+    options.timed = true;
+    int asked = 0;
+    options.screen = [&](const RunDescription&, const std::shared_ptr<const TrajectoryReader>&) -> std::unique_ptr<LiveScreen> {
+        ++asked;
+        throw WorldError({"test.no_display", "no display", {}}, {"test.remedy", "start one", {}});
+    };
+    const AccuracyReport report = study();
+    EXPECT_TRUE(report.complete);
+    EXPECT_EQ(asked, 1) << "one answer is enough";
+    EXPECT_EQ(report.findings.count("accuracy.no_fps"), 1);
+    EXPECT_TRUE(std::isnan(report.points[0].cost.fps));
+    EXPECT_GT(report.points[2].cost.wallSeconds, 0.0);
+}
+
+TEST_F(AccuracyStudy, AFullDiskLosesNoPoint) {
+    MemoryStore store;
+    store.full = true;
+    options.store = &store;
+    const AccuracyReport report = study();
+    EXPECT_TRUE(report.complete);
+    EXPECT_TRUE(report.points[0].done);
+    EXPECT_EQ(report.findings.count("accuracy.not_kept"), 6);
+}
+
+TEST_F(AccuracyStudy, AWorldWithoutMemoryTakesNoOtherWithIt) {
+    // Memory is out when the first of the settings is kept, and comes back for the second try but never for the third world.
+    class Failing : public MemoryStore {
+    public:
+        using MemoryStore::keep;
+        void keep(const WorldOrigin& origin, const SimulatedWorld& world) override {
+            if (origin.scenario == lost) {
+                throw std::bad_alloc();
+            }
+            if (origin.scenario == once && !m_failed) {
+                m_failed = true;
+                throw std::bad_alloc();
+            }
+            MemoryStore::keep(origin, world);
+        }
+        Digest lost;
+        Digest once;
+
+    private:
+        bool m_failed = false;
+    };
+    Failing store;
+    options.store = &store;
+    options.jobs = 2;
+    const auto settings = sweepSettings(scenario, multiples, {});
+    store.once = originOf(inputs, settings[0].scenario, 0, 0.0, "").scenario;
+    store.lost = originOf(inputs, settings[1].scenario, 0, 0.0, "").scenario;
+    const AccuracyReport report = study();
+    EXPECT_FALSE(report.complete);
+    EXPECT_TRUE(report.points[0].done);
+    EXPECT_TRUE(report.points[0].failure.empty());
+    EXPECT_FALSE(report.points[1].done);
+    EXPECT_EQ(report.points[1].failure.id, "accuracy.memory");
+    EXPECT_TRUE(report.points[2].done);
+}
+
+TEST_F(AccuracyStudy, OriginsTellWhatDiffers) {
+    const WorldOrigin origin = originOf(inputs, scenario, 0, 0.0, "here");
+    EXPECT_EQ(foreignPart(origin, origin), "");
+    WorldOrigin other = origin;
+    other.machine = "elsewhere";
+    EXPECT_EQ(foreignPart(origin, other), "") << "another machine marks, and does not part";
+    other = origin;
+    other.build = "another compiler";
+    EXPECT_EQ(foreignPart(origin, other), "build");
+    Scenario changed = scenario;
+    changed.simulation.stepRate = 61.0;
+    EXPECT_EQ(foreignPart(origin, originOf(inputs, changed, 0, 0.0, "here")), "scenario");
+    EXPECT_EQ(foreignPart(origin, originOf(inputs, scenario, 1, 1e-6, "here")), "repeat");
+    EXPECT_NE(origin.key, originOf(inputs, scenario, 1, 1e-6, "here").key);
+    EXPECT_NE(originOf(inputs, scenario, 1, 1e-6, "here").key, originOf(inputs, scenario, 1, 1e-5, "here").key);
+    other = origin;
+    other.feSha256 = "another file";
+    EXPECT_EQ(foreignPart(origin, other), "FE result");
+    other = origin;
+    other.key = Digest{};
+    EXPECT_NE(foreignPart(origin, other), "");
+}
+
+TEST_F(AccuracyStudy, PlansWithoutSimulating) {
+    options.simulated = false;
+    MemoryStore store;
+    options.store = &store;
+    const AccuracyReport report = study();
+    EXPECT_TRUE(report.complete);
+    EXPECT_FALSE(report.floor);
+    EXPECT_FALSE(report.points[0].done);
+    EXPECT_EQ(report.points[0].fragments, 12);
+    EXPECT_GT(report.points[0].bodies, 0);
+    EXPECT_TRUE(store.order.empty());
+}
+
+TEST_F(AccuracyStudy, WithoutFragmentsThereIsNothingToCompare) {
+    scenes::Block standing;
+    inputs.fe = scenes::makeScene({standing}, 3, 0.1);
+    const AccuracyReport report = study();
+    EXPECT_TRUE(report.complete);
+    EXPECT_EQ(report.points[0].fragments, 0);
+    EXPECT_TRUE(std::isnan(report.points[0].difference.of(Measure::MedianDistance)));
+    EXPECT_TRUE(report.points[0].fragmentErrors.empty());
+}
+
+}  // namespace
+}  // namespace rubble

@@ -28,6 +28,12 @@ void FrameRecorder::commit(const RigidWorld& world, double time, FrameKind kind)
     }
     m_sink.commit(frame);
     m_last = time;
+    if (due(time)) {
+        m_due += m_interval;
+        if (due(time)) {
+            m_due = time + m_interval;
+        }
+    }
     ++m_frames;
 }
 

@@ -14,8 +14,8 @@ class FrameRecorder {
 public:
     FrameRecorder(TrajectorySink& sink, double frameRate) : m_sink(sink), m_interval(1.0 / frameRate) {}
 
-    /// True when a frame's time has passed since the last one.
-    bool due(double time) const { return !(time - m_last < m_interval - 1e-9); }
+    /// True when it is time for a frame. Frames follow their own beat, so that their rate holds in the mean whatever the steps.
+    bool due(double time) const { return time >= m_due - 1e-9; }
     /// From now on a body is recorded here, whatever the world says: it is no number there.
     void hold(BodyId body, const BodyMotion& motion) { m_held[body] = motion; }
     void commit(const RigidWorld& world, double time, FrameKind kind);
@@ -28,6 +28,7 @@ private:
     TrajectorySink& m_sink;
     double m_interval;
     double m_last = -std::numeric_limits<double>::infinity();
+    double m_due = -std::numeric_limits<double>::infinity();  ///< s
     std::int64_t m_frames = 0;
     Hasher m_hasher;
     std::map<BodyId, BodyMotion> m_held;

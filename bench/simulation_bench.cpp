@@ -58,20 +58,31 @@ void count(benchmark::State& state, const SimulationResult& result) {
     state.counters["real time"] = result.stepTimes.realTimeFactor;
 }
 
-/// The whole collapse, ours and then plain Bullet defaults on the same bodies (its islands and sleeping, no rest offsets, no
-/// freeze, no limits), with the ratio of their times from the first to the last birth. `pieces` as in PieceKind.
+/// Plain Bullet defaults on the same bodies: 60 steps a second, its islands and sleeping, no rest offsets, no freeze, no limits.
+SimulationResult plainRun(RunDescription description, TrajectorySink& sink, const Execution& execution) {
+    description.scenario.simulation.stepRate = 60.0;
+    return simulateIn(makePlainBulletWorld, description, sink, execution);
+}
+
+void countPlain(benchmark::State& state, const SimulationResult& plain, const SimulationResult& ours) {
+    state.counters["plain ms/step"] = plain.stepTimes.meanMs;
+    state.counters["plain over ours"] = ours.stepTimes.realTimeFactor / plain.stepTimes.realTimeFactor;
+}
+
+/// The whole collapse, ours and then plain Bullet's, with the ratio of their times from the first to the last birth. `pieces` as in
+/// PieceKind.
 void clusteredCollapse(benchmark::State& state, PieceKind pieces) {
     const RunDescription description = clusteredArch(pieces);
     NoTrajectory sink;
     const Execution execution;
     for (auto _ : state) {
         const SimulationResult ours = simulate(description, sink, execution);
-        const SimulationResult plain = simulateIn(makePlainBulletWorld, description, sink, execution);
+        const SimulationResult plain = plainRun(description, sink, execution);
         count(state, ours);
-        state.counters["plain ms/step"] = plain.stepTimes.meanMs;
-        state.counters["plain over ours"] = plain.stepTimes.meanMs / ours.stepTimes.meanMs;
+        countPlain(state, plain, ours);
     }
 }
+
 /// Every fragment its own body: the time of a step and the mean height of the bodies when the structure has fallen, ours and plain
 /// Bullet's; the deepest contact is ours (plain Bullet notes none).
 void referenceCollapse(benchmark::State& state, PieceKind pieces) {
@@ -80,10 +91,9 @@ void referenceCollapse(benchmark::State& state, PieceKind pieces) {
     for (auto _ : state) {
         NoTrajectory sink, plainSink;
         const SimulationResult ours = simulate(description, sink, execution);
-        const SimulationResult plain = simulateIn(makePlainBulletWorld, description, plainSink, execution);
+        const SimulationResult plain = plainRun(description, plainSink, execution);
         count(state, ours);
-        state.counters["plain ms/step"] = plain.stepTimes.meanMs;
-        state.counters["plain over ours"] = plain.stepTimes.meanMs / ours.stepTimes.meanMs;
+        countPlain(state, plain, ours);
         state.counters["deepest m"] = ours.penetrationMax;
         state.counters["mean height m"] = sink.meanHeight();
         state.counters["plain mean height m"] = plainSink.meanHeight();

@@ -14,10 +14,10 @@ void pause() {
 #endif
 }
 
-/// Looks at an atomic before a thread lets others go first, and after that, before it goes to sleep: most loops of a step follow
-/// each other within microseconds, and all within some hundred; waking a thread takes longer than most of them.
-constexpr int patience = 500;
-constexpr int politePatience = 60;
+/// Looks at an atomic before a thread goes to sleep: most loops of a step follow each other within microseconds, and waking a
+/// thread takes longer than most of them. No thread lets others go first: on a machine with other work it would get its core back
+/// milliseconds later.
+constexpr int patience = 2000;
 
 /// Waits until the atomic is no longer `old`.
 template <class T>
@@ -27,12 +27,6 @@ void waitWhile(const std::atomic<T>& atomic, T old) {
             return;
         }
         pause();
-    }
-    for (int i = 0; i < politePatience; ++i) {
-        if (atomic.load() != old) {
-            return;
-        }
-        std::this_thread::yield();
     }
     atomic.wait(old);
 }
@@ -58,28 +52,36 @@ void WorkerPool::share(std::size_t count, std::size_t grain, std::function<void(
     m_work = std::move(work);
     m_count = count;
     m_grain = grain;
-    m_next.store(0);
-    m_busy.store(static_cast<int>(m_workers.size()));
+    const auto parts = static_cast<std::uint32_t>((count + grain - 1) / grain);
+    m_unfinished.store(parts);
+    m_untaken.store(parts);
     ++m_round;
     m_round.notify_all();
     takeParts();
-    for (int busy = m_busy.load(); busy != 0; busy = m_busy.load()) {
-        waitWhile(m_busy, busy);
+    // Only for parts that others have begun; who comes late finds nothing and is not waited for.
+    for (std::uint32_t left = m_unfinished.load(); left != 0; left = m_unfinished.load()) {
+        waitWhile(m_unfinished, left);
     }
 }
 
 void WorkerPool::takeParts() {
-    for (;;) {
-        const std::size_t first = m_next.fetch_add(m_grain);
-        if (first >= m_count) {
-            return;
+    std::uint32_t untaken = m_untaken.load();
+    while (untaken != 0) {
+        if (!m_untaken.compare_exchange_weak(untaken, untaken - 1)) {
+            continue;
         }
+        const std::size_t parts = (m_count + m_grain - 1) / m_grain;
+        const std::size_t first = (parts - untaken) * m_grain;
         m_work(first, std::min(first + m_grain, m_count));
+        if (m_unfinished.fetch_sub(1) == 1) {
+            m_unfinished.notify_all();
+        }
+        untaken = m_untaken.load();
     }
 }
 
 void WorkerPool::wait() {
-    unsigned seen = 0;
+    std::uint32_t seen = 0;
     for (;;) {
         waitWhile(m_round, seen);
         seen = m_round.load();
@@ -87,9 +89,6 @@ void WorkerPool::wait() {
             return;
         }
         takeParts();
-        if (m_busy.fetch_sub(1) == 1) {
-            m_busy.notify_all();
-        }
     }
 }
 

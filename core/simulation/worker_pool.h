@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <thread>
 #include <vector>
@@ -35,12 +36,13 @@ private:
     void takeParts();
     void wait();
 
+    // Of the loop at hand. They stay as they are until the last part that somebody took is done, so who has a part may read them.
     std::function<void(std::size_t, std::size_t)> m_work;
     std::size_t m_count = 0;
     std::size_t m_grain = 1;
-    std::atomic<std::size_t> m_next{0};
-    std::atomic<int> m_busy{0};
-    std::atomic<unsigned> m_round{0};
+    std::atomic<std::uint32_t> m_untaken{0};     ///< parts that nobody has
+    std::atomic<std::uint32_t> m_unfinished{0};  ///< parts
+    std::atomic<std::uint32_t> m_round{0};       ///< grows with every loop
     std::atomic<bool> m_stop{false};
     std::vector<std::thread> m_workers;
 };

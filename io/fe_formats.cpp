@@ -1,0 +1,72 @@
+#include <array>
+
+#include "io/exodus/exodus_reader.h"
+#include "io/fe_format.h"
+
+namespace rubble::io {
+
+namespace {
+
+bool holds(const FileHead& head, std::string_view name) {
+    for (const std::string& known : head.hdf5Names) {
+        if (known == name) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool recognisesMed(const FileHead& head) {
+    return holds(head, "INFOS_GENERALES");
+}
+
+bool recognisesMpco(const FileHead& head) {
+    for (const std::string& name : head.hdf5Names) {
+        if (name.starts_with("MODEL_STAGE[")) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// The collapse recorder writes lines "<time> Elem <tag>" and "<time> Node <tag>".
+bool recognisesCollapseLog(const FileHead& head) {
+    const std::string line = head.bytes.substr(0, head.bytes.find('\n'));
+    const std::size_t word = line.find_first_not_of("0123456789.+-eE ");
+    return word != std::string::npos && word > 0 &&
+           (line.substr(word).starts_with("lem ") || line.substr(word).starts_with("Node ")) &&
+           line.find_first_of("0123456789") == 0;
+}
+
+// A row a format. Files of HDF5 that nobody else claims are taken for Exodus II, whose reader says what they lack.
+constexpr std::array formats{
+    FeFormat{"Exodus II", ".exo, .e, .ex2", 1, recognisesExodus, standsAlone, readExodus},
+};
+
+constexpr std::array foreign{
+    ForeignFormat{
+        "a MED file (Code_Aster, Salome)", recognisesMed,
+        "MED is out of scope: it has no status of elements. Convert the result to VTU with the dead cells left out or flagged."},
+    ForeignFormat{
+        "an OpenSees mpco file", recognisesMpco,
+        "OpenSees recorders other than pvd are out of scope: record the analysis with \"recorder pvd\" and give the .pvd file."},
+    ForeignFormat{
+        "a collapse log of OpenSees", recognisesCollapseLog,
+        "OpenSees recorders other than pvd are out of scope: record the analysis with \"recorder pvd\" and give the .pvd file."},
+};
+
+}  // namespace
+
+std::span<const FeFormat> feFormats() {
+    return formats;
+}
+
+std::span<const ForeignFormat> foreignFormats() {
+    return foreign;
+}
+
+std::vector<std::string> standsAlone(const std::string& path) {
+    return {path};
+}
+
+}  // namespace rubble::io

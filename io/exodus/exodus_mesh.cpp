@@ -197,8 +197,4 @@ ExodusMesh readExodusMesh(const ExodusFile& file, const FrameTransform& frame) {
     return MeshReader(file, frame).read();
 }
 
-bool usableLength(double value) {
-    return std::abs(value) < 1e9;
-}
-
 }  // namespace rubble::io

@@ -2,6 +2,7 @@
 
 #include "io/exodus/exodus_reader.h"
 #include "io/fe_format.h"
+#include "io/vtk/vtk_reader.h"
 
 namespace rubble::io {
 
@@ -40,6 +41,8 @@ bool recognisesCollapseLog(const FileHead& head) {
 
 // A row a format. Files of HDF5 that nobody else claims are taken for Exodus II, whose reader says what they lack.
 constexpr std::array formats{
+    FeFormat{"VTK XML", ".vtu, .pvtu, .pvd, .vtu.series", 1, recognisesVtkXml, vtkMembers, readVtk},
+    FeFormat{"VTK legacy", ".vtk, .vtk.series", 1, recognisesVtkLegacy, vtkMembers, readVtk},
     FeFormat{"Exodus II", ".exo, .e, .ex2", 1, recognisesExodus, standsAlone, readExodus},
 };
 

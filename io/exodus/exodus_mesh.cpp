@@ -1,7 +1,6 @@
 #include "io/exodus/exodus_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 

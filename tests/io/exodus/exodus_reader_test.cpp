@@ -320,7 +320,7 @@ TEST_F(ExodusReaderTest, TheFrameTurnsScalesAndMoves) {
     EXPECT_TRUE(state->velocities[0].isApprox(Vec3(2, -2, 2), 1e-12));
     EXPECT_NEAR(fe->mesh().section[3], 0.25, 1e-15);
     EXPECT_NEAR(fe->mesh().density[3], 2400.0, 1e-9) << "t/mm3";
-    EXPECT_EQ(fe->contents().findings.count("exodus.density_unit"), 1);
+    EXPECT_EQ(fe->contents().findings.count("fe.density_unit"), 1);
 
     frame.upAxis = "w";
     EXPECT_THAT(errorOf<UsageError>(builder, {}, frame), HasSubstr("\"w\""));

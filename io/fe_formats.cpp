@@ -3,6 +3,7 @@
 #include "io/exodus/exodus_reader.h"
 #include "io/fe_format.h"
 #include "io/vtk/vtk_reader.h"
+#include "io/vtk/vtkhdf_reader.h"
 
 namespace rubble::io {
 
@@ -43,6 +44,7 @@ bool recognisesCollapseLog(const FileHead& head) {
 constexpr std::array formats{
     FeFormat{"VTK XML", ".vtu, .pvtu, .pvd, .vtu.series", 1, recognisesVtkXml, vtkMembers, readVtk},
     FeFormat{"VTK legacy", ".vtk, .vtk.series", 1, recognisesVtkLegacy, vtkMembers, readVtk},
+    FeFormat{"VTKHDF", ".vtkhdf, .hdf", 1, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},
     FeFormat{"Exodus II", ".exo, .e, .ex2", 1, recognisesExodus, standsAlone, readExodus},
 };
 

@@ -54,8 +54,9 @@ public:
     virtual const std::vector<double>& times() const = 0;
     /// Reads state k; may be called from any thread.
     virtual Grid read(std::size_t k, const GridSelection& selection) const = 0;
-    /// True where it is known without reading that state k has the cells of state k - 1, ids and parts included.
-    virtual bool sameCells(std::size_t k) const = 0;
+    /// True where it is known without reading that state k has the points' numbers and the cells of state k - 1.
+    /// @param cellArrays  cell arrays that must be unchanged as well
+    virtual bool sameCells(std::size_t k, const std::vector<std::string>& cellArrays) const = 0;
 };
 
 }  // namespace rubble::io

@@ -113,15 +113,14 @@ void GridSeries::decideDisplacement(const Grid& first) {
 
 SeriesStep GridSeries::step(std::size_t k) {
     SeriesStep step;
-    const bool same = k > 0 && m_source->sameCells(k);
+    const std::vector<std::string> tell{m_names.element, m_names.part, m_names.density, m_names.thickness, m_names.area};
+    const bool same = k > 0 && m_source->sameCells(k, {m_names.element, m_names.part});
     GridSelection selection;
     selection.cells = !same;
     selection.points = !same;
     selection.cellArrays = {m_names.flag.name};
     if (!same) {
-        for (const std::string& name : {m_names.element, m_names.part, m_names.density, m_names.thickness, m_names.area}) {
-            selection.cellArrays.push_back(name);
-        }
+        selection.cellArrays.insert(selection.cellArrays.end(), tell.begin(), tell.end());
         selection.pointArrays = {m_names.node};
     }
     const Grid grid = m_source->read(k, selection);

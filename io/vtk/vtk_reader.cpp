@@ -44,7 +44,9 @@ public:
         return grid;
     }
 
-    bool sameCells(std::size_t k) const override { return k > 0 && m_entries[k].files == m_entries[k - 1].files; }
+    bool sameCells(std::size_t k, const std::vector<std::string>&) const override {
+        return k > 0 && m_entries[k].files == m_entries[k - 1].files;
+    }
 
 private:
     // The index, else the files; where neither says them, states are counted.

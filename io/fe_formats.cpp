@@ -1,5 +1,7 @@
 #include <array>
 
+#include "io/d3plot/d3plot_header.h"
+#include "io/d3plot/d3plot_reader.h"
 #include "io/exodus/exodus_reader.h"
 #include "io/fe_format.h"
 
@@ -40,6 +42,7 @@ bool recognisesCollapseLog(const FileHead& head) {
 
 // A row a format. Files of HDF5 that nobody else claims are taken for Exodus II, whose reader says what they lack.
 constexpr std::array formats{
+    FeFormat{"LS-DYNA d3plot", "d3plot, d3plot01, ...", 1, recognisesD3plot, d3plotMembers, readD3plot},
     FeFormat{"Exodus II", ".exo, .e, .ex2", 1, recognisesExodus, standsAlone, readExodus},
 };
 

@@ -4,6 +4,7 @@
 #include "io/d3plot/d3plot_reader.h"
 #include "io/exodus/exodus_reader.h"
 #include "io/fe_format.h"
+#include "io/radioss/anim_reader.h"
 
 namespace rubble::io {
 
@@ -42,6 +43,9 @@ bool recognisesCollapseLog(const FileHead& head) {
 
 // A row a format. Files of HDF5 that nobody else claims are taken for Exodus II, whose reader says what they lack.
 constexpr std::array formats{
+    FeFormat{"OpenRadioss animation", "RUNA001, RUNA002, ..., also .gz", 1, recognisesAnim, animMembers, readAnim},
+    FeFormat{"OpenRadioss animation converted to VTK", "RUN_001.vtk, ...", 1, recognisesConvertedAnim, convertedAnimMembers,
+             readConvertedAnim},
     FeFormat{"LS-DYNA d3plot", "d3plot, d3plot01, ...", 1, recognisesD3plot, d3plotMembers, readD3plot},
     FeFormat{"Exodus II", ".exo, .e, .ex2", 1, recognisesExodus, standsAlone, readExodus},
 };

@@ -1,21 +1,18 @@
 #include "io/d3plot/d3plot_mesh.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/fe/components.h"
 #include "io/mesh_builder.h"
+#include "io/one_point_volume.h"
 
 namespace rubble::io {
 
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-constexpr std::array<std::array<int, 3>, 8> cubeCorners{
-    {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
 
 /// Adds the elements kind by kind and settles what they are made of.
 class MeshMaker {
@@ -36,9 +33,7 @@ public:
         std::vector<Vec3> nodes = m_geometry.nodes;
         std::vector<std::int64_t> ids = m_geometry.nodeIds;
         m_result.particles.appendCorners(nodes);
-        for (const std::int64_t id : m_geometry.particles.ids) {
-            ids.insert(ids.end(), cubeCorners.size(), id);
-        }
+        m_result.particles.appendIds(ids);
         m_builder.setNodes(std::move(ids), std::move(nodes));
         for (std::size_t p = 0; p < m_geometry.partIds.size(); ++p) {
             m_builder.addPart(m_geometry.partTitles[p], m_geometry.partIds[p]);
@@ -66,13 +61,8 @@ private:
             m_builder.addShell(shells.ids[e], partOf(shells, e), std::span(shells.nodes).subspan(4 * e, 4), thickness[e]);
         }
         const D3plotElements& particles = m_geometry.particles;
-        auto corner = static_cast<std::int64_t>(m_geometry.nodes.size());
-        for (std::size_t e = 0; e < particles.count(); ++e, corner += 8) {
-            std::array<std::int64_t, 8> corners{};
-            for (std::size_t i = 0; i < corners.size(); ++i) {
-                corners[i] = corner + static_cast<std::int64_t>(i);
-            }
-            m_builder.addSolid(particles.ids[e], partOf(particles, e), corners);
+        for (std::size_t e = 0; e < particles.count(); ++e) {
+            m_builder.addSolid(particles.ids[e], partOf(particles, e), Particles::cornersOf(e, m_geometry.nodes.size()));
         }
     }
 
@@ -149,7 +139,6 @@ private:
             const Vec3& node = m_geometry.nodes[static_cast<std::size_t>(particles.nodes[e])];
             bounds[partOf(particles, e)].extend(node);
         }
-        m_result.particles.nodes = particles.nodes;
         bool assumed = false;
         for (std::size_t e = 0; e < particles.count(); ++e) {
             const std::size_t part = partOf(particles, e);
@@ -163,25 +152,12 @@ private:
                 volume = spacingVolume(bounds[part], count[part]);
                 assumed = true;
             }
-            m_result.particles.halfEdges.push_back(0.5 * std::cbrt(volume));
+            m_result.particles.add(particles.nodes[e], volume);
         }
-        m_result.findings.add({"d3plot.particles", "Particles are shown and dropped as cubes of their volume", {}},
-                              {"d3plot.particles.remedy", "Nothing to do.", {}},
+        m_result.findings.add({"fe.particles", "Particles are shown and dropped as cubes of their volume", {}},
+                              {"fe.particles.remedy", "Nothing to do.", {}},
                               assumed ? "volume from the space between them" : "volume from mass and density",
                               static_cast<std::int64_t>(particles.count()));
-    }
-
-    // A block of n particles along its longest side is n - 1 spacings long.
-    static double spacingVolume(const Aabb& bounds, std::size_t count) {
-        const Vec3 size = bounds.sizes();
-        const double box = size.prod();
-        if (std::isfinite(box) && box > 0.0) {
-            const double spacing = std::cbrt(box / static_cast<double>(count));
-            return (size + Vec3::Constant(spacing)).prod() / static_cast<double>(count);
-        }
-        const double longest = size.maxCoeff();
-        const double edge = longest > 0.0 && usableLength(longest) ? longest / static_cast<double>(count) : 1.0;
-        return edge * edge * edge;
     }
 
     const D3plotFamily& m_family;
@@ -196,22 +172,6 @@ private:
 };
 
 }  // namespace
-
-void D3plotParticles::appendCorners(std::vector<Vec3>& positions) const {
-    for (std::size_t p = 0; p < nodes.size(); ++p) {
-        const Vec3 centre = positions[static_cast<std::size_t>(nodes[p])];
-        for (const auto& corner : cubeCorners) {
-            positions.push_back(centre + halfEdges[p] * Vec3(corner[0], corner[1], corner[2]));
-        }
-    }
-}
-
-void D3plotParticles::appendVelocities(std::vector<Vec3>& velocities) const {
-    for (const std::int64_t node : nodes) {
-        const Vec3 velocity = velocities[static_cast<std::size_t>(node)];
-        velocities.insert(velocities.end(), cubeCorners.size(), velocity);
-    }
-}
 
 D3plotMesh makeD3plotMesh(const D3plotFamily& family, const D3plotHeader& header, const D3plotGeometry& geometry,
                           const D3plotStateLayout& layout, const D3plotStates& states, const Activity& activity,
@@ -229,16 +189,6 @@ std::vector<double> d3plotPartMasses(const D3plotFamily& family, const D3plotHea
     std::vector<double> masses(static_cast<std::size_t>(parts));
     family.readFloats(stateBegin + 1 + 6 + 5 * parts, masses);
     return masses;
-}
-
-double onePointVolume(const std::vector<Vec3>& corners) {
-    Mat3 jacobian = Mat3::Zero();
-    for (std::size_t a = 0; a < cubeCorners.size(); ++a) {
-        for (int axis = 0; axis < 3; ++axis) {
-            jacobian.col(axis) += 0.125 * cubeCorners[a][static_cast<std::size_t>(axis)] * corners[a];
-        }
-    }
-    return 8.0 * jacobian.determinant();
 }
 
 }  // namespace rubble::io

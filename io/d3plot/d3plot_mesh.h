@@ -5,23 +5,13 @@
 #include "core/fe/mesh.h"
 #include "io/d3plot/d3plot_activity.h"
 #include "io/frame_transform.h"
+#include "io/particles.h"
 
 namespace rubble::io {
 
-/// Particles as the mesh has them: cubes of their volume around their node, which move with it.
-struct D3plotParticles {
-    std::vector<std::int64_t> nodes;  ///< places of the nodes [particles]
-    std::vector<double> halfEdges;    ///< file unit [particles]
-
-    /// Appends the eight corners of every particle.
-    void appendCorners(std::vector<Vec3>& positions) const;
-    /// Appends the velocity of its node to every corner.
-    void appendVelocities(std::vector<Vec3>& velocities) const;
-};
-
 struct D3plotMesh {
     Mesh mesh;  ///< elements in the order of D3plotActivity; corners of particles stand behind the nodes of the file
-    D3plotParticles particles;
+    Particles particles;
     Findings findings;
 };
 
@@ -34,8 +24,5 @@ D3plotMesh makeD3plotMesh(const D3plotFamily& family, const D3plotHeader& header
 
 /// Masses of the parts at a state, in the file's unit; empty if the globals do not hold them.
 std::vector<double> d3plotPartMasses(const D3plotFamily& family, const D3plotHeader& header, std::int64_t stateBegin);
-
-/// Volume of a solid of eight corners by one point: 8 det J at its centre.
-double onePointVolume(const std::vector<Vec3>& corners);
 
 }  // namespace rubble::io

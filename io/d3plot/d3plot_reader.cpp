@@ -16,7 +16,7 @@ struct StateReader {
     D3plotStateLayout layout;
     std::vector<std::int64_t> begin;
     std::vector<Vec3> atRest;  ///< of the nodes of the file, unless states hold their places
-    D3plotParticles particles;
+    Particles particles;
 
     std::vector<Vec3> vectors(std::int64_t word) const {
         std::vector<double> values(static_cast<std::size_t>(3 * header.nodes));

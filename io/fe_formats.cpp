@@ -1,7 +1,10 @@
 #include <array>
 
+#include "io/d3plot/d3plot_header.h"
+#include "io/d3plot/d3plot_reader.h"
 #include "io/exodus/exodus_reader.h"
 #include "io/fe_format.h"
+#include "io/radioss/anim_reader.h"
 #include "io/vtk/vtk_reader.h"
 #include "io/vtk/vtkhdf_reader.h"
 
@@ -42,6 +45,10 @@ bool recognisesCollapseLog(const FileHead& head) {
 
 // A row a format. Files of HDF5 that nobody else claims are taken for Exodus II, whose reader says what they lack.
 constexpr std::array formats{
+    FeFormat{"OpenRadioss animation", "RUNA001, RUNA002, ..., also .gz", 1, recognisesAnim, animMembers, readAnim},
+    FeFormat{"OpenRadioss animation converted to VTK", "RUN_001.vtk, ...", 1, recognisesConvertedAnim, convertedAnimMembers,
+             readConvertedAnim},
+    FeFormat{"LS-DYNA d3plot", "d3plot, d3plot01, ...", 1, recognisesD3plot, d3plotMembers, readD3plot},
     FeFormat{"VTK XML", ".vtu, .pvtu, .pvd, .vtu.series", 1, recognisesVtkXml, vtkMembers, readVtk},
     FeFormat{"VTK legacy", ".vtk, .vtk.series", 1, recognisesVtkLegacy, vtkMembers, readVtk},
     FeFormat{"VTKHDF", ".vtkhdf, .hdf", 1, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},

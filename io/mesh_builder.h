@@ -41,6 +41,9 @@ public:
     std::size_t elementCount() const { return m_mesh.shapes.size(); }
     std::size_t nodeCount() const { return m_mesh.nodes.size(); }
     ElementShape shape(std::size_t element) const { return m_mesh.shapes[element]; }
+    std::uint32_t part(std::size_t element) const { return m_mesh.part[element]; }
+    /// Thickness or area in the file's unit; NaN where unknown and for solids.
+    double section(std::size_t element) const { return m_mesh.section[element]; }
     /// Places of an element's corners, in the file's unit.
     std::vector<Vec3> cornersOf(std::size_t element) const;
 

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "io/abaqus/fil_reader.h"
 #include "io/d3plot/d3plot_header.h"
 #include "io/d3plot/d3plot_reader.h"
 #include "io/exodus/exodus_reader.h"
@@ -7,6 +8,7 @@
 #include "io/radioss/anim_reader.h"
 #include "io/vtk/vtk_reader.h"
 #include "io/vtk/vtkhdf_reader.h"
+#include "io/xdmf/xdmf_reader.h"
 
 namespace rubble::io {
 
@@ -51,8 +53,10 @@ constexpr std::array formats{
     FeFormat{"LS-DYNA d3plot", "d3plot, d3plot01, ...", 1, recognisesD3plot, d3plotMembers, readD3plot},
     FeFormat{"VTK XML", ".vtu, .pvtu, .pvd, .vtu.series", 1, recognisesVtkXml, vtkMembers, readVtk},
     FeFormat{"VTK legacy", ".vtk, .vtk.series", 1, recognisesVtkLegacy, vtkMembers, readVtk},
+    FeFormat{"Abaqus results file", ".fil with its .inp", 1, recognisesFil, filMembers, readFil},
+    FeFormat{"XDMF", ".xdmf, .xmf", 1, recognisesXdmf, xdmfMembers, readXdmf},
     FeFormat{"VTKHDF", ".vtkhdf, .hdf", 1, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},
-    FeFormat{"Exodus II", ".exo, .e, .ex2", 1, recognisesExodus, standsAlone, readExodus},
+    FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 1, recognisesExodus, exodusMembers, readExodus},
 };
 
 constexpr std::array foreign{

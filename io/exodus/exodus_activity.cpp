@@ -22,15 +22,6 @@ StatusVariable chooseStatus(const ExodusFile& file, const ImportSettings& settin
     if (const auto found = findStatus(names, settings.statusVariable)) {
         return *found;
     }
-    if (const std::string next = nextOfSequence(file.path()); settings.statusVariable.empty() && !next.empty()) {
-        throw ParseError(
-            {"exodus.sequence_only",
-             "{0} does not say which elements are active: it is the first file of a sequence, which leaves dead elements out",
-             {file.path()}},
-            {"exodus.sequence_only.remedy",
-             "Join it with {0} and the rest by seacas conjoin, which adds elem_status, and give that file.",
-             {next}});
-    }
     const Message remedy{
         "exodus.no_status.remedy",
         "Say which variable tells active from dead elements: --set status_variable=NAME (and active_value=0 or 1). "

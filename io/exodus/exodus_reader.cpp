@@ -3,24 +3,17 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/nearest_names.h"
 #include "io/exodus/exodus_activity.h"
+#include "io/exodus/exodus_displacement.h"
 #include "io/exodus/exodus_mesh.h"
 #include "io/exodus/exodus_names.h"
+#include "io/exodus/exodus_sequence.h"
 #include "io/exodus/exodus_source.h"
+#include "io/series/series_result.h"
 
 namespace rubble::io {
 
 namespace {
-
-void requireThreeDimensions(const ExodusFile& file) {
-    if (file.dimensions() != 3) {
-        throw ParseError({"exodus.dimensions",
-                          "{0} has {1} dimensions; only solids, shells and beams in space make fragments",
-                          {file.path(), file.dimensions()}},
-                         {"exodus.dimensions.remedy", "Give a three-dimensional analysis.", {}});
-    }
-}
 
 void requireTimes(const ExodusFile& file) {
     const std::vector<double>& times = file.times();
@@ -42,35 +35,6 @@ void requireTimes(const ExodusFile& file) {
     }
 }
 
-std::optional<VectorVariable> chooseDisplacement(const ExodusFile& file, const ImportSettings& settings) {
-    const std::vector<std::string>& names = file.variables(ExodusEntity::Node);
-    if (settings.displacement == "none") {
-        return std::nullopt;
-    }
-    const auto found = settings.displacement.empty() ? findDisplacement(names) : findVector(names, settings.displacement);
-    if (found) {
-        return found;
-    }
-    const Message remedy{"exodus.no_displacement.remedy",
-                         "Say how its components begin: --set displacement=PREFIX; displacement=none if the nodes do not move. "
-                         "Nodal variables in the file: {0}",
-                         {quotedList(names, 100)}};
-    if (!settings.displacement.empty()) {
-        throw UsageError({"exodus.unknown_displacement",
-                          "{0} has no nodal variables {1}_x, {1}_y and {1}_z in any spelling",
-                          {file.path(), settings.displacement}},
-                         remedy);
-    }
-    throw ParseError({"exodus.no_displacement", "{0} has no nodal displacement under a known name", {file.path()}}, remedy);
-}
-
-void noteSequence(const std::string& path, Findings& findings) {
-    if (const std::string next = nextOfSequence(path); !next.empty()) {
-        findings.add({"exodus.sequence", "The result goes on in further files, which were not read", {}},
-                     {"exodus.sequence.remedy", "Join the files of the sequence with seacas conjoin.", {}}, next);
-    }
-}
-
 }  // namespace
 
 bool recognisesExodus(const FileHead& head) {
@@ -80,8 +44,15 @@ bool recognisesExodus(const FileHead& head) {
     return !head.packed && (classic || head.bytes.starts_with("\x89HDF\r\n\x1a\n"sv));
 }
 
+std::vector<std::string> exodusMembers(const std::string& path) {
+    return exodusSequence(path);
+}
+
 FeResult::Contents readExodus(const std::string& path, const ImportSettings& settings, const Frame& frame,
                               const Execution& execution) {
+    if (std::vector<std::string> files = exodusSequence(path); files.size() > 1) {
+        return readSeries(path, std::make_shared<ExodusSequence>(std::move(files), settings), settings, frame, execution);
+    }
     const FrameTransform transform(frame);
     const Message stage{"exodus.open", "Reading the mesh", {}};
     execution.report(stage, 0.0);
@@ -105,7 +76,6 @@ FeResult::Contents readExodus(const std::string& path, const ImportSettings& set
     contents.deathTime = std::move(activity.deathTime);
     contents.findings = std::move(mesh.findings);
     contents.findings.append(activity.findings);
-    noteSequence(path, contents.findings);
     return contents;
 }
 

@@ -41,7 +41,12 @@ std::vector<Derived> allDerived() {
         {"VtuFlagged", "vtu-status/series.pvd", "VTK XML", 16, 1e-5},
         {"VtuRemoved", "vtu-cells-removed/s.vtu.series", "VTK XML", 16, 1e-5},
         {"VtkHdf", "vtkhdf/transient20.vtkhdf", "VTKHDF", 16, 1e-5, false},
-        {"VtkLegacy", "vtk-legacy-anim_to_vtk/PROJ_001.vtk", "VTK legacy", 16, 2e-4, false, {900001}},
+        {"Xdmf", "xdmf/proj.xdmf", "XDMF", 16, 1e-5, false},
+        {"ExodusZeroIsAlive", "exodus/elem_status0alive.exo", "Exodus II", 16, 1e-5, false},
+        {"ExodusSequence", "exodus/seq.e-s0004", "Exodus II", 16, 1e-5, false},
+        {"AbaqusAscii", "abaqus-fil/proj_ascii.fil", "Abaqus results file", 6, 1e-5},
+        {"AbaqusBinary", "abaqus-fil/proj_binle.fil", "Abaqus results file", 6, 1e-5},
+        {"VtkLegacy", "vtk-legacy-anim_to_vtk/PROJ_001.vtk", "OpenRadioss animation converted to VTK", 16, 2e-4, false, {900001}},
     };
 }
 

@@ -1,10 +1,13 @@
 #include <array>
 
 #include "io/abaqus/fil_reader.h"
+#include "io/ansys/cdb_reader.h"
+#include "io/calculix/frd_reader.h"
 #include "io/d3plot/d3plot_header.h"
 #include "io/d3plot/d3plot_reader.h"
 #include "io/exodus/exodus_reader.h"
 #include "io/fe_format.h"
+#include "io/marc/marc_reader.h"
 #include "io/radioss/anim_reader.h"
 #include "io/vtk/vtk_reader.h"
 #include "io/vtk/vtkhdf_reader.h"
@@ -54,6 +57,9 @@ constexpr std::array formats{
     FeFormat{"VTK XML", ".vtu, .pvtu, .pvd, .vtu.series", 1, recognisesVtkXml, vtkMembers, readVtk},
     FeFormat{"VTK legacy", ".vtk, .vtk.series", 1, recognisesVtkLegacy, vtkMembers, readVtk},
     FeFormat{"Abaqus results file", ".fil with its .inp", 1, recognisesFil, filMembers, readFil},
+    FeFormat{"CalculiX results", ".frd with its .inp", 1, recognisesFrd, frdMembers, readFrd},
+    FeFormat{"MSC Marc post file", ".t19", 1, recognisesMarc, aloneWithDeathList, readMarc},
+    FeFormat{"Ansys coded database", ".cdb, with its .mac", 1, recognisesCdb, cdbMembers, readCdbs},
     FeFormat{"XDMF", ".xdmf, .xmf", 1, recognisesXdmf, xdmfMembers, readXdmf},
     FeFormat{"VTKHDF", ".vtkhdf, .hdf", 1, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},
     FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 1, recognisesExodus, exodusMembers, readExodus},

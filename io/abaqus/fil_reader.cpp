@@ -66,18 +66,17 @@ public:
         if (k == 0) {
             step.mesh = m_mesh;
         }
-        const std::optional<Increment>& increment = m_increments[k];
+        const Increment& increment = m_increments[k];
         if (m_hasStatus) {
             step.flags.assign(m_mesh.elementCount(), 1.0);
-            for (std::size_t e = 0; increment && e < step.flags.size(); ++e) {
-                step.flags[e] = increment->flagged[e] && !increment->active[e] ? 0.0 : 1.0;
+            for (std::size_t e = 0; e < step.flags.size(); ++e) {
+                step.flags[e] = increment.flagged[e] && !increment.active[e] ? 0.0 : 1.0;
             }
         } else if (m_someMissing) {
             step.flags.assign(m_mesh.elementCount(), 1.0);
-            const bool any =
-                increment && std::find(increment->recorded.begin(), increment->recorded.end(), true) != increment->recorded.end();
+            const bool any = std::find(increment.recorded.begin(), increment.recorded.end(), true) != increment.recorded.end();
             for (std::size_t e = 0; e < step.flags.size(); ++e) {
-                step.flags[e] = !any ? (increment ? nothing : 1.0) : increment->recorded[e] || !m_ever[e] ? 1.0 : 0.0;
+                step.flags[e] = !any ? nothing : increment.recorded[e] || !m_ever[e] ? 1.0 : 0.0;
             }
         }
         return step;
@@ -87,11 +86,8 @@ public:
         SeriesFields fields;
         fields.positions = m_mesh.nodes;
         fields.velocities.assign(m_hasVelocity ? m_mesh.nodeCount() : 0, Vec3::Zero());
-        if (!m_increments[k]) {
-            return fields;
-        }
         const std::scoped_lock lock(m_mutex);
-        m_records.seek(m_increments[k]->place);
+        m_records.seek(m_increments[k].place);
         FilRecord record;
         m_records.next(record);
         while (m_records.next(record) && record.key != incrementEnd && record.key != incrementKey) {
@@ -125,21 +121,15 @@ private:
             while (record.key != incrementKey && m_records.next(record)) {
             }
         }
-        // The model itself is the state at the beginning, where the first increment comes later.
-        if (!m_times.empty() && m_times.front() > 0.0) {
-            m_times.insert(m_times.begin(), 0.0);
-            m_increments.insert(m_increments.begin(), std::nullopt);
-        }
         m_ever.assign(m_mesh.elementCount(), false);
-        for (const std::optional<Increment>& increment : m_increments) {
-            for (std::size_t e = 0; increment && e < m_ever.size(); ++e) {
-                m_ever[e] = m_ever[e] || increment->recorded[e];
+        for (const Increment& increment : m_increments) {
+            for (std::size_t e = 0; e < m_ever.size(); ++e) {
+                m_ever[e] = m_ever[e] || increment.recorded[e];
             }
         }
-        for (const std::optional<Increment>& increment : m_increments) {
-            const bool any =
-                increment && std::find(increment->recorded.begin(), increment->recorded.end(), true) != increment->recorded.end();
-            m_someMissing = m_someMissing || (any && increment->recorded != m_ever);
+        for (const Increment& increment : m_increments) {
+            const bool any = std::find(increment.recorded.begin(), increment.recorded.end(), true) != increment.recorded.end();
+            m_someMissing = m_someMissing || (any && increment.recorded != m_ever);
         }
     }
 
@@ -216,8 +206,8 @@ private:
     std::array<std::size_t, 3> m_freedoms{};
     std::unordered_map<std::int64_t, std::size_t> m_nodes, m_elements;  // by number
     std::vector<double> m_times;
-    std::vector<std::optional<Increment>> m_increments;  // nothing: the model at rest
-    std::vector<bool> m_ever;                            // elements of which there is a record at all
+    std::vector<Increment> m_increments;
+    std::vector<bool> m_ever;  // elements of which there is a record at all
     bool m_hasStatus = false, m_hasVelocity = false, m_someMissing = false;
     SeriesFlag m_flag;
     Findings m_findings;

@@ -32,7 +32,7 @@ public:
                  "The file does not say which elements are dead: those whose stress falls to exactly zero for good were taken",
                  {}},
                 {"marc.inferred.remedy",
-                 "Elements that die before any stress was written are missed. Let UACTIVE take them off the post file (mode -1), "
+                 "Elements that never carry stress are taken for dead as well. Let UACTIVE take them off the post file (mode -1), "
                  "or put a "
                  "list of deaths (element,time) beside it.",
                  {}},
@@ -80,11 +80,13 @@ public:
     }
 
 private:
-    // Dead: no stress from here to the end, after some.
+    // Dead: no stress from here to the end, after some. What never carries any while most others do died before its first state of
+    // stress.
     std::vector<double> flags(std::size_t k) const {
         std::vector<double> result(m_firstStress.size(), 1.0);
         for (std::size_t e = 0; e < result.size(); ++e) {
-            result[e] = m_firstStress[e] < k && m_lastStress[e] < k ? 0.0 : 1.0;
+            const bool ever = m_firstStress[e] < times().size();
+            result[e] = (ever ? m_lastStress[e] < k : k >= m_firstLoaded) ? 0.0 : 1.0;
         }
         return result;
     }
@@ -93,7 +95,11 @@ private:
         const auto& increments = m_file.increments();
         m_firstStress.assign(increments.front().stressed.size(), increments.size());
         m_lastStress.assign(m_firstStress.size(), 0);
+        m_firstLoaded = increments.size();
         for (std::size_t k = 0; k < increments.size(); ++k) {
+            const std::vector<bool>& now = increments[k].stressed;
+            const auto loaded = static_cast<std::size_t>(std::count(now.begin(), now.end(), true));
+            m_firstLoaded = 2 * loaded > now.size() ? std::min(m_firstLoaded, k) : m_firstLoaded;
             for (std::size_t e = 0; e < std::min(m_firstStress.size(), increments[k].stressed.size()); ++e) {
                 if (increments[k].stressed[e]) {
                     m_firstStress[e] = std::min(m_firstStress[e], k);
@@ -109,6 +115,7 @@ private:
     std::vector<Vec3> m_places;                                         // of the newest mesh
     std::vector<std::shared_ptr<const std::vector<Vec3>>> m_reference;  // places at rest of each state's nodes
     std::vector<std::size_t> m_firstStress, m_lastStress;               // state [elements]
+    std::size_t m_firstLoaded = 0;                                      // first state at which most elements carry stress
     SeriesFlag m_flag;
     Findings m_findings;
 };

@@ -418,14 +418,24 @@ TEST_F(ExodusReaderTest, NodesThatDoNotExistAreNamed) {
     errorOf<ParseError>(builder);
 }
 
-TEST_F(ExodusReaderTest, FurtherFilesOfASequenceAreMentioned) {
+TEST_F(ExodusReaderTest, AllFilesOfASequenceAreRead) {
     ExodusBuilder builder = ExodusBuilder::threeCubes();
-    builder.element.emplace_back("STATUS", [](std::size_t, std::size_t) { return 1.0; });
-    builder.write(m_folder / "fixture.exo-s0002");
-    EXPECT_EQ(open(builder)->contents().findings.count("exodus.sequence"), 1);
-    builder.element.clear();
-    EXPECT_THAT(errorOf<ParseError>(builder),
-                ::testing::AllOf(HasSubstr("first file of a sequence"), HasSubstr("fixture.exo-s0002")));
+    ExodusBuilder later = builder;
+    const double last = builder.times.back();
+    for (double& time : later.times) {
+        time += last + 1.0;
+    }
+    later.write(m_folder / "fixture.exo-s0002");
+    EXPECT_THAT(errorOf<ParseError>(builder), HasSubstr("no element is ever missing"));
+    builder.element.emplace_back("STATUS", [](std::size_t, std::size_t e) { return e == 0 ? 0.0 : 1.0; });
+    const auto fe = open(builder);
+    EXPECT_EQ(fe->stateCount(), builder.times.size() + later.times.size());
+    EXPECT_EQ(fe->contents().files.size(), 2u);
+    EXPECT_FALSE(fe->activity().active(0, idAt<ElementIndex>(0)));
+    // A state that a later file has again comes from there.
+    later.times.front() = last;
+    later.write(m_folder / "fixture.exo-s0002");
+    EXPECT_EQ(open(builder)->contents().findings.count("exodus.sequence_overlap"), 1);
 }
 
 TEST_F(ExodusReaderTest, CanBeCancelled) {

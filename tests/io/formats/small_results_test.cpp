@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <memory>
+#include <utility>
 
 #include "core/base/error.h"
 #include "io/fe_reader.h"
@@ -94,19 +95,17 @@ TEST_P(SmallResult, EveryDigitMayBeWrong) {
         if (text[at] < '0' || text[at] > '9') {
             continue;
         }
-        for (const char wrong : {'9', '-', 'x'}) {
-            const char right = std::exchange(text[at], wrong);
-            const std::string path = lay(text);
-            try {
-                const auto fe = openFe(path, {}, {}, Execution{});
-                for (std::size_t k = 0; k < fe->stateCount(); ++k) {
-                    fe->state(k);
-                }
-            } catch (const Error& error) {
-                ASSERT_FALSE(error.message().empty());
+        const char right = std::exchange(text[at], "9-x"[at % 3]);
+        const std::string path = lay(text);
+        try {
+            const auto fe = openFe(path, {}, {}, Execution{});
+            for (std::size_t k = 0; k < fe->stateCount(); ++k) {
+                fe->state(k);
             }
-            text[at] = right;
+        } catch (const Error& error) {
+            ASSERT_FALSE(error.message().empty());
         }
+        text[at] = right;
     }
 }
 
@@ -218,7 +217,9 @@ TEST_F(FormatTest, CountsBeyondTheFileAreRefused) {
 TEST_F(FormatTest, AStateThatIsStillBeingWrittenIsLeftOut) {
     const std::string text = smallMarc(true);
     put(m_folder / "small.t19", text.substr(0, text.rfind("=beg=52401")));
-    EXPECT_THAT(errorOf("small.t19"), HasSubstr("does not say which elements are active"));
+    const auto marc = open("small.t19");
+    EXPECT_EQ(marc->stateCount(), 2u);
+    EXPECT_EQ(marc->contents().findings.count("fe.unfinished"), 1);
     const std::string fil = smallFil();
     put(m_folder / "small.fil", fil.substr(0, fil.size() - 400));
     const auto fe = open("small.fil");

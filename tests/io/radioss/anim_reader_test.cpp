@@ -170,7 +170,7 @@ TEST(AnimReader, OrderByNumberGapsAndStatesCutOff) {
     EXPECT_EQ(cut->times(), (std::vector<double>{0, 2}));
     EXPECT_EQ(cut->contents().findings.count("anim.incomplete"), 1);
     EXPECT_EQ(cut->contents().findings.count("anim.cut_state"), 1);
-    EXPECT_EQ(fe->state(3)->time, 5) << "the clock of a state stays";
+    EXPECT_THROW(fe->state(3), ParseError) << "the file has become shorter since it was opened";
     EXPECT_THROW(open(folder.path()), WorldError) << "two runs in one folder";
 }
 
@@ -282,7 +282,12 @@ TEST(AnimReader, TheFrameInThreeFormats) {
     for (std::size_t e = 0; e < anim->mesh().elementCount(); ++e) {
         const Part& part = anim->mesh().parts[anim->mesh().part[e]];
         EXPECT_NEAR(anim->mesh().density[e] / densities.at(part.name), 1.0, 1e-6) << part.name;
-        EXPECT_NEAR(converted->mesh().density[e] / anim->mesh().density[e], 1.0, 1e-5) << part.name;
+        // Of trusses the converted files have neither mass nor section, and no deck lies beside them.
+        if (part.name == "TIES") {
+            EXPECT_TRUE(std::isnan(converted->mesh().density[e]));
+        } else {
+            EXPECT_NEAR(converted->mesh().density[e] / anim->mesh().density[e], 1.0, 1e-5) << part.name;
+        }
         const auto id = idAt<ElementIndex>(e);
         if (!anim->activity().active(19, id)) {
             std::vector<Vec3> corners;

@@ -25,7 +25,20 @@ struct Found {
     std::vector<std::string> others;  ///< further results in the folder, by their first file
 };
 
+const ForeignFormat* foreignOf(const FileHead& head) {
+    for (const ForeignFormat& foreign : foreignFormats()) {
+        if (foreign.recognises(head)) {
+            return &foreign;
+        }
+    }
+    return nullptr;
+}
+
+// What is out of scope comes first: Exodus II would take any file of HDF5.
 const FeFormat* formatOf(const FileHead& head) {
+    if (foreignOf(head)) {
+        return nullptr;
+    }
     for (const FeFormat& format : feFormats()) {
         if (format.recognises(head)) {
             return &format;
@@ -50,10 +63,8 @@ Found findAt(const std::string& path, const FileHead& head) {
 
 // What a user may have given instead, said in words.
 std::string kindOf(const FileHead& head) {
-    for (const ForeignFormat& foreign : foreignFormats()) {
-        if (foreign.recognises(head)) {
-            return std::string(foreign.name);
-        }
+    if (const ForeignFormat* foreign = foreignOf(head)) {
+        return std::string(foreign->name);
     }
     bool text = true;
     const std::string bytes = head.bytes.substr(0, 64);
@@ -86,10 +97,8 @@ std::string knownFormats() {
 
 [[noreturn]] void failUnknown(const FileHead& head) {
     Message remedy{"fe.unknown_format.remedy", "Formats that can be read: {0}.", {knownFormats()}};
-    for (const ForeignFormat& foreign : foreignFormats()) {
-        if (foreign.recognises(head)) {
-            remedy = {"fe.out_of_scope.remedy", "{0}", {std::string(foreign.remedy)}};
-        }
+    if (const ForeignFormat* foreign = foreignOf(head)) {
+        remedy = {"fe.out_of_scope.remedy", "{0}", {std::string(foreign->remedy)}};
     }
     throw ParseError({"fe.unknown_format", "{0} is no FE result that can be read: it is {1}", {head.path, kindOf(head)}}, remedy);
 }

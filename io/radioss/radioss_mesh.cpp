@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/fe/components.h"
 #include "io/mesh_builder.h"
@@ -49,21 +50,24 @@ public:
 private:
     void addKind(AnimKind kind) {
         const AnimElements& elements = m_first.of(kind);
-        std::vector<std::uint32_t> parts;
-        for (const AnimPart& part : elements.parts) {
-            parts.push_back(m_builder.addPart(part.name, part.id));
-            m_partIds.push_back(part.id);
-        }
+        // Parts without elements of their own, as those of links, take nobody's name.
+        std::vector<std::optional<std::uint32_t>> parts(elements.parts.size());
         const std::size_t width = animWidth(kind);
         const bool numbered = elements.ids.size() == elements.count;
         for (std::size_t e = 0; e < elements.count; ++e) {
             const std::int64_t id = numbered ? elements.ids[e] : static_cast<std::int64_t>(e + 1);
             if (kind == AnimKind::Beam && numbered && id == 0) {
                 m_result.findings.add({"anim.links", "Links of rigid bodies were left out: they are no elements", {}},
-                                      {"anim.links.remedy", "Nothing to do.", {}}, elements.parts[elements.part[e]].name);
+                                      {"anim.links.remedy", "Nothing to do.", {}},
+                                      "rigid body " + std::to_string(elements.parts[elements.part[e]].id));
                 continue;
             }
-            add(kind, id, parts[elements.part[e]], e, std::span(elements.nodes).subspan(width * e, width));
+            std::optional<std::uint32_t>& part = parts[elements.part[e]];
+            if (!part) {
+                part = m_builder.addPart(elements.parts[elements.part[e]].name, elements.parts[elements.part[e]].id);
+                m_partIds.push_back(elements.parts[elements.part[e]].id);
+            }
+            add(kind, id, *part, e, std::span(elements.nodes).subspan(width * e, width));
         }
     }
 

@@ -67,12 +67,12 @@ public:
             step.mesh = m_mesh;
         }
         const Increment& increment = m_increments[k];
-        if (m_hasStatus) {
+        if (m_hasStatus && std::find(increment.flagged.begin(), increment.flagged.end(), true) != increment.flagged.end()) {
             step.flags.assign(m_mesh.elementCount(), 1.0);
             for (std::size_t e = 0; e < step.flags.size(); ++e) {
                 step.flags[e] = increment.flagged[e] && !increment.active[e] ? 0.0 : 1.0;
             }
-        } else if (m_someMissing) {
+        } else if (!m_hasStatus && m_someMissing) {
             step.flags.assign(m_mesh.elementCount(), 1.0);
             const bool any = std::find(increment.recorded.begin(), increment.recorded.end(), true) != increment.recorded.end();
             for (std::size_t e = 0; e < step.flags.size(); ++e) {

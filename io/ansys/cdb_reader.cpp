@@ -7,8 +7,8 @@
 
 #include "io/ansys/cdb_file.h"
 #include "io/series/death_list.h"
+#include "io/series/numbered_files.h"
 #include "io/series/series_result.h"
-#include "io/vtk/grid_index.h"
 
 namespace rubble::io {
 

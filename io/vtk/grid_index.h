@@ -20,8 +20,4 @@ std::vector<GridEntry> indexGrids(const std::string& path);
 /// by name; the file itself where there is none. Never throws.
 std::string canonicalIndex(const std::string& path);
 
-/// The files that differ from this one only in a number, by that number; the file alone if there is none. The number may stand
-/// before the ending (s001.vtu) or be the ending (out.vtk.1).
-std::vector<std::string> numberedSiblings(const std::string& path);
-
 }  // namespace rubble::io

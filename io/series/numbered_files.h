@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rubble::io {
+
+/// The files that differ from this one only in a number, by that number; the file alone if there is none. The number may stand
+/// before the ending (s001.vtu) or be the ending (out.vtk.1).
+std::vector<std::string> numberedSiblings(const std::string& path);
+
+}  // namespace rubble::io

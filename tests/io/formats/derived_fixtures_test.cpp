@@ -23,7 +23,7 @@ constexpr std::int64_t lastOfProjectile = 1864;
 // For a format that has no displacements.
 constexpr double atRestOnly = std::numeric_limits<double>::infinity();
 
-/// What a fixture says of masses. The d3plots of the slab kept the masses of the whole parts that it was cut from.
+/// What a fixture says of masses. The d3plots and animation files of the slab carry masses of whole parts, not those of the slab.
 enum class Masses { None, Stated, OfWholeParts };
 
 /// One file of the collapse and what it can tell.
@@ -63,7 +63,7 @@ std::vector<Derived> allDerived() {
         {"D3plotLe32Split", "d3plot/le32-split/d3plot", "LS-DYNA d3plot", 16, 1e-5, Masses::OfWholeParts},
         {"D3plotLe32MattypNdim5", "d3plot/le32-mattyp-ndim5/d3plot", "LS-DYNA d3plot", 16, 1e-5, Masses::OfWholeParts},
         {"D3plotLe32Mdlopt0", "d3plot/le32-mdlopt0/d3plot", "LS-DYNA d3plot", 16, 1e-5, Masses::OfWholeParts},
-        {"RadiossAnimation", "radioss-anim/PROJA001", "OpenRadioss animation", 16, 1e-5, Masses::Stated, {900001}},
+        {"RadiossAnimation", "radioss-anim/PROJA001", "OpenRadioss animation", 16, 1e-5, Masses::OfWholeParts, {900001}},
         {"VtkLegacy",
          "vtk-legacy-anim_to_vtk/PROJ_001.vtk",
          "OpenRadioss animation converted to VTK",

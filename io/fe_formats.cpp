@@ -2,6 +2,7 @@
 
 #include "io/abaqus/fil_reader.h"
 #include "io/ansys/cdb_reader.h"
+#include "io/ansys/rst_reader.h"
 #include "io/calculix/frd_reader.h"
 #include "io/d3plot/d3plot_header.h"
 #include "io/d3plot/d3plot_reader.h"
@@ -60,6 +61,7 @@ constexpr std::array formats{
     FeFormat{"CalculiX results", ".frd with its .inp", 1, recognisesFrd, frdMembers, readFrd},
     FeFormat{"MSC Marc post file", ".t19", 1, recognisesMarc, aloneWithDeathList, readMarc},
     FeFormat{"Ansys coded database", ".cdb, with its .mac", 1, recognisesCdb, cdbMembers, readCdbs},
+    FeFormat{"Ansys results", ".rst with a list of deaths", 1, recognisesRst, aloneWithDeathList, readRst},
     FeFormat{"XDMF", ".xdmf, .xmf", 1, recognisesXdmf, xdmfMembers, readXdmf},
     FeFormat{"VTKHDF", ".vtkhdf, .hdf", 1, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},
     FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 1, recognisesExodus, exodusMembers, readExodus},

@@ -1,6 +1,7 @@
 #include "io/series/mesh_union.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <unordered_set>
@@ -43,7 +44,7 @@ void MeshUnion::add(const Mesh& mesh, std::size_t state) {
 }
 
 void MeshUnion::decideKey(const Mesh& mesh) {
-    std::unordered_set<std::int64_t> seen[3];
+    std::array<std::unordered_set<std::int64_t>, 3> seen;
     m_byNumber = !mesh.elementIds.empty();
     for (std::size_t e = 0; m_byNumber && e < mesh.elementCount(); ++e) {
         m_byNumber = seen[kindOf(mesh.shapes[e])].insert(mesh.elementIds[e]).second;

@@ -237,7 +237,7 @@ private:
         if (known.empty()) {
             return;
         }
-        std::unordered_map<std::int64_t, double> byNumber(known.begin(), known.end());
+        const std::unordered_map<std::int64_t, double> byNumber{known.begin(), known.end()};
         deathTime.assign(mesh->elementCount(), nothing);
         for (std::size_t e = 0; e < mesh->elementCount(); ++e) {
             if (const auto found = byNumber.find(mesh->elementIds[e]); found != byNumber.end()) {

@@ -131,7 +131,7 @@ TEST_F(ExodusReaderTest, FadingIsActiveUntilItIsDeadAndCounted) {
     });
     const auto fe = open(builder);
     EXPECT_THAT(activity(*fe), ElementsAre("111", "111", "111", "100"));
-    EXPECT_EQ(fe->contents().findings.count("exodus.flag_fading"), 4);
+    EXPECT_EQ(fe->contents().findings.count("fe.flag_fading"), 4);
 }
 
 TEST_F(ExodusReaderTest, RigidIsNotDeadAndBrokenFlagsKeepTheStateBefore) {
@@ -141,8 +141,8 @@ TEST_F(ExodusReaderTest, RigidIsNotDeadAndBrokenFlagsKeepTheStateBefore) {
     });
     const auto fe = open(builder);
     EXPECT_THAT(activity(*fe), ElementsAre("111", "111", "101", "101"));
-    EXPECT_EQ(fe->contents().findings.count("exodus.flag_other"), 4);
-    EXPECT_EQ(fe->contents().findings.count("exodus.flag_nan"), 1);
+    EXPECT_EQ(fe->contents().findings.count("fe.flag_other"), 4);
+    EXPECT_EQ(fe->contents().findings.count("fe.flag_nan"), 1);
 }
 
 TEST_F(ExodusReaderTest, RevivalIsKeptAsTheFileSaysIt) {

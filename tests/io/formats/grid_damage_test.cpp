@@ -218,5 +218,62 @@ TEST_F(GridTest, TheWallOfCalculixLosesWhatItsDeckSays) {
     }
 }
 
+// A static analysis by Ansys: 81 nodes, 12 bricks of 20 nodes, the displacements packed by windows.
+TEST_F(GridTest, AnAnsysResultIsReadWithAListOfDeaths) {
+    fs::copy_file(fixture("ansys/static.rst"), m_folder / "static.rst");
+    try {
+        open("static.rst");
+        FAIL();
+    } catch (const ParseError& error) {
+        EXPECT_THAT(englishText(error.remedy()), HasSubstr("static.rst.deaths.csv"));
+    }
+    put(m_folder / "static.rst.deaths.csv", "5,0.5\n");
+    const auto fe = open("static.rst");
+    EXPECT_EQ(fe->times(), (std::vector<double>{1.0}));
+    EXPECT_EQ(fe->mesh().nodeCount(), 81u);
+    ASSERT_GT(fe->mesh().elementCount(), 7u);
+    EXPECT_EQ(fe->mesh().elementIds[0], 5);
+    EXPECT_EQ(fe->mesh().shapes[0], ElementShape::Hexahedron);
+    EXPECT_TRUE(fe->mesh().nodes[0].isApprox(Vec3(0.015, 0.045, 0.015), 1e-12));
+    EXPECT_FALSE(fe->activity().active(0, idAt<ElementIndex>(0)));
+    EXPECT_EQ(fe->activity().activeCount(0), fe->mesh().elementCount() - 1);
+    // The first values of the set, as they stand in the file.
+    EXPECT_NEAR(fe->state(0)->positions[0].x() - 0.015, 0.0, 1e-15);
+    EXPECT_NEAR(fe->state(0)->positions[0].y() - 0.045, -6.935659752417679e-09, 1e-16);
+    const std::string bytes = bytesOf(m_folder / "static.rst");
+    for (std::size_t i = 0; i < 64; ++i) {
+        put(m_folder / "static.rst", bytes.substr(0, bytes.size() * i / 64));
+        try {
+            const auto cut = open("static.rst");
+            cut->state(0);
+        } catch (const Error& error) {
+            EXPECT_THAT(error.what(), HasSubstr("static.rst"));
+        }
+    }
+}
+
+TEST_F(GridTest, ASmallAnsysResultCutOffAtEveryByteIsReadOrRefused) {
+    const std::string bytes = bytesOf(std::string(RUBBLE_SOURCE_DIR) + "/tests/fuzz/corpus/rst/small.rst");
+    put(m_folder / "small.rst", bytes);
+    put(m_folder / "small.rst.deaths.csv", "element,time\n2,1.5\n");
+    const auto fe = open("small.rst");
+    EXPECT_EQ(fe->times(), (std::vector<double>{1.0, 2.0}));
+    EXPECT_EQ(fe->activity().activeCount(0), 2u);
+    EXPECT_EQ(fe->activity().activeCount(1), 1u);
+    EXPECT_NEAR(fe->state(0)->positions[0].x(), 0.1, 1e-15);
+    EXPECT_NEAR(fe->state(1)->positions[0].x(), 0.2, 1e-15) << "a window of one value repeated";
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+        put(m_folder / "small.rst", bytes.substr(0, length));
+        try {
+            const auto cut = open("small.rst");
+            for (std::size_t k = 0; k < cut->stateCount(); ++k) {
+                cut->state(k);
+            }
+        } catch (const Error& error) {
+            ASSERT_THAT(error.what(), HasSubstr("small.rst")) << length;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace rubble::io

@@ -62,6 +62,7 @@ std::vector<std::string> exodusSequence(const std::string& path) {
 
 ExodusSequence::ExodusSequence(std::vector<std::string> files, const ImportSettings& settings)
     : m_files(std::move(files)), m_settings(settings) {
+    dropUnfinished();
     for (std::size_t f = 0; f < m_files.size(); ++f) {
         addStates(f, *file(f));
         if (f > 0 && cutNumber(m_files[f]).second != cutNumber(m_files[f - 1]).second + 1) {
@@ -81,6 +82,20 @@ ExodusSequence::ExodusSequence(std::vector<std::string> files, const ImportSetti
             {"exodus.sequence_status.remedy", "Leave the name out: elements that a file of the sequence leaves out are dead.", {}});
     }
     m_velocity = findVelocity(first->variables(ExodusEntity::Node)).has_value();
+}
+
+// The last file of a sequence may still be being written.
+void ExodusSequence::dropUnfinished() {
+    try {
+        file(m_files.size() - 1);
+    } catch (const ParseError&) {
+        if (m_files.size() == 1) {
+            throw;
+        }
+        m_findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
+                       {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, m_files.back());
+        m_files.pop_back();
+    }
 }
 
 // Some codes write the last state before a change again as the first of the next file: the newer one counts.

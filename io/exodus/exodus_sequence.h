@@ -38,6 +38,7 @@ private:
     };
 
     std::shared_ptr<const ExodusFile> file(std::size_t f) const;
+    void dropUnfinished();
     void addStates(std::size_t f, const ExodusFile& file);
 
     std::vector<std::string> m_files;

@@ -99,6 +99,11 @@ void GridSeries::noteMissingTimes() {
                    static_cast<std::int64_t>(times().size()));
 }
 
+void GridSeries::noteUnfinished(const std::string& file) {
+    m_findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
+                   {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, file);
+}
+
 void GridSeries::decideDisplacement(const Grid& first) {
     const std::size_t last = times().size() - 1;
     GridSelection selection;

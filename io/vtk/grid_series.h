@@ -27,6 +27,8 @@ public:
     const Findings& findings() const override { return m_findings; }
     /// Counts that nobody says when the states are, so that they were counted.
     void noteMissingTimes();
+    /// Counts a last state that was left out because it is not whole.
+    void noteUnfinished(const std::string& file);
 
 private:
     void decideDisplacement(const Grid& first);

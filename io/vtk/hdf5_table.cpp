@@ -14,6 +14,8 @@ namespace {
 // Deflate cannot do better: a table that needs more than this per byte of the file is damaged.
 constexpr std::uint64_t bestCompression = 1100;
 constexpr unsigned mostDimensions = 8;
+// Values that the child reads to find out whether the library bears them.
+constexpr std::uint64_t mostTried = std::uint64_t{1} << 25;
 
 [[noreturn]] void failTable(const std::string& path, const std::string& name, const std::string& why) {
     throw ParseError({"hdf5.table", "{0}: the table {1} cannot be read: {2}", {path, name, why}},
@@ -107,8 +109,9 @@ Hdf5Table::Hdf5Table(const std::string& path) : m_path(path) {
     m_file = openFile(path);
 }
 
-// The first row of every table, a few groups deep.
+// Every table as far as the budget goes, then the first row of each; a few groups deep.
 void Hdf5Table::lookAtAll() const {
+    std::uint64_t budget = mostTried;
     std::vector<std::pair<std::string, int>> open{{"/", 0}};
     while (!open.empty()) {
         const auto [group, depth] = open.back();
@@ -117,7 +120,10 @@ void Hdf5Table::lookAtAll() const {
             const std::string full = (group == "/" ? "" : group) + "/" + name;
             if (has(full)) {
                 const Shape size = shape(full);
-                reals(full, 0, std::min<std::uint64_t>(size.rows, 1));
+                const std::uint64_t values = size.rows * size.columns;
+                const bool whole = values <= budget;
+                budget -= whole ? values : 0;
+                reals(full, 0, whole ? size.rows : std::min<std::uint64_t>(size.rows, 1));
             } else if (depth < 4) {
                 open.emplace_back(full, depth + 1);
             }

@@ -16,6 +16,7 @@ namespace {
 class FileGrids : public GridSource {
 public:
     FileGrids(const std::string& path, const Execution& execution) : m_entries(indexGrids(path)) {
+        dropUnfinished();
         std::vector<std::string> all;
         for (const GridEntry& entry : m_entries) {
             all.insert(all.end(), entry.files.begin(), entry.files.end());
@@ -34,6 +35,8 @@ public:
 
     const std::vector<double>& times() const override { return m_times; }
     bool timed() const { return m_timed; }
+    /// The last file of the series, if it was not whole and left out.
+    const std::string& unfinished() const { return m_unfinished; }
 
     Grid read(std::size_t k, const GridSelection& selection) const override {
         const std::vector<std::string>& parts = m_entries[k].files;
@@ -49,6 +52,18 @@ public:
     }
 
 private:
+    // The last state of a series may still be being written.
+    void dropUnfinished() {
+        if (m_entries.size() > 1) {
+            try {
+                tryGridFiles(m_entries.back().files);
+            } catch (const ParseError&) {
+                m_unfinished = m_entries.back().files.front();
+                m_entries.pop_back();
+            }
+        }
+    }
+
     // The index, else the files; where neither says them, states are counted.
     void readTimes() {
         GridSelection none;
@@ -72,6 +87,7 @@ private:
     std::vector<GridEntry> m_entries;
     std::vector<double> m_times;
     bool m_timed = true;
+    std::string m_unfinished;
 };
 
 bool listsLegacy(const FileHead& head) {
@@ -111,9 +127,13 @@ FeResult::Contents readVtk(const std::string& path, const ImportSettings& settin
                            const Execution& execution) {
     auto source = std::make_unique<const FileGrids>(path, execution);
     const bool timed = source->timed();
+    const std::string unfinished = source->unfinished();
     const auto series = std::make_shared<GridSeries>(path, std::move(source), settings);
     if (!timed) {
         series->noteMissingTimes();
+    }
+    if (!unfinished.empty()) {
+        series->noteUnfinished(unfinished);
     }
     return readSeries(path, series, settings, frame, execution);
 }

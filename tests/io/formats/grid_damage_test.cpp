@@ -173,6 +173,24 @@ TEST_F(GridTest, WithoutFlagAndMissingCellsTheArraysAreListed) {
     EXPECT_THROW(open("wall.0.vtk", settings), UsageError);
 }
 
+TEST_F(GridTest, ALastFileThatIsStillBeingWrittenIsLeftOut) {
+    for (const char* name : {"s000.vtu", "s001.vtu", "s002.vtu", "s003.vtu"}) {
+        const std::string bytes = bytesOf(fixture(std::string("vtu-cells-removed/") + name));
+        put(m_folder / name, std::string(name) == "s003.vtu" ? bytes.substr(0, bytes.size() / 2) : bytes);
+    }
+    const auto fe = open("s001.vtu");
+    EXPECT_EQ(fe->stateCount(), 3u);
+    EXPECT_EQ(fe->contents().findings.count("fe.unfinished"), 1);
+    EXPECT_EQ(fe->contents().findings.count("vtk.no_times"), 3);
+    for (const char* name : {"seq.e", "seq.e-s0002", "seq.e-s0003"}) {
+        const std::string bytes = bytesOf(fixture(std::string("exodus/") + name));
+        put(m_folder / name, std::string(name) == "seq.e-s0003" ? bytes.substr(0, bytes.size() / 2) : bytes);
+    }
+    const auto sequence = open("seq.e");
+    EXPECT_EQ(sequence->contents().findings.count("fe.unfinished"), 1);
+    EXPECT_LT(sequence->activity().activeCount(sequence->stateCount() - 1), 1004u);
+}
+
 TEST_F(GridTest, AnIndexThatNamesAMissingFileSaysWhich) {
     put(m_folder / "wall.pvd",
         "<?xml version=\"1.0\"?><VTKFile type=\"Collection\"><Collection><DataSet timestep=\"0\" "

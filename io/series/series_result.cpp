@@ -119,7 +119,6 @@ private:
         }
         if (!flagged) {
             requireSomethingMissing();
-            activityFrom = "missing elements are dead";
         }
         if (m_union.epochs().size() > 1 && flagged) {
             activityFrom += "; missing elements are dead";
@@ -210,26 +209,33 @@ private:
         }
     }
 
-    void requireSomethingMissing() const {
+    // Where there is something to choose from, the user is asked; where there is nothing, everything stands and the user is told.
+    void requireSomethingMissing() {
+        bool missing = false;
         for (std::size_t k = 0; k < m_steps.size(); ++k) {
-            if (activity.activeCount(k) != mesh->elementCount()) {
-                return;
-            }
+            missing = missing || activity.activeCount(k) != mesh->elementCount();
         }
         const std::vector<std::string>& choices = m_series.flag().choices;
-        const Message what{"fe.no_status",
-                           "{0} does not say which elements are active: no flag under a known name, and no element is ever missing",
-                           {m_path}};
-        if (!choices.empty()) {
-            throw ParseError(what, {"fe.no_status.remedy",
-                                    "Name the flag: --set status_variable=NAME (there are {0}), or put a list of deaths "
-                                    "(element,time) beside it as {1}.",
-                                    {quotedList(choices, 100), m_path + ".deaths.csv"}});
+        const std::string list = m_path + ".deaths.csv";
+        activityFrom = missing ? "missing elements are dead" : "nothing says which elements are dead";
+        if (!missing && !choices.empty()) {
+            throw ParseError(
+                {"fe.no_status",
+                 "{0} does not say which elements are active: no flag under a known name, and no element is ever missing",
+                 {m_path}},
+                {"fe.no_status.remedy",
+                 "Name the flag: --set status_variable=NAME (there are {0}), or put a list of deaths (element,time) beside it as "
+                 "{1}.",
+                 {quotedList(choices, 100), list}});
         }
-        throw ParseError(
-            what, {"fe.no_status_at_all.remedy",
-                   "Put a list of deaths (element,time) beside it as {0}, or let the analysis write the status of its elements.",
-                   {m_path + ".deaths.csv"}});
+        if (!missing) {
+            m_findings.add(
+                {"fe.no_deaths", "Nothing says which elements are dead: all count as active", {}},
+                {"fe.no_deaths.remedy",
+                 "Put a list of deaths (element,time) beside it as {0}, or let the analysis write the status of its elements.",
+                 {list}},
+                m_path, static_cast<std::int64_t>(mesh->elementCount()));
+        }
     }
 
     void readDeathTimes() {

@@ -100,6 +100,11 @@ Hdf5Table::Hdf5Table(const std::string& path) : m_path(path) {
         const auto look = [this] {
             m_file = openFile(m_path);
             lookAtAll();
+            m_file.reset();
+            // What the library leaves open where it fails would stay open in this process.
+            if (H5Fget_obj_count(static_cast<hid_t>(H5F_OBJ_ALL), H5F_OBJ_ALL) > 0) {
+                failTable(m_path, "(some)", "the library fails on it");
+            }
         };
         if (!survivesTrial(look)) {
             throw ParseError({"hdf5.crash", "{0} is damaged so that the HDF5 library fails on it", {path}},
@@ -116,6 +121,9 @@ void Hdf5Table::lookAtAll() const {
     while (!open.empty()) {
         const auto [group, depth] = open.back();
         open.pop_back();
+        text(group, "Type");
+        number(group, "Version");
+        number(group, "NSteps");
         for (const std::string& name : namesIn(m_file.get(), group)) {
             const std::string full = (group == "/" ? "" : group) + "/" + name;
             if (has(full)) {
@@ -218,7 +226,10 @@ std::optional<std::string> Hdf5Table::text(const std::string& group, const std::
     const Hdf5Handle handle(H5Aopen_by_name(m_file.get(), group.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     const Hdf5Handle type(handle.valid() ? H5Aget_type(handle.get()) : H5I_INVALID_HID, H5Tclose);
     const Hdf5Handle space(handle.valid() ? H5Aget_space(handle.get()) : H5I_INVALID_HID, H5Sclose);
-    if (!type.valid() || H5Tget_class(type.get()) != H5T_STRING || H5Sget_simple_extent_npoints(space.get()) != 1) {
+    if (!type.valid() || !space.valid()) {
+        failTable(m_path, group + ":" + attribute, "it is damaged");
+    }
+    if (H5Tget_class(type.get()) != H5T_STRING || H5Sget_simple_extent_npoints(space.get()) != 1) {
         return std::nullopt;
     }
     if (H5Tis_variable_str(type.get()) > 0) {
@@ -251,7 +262,10 @@ std::optional<std::int64_t> Hdf5Table::number(const std::string& group, const st
     const Hdf5Handle type(handle.valid() ? H5Aget_type(handle.get()) : H5I_INVALID_HID, H5Tclose);
     const Hdf5Handle space(handle.valid() ? H5Aget_space(handle.get()) : H5I_INVALID_HID, H5Sclose);
     const hssize_t count = space.valid() ? H5Sget_simple_extent_npoints(space.get()) : 0;
-    if (!type.valid() || H5Tget_class(type.get()) != H5T_INTEGER || count < 1 || count > 64) {
+    if (!type.valid() || !space.valid()) {
+        failTable(m_path, group + ":" + attribute, "it is damaged");
+    }
+    if (H5Tget_class(type.get()) != H5T_INTEGER || count < 1 || count > 64) {
         return std::nullopt;
     }
     std::array<std::int64_t, 64> values{};

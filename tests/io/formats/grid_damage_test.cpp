@@ -239,12 +239,7 @@ TEST_F(GridTest, TheWallOfCalculixLosesWhatItsDeckSays) {
 // A static analysis by Ansys: 81 nodes, 12 bricks of 20 nodes, the displacements packed by windows.
 TEST_F(GridTest, AnAnsysResultIsReadWithAListOfDeaths) {
     fs::copy_file(fixture("ansys/static.rst"), m_folder / "static.rst");
-    try {
-        open("static.rst");
-        FAIL();
-    } catch (const ParseError& error) {
-        EXPECT_THAT(englishText(error.remedy()), HasSubstr("static.rst.deaths.csv"));
-    }
+    EXPECT_GT(open("static.rst")->contents().findings.count("fe.no_deaths"), 0);
     put(m_folder / "static.rst.deaths.csv", "5,0.5\n");
     const auto fe = open("static.rst");
     EXPECT_EQ(fe->times(), (std::vector<double>{1.0}));

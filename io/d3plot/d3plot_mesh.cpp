@@ -79,20 +79,33 @@ private:
         if (!output[3] || place >= m_header.shellWords) {
             return thickness;
         }
-        std::vector<double> row(static_cast<std::size_t>(m_header.shellWords));
-        std::int64_t rows = 0;
-        for (std::size_t e = 0; e < shells.count(); ++e) {
+        const std::vector<double> written =
+            column(m_layout.shells, static_cast<std::int64_t>(shells.count()) - m_geometry.rigidShells, m_header.shellWords, place);
+        std::size_t row = 0;
+        for (std::size_t e = 0; e < shells.count() && row < written.size(); ++e) {
             if (m_geometry.rigidShells > 0 && m_geometry.rigid[static_cast<std::size_t>(shells.part[e])]) {
                 continue;
             }
-            if (rows >= static_cast<std::int64_t>(shells.count()) - m_geometry.rigidShells) {
-                break;
-            }
-            const double value = m_family.readFloat(m_begin + m_layout.shells + rows * m_header.shellWords + place);
+            const double value = written[row++];
             thickness[e] = value > 0.0 && usableLength(value) ? value : nothing;
-            ++rows;
         }
         return thickness;
+    }
+
+    // One value of every row of a block of the first state.
+    std::vector<double> column(std::int64_t begin, std::int64_t rows, std::int64_t width, std::int64_t place) const {
+        constexpr std::int64_t valuesAtOnce = std::int64_t{1} << 17;
+        const std::int64_t atOnce = std::max<std::int64_t>(1, valuesAtOnce / width);
+        std::vector<double> values, result;
+        for (std::int64_t done = 0; done < rows; done += atOnce) {
+            const std::int64_t block = std::min(atOnce, rows - done);
+            values.resize(static_cast<std::size_t>(block * width));
+            m_family.readFloats(m_begin + begin + done * width, values);
+            for (std::int64_t i = 0; i < block; ++i) {
+                result.push_back(values[static_cast<std::size_t>(i * width + place)]);
+            }
+        }
+        return result;
     }
 
     // The volume that the solver's own density belongs to; NaN where it cannot be known.
@@ -140,14 +153,15 @@ private:
             bounds[partOf(particles, e)].extend(node);
         }
         bool assumed = false;
+        std::vector<double> densities;
+        if (!m_masses.empty() && m_geometry.particleDensity >= 0) {
+            densities = column(m_layout.particles, static_cast<std::int64_t>(particles.count()), m_geometry.particleWords,
+                               m_geometry.particleDensity);
+        }
         for (std::size_t e = 0; e < particles.count(); ++e) {
             const std::size_t part = partOf(particles, e);
             const double share = 1.0 / static_cast<double>(count[part]);
-            double volume = nothing;
-            if (!m_masses.empty() && m_geometry.particleDensity >= 0) {
-                const std::int64_t row = m_begin + m_layout.particles + static_cast<std::int64_t>(e) * m_geometry.particleWords;
-                volume = m_masses[part] * share / m_family.readFloat(row + m_geometry.particleDensity);
-            }
+            double volume = densities.empty() ? nothing : m_masses[part] * share / densities[e];
             if (!(volume > 0.0) || !usableLength(std::cbrt(volume))) {
                 volume = spacingVolume(bounds[part], count[part]);
                 assumed = true;

@@ -11,7 +11,7 @@ namespace {
 
 /// What reading one state takes.
 struct StateReader {
-    D3plotFamily family;
+    std::shared_ptr<const D3plotFamily> family;
     D3plotHeader header;
     D3plotStateLayout layout;
     std::vector<std::int64_t> begin;
@@ -20,7 +20,7 @@ struct StateReader {
 
     std::vector<Vec3> vectors(std::int64_t word) const {
         std::vector<double> values(static_cast<std::size_t>(3 * header.nodes));
-        family.readFloats(word, values);
+        family->readFloats(word, values);
         std::vector<Vec3> result(static_cast<std::size_t>(header.nodes));
         for (std::size_t n = 0; n < result.size(); ++n) {
             result[n] = Vec3(values[3 * n], values[3 * n + 1], values[3 * n + 2]);
@@ -90,7 +90,8 @@ FeResult::Contents readD3plot(const std::string& path, const ImportSettings&, co
         throw ParseError({"d3plot.changed", "{0} is no d3plot any more", {path}},
                          {"d3plot.shrunk.remedy", "Open the result again.", {}});
     }
-    const D3plotFamily family(d3plotMembers(path), *format);
+    const auto files = std::make_shared<const D3plotFamily>(d3plotMembers(path), *format);
+    const D3plotFamily& family = *files;
     const D3plotHeader header = readD3plotHeader(family);
     D3plotGeometry geometry = readD3plotGeometry(family, header, execution);
     const D3plotStateLayout layout = layoutOfStates(family, header, geometry);
@@ -104,7 +105,7 @@ FeResult::Contents readD3plot(const std::string& path, const ImportSettings&, co
     contents.times = states.times;
     contents.hasVelocity = header.velocities;
     const auto reader = std::make_shared<const StateReader>(
-        StateReader{family, header, layout, states.begin, header.coordinates == 1 ? std::vector<Vec3>{} : std::move(geometry.nodes),
+        StateReader{files, header, layout, states.begin, header.coordinates == 1 ? std::vector<Vec3>{} : std::move(geometry.nodes),
                     std::move(mesh.particles)});
     contents.source = std::make_shared<const FieldSource>(path, contents.mesh, activity.activity, contents.times, transform,
                                                           [reader](std::size_t k) { return reader->read(k); });

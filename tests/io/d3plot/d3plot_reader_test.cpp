@@ -255,8 +255,11 @@ TEST_F(D3plotReader, AFamilyBeingWrittenOpensUpToItsLastCompleteState) {
     const auto before = openFe(m_folder / "d3plot", {}, {}, Execution{});
     EXPECT_EQ(before->times(), (std::vector<double>{0, 1, 2}));
     EXPECT_EQ(before->contents().findings.count("d3plot.incomplete"), 1);
+    EXPECT_FALSE(hasGrown(*before));
     std::ofstream(m_folder / "d3plot02", std::ios::binary) << files[2];
+    EXPECT_TRUE(hasGrown(*before));
     const auto after = openFe(m_folder / "d3plot", {}, {}, Execution{});
+    EXPECT_FALSE(hasGrown(*after));
     EXPECT_EQ(after->times(), (std::vector<double>{0, 1, 2, 3}));
     EXPECT_NE(after->contents().fingerprint, before->contents().fingerprint);
     EXPECT_EQ(before->state(2)->positions, after->state(2)->positions) << "what was opened before still reads";

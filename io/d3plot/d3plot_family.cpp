@@ -63,14 +63,6 @@ std::map<int, std::string> numberedFiles(const fs::path& root) {
     return files;
 }
 
-bool isRoot(const std::string& path) {
-    try {
-        return recognisesD3plot(readHead(path));
-    } catch (const Error&) {
-        return false;
-    }
-}
-
 std::string rootOf(const std::string& path) {
     const std::string folder = path.substr(0, path.size() - fs::path(path).filename().string().size());
     const std::string name = fs::path(path).filename().string();
@@ -78,7 +70,7 @@ std::string rootOf(const std::string& path) {
     std::error_code ignored;
     for (std::size_t taken = 2; taken <= digits && taken < name.size(); ++taken) {
         const std::string root = name.substr(0, name.size() - taken);
-        if (memberNumber(name, root) && fs::is_regular_file(folder + root, ignored) && isRoot(folder + root)) {
+        if (memberNumber(name, root) && fs::is_regular_file(folder + root, ignored) && isD3plotRoot(folder + root)) {
             return folder + root;
         }
     }
@@ -236,8 +228,16 @@ std::string D3plotFamily::readText(std::int64_t word, std::int64_t words) const 
     return text.substr(0, text.find('\0'));
 }
 
+bool isD3plotRoot(const std::string& path) {
+    try {
+        return recognisesD3plot(readHead(path));
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 std::vector<std::string> d3plotMembers(const std::string& path) {
-    const std::string root = isRoot(path) ? path : rootOf(path);
+    const std::string root = isD3plotRoot(path) ? path : rootOf(path);
     std::vector<std::string> members{root};
     int expected = 1;
     for (const auto& [number, file] : numberedFiles(root)) {

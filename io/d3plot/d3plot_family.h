@@ -68,6 +68,9 @@ private:
     mutable std::shared_ptr<const Handle> m_handle;
 };
 
+/// Whether a file is the root of a family, by its content.
+bool isD3plotRoot(const std::string& path);
+
 /// Files of the family that a file belongs to, the root first, then by number; ends at the first number that is missing. A file
 /// that is a root itself is nobody's member. See FeFormat::members.
 std::vector<std::string> d3plotMembers(const std::string& path);

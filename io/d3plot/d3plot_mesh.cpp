@@ -18,13 +18,15 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 class MeshMaker {
 public:
     MeshMaker(const D3plotFamily& family, const D3plotHeader& header, const D3plotGeometry& geometry,
-              const D3plotStateLayout& layout, const D3plotStates& states, const Activity& activity, const FrameTransform& frame)
+              const D3plotStateLayout& layout, const D3plotStates& states, const Activity& activity,
+              const std::map<std::int64_t, KeywordPart>& deck, const FrameTransform& frame)
         : m_family(family),
           m_header(header),
           m_geometry(geometry),
           m_layout(layout),
           m_begin(states.begin.front()),
           m_activity(activity),
+          m_deck(deck),
           m_builder(family.path(), frame) {}
 
     D3plotMesh make() {
@@ -39,6 +41,7 @@ public:
             m_builder.addPart(m_geometry.partTitles[p], m_geometry.partIds[p]);
         }
         addElements();
+        settleSections();
         settleDensities();
         m_result.mesh = m_builder.finish(m_result.findings);
         return std::move(m_result);
@@ -118,10 +121,21 @@ private:
         return std::abs(elementVolume(shape, corners, m_builder.section(e)));
     }
 
-    void settleDensities() {
-        if (m_masses.empty()) {
-            return;
+    KeywordPart deckOf(std::size_t e) const {
+        const auto found = m_deck.find(m_geometry.partIds[m_builder.part(e)]);
+        return found == m_deck.end() ? KeywordPart{nothing, nothing, nothing} : found->second;
+    }
+
+    void settleSections() {
+        for (std::size_t e = 0; e < m_builder.elementCount(); ++e) {
+            const ElementShape shape = m_builder.shape(e);
+            if (!isSolid(shape) && std::isnan(m_builder.section(e))) {
+                m_builder.setSection(e, isShell(shape) ? deckOf(e).thickness : deckOf(e).area);
+            }
         }
+    }
+
+    void settleDensities() {
         const std::size_t parts = m_geometry.partIds.size();
         const std::size_t known = m_builder.elementCount();
         std::vector<double> volume(parts, 0.0);
@@ -132,10 +146,8 @@ private:
         }
         for (std::size_t e = 0; e < known; ++e) {
             const std::size_t part = m_builder.part(e);
-            const double density = m_masses[part] / volume[part];
-            if (std::isfinite(density) && density > 0.0) {
-                m_builder.setDensity(e, density);
-            }
+            const double density = m_masses.empty() ? nothing : m_masses[part] / volume[part];
+            m_builder.setDensity(e, std::isfinite(density) && density > 0.0 ? density : deckOf(e).density);
         }
     }
 
@@ -180,6 +192,7 @@ private:
     const D3plotStateLayout& m_layout;
     const std::int64_t m_begin;
     const Activity& m_activity;
+    const std::map<std::int64_t, KeywordPart>& m_deck;
     MeshBuilder m_builder;
     std::vector<double> m_masses;
     D3plotMesh m_result;
@@ -189,8 +202,8 @@ private:
 
 D3plotMesh makeD3plotMesh(const D3plotFamily& family, const D3plotHeader& header, const D3plotGeometry& geometry,
                           const D3plotStateLayout& layout, const D3plotStates& states, const Activity& activity,
-                          const FrameTransform& frame) {
-    return MeshMaker(family, header, geometry, layout, states, activity, frame).make();
+                          const std::map<std::int64_t, KeywordPart>& deck, const FrameTransform& frame) {
+    return MeshMaker(family, header, geometry, layout, states, activity, deck, frame).make();
 }
 
 // Globals: kinetic, internal and total energy, velocity (6); then of every part internal and kinetic energy, velocity, mass and

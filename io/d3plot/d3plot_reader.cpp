@@ -83,6 +83,15 @@ void noteFiles(const D3plotFamily& family, const D3plotHeader& header, Findings&
 
 }  // namespace
 
+std::vector<std::string> d3plotFiles(const std::string& path) {
+    std::vector<std::string> files = d3plotMembers(path);
+    const std::string deck = isD3plotRoot(files.front()) ? keywordDeckBeside(files.front()) : std::string();
+    if (!deck.empty()) {
+        files.push_back(deck);
+    }
+    return files;
+}
+
 FeResult::Contents readD3plot(const std::string& path, const ImportSettings&, const Frame& frame, const Execution& execution) {
     const FrameTransform transform(frame);
     const auto format = d3plotWordFormat(readHead(path));
@@ -98,7 +107,8 @@ FeResult::Contents readD3plot(const std::string& path, const ImportSettings&, co
     const D3plotStates states = findD3plotStates(family, geometry, layout, execution);
     requireStates(family, geometry, layout, states);
     D3plotActivity activity = readD3plotActivity(family, header, geometry, layout, states, execution);
-    D3plotMesh mesh = makeD3plotMesh(family, header, geometry, layout, states, activity.activity, transform);
+    D3plotMesh mesh = makeD3plotMesh(family, header, geometry, layout, states, activity.activity,
+                                     readKeywordDeck(keywordDeckBeside(path)), transform);
 
     FeResult::Contents contents;
     contents.mesh = std::make_shared<const Mesh>(std::move(mesh.mesh));

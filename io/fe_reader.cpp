@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/nearest_names.h"
 #include "io/fe_format.h"
-#include "io/files.h"
+#include "io/series_digest.h"
 
 namespace rubble::io {
 
@@ -181,15 +181,14 @@ Found find(const std::string& path) {
     return found;
 }
 
-std::string sha256OfFiles(const std::vector<std::string>& files) {
-    if (files.size() == 1) {
-        return sha256OfFile(files.front());
-    }
-    std::string list;
+std::uint64_t sizeOf(const std::vector<std::string>& files) {
+    std::uint64_t bytes = 0;
     for (const std::string& file : files) {
-        list += sha256OfFile(file) + "  " + fs::path(file).filename().string() + "\n";
+        std::error_code error;
+        const std::uintmax_t size = fs::file_size(file, error);
+        bytes += error ? 0 : size;
     }
-    return sha256OfText(list);
+    return bytes;
 }
 
 Digest fingerprintOf(const FeFormat& format, const std::string& sha256, const ImportSettings& settings, const Frame& frame) {
@@ -236,12 +235,8 @@ std::shared_ptr<const FeResult> openFe(const std::string& path, const ImportSett
     contents.format = found.format->name;
     contents.path = found.files.front();
     contents.files = found.files;
-    for (const std::string& file : found.files) {
-        std::error_code error;
-        const std::uintmax_t size = fs::file_size(file, error);
-        contents.bytes += error ? 0 : size;
-    }
-    contents.sha256 = sha256OfFiles(found.files);
+    contents.bytes = sizeOf(found.files);
+    contents.sha256 = sha256OfSeries(found.files, execution);
     contents.fingerprint = fingerprintOf(*found.format, contents.sha256, settings, frame);
     for (const std::string& other : found.others) {
         contents.findings.add({"fe.folder_others", "The folder holds further results, which were not read", {}},
@@ -259,8 +254,17 @@ std::vector<std::string> feFiles(const std::string& path) {
     return found.format ? found.files : std::vector<std::string>{path};
 }
 
+bool hasGrown(const FeResult& fe) {
+    std::error_code error;
+    if (!fs::exists(fe.contents().path, error)) {
+        return false;
+    }
+    const std::vector<std::string> files = feFiles(fe.contents().path);
+    return files != fe.contents().files || sizeOf(files) != fe.contents().bytes;
+}
+
 std::string sha256OfFe(const std::string& path) {
-    return sha256OfFiles(feFiles(path));
+    return sha256OfSeries(feFiles(path), Execution{});
 }
 
 }  // namespace rubble::io

@@ -24,6 +24,10 @@ std::shared_ptr<const FeResult> openFe(const std::string& path, const ImportSett
 /// The files that openFe() would read for a path, in their order; the path itself where it is no FE result. Throws WorldError.
 std::vector<std::string> feFiles(const std::string& path);
 
+/// Whether files of a result have come or changed their size since it was opened: opening it again would show more, as of a
+/// series that is still being written. Throws WorldError.
+bool hasGrown(const FeResult& fe);
+
 /// What names the content of a result: the SHA-256 of its file, or of a list of all its files as sha256sum writes it (digest, two
 /// blanks, name without folder, newline), hex. Throws WorldError.
 std::string sha256OfFe(const std::string& path);

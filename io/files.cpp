@@ -164,7 +164,7 @@ private:
 
 }  // namespace
 
-std::string sha256OfFile(const std::string& path) {
+std::string sha256OfFile(const std::string& path, const std::function<void(std::size_t)>& advance) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.get() < 0) {
         failRead(path, errno);
@@ -183,6 +183,9 @@ std::string sha256OfFile(const std::string& path) {
             break;
         }
         digest.add(block.data(), static_cast<std::size_t>(got));
+        if (advance) {
+            advance(static_cast<std::size_t>(got));
+        }
     }
     return digest.hex();
 }

@@ -1,12 +1,14 @@
 #include "io/d3plot/d3plot_family.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
-#include <cstring>
+#include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 
@@ -61,14 +63,6 @@ std::map<int, std::string> numberedFiles(const fs::path& root) {
     return files;
 }
 
-bool isRoot(const std::string& path) {
-    try {
-        return recognisesD3plot(readHead(path));
-    } catch (const Error&) {
-        return false;
-    }
-}
-
 std::string rootOf(const std::string& path) {
     const std::string folder = path.substr(0, path.size() - fs::path(path).filename().string().size());
     const std::string name = fs::path(path).filename().string();
@@ -76,7 +70,7 @@ std::string rootOf(const std::string& path) {
     std::error_code ignored;
     for (std::size_t taken = 2; taken <= digits && taken < name.size(); ++taken) {
         const std::string root = name.substr(0, name.size() - taken);
-        if (memberNumber(name, root) && fs::is_regular_file(folder + root, ignored) && isRoot(folder + root)) {
+        if (memberNumber(name, root) && fs::is_regular_file(folder + root, ignored) && isD3plotRoot(folder + root)) {
             return folder + root;
         }
     }
@@ -93,6 +87,42 @@ double floatOfWord(const unsigned char* bytes, WordFormat format) {
 std::int64_t integerOfWord(const unsigned char* bytes, WordFormat format) {
     return format.bytes == 4 ? wordOf<std::int32_t>(bytes, format.bigEndian) : wordOf<std::int64_t>(bytes, format.bigEndian);
 }
+
+/// A file that is open for reading.
+class D3plotFamily::Handle {
+public:
+    explicit Handle(const std::string& path) : m_descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    ~Handle() {
+        if (valid()) {
+            ::close(m_descriptor);
+        }
+    }
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+
+    bool valid() const { return m_descriptor >= 0; }
+
+    /// Reads as much of what is asked for as the file has.
+    std::size_t read(unsigned char* to, std::size_t count, std::int64_t from) const {
+        std::size_t done = 0;
+        while (done < count) {
+            const ssize_t got = ::pread(m_descriptor, to + done, count - done, static_cast<off_t>(from) + static_cast<off_t>(done));
+            if (got < 0 && errno == EINTR) {
+                continue;
+            }
+            if (got <= 0) {
+                break;
+            }
+            done += static_cast<std::size_t>(got);
+        }
+        return done;
+    }
+
+private:
+    int m_descriptor;
+};
+
+D3plotFamily::~D3plotFamily() = default;
 
 D3plotFamily::D3plotFamily(std::vector<std::string> files, WordFormat format) : m_files(std::move(files)), m_format(format) {
     m_first.push_back(0);
@@ -118,24 +148,28 @@ std::string D3plotFamily::placeOf(std::int64_t word) const {
     return fs::path(m_files[file]).filename().string() + ", byte " + englishInteger((word - m_first[file]) * m_format.bytes);
 }
 
-void D3plotFamily::readBytes(std::int64_t word, std::span<unsigned char> bytes) const {
-    assert(word >= 0 && word + static_cast<std::int64_t>(bytes.size()) / m_format.bytes <= words());
-    for (std::size_t file = fileOf(word), done = 0; done < bytes.size(); ++file) {
-        const std::int64_t offset = (word - m_first[file]) * m_format.bytes + static_cast<std::int64_t>(done);
-        const std::int64_t before = std::max<std::int64_t>(offset, 0);
-        const auto available = static_cast<std::size_t>(wordsOf(file) * m_format.bytes - before);
-        // Of every further file the reading begins at its first byte.
-        const std::int64_t from = done == 0 ? before : 0;
-        const std::size_t count =
-            std::min(bytes.size() - done, done == 0 ? available : static_cast<std::size_t>(wordsOf(file) * m_format.bytes));
-        std::ifstream stream(m_files[file], std::ios::binary);
-        if (!stream) {
+std::shared_ptr<const D3plotFamily::Handle> D3plotFamily::handleOf(std::size_t file) const {
+    const std::scoped_lock lock(m_mutex);
+    if (!m_handle || m_opened != file) {
+        m_handle = std::make_shared<const Handle>(m_files[file]);
+        m_opened = file;
+        if (!m_handle->valid()) {
+            m_handle.reset();
             throw WorldError({"d3plot.gone", "{0} cannot be read any more", {m_files[file]}},
                              {"fe.unreadable.remedy", "Check the path and that you may read the file.", {}});
         }
-        stream.seekg(from);
-        stream.read(reinterpret_cast<char*>(bytes.data() + done), static_cast<std::streamsize>(count));
-        if (stream.gcount() != static_cast<std::streamsize>(count)) {
+    }
+    return m_handle;
+}
+
+void D3plotFamily::readBytes(std::int64_t word, std::span<unsigned char> bytes) const {
+    assert(word >= 0 && word + static_cast<std::int64_t>(bytes.size()) / m_format.bytes <= words());
+    std::size_t done = 0;
+    std::int64_t from = (word - m_first[fileOf(word)]) * m_format.bytes;
+    for (std::size_t file = fileOf(word); done < bytes.size(); ++file, from = 0) {
+        const auto available = static_cast<std::size_t>(wordsOf(file) * m_format.bytes - from);
+        const std::size_t count = std::min(bytes.size() - done, available);
+        if (handleOf(file)->read(bytes.data() + done, count, from) != count) {
             throw ParseError({"d3plot.shrunk",
                               "{0} has become shorter since it was opened: it ends before byte {1}",
                               {m_files[file], from + static_cast<std::int64_t>(count)}},
@@ -194,8 +228,16 @@ std::string D3plotFamily::readText(std::int64_t word, std::int64_t words) const 
     return text.substr(0, text.find('\0'));
 }
 
+bool isD3plotRoot(const std::string& path) {
+    try {
+        return recognisesD3plot(readHead(path));
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 std::vector<std::string> d3plotMembers(const std::string& path) {
-    const std::string root = isRoot(path) ? path : rootOf(path);
+    const std::string root = isD3plotRoot(path) ? path : rootOf(path);
     std::vector<std::string> members{root};
     int expected = 1;
     for (const auto& [number, file] : numberedFiles(root)) {

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,12 +23,15 @@ double floatOfWord(const unsigned char* bytes, WordFormat format);
 std::int64_t integerOfWord(const unsigned char* bytes, WordFormat format);
 
 /// The files of a d3plot family as one row of words, file after file: what does not fit into a file goes on at the beginning of the
-/// next one. Sizes are those at the time of opening. Files are open only while they are read, so that a family of thousands needs
-/// no handles; every member may be called from any thread.
+/// next one. Sizes are those at the time of opening. One file is open at a time, so that a family of thousands needs no handles;
+/// every member may be called from any thread.
 class D3plotFamily {
 public:
     /// Throws WorldError for files that cannot be asked for their size.
     D3plotFamily(std::vector<std::string> files, WordFormat format);
+    ~D3plotFamily();
+    D3plotFamily(const D3plotFamily&) = delete;
+    D3plotFamily& operator=(const D3plotFamily&) = delete;
 
     WordFormat format() const { return m_format; }
     const std::string& path() const { return m_files.front(); }
@@ -50,12 +55,21 @@ public:
     std::string readText(std::int64_t word, std::int64_t words) const;
 
 private:
+    class Handle;
+
     void readBytes(std::int64_t word, std::span<unsigned char> bytes) const;
+    std::shared_ptr<const Handle> handleOf(std::size_t file) const;
 
     std::vector<std::string> m_files;
     std::vector<std::int64_t> m_first;  // [files + 1]
     WordFormat m_format;
+    mutable std::mutex m_mutex;
+    mutable std::size_t m_opened = 0;
+    mutable std::shared_ptr<const Handle> m_handle;
 };
+
+/// Whether a file is the root of a family, by its content.
+bool isD3plotRoot(const std::string& path);
 
 /// Files of the family that a file belongs to, the root first, then by number; ends at the first number that is missing. A file
 /// that is a root itself is nobody's member. See FeFormat::members.

@@ -18,13 +18,15 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 class MeshMaker {
 public:
     MeshMaker(const D3plotFamily& family, const D3plotHeader& header, const D3plotGeometry& geometry,
-              const D3plotStateLayout& layout, const D3plotStates& states, const Activity& activity, const FrameTransform& frame)
+              const D3plotStateLayout& layout, const D3plotStates& states, const Activity& activity,
+              const std::map<std::int64_t, KeywordPart>& deck, const FrameTransform& frame)
         : m_family(family),
           m_header(header),
           m_geometry(geometry),
           m_layout(layout),
           m_begin(states.begin.front()),
           m_activity(activity),
+          m_deck(deck),
           m_builder(family.path(), frame) {}
 
     D3plotMesh make() {
@@ -39,6 +41,7 @@ public:
             m_builder.addPart(m_geometry.partTitles[p], m_geometry.partIds[p]);
         }
         addElements();
+        settleSections();
         settleDensities();
         m_result.mesh = m_builder.finish(m_result.findings);
         return std::move(m_result);
@@ -79,20 +82,33 @@ private:
         if (!output[3] || place >= m_header.shellWords) {
             return thickness;
         }
-        std::vector<double> row(static_cast<std::size_t>(m_header.shellWords));
-        std::int64_t rows = 0;
-        for (std::size_t e = 0; e < shells.count(); ++e) {
+        const std::vector<double> written =
+            column(m_layout.shells, static_cast<std::int64_t>(shells.count()) - m_geometry.rigidShells, m_header.shellWords, place);
+        std::size_t row = 0;
+        for (std::size_t e = 0; e < shells.count() && row < written.size(); ++e) {
             if (m_geometry.rigidShells > 0 && m_geometry.rigid[static_cast<std::size_t>(shells.part[e])]) {
                 continue;
             }
-            if (rows >= static_cast<std::int64_t>(shells.count()) - m_geometry.rigidShells) {
-                break;
-            }
-            const double value = m_family.readFloat(m_begin + m_layout.shells + rows * m_header.shellWords + place);
+            const double value = written[row++];
             thickness[e] = value > 0.0 && usableLength(value) ? value : nothing;
-            ++rows;
         }
         return thickness;
+    }
+
+    // One value of every row of a block of the first state.
+    std::vector<double> column(std::int64_t begin, std::int64_t rows, std::int64_t width, std::int64_t place) const {
+        constexpr std::int64_t valuesAtOnce = std::int64_t{1} << 17;
+        const std::int64_t atOnce = std::max<std::int64_t>(1, valuesAtOnce / width);
+        std::vector<double> values, result;
+        for (std::int64_t done = 0; done < rows; done += atOnce) {
+            const std::int64_t block = std::min(atOnce, rows - done);
+            values.resize(static_cast<std::size_t>(block * width));
+            m_family.readFloats(m_begin + begin + done * width, values);
+            for (std::int64_t i = 0; i < block; ++i) {
+                result.push_back(values[static_cast<std::size_t>(i * width + place)]);
+            }
+        }
+        return result;
     }
 
     // The volume that the solver's own density belongs to; NaN where it cannot be known.
@@ -105,10 +121,21 @@ private:
         return std::abs(elementVolume(shape, corners, m_builder.section(e)));
     }
 
-    void settleDensities() {
-        if (m_masses.empty()) {
-            return;
+    KeywordPart deckOf(std::size_t e) const {
+        const auto found = m_deck.find(m_geometry.partIds[m_builder.part(e)]);
+        return found == m_deck.end() ? KeywordPart{nothing, nothing, nothing} : found->second;
+    }
+
+    void settleSections() {
+        for (std::size_t e = 0; e < m_builder.elementCount(); ++e) {
+            const ElementShape shape = m_builder.shape(e);
+            if (!isSolid(shape) && std::isnan(m_builder.section(e))) {
+                m_builder.setSection(e, isShell(shape) ? deckOf(e).thickness : deckOf(e).area);
+            }
         }
+    }
+
+    void settleDensities() {
         const std::size_t parts = m_geometry.partIds.size();
         const std::size_t known = m_builder.elementCount();
         std::vector<double> volume(parts, 0.0);
@@ -119,10 +146,8 @@ private:
         }
         for (std::size_t e = 0; e < known; ++e) {
             const std::size_t part = m_builder.part(e);
-            const double density = m_masses[part] / volume[part];
-            if (std::isfinite(density) && density > 0.0) {
-                m_builder.setDensity(e, density);
-            }
+            const double density = m_masses.empty() ? nothing : m_masses[part] / volume[part];
+            m_builder.setDensity(e, std::isfinite(density) && density > 0.0 ? density : deckOf(e).density);
         }
     }
 
@@ -140,14 +165,15 @@ private:
             bounds[partOf(particles, e)].extend(node);
         }
         bool assumed = false;
+        std::vector<double> densities;
+        if (!m_masses.empty() && m_geometry.particleDensity >= 0) {
+            densities = column(m_layout.particles, static_cast<std::int64_t>(particles.count()), m_geometry.particleWords,
+                               m_geometry.particleDensity);
+        }
         for (std::size_t e = 0; e < particles.count(); ++e) {
             const std::size_t part = partOf(particles, e);
             const double share = 1.0 / static_cast<double>(count[part]);
-            double volume = nothing;
-            if (!m_masses.empty() && m_geometry.particleDensity >= 0) {
-                const std::int64_t row = m_begin + m_layout.particles + static_cast<std::int64_t>(e) * m_geometry.particleWords;
-                volume = m_masses[part] * share / m_family.readFloat(row + m_geometry.particleDensity);
-            }
+            double volume = densities.empty() ? nothing : m_masses[part] * share / densities[e];
             if (!(volume > 0.0) || !usableLength(std::cbrt(volume))) {
                 volume = spacingVolume(bounds[part], count[part]);
                 assumed = true;
@@ -166,6 +192,7 @@ private:
     const D3plotStateLayout& m_layout;
     const std::int64_t m_begin;
     const Activity& m_activity;
+    const std::map<std::int64_t, KeywordPart>& m_deck;
     MeshBuilder m_builder;
     std::vector<double> m_masses;
     D3plotMesh m_result;
@@ -175,8 +202,8 @@ private:
 
 D3plotMesh makeD3plotMesh(const D3plotFamily& family, const D3plotHeader& header, const D3plotGeometry& geometry,
                           const D3plotStateLayout& layout, const D3plotStates& states, const Activity& activity,
-                          const FrameTransform& frame) {
-    return MeshMaker(family, header, geometry, layout, states, activity, frame).make();
+                          const std::map<std::int64_t, KeywordPart>& deck, const FrameTransform& frame) {
+    return MeshMaker(family, header, geometry, layout, states, activity, deck, frame).make();
 }
 
 // Globals: kinetic, internal and total energy, velocity (6); then of every part internal and kinetic energy, velocity, mass and

@@ -11,7 +11,7 @@ namespace {
 
 /// What reading one state takes.
 struct StateReader {
-    D3plotFamily family;
+    std::shared_ptr<const D3plotFamily> family;
     D3plotHeader header;
     D3plotStateLayout layout;
     std::vector<std::int64_t> begin;
@@ -20,7 +20,7 @@ struct StateReader {
 
     std::vector<Vec3> vectors(std::int64_t word) const {
         std::vector<double> values(static_cast<std::size_t>(3 * header.nodes));
-        family.readFloats(word, values);
+        family->readFloats(word, values);
         std::vector<Vec3> result(static_cast<std::size_t>(header.nodes));
         for (std::size_t n = 0; n < result.size(); ++n) {
             result[n] = Vec3(values[3 * n], values[3 * n + 1], values[3 * n + 2]);
@@ -83,6 +83,15 @@ void noteFiles(const D3plotFamily& family, const D3plotHeader& header, Findings&
 
 }  // namespace
 
+std::vector<std::string> d3plotFiles(const std::string& path) {
+    std::vector<std::string> files = d3plotMembers(path);
+    const std::string deck = isD3plotRoot(files.front()) ? keywordDeckBeside(files.front()) : std::string();
+    if (!deck.empty()) {
+        files.push_back(deck);
+    }
+    return files;
+}
+
 FeResult::Contents readD3plot(const std::string& path, const ImportSettings&, const Frame& frame, const Execution& execution) {
     const FrameTransform transform(frame);
     const auto format = d3plotWordFormat(readHead(path));
@@ -90,21 +99,23 @@ FeResult::Contents readD3plot(const std::string& path, const ImportSettings&, co
         throw ParseError({"d3plot.changed", "{0} is no d3plot any more", {path}},
                          {"d3plot.shrunk.remedy", "Open the result again.", {}});
     }
-    const D3plotFamily family(d3plotMembers(path), *format);
+    const auto files = std::make_shared<const D3plotFamily>(d3plotMembers(path), *format);
+    const D3plotFamily& family = *files;
     const D3plotHeader header = readD3plotHeader(family);
     D3plotGeometry geometry = readD3plotGeometry(family, header, execution);
     const D3plotStateLayout layout = layoutOfStates(family, header, geometry);
     const D3plotStates states = findD3plotStates(family, geometry, layout, execution);
     requireStates(family, geometry, layout, states);
     D3plotActivity activity = readD3plotActivity(family, header, geometry, layout, states, execution);
-    D3plotMesh mesh = makeD3plotMesh(family, header, geometry, layout, states, activity.activity, transform);
+    D3plotMesh mesh = makeD3plotMesh(family, header, geometry, layout, states, activity.activity,
+                                     readKeywordDeck(keywordDeckBeside(path)), transform);
 
     FeResult::Contents contents;
     contents.mesh = std::make_shared<const Mesh>(std::move(mesh.mesh));
     contents.times = states.times;
     contents.hasVelocity = header.velocities;
     const auto reader = std::make_shared<const StateReader>(
-        StateReader{family, header, layout, states.begin, header.coordinates == 1 ? std::vector<Vec3>{} : std::move(geometry.nodes),
+        StateReader{files, header, layout, states.begin, header.coordinates == 1 ? std::vector<Vec3>{} : std::move(geometry.nodes),
                     std::move(mesh.particles)});
     contents.source = std::make_shared<const FieldSource>(path, contents.mesh, activity.activity, contents.times, transform,
                                                           [reader](std::size_t k) { return reader->read(k); });

@@ -25,6 +25,23 @@ std::string deckOf(const std::string& path, const std::string& marks, const std:
     return (file.parent_path() / (name + "_0000.rad")).string();
 }
 
+// The deck belongs to the files: what it says goes into the result.
+std::vector<std::string> withDeck(std::vector<std::string> files, const std::string& deck) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(deck, ignored)) {
+        files.push_back(deck);
+    }
+    return files;
+}
+
+std::vector<std::string> animStates(const std::string& path) {
+    return numberedMembers(path, "A", "");
+}
+
+std::vector<std::string> convertedStates(const std::string& path) {
+    return numberedMembers(path, "", afterNumber);
+}
+
 }  // namespace
 
 // Versions before 2017 begin with smaller numbers; they are known and refused by name.
@@ -35,11 +52,11 @@ bool recognisesAnim(const FileHead& head) {
 }
 
 std::vector<std::string> animMembers(const std::string& path) {
-    return numberedMembers(path, "A", "");
+    return withDeck(animStates(path), deckOf(path, "A", ""));
 }
 
 FeResult::Contents readAnim(const std::string& path, const ImportSettings&, const Frame& frame, const Execution& execution) {
-    return readRadiossRun({animMembers(path), readAnimFile, deckOf(path, "A", ""), "status byte, 0 is deleted"}, frame, execution);
+    return readRadiossRun({animStates(path), readAnimFile, deckOf(path, "A", ""), "status byte, 0 is deleted"}, frame, execution);
 }
 
 bool recognisesConvertedAnim(const FileHead& head) {
@@ -49,14 +66,14 @@ bool recognisesConvertedAnim(const FileHead& head) {
 }
 
 std::vector<std::string> convertedAnimMembers(const std::string& path) {
-    return numberedMembers(path, "", afterNumber);
+    return withDeck(convertedStates(path), deckOf(path, "A_", afterNumber));
 }
 
 FeResult::Contents readConvertedAnim(const std::string& path, const ImportSettings&, const Frame& frame,
                                      const Execution& execution) {
-    FeResult::Contents contents = readRadiossRun(
-        {convertedAnimMembers(path), readConvertedFile, deckOf(path, "A_", afterNumber), "EROSION_STATUS, 1 is active"}, frame,
-        execution);
+    FeResult::Contents contents =
+        readRadiossRun({convertedStates(path), readConvertedFile, deckOf(path, "A_", afterNumber), "EROSION_STATUS, 1 is active"},
+                       frame, execution);
     std::int64_t never = 0;
     std::string example;
     for (std::size_t e = 0; e < contents.mesh->elementCount(); ++e) {

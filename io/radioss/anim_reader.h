@@ -7,7 +7,8 @@
 
 namespace rubble::io {
 
-/// Animation files of OpenRadioss (RUNA001, RUNA002, ..., plain or gzip-packed), one a state.
+/// Animation files of OpenRadioss (RUNA001, RUNA002, ..., plain or gzip-packed), one a state. The starter deck RUN_0000.rad, where
+/// it lies beside them, is the last of the members.
 bool recognisesAnim(const FileHead& head);
 std::vector<std::string> animMembers(const std::string& path);
 FeResult::Contents readAnim(const std::string& path, const ImportSettings& settings, const Frame& frame,

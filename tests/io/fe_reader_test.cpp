@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "io/fe_format.h"
 #include "io/files.h"
+#include "io/series_digest.h"
 #include "tests/io/d3plot/d3plot_builder.h"
 #include "tests/io/radioss/anim_builder.h"
 #include "tests/io/temporary_folder.h"
@@ -74,6 +75,9 @@ TEST(FeReader, DigestsOfSeries) {
     EXPECT_EQ(fe->contents().bytes, bytes);
     EXPECT_EQ(sha256OfFe(folder / "d3plot01"), sha256OfText(list));
     EXPECT_EQ(sha256OfText("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad") << "FIPS 180-4";
+    for (const int threads : {1, 3}) {
+        EXPECT_EQ(sha256OfSeries(fe->contents().files, Execution{}.withThreads(threads)), sha256OfText(list)) << threads;
+    }
     // A file that stands alone, and one that is no FE result, are named by themselves.
     std::ofstream(folder / "notes") << "text";
     EXPECT_EQ(sha256OfFe(folder / "notes"), sha256OfFile(folder / "notes"));

@@ -109,6 +109,27 @@ TEST_F(D3plotReader, PartsNumbersTitlesAndWhatElementsAreMadeOf) {
     EXPECT_NEAR((0.5 * (mesh.nodes[corners[6]] + mesh.nodes[corners[0]]) - mesh.nodes[0]).norm(), 0.0, 1e-6);
 }
 
+TEST_F(D3plotReader, TheKeywordDeckSaysWhatTheFamilyCannot) {
+    D3plotBuilder builder = everyKind();
+    const auto without = open(builder);
+    std::ofstream(m_folder / "include.k")
+        << "*KEYWORD\n*SECTION_BEAM_TITLE\na tie\n        30         1       1.0         2         0\n"
+           "      0.02      0.02      0.05      0.05\n*END\n";
+    std::filesystem::rename(m_folder / "include.k", m_folder / "beams.inc");
+    std::ofstream(m_folder / "bridge.k")
+        << "$ comment\n*KEYWORD\n*INCLUDE\nbeams.inc\n*PART\nties\n        30        30         7         0\n"
+           "*MAT_ELASTIC\n         7      7850       2.0       0.3\n*PART\nskin\n50,50,8\n*SECTION_SHELL\n"
+           "        50         2       1.0         2\n       0.3       0.3\n*END\n";
+    const auto with = open(builder);
+    EXPECT_EQ(with->contents().files.back(), m_folder / "bridge.k");
+    EXPECT_NE(with->contents().fingerprint, without->contents().fingerprint);
+    EXPECT_NEAR(with->mesh().section[7], 0.001, 1e-12) << "0.02 x 0.05";
+    // The mass of the beams is in the family: with their section known their density follows from it, 1 over 2 x 0.001.
+    EXPECT_NEAR(with->mesh().density[7], 500.0, 1e-6);
+    std::ofstream(m_folder / "second.key") << "*KEYWORD\n";
+    EXPECT_TRUE(std::isnan(open(everyKind())->mesh().section[7])) << "of two decks none is taken";
+}
+
 TEST_F(D3plotReader, PlacesAndVelocitiesInTheFrameOfTheCase) {
     Frame frame;
     frame.metresPerUnit = 0.01;
@@ -255,8 +276,11 @@ TEST_F(D3plotReader, AFamilyBeingWrittenOpensUpToItsLastCompleteState) {
     const auto before = openFe(m_folder / "d3plot", {}, {}, Execution{});
     EXPECT_EQ(before->times(), (std::vector<double>{0, 1, 2}));
     EXPECT_EQ(before->contents().findings.count("d3plot.incomplete"), 1);
+    EXPECT_FALSE(hasGrown(*before));
     std::ofstream(m_folder / "d3plot02", std::ios::binary) << files[2];
+    EXPECT_TRUE(hasGrown(*before));
     const auto after = openFe(m_folder / "d3plot", {}, {}, Execution{});
+    EXPECT_FALSE(hasGrown(*after));
     EXPECT_EQ(after->times(), (std::vector<double>{0, 1, 2, 3}));
     EXPECT_NE(after->contents().fingerprint, before->contents().fingerprint);
     EXPECT_EQ(before->state(2)->positions, after->state(2)->positions) << "what was opened before still reads";

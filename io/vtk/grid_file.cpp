@@ -153,7 +153,9 @@ Grid readGridFile(const std::string& path, const GridSelection& selection) {
     const bool legacy = headOf(path).starts_with("# vtk DataFile");
     const QuietVtk quiet;
     const vtkSmartPointer<vtkUnstructuredGrid> grid = legacy ? readLegacy(path) : readXml(path, selection);
-    if (const std::string error = quiet.error(); !error.empty() || !grid) {
+    // The legacy reader only warns where a file ends before its time.
+    const std::string error = quiet.error().empty() && legacy ? quiet.warning() : quiet.error();
+    if (!error.empty() || !grid) {
         failRead(path, error);
     }
     Grid result;

@@ -218,9 +218,20 @@ std::vector<std::string> Hdf5Table::tablesIn(const std::string& group) const {
     return names;
 }
 
+bool Hdf5Table::hasAttribute(const std::string& group, const std::string& attribute) const {
+    if (!exists(m_file.get(), group)) {
+        return false;
+    }
+    const htri_t there = H5Aexists_by_name(m_file.get(), group.c_str(), attribute.c_str(), H5P_DEFAULT);
+    if (there < 0) {
+        failTable(m_path, group + ":" + attribute, "it is damaged");
+    }
+    return there > 0;
+}
+
 std::optional<std::string> Hdf5Table::text(const std::string& group, const std::string& attribute) const {
     const Hdf5Session quiet;
-    if (!exists(m_file.get(), group) || H5Aexists_by_name(m_file.get(), group.c_str(), attribute.c_str(), H5P_DEFAULT) <= 0) {
+    if (!hasAttribute(group, attribute)) {
         return std::nullopt;
     }
     const Hdf5Handle handle(H5Aopen_by_name(m_file.get(), group.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
@@ -255,7 +266,7 @@ std::optional<std::string> Hdf5Table::text(const std::string& group, const std::
 
 std::optional<std::int64_t> Hdf5Table::number(const std::string& group, const std::string& attribute) const {
     const Hdf5Session quiet;
-    if (!exists(m_file.get(), group) || H5Aexists_by_name(m_file.get(), group.c_str(), attribute.c_str(), H5P_DEFAULT) <= 0) {
+    if (!hasAttribute(group, attribute)) {
         return std::nullopt;
     }
     const Hdf5Handle handle(H5Aopen_by_name(m_file.get(), group.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);

@@ -40,6 +40,7 @@ private:
     template <class T>
     std::vector<T> read(const std::string& name, hid_t type, std::uint64_t first, std::uint64_t rows) const;
     void lookAtAll() const;
+    bool hasAttribute(const std::string& group, const std::string& attribute) const;
 
     std::string m_path;
     std::uint64_t m_bytes = 0;

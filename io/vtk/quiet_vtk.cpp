@@ -1,5 +1,6 @@
 #include "io/vtk/quiet_vtk.h"
 
+#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 
 namespace rubble::io {
@@ -16,14 +17,22 @@ public:
         take(text, false);
     }
     void DisplayErrorText(const char* text) override { take(text, true); }
-    void DisplayWarningText(const char* text) override { take(text, false); }
-    void DisplayGenericWarningText(const char* text) override { take(text, false); }
+    void DisplayWarningText(const char* text) override { warn(text); }
+    void DisplayGenericWarningText(const char* text) override { warn(text); }
     void DisplayDebugText(const char* text) override { take(text, false); }
 
     std::string first;
+    std::string firstWarning;
     vtkOutputWindow* others = nullptr;
 
 private:
+    void warn(const char* text) {
+        if (std::this_thread::get_id() == m_thread && firstWarning.empty()) {
+            firstWarning = text;
+        }
+        take(text, false);
+    }
+
     void take(const char* text, bool error) {
         if (std::this_thread::get_id() != m_thread) {
             others->DisplayText(text);
@@ -56,14 +65,23 @@ QuietVtk::QuietVtk() : m_lock(nativeLibraries()), m_before(vtkOutputWindow::GetI
     window->others = m_before;
     m_window = window;
     vtkOutputWindow::SetInstance(m_window);
+    // The same texts go to VTK's log as well, which writes to the terminal.
+    m_verbosity = static_cast<int>(vtkLogger::GetCurrentVerbosityCutoff());
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
 QuietVtk::~QuietVtk() {
+    vtkLogger::SetStderrVerbosity(static_cast<vtkLogger::Verbosity>(m_verbosity));
     vtkOutputWindow::SetInstance(m_before);
 }
 
 std::string QuietVtk::error() const {
     const std::string& first = static_cast<const KeptText*>(m_window.Get())->first;
+    return first.empty() ? "" : shortened(first);
+}
+
+std::string QuietVtk::warning() const {
+    const std::string& first = static_cast<const KeptText*>(m_window.Get())->firstWarning;
     return first.empty() ? "" : shortened(first);
 }
 

@@ -23,11 +23,14 @@ public:
 
     /// The first error since then; empty if there was none. One line, without VTK's own places.
     std::string error() const;
+    /// The first warning, the same way.
+    std::string warning() const;
 
 private:
     std::unique_lock<std::recursive_mutex> m_lock;
     vtkSmartPointer<vtkOutputWindow> m_before;
     vtkSmartPointer<vtkOutputWindow> m_window;
+    int m_verbosity = 0;
 };
 
 }  // namespace rubble::io

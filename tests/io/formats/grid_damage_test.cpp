@@ -148,6 +148,20 @@ TEST_F(GridTest, LegacyFilesOfANumberSeriesAreStatesByTheirTimes) {
     EXPECT_EQ(fe->activity().activeCount(1), 1u);
 }
 
+TEST_F(GridTest, ALegacyFileThatEndsTooEarlyIsRefusedInSilence) {
+    const std::string text = legacy(0.5, false, false, "STATUS");
+    testing::internal::CaptureStderr();
+    for (std::size_t length = text.find("POINTS") + 10; length + 2 < text.size(); length += 19) {
+        put(m_folder / "wall.vtk", text.substr(0, length));
+        try {
+            open("wall.vtk");
+        } catch (const Error& error) {
+            EXPECT_THAT(error.what(), HasSubstr("wall.vtk"));
+        }
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 // Without numbers of elements, cells are told by their points; without a flag, a missing one is dead.
 TEST_F(GridTest, CellsWithoutNumbersAreMatchedByTheirPoints) {
     put(m_folder / "wall.0.vtk", legacy(0.0, false, false, ""));

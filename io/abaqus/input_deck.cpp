@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "io/series/numbered_files.h"
 
 namespace rubble::io {
 
@@ -288,17 +289,15 @@ InputDeck readInputDeck(const std::string& path) {
 }
 
 std::string inputDeckBeside(const std::string& path) {
-    const fs::path file(path);
     std::error_code ignored;
     const std::string own = fs::path(path).replace_extension(".inp").string();
     if (fs::is_regular_file(own, ignored)) {
         return own;
     }
     std::vector<std::string> decks;
-    const fs::path folder = file.parent_path();
-    for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, ignored)) {
-        if (upperCase(entry.path().extension().string()) == ".INP" && entry.is_regular_file(ignored)) {
-            decks.push_back((folder / entry.path().filename()).string());
+    for (const std::string& other : filesBeside(path)) {
+        if (upperCase(fs::path(other).extension().string()) == ".INP") {
+            decks.push_back(other);
         }
     }
     return decks.size() == 1 ? decks.front() : "";

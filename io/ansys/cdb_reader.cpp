@@ -24,10 +24,9 @@ std::string macroBeside(const std::string& path) {
         return own;
     }
     std::vector<std::string> macros;
-    const fs::path folder = fs::path(path).parent_path();
-    for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, ignored)) {
-        if (entry.path().extension() == ".mac" && entry.is_regular_file(ignored)) {
-            macros.push_back((folder / entry.path().filename()).string());
+    for (const std::string& other : filesBeside(path)) {
+        if (other.ends_with(".mac")) {
+            macros.push_back(other);
         }
     }
     return macros.size() == 1 ? macros.front() : "";

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "io/exodus/exodus_displacement.h"
+#include "io/series/numbered_files.h"
 
 namespace rubble::io {
 
@@ -43,13 +44,11 @@ void addInto(std::vector<Vec3>& vectors, const ExodusFile& file, const VectorVar
 std::vector<std::string> exodusSequence(const std::string& path) {
     const fs::path file(path);
     const std::string base = cutNumber(file.filename().string()).first;
-    const fs::path folder = file.parent_path();
     std::map<int, std::string> byNumber;
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, ignored)) {
-        const auto [stem, number] = cutNumber(entry.path().filename().string());
-        if (stem == base && entry.is_regular_file(ignored)) {
-            byNumber.emplace(number, (folder / entry.path().filename()).string());
+    for (const std::string& other : filesBeside(path)) {
+        const auto [stem, number] = cutNumber(fs::path(other).filename().string());
+        if (stem == base) {
+            byNumber.emplace(number, other);
         }
     }
     std::vector<std::string> files;

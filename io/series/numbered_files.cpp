@@ -1,5 +1,6 @@
 #include "io/series/numbered_files.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
@@ -47,12 +48,8 @@ std::vector<std::string> numberedSiblings(const std::string& path) {
             byNumber.emplace(std::pair(number, cut.digits.size()), candidate.string());
         }
     };
-    std::error_code ignored;
-    const Path folder = file.parent_path().empty() ? Path(".") : file.parent_path();
-    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-        if (entry.is_regular_file(ignored)) {
-            take(file.parent_path() / entry.path().filename());
-        }
+    for (const std::string& other : filesBeside(path)) {
+        take(other);
     }
     take(file);
     std::vector<std::string> files;
@@ -60,6 +57,21 @@ std::vector<std::string> numberedSiblings(const std::string& path) {
         files.push_back(std::move(name));
     }
     return files.empty() ? std::vector<std::string>{path} : files;
+}
+
+std::vector<std::string> filesBeside(const std::string& path) {
+    const Path parent = Path(path).parent_path();
+    std::vector<std::string> files;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(parent.empty() ? Path(".") : parent, error), end; !error && entry != end;
+         entry.increment(error)) {
+        std::error_code ignored;
+        if (entry->is_regular_file(ignored)) {
+            files.push_back((parent / entry->path().filename()).string());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 }  // namespace rubble::io

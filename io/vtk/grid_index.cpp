@@ -163,19 +163,14 @@ std::vector<GridEntry> indexGrids(const std::string& path) {
 
 std::string canonicalIndex(const std::string& path) {
     try {
-        const Path file(path);
         const std::string head = headOf(path);
         const std::vector<std::string> own = isIndex(head) ? listed(path) : std::vector<std::string>{path};
         std::vector<std::string> candidates;
-        const Path folder = file.parent_path().empty() ? Path(".") : file.parent_path();
-        std::error_code ignored;
-        for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-            const std::string ending = entry.path().extension().string();
-            if (entry.is_regular_file(ignored) && (ending == ".pvd" || ending == ".series")) {
-                candidates.push_back((file.parent_path() / entry.path().filename()).string());
+        for (const std::string& other : filesBeside(path)) {
+            if (other.ends_with(".pvd") || other.ends_with(".series")) {
+                candidates.push_back(other);
             }
         }
-        std::sort(candidates.begin(), candidates.end());
         for (const std::string& candidate : candidates) {
             const std::vector<std::string> files = isIndex(headOf(candidate)) ? listed(candidate) : std::vector<std::string>{};
             const bool lists = std::find(files.begin(), files.end(), own.front()) != files.end();

@@ -3,12 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <memory>
 #include <utility>
 
 #include "core/base/error.h"
+#include "io/fe_format.h"
 #include "io/fe_reader.h"
 #include "tests/io/temporary_folder.h"
 
@@ -44,6 +46,28 @@ protected:
         return m_folder / GetParam().file;
     }
 
+    // By its reader alone: what openFe() does besides takes most of the time and does not look at the content.
+    void readWhole(const std::string& path) {
+        const FileHead head = readHead(path);
+        const auto formats = feFormats();
+        const auto found =
+            std::find_if(formats.begin(), formats.end(), [&](const FeFormat& format) { return format.recognises(head); });
+        if (found == formats.end()) {
+            openFe(path, {}, {}, Execution{});
+            return;
+        }
+        FeResult::Contents contents = found->read(path, {}, {}, Execution{});
+        const auto& times = contents.times;
+        if (std::adjacent_find(times.begin(), times.end(), [](double a, double b) { return !(a < b); }) != times.end()) {
+            openFe(path, {}, {}, Execution{});
+            return;
+        }
+        const FeResult fe(std::move(contents));
+        for (std::size_t k = 0; k < fe.stateCount(); ++k) {
+            fe.state(k);
+        }
+    }
+
     TemporaryFolder m_folder;
 };
 
@@ -74,10 +98,7 @@ TEST_P(SmallResult, CutOffAtEveryByteItIsReadOrRefused) {
     for (std::size_t length = 0; length < text.size(); ++length) {
         const std::string path = lay(text.substr(0, length));
         try {
-            const auto fe = openFe(path, {}, {}, Execution{});
-            for (std::size_t k = 0; k < fe->stateCount(); ++k) {
-                fe->state(k);
-            }
+            readWhole(path);
             ++read;
         } catch (const Error& error) {
             ++refused;
@@ -98,10 +119,7 @@ TEST_P(SmallResult, EveryDigitMayBeWrong) {
         const char right = std::exchange(text[at], "9-x"[at % 3]);
         const std::string path = lay(text);
         try {
-            const auto fe = openFe(path, {}, {}, Execution{});
-            for (std::size_t k = 0; k < fe->stateCount(); ++k) {
-                fe->state(k);
-            }
+            readWhole(path);
         } catch (const Error& error) {
             ASSERT_FALSE(error.message().empty());
         }

@@ -174,7 +174,14 @@ bool isCaseFile(const std::string& path) {
         in.ignore(3);
     }
     in >> std::ws;
-    return in.peek() == '{';
+    if (in.peek() != '{') {
+        return false;
+    }
+    // A list of files that ParaView writes (.vtu.series) is JSON as well, and an FE result.
+    std::string head(4096, '\0');
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(in.gcount()));
+    return head.find("\"file-series-version\"") == std::string::npos;
 }
 
 Case caseFromText(const std::string& text, const std::string& nameForErrors) {

@@ -22,6 +22,16 @@ struct Cell {
     std::vector<std::int64_t> corners;
 };
 
+bool allDistinct(std::span<const std::int64_t> corners) {
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) !=
+            corners.begin() + static_cast<std::ptrdiff_t>(i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 std::vector<std::int64_t> distinct(std::span<const std::int64_t> corners) {
     std::vector<std::int64_t> list;
     for (const std::int64_t corner : corners) {
@@ -157,6 +167,10 @@ std::uint32_t MeshBuilder::addPart(std::string name, std::int64_t fileId) {
 
 void MeshBuilder::addSolid(std::int64_t id, std::uint32_t part, std::span<const std::int64_t> corners) {
     assert(corners.size() == 8);
+    if (allDistinct(corners)) {
+        add(ElementShape::Hexahedron, id, part, corners, nothing);
+        return;
+    }
     const Cell cell = solidOf(corners);
     add(cell.shape, id, part, cell.corners, nothing);
 }
@@ -260,8 +274,16 @@ void MeshBuilder::requirePlaces(Findings& findings) {
 }
 
 void MeshBuilder::turnReversed(Findings& findings) {
+    std::vector<Vec3> corners;
     for (std::size_t e = 0; e < m_mesh.elementCount(); ++e) {
-        if (!isSolid(m_mesh.shapes[e]) || elementVolume(m_mesh.shapes[e], cornersOf(e), 0.0) >= 0.0) {
+        if (!isSolid(m_mesh.shapes[e])) {
+            continue;
+        }
+        corners.clear();
+        for (const std::uint32_t node : m_mesh.cornersOf(idAt<ElementIndex>(e))) {
+            corners.push_back(m_mesh.nodes[node]);
+        }
+        if (elementVolume(m_mesh.shapes[e], corners, 0.0) >= 0.0) {
             continue;
         }
         turn(m_mesh.shapes[e], m_mesh.corners.begin() + m_mesh.offsets[e]);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 #include "core/base/error.h"
 
@@ -92,7 +92,49 @@ private:
             m_word = next;
             return;
         }
+        if (!spans && ofAnotherLength(file, next)) {
+            m_states.findings.add({"d3plot.foreign_file", "Files whose states have another length were left out", {}},
+                                  {"d3plot.cut_state.remedy", "Copy the files again; check that all are of one analysis.", {}},
+                                  m_family.placeOf(m_word));
+            m_word = next;
+            return;
+        }
         take(time);
+    }
+
+    // A file that was written to its end, where the end does not follow a whole state; asked once for each file.
+    bool ofAnotherLength(std::size_t file, std::int64_t next) {
+        if (m_judged != file) {
+            m_judged = file;
+            m_foreign = !endsWithMark(next) && closed(next);
+        }
+        return m_foreign;
+    }
+
+    // Whole states from here to the end mark of the file, or to its last word.
+    bool endsWithMark(std::int64_t next) const {
+        const std::int64_t left = (next - m_word) % m_layout.words;
+        for (std::int64_t word = m_word + m_layout.words; word < next; word += m_layout.words) {
+            if (isEndMark(m_family.readFloat(word))) {
+                return true;
+            }
+        }
+        return left == 0;
+    }
+
+    // Whether the last word of a file that is not zero is the end mark: then all of it was written.
+    bool closed(std::int64_t next) const {
+        constexpr std::int64_t wordsAtOnce = 8192;
+        std::vector<double> words;
+        for (std::int64_t end = next; end > m_word; end -= static_cast<std::int64_t>(words.size())) {
+            words.resize(static_cast<std::size_t>(std::min(wordsAtOnce, end - m_word)));
+            m_family.readFloats(end - static_cast<std::int64_t>(words.size()), words);
+            const auto last = std::find_if(words.rbegin(), words.rend(), [](double word) { return word != 0.0; });
+            if (last != words.rend()) {
+                return isEndMark(*last);
+            }
+        }
+        return false;
     }
 
     // What is left of a file after its last state: zeros fill it up, anything else is a state that was not written whole.
@@ -154,6 +196,8 @@ private:
     const Execution& m_execution;
     std::int64_t m_word;
     std::int64_t m_longest = 0;
+    std::size_t m_judged = std::numeric_limits<std::size_t>::max();
+    bool m_foreign = false;
     bool m_done = false;
     D3plotStates m_states;
 };

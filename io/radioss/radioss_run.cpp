@@ -60,7 +60,9 @@ public:
         m_execution.report(stage, 0.0);
         const AnimState first = m_run.read(m_run.files.front(), AnimWanted::Everything);
         requireTime(m_run.files.front(), first.time);
-        m_mesh = makeRadiossMesh(m_run.files.front(), first, readStarterDeck(m_run.deck), m_frame);
+        const StarterDeck deck = readStarterDeck(m_run.deck);
+        m_mesh = makeRadiossMesh(m_run.files.front(), first, deck.parts, m_frame);
+        noteUnits(deck);
         for (std::size_t i = 0; i < m_run.files.size(); ++i) {
             m_execution.report(stage, static_cast<double>(i) / static_cast<double>(m_run.files.size()));
             readStatus(i, first);
@@ -74,6 +76,16 @@ private:
         if (!std::isfinite(time)) {
             throw ParseError({"anim.bad_time", "{0}: the time of the state is {1}", {path, time}},
                              {"anim.damaged.remedy", "The file is damaged: copy it again or leave it out.", {}});
+        }
+    }
+
+    void noteUnits(const StarterDeck& deck) {
+        const double metres = metresIn(deck.length);
+        if (metres > 0.0 && std::abs(metres / m_frame.metresPerUnit - 1.0) > 1e-9) {
+            m_findings.add({"anim.units",
+                            "The starter deck counts in {0}, {1} and {2}; the case takes a unit of length for {3}",
+                            {deck.mass, deck.length, deck.time, {m_frame.metresPerUnit, "m"}}},
+                           {"anim.units.remedy", "Set the length unit of the case's frame to {0}.", {{metres, "m"}}}, m_run.deck);
         }
     }
 

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace rubble::io {
@@ -59,7 +60,10 @@ public:
             return;
         }
         const std::int64_t id = std::strtoll(block.keyword.back().c_str(), nullptr, 10);
-        if (block.keyword[0] == "PART") {
+        if (block.keyword[0] == "BEGIN" && block.lines.size() > 2) {
+            // Run, version, units of the deck.
+            std::istringstream(block.lines[2]) >> m_deck.mass >> m_deck.length >> m_deck.time;
+        } else if (block.keyword[0] == "PART") {
             m_parts[id] = {integerAt(block, 1, 0), integerAt(block, 1, 10)};
         } else if (block.keyword[0] == "MAT") {
             m_density[id] = realAt(block, 1, 0);
@@ -70,16 +74,15 @@ public:
         }
     }
 
-    std::map<std::int64_t, DeckPart> finish() const {
+    StarterDeck finish() {
         const auto find = [](const std::map<std::int64_t, double>& values, std::int64_t id) {
             const auto found = values.find(id);
             return found == values.end() ? nothing : found->second;
         };
-        std::map<std::int64_t, DeckPart> result;
         for (const auto& [id, links] : m_parts) {
-            result[id] = {find(m_density, links.material), find(m_thickness, links.property), find(m_area, links.property)};
+            m_deck.parts[id] = {find(m_density, links.material), find(m_thickness, links.property), find(m_area, links.property)};
         }
-        return result;
+        return std::move(m_deck);
     }
 
 private:
@@ -87,13 +90,21 @@ private:
         std::int64_t property = 0, material = 0;
     };
 
+    StarterDeck m_deck;
     std::map<std::int64_t, Links> m_parts;
     std::map<std::int64_t, double> m_density, m_thickness, m_area;
 };
 
 }  // namespace
 
-std::map<std::int64_t, DeckPart> readStarterDeck(const std::string& path) {
+double metresIn(const std::string& unit) {
+    const std::map<std::string, double> units{{"mm", 0.001},  {"cm", 0.01},   {"dm", 0.1},   {"m", 1.0},
+                                              {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}};
+    const auto found = units.find(unit);
+    return found == units.end() ? 0.0 : found->second;
+}
+
+StarterDeck readStarterDeck(const std::string& path) {
     std::ifstream file(path);
     DeckReader reader;
     Block block;

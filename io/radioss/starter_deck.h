@@ -13,8 +13,17 @@ struct DeckPart {
     double area = 0.0;       ///< of trusses
 };
 
-/// Reads parts, initial densities, thicknesses of shells and sections of trusses from a starter deck (NAME_0000.rad), by the number
-/// of the part. Empty if there is no such file; what is not understood is left out.
-std::map<std::int64_t, DeckPart> readStarterDeck(const std::string& path);
+/// What a starter deck says.
+struct StarterDeck {
+    std::map<std::int64_t, DeckPart> parts;  ///< by the number of the part
+    std::string mass, length, time;          ///< units as the deck names them: "Mg", "mm", "s"; empty where it does not
+};
+
+/// Metres in a unit of length that a deck names; 0 for a name that is not known.
+double metresIn(const std::string& unit);
+
+/// Reads units, parts, initial densities, thicknesses of shells and sections of trusses from a starter deck (NAME_0000.rad), empty
+/// if there is no such file; what is not understood is left out.
+StarterDeck readStarterDeck(const std::string& path);
 
 }  // namespace rubble::io

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "io/fe_format.h"
+#include "io/case_file.h"
 #include "io/files.h"
 #include "io/series_digest.h"
 #include "tests/io/d3plot/d3plot_builder.h"
@@ -85,6 +85,14 @@ TEST(FeReader, DigestsOfSeries) {
     builder.deaths = {{0, 2}};
     builder.write(folder / "d3plot");
     EXPECT_NE(openFe(folder / "d3plot", {}, {}, Execution{})->contents().fingerprint, fe->contents().fingerprint);
+}
+
+TEST(FeReader, AListOfFilesIsNoCase) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "s.vtu.series") << "{\"file-series-version\": \"1.0\", \"files\": []}";
+    std::ofstream(folder / "c.rubble") << " {\"format\": \"rubble-case\"}";
+    EXPECT_FALSE(isCaseFile(folder / "s.vtu.series"));
+    EXPECT_TRUE(isCaseFile(folder / "c.rubble"));
 }
 
 TEST(FeReader, WhatIsOutOfScopeIsSaid) {

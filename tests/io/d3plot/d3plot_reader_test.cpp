@@ -307,6 +307,22 @@ TEST_F(D3plotReader, ForeignMembersAndRestartsAreLeftOut) {
     EXPECT_EQ(cut->contents().findings.count("d3plot.cut_state"), 1);
 }
 
+TEST_F(D3plotReader, AFileOfAnotherAnalysisIsLeftOutWhateverItsLength) {
+    D3plotBuilder builder = everyKind();
+    builder.statesPerFile = 1;
+    builder.write(m_folder / "d3plot");
+    for (const std::int64_t cubes : {3, 5, 9, 20}) {
+        D3plotBuilder foreign = everyKind();
+        foreign.cubes = cubes;
+        foreign.statesPerFile = 5;
+        foreign.times = {1.1e6, 1.2e6, 1.3e6, 1.4e6, 1.5e6};
+        std::ofstream(m_folder / "d3plot03", std::ios::binary) << foreign.files()[1];
+        const auto fe = openFe(m_folder / "d3plot", {}, {}, Execution{});
+        EXPECT_EQ(fe->times(), (std::vector<double>{0, 0.5, 1.5, 2})) << cubes;
+        EXPECT_EQ(fe->contents().findings.count("d3plot.foreign_file"), 1) << cubes;
+    }
+}
+
 TEST_F(D3plotReader, KindsAndOptionsThatAreNotReadAreNamed) {
     const auto with = [](std::size_t word, std::int64_t value) {
         D3plotBuilder builder;

@@ -218,6 +218,40 @@ TEST_F(GridTest, AnIndexThatNamesAMissingFileSaysWhich) {
     }
 }
 
+// Parts of one time are one state.
+TEST_F(GridTest, PartsOfAnIndexMakeOneState) {
+    put(m_folder / "left.vtk", legacy(0.0, false, true, "STATUS"));
+    put(m_folder / "right0.vtk", legacy(0.0, false, false, "STATUS"));
+    put(m_folder / "right1.vtk", legacy(0.0, true, false, "STATUS"));
+    std::string index = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\">\n<Collection>\n";
+    for (const char* entry : {"0.25\" part=\"0\" file=\"left.vtk", "0.25\" part=\"1\" file=\"right0.vtk",
+                              "0.5\" part=\"0\" file=\"left.vtk", "0.5\" part=\"1\" file=\"right1.vtk"}) {
+        index += std::string("<DataSet timestep=\"") + entry + "\"/>\n";
+    }
+    put(m_folder / "wall.pvd", index + "</Collection>\n</VTKFile>\n");
+    const auto fe = open("wall.pvd");
+    EXPECT_EQ(fe->times(), (std::vector<double>{0.25, 0.5}));
+    EXPECT_EQ(fe->mesh().elementCount(), 3u);
+    EXPECT_EQ(fe->mesh().nodeCount(), 24u);
+    EXPECT_EQ(fe->activity().activeCount(0), 3u);
+    EXPECT_EQ(fe->activity().activeCount(1), 2u);
+}
+
+TEST_F(GridTest, PiecesOfAParallelFileMakeOneState) {
+    for (int k = 0; k < 2; ++k) {
+        const std::string number = std::to_string(k);
+        fs::copy_file(fixture("vtu-status/s00" + std::to_string(2 * k) + ".vtu"), m_folder / ("piece_" + number + "_0.vtu"));
+        put(m_folder / ("slab_" + number + ".pvtu"),
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\">\n"
+            "<PUnstructuredGrid><Piece Source=\"piece_" +
+                number + "_0.vtu\"/></PUnstructuredGrid></VTKFile>\n");
+    }
+    const auto fe = open("slab_0.pvtu");
+    EXPECT_EQ(fe->stateCount(), 2u);
+    EXPECT_EQ(fe->activity().activeCount(0), 1004u);
+    EXPECT_EQ(fe->activity().activeCount(1), 996u);
+}
+
 TEST_F(GridTest, AFolderOpensAsTheSeriesThatItHolds) {
     EXPECT_EQ(openFe(fixture("vtu-status"), {}, {}, Execution{})->stateCount(), 16u);
     EXPECT_EQ(openFe(fixture("vtu-status/s007.vtu"), {}, {}, Execution{})->stateCount(), 16u);

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "io/case_migrations.h"
+#include "io/fe_reader.h"
 #include "io/files.h"
 #include "io/json_cursor.h"
 #include "io/scenario_json.h"
@@ -173,7 +174,14 @@ bool isCaseFile(const std::string& path) {
         in.ignore(3);
     }
     in >> std::ws;
-    return in.peek() == '{';
+    if (in.peek() != '{') {
+        return false;
+    }
+    // A list of files that ParaView writes (.vtu.series) is JSON as well, and an FE result.
+    std::string head(4096, '\0');
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(in.gcount()));
+    return head.find("\"file-series-version\"") == std::string::npos;
 }
 
 Case caseFromText(const std::string& text, const std::string& nameForErrors) {
@@ -224,8 +232,9 @@ void saveCase(const std::string& path, const Case& theCase) {
     Case complete = theCase;
     for (CaseInput& input : complete.inputs) {
         std::error_code ignored;
-        if (input.sha256.empty() && fs::is_regular_file(inputPath(path, input), ignored)) {
-            input.sha256 = sha256OfFile(inputPath(path, input));
+        const std::string file = inputPath(path, input);
+        if (input.sha256.empty() && fs::is_regular_file(file, ignored)) {
+            input.sha256 = input.role == InputRole::Fe ? sha256OfFe(file) : sha256OfFile(file);
         }
     }
     const std::string text = caseText(complete);

@@ -138,15 +138,38 @@ void flushFolder(const std::string& file) {
     }
 }
 
+// SHA-256 of what it is fed with.
+class Sha256 {
+public:
+    Sha256() : m_context(EVP_MD_CTX_new(), &EVP_MD_CTX_free) { EVP_DigestInit_ex(m_context.get(), EVP_sha256(), nullptr); }
+
+    void add(const void* bytes, std::size_t size) { EVP_DigestUpdate(m_context.get(), bytes, size); }
+
+    std::string hex() {
+        std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+        unsigned size = 0;
+        EVP_DigestFinal_ex(m_context.get(), digest.data(), &size);
+        static constexpr char digits[] = "0123456789abcdef";
+        std::string hex;
+        for (unsigned i = 0; i < size; ++i) {
+            hex += digits[digest[i] >> 4];
+            hex += digits[digest[i] & 15];
+        }
+        return hex;
+    }
+
+private:
+    std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> m_context;
+};
+
 }  // namespace
 
-std::string sha256OfFile(const std::string& path) {
+std::string sha256OfFile(const std::string& path, const std::function<void(std::size_t)>& advance) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.get() < 0) {
         failRead(path, errno);
     }
-    const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(), &EVP_MD_CTX_free);
-    EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr);
+    Sha256 digest;
     std::vector<unsigned char> block(std::size_t{1} << 20);
     for (;;) {
         const ssize_t got = ::read(file.get(), block.data(), block.size());
@@ -159,18 +182,18 @@ std::string sha256OfFile(const std::string& path) {
         if (got == 0) {
             break;
         }
-        EVP_DigestUpdate(context.get(), block.data(), static_cast<std::size_t>(got));
+        digest.add(block.data(), static_cast<std::size_t>(got));
+        if (advance) {
+            advance(static_cast<std::size_t>(got));
+        }
     }
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned size = 0;
-    EVP_DigestFinal_ex(context.get(), digest.data(), &size);
-    static constexpr char digits[] = "0123456789abcdef";
-    std::string hex;
-    for (unsigned i = 0; i < size; ++i) {
-        hex += digits[digest[i] >> 4];
-        hex += digits[digest[i] & 15];
-    }
-    return hex;
+    return digest.hex();
+}
+
+std::string sha256OfText(std::string_view text) {
+    Sha256 digest;
+    digest.add(text.data(), text.size());
+    return digest.hex();
 }
 
 void writeAtomically(const std::string& path, const std::function<void(std::ostream&)>& write) {

@@ -8,7 +8,10 @@
 namespace rubble::io {
 
 /// SHA-256 of a file's content, lower-case hex. Throws WorldError.
-std::string sha256OfFile(const std::string& path);
+/// @param advance  called after every block with its bytes; what it throws ends the reading
+std::string sha256OfFile(const std::string& path, const std::function<void(std::size_t)>& advance = {});
+/// SHA-256 of a text, lower-case hex.
+std::string sha256OfText(std::string_view text);
 
 /// Writes a file so that it is either the old one or the whole new one: temporary file beside it, flush to disk, rename.
 /// Throws WorldError naming the path and the remedy; nothing is left behind.

@@ -2,6 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/cli/missing_facts.h"
 #include "app/cli/output_file.h"
 #include "app/cli/subject.h"
 #include "app/cli/text_output.h"
@@ -21,6 +22,9 @@ Json inspectionJson(const Subject& subject, const Audit& audit, const Findings& 
     object["format"] = fe.contents().format;
     object["path"] = subject.fePath;
     object["sha256"] = fe.contents().sha256;
+    object["files"] = fe.contents().files.size();
+    object["bytes"] = fe.contents().bytes;
+    object["index_s"] = fe.contents().indexSeconds;
     object["nodes"] = fe.mesh().nodeCount();
     object["elements"] = fe.mesh().elementCount();
     object["states"] = fe.stateCount();
@@ -45,6 +49,10 @@ Json inspectionJson(const Subject& subject, const Audit& audit, const Findings& 
     object["has_velocity"] = fe.contents().hasVelocity;
     object["has_death_time"] = !fe.contents().deathTime.empty();
     object["activity_from"] = fe.contents().activityFrom;
+    object["missing"] = Json::array();
+    for (const MissingFact& fact : missingFacts(fe)) {
+        object["missing"].push_back({{"what", fact.what}, {"elements", fact.count}, {"instead", fact.instead}});
+    }
     object["anomalies"] = Json::array();
     for (const Anomaly& anomaly : audit.anomalies) {
         object["anomalies"].push_back({{"kind", anomaly.kind}, {"count", anomaly.count}, {"example", anomaly.example}});
@@ -98,6 +106,9 @@ void printInspection(std::ostream& out, const Subject& subject, const Audit& aud
     FactList facts;
     facts.add("format", fe.contents().format);
     facts.add("SHA-256", fe.contents().sha256);
+    facts.add("files", whole(fe.contents().files.size()) + ", " + englishInteger(static_cast<std::int64_t>(fe.contents().bytes)) +
+                           " bytes; indexed in " + englishNumber(fe.contents().indexSeconds) + " s, one state takes about " +
+                           englishInteger(static_cast<std::int64_t>(fe.contents().bytes / fe.stateCount())) + " bytes");
     facts.add("nodes, elements", whole(fe.mesh().nodeCount()) + ", " + whole(fe.mesh().elementCount()));
     facts.add("states", whole(fe.stateCount()) + ", from " + englishNumber(fe.times().front()) + " s to " +
                             englishNumber(fe.times().back()) + " s");
@@ -107,6 +118,11 @@ void printInspection(std::ostream& out, const Subject& subject, const Audit& aud
     facts.add("mass", tonnesText(audit.mass) + ", of which dead " + tonnesText(audit.deadMass));
     facts.print(out);
 
+    printHeading(out, "Not in the file");
+    for (const MissingFact& fact : missingFacts(fe)) {
+        out << "  " << fact.what << (fact.count > 0 ? " of " + englishInteger(fact.count) + " elements" : "") << ": "
+            << fact.instead << '\n';
+    }
     printHeading(out, "Components");
     componentTable(audit).print(out);
     if (audit.deadTotal == 0) {

@@ -15,18 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool hasDigest(const fs::path& path, const std::string& sha256) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored)) {
-        return false;
-    }
-    try {
-        return io::sha256OfFile(path.string()) == sha256;
-    } catch (const WorldError&) {
-        // A file that cannot be read is not the one looked for.
-        return false;
-    }
-}
+constexpr std::string_view feKind = "FE";
 
 /// A file that a run was made from, and the words to speak of it.
 struct RecordedFile {
@@ -36,6 +25,29 @@ struct RecordedFile {
     std::string sha256;
     std::optional<std::string> given;
 };
+
+// Of an FE result the digest is that of its whole series.
+std::string digestOf(const RecordedFile& file, const std::string& path) {
+    return file.kind == feKind ? io::sha256OfFe(path) : io::sha256OfFile(path);
+}
+
+bool hasDigest(const RecordedFile& file, const std::string& path) {
+    try {
+        return digestOf(file, path) == file.sha256;
+    } catch (const WorldError&) {
+        // A file that cannot be read is not the one looked for.
+        return false;
+    }
+}
+
+// A series is looked at once, by its first file.
+bool opensSeries(const RecordedFile& file, const std::string& path) {
+    try {
+        return file.kind != feKind || io::feFiles(path).front() == path;
+    } catch (const WorldError&) {
+        return false;
+    }
+}
 
 /// Files beside the run that may be the one looked for: the same ending first keeps the search short.
 std::vector<fs::path> candidatesBeside(const std::string& runPath, const fs::path& original) {
@@ -54,7 +66,7 @@ std::vector<fs::path> candidatesBeside(const std::string& runPath, const fs::pat
 
 std::string find(const std::string& runPath, const RecordedFile& file) {
     if (file.given) {
-        const std::string found = io::sha256OfFile(*file.given);
+        const std::string found = digestOf(file, *file.given);
         if (found != file.sha256) {
             throw WorldError({"cli.fe_differs",
                               "{0} is not the {1} file of {2}: its SHA-256 is {3}, the run was made from {4}.",
@@ -63,11 +75,11 @@ std::string find(const std::string& runPath, const RecordedFile& file) {
         }
         return *file.given;
     }
-    if (hasDigest(file.path, file.sha256)) {
+    if (hasDigest(file, file.path)) {
         return file.path;
     }
     for (const fs::path& candidate : candidatesBeside(runPath, file.path)) {
-        if (hasDigest(candidate, file.sha256)) {
+        if (opensSeries(file, candidate.string()) && hasDigest(file, candidate.string())) {
             return candidate.string();
         }
     }
@@ -80,7 +92,7 @@ std::string find(const std::string& runPath, const RecordedFile& file) {
 }  // namespace
 
 std::string findFeOfRun(const std::string& runPath, const io::RunOrigin& origin, const std::optional<std::string>& given) {
-    return find(runPath, {"FE", "--fe", origin.fePath, origin.feSha256, given});
+    return find(runPath, {feKind, "--fe", origin.fePath, origin.feSha256, given});
 }
 
 Inputs openInputsOfRun(const io::RunOrigin& origin, const Arguments& arguments, Session& session) {

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
 #include "io/case_file.h"
+#include "io/fe_reader.h"
 #include "io/files.h"
 
 namespace rubble::cli {
@@ -64,7 +65,9 @@ ExitCode verifyCase(const Arguments& arguments, Session& session) {
         session.execution().check();
         Check check;
         try {
-            check = compare(input.id + " " + input.path, input.sha256, io::sha256OfFile(io::inputPath(arguments.operand(), input)));
+            const std::string path = io::inputPath(arguments.operand(), input);
+            check = compare(input.id + " " + input.path, input.sha256,
+                            input.role == InputRole::Fe ? io::sha256OfFe(path) : io::sha256OfFile(path));
         } catch (const WorldError& error) {
             check = {input.id + " " + input.path, input.sha256, englishText(error.message()), false};
         }

@@ -52,7 +52,7 @@ FileCommands::FileCommands(Document& document, Computation& computation, QWidget
 
 QString FileCommands::askForInput() {
     return QFileDialog::getOpenFileName(&m_window, tr("Open"), QFileInfo(m_document.base()).absolutePath(),
-                                        tr("Cases and FE results (*.rubble *.exo *.e *.ex2 *.exii *.g);;All files (*)"));
+                                        tr("Cases and FE results (*);;Cases (*.rubble)"));
 }
 
 void FileCommands::setTerrain(const QString& path, const QString& what) {

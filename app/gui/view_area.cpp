@@ -36,7 +36,7 @@ QWidget* ViewArea::buildEmpty() {
     sample->setObjectName(QStringLiteral("primary"));
     sample->setToolTip(tr("The collapse of a stone arch bridge: opens and starts to simulate"));
     auto* open = new QPushButton(tr("Open…"));
-    open->setToolTip(tr("Open a case (*.rubble) or an FE result (Exodus II)"));
+    open->setToolTip(tr("Open a case (*.rubble) or an FE result"));
     buttons->addWidget(sample);
     buttons->addWidget(open);
     buttons->addStretch();

@@ -40,12 +40,15 @@ public:
             deathTime;  ///< exact death times s on the file's clock, NaN where the file has none [elements or empty]
         bool hasVelocity = false;
         std::shared_ptr<const StateSource> source;
-        std::string format;        ///< "Exodus II"
-        std::string path;          ///< as opened
-        std::string sha256;        ///< of the file, hex
-        std::string activityFrom;  ///< how activity was decided, for people: "STATUS, 1 is active"
-        Digest fingerprint;        ///< of content and import options
-        Findings findings;         ///< what the reader had to work around
+        std::string format;              ///< "Exodus II"
+        std::string path;                ///< as opened; of a series the first file
+        std::vector<std::string> files;  ///< all that were read, in their order; several for a series
+        std::uint64_t bytes = 0;         ///< of all files
+        double indexSeconds = 0.0;       ///< wall time it took to read mesh, times and activity
+        std::string sha256;              ///< of the file, hex; of a series, of the list of its files (io::sha256OfFe)
+        std::string activityFrom;        ///< how activity was decided, for people: "STATUS, 1 is active"
+        Digest fingerprint;              ///< of content and import options
+        Findings findings;               ///< what the reader had to work around
     };
 
     /// @param byteBudget  bytes of states kept in memory at most (at least two states are always kept)

@@ -1,19 +1,17 @@
 #include "io/exodus/exodus_activity.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "core/base/error.h"
 #include "core/base/nearest_names.h"
 #include "io/exodus/exodus_names.h"
+#include "io/series/flag_meaning.h"
 
 namespace rubble::io {
 
 namespace {
 
-constexpr double rounding = 1e-6;
 // Some writers say "never" by a very large time.
 constexpr double latestTime = 1e15;
 
@@ -21,15 +19,6 @@ StatusVariable chooseStatus(const ExodusFile& file, const ImportSettings& settin
     const std::vector<std::string>& names = file.variables(ExodusEntity::Element);
     if (const auto found = findStatus(names, settings.statusVariable)) {
         return *found;
-    }
-    if (const std::string next = nextOfSequence(file.path()); settings.statusVariable.empty() && !next.empty()) {
-        throw ParseError(
-            {"exodus.sequence_only",
-             "{0} does not say which elements are active: it is the first file of a sequence, which leaves dead elements out",
-             {file.path()}},
-            {"exodus.sequence_only.remedy",
-             "Join it with {0} and the rest by seacas conjoin, which adds elem_status, and give that file.",
-             {next}});
     }
     const Message remedy{
         "exodus.no_status.remedy",
@@ -49,51 +38,6 @@ StatusVariable chooseStatus(const ExodusFile& file, const ImportSettings& settin
     }
     throw ParseError({"exodus.no_status", "{0} does not say by a known name which elements are active", {file.path()}}, remedy);
 }
-
-/// What one value of the flag means.
-class FlagMeaning {
-public:
-    FlagMeaning(double activeValue, Findings& findings) : m_activeValue(activeValue), m_findings(findings) {}
-
-    bool active(double value, bool before, const Mesh& mesh, std::size_t e, std::size_t state) {
-        if (std::isnan(value)) {
-            note("exodus.flag_nan", "The active flag is not a number; the element stays as it was at the state before", mesh, e,
-                 state, value);
-            return before;
-        }
-        const bool whole = std::abs(value) <= rounding || std::abs(value - 1.0) <= rounding;
-        if (m_activeValue != 0.0 && m_activeValue != 1.0) {
-            return std::abs(value - m_activeValue) <= rounding;
-        }
-        if (!whole && value > 0.0 && value < 1.0) {
-            note("exodus.flag_fading",
-                 "The active flag lies between active and dead; the element counts as active until it is dead", mesh, e, state,
-                 value);
-            return true;
-        }
-        if (!whole) {
-            note("exodus.flag_other", "The active flag is neither 0 nor 1", mesh, e, state, value);
-        }
-        // Dead is 0, whatever else stands for rigid or special; where active is 0, everything else is dead.
-        return m_activeValue == 1.0 ? std::abs(value) > rounding : std::abs(value) <= rounding;
-    }
-
-private:
-    void note(const char* id, const char* text, const Mesh& mesh, std::size_t e, std::size_t state, double value) {
-        // Asked for before a text is made: a fading flag can be met millions of times.
-        if (const std::int64_t known = m_findings.count(id); known > 0) {
-            m_findings.add({id, text, {}}, {}, {});
-            return;
-        }
-        m_findings.add({id, text, {}},
-                       {"exodus.flag.remedy", "Check the variable: --set status_variable=NAME and active_value say another.", {}},
-                       "element " + englishInteger(mesh.elementIds[e]) + " at state " +
-                           englishInteger(static_cast<std::int64_t>(state)) + ": " + englishNumber(value));
-    }
-
-    const double m_activeValue;
-    Findings& m_findings;
-};
 
 /// Reads the flag of all parts that have it, state by state.
 class ActivityReader {
@@ -148,22 +92,15 @@ private:
             return *m_status.activeByName;
         }
         m_decidedBy = "held by most elements at the first state";
-        std::map<double, std::size_t> votes;
+        std::vector<double> first;
         for (std::size_t p = 0; p < m_mesh.blocks.size() && !m_file.times().empty(); ++p) {
-            if (!flagged(p)) {
-                continue;
-            }
-            const std::span<double> values = valuesOf(p);
-            m_file.readElement(0, m_status.index, m_mesh.blocks[p], values);
-            for (const double value : values) {
-                if (std::isfinite(value)) {
-                    ++votes[std::round(value)];
-                }
+            if (flagged(p)) {
+                const std::span<double> values = valuesOf(p);
+                m_file.readElement(0, m_status.index, m_mesh.blocks[p], values);
+                first.insert(first.end(), values.begin(), values.end());
             }
         }
-        const auto most =
-            std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-        return most == votes.end() ? 1.0 : most->first;
+        return mostCommonFlag(first);
     }
 
     void readState(std::size_t k, FlagMeaning& meaning) {
@@ -178,7 +115,7 @@ private:
                 const std::size_t e = m_mesh.first[p] + i;
                 const ElementIndex id = idAt<ElementIndex>(e);
                 const bool before = k == 0 || activity.active(k - 1, id);
-                if (!known || meaning.active(values[i], before, m_mesh.mesh, e, k)) {
+                if (!known || meaning.active(values[i], before, m_mesh.mesh.elementIds[e], k)) {
                     activity.set(k, id, true);
                 }
             }

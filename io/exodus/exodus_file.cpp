@@ -228,14 +228,4 @@ void ExodusFile::readElement(std::size_t state, int variable, std::size_t block,
             m_elementVariables[static_cast<std::size_t>(variable)] + " of block " + std::to_string(b.id) + stateText(state));
 }
 
-std::string nextOfSequence(const std::string& path) {
-    std::error_code ignored;
-    for (const char* next : {"-s2", "-s02", "-s002", "-s0002"}) {
-        if (std::filesystem::exists(path + next, ignored)) {
-            return path + next;
-        }
-    }
-    return {};
-}
-
 }  // namespace rubble::io

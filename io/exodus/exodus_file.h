@@ -74,7 +74,4 @@ private:
     std::vector<int> m_truthTable;  // [blocks x element variables]
 };
 
-/// The next file where a result is a sequence of files (out.e, out.e-s0002, ...); empty if there is none beside this one.
-std::string nextOfSequence(const std::string& path);
-
 }  // namespace rubble::io

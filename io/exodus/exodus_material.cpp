@@ -1,7 +1,6 @@
 #include "io/exodus/exodus_material.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "io/exodus/exodus_names.h"
@@ -39,17 +38,6 @@ std::vector<double> byConvention(const ExodusFile& file, std::size_t block, cons
         {"exodus.unnamed_attribute", "Blocks without attribute names: their first attribute was taken for thickness or area", {}},
         {"exodus.unnamed_attribute.remedy", "Check it, or set component[NAME].section.", {}}, part);
     return file.attribute(block, 0);
-}
-
-// A file in millimetres says its density in t/mm3 or kg/mm3; no building material is that light in kg/m3.
-double densityInSi(double value, double metresPerUnit, Findings& findings, const std::string& part) {
-    if (std::abs(metresPerUnit - 0.001) > 1e-9 || !(value > 1e-11 && value < 3e-5)) {
-        return value;
-    }
-    const bool tonnes = value < 3e-8;
-    findings.add({"exodus.density_unit", "Densities of a file in millimetres were taken for t/mm3 or kg/mm3", {}},
-                 {"exodus.density_unit.remedy", "Check the masses, or set component[NAME].density.", {}}, part);
-    return value * (tonnes ? 1e12 : 1e9);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "io/exodus/exodus_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 
@@ -195,10 +194,6 @@ private:
 
 ExodusMesh readExodusMesh(const ExodusFile& file, const FrameTransform& frame) {
     return MeshReader(file, frame).read();
-}
-
-bool usableLength(double value) {
-    return std::abs(value) < 1e9;
 }
 
 }  // namespace rubble::io

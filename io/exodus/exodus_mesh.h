@@ -7,6 +7,7 @@
 #include "core/fe/mesh.h"
 #include "io/exodus/exodus_file.h"
 #include "io/frame_transform.h"
+#include "io/mesh_builder.h"
 
 namespace rubble::io {
 
@@ -22,8 +23,5 @@ struct ExodusMesh {
 /// round at rest are turned and counted. Throws ParseError for files without elements, nodes that do not
 /// exist and elements at nodes without a finite place.
 ExodusMesh readExodusMesh(const ExodusFile& file, const FrameTransform& frame);
-
-/// True for a length [file unit] that can be a place or a displacement: finite and below 1e9.
-bool usableLength(double value);
 
 }  // namespace rubble::io

@@ -1,32 +1,19 @@
 #include "io/exodus/exodus_reader.h"
 
 #include <cmath>
-#include <new>
-#include <stdexcept>
 
 #include "core/base/error.h"
-#include "core/base/nearest_names.h"
 #include "io/exodus/exodus_activity.h"
+#include "io/exodus/exodus_displacement.h"
 #include "io/exodus/exodus_mesh.h"
 #include "io/exodus/exodus_names.h"
+#include "io/exodus/exodus_sequence.h"
 #include "io/exodus/exodus_source.h"
-#include "io/files.h"
+#include "io/series/series_result.h"
 
 namespace rubble::io {
 
 namespace {
-
-// Raised when the same file and settings give other contents than before, so that nothing made from the old ones is reused.
-constexpr std::uint32_t readerVersion = 1;
-
-void requireThreeDimensions(const ExodusFile& file) {
-    if (file.dimensions() != 3) {
-        throw ParseError({"exodus.dimensions",
-                          "{0} has {1} dimensions; only solids, shells and beams in space make fragments",
-                          {file.path(), file.dimensions()}},
-                         {"exodus.dimensions.remedy", "Give a three-dimensional analysis.", {}});
-    }
-}
 
 void requireTimes(const ExodusFile& file) {
     const std::vector<double>& times = file.times();
@@ -48,48 +35,24 @@ void requireTimes(const ExodusFile& file) {
     }
 }
 
-std::optional<VectorVariable> chooseDisplacement(const ExodusFile& file, const ImportSettings& settings) {
-    const std::vector<std::string>& names = file.variables(ExodusEntity::Node);
-    if (settings.displacement == "none") {
-        return std::nullopt;
-    }
-    const auto found = settings.displacement.empty() ? findDisplacement(names) : findVector(names, settings.displacement);
-    if (found) {
-        return found;
-    }
-    const Message remedy{"exodus.no_displacement.remedy",
-                         "Say how its components begin: --set displacement=PREFIX; displacement=none if the nodes do not move. "
-                         "Nodal variables in the file: {0}",
-                         {quotedList(names, 100)}};
-    if (!settings.displacement.empty()) {
-        throw UsageError({"exodus.unknown_displacement",
-                          "{0} has no nodal variables {1}_x, {1}_y and {1}_z in any spelling",
-                          {file.path(), settings.displacement}},
-                         remedy);
-    }
-    throw ParseError({"exodus.no_displacement", "{0} has no nodal displacement under a known name", {file.path()}}, remedy);
+}  // namespace
+
+bool recognisesExodus(const FileHead& head) {
+    using namespace std::string_view_literals;
+    const bool classic =
+        head.bytes.starts_with("CDF\x01"sv) || head.bytes.starts_with("CDF\x02"sv) || head.bytes.starts_with("CDF\x05"sv);
+    return !head.packed && (classic || head.bytes.starts_with("\x89HDF\r\n\x1a\n"sv));
 }
 
-void noteSequence(const std::string& path, Findings& findings) {
-    if (const std::string next = nextOfSequence(path); !next.empty()) {
-        findings.add({"exodus.sequence", "The result goes on in further files, which were not read", {}},
-                     {"exodus.sequence.remedy", "Join the files of the sequence with seacas conjoin.", {}}, next);
-    }
+std::vector<std::string> exodusMembers(const std::string& path) {
+    return exodusSequence(path);
 }
 
-Digest fingerprintOf(const std::string& sha256, const ImportSettings& settings, const Frame& frame) {
-    Hasher hasher;
-    hasher.text("Exodus II").value(readerVersion).text(sha256);
-    hasher.text(settings.statusVariable).value(settings.activeValue.value_or(-1)).text(settings.displacement);
-    for (const std::int64_t origin : frame.origin) {
-        hasher.value(origin);
+FeResult::Contents readExodus(const std::string& path, const ImportSettings& settings, const Frame& frame,
+                              const Execution& execution) {
+    if (std::vector<std::string> files = exodusSequence(path); files.size() > 1) {
+        return readSeries(path, std::make_shared<ExodusSequence>(std::move(files), settings), settings, frame, execution);
     }
-    hasher.value(frame.metresPerUnit).text(frame.upAxis);
-    return hasher.finish();
-}
-
-std::shared_ptr<const FeResult> open(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                                     const Execution& execution) {
     const FrameTransform transform(frame);
     const Message stage{"exodus.open", "Reading the mesh", {}};
     execution.report(stage, 0.0);
@@ -111,38 +74,9 @@ std::shared_ptr<const FeResult> open(const std::string& path, const ImportSettin
     contents.activity = std::move(activity.activity);
     contents.activityFrom = std::move(activity.from);
     contents.deathTime = std::move(activity.deathTime);
-    contents.format = "Exodus II";
-    contents.path = path;
-    contents.sha256 = sha256OfFile(path);
-    contents.fingerprint = fingerprintOf(contents.sha256, settings, frame);
     contents.findings = std::move(mesh.findings);
     contents.findings.append(activity.findings);
-    noteSequence(path, contents.findings);
-    return std::make_shared<const FeResult>(std::move(contents));
-}
-
-[[noreturn]] void failMemory(const std::string& path) {
-    throw ParseError({"exodus.memory", "{0} asks for more memory than there is", {path}},
-                     {"exodus.memory.remedy", "The file is damaged, or too large for this machine.", {}});
-}
-
-}  // namespace
-
-bool looksLikeExodus(std::string_view head) {
-    using namespace std::string_view_literals;
-    const bool classic = head.starts_with("CDF\x01"sv) || head.starts_with("CDF\x02"sv) || head.starts_with("CDF\x05"sv);
-    return classic || head.starts_with("\x89HDF\r\n\x1a\n"sv);
-}
-
-std::shared_ptr<const FeResult> openExodus(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                                           const Execution& execution) {
-    try {
-        return open(path, settings, frame, execution);
-    } catch (const std::bad_alloc&) {
-        failMemory(path);
-    } catch (const std::length_error&) {
-        failMemory(path);
-    }
+    return contents;
 }
 
 }  // namespace rubble::io

@@ -1,20 +1,22 @@
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "core/base/execution.h"
 #include "core/fe/fe_result.h"
 #include "core/fe/frame.h"
 #include "core/scenario/scenario.h"
+#include "io/fe_format.h"
 
 namespace rubble::io {
 
-/// True if a file begins as netCDF or HDF5 does. @param head  its first bytes
-bool looksLikeExodus(std::string_view head);
+/// True if a file begins as netCDF or HDF5 does.
+bool recognisesExodus(const FileHead& head);
 
-/// Opens an Exodus II result; see openFe() for arguments and errors.
-std::shared_ptr<const FeResult> openExodus(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                                           const Execution& execution);
+/// The files of a sequence written at changes of topology, in order; the file alone where there is none.
+std::vector<std::string> exodusMembers(const std::string& path);
+/// Reads an Exodus II result; see FeFormat::read.
+FeResult::Contents readExodus(const std::string& path, const ImportSettings& settings, const Frame& frame,
+                              const Execution& execution);
 
 }  // namespace rubble::io

@@ -8,10 +8,12 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "core/base/error.h"
+#include "io/native_lock.h"
 
 namespace rubble::io {
 
@@ -69,6 +71,8 @@ std::string readAll(int pipe) {
 
 // The child: silent, without core dumps, mortal; it leaves without running anybody's destructors.
 [[noreturn]] void runChild(const std::function<void()>& work, int pipe) {
+    // Locked by the parent's thread, whose name this one does not bear; there are no others here.
+    new (&nativeLibraries()) std::recursive_mutex;
     for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGALRM}) {
         std::signal(signal, SIG_DFL);
     }

@@ -131,7 +131,7 @@ TEST_F(ExodusReaderTest, FadingIsActiveUntilItIsDeadAndCounted) {
     });
     const auto fe = open(builder);
     EXPECT_THAT(activity(*fe), ElementsAre("111", "111", "111", "100"));
-    EXPECT_EQ(fe->contents().findings.count("exodus.flag_fading"), 4);
+    EXPECT_EQ(fe->contents().findings.count("fe.flag_fading"), 4);
 }
 
 TEST_F(ExodusReaderTest, RigidIsNotDeadAndBrokenFlagsKeepTheStateBefore) {
@@ -141,8 +141,8 @@ TEST_F(ExodusReaderTest, RigidIsNotDeadAndBrokenFlagsKeepTheStateBefore) {
     });
     const auto fe = open(builder);
     EXPECT_THAT(activity(*fe), ElementsAre("111", "111", "101", "101"));
-    EXPECT_EQ(fe->contents().findings.count("exodus.flag_other"), 4);
-    EXPECT_EQ(fe->contents().findings.count("exodus.flag_nan"), 1);
+    EXPECT_EQ(fe->contents().findings.count("fe.flag_other"), 4);
+    EXPECT_EQ(fe->contents().findings.count("fe.flag_nan"), 1);
 }
 
 TEST_F(ExodusReaderTest, RevivalIsKeptAsTheFileSaysIt) {
@@ -320,7 +320,7 @@ TEST_F(ExodusReaderTest, TheFrameTurnsScalesAndMoves) {
     EXPECT_TRUE(state->velocities[0].isApprox(Vec3(2, -2, 2), 1e-12));
     EXPECT_NEAR(fe->mesh().section[3], 0.25, 1e-15);
     EXPECT_NEAR(fe->mesh().density[3], 2400.0, 1e-9) << "t/mm3";
-    EXPECT_EQ(fe->contents().findings.count("exodus.density_unit"), 1);
+    EXPECT_EQ(fe->contents().findings.count("fe.density_unit"), 1);
 
     frame.upAxis = "w";
     EXPECT_THAT(errorOf<UsageError>(builder, {}, frame), HasSubstr("\"w\""));
@@ -418,14 +418,24 @@ TEST_F(ExodusReaderTest, NodesThatDoNotExistAreNamed) {
     errorOf<ParseError>(builder);
 }
 
-TEST_F(ExodusReaderTest, FurtherFilesOfASequenceAreMentioned) {
+TEST_F(ExodusReaderTest, AllFilesOfASequenceAreRead) {
     ExodusBuilder builder = ExodusBuilder::threeCubes();
-    builder.element.emplace_back("STATUS", [](std::size_t, std::size_t) { return 1.0; });
-    builder.write(m_folder / "fixture.exo-s0002");
-    EXPECT_EQ(open(builder)->contents().findings.count("exodus.sequence"), 1);
-    builder.element.clear();
-    EXPECT_THAT(errorOf<ParseError>(builder),
-                ::testing::AllOf(HasSubstr("first file of a sequence"), HasSubstr("fixture.exo-s0002")));
+    ExodusBuilder later = builder;
+    const double last = builder.times.back();
+    for (double& time : later.times) {
+        time += last + 1.0;
+    }
+    later.write(m_folder / "fixture.exo-s0002");
+    EXPECT_EQ(open(builder)->contents().findings.count("fe.no_deaths"), 3);
+    builder.element.emplace_back("STATUS", [](std::size_t, std::size_t e) { return e == 0 ? 0.0 : 1.0; });
+    const auto fe = open(builder);
+    EXPECT_EQ(fe->stateCount(), builder.times.size() + later.times.size());
+    EXPECT_EQ(fe->contents().files.size(), 2u);
+    EXPECT_FALSE(fe->activity().active(0, idAt<ElementIndex>(0)));
+    // A state that a later file has again comes from there.
+    later.times.front() = last;
+    later.write(m_folder / "fixture.exo-s0002");
+    EXPECT_EQ(open(builder)->contents().findings.count("exodus.sequence_overlap"), 1);
 }
 
 TEST_F(ExodusReaderTest, CanBeCancelled) {

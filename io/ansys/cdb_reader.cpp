@@ -1,0 +1,173 @@
+#include "io/ansys/cdb_reader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <unordered_map>
+
+#include "io/ansys/cdb_file.h"
+#include "io/series/death_list.h"
+#include "io/series/numbered_files.h"
+#include "io/series/series_result.h"
+
+namespace rubble::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The macro of the same name, else the only one in the folder.
+std::string macroBeside(const std::string& path) {
+    std::error_code ignored;
+    const std::string own = fs::path(path).replace_extension(".mac").string();
+    if (fs::is_regular_file(own, ignored)) {
+        return own;
+    }
+    std::vector<std::string> macros;
+    for (const std::string& other : filesBeside(path)) {
+        if (other.ends_with(".mac")) {
+            macros.push_back(other);
+        }
+    }
+    return macros.size() == 1 ? macros.front() : "";
+}
+
+/// One database a state.
+class CdbSeries : public MeshSeries {
+public:
+    explicit CdbSeries(std::vector<std::string> files) : m_files(std::move(files)) {
+        bool timed = true;
+        for (const std::string& file : m_files) {
+            const CdbModel model = readCdb(file);
+            m_findings.append(model.findings);
+            timed = timed && model.time.has_value();
+            m_times.push_back(model.time.value_or(0.0));
+        }
+        if (!timed || !std::is_sorted(m_times.begin(), m_times.end())) {
+            for (std::size_t k = 0; k < m_times.size(); ++k) {
+                m_times[k] = static_cast<double>(k);
+            }
+            m_findings.add({"vtk.no_times", "The series does not say when its states are: they were taken one second apart", {}},
+                           {"cdb.no_times.remedy", "Write a line /COM,TIME=T into each file.", {}}, m_files.front(),
+                           static_cast<std::int64_t>(m_times.size()));
+        }
+        m_flag.name = "birth/death field";
+    }
+
+    const std::vector<double>& times() const override { return m_times; }
+    const SeriesFlag& flag() const override { return m_flag; }
+    bool hasVelocity() const override { return false; }
+    const Findings& findings() const override { return m_findings; }
+
+    SeriesStep step(std::size_t k) override {
+        CdbModel model = readCdb(m_files[k]);
+        SeriesStep step;
+        step.flags = std::move(model.flags);
+        step.mesh = std::move(model.mesh);
+        return step;
+    }
+
+    SeriesFields fields(std::size_t k) const override {
+        SeriesFields fields;
+        fields.positions = readCdb(m_files[k]).mesh.nodes;
+        return fields;
+    }
+
+private:
+    std::vector<std::string> m_files;
+    std::vector<double> m_times;
+    SeriesFlag m_flag;
+    Findings m_findings;
+};
+
+/// One database and the kills of a macro, or times of a list of deaths.
+class KilledMesh : public MeshSeries {
+public:
+    KilledMesh(const std::string& path, const std::string& macro) : m_model(readCdb(path)), m_findings(m_model.findings) {
+        if (!macro.empty()) {
+            m_kills = readKills(macro, m_times, m_findings);
+            m_flag.name = "EKILL of " + fs::path(macro).filename().string();
+            m_flag.activeByName = 1;
+        } else if (const std::string list = deathListBeside(path); !list.empty()) {
+            for (const DeathEntry& entry : readDeathList(list)) {
+                if (m_times.empty() || entry.time > m_times.back()) {
+                    m_times.push_back(entry.time);
+                }
+            }
+        }
+        if (m_times.empty() || m_times.front() > 0.0) {
+            m_times.insert(m_times.begin(), 0.0);
+        }
+        m_findings.add({"cdb.still", "The file has no displacements: nodes stay where they are", {}},
+                       {"cdb.still.remedy", "Give a series of .cdb files with updated coordinates (UPCOORD), one a state.", {}},
+                       path);
+    }
+
+    const std::vector<double>& times() const override { return m_times; }
+    const SeriesFlag& flag() const override { return m_flag; }
+    bool hasVelocity() const override { return false; }
+    const Findings& findings() const override { return m_findings; }
+
+    SeriesStep step(std::size_t k) override {
+        SeriesStep step;
+        if (k == 0) {
+            step.mesh = m_model.mesh;
+        }
+        if (!m_kills.empty()) {
+            std::unordered_map<std::int64_t, bool> active;
+            for (const KillEvent& kill : m_kills) {
+                if (kill.time <= m_times[k]) {
+                    active[kill.element] = kill.active;
+                }
+            }
+            for (const std::int64_t number : m_model.mesh.elementIds) {
+                const auto found = active.find(number);
+                step.flags.push_back(found == active.end() || found->second ? 1.0 : 0.0);
+            }
+        }
+        return step;
+    }
+
+    SeriesFields fields(std::size_t) const override {
+        SeriesFields fields;
+        fields.positions = m_model.mesh.nodes;
+        return fields;
+    }
+
+private:
+    CdbModel m_model;
+    std::vector<KillEvent> m_kills;
+    std::vector<double> m_times;
+    SeriesFlag m_flag;
+    Findings m_findings;
+};
+
+}  // namespace
+
+bool recognisesCdb(const FileHead& head) {
+    return !head.packed && beginsAsCdb(head.bytes);
+}
+
+std::vector<std::string> cdbMembers(const std::string& path) {
+    std::vector<std::string> files = numberedSiblings(path);
+    if (files.size() == 1) {
+        if (std::string macro = macroBeside(path); !macro.empty()) {
+            files.push_back(std::move(macro));
+        }
+    }
+    return withDeathList(std::move(files));
+}
+
+FeResult::Contents readCdbs(const std::string& path, const ImportSettings& settings, const Frame& frame,
+                            const Execution& execution) {
+    std::vector<std::string> files = numberedSiblings(path);
+    std::shared_ptr<MeshSeries> series;
+    if (files.size() > 1) {
+        series = std::make_shared<CdbSeries>(std::move(files));
+    } else {
+        series = std::make_shared<KilledMesh>(path, macroBeside(path));
+    }
+    return readSeries(path, std::move(series), settings, frame, execution);
+}
+
+}  // namespace rubble::io

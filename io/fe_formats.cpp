@@ -1,0 +1,96 @@
+#include <array>
+
+#include "io/abaqus/fil_reader.h"
+#include "io/ansys/cdb_reader.h"
+#include "io/ansys/rst_reader.h"
+#include "io/calculix/frd_reader.h"
+#include "io/d3plot/d3plot_header.h"
+#include "io/d3plot/d3plot_reader.h"
+#include "io/exodus/exodus_reader.h"
+#include "io/fe_format.h"
+#include "io/marc/marc_reader.h"
+#include "io/radioss/anim_reader.h"
+#include "io/vtk/vtk_reader.h"
+#include "io/vtk/vtkhdf_reader.h"
+#include "io/xdmf/xdmf_reader.h"
+
+namespace rubble::io {
+
+namespace {
+
+bool holds(const FileHead& head, std::string_view name) {
+    for (const std::string& known : head.hdf5Names) {
+        if (known == name) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool recognisesMed(const FileHead& head) {
+    return holds(head, "INFOS_GENERALES");
+}
+
+bool recognisesMpco(const FileHead& head) {
+    for (const std::string& name : head.hdf5Names) {
+        if (name.starts_with("MODEL_STAGE[")) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// The collapse recorder writes lines "<time> Elem <tag>" and "<time> Node <tag>".
+bool recognisesCollapseLog(const FileHead& head) {
+    const std::string line = head.bytes.substr(0, head.bytes.find('\n'));
+    const std::size_t word = line.find_first_not_of("0123456789.+-eE ");
+    return word != std::string::npos && word > 0 &&
+           (line.substr(word).starts_with("lem ") || line.substr(word).starts_with("Node ")) &&
+           line.find_first_of("0123456789") == 0;
+}
+
+// A row a format. Files of HDF5 that nobody else claims are taken for Exodus II, whose reader says what they lack.
+constexpr std::array formats{
+    FeFormat{"OpenRadioss animation", "RUNA001, RUNA002, ..., also .gz", 1, recognisesAnim, animMembers, readAnim},
+    FeFormat{"OpenRadioss animation converted to VTK", "RUN_001.vtk, ...", 1, recognisesConvertedAnim, convertedAnimMembers,
+             readConvertedAnim},
+    FeFormat{"LS-DYNA d3plot", "d3plot, d3plot01, ...", 1, recognisesD3plot, d3plotFiles, readD3plot},
+    FeFormat{"VTK XML", ".vtu, .pvtu, .pvd, .vtu.series", 1, recognisesVtkXml, vtkMembers, readVtk},
+    FeFormat{"VTK legacy", ".vtk, .vtk.series", 1, recognisesVtkLegacy, vtkMembers, readVtk},
+    FeFormat{"Abaqus results file", ".fil with its .inp", 1, recognisesFil, filMembers, readFil},
+    FeFormat{"CalculiX results", ".frd with its .inp", 1, recognisesFrd, frdMembers, readFrd},
+    FeFormat{"MSC Marc post file", ".t19", 1, recognisesMarc, aloneWithDeathList, readMarc},
+    FeFormat{"Ansys coded database", ".cdb, with its .mac", 1, recognisesCdb, cdbMembers, readCdbs},
+    FeFormat{"Ansys results", ".rst with a list of deaths", 1, recognisesRst, aloneWithDeathList, readRst},
+    FeFormat{"XDMF", ".xdmf, .xmf", 1, recognisesXdmf, xdmfMembers, readXdmf},
+    FeFormat{"VTKHDF", ".vtkhdf, .hdf", 1, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},
+    FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 1, recognisesExodus, exodusMembers, readExodus},
+};
+
+constexpr std::array foreign{
+    ForeignFormat{
+        "a MED file (Code_Aster, Salome)", recognisesMed,
+        "MED is out of scope: it has no status of elements. Convert the result to VTU with the dead cells left out or flagged."},
+    ForeignFormat{
+        "an OpenSees mpco file", recognisesMpco,
+        "OpenSees recorders other than pvd are out of scope: record the analysis with \"recorder pvd\" and give the .pvd file."},
+    ForeignFormat{
+        "a collapse log of OpenSees", recognisesCollapseLog,
+        "OpenSees recorders other than pvd are out of scope: record the analysis with \"recorder pvd\" and give the .pvd file."},
+};
+
+}  // namespace
+
+std::span<const FeFormat> feFormats() {
+    return formats;
+}
+
+std::span<const ForeignFormat> foreignFormats() {
+    return foreign;
+}
+
+std::vector<std::string> standsAlone(const std::string& path) {
+    return {path};
+}
+
+}  // namespace rubble::io

@@ -1,0 +1,71 @@
+#include "io/node_fields.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/base/error.h"
+#include "io/mesh_builder.h"
+
+namespace rubble::io {
+
+FieldSource::FieldSource(std::string path, std::shared_ptr<const Mesh> mesh, Activity activity, std::vector<double> times,
+                         const FrameTransform& frame, Read read)
+    : m_path(std::move(path)),
+      m_mesh(std::move(mesh)),
+      m_activity(std::move(activity)),
+      m_times(std::move(times)),
+      m_frame(frame),
+      m_read(std::move(read)) {}
+
+FeState FieldSource::read(std::size_t k) const {
+    assert(k < m_times.size());
+    NodeFields fields = m_read(k);
+    assert(fields.positions.size() == m_mesh->nodeCount());
+    assert(fields.velocities.empty() || fields.velocities.size() == m_mesh->nodeCount());
+    mend(k, "the place", fields.positions, true);
+    mend(k, "the velocity", fields.velocities, false);
+    FeState state;
+    state.time = m_times[k];
+    state.positions = std::move(fields.positions);
+    for (Vec3& position : state.positions) {
+        position = m_frame.point(position);
+    }
+    state.velocities = std::move(fields.velocities);
+    for (Vec3& velocity : state.velocities) {
+        velocity = m_frame.vector(velocity);
+    }
+    return state;
+}
+
+void FieldSource::mend(std::size_t k, const char* what, std::vector<Vec3>& values, bool places) const {
+    if (std::all_of(values.begin(), values.end(), usablePlace)) {
+        return;
+    }
+    std::vector<bool> needed(values.size(), false);
+    for (std::size_t e = 0; e < m_mesh->elementCount(); ++e) {
+        const auto id = idAt<ElementIndex>(e);
+        if (m_activity.active(k, id)) {
+            for (const std::uint32_t node : m_mesh->cornersOf(id)) {
+                needed[node] = true;
+            }
+        }
+    }
+    for (std::size_t n = 0; n < values.size(); ++n) {
+        if (usablePlace(values[n])) {
+            continue;
+        }
+        if (needed[n]) {
+            throw ParseError(
+                {"fe.bad_value",
+                 "{0}: {1} of node {2} at state {3} is ({4}, {5}, {6})",
+                 {m_path, what, m_mesh->nodeIds[n], k, values[n].x(), values[n].y(), values[n].z()}},
+                {"fe.bad_value.remedy",
+                 "Nodes of active elements need finite values: let the analysis write the state again, or cut the result "
+                 "before it.",
+                 {}});
+        }
+        values[n] = places ? m_frame.pointInFile(m_mesh->nodes[n]) : Vec3(Vec3::Zero());
+    }
+}
+
+}  // namespace rubble::io

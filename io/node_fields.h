@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/fe/activity.h"
+#include "core/fe/fe_result.h"
+#include "io/frame_transform.h"
+
+namespace rubble::io {
+
+/// Nodal fields of one state in units and axes of the file.
+struct NodeFields {
+    std::vector<Vec3> positions;   ///< absolute [nodes]
+    std::vector<Vec3> velocities;  ///< [nodes]; empty where the file has none
+};
+
+/// Turns what a reader gives for a state into the state of a result. Nodes that no active element uses may have any value: those
+/// that are no usable number stand at their first place, at rest. The same at a node of an active element is a ParseError.
+class FieldSource : public StateSource {
+public:
+    using Read = std::function<NodeFields(std::size_t)>;
+
+    /// @param path  named in errors  @param read  thread-safe; throws ParseError, WorldError
+    FieldSource(std::string path, std::shared_ptr<const Mesh> mesh, Activity activity, std::vector<double> times,
+                const FrameTransform& frame, Read read);
+
+    FeState read(std::size_t k) const override;
+
+private:
+    void mend(std::size_t k, const char* what, std::vector<Vec3>& values, bool places) const;
+
+    std::string m_path;
+    std::shared_ptr<const Mesh> m_mesh;
+    Activity m_activity;
+    std::vector<double> m_times;
+    FrameTransform m_frame;
+    Read m_read;
+};
+
+}  // namespace rubble::io

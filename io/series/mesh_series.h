@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/finding.h"
+#include "core/fe/mesh.h"
+
+namespace rubble::io {
+
+/// What a series says about the elements of one state, before any meaning is given to it.
+struct SeriesStep {
+    /// Nodes and elements in the file's own units and axes; nothing: those of the state before, in the same order.
+    /// nodeIds or elementIds may be empty where the file numbers none; density and section may be empty where it has none.
+    std::optional<Mesh> mesh;
+    std::vector<double> flags;  ///< value of the active flag [elements]; empty: what is there is active
+};
+
+/// Nodal values of one state in the file's own units and axes [nodes of that state's mesh].
+struct SeriesFields {
+    std::vector<Vec3> positions;   ///< absolute
+    std::vector<Vec3> velocities;  ///< empty where the file has none
+};
+
+/// The name of the active flag, and what it says.
+struct SeriesFlag {
+    std::string name;                  ///< "STATUS"; empty: missing elements are dead
+    std::optional<int> activeByName;   ///< nothing: the name does not tell
+    bool alwaysZeroIsRigid = false;    ///< elements that are dead at every state are rigid bodies, which the flag cannot tell apart
+    std::vector<std::string> choices;  ///< what else the user may name, for the remedy
+};
+
+/// A result that is a series of meshes, one a state: elements are flagged, or left out once they are dead. Implementations throw
+/// ParseError or WorldError naming file and place.
+class MeshSeries {
+public:
+    virtual ~MeshSeries() = default;
+
+    virtual const std::vector<double>& times() const = 0;  ///< s
+    virtual const SeriesFlag& flag() const = 0;
+    virtual bool hasVelocity() const = 0;
+    /// Reads the elements of state k. Called once for every state, in order, by one thread.
+    virtual SeriesStep step(std::size_t k) = 0;
+    /// Reads the nodal values of state k. Called after all steps, in any order, from any thread.
+    virtual SeriesFields fields(std::size_t k) const = 0;
+    /// What the series had to work around.
+    virtual const Findings& findings() const = 0;
+    /// Exact death times s by element number, or empty.
+    virtual std::vector<std::pair<std::int64_t, double>> deathTimes() const { return {}; }
+};
+
+}  // namespace rubble::io

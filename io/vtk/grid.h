@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/geometry.h"
+
+namespace rubble::io {
+
+/// An array of values on points or cells.
+struct GridArray {
+    std::string name;
+    std::size_t components = 1;
+    std::vector<double> values;  ///< [entities x components]; empty where only the name was asked for
+};
+
+/// An unstructured grid as files of the VTK family hold it, in the file's units.
+struct Grid {
+    std::vector<Vec3> points;
+    std::vector<std::uint8_t> types;         ///< VTK cell types [cells]
+    std::vector<std::int64_t> offsets;       ///< first entry in connectivity [cells + 1]
+    std::vector<std::int64_t> connectivity;  ///< points, 0-based, not yet checked
+    std::vector<GridArray> pointData;
+    std::vector<GridArray> cellData;
+    std::optional<double> time;  ///< s, where the grid itself says it
+
+    std::size_t cellCount() const { return types.size(); }
+};
+
+/// What to read of a grid.
+struct GridSelection {
+    bool everything = false;  ///< all arrays with their values
+    bool points = true;
+    bool cells = true;
+    std::vector<std::string> pointArrays;
+    std::vector<std::string> cellArrays;
+
+    bool wantsPoint(const std::string& name) const;
+    bool wantsCell(const std::string& name) const;
+};
+
+/// The array of this name, nullptr if there is none.
+const GridArray* findArray(const std::vector<GridArray>& arrays, const std::string& name);
+
+/// Adds a grid behind another: its points get their own positions. Arrays that only one of them has are dropped.
+void appendGrid(Grid& grid, const Grid& more);
+
+/// A series of grids, one a state. Implementations throw ParseError or WorldError naming the file.
+class GridSource {
+public:
+    virtual ~GridSource() = default;
+    virtual const std::vector<double>& times() const = 0;
+    /// Reads state k; may be called from any thread.
+    virtual Grid read(std::size_t k, const GridSelection& selection) const = 0;
+    /// True where it is known without reading that state k has the points' numbers and the cells of state k - 1.
+    /// @param cellArrays  cell arrays that must be unchanged as well
+    virtual bool sameCells(std::size_t k, const std::vector<std::string>& cellArrays) const = 0;
+};
+
+}  // namespace rubble::io

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/hash.h"
+#include "core/scenario/scenario.h"
+#include "io/series/mesh_series.h"
+#include "io/vtk/grid.h"
+#include "io/vtk/grid_names.h"
+
+namespace rubble::io {
+
+/// A series of grids as a series of meshes: cells that are no structure are left out, the active flag, numbers and parts are known
+/// by the usual names, and points that never move carry the displacement if there is one.
+class GridSeries : public MeshSeries {
+public:
+    /// Reads the first and the last state. @param path  for messages
+    GridSeries(std::string path, std::unique_ptr<const GridSource> source, const ImportSettings& settings);
+
+    const std::vector<double>& times() const override { return m_source->times(); }
+    const SeriesFlag& flag() const override { return m_names.flag; }
+    bool hasVelocity() const override { return !m_names.velocity.empty(); }
+    SeriesStep step(std::size_t k) override;
+    SeriesFields fields(std::size_t k) const override;
+    const Findings& findings() const override { return m_findings; }
+    /// Counts that nobody says when the states are, so that they were counted.
+    void noteMissingTimes();
+    /// Counts a last state that was left out because it is not whole.
+    void noteUnfinished(const std::string& file);
+
+private:
+    void decideDisplacement(const Grid& first);
+    Mesh meshOf(const Grid& grid, std::size_t k);
+    void addCell(const Grid& grid, std::size_t cell, std::size_t k, Mesh& mesh);
+    std::uint32_t partOf(std::int64_t id, ElementShape shape, Mesh& mesh) const;
+    bool left(const Grid& grid, std::size_t cell);
+
+    std::string m_path;
+    std::unique_ptr<const GridSource> m_source;
+    GridNames m_names;
+    bool m_moves = false;             // points stay, the displacement moves
+    Digest m_cells;                   // of the newest step
+    std::vector<std::size_t> m_kept;  // cells of the newest step that are elements
+    Findings m_findings;
+};
+
+}  // namespace rubble::io

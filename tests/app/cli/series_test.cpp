@@ -1,0 +1,65 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/app/cli/command_run.h"
+#include "tests/io/temporary_folder.h"
+
+namespace rubble::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const std::string data = RUBBLE_BINARY_DIR "/tests/fe/";
+
+/// Results that are a row of files, from the first look to the proof that a run repeats.
+class Series : public testing::Test {
+protected:
+    io::TemporaryFolder m_folder;
+};
+
+TEST_F(Series, InspectSaysWhatIsThereWhatIsMissingAndWhatItCosts) {
+    const nlohmann::json anim = cli({"inspect", data + "frame-anim/FRAMEA009", "--json"}).json();
+    EXPECT_EQ(anim["format"], "OpenRadioss animation");
+    EXPECT_EQ(anim["files"], 21) << "twenty states and the starter deck";
+    EXPECT_EQ(anim["bytes"], 20 * 50554 + 90546);
+    EXPECT_GT(anim["index_s"], 0.0);
+    EXPECT_EQ(anim["dead_total"], 43);
+    EXPECT_EQ(anim["missing"].size(), 1u);
+    EXPECT_EQ(anim["missing"][0]["what"], "units");
+    const nlohmann::json d3plot = cli({"inspect", data + "frame-d3plot", "--json"}).json();
+    EXPECT_EQ(d3plot["dead_total"], 43);
+    std::vector<std::string> missing;
+    for (const nlohmann::json& fact : d3plot["missing"]) {
+        missing.push_back(fact["what"]);
+    }
+    EXPECT_THAT(missing, testing::ElementsAre("density", "thickness", "section", "death_time", "units"));
+    EXPECT_EQ(d3plot["missing"][1]["elements"], 48);
+    const Outcome text = cli({"inspect", data + "frame-d3plot"});
+    EXPECT_THAT(text.out, HasSubstr("Not in the file"));
+    EXPECT_THAT(text.out, HasSubstr("thickness of 48 elements"));
+}
+
+TEST_F(Series, ARunOfAFamilyIsVerifiedAlsoWhereItWasMovedTo) {
+    fs::copy(data + "d3plot/lasso-written-mixed", m_folder / "family");
+    const std::string run = m_folder / "run.h5";
+    ASSERT_EQ(cli({"run", m_folder / "family", "--out", run, "--set", "settle_time=0.5"}).exitCode, 0);
+    EXPECT_EQ(cli({"verify", run}).exitCode, 0);
+    // Beside the run the whole family is found, by any of its names.
+    for (const auto& file : fs::directory_iterator(m_folder / "family")) {
+        fs::copy(file.path(), m_folder.path());
+    }
+    fs::remove_all(m_folder / "family");
+    const Outcome beside = cli({"verify", run});
+    EXPECT_EQ(beside.exitCode, 0) << beside.err;
+    EXPECT_EQ(cli({"verify", run, "--fe", m_folder / "d3plot03"}).exitCode, 0);
+    fs::remove(m_folder / "d3plot06");
+    EXPECT_EQ(cli({"verify", run}).exitCode, 1) << "a member is missing";
+}
+
+}  // namespace
+
+}  // namespace rubble::cli

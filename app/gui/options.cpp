@@ -49,8 +49,7 @@ Options parseOptions(const QStringList& arguments) {
     parser.setApplicationDescription(tr("Workbench for the debris of structural collapses."));
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("file"), tr("A case (*.rubble) or an FE result."),
-                                 QStringLiteral("[file]"));
+    parser.addPositionalArgument(QStringLiteral("file"), tr("A case (*.rubble) or an FE result."), QStringLiteral("[file]"));
     parser.addOptions({{QStringLiteral("sample"), tr("Open the embedded sample and simulate it.")},
                        {QStringLiteral("simulate"), tr("Simulate as soon as the file is open.")},
                        {QStringLiteral("screenshot"), tr("Save a picture of the window and leave."), QStringLiteral("png")},

@@ -84,13 +84,14 @@ void AccuracyPanel::buildChoices() {
     };
     m_multiples->setObjectName(QStringLiteral("multiples"));
     m_varied->setObjectName(QStringLiteral("varied"));
-    m_varied->setPlaceholderText(QStringLiteral("cluster_shape=box,hull"));
+    m_varied->setPlaceholderText(QStringLiteral("cluster_shape=oriented_box,hull"));
     field(
         tr("Multiples of the mean distance"), m_multiples,
         tr("Sizes of the Basic Grid, as multiples of the mean distance of adjacent fragments (no unit), separated by commas; auto "
            "is the size that the program finds. Empty: the grid as set"));
     field(tr("Other parameters to vary"), m_varied,
-          tr("Values of other parameters in every combination, such as cluster_shape=box,hull; several parameters are separated by "
+          tr("Values of other parameters in every combination, such as cluster_shape=oriented_box,hull; several parameters are "
+             "separated by "
              "semicolons. The manual lists all parameters"));
     m_repeats->setRange(1, 100);
     m_repeats->setValue(2);

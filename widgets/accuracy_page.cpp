@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QResizeEvent>
 #include <QSplitter>
@@ -226,7 +227,8 @@ void AccuracyPage::showPlot() {
     }
     if (m_content.report != nullptr && !content.points.empty()) {
         if (!content.target) {
-            notes << tr("Where %1 FPS lie is not known: no two points enclose it.").arg(shownNumber(m_content.fpsTarget));
+            notes << tr("Where %1 FPS lie is not known: no two points enclose it.")
+                         .arg(QLocale().toString(m_content.fpsTarget, 'g', 4));
         }
         if (!m_content.inUse && !m_content.stale) {
             notes << tr("The current setting is none of the points.");
@@ -235,6 +237,7 @@ void AccuracyPage::showPlot() {
     m_left->setText(notes.join(u' '));
     m_left->setVisible(!notes.isEmpty());
     m_saveChart->setEnabled(!content.points.empty());
+    m_table->bringForward(m_cost, kind);
     m_chart->setContent(std::move(content));
 }
 

@@ -33,6 +33,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
       m_varied(new QLineEdit),
       m_repeats(new QSpinBox),
       m_liveFps(new QCheckBox(tr("Measure live FPS"))),
+      m_retimed(new QCheckBox(tr("Measure times again"))),
       m_compare(new QPushButton(tr("Compare"))),
       m_cancel(new QPushButton(tr("Cancel"))),
       m_why(new QLabel),
@@ -101,6 +102,8 @@ void AccuracyPanel::buildChoices() {
     m_liveFps->setChecked(true);
     m_liveFps->setToolTip(tr("Draw each setting once off screen, as live mode would, and count frames per second"));
     group->addWide(m_liveFps);
+    m_retimed->setToolTip(tr("Times and live FPS that are kept do not count: for a machine that is quiet now"));
+    group->addWide(m_retimed);
     group->addNote(
         tr("The settings of the published method are compared too. A body for every fragment, the reference, is "
            "the slowest of all: it can take many times as long as the run itself."));
@@ -121,6 +124,7 @@ AccuracyPanel::Request AccuracyPanel::request() const {
     }
     request.repeats = m_repeats->value();
     request.liveFps = m_liveFps->isChecked();
+    request.retimed = m_retimed->isChecked();
     return request;
 }
 
@@ -128,7 +132,7 @@ void AccuracyPanel::setReady(bool ready, bool running, const QString& why) {
     m_compare->setEnabled(ready && !running);
     m_compare->setVisible(!running);
     m_cancel->setVisible(running);
-    for (QWidget* editor : std::initializer_list<QWidget*>{m_multiples, m_varied, m_repeats, m_liveFps}) {
+    for (QWidget* editor : std::initializer_list<QWidget*>{m_multiples, m_varied, m_repeats, m_liveFps, m_retimed}) {
         editor->setEnabled(!running);
     }
     m_why->setText(why);

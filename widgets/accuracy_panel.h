@@ -24,6 +24,7 @@ public:
         std::vector<VariedParameter> varied;
         int repeats = 2;
         bool liveFps = true;
+        bool retimed = false;  ///< times that are kept do not count
     };
     Request request() const;
     /// @param why  it cannot be started, or what happens meanwhile
@@ -45,6 +46,7 @@ private:
     QLineEdit* m_varied;
     QSpinBox* m_repeats;
     QCheckBox* m_liveFps;
+    QCheckBox* m_retimed;
     QPushButton* m_compare;
     QPushButton* m_cancel;
     QLabel* m_why;

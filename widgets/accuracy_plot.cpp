@@ -244,7 +244,7 @@ void AccuracyPlot::paintTarget(QPainter& painter, std::vector<QRectF>& taken) co
         const double x = place({*m_content.target, m_accuracy.low}).x();
         painter.setPen(QPen(m_palette.good, 1.5, Qt::DashLine));
         painter.drawLine(QPointF(x, m_frame.top()), QPointF(x, m_frame.bottom()));
-        const QString words = tr("%1 FPS on this machine").arg(shownNumber(m_content.fpsTarget));
+        const QString words = tr("%1 FPS on this machine").arg(QLocale().toString(m_content.fpsTarget, 'g', 4));
         const QSizeF size(metrics.horizontalAdvance(words) + 2.0, metrics.height());
         const bool right = x + 8.0 + size.width() < m_frame.right();
         write({QPointF(right ? x + 6.0 : x - 6.0 - size.width(), m_frame.bottom() - size.height() - 4.0), size}, words,
@@ -255,7 +255,7 @@ void AccuracyPlot::paintTarget(QPainter& painter, std::vector<QRectF>& taken) co
         const QSizeF size(metrics.horizontalAdvance(words) + 2.0, metrics.height());
         const bool up = m_content.accuracy.moreIsBetter();
         const double edge = place({m_cost.low, up ? m_content.band->first : m_content.band->second}).y();
-        double y = up ? edge + 3.0 : edge - size.height() - 3.0;
+        double y = up ? edge - size.height() - 3.0 : edge + 3.0;
         y = std::clamp(y, m_frame.top() + 2.0, m_frame.bottom() - size.height() - 2.0);
         write({QPointF(m_frame.left() + 6.0, y), size}, words, m_palette.accent);
     }

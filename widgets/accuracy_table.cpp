@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <algorithm>
 #include <cmath>
 
 #include "core/analysis/accuracy_settings.h"
@@ -142,6 +143,18 @@ void AccuracyTable::setReport(const AccuracyReport& report, std::optional<int> i
     if (current >= 0 && current < rowCount()) {
         setCurrentCell(current, 0);
     }
+}
+
+void AccuracyTable::bringForward(CostKind cost, const AccuracyKind& accuracy) {
+    QHeaderView& header = *horizontalHeader();
+    for (int column = 0; column < columnCount(); ++column) {
+        header.moveSection(header.visualIndex(column), column);
+    }
+    const auto found = std::find(m_kinds.begin(), m_kinds.end(), accuracy);
+    if (found != m_kinds.end()) {
+        header.moveSection(header.visualIndex(accuracyColumn + static_cast<int>(found - m_kinds.begin())), costColumn);
+    }
+    header.moveSection(header.visualIndex(costColumn + static_cast<int>(cost)), costColumn);
 }
 
 void AccuracyTable::choose(int line) {

@@ -18,6 +18,8 @@ public:
     explicit AccuracyTable(QWidget* parent = nullptr);
 
     void setReport(const AccuracyReport& report, std::optional<int> inUse);
+    /// The columns of these two figures stand first.
+    void bringForward(CostKind cost, const AccuracyKind& accuracy);
     QSize sizeHint() const override { return {380, 240}; }
 
 signals:

@@ -55,6 +55,7 @@ AccuracyReport AccuracyWork::compare(const Inputs& inputs, const Scenario& scena
     options.study.repeats = request.repeats;
     options.machine = m_machine;
     options.store = &files;
+    options.retimed = request.retimed;
     if (request.liveFps) {
         options.screen = [&renderer](const RunDescription& run, std::shared_ptr<const TrajectoryReader> trajectory) {
             return figures::liveScreen(run, std::move(trajectory), renderer);

@@ -5,9 +5,11 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QSvgRenderer>
 #include <QTest>
+#include <cmath>
 #include <limits>
 
 #include "widgets/accuracy_chart.h"

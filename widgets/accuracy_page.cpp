@@ -64,8 +64,9 @@ AccuracyPage::AccuracyPage(QWidget* parent)
     m_splitter->setHandleWidth(9);
     m_splitter->addWidget(left);
     m_splitter->addWidget(buildTable());
-    m_splitter->setStretchFactor(0, 3);
-    m_splitter->setStretchFactor(1, 2);
+    m_splitter->setStretchFactor(0, 1);
+    m_splitter->setStretchFactor(1, 1);
+    m_splitter->setSizes({440, 420});
     column->addWidget(m_splitter, 1);
     connect(m_chart, &AccuracyChart::rowChosen, this, &AccuracyPage::rowChosen);
     connect(m_table, &AccuracyTable::rowChosen, this, &AccuracyPage::rowChosen);

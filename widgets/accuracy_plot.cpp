@@ -255,9 +255,22 @@ void AccuracyPlot::paintTarget(QPainter& painter, std::vector<QRectF>& taken) co
         const QSizeF size(metrics.horizontalAdvance(words) + 2.0, metrics.height());
         const bool up = m_content.accuracy.moreIsBetter();
         const double edge = place({m_cost.low, up ? m_content.band->first : m_content.band->second}).y();
-        double y = up ? edge - size.height() - 3.0 : edge + 3.0;
-        y = std::clamp(y, m_frame.top() + 2.0, m_frame.bottom() - size.height() - 2.0);
-        write({QPointF(m_frame.left() + 6.0, y), size}, words, m_palette.accent);
+        const double inside = up ? edge - size.height() - 3.0 : edge + 3.0;
+        const double outside = up ? edge + 3.0 : edge - size.height() - 3.0;
+        const double right = m_frame.right() - size.width() - 6.0;
+        // Where no point lies; the first place if points lie everywhere.
+        std::vector<QRectF> places;
+        for (const double y : {inside, outside}) {
+            for (const double x : {m_frame.left() + 6.0, right, 0.5 * (m_frame.left() + right)}) {
+                places.emplace_back(QPointF(x, std::clamp(y, m_frame.top() + 2.0, m_frame.bottom() - size.height() - 2.0)), size);
+            }
+        }
+        const auto free = std::find_if(places.begin(), places.end(), [&](const QRectF& where) {
+            const QRectF around = where.adjusted(-2.0 * radius, -2.0 * radius, 2.0 * radius, 2.0 * radius);
+            return std::none_of(m_content.points.begin(), m_content.points.end(),
+                                [&](const PlotPoint& point) { return around.contains(place(point.at)); });
+        });
+        write(free != places.end() ? *free : places.front(), words, m_palette.accent);
     }
 }
 

@@ -66,7 +66,7 @@ AccuracyPage::AccuracyPage(QWidget* parent)
     m_splitter->addWidget(buildTable());
     m_splitter->setStretchFactor(0, 1);
     m_splitter->setStretchFactor(1, 1);
-    m_splitter->setSizes({440, 420});
+    m_splitter->setSizes({400, 464});
     column->addWidget(m_splitter, 1);
     connect(m_chart, &AccuracyChart::rowChosen, this, &AccuracyPage::rowChosen);
     connect(m_table, &AccuracyTable::rowChosen, this, &AccuracyPage::rowChosen);

@@ -326,10 +326,11 @@ void AccuracyPlot::paintNames(QPainter& painter, std::vector<QRectF>& taken) con
         const QSizeF size(metrics.horizontalAdvance(name) + 2.0, metrics.height());
         const QPointF at = place(point->at);
         const double gap = radius + (point->inUse ? 8.0 : 4.0);
-        const std::array<QPointF, 4> corners{{{at.x() + gap, at.y() - 0.5 * size.height()},
+        const std::array<QPointF, 5> corners{{{at.x() + gap, at.y() - 0.5 * size.height()},
                                               {at.x() - 0.5 * size.width(), at.y() - gap - size.height()},
                                               {at.x() - 0.5 * size.width(), at.y() + gap},
-                                              {at.x() - gap - size.width(), at.y() - 0.5 * size.height()}}};
+                                              {at.x() - gap - size.width(), at.y() - 0.5 * size.height()},
+                                              {at.x() - gap - size.width(), at.y() + 2.0}}};
         for (const QPointF& corner : corners) {
             const QRectF where(corner, size);
             const bool free = m_frame.contains(where) && std::none_of(taken.begin(), taken.end(),

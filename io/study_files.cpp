@@ -310,4 +310,20 @@ void StudyFiles::keep(const Calibration& calibration) {
     writeIn(calibrationPath(calibration.machine), calibrationJson(calibration).dump(2));
 }
 
+void keepPoints(StudyFiles& files, AccuracyReport& report) {
+    const auto keep = [&](const AccuracyPoint& point) {
+        if (!point.done) {
+            return;
+        }
+        try {
+            files.keep(knownPoint(point, report));
+        } catch (const WorldError& error) {
+            report.findings.add({"accuracy.not_kept", "A result could not be kept for a second start.", {}},
+                                {"accuracy.not_kept.remedy", "Make room for the cache, or name another folder.", {}}, error.what());
+        }
+    };
+    keep(report.reference);
+    std::for_each(report.points.begin(), report.points.end(), keep);
+}
+
 }  // namespace rubble::io

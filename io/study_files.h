@@ -46,4 +46,7 @@ private:
     std::string m_folder;
 };
 
+/// Keeps what was measured for later predictions; a folder without room is a finding of the report.
+void keepPoints(StudyFiles& files, AccuracyReport& report);
+
 }  // namespace rubble::io

@@ -186,6 +186,13 @@ void drawDocumentSign(QPainter& p, Glyph glyph) {
             p.drawLine(QPointF(8, 4), QPointF(8, 10));
             p.drawPolyline(polygon({{5.5, 7.5}, {8, 10}, {10.5, 7.5}}));
             break;
+        case Glyph::Accuracy:
+            // Points that rise along two axes.
+            p.drawPolyline(polygon({{4, 3}, {4, 20}, {21, 20}}));
+            p.drawEllipse(QPointF(8.5, 15.5), 1.4, 1.4);
+            p.drawEllipse(QPointF(12, 9.5), 1.4, 1.4);
+            p.drawEllipse(QPointF(18, 6.5), 1.4, 1.4);
+            break;
         case Glyph::Open:
             p.drawPolygon(polygon({{3, 19}, {3, 5}, {9, 5}, {11, 8}, {20, 8}, {20, 19}}));
             p.drawLine(QPointF(3, 12), QPointF(20, 12));

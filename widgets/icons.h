@@ -12,6 +12,7 @@ enum class Glyph {
     Grid,
     Effects,
     Run,
+    Accuracy,
     Open,
     Save,
     Undo,

@@ -7,6 +7,7 @@
 #include "app/cli/output_file.h"
 #include "app/cli/published_tables.h"
 #include "app/cli/study_options.h"
+#include "core/analysis/sweep_table.h"
 #include "core/base/error.h"
 #include "io/files.h"
 #include "io/machine.h"
@@ -78,23 +79,6 @@ std::vector<Predictions> predictAll(const AccuracyReport& report, const std::str
     return all;
 }
 
-/// Keeps what was measured for later predictions; a cache without room is a finding.
-void keepPoints(io::StudyFiles& files, AccuracyReport& report) {
-    const auto keep = [&](const AccuracyPoint& point) {
-        if (!point.done) {
-            return;
-        }
-        try {
-            files.keep(knownPoint(point, report));
-        } catch (const WorldError& error) {
-            report.findings.add({"accuracy.not_kept", "A result could not be kept for a second start.", {}},
-                                {"accuracy.not_kept.remedy", "Make room for the cache, or name another folder.", {}}, error.what());
-        }
-    };
-    keep(report.reference);
-    std::for_each(report.points.begin(), report.points.end(), keep);
-}
-
 void writeErrors(const Arguments& arguments, const AccuracyOutput& output) {
     if (const auto path = arguments.value("--errors")) {
         const TextTable table = output.errorTable();
@@ -135,7 +119,7 @@ ExitCode measureAccuracy(const Arguments& arguments, Session& session) {
     const Digest scene = sceneDigest(reference, options.study.instant);
     const std::vector<KnownPoint> earlier = files.points(scene, kept);
     AccuracyReport report = accuracyStudy(subject.inputs, subject.scenario, settings, options, session.execution());
-    keepPoints(files, report);
+    io::keepPoints(files, report);
     report.findings.append(kept);
 
     AccuracyOutput output{subject, report, options,       predictAll(report, options.machine, earlier, calibration),
@@ -146,7 +130,9 @@ ExitCode measureAccuracy(const Arguments& arguments, Session& session) {
         output.knownPoints = all.size();
         output.checks = checkPredictions(all);
     }
-    writeCsv(arguments, output.table());
+    if (const auto path = arguments.value("--csv")) {
+        io::writeAtomically(*path, [&](std::ostream& out) { writeSweepCsv(report, out); });
+    }
     writeErrors(arguments, output);
     if (arguments.json()) {
         Json object = output.json();

@@ -6,89 +6,11 @@
 #include "app/cli/measure_output.h"
 #include "app/cli/published_tables.h"
 #include "app/cli/text_output.h"
+#include "core/analysis/sweep_table.h"
 
 namespace rubble::cli {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-/// One row of the sweep as its columns need it.
-struct SweepRow {
-    std::string setting;
-    std::array<double, 3> multiple{none, none, none};
-    std::array<double, 3> grid{none, none, none};
-    std::int64_t fragments = 0;
-    std::int64_t bodies = 0;
-    const DebrisDifference* difference = nullptr;
-    SettingCost cost;
-};
-
-SweepRow rowOf(const AccuracyPoint& point) {
-    return {point.setting, point.multiple, point.grid, point.fragments, point.bodies, &point.difference, point.cost};
-}
-
-/// The reference, the floor, and what is done of the settings.
-std::vector<SweepRow> rowsOf(const AccuracyReport& report) {
-    std::vector<SweepRow> rows;
-    if (report.reference.done) {
-        rows.push_back(rowOf(report.reference));
-    }
-    if (report.floor && !report.floor->repeats.empty()) {
-        SweepRow floor;
-        floor.setting = std::string(floorSetting);
-        floor.fragments = report.reference.fragments;
-        floor.bodies = report.reference.bodies;
-        floor.difference = &report.floor->largest;
-        rows.push_back(std::move(floor));
-    }
-    for (const AccuracyPoint& point : report.points) {
-        if (point.done) {
-            rows.push_back(rowOf(point));
-        }
-    }
-    return rows;
-}
-
-/// One column: its key and, of a row, its value.
-struct SweepColumn {
-    std::string_view key;
-    double (*value)(const SweepRow& row);
-    bool whole = false;
-};
-
-template <Measure measure>
-double measured(const SweepRow& row) {
-    return row.difference->of(measure);
-}
-
-const std::vector<SweepColumn>& sweepColumns() {
-    static const std::vector<SweepColumn> columns{
-        {"multiple_x", [](const SweepRow& r) { return r.multiple[0]; }},
-        {"multiple_y", [](const SweepRow& r) { return r.multiple[1]; }},
-        {"multiple_z", [](const SweepRow& r) { return r.multiple[2]; }},
-        {"grid_l_m", [](const SweepRow& r) { return r.grid[0]; }},
-        {"grid_w_m", [](const SweepRow& r) { return r.grid[1]; }},
-        {"grid_h_m", [](const SweepRow& r) { return r.grid[2]; }},
-        {"fragments", [](const SweepRow& r) { return static_cast<double>(r.fragments); }, true},
-        {"bodies", [](const SweepRow& r) { return static_cast<double>(r.bodies); }, true},
-        {"accuracy_0_1m", [](const SweepRow& r) { return publishedRate(*r.difference, 0); }},
-        {"accuracy_0_2m", [](const SweepRow& r) { return publishedRate(*r.difference, 1); }},
-        {"accuracy_0_3m", [](const SweepRow& r) { return publishedRate(*r.difference, 2); }},
-        {"mass_map_difference", measured<Measure::MassMap>},
-        {"core_iou", measured<Measure::CoreIou>},
-        {"footprint_iou", measured<Measure::FootprintIou>},
-        {"runout95_error_m", measured<Measure::RunOut>},
-        {"height_rms_m", measured<Measure::HeightRms>},
-        {"mean_height_error_m", measured<Measure::MeanHeight>},
-        {"centroid_shift_m", measured<Measure::CentroidShift>},
-        {"wall_s", [](const SweepRow& r) { return r.cost.wallSeconds; }},
-        {"ms_per_step_mean", [](const SweepRow& r) { return r.cost.stepMeanMs; }},
-        {"ms_per_step_worst", [](const SweepRow& r) { return r.cost.stepWorstMs; }},
-        {"fps", [](const SweepRow& r) { return r.cost.fps; }},
-    };
-    return columns;
-}
 
 Json pointJson(const SweepRow& row) {
     Json object;
@@ -173,23 +95,6 @@ std::string predictionText(const Prediction& prediction) {
 
 }  // namespace
 
-TextTable AccuracyOutput::table() const {
-    std::vector<TextTable::Column> columns{{"setting", "setting"}};
-    for (const SweepColumn& column : sweepColumns()) {
-        columns.push_back({std::string(column.key), std::string(column.key)});
-    }
-    TextTable table(std::move(columns));
-    for (const SweepRow& row : rowsOf(report)) {
-        std::vector<Cell> cells{textCell(row.setting)};
-        for (const SweepColumn& column : sweepColumns()) {
-            const double value = column.value(row);
-            cells.push_back(column.whole ? integerCell(static_cast<std::int64_t>(value)) : numberCell(value));
-        }
-        table.add(std::move(cells));
-    }
-    return table;
-}
-
 TextTable AccuracyOutput::errorTable() const {
     TextTable table({{"setting", "setting"}, {"fragment", "fragment_id"}, {"element", "element_id"}, {"error [m]", "error_m"}});
     if (!report.reference.done) {
@@ -216,7 +121,7 @@ Json AccuracyOutput::json() const {
     object["machine"] = options.machine;
     object["cache"] = cacheFolder.empty() ? Json() : Json(cacheFolder);
     object["points"] = Json::array();
-    for (const SweepRow& row : rowsOf(report)) {
+    for (const SweepRow& row : sweepRows(report)) {
         object["points"].push_back(pointJson(row));
     }
     object["details"] = Json::array();

@@ -25,8 +25,6 @@ struct AccuracyOutput {
     std::size_t knownPoints = 0;  ///< of the scene, that the check rests on
     std::string cacheFolder;
 
-    /// The columns of --csv: the reference, the floor, and each setting that is done.
-    TextTable table() const;
     /// One row for each fragment and setting that is done: its distance from where it lies in the reference.
     TextTable errorTable() const;
     Json json() const;

@@ -1,10 +1,10 @@
 #include "app/cli/published_tables.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "app/cli/measure_output.h"
 #include "core/analysis/published_results.h"
+#include "core/analysis/sweep_table.h"
 
 namespace rubble::cli {
 
@@ -41,12 +41,6 @@ std::vector<CaseRow> casesOf(const AccuracyReport& report) {
 }
 
 }  // namespace
-
-double publishedRate(const DebrisDifference& difference, std::size_t number) {
-    const auto found = std::find(difference.tolerances.begin(), difference.tolerances.end(), publishedTolerances[number]);
-    const auto index = static_cast<std::size_t>(found - difference.tolerances.begin());
-    return index < difference.accuracy.size() ? difference.accuracy[index] : std::numeric_limits<double>::quiet_NaN();
-}
 
 TextTable publishedFpsTable(const AccuracyReport& report) {
     TextTable table({{"case", ""}, {"elements", ""}, {"fragments", ""}, {"FPS without", ""}, {"clusters", ""}, {"FPS with", ""}});

@@ -16,9 +16,4 @@ Json publishedFpsJson(const AccuracyReport& report);
 TextTable publishedAccuracyTable(const AccuracyReport& report);
 Json publishedAccuracyJson(const AccuracyReport& report);
 
-/// The share of fragments within one of the three distances of the published table: 0.1, 0.2, 0.3 m by number; NaN if it was not
-/// among the tolerances.
-double publishedRate(const DebrisDifference& difference, std::size_t number);
-inline constexpr std::array<double, 3> publishedTolerances{0.1, 0.2, 0.3};  ///< m
-
 }  // namespace rubble::cli

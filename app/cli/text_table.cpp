@@ -1,9 +1,7 @@
 #include "app/cli/text_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 
 #include "core/base/message.h"
@@ -15,20 +13,6 @@ namespace {
 /// Characters on the screen, not bytes: continuation bytes of UTF-8 take no room.
 std::size_t width(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string csvField(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) {
-        return text;
-    }
-    std::string quoted = "\"";
-    for (const char c : text) {
-        quoted += c;
-        if (c == '"') {
-            quoted += c;
-        }
-    }
-    return quoted + '"';
 }
 
 }  // namespace
@@ -43,16 +27,6 @@ Cell integerCell(std::int64_t number) {
 
 Cell numberCell(double number) {
     return {std::isfinite(number) ? englishNumber(number) : "-", exactNumber(number), true};
-}
-
-std::string exactNumber(double number) {
-    if (!std::isfinite(number)) {
-        return {};
-    }
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
-    assert(end.ec == std::errc{});
-    return {buffer.data(), end.ptr};
 }
 
 void TextTable::add(std::vector<Cell> row) {

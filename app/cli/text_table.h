@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/csv_text.h"
+
 namespace rubble::cli {
 
 /// One entry of a table: as people read it, and as a program does.
@@ -18,9 +20,6 @@ Cell textCell(std::string text);
 Cell integerCell(std::int64_t number);
 /// Shown to four significant digits, kept to the last bit; a number that is not finite is an empty cell.
 Cell numberCell(double number);
-
-/// A number so that it reads back to the same bits, with a point as decimal sign; empty if it is not finite.
-std::string exactNumber(double number);
 
 /// A table for the terminal that can be written as CSV too.
 class TextTable {

@@ -10,11 +10,13 @@
 
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
+#include "core/analysis/sweep_table.h"
 #include "core/base/error.h"
 #include "io/acknowledgements.h"
 #include "io/case_file.h"
 #include "io/exports.h"
 #include "io/files.h"
+#include "widgets/accuracy_chart.h"
 #include "widgets/figures/figure_file.h"
 
 namespace rubble {
@@ -29,6 +31,8 @@ Case movedCase(const Case& theCase, const QString& from, const QString& to) {
 }
 
 namespace {
+
+constexpr QSize chartSize(960, 640);
 
 /// What was said about a run goes with it; what lies beside the target is about the run that lay there before.
 void copyAcknowledgements(const std::string& fromRun, const std::string& toRun) {
@@ -206,6 +210,48 @@ void FileCommands::exportFigure(const render::View& view, const render::SceneDat
         style.provenance = "Rubble, " + QFileInfo(QString::fromStdString(data.fe->contents().path)).fileName().toStdString() +
                            ", SHA-256 " + data.fe->contents().sha256.substr(0, 16);
         figures::writeFigure(path.toStdString(), view, data, style);
+        emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        emit failed(failure->what, failure->remedy);
+    }
+}
+
+void FileCommands::saveSweep(const std::shared_ptr<const AccuracyReport>& report) {
+    if (report == nullptr) {
+        return;
+    }
+    const QString path = askForOutput(tr("Settings compared"), QStringLiteral("-accuracy.csv"), tr("Tables (*.csv)"));
+    if (!path.isEmpty()) {
+        saveSweepTo(path, *report);
+    }
+}
+
+void FileCommands::saveSweepTo(const QString& path, const AccuracyReport& report) {
+    try {
+        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeSweepCsv(report, out); });
+        emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        emit failed(failure->what, failure->remedy);
+    }
+}
+
+void FileCommands::saveChart(const widgets::AccuracyChart& chart) {
+    const QString path = askForOutput(tr("Chart"), QStringLiteral("-accuracy.svg"), tr("Drawings (*.svg);;Images (*.png)"));
+    if (!path.isEmpty()) {
+        saveChartTo(path, chart);
+    }
+}
+
+void FileCommands::saveChartTo(const QString& path, const widgets::AccuracyChart& chart) {
+    try {
+        if (QFileInfo(path).suffix().compare(QLatin1String("svg"), Qt::CaseInsensitive) == 0) {
+            const QByteArray drawing = chart.svg(chartSize);
+            io::writeAtomically(path.toStdString(), [&](std::ostream& out) { out.write(drawing.data(), drawing.size()); });
+        } else {
+            figures::writePng(path.toStdString(), chart.image(2 * chartSize));
+        }
         emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
     } catch (...) {
         const auto failure = failureOf(std::current_exception());

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <exception>
+#include <memory>
 
 #include "widgets/render/scene_data.h"
 #include "widgets/render/view.h"
@@ -12,7 +13,11 @@ namespace rubble {
 
 struct Case;
 class Computation;
+struct AccuracyReport;
 class Document;
+namespace widgets {
+class AccuracyChart;
+}
 
 /// Saving and exporting: asks for paths, writes on the worker, says what came of it.
 class FileCommands : public QObject {
@@ -36,6 +41,12 @@ public:
     void exportFragments();
     void exportSeries();
     void exportFigure(const render::View& view, const render::SceneData& data);
+    void saveSweep(const std::shared_ptr<const AccuracyReport>& report);
+    void saveChart(const widgets::AccuracyChart& chart);
+    /// Writes the settings compared as CSV, with the columns of rubble-cli accuracy --csv.
+    void saveSweepTo(const QString& path, const AccuracyReport& report);
+    /// Writes the chart as SVG where the path ends so, as PNG otherwise.
+    void saveChartTo(const QString& path, const widgets::AccuracyChart& chart);
 
 signals:
     void done(const QString& what);

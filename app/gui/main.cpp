@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "app/gui/accuracy_display.h"
 #include "app/gui/main_window.h"
 #include "app/gui/options.h"
 #include "app/gui/screenshot.h"
@@ -80,6 +81,9 @@ int main(int argc, char** argv) {
         window.resize(options.size);
     }
     window.show();
+    if (options.accuracy) {
+        window.accuracy().compareWhenReady();
+    }
     if (options.sample) {
         window.openSample();
     } else if (!options.path.isEmpty()) {

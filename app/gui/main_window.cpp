@@ -11,6 +11,7 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "app/gui/accuracy_display.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/health_display.h"
 #include "app/gui/manual.h"
@@ -20,6 +21,7 @@
 #include "app/gui/status_feed.h"
 #include "app/gui/view_area.h"
 #include "core/base/build.h"
+#include "widgets/accuracy_page.h"
 #include "widgets/status_line.h"
 #include "widgets/theme.h"
 #include "widgets/timeline.h"
@@ -33,12 +35,14 @@ MainWindow::MainWindow(QWidget* parent)
       m_actions(*this),
       m_deck(new PanelDeck(m_document, m_computation, this)),
       m_area(new ViewArea),
+      m_accuracyPage(new widgets::AccuracyPage),
       m_timeline(new widgets::Timeline),
       m_transport(new widgets::Transport),
       m_status(new widgets::StatusLine),
       m_playback(new Playback(m_computation, m_area->views(), *m_timeline, *m_transport, this)),
       m_feed(new StatusFeed(m_document, m_computation, *m_playback, *m_status, this)),
       m_health(new HealthDisplay(m_computation, *m_deck, *m_playback, *m_area, *m_timeline, this)),
+      m_accuracy(new AccuracyDisplay(m_document, m_computation, *m_deck, *m_accuracyPage, this)),
       m_files(new FileCommands(m_document, m_computation, *this)),
       m_colours(new QComboBox),
       m_title(new QLabel) {
@@ -52,6 +56,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectViews();
     connectComputation();
     connectPlayback();
+    connectAccuracy();
     qApp->installEventFilter(this);
     setTheme(QSettings().value(QStringLiteral("theme"), QStringLiteral("system")).toString());
     render::View view = m_area->views().view();
@@ -70,6 +75,7 @@ MainWindow::~MainWindow() {
     m_document.disconnect();
     delete m_feed;
     delete m_health;
+    delete m_accuracy;
     delete m_playback;
     delete m_deck;
 }
@@ -181,7 +187,8 @@ void MainWindow::showScene() {
 
 void MainWindow::simulate(bool live) {
     const Results& results = m_computation.results();
-    if (m_computation.inputs().fe == nullptr || (results.fragments != nullptr && results.fragments->list.empty())) {
+    if (m_computation.inputs().fe == nullptr || (results.fragments != nullptr && results.fragments->list.empty()) ||
+        m_accuracy->work().running()) {
         return;
     }
     const CaseScenario* active = m_document.active();
@@ -231,15 +238,16 @@ void MainWindow::showState() {
     const RunRecord* record = m_computation.currentRun();
     const bool finished = record != nullptr && record->outcome != nullptr && !record->running;
     const bool running = m_computation.busy(Stage::Simulation);
+    const bool comparing = m_accuracy->work().running();
     const bool deaths = m_computation.results().fragments == nullptr || !m_computation.results().fragments->list.empty();
     m_deck->showState();
     for (const char* id : {"play", "back", "forward", "back_ten", "forward_ten", "first", "last", "fit", "look_side", "look_front",
                            "look_top", "stacked", "beside", "fe_only", "fragments_only", "link", "export_figure"}) {
         m_actions[id].setEnabled(have);
     }
-    m_actions["simulate"].setEnabled(have && deaths && !running);
-    m_actions["live"].setEnabled(have && deaths && !running);
-    m_actions["cancel"].setEnabled(m_computation.busy());
+    m_actions["simulate"].setEnabled(have && deaths && !running && !comparing);
+    m_actions["live"].setEnabled(have && deaths && !running && !comparing);
+    m_actions["cancel"].setEnabled(m_computation.busy() || comparing);
     m_actions["save_run"].setEnabled(record != nullptr && !record->running);
     m_actions["export_fragments"].setEnabled(finished);
     m_actions["export_series"].setEnabled(finished);
@@ -301,6 +309,7 @@ void MainWindow::setTheme(const QString& name) {
     view.theme = widgets::currentTheme();
     m_area->views().setView(view);
     m_deck->showResults();
+    m_accuracy->refresh();
     m_feed->refresh();
     showTitle();
 }
@@ -314,7 +323,7 @@ void MainWindow::showManual() {
     if (m_manual == nullptr) {
         m_manual = new ManualWindow(this);
     }
-    const std::array<const char*, 5> pages = {"Case", "Fragments", "Basic Grid", "Effects", "Run"};
+    const std::array<const char*, 6> pages = {"Case", "Fragments", "Basic Grid", "Effects", "Run", "Accuracy"};
     m_manual->showPage(QLatin1String(pages[static_cast<std::size_t>(std::max(0, m_deck->rail().current()))]));
     m_manual->show();
     m_manual->raise();
@@ -335,6 +344,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     m_computation.cancel();
+    m_accuracy->work().cancel();
     event->accept();
 }
 

@@ -11,9 +11,11 @@
 class QComboBox;
 class QLabel;
 class QSplitter;
+class QStackedWidget;
 
 namespace rubble {
 
+class AccuracyDisplay;
 class FileCommands;
 class HealthDisplay;
 class ManualWindow;
@@ -22,6 +24,7 @@ class Playback;
 class StatusFeed;
 class ViewArea;
 namespace widgets {
+class AccuracyPage;
 class StatusLine;
 class Timeline;
 class Transport;
@@ -50,6 +53,8 @@ public:
     PanelDeck& deck() { return *m_deck; }
     ViewArea& area() { return *m_area; }
     HealthDisplay& health() { return *m_health; }
+    AccuracyDisplay& accuracy() { return *m_accuracy; }
+    widgets::AccuracyPage& accuracyPage() { return *m_accuracyPage; }
     widgets::Timeline& timeline() { return *m_timeline; }
     widgets::StatusLine& statusLine() { return *m_status; }
     FileCommands& files() { return *m_files; }
@@ -72,6 +77,7 @@ private:
     void connectViews();
     void connectComputation();
     void connectPlayback();
+    void connectAccuracy();
     void takeOpened(const Opened& opened);
     void showScene();
     void showState();
@@ -90,17 +96,20 @@ private:
     Actions m_actions;
     PanelDeck* m_deck;
     ViewArea* m_area;
+    widgets::AccuracyPage* m_accuracyPage;
     widgets::Timeline* m_timeline;
     widgets::Transport* m_transport;
     widgets::StatusLine* m_status;
     Playback* m_playback;
     StatusFeed* m_feed;
     HealthDisplay* m_health;
+    AccuracyDisplay* m_accuracy;
     FileCommands* m_files;
     QComboBox* m_colours;
     QLabel* m_title;
     QWidget* m_left = nullptr;
     QSplitter* m_splitter = nullptr;
+    QStackedWidget* m_centre = nullptr;
     ManualWindow* m_manual = nullptr;
     bool m_simulateWhenReady = false;
     render::SceneData m_shown;

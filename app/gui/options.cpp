@@ -52,6 +52,7 @@ Options parseOptions(const QStringList& arguments) {
     parser.addPositionalArgument(QStringLiteral("file"), tr("A case (*.rubble) or an FE result."), QStringLiteral("[file]"));
     parser.addOptions({{QStringLiteral("sample"), tr("Open the embedded sample and simulate it.")},
                        {QStringLiteral("simulate"), tr("Simulate as soon as the file is open.")},
+                       {QStringLiteral("accuracy"), tr("Compare settings as soon as the file is open.")},
                        {QStringLiteral("screenshot"), tr("Save a picture of the window and leave."), QStringLiteral("png")},
                        {QStringLiteral("time"), tr("Show this instant, in seconds."), QStringLiteral("s")},
                        {QStringLiteral("size"), tr("Size of the window."), QStringLiteral("WxH")},
@@ -77,6 +78,7 @@ Options parseOptions(const QStringList& arguments) {
     }
     options.sample = parser.isSet(QStringLiteral("sample"));
     options.simulate = parser.isSet(QStringLiteral("simulate"));
+    options.accuracy = parser.isSet(QStringLiteral("accuracy"));
     options.screenshot = parser.value(QStringLiteral("screenshot"));
     options.path = parser.positionalArguments().value(0);
     return options;

@@ -12,6 +12,7 @@ struct Options {
     QString path;
     bool sample = false;
     bool simulate = false;
+    bool accuracy = false;
     QString screenshot;
     std::optional<double> time;
     QString theme;

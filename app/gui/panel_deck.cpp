@@ -51,13 +51,15 @@ PanelDeck::PanelDeck(Document& document, Computation& computation, QObject* pare
            {tr("Fragments"), tr("What became debris, when, and with which mass."), widgets::Glyph::Fragments},
            {tr("Basic Grid"), tr("Which fragments move together, and what that costs."), widgets::Glyph::Grid},
            {tr("Effects"), tr("What acts on the fragments, why, and what it costs."), widgets::Glyph::Effects},
-           {tr("Run"), tr("Where the fragments go."), widgets::Glyph::Run}})),
+           {tr("Run"), tr("Where the fragments go."), widgets::Glyph::Run},
+           {tr("Accuracy"), tr("What accuracy costs in time, and which differences mean something."), widgets::Glyph::Accuracy}})),
       m_stack(new QStackedWidget),
       m_case(new widgets::CasePanel),
       m_fragments(new widgets::FragmentsPanel),
       m_grid(new widgets::GridPanel),
       m_effects(new widgets::EffectsPanel),
-      m_run(new widgets::RunPanel) {
+      m_run(new widgets::RunPanel),
+      m_accuracy(new widgets::AccuracyPanel) {
     m_stack->setObjectName(QStringLiteral("panelStack"));
     for (widgets::Panel* panel : panels()) {
         m_stack->addWidget(panel);
@@ -76,7 +78,7 @@ PanelDeck::PanelDeck(Document& document, Computation& computation, QObject* pare
 }
 
 std::vector<widgets::Panel*> PanelDeck::panels() const {
-    return {m_case, m_fragments, m_grid, m_effects, m_run};
+    return {m_case, m_fragments, m_grid, m_effects, m_run, m_accuracy};
 }
 
 void PanelDeck::choose(Entry entry) {

@@ -3,6 +3,7 @@
 #include <QStackedWidget>
 #include <QWidget>
 
+#include "widgets/accuracy_panel.h"
 #include "widgets/panel.h"
 #include "widgets/run_panel.h"
 #include "widgets/stage_rail.h"
@@ -23,13 +24,14 @@ class PanelDeck : public QObject {
     Q_OBJECT
 
 public:
-    enum Entry { Case, Fragments, Grid, Effects, Run };
+    enum Entry { Case, Fragments, Grid, Effects, Run, Accuracy };
 
     PanelDeck(Document& document, Computation& computation, QObject* parent = nullptr);
 
     widgets::StageRail& rail() { return *m_rail; }
     widgets::EffectsPanel& effects() { return *m_effects; }
     widgets::RunPanel& run() { return *m_run; }
+    widgets::AccuracyPanel& accuracy() { return *m_accuracy; }
     QStackedWidget& stack() { return *m_stack; }
     void choose(Entry entry);
     /// Results have changed: shows them.
@@ -65,6 +67,7 @@ private:
     widgets::GridPanel* m_grid;
     widgets::EffectsPanel* m_effects;
     widgets::RunPanel* m_run;
+    widgets::AccuracyPanel* m_accuracy;
 };
 
 }  // namespace rubble

@@ -5,6 +5,7 @@
 #include <QPixmap>
 #include <cstdio>
 
+#include "app/gui/accuracy_display.h"
 #include "app/gui/main_window.h"
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
@@ -30,7 +31,8 @@ void Screenshot::look() {
     const bool prepared = computation.results().clustering != nullptr;
     const RunRecord* record = computation.currentRun();
     const bool simulated = record != nullptr && record->outcome != nullptr;
-    if (computation.busy() || !prepared || (m_simulated && !simulated)) {
+    const bool comparing = m_window.accuracy().waiting() || m_window.accuracy().work().running();
+    if (computation.busy() || comparing || !prepared || (m_simulated && !simulated)) {
         return;
     }
     m_timer.stop();

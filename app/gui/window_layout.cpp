@@ -7,15 +7,18 @@
 #include <QResizeEvent>
 #include <QSettings>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QToolBar>
 #include <QToolButton>
 
+#include "app/gui/accuracy_display.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/health_display.h"
 #include "app/gui/main_window.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
+#include "widgets/accuracy_page.h"
 #include "widgets/status_line.h"
 #include "widgets/timeline.h"
 #include "widgets/transport.h"
@@ -41,7 +44,10 @@ void MainWindow::buildLayout() {
     m_splitter->setChildrenCollapsible(false);
     m_deck->stack().setMinimumWidth(240);
     m_splitter->addWidget(&m_deck->stack());
-    m_splitter->addWidget(m_area);
+    m_centre = new QStackedWidget;
+    m_centre->addWidget(m_area);
+    m_centre->addWidget(m_accuracyPage);
+    m_splitter->addWidget(m_centre);
     m_splitter->setStretchFactor(1, 1);
     m_splitter->setSizes({panelWidth, 1000});
     upper->addWidget(&m_deck->rail());
@@ -227,7 +233,14 @@ void MainWindow::connectComputation() {
     const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
     on("simulate", [this] { simulate(false); });
     on("live", [this] { simulate(true); });
-    on("cancel", [this] { m_computation.cancel(); });
+    on("cancel", [this] {
+        // What runs in front first.
+        if (m_computation.busy()) {
+            m_computation.cancel();
+        } else {
+            m_accuracy->work().cancel();
+        }
+    });
     connect(m_deck, &PanelDeck::simulateRequested, this, [this] { simulate(false); });
     connect(m_deck, &PanelDeck::liveRequested, this, [this] { simulate(true); });
     connect(m_deck, &PanelDeck::cancelRequested, this, [this] { m_computation.cancel(); });
@@ -256,6 +269,17 @@ void MainWindow::connectPlayback() {
     on("forward_ten", [this] { m_playback->step(10); });
     on("first", [this] { m_playback->jumpToFirst(); });
     on("last", [this] { m_playback->jumpToLast(); });
+}
+
+void MainWindow::connectAccuracy() {
+    connect(&m_deck->stack(), &QStackedWidget::currentChanged, this,
+            [this](int entry) { m_centre->setCurrentIndex(entry == PanelDeck::Accuracy ? 1 : 0); });
+    connect(m_accuracy, &AccuracyDisplay::changed, this, &MainWindow::showState);
+    connect(m_accuracy, &AccuracyDisplay::told, m_status, &widgets::StatusLine::setMessage);
+    connect(m_accuracyPage, &widgets::AccuracyPage::saveTableRequested, this,
+            [this] { m_files->saveSweep(m_accuracy->work().report()); });
+    connect(m_accuracyPage, &widgets::AccuracyPage::saveChartRequested, this,
+            [this] { m_files->saveChart(m_accuracyPage->chart()); });
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

@@ -21,7 +21,7 @@ class Worker : public QObject {
 
 public:
     /// Kinds of work; a new job supersedes an older one of its kind.
-    enum class Kind { Open, Update, Simulate, Write };
+    enum class Kind { Open, Update, Simulate, Write, Study };
 
     struct Job {
         Kind kind;

@@ -90,6 +90,7 @@ public:
         }
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return m_worlds[a].weight > m_worlds[b].weight; });
+        tell();
         simulateTogether(order, m_options.jobs);
         // What found no memory beside others may find it alone.
         std::erase_if(order, [&](std::size_t i) { return m_worlds[i].world || !outOfMemory(m_worlds[i]); });
@@ -101,26 +102,35 @@ public:
 
     /// What the worlds that are there say.
     void measureAll() {
-        std::vector<std::optional<StudyWorld>> measured(m_worlds.size());
+        m_measured.resize(m_worlds.size());
         std::vector<const DebrisField*> floorFields;
         const std::size_t floorWorlds = std::min(m_worlds.size(), 1 + static_cast<std::size_t>(m_options.study.repeats));
         for (std::size_t i = 0; i < m_worlds.size(); ++i) {
-            if (m_worlds[i].world && (i == 0 || measured[0])) {
-                measured[i] = measureWorld(*m_worlds[i].world, m_base, m_options.study);
-                if (i < floorWorlds) {
-                    floorFields.push_back(&measured[i]->field);
-                }
+            if (m_worlds[i].world && !m_measured[i] && (i == 0 || m_measured[0])) {
+                m_measured[i] = measureWorld(*m_worlds[i].world, m_base, m_options.study);
+            }
+            if (m_measured[i] && i < floorWorlds) {
+                floorFields.push_back(&m_measured[i]->field);
             }
         }
-        if (measured.empty() || !measured[0]) {
+        if (m_measured.empty() || !m_measured[0]) {
             return;
         }
-        report.floor = floorOf(*measured[0], std::span(measured).subspan(1, floorWorlds - 1), m_base.scenario.fragments.seed);
+        report.floor = floorOf(*m_measured[0], std::span(m_measured).subspan(1, floorWorlds - 1), m_base.scenario.fragments.seed);
         report.spread = spreadOf(floorFields);
         for (std::size_t i = 0; i < m_worlds.size(); ++i) {
-            if (m_worlds[i].point && measured[i]) {
-                fill(*m_worlds[i].point, m_worlds[i], *measured[0], *measured[i]);
+            if (m_worlds[i].point && m_measured[i]) {
+                fill(*m_worlds[i].point, m_worlds[i], *m_measured[0], *m_measured[i]);
             }
+        }
+    }
+
+    /// Tells who listens what there is.
+    void tell() {
+        if (m_options.grown) {
+            const std::scoped_lock lock(m_mutex);
+            measureAll();
+            m_options.grown(report);
         }
     }
 
@@ -140,10 +150,13 @@ public:
             guarded(*world.point, [&] { measureCost(world, from, before / all); });
             if (world.point->cost.disturbed()) {
                 report.findings.add({"accuracy.disturbed", "Other programs worked on this machine while settings were timed.", {}},
-                                    {"accuracy.disturbed.remedy", "Time them again on a quiet machine with --retime.", {}},
+                                    {"accuracy.disturbed.remedy",
+                                     "Time them again on a quiet machine: --retime, or Measure times again in the Accuracy panel.",
+                                     {}},
                                     world.point->setting + ": " + englishNumber(100.0 * world.point->cost.othersShare) +
                                         " % of the processors' time");
             }
+            tell();
         }
     }
 
@@ -224,6 +237,7 @@ private:
         const auto simulated = [&] {
             SimulatedWorld made = simulateDebris(describe(world, own), own);
             keep([&](StudyStore& store) { store.keep(world.origin, made); });
+            const std::scoped_lock lock(m_mutex);
             world.world = std::move(made);
         };
         AccuracyPoint lost;
@@ -235,6 +249,7 @@ private:
                                 {"accuracy.repeat_lost.remedy", "Start again: what is done is kept.", {}},
                                 englishText(lost.failure));
         }
+        tell();
     }
 
     /// A setting that fails takes no other with it.
@@ -243,8 +258,10 @@ private:
         try {
             act();
         } catch (const std::bad_alloc&) {
+            const std::scoped_lock lock(m_mutex);
             point.failure = {std::string(memoryFailure), "there was not enough memory for it", {}};
         } catch (const Error& error) {
+            const std::scoped_lock lock(m_mutex);
             point.failure = error.message();
         }
     }
@@ -264,12 +281,15 @@ private:
     }
 
     void fill(AccuracyPoint& point, const SweepWorld& swept, const StudyWorld& reference, const StudyWorld& measured) {
-        point.done = true;
-        point.trajectoryHash = measured.trajectoryHash;
-        point.breaches = measured.breaches;
-        point.bodiesPeak = swept.world->bodiesPeak;
-        point.difference = compareDebris(reference.field, measured.field);
-        point.fragmentErrors = fragmentErrors(reference.field.debris, measured.field.debris);
+        if (!point.done) {
+            point.done = true;
+            point.trajectoryHash = measured.trajectoryHash;
+            point.breaches = measured.breaches;
+            point.bodiesPeak = swept.world->bodiesPeak;
+            point.difference = compareDebris(reference.field, measured.field);
+            point.fragmentErrors = fragmentErrors(reference.field.debris, measured.field.debris);
+        }
+        // The floor rises while its repeats come in.
         for (std::size_t m = 0; m < measureCount; ++m) {
             const Measure measure = static_cast<Measure>(m);
             point.standings[m] = point.trajectoryHash == reference.trajectoryHash
@@ -345,8 +365,9 @@ private:
     const AccuracyOptions& m_options;
     const Execution& m_execution;
     StudyBase m_base;
-    std::vector<SweepWorld> m_worlds;  ///< the reference, its repeats, the settings
-    std::mutex m_mutex;                ///< of findings while worlds run
+    std::vector<SweepWorld> m_worlds;                   ///< the reference, its repeats, the settings
+    std::vector<std::optional<StudyWorld>> m_measured;  ///< of the same
+    std::mutex m_mutex;                                 ///< of worlds, report and findings while worlds run
     bool m_screenWorks = true;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -15,6 +16,8 @@
 
 namespace rubble {
 
+struct AccuracyReport;
+
 /// How a sweep is made.
 struct AccuracyOptions {
     StudySettings study;
@@ -25,6 +28,9 @@ struct AccuracyOptions {
     ScreenMaker screen;           ///< for live FPS; null: not measured
     std::string machine;          ///< in words: what figures of time hold for
     StudyStore* store = nullptr;  ///< keeps worlds and costs; null: nothing is kept. Not owned
+    /// Called when the settings are known and whenever a world or a cost is done, with what there is by then: by one thread at a
+    /// time, but not always the same. Null: nobody listens.
+    std::function<void(const AccuracyReport&)> grown;
 };
 
 /// What one setting costs and how far its debris is from the reference.

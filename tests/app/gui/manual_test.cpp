@@ -40,13 +40,13 @@ TEST(Manual, EveryActionIsInItWithItsKey) {
 
 TEST(Manual, EveryOptionOfTheCommandLineIsInIt) {
     const QString manual = wholeManual();
-    for (const char* name : {"--sample", "--simulate", "--screenshot", "--time", "--size", "--theme"}) {
+    for (const char* name : {"--sample", "--simulate", "--accuracy", "--screenshot", "--time", "--size", "--theme"}) {
         EXPECT_TRUE(manual.contains(QLatin1String(name))) << name;
     }
 }
 
 TEST(Manual, HasAPageForEveryEntryOfTheRail) {
-    for (const char* title : {"Case", "Fragments", "Basic Grid", "Effects", "Run"}) {
+    for (const char* title : {"Case", "Fragments", "Basic Grid", "Effects", "Run", "Accuracy"}) {
         ManualWindow window;
         window.showPage(QLatin1String(title));
         EXPECT_TRUE(window.findChild<QTextBrowser*>()->toPlainText().startsWith(QLatin1String(title))) << title;

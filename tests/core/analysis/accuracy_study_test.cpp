@@ -93,6 +93,31 @@ void expectSame(const AccuracyReport& a, const AccuracyReport& b) {
     }
 }
 
+TEST_F(AccuracyStudy, TellsOfPointsAsTheyAreDone) {
+    std::vector<AccuracyReport> told;
+    options.jobs = 2;
+    options.timed = true;
+    options.grown = [&told](const AccuracyReport& report) { told.push_back(report); };
+    const AccuracyReport report = study();
+    // The settings, three worlds of the reference, three settings, and the cost of the reference and of each setting.
+    ASSERT_EQ(told.size(), 11u);
+    EXPECT_FALSE(told.front().reference.done);
+    EXPECT_EQ(told.front().points.size(), 3u) << "the settings are known before any is done";
+    const auto done = [](const AccuracyReport& r) {
+        return std::count_if(r.points.begin(), r.points.end(), [](const AccuracyPoint& p) { return p.done; });
+    };
+    for (std::size_t i = 1; i < told.size(); ++i) {
+        EXPECT_GE(done(told[i]), done(told[i - 1]));
+    }
+    EXPECT_EQ(done(told[6]), 3);
+    EXPECT_FALSE(told[6].points.back().cost.timed());
+    EXPECT_TRUE(told.back().points.back().cost.timed());
+    expectSame(told.back(), report);
+    // Nobody listening changes nothing but the times.
+    options.grown = nullptr;
+    expectSame(study(), report);
+}
+
 TEST_F(AccuracyStudy, ComparesEachSettingWithTheReference) {
     const AccuracyReport report = study();
     EXPECT_TRUE(report.complete);

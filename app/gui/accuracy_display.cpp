@@ -1,0 +1,165 @@
+#include "app/gui/accuracy_display.h"
+
+#include "app/gui/computation.h"
+#include "app/gui/document.h"
+#include "app/gui/panel_deck.h"
+#include "widgets/accuracy_page.h"
+#include "widgets/accuracy_words.h"
+
+namespace rubble {
+
+AccuracyDisplay::AccuracyDisplay(Document& document, Computation& computation, PanelDeck& deck, widgets::AccuracyPage& page,
+                                 QObject* parent)
+    : QObject(parent), m_document(document), m_computation(computation), m_deck(deck), m_page(page) {
+    connect(&m_work, &AccuracyWork::grew, this, &AccuracyDisplay::refresh);
+    connect(&m_work, &AccuracyWork::ended, this, &AccuracyDisplay::ended);
+    connect(&m_work, &AccuracyWork::progressed, this, [this](const QString& what, double fraction, double left) {
+        m_fraction = fraction;
+        m_deck.accuracy().setProgress(what, fraction, left);
+        showRail();
+    });
+    connect(&m_deck.accuracy(), &widgets::AccuracyPanel::compareRequested, this, &AccuracyDisplay::compare);
+    connect(&m_deck.accuracy(), &widgets::AccuracyPanel::cancelRequested, &m_work, &AccuracyWork::cancel);
+    connect(&m_page, &widgets::AccuracyPage::rowChosen, this, &AccuracyDisplay::adopt);
+    connect(&m_computation, &Computation::prepared, this, &AccuracyDisplay::prepared);
+    connect(&m_computation, &Computation::stateChanged, this, &AccuracyDisplay::showPanel);
+    connect(&m_document, &Document::scenarioChanged, this, &AccuracyDisplay::refresh);
+    m_deck.accuracy().setFolder(AccuracyWork::folder());
+    refresh();
+}
+
+void AccuracyDisplay::prepared() {
+    const void* fe = m_computation.inputs().fe.get();
+    if (fe != m_fe) {
+        // Points of another result say nothing here.
+        m_fe = fe;
+        m_work.clear();
+        m_deck.accuracy().setError({});
+        m_deck.accuracy().setFindings({});
+    }
+    refresh();
+    const bool ready =
+        m_computation.results().clustering != nullptr && !m_computation.stale(Stage::Clusters, m_document.scenario());
+    if (m_compareWhenReady && ready && !m_work.running()) {
+        m_compareWhenReady = false;
+        m_deck.choose(PanelDeck::Accuracy);
+        compare();
+    }
+}
+
+void AccuracyDisplay::compareWhenReady() {
+    m_compareWhenReady = true;
+}
+
+void AccuracyDisplay::compare() {
+    widgets::AccuracyPanel& panel = m_deck.accuracy();
+    if (m_computation.inputs().fe == nullptr || m_work.running() || m_computation.busy(Stage::Simulation)) {
+        return;
+    }
+    panel.setError({});
+    panel.setFindings({});
+    try {
+        m_work.start(m_computation.inputs(), m_document.scenario(), panel.request());
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        panel.setError(failure->what, failure->remedy);
+    }
+    m_fraction = 0.0;
+    panel.setProgress(tr("Preparing"), 0.0, std::numeric_limits<double>::quiet_NaN());
+    refresh();
+    emit changed();
+}
+
+void AccuracyDisplay::ended(const Failure* failure) {
+    if (failure != nullptr) {
+        m_deck.accuracy().setError(failure->what, failure->remedy);
+    } else if (m_work.report() != nullptr) {
+        m_deck.accuracy().setFindings(m_work.report()->findings);
+        emit told(m_work.report()->complete
+                      ? tr("Settings compared")
+                      : tr("The comparison is not complete; what is done is kept, and comparing again goes on"));
+    }
+    refresh();
+    emit changed();
+}
+
+void AccuracyDisplay::adopt(int row) {
+    const auto& report = m_work.report();
+    if (report == nullptr || m_document.empty()) {
+        return;
+    }
+    if (stale()) {
+        emit told(tr("These points belong to other settings of the case: compare again before one is used."));
+        return;
+    }
+    const AccuracyPoint& point =
+        row == widgets::referenceRow ? report->reference : report->points.at(static_cast<std::size_t>(row));
+    m_document.edit(tr("setting %1").arg(widgets::settingWords(point.setting)), point.scenario);
+}
+
+std::optional<int> AccuracyDisplay::rowInUse() const {
+    const auto& report = m_work.report();
+    if (report == nullptr || m_computation.inputs().fe == nullptr) {
+        return std::nullopt;
+    }
+    const Digest key = originOf(m_computation.inputs(), m_document.scenario(), 0, 0.0, m_work.machine()).key;
+    for (std::size_t i = 0; i < report->points.size(); ++i) {
+        if (report->points[i].origin.key == key) {
+            return static_cast<int>(i);
+        }
+    }
+    return report->reference.origin.key == key ? std::optional(widgets::referenceRow) : std::nullopt;
+}
+
+bool AccuracyDisplay::stale() const {
+    const auto& report = m_work.report();
+    if (report == nullptr || m_computation.inputs().fe == nullptr || rowInUse()) {
+        return false;
+    }
+    const Scenario reference = referenceScenario(m_document.scenario());
+    return originOf(m_computation.inputs(), reference, 0, 0.0, m_work.machine()).key != report->reference.origin.key;
+}
+
+void AccuracyDisplay::refresh() {
+    widgets::AccuracyPage::Content content;
+    content.report = m_work.report();
+    content.inUse = rowInUse();
+    content.stale = stale();
+    content.fpsTarget = m_document.scenario().grid.fpsTarget;
+    content.running = m_work.running();
+    m_page.setContent(content);
+    showPanel();
+}
+
+void AccuracyDisplay::showPanel() {
+    const auto& fe = m_computation.inputs().fe;
+    const Results& results = m_computation.results();
+    const bool none = results.fragments != nullptr && results.fragments->list.empty();
+    const bool simulating = m_computation.busy(Stage::Simulation);
+    QString why;
+    if (fe == nullptr) {
+        why = tr("Open a result first.");
+    } else if (none) {
+        why = tr("No element dies in this result, so there is nothing to compare.");
+    } else if (simulating) {
+        why = tr("A run is being simulated: comparing beside it would spoil the times. Wait for it or cancel it.");
+    } else if (m_work.running()) {
+        why = tr("Simulate waits until the comparison is through, so that its times hold. Settings can be edited meanwhile.");
+    }
+    m_deck.accuracy().setReady(fe != nullptr && !none && !simulating, m_work.running(), why);
+    showRail();
+}
+
+void AccuracyDisplay::showRail() {
+    using widgets::StageState;
+    const auto& report = m_work.report();
+    const bool done = report != nullptr && report->complete;
+    const StageState state = m_work.running()    ? StageState::Running
+                             : report == nullptr ? StageState::NotYet
+                             : !done || stale()  ? StageState::Stale
+                                                 : StageState::UpToDate;
+    const std::int64_t found = report != nullptr ? static_cast<std::int64_t>(report->findings.list().size()) : 0;
+    m_deck.rail().setState(PanelDeck::Accuracy, state, found, m_fraction);
+}
+
+}  // namespace rubble

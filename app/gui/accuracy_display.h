@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "app/gui/accuracy_work.h"
+
+namespace rubble {
+
+class Computation;
+class Document;
+class PanelDeck;
+namespace widgets {
+class AccuracyPage;
+}
+
+/// Brings the comparison of settings together with its panel, its page in the centre, the rail and the case: a point that is chosen
+/// becomes an undoable edit of the scenario.
+class AccuracyDisplay : public QObject {
+    Q_OBJECT
+
+public:
+    AccuracyDisplay(Document& document, Computation& computation, PanelDeck& deck, widgets::AccuracyPage& page,
+                    QObject* parent = nullptr);
+
+    AccuracyWork& work() { return m_work; }
+    /// Starts a comparison as soon as the case is prepared.
+    void compareWhenReady();
+    bool waiting() const { return m_compareWhenReady; }
+    /// Starts what the panel asks for.
+    void compare();
+    /// The scenario of a row becomes that of the case.
+    void adopt(int row);
+    /// Shows what is known now.
+    void refresh();
+
+signals:
+    /// A comparison began or ended.
+    void changed();
+    void told(const QString& what);
+
+private:
+    void prepared();
+    void ended(const Failure* failure);
+    void showPanel();
+    void showRail();
+    /// The row whose setting is that of the case.
+    std::optional<int> rowInUse() const;
+    /// The case has changed so that other points would come out.
+    bool stale() const;
+
+    Document& m_document;
+    Computation& m_computation;
+    PanelDeck& m_deck;
+    widgets::AccuracyPage& m_page;
+    AccuracyWork m_work;
+    const void* m_fe = nullptr;  // of the result that was compared
+    double m_fraction = 0.0;
+    bool m_compareWhenReady = false;
+};
+
+}  // namespace rubble

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <memory>
+
+#include "app/gui/worker.h"
+#include "core/analysis/accuracy_study.h"
+#include "widgets/accuracy_panel.h"
+
+namespace rubble {
+
+/// Compares settings in the background, on a worker of its own so that the case can be edited meanwhile. Points are there as they
+/// are done, and are kept in the user's cache as those of the command line are: a second start goes on from there.
+class AccuracyWork : public QObject {
+    Q_OBJECT
+
+public:
+    explicit AccuracyWork(QObject* parent = nullptr);
+
+    /// Starts a comparison; answers with grew(), progressed() and ended(). Throws UsageError for settings that cannot be swept.
+    void start(const Inputs& inputs, const Scenario& scenario, const widgets::AccuracyPanel::Request& request);
+    void cancel() { m_worker.cancel(); }
+    /// Cancels and forgets.
+    void clear();
+    bool running() const { return m_running; }
+    /// What there is; null before the first settings are known.
+    const std::shared_ptr<const AccuracyReport>& report() const { return m_report; }
+    const std::string& machine() const { return m_machine; }
+    /// Where worlds and costs are kept; empty if there is no place for them.
+    static QString folder();
+
+signals:
+    void grew();
+    /// @param secondsLeft  NaN: not known yet
+    void progressed(const QString& what, double fraction, double secondsLeft);
+    /// @param failure  null: it came to its end or was cancelled
+    void ended(const rubble::Failure* failure);
+
+private:
+    AccuracyReport compare(const Inputs& inputs, const Scenario& scenario, const std::vector<AccuracySetting>& settings,
+                           const widgets::AccuracyPanel::Request& request, int generation, const Execution& execution);
+    void take(int generation, std::shared_ptr<const AccuracyReport> report);
+    void showProgress(const Progress& progress);
+
+    std::string m_machine;
+    std::shared_ptr<const AccuracyReport> m_report;
+    bool m_running = false;
+    int m_generation = 0;  // what comes in from an older start is not taken
+    QElapsedTimer m_sinceStage;
+    std::string m_stage;
+    double m_firstFraction = 0.0;
+    // Last, so that it has ended before anything it uses goes.
+    Worker m_worker;
+};
+
+}  // namespace rubble

@@ -1,0 +1,101 @@
+#include "core/analysis/accuracy_front.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+bool overlap(Measure measure) {
+    return measure == Measure::CoreIou || measure == Measure::FootprintIou;
+}
+
+}  // namespace
+
+bool AccuracyKind::moreIsBetter() const {
+    return tolerance.has_value() || overlap(measure);
+}
+
+double costOf(const SettingCost& cost, CostKind kind) {
+    switch (kind) {
+        case CostKind::StepMean:
+            return cost.stepMeanMs;
+        case CostKind::Wall:
+            return cost.wallSeconds;
+        case CostKind::Fps:
+            return cost.fps;
+    }
+    return none;
+}
+
+double accuracyOf(const DebrisDifference& difference, const AccuracyKind& kind) {
+    if (!kind.tolerance) {
+        const double value = difference.of(kind.measure);
+        return overlap(kind.measure) ? value : std::abs(value);
+    }
+    const auto found = std::find(difference.tolerances.begin(), difference.tolerances.end(), *kind.tolerance);
+    const auto index = static_cast<std::size_t>(found - difference.tolerances.begin());
+    return index < difference.accuracy.size() ? difference.accuracy[index] : none;
+}
+
+std::optional<std::pair<double, double>> floorBand(const AccuracyReport& report, const AccuracyKind& kind) {
+    if (!report.floor || report.floor->repeats.empty()) {
+        return std::nullopt;
+    }
+    const double edge = accuracyOf(report.floor->largest, kind);
+    if (!std::isfinite(edge)) {
+        return std::nullopt;
+    }
+    return kind.moreIsBetter() ? std::pair(edge, 1.0) : std::pair(0.0, edge);
+}
+
+std::vector<std::size_t> paretoFront(std::span<const CostAccuracy> points, bool moreCostIsBetter, bool moreAccuracyIsBetter) {
+    const auto cost = [&](std::size_t i) { return moreCostIsBetter ? -points[i].cost : points[i].cost; };
+    const auto loss = [&](std::size_t i) { return moreAccuracyIsBetter ? -points[i].accuracy : points[i].accuracy; };
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (std::isfinite(points[i].cost) && std::isfinite(points[i].accuracy)) {
+            order.push_back(i);
+        }
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return cost(a) < cost(b) || (cost(a) == cost(b) && loss(a) < loss(b)); });
+    std::vector<std::size_t> front;
+    for (const std::size_t i : order) {
+        if (front.empty() || loss(i) < loss(front.back())) {
+            front.push_back(i);
+        }
+    }
+    if (moreCostIsBetter) {
+        std::reverse(front.begin(), front.end());
+    }
+    return front;
+}
+
+std::optional<double> costAtRate(std::span<const SettingCost> costs, CostKind kind, double target) {
+    if (kind == CostKind::Fps) {
+        return target;
+    }
+    std::vector<std::pair<double, double>> known;  // cost, FPS
+    for (const SettingCost& each : costs) {
+        const double cost = costOf(each, kind);
+        if (std::isfinite(cost) && cost > 0.0 && std::isfinite(each.fps) && each.fps > 0.0) {
+            known.emplace_back(cost, each.fps);
+        }
+    }
+    std::sort(known.begin(), known.end());
+    for (std::size_t i = 1; i < known.size(); ++i) {
+        const auto [lowCost, highRate] = known[i - 1];
+        const auto [highCost, lowRate] = known[i];
+        if (highRate >= target && lowRate <= target) {
+            const double share = highRate > lowRate ? std::log(highRate / target) / std::log(highRate / lowRate) : 0.5;
+            return lowCost * std::pow(highCost / lowCost, share);
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace rubble

@@ -1,0 +1,184 @@
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <fstream>
+#include <sstream>
+
+#include "app/gui/accuracy_display.h"
+#include "app/gui/file_commands.h"
+#include "app/gui/view_area.h"
+#include "core/analysis/sweep_table.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/app/gui/workbench.h"
+#include "widgets/accuracy_chart.h"
+#include "widgets/accuracy_page.h"
+#include "widgets/accuracy_table.h"
+
+namespace rubble {
+
+namespace {
+
+/// A window with a collapse of nine cubes, and a cache of its own.
+class AccuracyWorkbench : public Workbench {
+protected:
+    void SetUp() override {
+        qputenv("RUBBLE_CACHE", m_folder.filePath(QStringLiteral("cache")).toUtf8());
+        Workbench::SetUp();
+        const std::string path = m_folder.filePath(QStringLiteral("small.exo")).toStdString();
+        cli::writeSmallCollapse(path);
+        window->open(QString::fromStdString(path));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+        window->document().setParameter(QStringLiteral("settle_time"), 0.5);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+        window->deck().choose(PanelDeck::Accuracy);
+        panel().findChild<QLineEdit*>(QStringLiteral("multiples"))->setText(QStringLiteral("auto, 1, 2.5"));
+    }
+    void TearDown() override {
+        window.reset();
+        qunsetenv("RUBBLE_CACHE");
+    }
+    widgets::AccuracyPanel& panel() { return window->deck().accuracy(); }
+    widgets::AccuracyPage& page() { return window->accuracyPage(); }
+    const AccuracyReport& report() { return *window->accuracy().work().report(); }
+    void compare() {
+        panel().findChild<QPushButton*>(QStringLiteral("primary"))->click();
+        ASSERT_TRUE(window->accuracy().work().running());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->accuracy().work().running(); }, patience));
+    }
+    QTemporaryDir m_folder;
+};
+
+std::string textOf(const QString& path) {
+    std::ifstream in(path.toStdString(), std::ios::binary);
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+TEST_F(AccuracyWorkbench, ComparesShowsAndUsesASettingWhichUndoTakesBack) {
+    EXPECT_TRUE(page().isVisible()) << "the page takes the centre";
+    EXPECT_FALSE(window->area().isVisible());
+    EXPECT_EQ(rail(PanelDeck::Accuracy), widgets::StageState::NotYet);
+    compare();
+    ASSERT_TRUE(report().complete);
+    ASSERT_EQ(report().points.size(), 4u);
+    EXPECT_EQ(rail(PanelDeck::Accuracy), widgets::StageState::UpToDate);
+    for (const AccuracyPoint& point : report().points) {
+        EXPECT_TRUE(point.done && point.cost.timed()) << point.setting;
+        EXPECT_GT(point.cost.fps, 0.0) << point.setting << ": live FPS are drawn off screen";
+    }
+    EXPECT_EQ(page().table().rowCount(), 6);
+    widgets::AccuracyChart& chart = page().chart();
+    ASSERT_EQ(chart.content().points.size() + chart.content().left, 5u);
+    const auto inUse = [&chart]() -> int {
+        for (const auto& point : chart.content().points) {
+            if (point.inUse) {
+                return point.row;
+            }
+        }
+        return -2;
+    };
+    EXPECT_EQ(inUse(), 0) << "auto is what the case has";
+
+    // A click on the point of another setting.
+    const Scenario before = window->document().scenario();
+    const int edits = window->document().undoStack().count();
+    std::size_t other = 0;
+    while (chart.content().points[other].row != 3) {
+        ++other;
+    }
+    QTest::mouseMove(&chart, chart.placeOf(other).toPoint());
+    QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.placeOf(other).toPoint());
+    EXPECT_EQ(window->document().undoStack().count(), edits + 1);
+    EXPECT_NE(window->document().scenario(), before);
+    EXPECT_EQ(rail(PanelDeck::Accuracy), widgets::StageState::UpToDate) << "the points still hold";
+    ASSERT_GE(inUse(), 0);
+    EXPECT_EQ(window->document().scenario(), report().points[static_cast<std::size_t>(inUse())].scenario);
+    EXPECT_TRUE(window->document().undoStack().undoText().contains(QStringLiteral("setting")));
+    QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(window->document().scenario(), before);
+    EXPECT_EQ(inUse(), 0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+}
+
+TEST_F(AccuracyWorkbench, PointsOfAnotherCaseOfAffairsAreStaleAndCannotBeUsed) {
+    compare();
+    window->document().setParameter(QStringLiteral("friction"), 0.9);
+    EXPECT_EQ(rail(PanelDeck::Accuracy), widgets::StageState::Stale);
+    const Scenario before = window->document().scenario();
+    window->accuracy().adopt(1);
+    EXPECT_EQ(window->document().scenario(), before);
+    window->document().undoStack().undo();
+    EXPECT_EQ(rail(PanelDeck::Accuracy), widgets::StageState::UpToDate);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+}
+
+TEST_F(AccuracyWorkbench, FilesHoldTableAndChart) {
+    compare();
+    const auto at = [this](const char* name) { return m_folder.filePath(QLatin1String(name)); };
+    window->files().saveSweepTo(at("a.csv"), report());
+    std::stringstream expected;
+    writeSweepCsv(report(), expected);
+    EXPECT_EQ(textOf(at("a.csv")), expected.str());
+    EXPECT_TRUE(textOf(at("a.csv")).starts_with("setting,multiple_x,multiple_y,multiple_z,grid_l_m"));
+    window->files().saveChartTo(at("a.svg"), page().chart());
+    EXPECT_NE(textOf(at("a.svg")).find("<svg"), std::string::npos);
+    window->files().saveChartTo(at("a.png"), page().chart());
+    EXPECT_EQ(QImage(at("a.png")).size(), QSize(1920, 1280));
+    QString complaint;
+    QObject::connect(&window->files(), &FileCommands::failed, window.get(),
+                     [&complaint](const QString& what) { complaint = what; });
+    window->files().saveChartTo(at("nowhere/a.svg"), page().chart());
+    EXPECT_TRUE(complaint.contains(QStringLiteral("nowhere")));
+}
+
+TEST_F(AccuracyWorkbench, WhatIsKeptIsNotSimulatedAgain) {
+    compare();
+    const Digest hash = report().points[1].trajectoryHash;
+    EXPECT_FALSE(report().points[1].kept);
+    compare();
+    EXPECT_TRUE(report().points[1].kept);
+    EXPECT_EQ(report().points[1].trajectoryHash, hash);
+}
+
+TEST_F(AccuracyWorkbench, SettingsThatCannotBeComparedAreRefusedInPlace) {
+    panel().findChild<QLineEdit*>(QStringLiteral("varied"))->setText(QStringLiteral("gravity=1,2"));
+    panel().findChild<QPushButton*>(QStringLiteral("primary"))->click();
+    EXPECT_FALSE(window->accuracy().work().running());
+    bool told = false;
+    for (const widgets::Notice* notice : panel().findChildren<widgets::Notice*>()) {
+        told = told || notice->text().contains(QStringLiteral("gravity"));
+    }
+    EXPECT_TRUE(told);
+}
+
+TEST_F(AccuracyWorkbench, CancelKeepsWhatIsDoneAndSimulateWaits) {
+    panel().findChild<QSpinBox*>()->setValue(60);
+    panel().findChild<QPushButton*>(QStringLiteral("primary"))->click();
+    EXPECT_FALSE(window->actions()["simulate"].isEnabled()) << "a run beside it would spoil the times";
+    EXPECT_TRUE(window->actions()["cancel"].isEnabled());
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return window->accuracy().work().report() != nullptr && report().reference.done; }, patience));
+    if (window->accuracy().work().running()) {
+        window->accuracy().work().cancel();
+    }
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->accuracy().work().running(); }, patience));
+    EXPECT_TRUE(report().reference.done);
+    EXPECT_TRUE(window->actions()["simulate"].isEnabled());
+    // Another result has points of its own.
+    window->document().undoStack().setClean();
+    openArch();
+    EXPECT_EQ(window->accuracy().work().report(), nullptr);
+}
+
+TEST_F(AccuracyWorkbench, NothingIsClippedAtTheSmallestSize) {
+    compare();
+    EXPECT_EQ(window->size(), QSize(1280, 800));
+    EXPECT_LE(window->minimumSizeHint().width(), 1280);
+    EXPECT_LE(window->minimumSizeHint().height(), 800);
+}
+
+}  // namespace rubble

@@ -1,0 +1,162 @@
+#include "widgets/accuracy_panel.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <cmath>
+
+#include "widgets/wording.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+std::vector<std::string> listed(const QString& text) {
+    std::vector<std::string> values;
+    for (const QString& part : text.split(u',', Qt::SkipEmptyParts)) {
+        if (const QString value = part.trimmed(); !value.isEmpty()) {
+            values.push_back(value.toStdString());
+        }
+    }
+    return values;
+}
+
+}  // namespace
+
+AccuracyPanel::AccuracyPanel(QWidget* parent)
+    : Panel(tr("Accuracy"), tr("What accuracy costs in time, and which differences mean something."), parent),
+      m_multiples(new QLineEdit(QStringLiteral("auto, 1.5, 2, 3, 4"))),
+      m_varied(new QLineEdit),
+      m_repeats(new QSpinBox),
+      m_liveFps(new QCheckBox(tr("Measure live FPS"))),
+      m_retimed(new QCheckBox(tr("Measure times again"))),
+      m_compare(new QPushButton(tr("Compare"))),
+      m_cancel(new QPushButton(tr("Cancel"))),
+      m_why(new QLabel),
+      m_bar(new QProgressBar),
+      m_progress(new QLabel),
+      m_findings(new FindingList) {
+    auto* buttons = new QWidget;
+    auto* row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_compare, 1);
+    row->addWidget(m_cancel, 1);
+    m_compare->setObjectName(QStringLiteral("primary"));
+    m_compare->setToolTip(
+        tr("Simulate the reference, its repeats and every setting, measure them, and time each alone. What was "
+           "simulated before is not simulated again"));
+    m_cancel->setToolTip(tr("Stop comparing; what is done is kept, and comparing again goes on from there"));
+    m_cancel->setObjectName(QStringLiteral("cancelComparison"));
+    addWide(buttons);
+    m_why->setObjectName(QStringLiteral("muted"));
+    m_why->setWordWrap(true);
+    addWide(m_why);
+    m_bar->setTextVisible(false);
+    m_bar->setRange(0, 1000);
+    m_bar->setAccessibleName(tr("Progress of the comparison"));
+    m_progress->setObjectName(QStringLiteral("muted"));
+    m_progress->setWordWrap(true);
+    addWide(m_bar);
+    addWide(m_progress);
+    buildChoices();
+    addWide(m_findings);
+    connect(m_compare, &QPushButton::clicked, this, &AccuracyPanel::compareRequested);
+    connect(m_multiples, &QLineEdit::returnPressed, m_compare, &QPushButton::click);
+    connect(m_varied, &QLineEdit::returnPressed, m_compare, &QPushButton::click);
+    connect(m_cancel, &QPushButton::clicked, this, &AccuracyPanel::cancelRequested);
+    setReady(false, false, tr("Open a result first."));
+}
+
+void AccuracyPanel::buildChoices() {
+    PanelGroup* group = addGroup(tr("Settings to compare"));
+    const auto field = [group](const QString& name, QWidget* editor, const QString& tip) {
+        auto* label = new QLabel(name);
+        label->setWordWrap(true);
+        label->setBuddy(editor);
+        label->setToolTip(tip);
+        editor->setToolTip(tip);
+        editor->setAccessibleName(name);
+        group->addWide(label);
+        group->addWide(editor);
+    };
+    m_multiples->setObjectName(QStringLiteral("multiples"));
+    m_varied->setObjectName(QStringLiteral("varied"));
+    m_varied->setPlaceholderText(QStringLiteral("cluster_shape=oriented_box,hull"));
+    field(
+        tr("Multiples of the mean distance"), m_multiples,
+        tr("Sizes of the Basic Grid, as multiples of the mean distance of adjacent fragments (no unit), separated by commas; auto "
+           "is the size that the program finds. Empty: the grid as set"));
+    field(tr("Other parameters to vary"), m_varied,
+          tr("Values of other parameters in every combination, such as cluster_shape=oriented_box,hull; several parameters are "
+             "separated by "
+             "semicolons. The manual lists all parameters"));
+    m_repeats->setRange(1, 100);
+    m_repeats->setValue(2);
+    field(tr("Repeats of the reference"), m_repeats,
+          tr("How often the reference is repeated with births shifted by a micrometre: what its own debris differs by says what a "
+             "difference means. Each takes as long as the reference"));
+    m_liveFps->setChecked(true);
+    m_liveFps->setToolTip(tr("Draw each setting once off screen, as live mode would, and count frames per second"));
+    group->addWide(m_liveFps);
+    m_retimed->setToolTip(tr("Times and live FPS that are kept do not count: for a machine that is quiet now"));
+    group->addWide(m_retimed);
+    group->addNote(
+        tr("The settings of the published method are compared too. A body for every fragment, the reference, is "
+           "the slowest of all: it can take many times as long as the run itself."));
+    m_folder = group->addNote({});
+    m_folder->setTextInteractionFlags(Qt::TextSelectableByMouse);
+}
+
+AccuracyPanel::Request AccuracyPanel::request() const {
+    Request request;
+    request.multiples = listed(m_multiples->text());
+    for (const QString& part : m_varied->text().split(u';', Qt::SkipEmptyParts)) {
+        if (part.trimmed().isEmpty()) {
+            continue;
+        }
+        const qsizetype sign = part.indexOf(u'=');
+        request.varied.push_back(
+            {part.left(sign).trimmed().toStdString(), sign < 0 ? std::vector<std::string>() : listed(part.mid(sign + 1))});
+    }
+    request.repeats = m_repeats->value();
+    request.liveFps = m_liveFps->isChecked();
+    request.retimed = m_retimed->isChecked();
+    return request;
+}
+
+void AccuracyPanel::setReady(bool ready, bool running, const QString& why) {
+    m_compare->setEnabled(ready && !running);
+    m_compare->setVisible(!running);
+    m_cancel->setVisible(running);
+    for (QWidget* editor : std::initializer_list<QWidget*>{m_multiples, m_varied, m_repeats, m_liveFps, m_retimed}) {
+        editor->setEnabled(!running);
+    }
+    m_why->setText(why);
+    m_why->setVisible(!why.isEmpty());
+    m_bar->setVisible(running);
+    m_progress->setVisible(running);
+}
+
+void AccuracyPanel::setProgress(const QString& what, double fraction, double secondsLeft) {
+    m_bar->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
+    QString text = what.left(1).toUpper() + what.mid(1);
+    if (std::isfinite(secondsLeft)) {
+        text += tr(" · about %1 left").arg(shownDuration(secondsLeft));
+    }
+    m_progress->setText(text);
+}
+
+void AccuracyPanel::setFindings(const Findings& findings) {
+    m_findings->set(findings);
+}
+
+void AccuracyPanel::setFolder(const QString& folder) {
+    m_folder->setText(tr("What is done is kept in %1, so that a second start goes on from there.").arg(folder));
+    m_folder->setVisible(!folder.isEmpty());
+}
+
+}  // namespace rubble::widgets

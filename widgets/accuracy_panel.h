@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/analysis/accuracy_settings.h"
+#include "widgets/panel.h"
+
+class QCheckBox;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace rubble::widgets {
+
+/// Which settings to compare, and how far the comparison is.
+class AccuracyPanel : public Panel {
+    Q_OBJECT
+
+public:
+    explicit AccuracyPanel(QWidget* parent = nullptr);
+
+    /// What the user asks for.
+    struct Request {
+        std::vector<std::string> multiples;  ///< of the mean distance, "auto" among them; empty: the grid as set
+        std::vector<VariedParameter> varied;
+        int repeats = 2;
+        bool liveFps = true;
+        bool retimed = false;  ///< times that are kept do not count
+    };
+    Request request() const;
+    /// @param why  it cannot be started, or what happens meanwhile
+    void setReady(bool ready, bool running, const QString& why);
+    /// @param secondsLeft  NaN: not known yet
+    void setProgress(const QString& what, double fraction, double secondsLeft);
+    void setFindings(const Findings& findings);
+    /// Where finished worlds are kept.
+    void setFolder(const QString& folder);
+
+signals:
+    void compareRequested();
+    void cancelRequested();
+
+private:
+    void buildChoices();
+
+    QLineEdit* m_multiples;
+    QLineEdit* m_varied;
+    QSpinBox* m_repeats;
+    QCheckBox* m_liveFps;
+    QCheckBox* m_retimed;
+    QPushButton* m_compare;
+    QPushButton* m_cancel;
+    QLabel* m_why;
+    QProgressBar* m_bar;
+    QLabel* m_progress;
+    QLabel* m_folder = nullptr;
+    FindingList* m_findings;
+};
+
+}  // namespace rubble::widgets

@@ -1,0 +1,350 @@
+#include "widgets/accuracy_plot.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "core/analysis/accuracy_settings.h"
+#include "widgets/accuracy_words.h"
+#include "widgets/timeline.h"
+#include "widgets/wording.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+constexpr double reach = 14.0;      // px, of the mouse
+constexpr double tickSpace = 56.0;  // px, that one tick of an axis takes at least
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("accuracy", text);
+}
+
+/// 1, 2, 5 or 1, 3 times the powers of ten between two figures, as many as there is room for.
+std::vector<double> logTicks(double low, double high, double room) {
+    std::vector<double> ticks;
+    for (const auto& steps : {std::vector<double>{1.0, 2.0, 5.0}, std::vector<double>{1.0, 3.0}, std::vector<double>{1.0}}) {
+        ticks.clear();
+        for (int power = static_cast<int>(std::floor(std::log10(low))); std::pow(10.0, power) <= high; ++power) {
+            for (const double step : steps) {
+                const double tick = step * std::pow(10.0, power);
+                if (tick >= low * (1.0 - 1e-9) && tick <= high * (1.0 + 1e-9)) {
+                    ticks.push_back(tick);
+                }
+            }
+        }
+        if (static_cast<double>(ticks.size()) <= room) {
+            break;
+        }
+    }
+    return ticks;
+}
+
+/// The next number of the form 1, 2, 3 or 5 times a power of ten, down or up.
+double roundOut(double value, bool up) {
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    const std::array<double, 6> steps{1.0, 2.0, 3.0, 5.0, 10.0, 20.0};
+    double found = steps[0];
+    for (const double step : steps) {
+        if (up && step * power >= value * (1.0 - 1e-9)) {
+            return step * power;
+        }
+        if (!up && step * power <= value * (1.0 + 1e-9)) {
+            found = step;
+        }
+    }
+    return found * power;
+}
+
+}  // namespace
+
+PlotContent plotContent(const AccuracyReport& report, CostKind cost, const AccuracyKind& accuracy, std::optional<int> inUse,
+                        double fpsTarget) {
+    PlotContent content;
+    content.cost = cost;
+    content.accuracy = accuracy;
+    content.band = floorBand(report, accuracy);
+    content.fpsTarget = fpsTarget;
+    std::vector<SettingCost> costs;
+    const auto add = [&](const AccuracyPoint& point, int row) {
+        PlotPoint shown{row, settingWords(point.setting), pointWords(point), {costOf(point.cost, cost), 0.0}};
+        shown.at.accuracy = point.done ? accuracyOf(point.difference, accuracy) : std::numeric_limits<double>::quiet_NaN();
+        shown.published = row != referenceRow && point.setting == paperSetting;
+        shown.inUse = inUse == row;
+        if (point.done && std::isfinite(shown.at.cost) && shown.at.cost > 0.0 && std::isfinite(shown.at.accuracy)) {
+            content.points.push_back(std::move(shown));
+        } else {
+            ++content.left;
+        }
+        costs.push_back(point.cost);
+    };
+    add(report.reference, referenceRow);
+    for (std::size_t i = 0; i < report.points.size(); ++i) {
+        add(report.points[i], static_cast<int>(i));
+    }
+    std::stable_sort(content.points.begin(), content.points.end(),
+                     [](const PlotPoint& a, const PlotPoint& b) { return a.at.cost < b.at.cost; });
+    // The reference agrees with itself, which is no merit: it is on no front.
+    std::vector<CostAccuracy> places;
+    for (const PlotPoint& point : content.points) {
+        places.push_back(point.at);
+        if (point.row == referenceRow) {
+            places.back().accuracy = std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+    for (const std::size_t i : paretoFront(places, cost == CostKind::Fps, accuracy.moreIsBetter())) {
+        content.points[i].front = true;
+    }
+    content.target = costAtRate(costs, cost, fpsTarget);
+    return content;
+}
+
+double AccuracyPlot::Axis::share(double value) const {
+    return logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+}
+
+AccuracyPlot::AccuracyPlot(const PlotContent& content, const QRectF& area, const QFont& font, const figures::Palette& palette)
+    : m_content(content), m_area(area), m_font(font), m_palette(palette) {
+    const QFontMetricsF metrics(m_font);
+    const double line = metrics.height();
+    m_frame = area.adjusted(2.0 * line + metrics.horizontalAdvance(QStringLiteral("0.000")), 1.2 * line, -1.5 * line, -3.4 * line);
+    m_cost = costAxis();
+    m_accuracy = accuracyAxis();
+}
+
+AccuracyPlot::Axis AccuracyPlot::costAxis() const {
+    Axis axis;
+    axis.logarithmic = true;
+    double low = m_content.points.empty() ? 1.0 : m_content.points.front().at.cost;
+    double high = m_content.points.empty() ? 100.0 : m_content.points.back().at.cost;
+    if (m_content.target && *m_content.target > 0.0) {
+        low = std::min(low, *m_content.target);
+        high = std::max(high, *m_content.target);
+    }
+    axis.low = roundOut(low / 1.15, false);
+    axis.high = roundOut(high * 1.15, true);
+    axis.ticks = logTicks(axis.low, axis.high, m_frame.width() / tickSpace);
+    return axis;
+}
+
+AccuracyPlot::Axis AccuracyPlot::accuracyAxis() const {
+    Axis axis;
+    const bool more = m_content.accuracy.moreIsBetter();
+    double low = more ? 1.0 : 0.0;
+    double high = low;
+    const auto hold = [&](double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    };
+    for (const PlotPoint& point : m_content.points) {
+        hold(point.at.accuracy);
+    }
+    if (m_content.band) {
+        hold(m_content.band->first);
+        hold(m_content.band->second);
+    }
+    const double least = more ? 0.1 : 0.01;
+    const double span = std::max(high - low, least);
+    const double step = roundStep(span * 1.1, std::max(2.0, m_frame.height() / tickSpace));
+    axis.low = more ? std::max(0.0, std::floor((1.0 - 1.05 * span) / step + 1e-9) * step) : 0.0;
+    axis.high = more ? 1.0 : std::ceil(1.05 * span / step - 1e-9) * step;
+    for (double tick = axis.low; tick <= axis.high + 0.01 * step; tick += step) {
+        axis.ticks.push_back(tick);
+    }
+    return axis;
+}
+
+QPointF AccuracyPlot::place(const CostAccuracy& at) const {
+    return {m_frame.left() + m_cost.share(at.cost) * m_frame.width(),
+            m_frame.bottom() - m_accuracy.share(at.accuracy) * m_frame.height()};
+}
+
+std::optional<std::size_t> AccuracyPlot::pointAt(const QPointF& at) const {
+    std::optional<std::size_t> found;
+    double nearest = reach;
+    for (std::size_t i = 0; i < m_content.points.size(); ++i) {
+        const QPointF apart = place(m_content.points[i].at) - at;
+        const double distance = std::hypot(apart.x(), apart.y());
+        if (distance <= nearest) {
+            nearest = distance;
+            found = i;
+        }
+    }
+    return found;
+}
+
+void AccuracyPlot::paint(QPainter& painter) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(m_font);
+    paintBand(painter);
+    paintAxes(painter);
+    std::vector<QRectF> taken;
+    paintTarget(painter, taken);
+    paintFront(painter);
+    for (const PlotPoint& point : m_content.points) {
+        paintPoint(painter, point);
+        const QPointF at = place(point.at);
+        taken.emplace_back(at - QPointF(radius, radius), at + QPointF(radius, radius));
+    }
+    paintNames(painter, taken);
+}
+
+void AccuracyPlot::paintAxes(QPainter& painter) const {
+    const double line = QFontMetricsF(m_font).height();
+    for (const double tick : m_cost.ticks) {
+        const double x = place({tick, m_accuracy.low}).x();
+        painter.setPen(QPen(m_palette.hairline, 1.0));
+        painter.drawLine(QPointF(x, m_frame.top()), QPointF(x, m_frame.bottom()));
+        painter.setPen(m_palette.muted);
+        painter.drawText(QRectF(x - 40.0, m_frame.bottom() + 4.0, 80.0, line), Qt::AlignHCenter | Qt::AlignTop,
+                         QLocale().toString(tick, 'g', 6));
+    }
+    for (const double tick : m_accuracy.ticks) {
+        const double y = place({m_cost.low, tick}).y();
+        painter.setPen(QPen(m_palette.hairline, 1.0));
+        painter.drawLine(QPointF(m_frame.left(), y), QPointF(m_frame.right(), y));
+        painter.setPen(m_palette.muted);
+        const double shown = m_content.accuracy.tolerance ? 100.0 * tick : tick;
+        painter.drawText(QRectF(m_area.left(), y - line, m_frame.left() - m_area.left() - 6.0, 2.0 * line),
+                         Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(std::round(shown * 1e6) / 1e6, 'g', 4));
+    }
+    painter.setPen(m_palette.muted);
+    painter.drawText(QRectF(m_area.left(), m_frame.bottom() + 1.7 * line, m_area.width(), line),
+                     Qt::AlignHCenter | Qt::AlignVCenter, costAxisWords(m_content.cost));
+    painter.save();
+    painter.translate(m_area.left() + 0.8 * line, m_frame.center().y());
+    painter.rotate(-90.0);
+    const QString words = QFontMetricsF(m_font).elidedText(accuracyAxisWords(m_content.accuracy), Qt::ElideRight, m_area.height());
+    painter.drawText(QRectF(-0.5 * m_area.height(), -0.6 * line, m_area.height(), 1.2 * line), Qt::AlignCenter, words);
+    painter.restore();
+}
+
+void AccuracyPlot::paintBand(QPainter& painter) const {
+    if (!m_content.band) {
+        return;
+    }
+    const double top = std::max(m_frame.top(), place({m_cost.low, m_content.band->second}).y());
+    const double bottom = std::min(m_frame.bottom(), place({m_cost.low, m_content.band->first}).y());
+    const QRectF band(QPointF(m_frame.left(), top), QPointF(m_frame.right(), std::max(bottom, top + 1.0)));
+    painter.fillRect(band, m_palette.accentTint);
+    // Hatched and named, so that the band is not told by its colour alone.
+    painter.fillRect(band, QBrush(m_palette.hairline, Qt::BDiagPattern));
+}
+
+void AccuracyPlot::paintTarget(QPainter& painter, std::vector<QRectF>& taken) const {
+    const QFontMetricsF metrics(m_font);
+    const auto write = [&](QRectF at, const QString& words, const QColor& colour) {
+        painter.setPen(colour);
+        painter.fillRect(at.adjusted(-2.0, 0.0, 2.0, 0.0), m_palette.chip);
+        painter.drawText(at, Qt::AlignCenter, words);
+        taken.push_back(at);
+    };
+    if (m_content.target) {
+        const double x = place({*m_content.target, m_accuracy.low}).x();
+        painter.setPen(QPen(m_palette.good, 1.5, Qt::DashLine));
+        painter.drawLine(QPointF(x, m_frame.top()), QPointF(x, m_frame.bottom()));
+        const QString words = tr("%1 FPS on this machine").arg(QLocale().toString(m_content.fpsTarget, 'g', 4));
+        const QSizeF size(metrics.horizontalAdvance(words) + 2.0, metrics.height());
+        const bool right = x + 8.0 + size.width() < m_frame.right();
+        write({QPointF(right ? x + 6.0 : x - 6.0 - size.width(), m_frame.bottom() - size.height() - 4.0), size}, words,
+              m_palette.good);
+    }
+    if (m_content.band) {
+        const QString words = tr("repeat floor of the reference");
+        const QSizeF size(metrics.horizontalAdvance(words) + 2.0, metrics.height());
+        const bool up = m_content.accuracy.moreIsBetter();
+        const double edge = place({m_cost.low, up ? m_content.band->first : m_content.band->second}).y();
+        const double inside = up ? edge - size.height() - 3.0 : edge + 3.0;
+        const double outside = up ? edge + 3.0 : edge - size.height() - 3.0;
+        const double right = m_frame.right() - size.width() - 6.0;
+        // Where no point lies; the first place if points lie everywhere.
+        std::vector<QRectF> places;
+        for (const double y : {inside, outside}) {
+            for (const double x : {m_frame.left() + 6.0, right, 0.5 * (m_frame.left() + right)}) {
+                places.emplace_back(QPointF(x, std::clamp(y, m_frame.top() + 2.0, m_frame.bottom() - size.height() - 2.0)), size);
+            }
+        }
+        const auto free = std::find_if(places.begin(), places.end(), [&](const QRectF& where) {
+            const QRectF around = where.adjusted(-2.0 * radius, -2.0 * radius, 2.0 * radius, 2.0 * radius);
+            return std::none_of(m_content.points.begin(), m_content.points.end(),
+                                [&](const PlotPoint& point) { return around.contains(place(point.at)); });
+        });
+        write(free != places.end() ? *free : places.front(), words, m_palette.accent);
+    }
+}
+
+void AccuracyPlot::paintFront(QPainter& painter) const {
+    QPolygonF front;
+    for (const PlotPoint& point : m_content.points) {
+        if (point.front) {
+            front << place(point.at);
+        }
+    }
+    painter.setPen(QPen(m_palette.muted, 1.4));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(front);
+}
+
+void AccuracyPlot::paintPoint(QPainter& painter, const PlotPoint& point) const {
+    const QPointF at = place(point.at);
+    const bool reference = point.row == referenceRow;
+    const QColor colour = point.published ? m_palette.fragment : reference ? m_palette.text : m_palette.accent;
+    painter.setPen(QPen(point.front || point.published || reference ? colour : m_palette.muted, 1.6));
+    painter.setBrush(point.front ? colour : m_palette.panel);
+    if (point.published) {
+        painter.setBrush(m_palette.fragment);
+        painter.drawRect(QRectF(at - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius)).adjusted(0.5, 0.5, -0.5, -0.5));
+    } else if (reference) {
+        painter.drawPolygon(QPolygonF(
+            {at - QPointF(0, radius + 1), at + QPointF(radius + 1, 0), at + QPointF(0, radius + 1), at - QPointF(radius + 1, 0)}));
+    } else {
+        painter.drawEllipse(at, radius, radius);
+    }
+    if (point.inUse) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(m_palette.accent, 1.8));
+        painter.drawEllipse(at, radius + 4.5, radius + 4.5);
+    }
+}
+
+void AccuracyPlot::paintNames(QPainter& painter, std::vector<QRectF>& taken) const {
+    // What is marked is named first; other names only where they fit.
+    std::vector<const PlotPoint*> order;
+    for (const PlotPoint& point : m_content.points) {
+        order.push_back(&point);
+    }
+    const auto rank = [](const PlotPoint* p) {
+        return p->inUse ? 0 : p->published ? 1 : p->row == referenceRow ? 2 : p->front ? 3 : 4;
+    };
+    std::stable_sort(order.begin(), order.end(), [&](const PlotPoint* a, const PlotPoint* b) { return rank(a) < rank(b); });
+    for (const PlotPoint* point : order) {
+        QFont font = m_font;
+        font.setBold(point->inUse);
+        const QFontMetricsF metrics(font);
+        const QString name = point->inUse ? tr("%1 (in use)").arg(point->name) : point->name;
+        const QSizeF size(metrics.horizontalAdvance(name) + 2.0, metrics.height());
+        const QPointF at = place(point->at);
+        const double gap = radius + (point->inUse ? 8.0 : 4.0);
+        const std::array<QPointF, 5> corners{{{at.x() + gap, at.y() - 0.5 * size.height()},
+                                              {at.x() - 0.5 * size.width(), at.y() - gap - size.height()},
+                                              {at.x() - 0.5 * size.width(), at.y() + gap},
+                                              {at.x() - gap - size.width(), at.y() - 0.5 * size.height()},
+                                              {at.x() - gap - size.width(), at.y() + 2.0}}};
+        for (const QPointF& corner : corners) {
+            const QRectF where(corner, size);
+            const bool free = m_frame.contains(where) && std::none_of(taken.begin(), taken.end(),
+                                                                      [&](const QRectF& other) { return other.intersects(where); });
+            if (free) {
+                painter.setFont(font);
+                painter.setPen(point->published ? m_palette.fragment : point->inUse ? m_palette.text : m_palette.muted);
+                painter.drawText(where, Qt::AlignCenter, name);
+                taken.push_back(where);
+                break;
+            }
+        }
+    }
+    painter.setFont(m_font);
+}
+
+}  // namespace rubble::widgets

@@ -330,7 +330,7 @@ void repose(const CaseSetting& setting, Outcome& outcome) {
     Pile pile(scene);
     Sequence random(35);
     // Six cubes at a time, let go a little above the top of the heap.
-    const int pours = setting.small ? 60 : 130;
+    const int pours = setting.small ? 90 : 130;
     double top = 0.0;
     for (int pour = 0; pour < pours; ++pour) {
         for (int i = 0; i < 6; ++i) {

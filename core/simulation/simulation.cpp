@@ -398,12 +398,13 @@ double Collapse::asleep() const {
 }
 
 void Collapse::settle() {
-    const double dt = 1.0 / m_stepRate;
+    const auto steps = static_cast<std::int64_t>(std::ceil(m_settings.settleTime * m_stepRate - 1e-6));
     const double from = m_times.back();
     double nextRow = from + 1.0;
     m_structure.hold();
     const auto atRest = [this] { return asleep() >= asleepShare && m_islands.atRest(*m_world); };
-    for (std::int64_t i = 1; !atRest() && static_cast<double>(i) * dt <= m_settings.settleTime + 1e-9; ++i) {
+    for (std::int64_t i = 1; !atRest() && i <= steps; ++i) {
+        const double dt = m_settings.settleTime / static_cast<double>(steps);
         advance(dt, from + static_cast<double>(i) * dt, [](double) {});
         if (m_recorder.due(m_time)) {
             record(FrameKind::Simulated);

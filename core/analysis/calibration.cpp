@@ -212,7 +212,8 @@ Calibration calibrate(const CalibrationSettings& settings, const Execution& exec
         const Execution own([&](const Progress&) {
             execution.report({"analysis.calibration", "measuring this machine", {}}, std::min(0.999, before / all));
         });
-        PileMeasurement measurement(settings, calibration, own.withThreads(execution.threads()));
+        const Execution measuring = own.withThreads(execution.threads());
+        PileMeasurement measurement(settings, calibration, measuring);
         for (const std::int64_t n : bodies) {
             for (const PileKind kind : {PileKind::Typical, PileKind::Worst}) {
                 calibration.points.push_back(measurement.measure(kind, n));

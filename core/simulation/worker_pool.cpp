@@ -17,7 +17,7 @@ void pause() {
 /// Looks at an atomic before a thread goes to sleep: most loops of a step follow each other within microseconds, and waking a
 /// thread takes longer than most of them. No thread lets others go first: on a machine with other work it would get its core back
 /// milliseconds later.
-constexpr int patience = 2000;
+constexpr int patience = 20000;
 
 /// Waits until the atomic is no longer `old`.
 template <class T>

@@ -3,6 +3,8 @@
 #include <array>
 #include <string>
 
+#include "io/series/byte_window.h"
+
 namespace rubble::io {
 
 namespace {
@@ -26,18 +28,10 @@ constexpr std::array<Family, 32> families{
      {"T3D3", ElementShape::Beam},          {"PIPE31", ElementShape::Beam},       {"PIPE32", ElementShape::Beam},
      {"FRAME3D", ElementShape::Beam},       {"ELBOW31", ElementShape::Beam}}};
 
-std::string upperCase(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) {
-        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    }
-    return result;
-}
-
 }  // namespace
 
 std::optional<ElementShape> shapeOfAbaqus(std::string_view type) {
-    const std::string name = upperCase(type);
+    const std::string name = upperCase(std::string(type));
     for (const Family& family : families) {
         if (name.starts_with(family.prefix)) {
             return family.shape;
@@ -47,7 +41,7 @@ std::optional<ElementShape> shapeOfAbaqus(std::string_view type) {
 }
 
 bool isFlatAbaqus(std::string_view type) {
-    const std::string name = upperCase(type);
+    const std::string name = upperCase(std::string(type));
     return name.starts_with("CPE") || name.starts_with("CPS") || name.starts_with("CAX") || name.starts_with("CGAX");
 }
 

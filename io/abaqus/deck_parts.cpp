@@ -7,17 +7,13 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "io/series/byte_window.h"
+
 namespace rubble::io {
 
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-std::string upperCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    return text;
-}
 
 std::uint32_t partNamed(const std::string& name, Mesh& mesh) {
     for (std::size_t p = 0; p < mesh.parts.size(); ++p) {

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "io/series/byte_window.h"
 #include "io/series/numbered_files.h"
 
 namespace rubble::io {
@@ -22,23 +23,6 @@ std::string trimmed(const std::string& text) {
     const char* blanks = " \t\r\n";
     const std::size_t first = text.find_first_not_of(blanks);
     return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-}
-
-std::string upperCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    return text;
-}
-
-std::vector<std::string> fieldsOf(const std::string& line) {
-    std::vector<std::string> fields;
-    std::size_t start = 0;
-    for (std::size_t comma = line.find(','); comma != std::string::npos; comma = line.find(',', start)) {
-        fields.push_back(trimmed(line.substr(start, comma - start)));
-        start = comma + 1;
-    }
-    fields.push_back(trimmed(line.substr(start)));
-    return fields;
 }
 
 std::optional<double> realOf(std::string text) {

@@ -6,29 +6,13 @@
 
 #include "core/base/error.h"
 #include "io/ansys/ansys_elements.h"
+#include "io/series/byte_window.h"
 
 namespace rubble::io {
 
 namespace {
 
 constexpr std::size_t headerFields = 11;  // of an element, before its nodes
-
-std::string upperCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    return text;
-}
-
-std::vector<std::string> fieldsOf(const std::string& line) {
-    std::vector<std::string> fields;
-    std::size_t start = 0;
-    for (std::size_t comma = line.find(','); comma != std::string::npos; comma = line.find(',', start)) {
-        fields.push_back(column(line, start, comma - start));
-        start = comma + 1;
-    }
-    fields.push_back(column(line, start, line.size()));
-    return fields;
-}
 
 /// A Fortran format of integers and then reals: "(3i9,6e21.13e3)".
 struct BlockFormat {

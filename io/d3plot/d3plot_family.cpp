@@ -179,7 +179,8 @@ void D3plotFamily::readBytes(std::int64_t word, std::span<unsigned char> bytes) 
     }
 }
 
-void D3plotFamily::readFloats(std::int64_t word, std::span<double> values) const {
+template <class Value>
+void D3plotFamily::readWords(std::int64_t word, std::span<Value> values, Value (*valueOf)(const unsigned char*, WordFormat)) const {
     std::vector<unsigned char> bytes;
     const auto chunk = static_cast<std::size_t>(chunkBytes / m_format.bytes);
     const auto width = static_cast<std::size_t>(m_format.bytes);
@@ -188,25 +189,18 @@ void D3plotFamily::readFloats(std::int64_t word, std::span<double> values) const
         bytes.resize(count * width);
         readBytes(word + static_cast<std::int64_t>(done), bytes);
         for (std::size_t i = 0; i < count; ++i) {
-            values[done + i] = floatOfWord(bytes.data() + i * width, m_format);
+            values[done + i] = valueOf(bytes.data() + i * width, m_format);
         }
         done += count;
     }
 }
 
+void D3plotFamily::readFloats(std::int64_t word, std::span<double> values) const {
+    readWords(word, values, floatOfWord);
+}
+
 void D3plotFamily::readIntegers(std::int64_t word, std::span<std::int64_t> values) const {
-    std::vector<unsigned char> bytes;
-    const auto chunk = static_cast<std::size_t>(chunkBytes / m_format.bytes);
-    const auto width = static_cast<std::size_t>(m_format.bytes);
-    for (std::size_t done = 0; done < values.size();) {
-        const std::size_t count = std::min(chunk, values.size() - done);
-        bytes.resize(count * width);
-        readBytes(word + static_cast<std::int64_t>(done), bytes);
-        for (std::size_t i = 0; i < count; ++i) {
-            values[done + i] = integerOfWord(bytes.data() + i * width, m_format);
-        }
-        done += count;
-    }
+    readWords(word, values, integerOfWord);
 }
 
 double D3plotFamily::readFloat(std::int64_t word) const {

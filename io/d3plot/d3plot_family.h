@@ -58,6 +58,8 @@ private:
     class Handle;
 
     void readBytes(std::int64_t word, std::span<unsigned char> bytes) const;
+    template <class Value>
+    void readWords(std::int64_t word, std::span<Value> values, Value (*valueOf)(const unsigned char*, WordFormat)) const;
     std::shared_ptr<const Handle> handleOf(std::size_t file) const;
 
     std::vector<std::string> m_files;

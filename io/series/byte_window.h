@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace rubble::io {
 
@@ -41,6 +42,10 @@ private:
 
 /// A field of fixed columns of a line, without blanks around it; empty where the line ends before.
 std::string column(const std::string& line, std::size_t first, std::size_t width);
+/// The fields of a line between commas, without blanks around them. Never empty.
+std::vector<std::string> fieldsOf(const std::string& line);
+/// With letters a to z as capitals, whatever the locale.
+std::string upperCase(std::string text);
 /// The number in a field. @return false if it is none
 bool toInteger(const std::string& text, std::int64_t& value);
 /// The same for reals, as Fortran writes them: exponents D, and without a letter.

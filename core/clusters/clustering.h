@@ -50,9 +50,10 @@ struct Clustering {
     }
 };
 
-/// Among the fragments of one birth (taken over at one state, ending at one time) those with the same groups along all three axes
-/// are one cluster; then split by component, unless settings.acrossComponents, and by velocity (splitByVelocity()). Every fragment
-/// is in exactly one cluster; mass, momentum and angular momentum are those of the members to rounding. With
+/// Among the fragments of one birth (taken over at one state, ending at one time): settings.grouping nested cuts those of each
+/// component, or all with settings.acrossComponents, until they are compact (NestedCuts); axes joins those with the same groups
+/// along all three axes and splits by component, unless settings.acrossComponents. Then both split by velocity (splitByVelocity()).
+/// Every fragment is in exactly one cluster; mass, momentum and angular momentum are those of the members to rounding. With
 /// settings.oneBodyPerFragment the grid is not read. Throws Cancelled.
 Clustering makeClusters(const FragmentSet& fragments, const Mesh& mesh, const BasicGrid& grid, const GridSettings& settings,
                         const Execution& execution);

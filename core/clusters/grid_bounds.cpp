@@ -75,7 +75,7 @@ std::array<AxisSizing, 3> boundGrid(const FragmentSet& fragments, const Mesh& me
         sizing.meanDistance = orderFragments(fragments, mesh, centres, everyone, axis).meanDistance();
         sizing.efficiencyMin = sizing.meanDistance * std::cbrt(perBody);
         boundByFragments(sizing, axis, fragments);
-        sizing.accuracyMax = extent[axis];
+        sizing.extent = sizing.accuracyMax = extent[axis];
         boundByComponents(sizing, axis, components);
     }
     return axes;
@@ -122,7 +122,7 @@ void reportConflict(const AxisSizing& sizing, int axis, const FragmentSet& fragm
 }
 
 void reportOutside(const AxisSizing& sizing, int axis, const FragmentSet& fragments, const Mesh& mesh, const Components& components,
-                   Findings& findings) {
+                   bool byComponents, Findings& findings) {
     if (sizing.largestFragment && sizing.size < sizing.accuracyMin) {
         const std::string element = std::to_string(elementOf(*sizing.largestFragment, fragments, mesh));
         findings.add(
@@ -133,7 +133,7 @@ void reportOutside(const AxisSizing& sizing, int axis, const FragmentSet& fragme
             {"sizing.below_fragment.remedy", "Fragments wider than the grid mostly stand alone; raise it for fewer bodies", {}},
             "element " + element);
     }
-    if (sizing.smallestComponent && sizing.size > sizing.accuracyMax) {
+    if (byComponents && sizing.smallestComponent && sizing.size > sizing.accuracyMax) {
         findings.add({std::string("sizing.above_component.") + axisName(axis),
                       "Along {0} the grid of {1} is larger than the smallest structural component, \"{2}\" with {3}",
                       {axisName(axis), Argument(sizing.size, "m"), components.list[at(*sizing.smallestComponent)].name,

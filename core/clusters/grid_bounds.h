@@ -25,7 +25,8 @@ void reportConflict(const AxisSizing& sizing, int axis, const FragmentSet& fragm
                     const Components& components, Findings& findings);
 
 /// Tells where a size set by hand lies outside the bounds.
+/// @param byComponents  the smallest component is one of them
 void reportOutside(const AxisSizing& sizing, int axis, const FragmentSet& fragments, const Mesh& mesh, const Components& components,
-                   Findings& findings);
+                   bool byComponents, Findings& findings);
 
 }  // namespace rubble

@@ -114,6 +114,11 @@ AxisRange rangeOf(const AxisSizing& bounds) {
     return {bounds.accuracyMin, bounds.accuracyMax, ClampedBy::FragmentSize, highBy};
 }
 
+AxisRange nestedRange(const AxisSizing& bounds) {
+    // Two masses at the ends of a box spread three times as far as the material that fills it.
+    return {0.0, 2.0 * bounds.extent, ClampedBy::None, ClampedBy::None};
+}
+
 void searchGrid(Partitioner& partitioner, const std::array<AxisRange, 3>& ranges, const GridSettings& settings,
                 const Execution& execution, Sizing& sizing) {
     Count count(partitioner, ranges, settings, execution, sizing);

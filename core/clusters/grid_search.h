@@ -26,6 +26,9 @@ AxisRange fixedRange(double size);
 /// component, the size of the largest fragment.
 AxisRange rangeOf(const AxisSizing& bounds);
 
+/// Of nested clusters, which keep within a component whatever the grid: from nothing to where all that may be joined is joined.
+AxisRange nestedRange(const AxisSizing& bounds);
+
 /// Chooses the sizes (DESIGN.md 2.2) and fills sizing.grid, clusters, commonMultiple, stoppedBy and the chosen part of every axis.
 ///
 /// Every axis takes the size nearest to the common multiple times its mean distance within its range, so an axis that is held

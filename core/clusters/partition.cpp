@@ -10,7 +10,7 @@
 
 namespace rubble {
 
-Partitioner::Partitioner(const FragmentSet& fragments, const Mesh& mesh) {
+Partitioner::Partitioner(const FragmentSet& fragments, const Mesh& mesh) : m_cuts(fragments, mesh) {
     std::map<std::pair<std::uint32_t, double>, std::size_t> births;
     for (std::uint32_t f = 0; f < fragments.size(); ++f) {
         const Fragment& fragment = fragments.list[f];
@@ -40,6 +40,13 @@ const Partition& Partitioner::at(const std::array<double, 3>& size, const GridSe
         std::iota(m_partition.members.begin(), m_partition.members.end(), 0u);
         m_partition.sizes.assign(m_masses.size(), 1u);
         m_partition.productGroups = m_masses.size();
+        return m_partition;
+    }
+    if (settings.grouping == Grouping::Nested) {
+        for (const Birth& birth : m_births) {
+            execution.check();
+            cutBirth(birth, size, settings);
+        }
         return m_partition;
     }
     for (int axis = 0; axis < 3; ++axis) {
@@ -89,6 +96,17 @@ void Partitioner::sortStably(std::span<const std::uint32_t> key, std::uint32_t k
     m_order.swap(m_sorted);
 }
 
+/// Puts the places of a birth into m_order and their components, as far as these keep clusters apart, into m_componentOf.
+void Partitioner::orderByComponent(std::span<const std::uint32_t> fragments, const GridSettings& settings) {
+    m_componentOf.clear();
+    for (const std::uint32_t f : fragments) {
+        m_componentOf.push_back(settings.acrossComponents ? 0 : m_component[f]);
+    }
+    m_order.resize(fragments.size());
+    std::iota(m_order.begin(), m_order.end(), 0u);
+    sortStably(m_componentOf, settings.acrossComponents ? 1 : m_components);
+}
+
 void Partitioner::divideBirth(std::size_t birth, std::size_t offset, const GridSettings& settings) {
     const std::vector<std::uint32_t>& fragments = m_births[birth].fragments;
     const std::size_t n = fragments.size();
@@ -96,13 +114,7 @@ void Partitioner::divideBirth(std::size_t birth, std::size_t offset, const GridS
     for (std::size_t axis = 0; axis < 3; ++axis) {
         label[axis] = std::span(m_axis[axis].label).subspan(offset, n);
     }
-    m_componentOf.clear();
-    for (const std::uint32_t f : fragments) {
-        m_componentOf.push_back(settings.acrossComponents ? 0 : m_component[f]);
-    }
-    m_order.resize(n);
-    std::iota(m_order.begin(), m_order.end(), 0u);
-    sortStably(m_componentOf, settings.acrossComponents ? 1 : m_components);
+    orderByComponent(fragments, settings);
     for (const std::size_t axis : {2u, 1u, 0u}) {
         sortStably(label[axis], m_axis[axis].groups[birth]);
     }
@@ -121,16 +133,46 @@ void Partitioner::divideBirth(std::size_t birth, std::size_t offset, const GridS
         for (std::size_t k = first; k < last; ++k) {
             m_partition.members.push_back(fragments[m_order[k]]);
         }
-        const std::size_t before = m_partition.sizes.size();
-        if (settings.velocityTolerance > 0.0 && last - first > 1) {
-            rubble::splitByVelocity(m_masses, settings.velocityTolerance, std::span(m_partition.members).subspan(begin),
-                                    m_partition.sizes);
-        } else {
-            m_partition.sizes.push_back(static_cast<std::uint32_t>(last - first));
-        }
-        m_partition.splitByVelocity += m_partition.sizes.size() - before - 1;
+        const std::size_t firstSize = m_partition.sizes.size();
+        m_partition.sizes.push_back(static_cast<std::uint32_t>(last - first));
+        splitByVelocity(begin, firstSize, settings);
         first = last;
     }
+}
+
+void Partitioner::cutBirth(const Birth& birth, const std::array<double, 3>& size, const GridSettings& settings) {
+    const std::size_t firstMember = m_partition.members.size();
+    const std::size_t firstSize = m_partition.sizes.size();
+    orderByComponent(birth.fragments, settings);
+    for (const std::uint32_t place : m_order) {
+        m_partition.members.push_back(birth.fragments[place]);
+    }
+    for (std::size_t first = 0; first < m_order.size();) {
+        std::size_t last = first + 1;
+        while (last < m_order.size() && m_componentOf[m_order[last]] == m_componentOf[m_order[first]]) {
+            ++last;
+        }
+        m_cuts.cut(size, std::span(m_partition.members).subspan(firstMember + first, last - first), m_partition.sizes);
+        first = last;
+    }
+    m_partition.productGroups += m_partition.sizes.size() - firstSize;
+    splitByVelocity(firstMember, firstSize, settings);
+}
+
+/// Splits the clusters from `firstSize` on, whose members begin at `firstMember`.
+void Partitioner::splitByVelocity(std::size_t firstMember, std::size_t firstSize, const GridSettings& settings) {
+    if (!(settings.velocityTolerance > 0.0)) {
+        return;
+    }
+    const std::vector<std::uint32_t> whole(m_partition.sizes.begin() + static_cast<std::ptrdiff_t>(firstSize),
+                                           m_partition.sizes.end());
+    m_partition.sizes.resize(firstSize);
+    for (const std::uint32_t size : whole) {
+        rubble::splitByVelocity(m_masses, settings.velocityTolerance, std::span(m_partition.members).subspan(firstMember, size),
+                                m_partition.sizes);
+        firstMember += size;
+    }
+    m_partition.splitByVelocity += m_partition.sizes.size() - firstSize - whole.size();
 }
 
 }  // namespace rubble

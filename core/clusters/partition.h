@@ -8,6 +8,7 @@
 #include "core/base/execution.h"
 #include "core/clusters/axis_grouping.h"
 #include "core/clusters/axis_order.h"
+#include "core/clusters/nested_cuts.h"
 #include "core/clusters/rigid_motion.h"
 #include "core/fragments/fragment_set.h"
 
@@ -17,7 +18,7 @@ namespace rubble {
 struct Partition {
     std::vector<std::uint32_t> members;  ///< fragment indices, ascending within each cluster
     std::vector<std::uint32_t> sizes;    ///< members of each cluster
-    std::size_t productGroups = 0;       ///< before the splits
+    std::size_t productGroups = 0;       ///< of the grid, before the splits
     std::size_t splitByComponent = 0;    ///< clusters added by the split
     std::size_t splitByVelocity = 0;
 
@@ -31,7 +32,8 @@ class Partitioner {
 public:
     Partitioner(const FragmentSet& fragments, const Mesh& mesh);
 
-    /// Product of the groups along the axes, then split by component and velocity as the settings say. @param size  [3] m
+    /// Nested cuts within each component, or the product of the groups along the axes split by component; then split by velocity as
+    /// the settings say. @param size  [3] m
     /// The reference stays valid until the next call. Throws Cancelled.
     const Partition& at(const std::array<double, 3>& size, const GridSettings& settings, const Execution& execution);
 
@@ -52,7 +54,10 @@ private:
     };
 
     void groupAxis(int axis, double size, const Execution& execution);
+    void orderByComponent(std::span<const std::uint32_t> fragments, const GridSettings& settings);
     void divideBirth(std::size_t birth, std::size_t offset, const GridSettings& settings);
+    void cutBirth(const Birth& birth, const std::array<double, 3>& size, const GridSettings& settings);
+    void splitByVelocity(std::size_t firstMember, std::size_t firstSize, const GridSettings& settings);
     void sortStably(std::span<const std::uint32_t> key, std::uint32_t keys);
 
     std::vector<MovingMass> m_masses;        ///< [fragments]
@@ -61,6 +66,7 @@ private:
     std::vector<Birth> m_births;
     std::array<AxisLabels, 3> m_axis;
     AxisGrouping m_grouping;
+    NestedCuts m_cuts;
     Partition m_partition;
     std::vector<std::uint32_t> m_order;   ///< places within the birth at hand
     std::vector<std::uint32_t> m_sorted;  ///< working copy of the order

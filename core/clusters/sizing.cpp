@@ -115,6 +115,8 @@ Sizing sizeBasicGrid(const FragmentSet& fragments, const Mesh& mesh, const Compo
     if (!settings.oneBodyPerFragment) {
         reportManyBirths(partitioner, sizing, settings, execution, sizing.findings);
     }
+    // Nested clusters keep within a component however large the grid.
+    const bool boundByComponents = settings.grouping == Grouping::Axes || settings.acrossComponents;
     std::array<AxisRange, 3> ranges;
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
@@ -125,15 +127,17 @@ Sizing sizeBasicGrid(const FragmentSet& fragments, const Mesh& mesh, const Compo
         } else if (byHand) {
             ranges[a] = fixedRange(*byHand);
         } else {
-            ranges[a] = rangeOf(bounds);
-            reportConflict(bounds, axis, fragments, mesh, components, sizing.findings);
+            ranges[a] = boundByComponents ? rangeOf(bounds) : nestedRange(bounds);
+            if (boundByComponents) {
+                reportConflict(bounds, axis, fragments, mesh, components, sizing.findings);
+            }
         }
     }
     searchGrid(partitioner, ranges, settings, execution, sizing);
     for (int axis = 0; axis < 3 && !settings.oneBodyPerFragment; ++axis) {
         const AxisSizing& chosen = sizing.axis[static_cast<std::size_t>(axis)];
         if (sizeByHand(axis, chosen.meanDistance, settings)) {
-            reportOutside(chosen, axis, fragments, mesh, components, sizing.findings);
+            reportOutside(chosen, axis, fragments, mesh, components, boundByComponents, sizing.findings);
         }
     }
     if (!settings.oneBodyPerFragment) {

@@ -35,6 +35,7 @@ struct AxisSizing {
     double efficiencyMin = 0.0;  ///< h_eff_min = d cbrt(N_f / N_A^max), m; a guide
     double accuracyMin = 0.0;    ///< h_acc_min, m: outer size of the largest fragment
     double accuracyMax = 0.0;  ///< h_acc_max, m: smallest size of a structural component; extent of all fragments if there is none
+    double extent = 0.0;       ///< of all fragments, m: beyond it nothing is left to join
     std::optional<FragmentId> largestFragment;
     std::optional<ComponentId> smallestComponent;
     double size = 0.0;      ///< the chosen size, m

@@ -70,6 +70,10 @@ std::vector<Parameter> sizingRows() {
                 "Frames per second of wall clock that live mode should reach.")
         .integer("bodies_max", 1, 10000000, RUBBLE_AT(grid.bodiesMax), "Bodies allowed here",
                  "Most rigid bodies that this machine carries at the live frame rate. More bodies: finer debris, slower run.")
+        .choice(
+            "grouping", {"nested", "axes"}, RUBBLE_AT(grid.grouping), "Grouping",
+            "nested: the fragments of a component that are born together are cut in two, again and again, until each cluster is "
+            "as compact as a full box of the Basic Grid. axes: those with the same groups along x, y and z, as published.")
         .number("multiple", "x d", 0.01, 1000, RUBBLE_AT(grid.multiple), "Multiple of mean distance",
                 "Size of the Basic Grid as a multiple of the mean distance of adjacent fragments. Automatic: the smallest that "
                 "keeps to "

@@ -253,6 +253,7 @@ void applyPreset(Scenario& scenario, std::string_view name) {
     const Scenario defaults;
     const auto method = [&scenario, &defaults] {
         scenario.fragments.birthVelocity = defaults.fragments.birthVelocity;
+        scenario.grid.grouping = defaults.grid.grouping;
         scenario.grid.acrossComponents = defaults.grid.acrossComponents;
         scenario.grid.oneBodyPerFragment = defaults.grid.oneBodyPerFragment;
         scenario.grid.velocityTolerance = defaults.grid.velocityTolerance;
@@ -275,6 +276,7 @@ void applyPreset(Scenario& scenario, std::string_view name) {
     } else if (name == "paper") {
         method();
         scenario.fragments.birthVelocity = BirthVelocity::Rest;
+        scenario.grid.grouping = Grouping::Axes;
         scenario.grid.velocityTolerance = 0.0;
         scenario.simulation.solver = SolverKind::Bullet;
         scenario.simulation.shape = ClusterShape::AxisBox;

@@ -16,6 +16,8 @@ namespace rubble {
 enum class BirthTime { State, Exact };
 enum class Revival { Latch, Follow, Refuse };
 enum class BirthVelocity { Fe, Rest };
+/// How the fragments of one birth become clusters.
+enum class Grouping { Nested, Axes };
 enum class ClusterShape { AxisBox, OrientedBox, Hull, Compound };
 enum class PieceKind { None, ComponentBox, GridBoxes, Surface };
 enum class SolverKind { SoftStep, Bullet };
@@ -46,8 +48,9 @@ struct FragmentSettings {
 };
 
 struct GridSettings {
-    double fpsTarget = 24.0;          ///< live FPS
-    std::int64_t bodiesMax = 4500;    ///< N_A^max
+    double fpsTarget = 24.0;        ///< live FPS
+    std::int64_t bodiesMax = 4500;  ///< N_A^max
+    Grouping grouping = Grouping::Nested;
     std::optional<double> multiple;   ///< common multiple of the mean distance; unset: searched
     std::optional<double> length;     ///< l, m along x; unset: from the multiple
     std::optional<double> width;      ///< w, m along y

@@ -22,8 +22,14 @@ Clustering cluster(const FragmentBlocks& blocks, const BasicGrid& grid, const Gr
     return makeClusters(blocks.set, blocks.mesh, grid, settings, Execution());
 }
 
-GridSettings withoutVelocitySplit() {
+GridSettings alongAxes() {
     GridSettings settings;
+    settings.grouping = Grouping::Axes;
+    return settings;
+}
+
+GridSettings withoutVelocitySplit() {
+    GridSettings settings = alongAxes();
     settings.velocityTolerance = 0.0;
     return settings;
 }
@@ -136,10 +142,14 @@ TEST(Clustering, EveryFragmentOnceAndMomentaConservedWithAllSplits) {
     std::mt19937 random(2);
     for (int round = 0; round < 40; ++round) {
         const FragmentBlocks blocks = randomBlocks(random, 4, 50, 2.0);
-        const Clustering clustering = cluster(blocks, {3.0, 3.0, 3.0}, {});
+        const Clustering clustering = cluster(blocks, {3.0, 3.0, 3.0}, alongAxes());
         EXPECT_GT(clustering.splitByVelocity, 0u);
         EXPECT_GT(clustering.splitByComponent, 0u);
         expectSound(blocks, clustering);
+        const Clustering nested = cluster(blocks, {3.0, 3.0, 3.0}, {});
+        EXPECT_GT(nested.splitByVelocity, 0u);
+        EXPECT_EQ(nested.splitByComponent, 0u);
+        expectSound(blocks, nested);
     }
 }
 
@@ -198,6 +208,7 @@ TEST(Partitioner, WhatItKeepsBetweenGridsChangesNothing) {
         }
         settings.velocityTolerance = random() % 2 ? 0.5 : 0.0;
         settings.acrossComponents = random() % 2 == 0;
+        settings.grouping = random() % 2 ? Grouping::Nested : Grouping::Axes;
         Partitioner fresh(blocks.set, blocks.mesh);
         const Partition& a = kept.at(size, settings, Execution());
         const Partition& b = fresh.at(size, settings, Execution());

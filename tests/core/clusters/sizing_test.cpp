@@ -25,6 +25,7 @@ std::size_t countAt(const FragmentBlocks& blocks, const BasicGrid& grid, const G
 
 GridSettings atMost(std::int64_t bodies) {
     GridSettings settings;
+    settings.grouping = Grouping::Axes;
     settings.bodiesMax = bodies;
     return settings;
 }
@@ -97,7 +98,7 @@ TEST(Sizing, AnAxisThatIsHeldLeavesItsShareToTheOthers) {
 
 TEST(Sizing, TheRefinedMultipleIsTheLeastToAThousandth) {
     const Sizing sizing = size(cubes(), atMost(8));
-    GridSettings settings;
+    const GridSettings settings = atMost(8);
     BasicGrid smaller = sizing.grid;
     for (double* s : {&smaller.l, &smaller.w, &smaller.h}) {
         *s /= 1.0011;
@@ -178,7 +179,7 @@ TEST(Sizing, FindsAGridThatSufficesEvenWhereTheUpperBoundsDoNot) {
                 const AxisSizing& axis = limits.axis[a];
                 s[a] = std::max(axis.accuracyMin, std::min(axis.accuracyMax, multiple * axis.meanDistance));
             }
-            last = countAt(blocks, {s[0], s[1], s[2]}, {});
+            last = countAt(blocks, {s[0], s[1], s[2]}, atMost(1));
             fewest = std::min(fewest, last);
         }
         EXPECT_EQ(last, limits.clusters);
@@ -186,7 +187,7 @@ TEST(Sizing, FindsAGridThatSufficesEvenWhereTheUpperBoundsDoNot) {
         const Sizing sizing = size(blocks, atMost(static_cast<std::int64_t>(fewest)));
         EXPECT_EQ(sizing.stoppedBy, StoppedBy::Efficiency);
         EXPECT_LE(sizing.clusters, fewest);
-        EXPECT_EQ(sizing.clusters, countAt(blocks, sizing.grid, {}));
+        EXPECT_EQ(sizing.clusters, countAt(blocks, sizing.grid, atMost(1)));
     }
     EXPECT_GT(upperBoundWasWorse, 0);
 }
@@ -259,6 +260,40 @@ TEST(Sizing, WithoutAStructuralComponentTheFragmentsThemselvesEndTheSearch) {
     EXPECT_EQ(sizing.clusters, 1u);
     EXPECT_DOUBLE_EQ(sizing.axis[0].accuracyMax, 6.0);
     EXPECT_FALSE(sizing.axis[0].smallestComponent);
+}
+
+TEST(Sizing, NestedClustersAreHeldByNoComponent) {
+    FragmentBlocks blocks = cubes();
+    blocks.component("thin slab", Vec3::Zero(), Vec3(6.0, 4.0, 0.5));
+    GridSettings settings;
+    settings.bodiesMax = 2;
+    const Sizing sizing = size(blocks, settings);
+    EXPECT_EQ(sizing.stoppedBy, StoppedBy::Efficiency);
+    EXPECT_LE(sizing.clusters, 2u);
+    EXPECT_EQ(sizing.clusters, countAt(blocks, sizing.grid, settings));
+    EXPECT_GT(sizing.grid.h, 0.5);
+    for (const AxisSizing& axis : sizing.axis) {
+        EXPECT_EQ(axis.clampedBy, ClampedBy::None);
+        EXPECT_NEAR(axis.multiple, sizing.commonMultiple, 1e-12);
+    }
+    EXPECT_TRUE(sizing.findings.empty()) << allText(sizing.findings);
+    settings.multiple = 7.0;
+    EXPECT_TRUE(size(blocks, settings).findings.empty());
+    settings.acrossComponents = true;
+    EXPECT_EQ(size(blocks, settings).findings.count("sizing.above_component.z"), 1);
+}
+
+TEST(Sizing, NestedClustersEndWhereEachBirthOfAComponentIsOne) {
+    FragmentBlocks halves = cubes();
+    for (std::size_t f = 0; f < halves.set.size(); ++f) {
+        halves.set.list[f].handOverState = f < 60 ? 0 : 1;
+    }
+    GridSettings settings;
+    settings.bodiesMax = 1;
+    const Sizing sizing = size(halves, settings);
+    EXPECT_EQ(sizing.stoppedBy, StoppedBy::FpsUnreachable);
+    EXPECT_EQ(sizing.clusters, 2u);
+    EXPECT_EQ(sizing.findings.count("sizing.fps_unreachable"), 1);
 }
 
 TEST(Sizing, CancelStopsIt) {

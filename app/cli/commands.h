@@ -16,6 +16,7 @@ Command accuracyCommand();
 Command calibrateCommand();
 Command exportCommand();
 Command figureCommand();
+Command mapCommand();
 Command verifyCommand();
 Command acknowledgeCommand();
 Command selfTestCommand();

@@ -69,6 +69,13 @@ std::vector<Option> withFigureOptions(std::vector<Option> options) {
     return options;
 }
 
+std::vector<Option> withMapOptions(std::vector<Option> options) {
+    for (const Option& option : MapRequest::options()) {
+        options.push_back(option);
+    }
+    return options;
+}
+
 }  // namespace
 
 Command exportCommand() {
@@ -76,7 +83,7 @@ Command exportCommand() {
             "RUN",
             "tables, ParaView series and figures of a run",
             "Writes files from a recorded run. The FE file is found by its path and SHA-256.",
-            withFigureOptions({ExportRequest::option(), feOption(), runTerrainOption()}),
+            withMapOptions(withFigureOptions({ExportRequest::option(), feOption(), runTerrainOption()})),
             exportRun};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/cli/option_value.h"
 #include "app/cli/output_file.h"
 #include "core/base/error.h"
 #include "io/exports.h"
@@ -11,10 +12,12 @@ namespace rubble::cli {
 Option ExportRequest::option() {
     return {"--export", "KIND=PATH", true,
             "fragments=F.csv: a table of all fragments; series=D.pvd: fragments and structure over time for ParaView; "
-            "figure=F.png: a picture"};
+            "figure=F.png: a picture; "
+            "debris-map=F.tif (.gpkg, .csv, .png): a debris map; footprint=F.gpkg: its outline, contours and fragments"};
 }
 
-ExportRequest::ExportRequest(const Arguments& arguments, std::span<const std::string> inputs) : m_figure(arguments) {
+ExportRequest::ExportRequest(const Arguments& arguments, std::span<const std::string> inputs)
+    : m_figure(arguments), m_map(arguments) {
     for (const std::string& text : arguments.values("--export")) {
         const auto [kind, path] = splitAssignment("--export", text);
         if (kind == "fragments") {
@@ -23,9 +26,17 @@ ExportRequest::ExportRequest(const Arguments& arguments, std::span<const std::st
             m_rows.push_back({Kind::Series, path});
         } else if (kind == "figure") {
             m_rows.push_back({Kind::Figure, path});
+        } else if (kind == "debris-map") {
+            MapRequest::checkFormat("--export debris-map", path);
+            m_rows.push_back({Kind::Map, path});
+        } else if (kind == "footprint") {
+            if (!path.ends_with(".gpkg")) {
+                throw wrongValue("--export footprint", path, "a GeoPackage, whose name ends in .gpkg");
+            }
+            m_rows.push_back({Kind::Map, path});
         } else {
             throw UsageError({"cli.export_kind", "--export {0}: there is no export of the kind \"{1}\".", {text, kind}},
-                             {"cli.export_kind.remedy", "Kinds: fragments, series, figure.", {}});
+                             {"cli.export_kind.remedy", "Kinds: fragments, series, figure, debris-map, footprint.", {}});
         }
         checkOutputPath(path, inputs);
     }
@@ -36,6 +47,7 @@ bool ExportRequest::needsFe() const {
 }
 
 void ExportRequest::perform(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, Session& session) const {
+    std::optional<RunMap> map;
     for (const Row& row : m_rows) {
         session.execution().check();
         switch (row.kind) {
@@ -49,6 +61,12 @@ void ExportRequest::perform(const std::shared_ptr<const io::RunReader>& run, con
                 session.execution().report({"cli.stage.figure", "Drawing the figure", {}}, 0.0);
                 m_figure.write(row.path, run, inputs);
                 session.execution().report({"cli.stage.figure", "Drawing the figure", {}}, 1.0);
+                break;
+            case Kind::Map:
+                if (!map) {
+                    map = m_map.make(*run, inputs, session.execution());
+                }
+                m_map.write(row.path, *map, *run, session);
                 break;
         }
     }

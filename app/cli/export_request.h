@@ -8,6 +8,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/figure_request.h"
+#include "app/cli/map_request.h"
 #include "app/cli/session.h"
 #include "io/run_file.h"
 
@@ -32,7 +33,7 @@ public:
     std::vector<std::string> paths() const;
 
 private:
-    enum class Kind { Fragments, Series, Figure };
+    enum class Kind { Fragments, Series, Figure, Map };
     struct Row {
         Kind kind;
         std::string path;
@@ -40,6 +41,7 @@ private:
 
     std::vector<Row> m_rows;
     FigureRequest m_figure;
+    MapRequest m_map;
 };
 
 }  // namespace rubble::cli

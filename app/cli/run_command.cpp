@@ -10,7 +10,6 @@
 #include "app/cli/run_sinks.h"
 #include "app/cli/subject.h"
 #include "app/cli/temporary_run.h"
-#include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/run_file.h"
 
@@ -33,20 +32,6 @@ void checkRunPath(const std::string& path, const Subject& subject) {
         throw UsageError({"cli.out_not_a_run", "--out {0}: this file exists and is not a run.", {path}},
                          {"cli.out_not_a_run.remedy", "Choose another name, or delete the file first.", {}});
     }
-}
-
-io::RunOrigin originOf(const Subject& subject) {
-    io::RunOrigin origin;
-    origin.fePath = subject.fePath;
-    origin.feSha256 = subject.inputs.fe->contents().sha256;
-    origin.terrainPath = subject.terrain.path;
-    origin.terrainSha256 = subject.terrain.sha256;
-    origin.frame = subject.inputs.frame;
-    origin.scenario = subject.scenario;
-    origin.scenarioName = subject.scenarioName;
-    origin.build = std::string(buildText());
-    origin.fingerprint = stageKey(subject.inputs, subject.scenario, Stage::Simulation);
-    return origin;
 }
 
 /// Tells what a cancelled run leaves behind.
@@ -122,6 +107,9 @@ Command runCommand() {
                                 {"--out", "RUN.h5", false, "keep the run in this file"},
                                 ExportRequest::option()};
     for (const Option& option : FigureRequest::options()) {
+        options.push_back(option);
+    }
+    for (const Option& option : MapRequest::options()) {
         options.push_back(option);
     }
     options.push_back(csvOption("write the ledger, one row for each FE state and each second after"));

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/scenario/parameters.h"
 #include "io/case_file.h"
@@ -119,6 +120,20 @@ Results runTo(const Subject& subject, Stage last, TrajectorySink* sink, const Ex
     Results opened;
     opened.wallSeconds[static_cast<std::size_t>(Stage::Import)] = subject.openSeconds;
     return run(subject.inputs, subject.scenario, last, opened, sink, execution);
+}
+
+io::RunOrigin originOf(const Subject& subject) {
+    io::RunOrigin origin;
+    origin.fePath = subject.fePath;
+    origin.feSha256 = subject.inputs.fe->contents().sha256;
+    origin.terrainPath = subject.terrain.path;
+    origin.terrainSha256 = subject.terrain.sha256;
+    origin.frame = subject.inputs.frame;
+    origin.scenario = subject.scenario;
+    origin.scenarioName = subject.scenarioName;
+    origin.build = std::string(buildText());
+    origin.fingerprint = stageKey(subject.inputs, subject.scenario, Stage::Simulation);
+    return origin;
 }
 
 Findings allFindings(const Subject& subject, const Results& results) {

@@ -10,6 +10,7 @@
 #include "core/base/finding.h"
 #include "core/pipeline/pipeline.h"
 #include "core/scenario/case.h"
+#include "io/run_file.h"
 #include "io/terrain_reader.h"
 
 namespace rubble::cli {
@@ -33,6 +34,9 @@ Subject openSubject(const Arguments& arguments, Session& session);
 
 /// Runs the pipeline on a subject up to a stage, with the time of opening as the time of its first stage.
 Results runTo(const Subject& subject, Stage last, TrajectorySink* sink, const Execution& execution);
+
+/// What the run file of a subject says of where it came from.
+io::RunOrigin originOf(const Subject& subject);
 
 /// Findings of the file, the subject and every stage that ran, in the order data flows; one row for each kind.
 Findings allFindings(const Subject& subject, const Results& results);

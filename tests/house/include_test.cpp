@@ -123,8 +123,8 @@ TEST(Include, RoomsSeeOnlyWhatTheTableAllows) {
 
 // Data flows one way through the rooms of core: each sees those before it in this list, and never one behind.
 TEST(Include, RoomsOfCoreSeeOnlyRoomsBeforeThem) {
-    const std::vector<std::string> order{"base",       "fe",         "scenario", "fragments", "clusters",
-                                         "trajectory", "simulation", "pipeline", "analysis",  "selftest"};
+    const std::vector<std::string> order{"base",       "fe",       "scenario", "fragments", "clusters", "trajectory",
+                                         "simulation", "pipeline", "analysis", "evidence",  "selftest"};
     const auto rank = [&order](const std::string& path) {
         const std::string room = path.substr(5, path.find('/', 5) - 5);
         const auto found = std::find(order.begin(), order.end(), room);

@@ -1,0 +1,229 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/cli/commands.h"
+#include "app/cli/health_output.h"
+#include "app/cli/json_output.h"
+#include "app/cli/map_request.h"
+#include "app/cli/output_file.h"
+#include "app/cli/run_inputs.h"
+#include "app/cli/run_sinks.h"
+#include "app/cli/subject.h"
+#include "app/cli/temporary_run.h"
+#include "app/cli/text_output.h"
+#include "core/base/error.h"
+#include "io/case_file.h"
+
+namespace rubble::cli {
+
+namespace {
+
+/// The run that the operand names, or that was made of the case or FE file that it names, with its inputs.
+struct MapSubject {
+    std::optional<TemporaryRun> temporary;
+    std::shared_ptr<io::RunReader> run;
+    Inputs inputs;
+    Findings findings;
+};
+
+/// The run of a file; null if the file is none.
+std::shared_ptr<io::RunReader> runAt(const std::string& path) {
+    if (io::isCaseFile(path)) {
+        return nullptr;
+    }
+    try {
+        return io::openRun(path);
+    } catch (const ParseError& error) {
+        const std::string& id = error.message().id;
+        if (id == "io.run.not_a_run" || (id == "io.run.not_hdf5" && !path.ends_with(".run.h5"))) {
+            return nullptr;
+        }
+        throw;
+    }
+}
+
+void refuseSettingsOfRun(const Arguments& arguments) {
+    for (const std::string_view option : {"--set", "--scenario"}) {
+        if (arguments.has(option)) {
+            throw UsageError({"cli.setting_of_run", "{0} cannot change a run that is recorded already.", {option}},
+                             {"cli.setting_of_run.remedy", "Leave it out, or give the case instead of the run.", {}});
+        }
+    }
+}
+
+MapSubject openMapSubject(const Arguments& arguments, Session& session) {
+    MapSubject subject;
+    subject.run = runAt(arguments.operand());
+    if (subject.run) {
+        refuseSettingsOfRun(arguments);
+        subject.inputs = openInputsOfRun(subject.run->origin(), arguments, session);
+        return subject;
+    }
+    const Subject opened = openSubject(arguments, session);
+    const std::string path = subject.temporary.emplace().path();
+    std::unique_ptr<TrajectorySink> file = io::createRun(path, originOf(opened));
+    const Results results = runTo(opened, Stage::Simulation, file.get(), session.execution());
+    file.reset();
+    subject.run = io::openRun(path);
+    subject.inputs = opened.inputs;
+    subject.findings = opened.findings;
+    return subject;
+}
+
+/// One layer in figures.
+struct LayerFigures {
+    std::size_t cells = 0;
+    double least = std::numeric_limits<double>::quiet_NaN();
+    double mean = std::numeric_limits<double>::quiet_NaN();
+    double most = std::numeric_limits<double>::quiet_NaN();
+};
+
+LayerFigures figuresOf(const std::vector<double>& values) {
+    LayerFigures figures;
+    double sum = 0.0;
+    for (const double value : values) {
+        if (std::isfinite(value)) {
+            ++figures.cells;
+            sum += value;
+            figures.least = std::fmin(figures.least, value);
+            figures.most = std::fmax(figures.most, value);
+        }
+    }
+    if (figures.cells > 0) {
+        figures.mean = sum / static_cast<double>(figures.cells);
+    }
+    return figures;
+}
+
+TextTable layerTable(const DebrisMap& map, const std::vector<MapLayer>& layers) {
+    TextTable table(
+        {{"layer", "layer"}, {"unit", "unit"}, {"cells", "cells"}, {"least", "least"}, {"mean", "mean"}, {"most", "most"}});
+    for (const MapLayer layer : layers) {
+        const MapLayerRow& row = mapLayerRow(layer);
+        const LayerFigures figures = figuresOf(map.layer(layer));
+        table.add({textCell(std::string(row.key)), textCell(std::string(row.unit)),
+                   integerCell(static_cast<std::int64_t>(figures.cells)), numberCell(figures.least), numberCell(figures.mean),
+                   numberCell(figures.most)});
+    }
+    return table;
+}
+
+Json mapJson(const RunMap& made, const std::vector<MapLayer>& layers) {
+    const MapLedger& ledger = made.map.ledger;
+    Json object;
+    object["time_s"] = made.map.time;
+    object["interpolated"] = made.shown == FrameKind::Interpolated;
+    object["cell_m"] = made.map.cell;
+    object["cells"] = made.map.cells.size();
+    object["fragments"] = ledger.fragments;
+    object["mass_kg"] = ledger.mass;
+    object["volume_m3"] = ledger.volume;
+    object["footprint_m2"] = ledger.footprintArea;
+    object["impact_energy_j"] = made.map.impacts ? Json(ledger.impactEnergy) : Json();
+    object["live_structure"] = Json();
+    if (made.map.live) {
+        object["live_structure"] = {{"threshold_m", made.map.liveThreshold},
+                                    {"elements", ledger.liveElements},
+                                    {"mass_kg", ledger.liveMass},
+                                    {"volume_m3", ledger.liveVolume},
+                                    {"footprint_m2", ledger.liveFootprintArea}};
+    }
+    object["layers"] = Json::array();
+    for (const MapLayer layer : layers) {
+        const LayerFigures figures = figuresOf(made.map.layer(layer));
+        object["layers"].push_back({{"layer", mapLayerRow(layer).key},
+                                    {"unit", mapLayerRow(layer).unit},
+                                    {"cells", figures.cells},
+                                    {"least", figures.least},
+                                    {"mean", figures.mean},
+                                    {"most", figures.most}});
+    }
+    return object;
+}
+
+void printMap(std::ostream& out, const RunMap& made, const std::vector<MapLayer>& layers) {
+    const MapLedger& ledger = made.map.ledger;
+    FactList facts;
+    facts.add("time", englishNumber(made.map.time) + " s" +
+                          (made.shown == FrameKind::Interpolated ? ", between two recorded instants" : ""));
+    facts.add("cells",
+              englishInteger(static_cast<std::int64_t>(made.map.cells.size())) + " of " + englishNumber(made.map.cell) + " m");
+    facts.add("fragments", englishInteger(ledger.fragments) + ", " + tonnesText(ledger.mass) + ", " + englishNumber(ledger.volume) +
+                               " m3 on " + englishNumber(ledger.footprintArea) + " m2");
+    if (made.map.impacts) {
+        facts.add("impact energy", englishNumber(ledger.impactEnergy) + " J");
+    }
+    if (made.map.live) {
+        facts.add("live structure", englishInteger(ledger.liveElements) + " elements moved farther than " +
+                                        englishNumber(made.map.liveThreshold) + " m, " + tonnesText(ledger.liveMass) + ", " +
+                                        englishNumber(ledger.liveVolume) + " m3 on " + englishNumber(ledger.liveFootprintArea) +
+                                        " m2");
+    }
+    printHeading(out, "Debris map");
+    facts.print(out);
+    layerTable(made.map, layers).print(out);
+}
+
+ExitCode map(const Arguments& arguments, Session& session) {
+    const MapRequest request(arguments);
+    const std::vector<std::string> files = arguments.values("--out");
+    for (const std::string& path : files) {
+        MapRequest::checkFormat("--out", path);
+        checkOutputPath(path, std::vector<std::string>{arguments.operand()});
+    }
+    checkCsvPath(arguments, std::vector<std::string>{arguments.operand()});
+    const MapSubject subject = openMapSubject(arguments, session);
+    const RunMap made = request.make(*subject.run, subject.inputs, session.execution());
+    const std::vector<MapLayer> layers = request.layersOf(made.map);
+    for (const std::string& path : files) {
+        request.write(path, made, *subject.run, session);
+    }
+    writeCsv(arguments, layerTable(made.map, layers));
+    Findings findings = subject.findings;
+    findings.append(made.findings);
+    const io::Taint taint = io::taintOf(*subject.run);
+    if (arguments.json()) {
+        Json object = mapJson(made, layers);
+        object["exports"] = files;
+        object["tainted"] = taint.tainted();
+        object["warnings"] = findingsJson(findings);
+        printJson(session, object);
+    } else {
+        printMap(session.out(), made, layers);
+        for (const std::string& path : files) {
+            session.out() << path << '\n';
+        }
+        printFindings(session.out(), findings);
+    }
+    warnIfTainted(session, subject.temporary ? "" : arguments.operand(), taint);
+    return ExitCode::Ok;
+}
+
+}  // namespace
+
+Command mapCommand() {
+    std::vector<Option> options{
+        {"--out", "FILE", true, "a file to write: .tif, .gpkg, .csv or .png"},
+        {"--time", "SECONDS", false, "instant on the file's clock, end, or fe_end: the last FE state (default: end)"},
+    };
+    for (const Option& option : MapRequest::options()) {
+        options.push_back(option);
+    }
+    options.push_back({"--size", "WxH", false, "pixels of a picture (default: 1600x1000)"});
+    options.push_back(setOption());
+    options.push_back(scenarioOption());
+    options.push_back(feOption());
+    options.push_back({"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"});
+    options.push_back(csvOption("write the table of layers"));
+    return {
+        "map",
+        "RUN|FE|CASE",
+        "debris by cells: height, mass, volume, pieces, arrival, impact energy",
+        "Maps the debris of a recorded run at any instant, or simulates a case or FE file first. Fallen live structure has layers "
+        "of its own.",
+        std::move(options),
+        map};
+}
+
+}  // namespace rubble::cli

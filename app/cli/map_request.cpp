@@ -1,0 +1,168 @@
+#include "app/cli/map_request.h"
+
+#include <QString>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/cli/option_value.h"
+#include "core/base/error.h"
+#include "io/fragment_places.h"
+#include "io/geo/map_files.h"
+#include "widgets/figures/figure_file.h"
+#include "widgets/figures/map_picture.h"
+
+namespace rubble::cli {
+
+namespace {
+
+constexpr int smallestPixels = 100;
+constexpr int largestPixels = 8000;
+
+bool endsWith(const std::string& path, std::string_view ending) {
+    if (path.size() < ending.size()) {
+        return false;
+    }
+    return std::equal(ending.begin(), ending.end(), path.end() - static_cast<std::ptrdiff_t>(ending.size()),
+                      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+double parseLength(const Arguments& arguments, std::string_view option, double byDefault, bool zeroToo = false) {
+    const std::optional<std::string> text = arguments.value(option);
+    if (!text) {
+        return byDefault;
+    }
+    double metres = 0.0;
+    if (!parseNumber(*text, metres) || !std::isfinite(metres) || !(zeroToo ? metres >= 0.0 : metres > 0.0)) {
+        throw wrongValue(option, *text, zeroToo ? "metres, not below zero" : "metres, above zero");
+    }
+    return metres;
+}
+
+std::string layerKeys() {
+    std::string keys;
+    for (const MapLayer layer : mapLayers()) {
+        keys += (keys.empty() ? "" : ", ") + std::string(mapLayerRow(layer).key);
+    }
+    return keys;
+}
+
+std::vector<MapLayer> parseLayers(const std::string& text) {
+    std::vector<MapLayer> layers;
+    for (const std::string& key : splitAtCommas(text)) {
+        const auto found =
+            std::find_if(mapLayers().begin(), mapLayers().end(), [&](MapLayer layer) { return mapLayerRow(layer).key == key; });
+        if (found == mapLayers().end()) {
+            throw wrongValue("--layers", key, "some of " + layerKeys());
+        }
+        layers.push_back(*found);
+    }
+    return layers;
+}
+
+QSize parsePixels(const std::string& text) {
+    const std::size_t cross = text.find('x');
+    int width = 0;
+    int height = 0;
+    const bool parsed = cross != std::string::npos && parseNumber(std::string_view(text).substr(0, cross), width) &&
+                        parseNumber(std::string_view(text).substr(cross + 1), height);
+    if (!parsed || std::min(width, height) < smallestPixels || std::max(width, height) > largestPixels) {
+        throw wrongValue("--size", text, "WIDTHxHEIGHT in pixels, each from 100 to 8000");
+    }
+    return {width, height};
+}
+
+}  // namespace
+
+std::vector<Option> MapRequest::options() {
+    return {
+        {"--cell", "M", false, "side of the cells of a debris map, m (default: 0.25)"},
+        {"--layers", "A,B", false, "layers of a debris map, by the names in the manual (default: all); a picture shows the first"},
+        {"--live", "on|off", false, "fallen live structure as layers of its own in a debris map (default: on)"},
+        {"--live-threshold", "M", false, "live structure has fallen if it moved farther than this, m (default: 1)"},
+        {"--contours", "M", false, "distance of the height contours in a GeoPackage, m (default: 0.5)"}};
+}
+
+MapRequest::MapRequest(const Arguments& arguments) {
+    if (const auto time = arguments.value("--time"); time && *time != "end") {
+        double seconds = 0.0;
+        m_feEnd = *time == "fe_end";
+        if (!m_feEnd && (!parseNumber(*time, seconds) || !std::isfinite(seconds))) {
+            throw wrongValue("--time", *time, "seconds with a point as decimal sign, end, or of a map fe_end");
+        }
+        m_time = seconds;
+    }
+    m_settings.cell = parseLength(arguments, "--cell", m_settings.cell);
+    m_settings.liveThreshold = parseLength(arguments, "--live-threshold", m_settings.liveThreshold, true);
+    m_contours = parseLength(arguments, "--contours", m_contours);
+    if (const auto layers = arguments.value("--layers")) {
+        m_layers = parseLayers(*layers);
+    }
+    if (const auto live = arguments.value("--live")) {
+        if (*live != "on" && *live != "off") {
+            throw wrongValue("--live", *live, "on or off");
+        }
+        m_live = *live == "on";
+    }
+    if (const auto size = arguments.value("--size")) {
+        m_pixels = parsePixels(*size);
+    }
+}
+
+void MapRequest::checkFormat(const std::string& option, const std::string& path) {
+    for (const std::string_view ending : {".tif", ".tiff", ".gpkg", ".csv", ".png"}) {
+        if (endsWith(path, ending)) {
+            return;
+        }
+    }
+    throw UsageError({"cli.map_format", "{0}: {1} does not say by its ending what kind of map it is to be.", {option, path}},
+                     {"cli.map_format.remedy", "Endings: .tif (GeoTIFF), .gpkg (GeoPackage), .csv, .png.", {}});
+}
+
+RunMap MapRequest::make(const io::RunReader& run, const Inputs& inputs, const Execution& execution) const {
+    const MappedRun mapped{inputs.fe.get(), &run, run.fragments(), run.result(), inputs.terrain, run.origin().scenario};
+    return mapOfRun(mapped, m_feEnd ? std::optional(inputs.fe->times().back()) : m_time, m_settings, m_live, execution);
+}
+
+std::vector<MapLayer> MapRequest::layersOf(const DebrisMap& map) const {
+    if (m_layers.empty()) {
+        return map.present();
+    }
+    for (const MapLayer layer : m_layers) {
+        if (!map.has(layer)) {
+            throw UsageError({"cli.map_layer", "--layers {0}: this map does not have it.", {mapLayerRow(layer).key}},
+                             {"cli.map_layer.remedy",
+                              "Impact energy needs a run that is complete; layers of live structure need --live on.",
+                              {}});
+        }
+    }
+    return m_layers;
+}
+
+void MapRequest::write(const std::string& path, const RunMap& made, const io::RunReader& run, Session& session) const {
+    const io::MapOrigin origin = io::mapOrigin(run, made.map, made.shown);
+    const std::vector<MapLayer> layers = layersOf(made.map);
+    if (endsWith(path, ".csv")) {
+        io::writeMapCsv(path, made.map, layers, origin, session.execution());
+    } else if (endsWith(path, ".gpkg")) {
+        const std::shared_ptr<const FragmentSet> fragments = run.fragments();
+        const io::MapFragments list{fragments.get(), &made.debris, run.elementIds(), made.arrivals, made.energies};
+        io::writeMapPackage(path, made.map, list, m_contours, origin, session.execution());
+    } else if (endsWith(path, ".png")) {
+        figures::ensureGuiApplication();
+        const Vec3 offset = io::WorldOffset(run.origin().frame).offset();
+        figures::MapPictureStyle style;
+        style.pixels = m_pixels;
+        style.origin = offset.head<2>();
+        style.system = run.origin().frame.crs;
+        style.shown = origin.facts.front().second;
+        style.provenance = "FE " + run.origin().feSha256.substr(0, 16) + ", run " + run.origin().fingerprint.hex().substr(0, 16) +
+                           ", " + run.origin().build;
+        figures::writePng(path, figures::mapPicture(made.map, layers.front(), style));
+        io::writeMapProvenance(path, origin);
+    } else {
+        io::writeMapTiff(path, made.map, layers, origin, session.execution());
+    }
+}
+
+}  // namespace rubble::cli

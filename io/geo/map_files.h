@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/analysis/debris.h"
+#include "core/evidence/debris_map.h"
+#include "core/fe/frame.h"
+#include "io/run_file.h"
+
+namespace rubble::io {
+
+/// What a map was made from, as every file of it says.
+struct MapOrigin {
+    Frame frame;
+    std::vector<std::pair<std::string, std::string>> facts;  ///< key and value, in the order in which they are written
+    std::string provenance;                                  ///< the sidecar, JSON
+};
+
+/// @param shown  what the frame at the time of the map was: simulated, or interpolated between two
+MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown);
+
+/// Where the fragments of a map lie, for files that list them.
+struct MapFragments {
+    const FragmentSet* set = nullptr;
+    const Debris* debris = nullptr;
+    std::vector<std::int64_t> elementIds;  ///< user's number of each
+    std::vector<double> arrivals;          ///< s, [fragments]
+    std::vector<double> energies;          ///< J, [fragments]; empty: not known
+};
+
+/// Writes a map as GeoTIFF: one band of 64-bit floats for each layer, with name, unit and no-data value -9999, rows from the north,
+/// the coordinate system of the case. Blocks without debris take no room. Atomic, with NAME.provenance.json.
+/// @param layers  that the map has
+/// Throws WorldError, UsageError (too large for a file; a coordinate system that does not do), Cancelled.
+void writeMapTiff(const std::string& path, const DebrisMap& map, const std::vector<MapLayer>& layers, const MapOrigin& origin,
+                  const Execution& execution);
+
+/// Writes a map as CSV: one row for each cell, its middle in metres with the origin of the case added, then a column for each
+/// layer. Atomic, with NAME.provenance.json. Throws WorldError, Cancelled.
+void writeMapCsv(const std::string& path, const DebrisMap& map, const std::vector<MapLayer>& layers, const MapOrigin& origin,
+                 const Execution& execution);
+
+/// Writes a GeoPackage: `footprint` (polygons of the cells that fragments, and fallen live structure, reach into), `contours` of
+/// the height and `fragments` (outlines seen from above, with attributes). Atomic, with NAME.provenance.json.
+/// @param contourSpacing  m
+/// Throws as writeMapTiff(), and as heightContours().
+void writeMapPackage(const std::string& path, const DebrisMap& map, const MapFragments& fragments, double contourSpacing,
+                     const MapOrigin& origin, const Execution& execution);
+
+/// Writes only the sidecar, beside a map that somebody else drew.
+void writeMapProvenance(const std::string& path, const MapOrigin& origin);
+
+/// Column of a layer in a table: key and unit, "mass_kg_per_m2".
+std::string mapColumn(MapLayer layer);
+
+}  // namespace rubble::io

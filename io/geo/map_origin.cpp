@@ -1,0 +1,84 @@
+#include <charconv>
+
+#include "core/base/csv_text.h"
+#include "io/acknowledgements.h"
+#include "io/exports.h"
+#include "io/geo/map_files.h"
+#include "io/geo/map_place.h"
+#include "io/run_json.h"
+
+namespace rubble::io {
+
+namespace {
+
+std::string_view classOf(FrameKind shown) {
+    switch (shown) {
+        case FrameKind::Fe:
+            return "FE";
+        case FrameKind::Simulated:
+            return "simulated";
+        case FrameKind::Interpolated:
+            return "simulated, interpolated between two recorded instants";
+        case FrameKind::Illustrative:
+            return "illustrative";
+    }
+    return "illustrative";
+}
+
+nlohmann::json ledgerJson(const DebrisMap& map) {
+    const MapLedger& ledger = map.ledger;
+    nlohmann::json json = {{"fragments", ledger.fragments},
+                           {"mass_kg", ledger.mass},
+                           {"volume_m3", ledger.volume},
+                           {"footprint_m2", ledger.footprintArea}};
+    json["impact_energy_j"] = map.impacts ? nlohmann::json(ledger.impactEnergy) : nlohmann::json(nullptr);
+    if (map.live) {
+        json["live_structure"] = {{"elements", ledger.liveElements},
+                                  {"mass_kg", ledger.liveMass},
+                                  {"volume_m3", ledger.liveVolume},
+                                  {"footprint_m2", ledger.liveFootprintArea}};
+    }
+    return json;
+}
+
+}  // namespace
+
+MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown) {
+    const RunOrigin& from = run.origin();
+    MapOrigin origin;
+    origin.frame = from.frame;
+    const std::string crs = MapPlace(from.frame).name();
+    nlohmann::json json = nlohmann::json::parse(provenanceText(run));
+    json["map"] = {{"time_s", map.time},
+                   {"class", classOf(shown)},
+                   {"cell_m", map.cell},
+                   {"crs", crs},
+                   {"arrival_distance_m", map.arrivalDistance},
+                   {"live_structure", map.live},
+                   {"ledger", ledgerJson(map)}};
+    if (map.live) {
+        json["map"]["live_threshold_m"] = map.liveThreshold;
+    }
+    for (std::size_t c = 0; c < map.components.size(); ++c) {
+        json["map"]["components"].push_back(map.components[c]);
+    }
+    origin.provenance = jsonText(json);
+    origin.facts = {{"RUBBLE_CLASS", std::string(classOf(shown))},
+                    {"RUBBLE_TIME_S", exactNumber(map.time)},
+                    {"RUBBLE_CELL_M", exactNumber(map.cell)},
+                    {"RUBBLE_CRS", crs},
+                    {"RUBBLE_FE_SHA256", from.feSha256},
+                    {"RUBBLE_TERRAIN_SHA256", from.terrainSha256.empty() ? "none" : from.terrainSha256},
+                    {"RUBBLE_SCENARIO", from.scenarioName},
+                    {"RUBBLE_RUN", from.fingerprint.hex()},
+                    {"RUBBLE_BUILD", from.build},
+                    {"RUBBLE_TAINTED", taintOf(run).tainted() ? "yes" : "no"},
+                    {"RUBBLE_LIVE_STRUCTURE",
+                     map.live ? "layers of its own, moved farther than " + exactNumber(map.liveThreshold) + " m" : "left out"},
+                    {"RUBBLE_MASS_KG", exactNumber(map.ledger.mass)},
+                    {"RUBBLE_VOLUME_M3", exactNumber(map.ledger.volume)},
+                    {"RUBBLE_FRAGMENTS", std::to_string(map.ledger.fragments)}};
+    return origin;
+}
+
+}  // namespace rubble::io

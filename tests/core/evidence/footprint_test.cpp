@@ -1,0 +1,91 @@
+#include "core/evidence/footprint.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/core/analysis/random_numbers.h"
+
+namespace rubble {
+namespace {
+
+double areaOf(const std::vector<FootprintPolygon>& polygons) {
+    double area = 0.0;
+    for (const FootprintPolygon& polygon : polygons) {
+        area += signedArea(polygon.outer);
+        for (const FootprintRing& hole : polygon.holes) {
+            area += signedArea(hole);
+        }
+    }
+    return area;
+}
+
+TEST(Footprint, OfOneCellIsItsFourCorners) {
+    const std::vector<MapCell> cells{{-2, 5}};
+    const std::vector<FootprintPolygon> polygons = footprintOf(cells);
+    ASSERT_EQ(polygons.size(), 1u);
+    EXPECT_EQ(polygons[0].outer, (FootprintRing{{-2, 5}, {-2, 6}, {-1, 6}, {-1, 5}}));
+    EXPECT_EQ(signedArea(polygons[0].outer), 1.0);
+}
+
+TEST(Footprint, HasNoCornerOnAStraightStretch) {
+    std::vector<MapCell> cells;
+    for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 7; ++i) {
+            cells.push_back({j, i});
+        }
+    }
+    const std::vector<FootprintPolygon> polygons = footprintOf(cells);
+    ASSERT_EQ(polygons.size(), 1u);
+    EXPECT_EQ(polygons[0].outer.size(), 4u);
+    EXPECT_EQ(signedArea(polygons[0].outer), 21.0);
+}
+
+TEST(Footprint, AHoleIsARingOfItsOwnThatRunsTheOtherWay) {
+    const std::vector<MapCell> cells{{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 1}, {2, 2}};
+    const std::vector<FootprintPolygon> polygons = footprintOf(cells);
+    ASSERT_EQ(polygons.size(), 1u);
+    EXPECT_EQ(signedArea(polygons[0].outer), 9.0);
+    ASSERT_EQ(polygons[0].holes.size(), 1u);
+    EXPECT_EQ(signedArea(polygons[0].holes[0]), -1.0);
+}
+
+TEST(Footprint, CellsThatMeetByACornerStayApart) {
+    const std::vector<MapCell> cells{{0, 0}, {0, 2}, {1, 1}, {2, 0}, {2, 2}};
+    EXPECT_EQ(footprintOf(cells).size(), 5u);
+    // A ring of cells that is closed by a corner only: what is inside is open to the outside there, and no hole.
+    const std::vector<MapCell> hook{{0, 0}, {0, 1}, {1, 0}, {1, 2}, {2, 0}, {2, 1}, {2, 2}};
+    const std::vector<FootprintPolygon> polygons = footprintOf(hook);
+    ASSERT_EQ(polygons.size(), 1u);
+    EXPECT_EQ(areaOf(polygons), 7.0);
+}
+
+TEST(Footprint, CoversExactlyTheCellsWhateverTheirPattern) {
+    RandomNumbers random(3);
+    for (int trial = 0; trial < 50; ++trial) {
+        std::set<MapCell> set;
+        for (int k = 0; k < 40 + 10 * trial; ++k) {
+            set.insert({static_cast<int>(random.between(-12, 12)), static_cast<int>(random.between(-12, 12))});
+        }
+        const std::vector<MapCell> cells(set.begin(), set.end());
+        const std::vector<FootprintPolygon> polygons = footprintOf(cells);
+        EXPECT_EQ(areaOf(polygons), static_cast<double>(cells.size()));
+        for (const FootprintPolygon& polygon : polygons) {
+            EXPECT_GE(polygon.outer.size(), 4u) << "every part has its outer ring";
+            EXPECT_GT(signedArea(polygon.outer), 0.0);
+            for (const FootprintRing& hole : polygon.holes) {
+                EXPECT_LT(signedArea(hole), 0.0);
+            }
+            std::set<MapCell> corners(polygon.outer.begin(), polygon.outer.end());
+            EXPECT_LE(polygon.outer.size() - corners.size(), polygon.outer.size() / 2)
+                << "corners may be met twice, not walked twice";
+        }
+    }
+}
+
+TEST(Footprint, OfNothingIsNothing) {
+    EXPECT_TRUE(footprintOf({}).empty());
+}
+
+}  // namespace
+}  // namespace rubble

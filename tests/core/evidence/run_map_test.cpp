@@ -1,0 +1,146 @@
+#include "core/evidence/run_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/analysis/debris.h"
+#include "core/base/error.h"
+#include "core/pipeline/pipeline.h"
+#include "tests/scenes/fe_scenes.h"
+
+namespace rubble {
+namespace {
+
+double sumOf(const DebrisMap& map, MapLayer layer) {
+    double sum = 0.0;
+    for (const double value : map.layer(layer)) {
+        sum += std::isnan(value) ? 0.0 : value;
+    }
+    return sum * map.cell * map.cell;
+}
+
+/// A wall that falls to pieces under a beam that lives: 12 fragments and 4 live elements, each of 1 m3 and 2 t.
+class MapOfARun : public testing::Test {
+protected:
+    void SetUp() override {
+        scenario.simulation.settleTime = 1.0;
+        results = rubble::run(inputs, scenario, Stage::Simulation, {}, &trajectory, Execution());
+        mapped = {inputs.fe.get(), &trajectory, results.fragments, results.simulation, nullptr, scenario};
+    }
+    RunMap mapAt(std::optional<double> time, bool live = true) { return mapOfRun(mapped, time, settings, live, Execution()); }
+
+    Inputs inputs{scenes::collapsingWall(), {}};
+    Scenario scenario;
+    MemoryTrajectory trajectory;
+    Results results;
+    MappedRun mapped;
+    MapSettings settings;
+};
+
+TEST_F(MapOfARun, AgreesWithTheLedger) {
+    for (const double cell : {0.25, 1.0, 3.0}) {
+        settings.cell = cell;
+        const RunMap made = mapAt(std::nullopt);
+        EXPECT_EQ(made.map.time, results.simulation->endTime);
+        EXPECT_EQ(made.map.ledger.fragments, 12);
+        EXPECT_NEAR(made.map.ledger.mass, 24000.0, 1e-6);
+        EXPECT_NEAR(sumOf(made.map, MapLayer::Mass), made.map.ledger.mass, 1e-9 * 24000.0);
+        EXPECT_NEAR(sumOf(made.map, MapLayer::Volume), 12.0, 1e-9);
+        double energy = 0.0;
+        for (std::size_t f = 0; f < 12; ++f) {
+            energy += 0.5 * 2000.0 * std::pow(results.simulation->fragments[f].impactSpeed, 2);
+        }
+        EXPECT_GT(energy, 0.0);
+        EXPECT_NEAR(made.map.ledger.impactEnergy, energy, 1e-9 * energy);
+        EXPECT_NEAR(sumOf(made.map, MapLayer::ImpactEnergy), energy, 1e-9 * energy);
+    }
+}
+
+TEST_F(MapOfARun, LiveStructureThatFellHasLayersAndALedgerLineOfItsOwn) {
+    const RunMap with = mapAt(std::nullopt);
+    ASSERT_TRUE(with.live);
+    EXPECT_EQ(with.map.ledger.liveElements, 4);
+    EXPECT_NEAR(with.map.ledger.liveMass, 8000.0, 1e-6);
+    EXPECT_NEAR(sumOf(with.map, MapLayer::LiveMass), 8000.0, 1e-5);
+    EXPECT_NEAR(sumOf(with.map, MapLayer::LiveVolume), 4.0, 1e-9);
+    const RunMap without = mapAt(std::nullopt, false);
+    EXPECT_FALSE(without.live);
+    EXPECT_FALSE(without.map.has(MapLayer::LiveMass));
+    EXPECT_EQ(sumOf(without.map, MapLayer::Mass), sumOf(with.map, MapLayer::Mass)) << "never among the fragments";
+    settings.liveThreshold = 100.0;
+    EXPECT_EQ(mapAt(std::nullopt).map.ledger.liveElements, 0) << "nothing moved that far";
+    EXPECT_TRUE(mapAt(std::nullopt).map.has(MapLayer::LiveMass)) << "that nothing fell is said, not left out";
+}
+
+TEST_F(MapOfARun, LiveStructureIsWhereItsBodiesAre) {
+    const RunMap end = mapAt(std::nullopt);
+    ASSERT_EQ(trajectory.islands().size(), 1u);
+    const TrajectoryFrame frame = frameAtTime(trajectory, end.map.time);
+    const Vec3 body = frame.positions[at(trajectory.islands()[0].body)].cast<double>();
+    Vec3 centre = Vec3::Zero();
+    for (const MapPiece& piece : end.live->pieces) {
+        centre += piece.centre / 4.0;
+    }
+    // Equal elements: their mean is the centre of mass; frames hold single precision.
+    EXPECT_LT((centre - body).norm(), 1e-5);
+    // Before the FE end it is where the file says: it has fallen 0.5 g t^2 from its place at rest, 4.5 m.
+    settings.liveThreshold = 0.1;
+    const RunMap early = mapAt(0.35);
+    ASSERT_EQ(early.live->pieces.size(), 4u);
+    const double between = 0.5 * (0.5 * 9.80665 * (0.3 * 0.3 + 0.4 * 0.4));
+    EXPECT_NEAR(early.live->pieces[0].centre.z(), 4.5 - between, 1e-9) << "linear between the states";
+    EXPECT_EQ(early.shown, FrameKind::Interpolated);
+}
+
+TEST_F(MapOfARun, GrowsWithTime) {
+    EXPECT_EQ(mapAt(0.1).map.ledger.fragments, 0);
+    EXPECT_TRUE(mapAt(0.1, false).map.cells.empty());
+    EXPECT_TRUE(mapAt(0.1, false).map.has(MapLayer::Height)) << "an empty map has its layers all the same";
+    EXPECT_EQ(mapAt(0.2).map.ledger.fragments, 6) << "every second element of the wall dies at 0.2 s";
+    EXPECT_EQ(mapAt(0.4).map.ledger.fragments, 12);
+    double before = 0.0;
+    for (const double time : {0.4, 0.6, 0.9, results.simulation->endTime}) {
+        const double energy = mapAt(time).map.ledger.impactEnergy;
+        EXPECT_GE(energy, before) << "a hit brings its energy once, at its time";
+        before = energy;
+    }
+}
+
+TEST_F(MapOfARun, ArrivalIsBetweenBirthAndNow) {
+    const RunMap made = mapAt(std::nullopt);
+    for (std::size_t f = 0; f < made.arrivals.size(); ++f) {
+        EXPECT_GE(made.arrivals[f], results.fragments->list[f].birthTime);
+        EXPECT_LE(made.arrivals[f], made.map.time);
+    }
+    for (std::size_t c = 0; c < made.map.cells.size(); ++c) {
+        const double arrival = made.map.layer(MapLayer::Arrival)[c];
+        EXPECT_EQ(std::isnan(arrival), std::isnan(made.map.layer(MapLayer::Mass)[c]));
+    }
+}
+
+TEST_F(MapOfARun, WithoutAResultThereIsNoImpactEnergy) {
+    mapped.result = nullptr;
+    const RunMap made = mapAt(std::nullopt);
+    EXPECT_FALSE(made.map.has(MapLayer::ImpactEnergy));
+    EXPECT_EQ(made.findings.count("map.no_impacts"), 1);
+    const std::vector<MapLayer> present = made.map.present();
+    EXPECT_EQ(present.size(), mapLayerCount - 1);
+}
+
+TEST_F(MapOfARun, RefusesATimeOutsideAndARunOfAnotherFile) {
+    for (const double time : {-0.1, 99.0, std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_THROW(mapAt(time), UsageError) << time;
+    }
+    const std::shared_ptr<const FeResult> smaller = scenes::collapsingWall(1, 1);
+    mapped.fe = smaller.get();
+    EXPECT_THROW(mapAt(std::nullopt), UsageError);
+    mapped.fe = inputs.fe.get();
+    const MemoryTrajectory nothing;
+    mapped.trajectory = &nothing;
+    EXPECT_THROW(mapAt(std::nullopt), UsageError);
+}
+
+}  // namespace
+}  // namespace rubble

@@ -1,0 +1,422 @@
+#include "widgets/figures/map_picture.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLinearGradient>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "core/base/error.h"
+#include "widgets/figures/number_text.h"
+#include "widgets/figures/overlay.h"
+#include "widgets/figures/palette.h"
+
+namespace rubble::figures {
+namespace {
+
+constexpr double textPoints = 9.0;
+constexpr double smallPoints = 6.0;
+constexpr std::size_t longestLegend = 9;
+/// Of the mass, shown whatever the rest does.
+constexpr double shownShare = 0.999;
+/// The whole map is shown unless it is so many times as long or wide as that.
+constexpr double mostStretched = 2.0;
+constexpr double topShare = 0.99;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("figures", text);
+}
+
+QString fromView(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// Name of a layer as people read it.
+QString layerName(MapLayer layer) {
+    const std::string name(mapLayerRow(layer).name);
+    return tr(name.c_str());
+}
+
+QString unitText(MapLayer layer) {
+    QString unit = fromView(mapLayerRow(layer).unit);
+    unit.replace(QStringLiteral("m2"), QStringLiteral("m²")).replace(QStringLiteral("m3"), QStringLiteral("m³"));
+    return unit;
+}
+
+/// Cells to be shown, both ends included.
+struct Window {
+    MapCell low{0, 0};
+    MapCell high{0, 0};
+
+    int columns() const { return high.i - low.i + 1; }
+    int rows() const { return high.j - low.j + 1; }
+    bool holds(const MapCell& cell) const { return cell.i >= low.i && cell.i <= high.i && cell.j >= low.j && cell.j <= high.j; }
+};
+
+/// The stretch of an axis that holds the share of the mass, or all if that is not much longer.
+std::pair<std::int32_t, std::int32_t> stretchOf(const DebrisMap& map, bool alongX) {
+    std::vector<std::pair<std::int32_t, double>> places;
+    double total = 0.0;
+    for (std::size_t c = 0; c < map.cells.size(); ++c) {
+        double mass = map.layer(MapLayer::Mass)[c];
+        if (map.has(MapLayer::LiveMass) && !std::isnan(map.layer(MapLayer::LiveMass)[c])) {
+            mass = (std::isnan(mass) ? 0.0 : mass) + map.layer(MapLayer::LiveMass)[c];
+        }
+        places.emplace_back(alongX ? map.cells[c].i : map.cells[c].j, mass);
+        total += mass;
+    }
+    std::sort(places.begin(), places.end());
+    std::pair<std::int32_t, std::int32_t> shown{places.front().first, places.back().first};
+    double sum = 0.0;
+    bool begun = false;
+    for (const auto& [place, mass] : places) {
+        sum += mass;
+        if (!begun && sum >= 0.5 * (1.0 - shownShare) * total) {
+            shown.first = place;
+            begun = true;
+        }
+        if (sum <= (0.5 + 0.5 * shownShare) * total) {
+            shown.second = place;
+        }
+    }
+    const double all = 1.0 + places.back().first - places.front().first;
+    const double most = 1.0 + shown.second - shown.first;
+    return all <= mostStretched * most ? std::pair(places.front().first, places.back().first) : shown;
+}
+
+Window windowOf(const DebrisMap& map) {
+    if (map.cells.empty()) {
+        return {};
+    }
+    const auto [west, east] = stretchOf(map, true);
+    const auto [south, north] = stretchOf(map, false);
+    return {{south, west}, {north, east}};
+}
+
+/// What the colours of a layer run from and to.
+struct Range {
+    double low = 0.0;
+    double high = 1.0;
+    bool cut = false;  ///< some values are higher
+
+    double place(double value) const { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
+};
+
+Range rangeOf(const std::vector<double>& values, MapLayer layer) {
+    std::vector<double> known;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(known), [](double v) { return std::isfinite(v); });
+    Range range;
+    if (known.empty()) {
+        return range;
+    }
+    std::sort(known.begin(), known.end());
+    range.low = layer == MapLayer::Arrival ? known.front() : 0.0;
+    range.high = known[static_cast<std::size_t>(topShare * static_cast<double>(known.size() - 1))];
+    range.cut = known.back() > range.high;
+    if (!(range.high > range.low)) {
+        range.high = known.back() > range.low ? known.back() : range.low + 1.0;
+        range.cut = false;
+    }
+    return range;
+}
+
+/// Light is little, dark is much; early is dark as in the views.
+QColor colourAt(MapLayer layer, double place) {
+    return layer == MapLayer::Arrival ? birthColour(place) : speedColour(1.0 - place);
+}
+
+/// Draws one picture.
+class Sheet {
+public:
+    Sheet(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style)
+        : m_map(map),
+          m_layer(layer),
+          m_style(style),
+          m_palette(palette(render::Theme::Print)),
+          m_window(windowOf(map)),
+          m_range(rangeOf(map.layer(layer), layer)),
+          m_image(style.pixels, QImage::Format_RGB32),
+          m_text(textPoints / 72.0 * style.dpi),
+          m_small(smallPoints / 72.0 * style.dpi) {
+        m_image.fill(Qt::white);
+        m_line = QFontMetricsF(font(m_text)).height();
+        layOut();
+    }
+
+    QImage draw() {
+        QPainter painter(&m_image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        if (m_map.cells.empty()) {
+            write(painter, m_field, tr("No debris at this time"), Qt::AlignCenter, m_text);
+        } else {
+            drawCells(painter);
+            drawEdges(painter);
+            drawScaleBar(painter);
+        }
+        drawNorth(painter);
+        drawLegend(painter);
+        drawFoot(painter);
+        painter.end();
+        m_image.setDotsPerMeterX(static_cast<int>(std::lround(m_style.dpi / 0.0254)));
+        m_image.setDotsPerMeterY(static_cast<int>(std::lround(m_style.dpi / 0.0254)));
+        m_image.setText(QStringLiteral("Description"), QString::fromStdString(m_style.provenance));
+        return m_image;
+    }
+
+private:
+    static QFont font(double pixels, bool italic = false) {
+        QFont font;
+        font.setPixelSize(std::max(5, static_cast<int>(std::lround(pixels))));
+        font.setItalic(italic);
+        return font;
+    }
+
+    void write(QPainter& painter, const QRectF& box, const QString& text, int alignment, double size, bool italic = false) const {
+        painter.setFont(font(size, italic));
+        painter.setPen(m_palette.text);
+        painter.drawText(box, alignment | static_cast<int>(Qt::TextSingleLine), text);
+    }
+
+    /// The map fills what legend, coordinates and caption leave.
+    void layOut() {
+        const double foot = 2.2 * m_line + (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
+        const double left = 6.5 * m_small;
+        m_legend =
+            QRectF(m_style.pixels.width() - 11.0 * m_line, m_line, 10.0 * m_line, m_style.pixels.height() - foot - 2.0 * m_line);
+        m_field = QRectF(left, m_line, m_legend.left() - left - m_line, m_style.pixels.height() - foot - m_line - 2.2 * m_small);
+        const double columns = 1.04 * m_window.columns();
+        const double rows = 1.04 * m_window.rows();
+        m_cellPixels = std::min(m_field.width() / columns, m_field.height() / rows);
+        const QPointF middle = m_field.center();
+        const double width = m_cellPixels * m_window.columns();
+        const double height = m_cellPixels * m_window.rows();
+        m_cells = QRectF(middle.x() - 0.5 * width, middle.y() - 0.5 * height, width, height);
+        const double margin = 0.02 * std::max(width, height);
+        m_frame = m_cells.adjusted(-margin, -margin, margin, margin).intersected(m_field);
+    }
+
+    QColor cellColour(std::size_t c) const {
+        const double value = m_map.layer(m_layer)[c];
+        if (std::isnan(value)) {
+            const bool live = m_map.has(MapLayer::LiveMass) && !std::isnan(m_map.layer(MapLayer::LiveMass)[c]);
+            return live ? liveColour() : QColor(0, 0, 0, 0);
+        }
+        if (m_layer == MapLayer::Component) {
+            return m_palette.categories[static_cast<std::size_t>(value) % m_palette.categories.size()];
+        }
+        return colourAt(m_layer, m_range.place(value));
+    }
+    QColor liveColour() const { return m_palette.released; }
+
+    void drawCells(QPainter& painter) {
+        // Of a map finer than the picture every few cells make a dot: the largest value would hide the rest, so they are mixed.
+        QImage cells(m_window.columns(), m_window.rows(), QImage::Format_ARGB32_Premultiplied);
+        cells.fill(Qt::transparent);
+        for (std::size_t c = 0; c < m_map.cells.size(); ++c) {
+            const MapCell& cell = m_map.cells[c];
+            if (!m_window.holds(cell)) {
+                ++m_outside;
+                continue;
+            }
+            cells.setPixelColor(cell.i - m_window.low.i, m_window.high.j - cell.j, cellColour(c));
+        }
+        painter.setRenderHint(QPainter::SmoothPixmapTransform, m_cellPixels < 1.0);
+        painter.drawImage(m_cells, cells);
+    }
+
+    double pixelX(double x) const { return m_cells.left() + (x / m_map.cell - m_window.low.i) * m_cellPixels; }
+    double pixelY(double y) const { return m_cells.bottom() - (y / m_map.cell - m_window.low.j) * m_cellPixels; }
+
+    void drawEdges(QPainter& painter) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(m_palette.muted, std::max(1.0, 0.06 * m_text)));
+        painter.drawRect(m_frame);
+        const double step = roundLength(m_map.cell / m_cellPixels, 9.0 * m_text);
+        const double tick = 0.4 * m_small;
+        const double metres = m_map.cell / m_cellPixels;
+        const double west = m_style.origin.x() + m_map.cell * m_window.low.i - (m_cells.left() - m_frame.left()) * metres;
+        const double south = m_style.origin.y() + m_map.cell * m_window.low.j - (m_frame.bottom() - m_cells.bottom()) * metres;
+        for (double x = step * std::ceil(west / step); pixelX(x - m_style.origin.x()) <= m_frame.right(); x += step) {
+            const double at = pixelX(x - m_style.origin.x());
+            painter.drawLine(QPointF(at, m_frame.bottom()), QPointF(at, m_frame.bottom() + tick));
+            write(painter, QRectF(at - 40.0 * m_small, m_frame.bottom() + tick, 80.0 * m_small, 1.6 * m_small), coordinate(x),
+                  static_cast<int>(Qt::AlignHCenter | Qt::AlignTop), m_small);
+        }
+        for (double y = step * std::ceil(south / step); pixelY(y - m_style.origin.y()) >= m_frame.top(); y += step) {
+            const double at = pixelY(y - m_style.origin.y());
+            painter.drawLine(QPointF(m_frame.left() - tick, at), QPointF(m_frame.left(), at));
+            write(painter, QRectF(0.0, at - m_small, m_frame.left() - 1.5 * tick, 2.0 * m_small), coordinate(y),
+                  static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), m_small);
+        }
+    }
+
+    static QString coordinate(double metres) {
+        const double value = std::abs(metres) < 1e-9 ? 0.0 : metres;
+        return QString::number(value, 'g', 10);
+    }
+
+    void drawScaleBar(QPainter& painter) {
+        const double length = roundLength(m_map.cell / m_cellPixels, 0.8 * m_legend.width());
+        if (!(length > 0.0)) {
+            return;
+        }
+        const double pixels = length / m_map.cell * m_cellPixels;
+        const double y = m_legend.bottom() - 0.6 * m_line;
+        const double x = m_legend.left();
+        write(painter, QRectF(x, y - 1.4 * m_line, m_legend.width(), m_line), lengthText(length), static_cast<int>(Qt::AlignLeft),
+              m_text);
+        painter.setPen(QPen(m_palette.text, std::max(1.0, 0.09 * m_text), Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+        const double tick = 0.35 * m_text;
+        const std::array<QPointF, 4> points{QPointF(x, y - tick), QPointF(x, y), QPointF(x + pixels, y),
+                                            QPointF(x + pixels, y - tick)};
+        painter.drawPolyline(points.data(), static_cast<int>(points.size()));
+    }
+
+    /// Without a coordinate system nobody said that y is north.
+    void drawNorth(QPainter& painter) {
+        const double x = m_legend.left() + 0.5 * m_line;
+        const double top = m_legend.top() + 1.2 * m_line;
+        const QString letter = m_style.system.empty() ? QStringLiteral("y") : tr("N");
+        write(painter, QRectF(x - m_line, top - 1.2 * m_line, 2.0 * m_line, 1.1 * m_line), letter,
+              static_cast<int>(Qt::AlignHCenter | Qt::AlignBottom), m_text);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(m_palette.text);
+        const std::array<QPointF, 4> arrow{QPointF(x, top), QPointF(x + 0.45 * m_line, top + 1.6 * m_line),
+                                           QPointF(x, top + 1.25 * m_line), QPointF(x - 0.45 * m_line, top + 1.6 * m_line)};
+        painter.drawConvexPolygon(arrow.data(), 4);
+    }
+
+    void drawLegend(QPainter& painter) {
+        double y = m_legend.top() + 4.2 * m_line;
+        const QString unit = unitText(m_layer);
+        write(painter, QRectF(m_legend.left(), y, m_legend.width(), m_line),
+              unit.isEmpty() ? layerName(m_layer) : layerName(m_layer) + QStringLiteral(" [") + unit + QStringLiteral("]"),
+              static_cast<int>(Qt::AlignLeft), m_text * std::min(1.0, m_legend.width() / legendWidth()));
+        y += 1.5 * m_line;
+        y = m_layer == MapLayer::Component ? drawCategories(painter, y) : drawBar(painter, y);
+        if (m_map.live && m_map.ledger.liveElements > 0) {
+            drawEntry(painter, y, liveColour(), tr("fallen live structure"));
+        }
+    }
+    double legendWidth() const {
+        return QFontMetricsF(font(m_text))
+            .horizontalAdvance(layerName(m_layer) + QStringLiteral(" [") + unitText(m_layer) + QStringLiteral("]"));
+    }
+
+    void drawEntry(QPainter& painter, double& y, const QColor& colour, const QString& text) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(colour);
+        painter.drawRect(QRectF(m_legend.left(), y + 0.2 * m_line, 0.6 * m_line, 0.6 * m_line));
+        const double room = m_legend.width() - m_line;
+        write(painter, QRectF(m_legend.left() + m_line, y, room, m_line),
+              QFontMetricsF(font(m_text)).elidedText(text, Qt::ElideRight, room),
+              static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), m_text);
+        y += 1.2 * m_line;
+    }
+
+    /// The components with most cells; returns where the next entry goes.
+    double drawCategories(QPainter& painter, double y) {
+        std::vector<std::size_t> cells(m_map.components.size(), 0);
+        for (const double value : m_map.layer(m_layer)) {
+            if (value >= 0.0 && static_cast<std::size_t>(value) < cells.size()) {
+                ++cells[static_cast<std::size_t>(value)];
+            }
+        }
+        std::vector<std::size_t> order(cells.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return cells[a] > cells[b]; });
+        std::erase_if(order, [&](std::size_t c) { return cells[c] == 0; });
+        for (std::size_t k = 0; k < std::min(order.size(), longestLegend); ++k) {
+            drawEntry(painter, y, m_palette.categories[order[k] % m_palette.categories.size()],
+                      QString::fromStdString(m_map.components[order[k]]));
+        }
+        if (order.size() > longestLegend) {
+            drawEntry(painter, y, QColor(0, 0, 0, 0), tr("%1 more").arg(order.size() - longestLegend));
+        }
+        return y;
+    }
+
+    double drawBar(QPainter& painter, double y) {
+        const double height = 7.0 * m_line;
+        const QRectF bar(m_legend.left(), y, 1.1 * m_line, height);
+        QLinearGradient ramp(bar.bottomLeft(), bar.topLeft());
+        for (int i = 0; i <= 16; ++i) {
+            ramp.setColorAt(i / 16.0, colourAt(m_layer, i / 16.0));
+        }
+        painter.setPen(QPen(m_palette.muted, 1.0));
+        painter.setBrush(ramp);
+        painter.drawRect(bar);
+        constexpr int marks = 4;
+        for (int k = 0; k <= marks; ++k) {
+            const double share = static_cast<double>(k) / marks;
+            const QString number = numberText(m_range.low + share * (m_range.high - m_range.low));
+            write(painter, QRectF(bar.right() + 0.4 * m_line, bar.bottom() - share * height - 0.5 * m_line, 8.0 * m_line, m_line),
+                  k == marks && m_range.cut ? QStringLiteral("≥ ") + number : number,
+                  static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), m_text);
+        }
+        return bar.bottom() + 1.2 * m_line;
+    }
+
+    void drawFoot(QPainter& painter) {
+        QString caption = tr("%1, t = %2, %3, cells of %4")
+                              .arg(layerName(m_layer), timeText(m_map.time), tr(m_style.shown.c_str()), lengthText(m_map.cell));
+        if (m_outside > 0) {
+            caption += tr("; %1 cells with debris lie outside the picture").arg(countText(m_outside));
+        }
+        const double bottom = m_style.pixels.height() - (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
+        write(painter, QRectF(0.0, bottom - 1.8 * m_line, m_style.pixels.width(), 1.5 * m_line), caption,
+              static_cast<int>(Qt::AlignCenter), m_text, true);
+        painter.setFont(font(m_small));
+        painter.setPen(m_palette.muted);
+        const QRectF foot(0.0, bottom, m_style.pixels.width(), 2.0 * m_small);
+        const QString system = m_style.system.empty() ? tr("local coordinates in metres") : QString::fromStdString(m_style.system);
+        painter.drawText(
+            foot, static_cast<int>(Qt::AlignCenter),
+            painter.fontMetrics().elidedText(system + QStringLiteral(" · ") + QString::fromStdString(m_style.provenance),
+                                             Qt::ElideMiddle, static_cast<int>(foot.width())));
+    }
+
+    const DebrisMap& m_map;
+    MapLayer m_layer;
+    const MapPictureStyle& m_style;
+    const Palette& m_palette;
+    Window m_window;
+    Range m_range;
+    QImage m_image;
+    double m_text;
+    double m_small;
+    double m_line = 0.0;
+    QRectF m_legend;
+    QRectF m_field;
+    QRectF m_cells;  ///< of the cells shown
+    QRectF m_frame;
+    double m_cellPixels = 1.0;
+    std::size_t m_outside = 0;
+};
+
+}  // namespace
+
+QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style) {
+    constexpr int smallest = 100;
+    constexpr int largest = 16384;
+    const auto fits = [](int side) { return side >= smallest && side <= largest; };
+    if (!fits(style.pixels.width()) || !fits(style.pixels.height()) || !(style.dpi >= 20.0 && style.dpi <= 2400.0)) {
+        throw UsageError({"figure.map_size",
+                          "A map of {0} x {1} pixels at {2} dpi cannot be drawn",
+                          {style.pixels.width(), style.pixels.height(), style.dpi}},
+                         {"figure.map_size.remedy", "Ask for {0} to {1} pixels a side and 20 to 2400 dpi.", {smallest, largest}});
+    }
+    if (!map.has(layer)) {
+        throw UsageError(
+            {"figure.map_layer", "The map has no layer \"{0}\"", {mapLayerRow(layer).key}},
+            {"figure.map_layer.remedy", "Draw another layer; impact energy needs a complete run, live structure its layers.", {}});
+    }
+    return Sheet(map, layer, style).draw();
+}
+
+}  // namespace rubble::figures

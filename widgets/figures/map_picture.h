@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QImage>
+#include <QSize>
+
+#include <string>
+
+#include "core/base/geometry.h"
+#include "core/evidence/debris_map.h"
+
+namespace rubble::figures {
+
+/// How a map is drawn.
+struct MapPictureStyle {
+    QSize pixels{1600, 1000};
+    double dpi = 200.0;                                ///< decides the size of text: 9 pt
+    Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< m, added to the coordinates along the edges
+    std::string system;                                ///< coordinate system, for people; empty: local, whose y need not be north
+    std::string shown = "simulated";                   ///< class of what is shown
+    std::string provenance;                            ///< one line in 6 pt at the foot, empty for none
+};
+
+/// One layer of a map on white, with scale bar, arrow to the north, coordinates along the edges, legend with unit, and a caption
+/// below; fallen live structure is drawn in grey where no fragments lie, if the map has it. Shown is what holds 99.9 % of the mass,
+/// if the rest lies far from it; the caption then counts the cells left out. Colours end at the 99th percentile.
+/// Call ensureGuiApplication() first. Throws UsageError for a size out of range or a layer that the map does not have.
+QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style);
+
+}  // namespace rubble::figures

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
@@ -71,6 +73,21 @@ TEST(FeResult, KeepsStatesWithinItsBudget) {
     EXPECT_EQ(f.source->reads[0], 1);
     f.fe->state(1);
     EXPECT_EQ(f.source->reads[1], 2);
+}
+
+TEST(FeResult, HoldsNoMoreBytesThanItsBudgetHoweverLongTheSeries) {
+    constexpr std::size_t series = 500, kept = 7;
+    Fixture f(series, kept * (stateBytes + sizeof(FeState)));
+    std::vector<std::weak_ptr<const FeState>> seen;
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < 3 * series; ++i) {
+        // Back and forth and across, as somebody who drags the time line.
+        seen.push_back(f.fe->state(i * i * 7919 % series));
+        most = std::max(most, static_cast<std::size_t>(
+                                  std::count_if(seen.begin(), seen.end(), [](const auto& state) { return !state.expired(); })));
+    }
+    EXPECT_LE(most, kept + 1) << "the one that is just read may come on top until the oldest has gone";
+    EXPECT_GE(most, kept - 1) << "the budget is used";
 }
 
 TEST(FeResult, KeepsTwoStatesWhateverTheBudget) {

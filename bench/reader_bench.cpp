@@ -107,6 +107,24 @@ void indexProjectile(benchmark::State& state) {
 }
 BENCHMARK(indexProjectile)->Unit(benchmark::kMillisecond);
 
+// The same bytes read and thrown away: what the disk, or the machine's memory of it, gives at best.
+void readProjectileBytes(benchmark::State& state) {
+    const std::vector<std::string> files = io::feFiles(projectile);
+    std::vector<char> buffer(std::size_t{1} << 20);
+    std::int64_t bytes = 0;
+    for (auto _ : state) {
+        for (const std::string& name : files) {
+            std::ifstream file(name, std::ios::binary);
+            while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || file.gcount() > 0) {
+                bytes += file.gcount();
+                benchmark::DoNotOptimize(buffer.data());
+            }
+        }
+    }
+    state.SetBytesProcessed(bytes);
+}
+BENCHMARK(readProjectileBytes)->Unit(benchmark::kMillisecond);
+
 void readProjectileState(benchmark::State& state) {
     const FeResult::Contents contents = io::readD3plot(projectile, {}, {}, Execution{});
     std::size_t k = 0;

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/nearest_names.h"
 #include "io/fe_format.h"
+#include "io/result_frame.h"
 #include "io/series_digest.h"
 
 namespace rubble::io {
@@ -191,14 +192,17 @@ std::uint64_t sizeOf(const std::vector<std::string>& files) {
     return bytes;
 }
 
-Digest fingerprintOf(const FeFormat& format, const std::string& sha256, const ImportSettings& settings, const Frame& frame) {
+// Of the frame that was decided on, so that a result is known again once the decision is recorded.
+Digest fingerprintOf(const FeFormat& format, const std::string& sha256, const ImportSettings& settings,
+                     const FeResult::Contents& contents) {
+    const Frame& frame = contents.frame;
     Hasher hasher;
     hasher.text(format.name).value(format.version).text(sha256);
     hasher.text(settings.statusVariable).value(settings.activeValue.value_or(-1)).text(settings.displacement);
     for (const std::int64_t origin : frame.origin) {
         hasher.value(origin);
     }
-    hasher.value(frame.metresPerUnit).text(frame.upAxis);
+    hasher.value(contents.units.metres).value(contents.units.kilograms).value(contents.units.seconds).text(frame.upAxis);
     return hasher.finish();
 }
 
@@ -212,10 +216,16 @@ void requireTimes(const std::string& path, const std::vector<double>& times) {
     }
 }
 
+// Readers give what stands in the file; its units and axes are converted once for all.
 FeResult::Contents readFound(const Found& found, const ImportSettings& settings, const Frame& frame, const Execution& execution) {
     const std::string& path = found.files.front();
     try {
-        return found.format->read(path, settings, frame, execution);
+        FeResult::Contents contents = found.format->read(path, settings, Frame{}, execution);
+        requireTimes(path, contents.times);
+        bringIntoFrame(contents, settings, frame, execution);
+        // Tiny times may fall together in another unit.
+        requireTimes(path, contents.times);
+        return contents;
     } catch (const std::bad_alloc&) {
     } catch (const std::length_error&) {
     }
@@ -231,13 +241,12 @@ std::shared_ptr<const FeResult> openFe(const std::string& path, const ImportSett
     const auto begun = std::chrono::steady_clock::now();
     FeResult::Contents contents = readFound(found, settings, frame, execution);
     contents.indexSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    requireTimes(found.files.front(), contents.times);
     contents.format = found.format->name;
     contents.path = found.files.front();
     contents.files = found.files;
     contents.bytes = sizeOf(found.files);
     contents.sha256 = sha256OfSeries(found.files, execution);
-    contents.fingerprint = fingerprintOf(*found.format, contents.sha256, settings, frame);
+    contents.fingerprint = fingerprintOf(*found.format, contents.sha256, settings, contents);
     for (const std::string& other : found.others) {
         contents.findings.add({"fe.folder_others", "The folder holds further results, which were not read", {}},
                               {"fe.folder_others.remedy", "Give the file of the one that you want.", {}}, other);

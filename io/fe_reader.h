@@ -15,7 +15,8 @@ namespace rubble::io {
 /// source.
 /// @param path      the result, any file of a series, or a folder that holds one result; a series opens as a whole
 /// @param settings  what the user says about the file; empty fields are recognised
-/// @param frame     units, axes and origin of the case; applied to everything that leaves this function
+/// @param frame     units, axes and origin of the case; what the settings say of units and axes goes before it. Applied to
+///                  everything that leaves this function; contents().frame is what became of it
 /// Throws WorldError (cannot be read), ParseError (is not what it should be; names file, place and remedy), UsageError (a named
 /// variable does not exist; lists those that do), Cancelled.
 std::shared_ptr<const FeResult> openFe(const std::string& path, const ImportSettings& settings, const Frame& frame,

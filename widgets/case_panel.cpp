@@ -8,6 +8,7 @@
 #include <QTableWidget>
 #include <cmath>
 
+#include "core/fe/unit_evidence.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
 
@@ -77,6 +78,7 @@ void CasePanel::buildFile() {
     m_nodes = file->addValue(tr("Nodes"));
     m_states = file->addValue(tr("States"));
     m_span = file->addValue(tr("Time"), tr("s"));
+    m_units = file->addValue(tr("Units"), {}, tr("What the file was taken to count in; chosen below"));
     m_flag = file->addValue(tr("Active flag"), {}, tr("How the file says which elements are active"));
     m_terrain = file->addValue(tr("Terrain"), {}, tr("What debris falls on; Terrain… in the Case menu chooses it"));
     m_velocity = file->addValue(tr("Velocity"), {}, tr("Nodal velocities; else differences of positions at active states"));
@@ -173,7 +175,7 @@ void CasePanel::showFile(const FeResult* fe) {
     const QString none(QChar(0x2013));
     m_note->setVisible(fe == nullptr);
     if (fe == nullptr || fe->stateCount() == 0) {
-        for (QLabel* label : {m_name, m_format, m_elements, m_nodes, m_states, m_span, m_flag, m_velocity, m_dead}) {
+        for (QLabel* label : {m_name, m_format, m_elements, m_nodes, m_states, m_span, m_units, m_flag, m_velocity, m_dead}) {
             label->setText(none);
         }
         return;
@@ -188,6 +190,7 @@ void CasePanel::showFile(const FeResult* fe) {
     m_states->setText(shownCount(static_cast<std::int64_t>(fe->stateCount())));
     m_span->setText(QStringLiteral("%1 – %2").arg(QLocale().toString(fe->times().front(), 'f', 2),
                                                   QLocale().toString(fe->times().back(), 'f', 2)));
+    showUnits(c);
     const QString flag = QString::fromStdString(c.activityFrom);
     m_flag->setText(flag.section(u'(', 0, 0).trimmed());
     m_flag->setToolTip(flag);
@@ -198,6 +201,20 @@ void CasePanel::showFile(const FeResult* fe) {
         dead += fe->activity().active(0, element) && !fe->activity().active(fe->stateCount() - 1, element) ? 1 : 0;
     }
     m_dead->setText(shownCount(dead));
+}
+
+// What the file fits is said where it is not what was taken.
+void CasePanel::showUnits(const FeResult::Contents& contents) {
+    const UnitSystem* taken = systemOf(contents.units);
+    const UnitEvidence evidence = evidenceInFile(evidenceOf(contents, false, Execution{}), contents.units, contents.frame);
+    const Proposal proposal = proposeUnits(evidence);
+    const QString name =
+        taken != nullptr ? QString::fromUtf8(taken->id.data(), static_cast<qsizetype>(taken->id.size())) : tr("own");
+    const QString fitting = QString::fromStdString(proposal.choice);
+    const bool other = !fitting.isEmpty() && fitting != name;
+    m_units->setText(other ? tr("%1, fits %2").arg(name, fitting) : name);
+    const QString reason = QString::fromStdString(englishText(proposal.reason));
+    m_units->setToolTip(tr("Taken: %1.\nWhat the file fits: %2.").arg(QString::fromStdString(contents.unitsFrom), reason));
 }
 
 void CasePanel::showComponents(const FeResult* fe, const Components* components) {

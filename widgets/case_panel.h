@@ -37,6 +37,7 @@ private:
     void buildFile();
     void buildTable();
     void showFile(const FeResult* fe);
+    void showUnits(const FeResult::Contents& contents);
     void showComponents(const FeResult* fe, const Components* components);
     void densityTyped(int row, int column);
 
@@ -46,6 +47,7 @@ private:
     QLabel* m_nodes;
     QLabel* m_states;
     QLabel* m_span;
+    QLabel* m_units;
     QLabel* m_flag;
     QLabel* m_velocity;
     QLabel* m_dead;

@@ -8,6 +8,7 @@
 #include "app/cli/text_output.h"
 #include "core/base/message.h"
 #include "core/fe/audit.h"
+#include "core/fe/unit_evidence.h"
 
 namespace rubble::cli {
 
@@ -16,7 +17,42 @@ namespace {
 constexpr std::size_t deathRows = 16;
 constexpr double barLength = 32.0;
 
-Json inspectionJson(const Subject& subject, const Audit& audit, const Findings& findings) {
+/// Units and up axis that were taken, and those that the file fits.
+struct UnitReport {
+    Proposal units;
+    Proposal upAxis;
+};
+
+UnitReport unitReport(const FeResult& fe, const Execution& execution) {
+    const FeResult::Contents& contents = fe.contents();
+    const UnitEvidence evidence = evidenceInFile(evidenceOf(contents, true, execution), contents.units, contents.frame);
+    return {proposeUnits(evidence), proposeUpAxis(evidence)};
+}
+
+Json proposalJson(const Proposal& proposal) {
+    return {{"choice", proposal.choice.empty() ? Json() : Json(proposal.choice)}, {"reason", englishText(proposal.reason)}};
+}
+
+Json unitsJson(const FeResult::Contents& contents, const UnitReport& report) {
+    Json object;
+    const UnitSystem* system = systemOf(contents.units);
+    object["system"] = system ? Json(system->id) : Json();
+    object["metres"] = contents.units.metres;
+    object["kilograms"] = contents.units.kilograms > 0.0 ? Json(contents.units.kilograms) : Json();
+    object["seconds"] = contents.units.seconds;
+    object["up_axis"] = contents.frame.upAxis;
+    object["origin_m"] = {contents.frame.origin.x(), contents.frame.origin.y(), contents.frame.origin.z()};
+    object["decided"] = contents.unitsFrom;
+    object["fits"] = proposalJson(report.units);
+    object["fits_up_axis"] = proposalJson(report.upAxis);
+    return object;
+}
+
+std::string proposalText(const Proposal& proposal) {
+    return (proposal.choice.empty() ? "cannot be told: " : proposal.choice + ": ") + englishText(proposal.reason);
+}
+
+Json inspectionJson(const Subject& subject, const Audit& audit, const Findings& findings, const UnitReport& units) {
     const FeResult& fe = *subject.inputs.fe;
     Json object;
     object["format"] = fe.contents().format;
@@ -49,6 +85,7 @@ Json inspectionJson(const Subject& subject, const Audit& audit, const Findings& 
     object["has_velocity"] = fe.contents().hasVelocity;
     object["has_death_time"] = !fe.contents().deathTime.empty();
     object["activity_from"] = fe.contents().activityFrom;
+    object["units"] = unitsJson(fe.contents(), units);
     object["missing"] = Json::array();
     for (const MissingFact& fact : missingFacts(fe)) {
         object["missing"].push_back({{"what", fact.what}, {"elements", fact.count}, {"instead", fact.instead}});
@@ -99,7 +136,8 @@ TextTable deathTable(const FeResult& fe, const Audit& audit) {
     return table;
 }
 
-void printInspection(std::ostream& out, const Subject& subject, const Audit& audit, const Findings& findings) {
+void printInspection(std::ostream& out, const Subject& subject, const Audit& audit, const Findings& findings,
+                     const UnitReport& units) {
     const FeResult& fe = *subject.inputs.fe;
     const auto whole = [](std::size_t number) { return englishInteger(static_cast<std::int64_t>(number)); };
     out << subject.fePath << '\n';
@@ -115,6 +153,9 @@ void printInspection(std::ostream& out, const Subject& subject, const Audit& aud
     facts.add("active flag", fe.contents().activityFrom);
     facts.add("velocities", fe.contents().hasVelocity ? "from the file" : "by differences of positions");
     facts.add("exact death times", fe.contents().deathTime.empty() ? "none" : "from the file");
+    facts.add("units, up axis", fe.contents().unitsFrom);
+    facts.add("units that fit", proposalText(units.units));
+    facts.add("up axis that fits", proposalText(units.upAxis));
     facts.add("mass", tonnesText(audit.mass) + ", of which dead " + tonnesText(audit.deadMass));
     facts.print(out);
 
@@ -148,11 +189,12 @@ ExitCode inspect(const Arguments& arguments, Session& session) {
     const Results results = runTo(subject, Stage::Components, nullptr, session.execution());
     const Audit audit = auditDeaths(*subject.inputs.fe, *results.components, session.execution());
     const Findings findings = allFindings(subject, results);
+    const UnitReport units = unitReport(*subject.inputs.fe, session.execution());
     writeCsv(arguments, componentTable(audit));
     if (arguments.json()) {
-        printJson(session, inspectionJson(subject, audit, findings));
+        printJson(session, inspectionJson(subject, audit, findings, units));
     } else {
-        printInspection(session.out(), subject, audit, findings);
+        printInspection(session.out(), subject, audit, findings, units);
     }
     return ExitCode::Ok;
 }

@@ -24,7 +24,7 @@ std::vector<MissingFact> missingFacts(const FeResult& fe) {
     note(section > 0, "section", section, "assumed; say it with --set component[NAME].section");
     note(!fe.contents().hasVelocity, "velocity", 0, "taken from differences of positions");
     note(fe.contents().deathTime.empty(), "death_time", 0, "known to one interval of states");
-    note(true, "units", 0, "no file says its units; lengths by the frame of the case (metres unless set), times in s");
+    note(!fe.contents().declared, "units", 0, "by the frame of the case (kg, m, s unless set); say them with --set units");
     return facts;
 }
 

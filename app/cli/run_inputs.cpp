@@ -98,13 +98,13 @@ std::string findFeOfRun(const std::string& runPath, const io::RunOrigin& origin,
 Inputs openInputsOfRun(const io::RunOrigin& origin, const Arguments& arguments, Session& session) {
     const std::string& runPath = arguments.operand();
     Inputs inputs;
-    inputs.frame = origin.frame;
     inputs.fe = io::openFe(findFeOfRun(runPath, origin, arguments.value("--fe")), origin.scenario.import, origin.frame,
                            session.execution());
+    inputs.frame = inputs.fe->contents().frame;
     if (!origin.terrainPath.empty()) {
         const std::string terrain =
             find(runPath, {"terrain", "--terrain", origin.terrainPath, origin.terrainSha256, arguments.value("--terrain")});
-        inputs.terrain = io::openTerrain(terrain, origin.frame, io::boundsAtRest(inputs.fe->mesh()), session.execution()).grid;
+        inputs.terrain = io::openTerrain(terrain, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), session.execution()).grid;
     }
     return inputs;
 }

@@ -296,6 +296,7 @@ Json RunReport::json() const {
     object["scenario"] = subject.scenarioName;
     object["fe"] = {{"path", subject.fePath}, {"sha256", subject.inputs.fe->contents().sha256}};
     object["terrain"] = terrainJson(subject.terrain);
+    object["units"] = subject.inputs.fe->contents().unitsFrom;
     object["run"] = runPath.empty() ? Json() : Json(runPath);
     object["exports"] = files;
     return object;
@@ -303,6 +304,7 @@ Json RunReport::json() const {
 
 void RunReport::print(std::ostream& out) const {
     out << subject.fePath << ", scenario \"" << subject.scenarioName << "\"\n";
+    out << "units " << subject.inputs.fe->contents().unitsFrom << '\n';
     if (subject.terrain.grid) {
         out << "terrain " << terrainText(subject.terrain) << '\n';
     }

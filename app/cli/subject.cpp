@@ -98,6 +98,7 @@ Subject openSubject(const Arguments& arguments, Session& session) {
 
     const auto start = std::chrono::steady_clock::now();
     subject.inputs.fe = io::openFe(subject.fePath, subject.scenario.import, subject.inputs.frame, session.execution());
+    subject.inputs.frame = theCase.frame = subject.inputs.fe->contents().frame;
     subject.openSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const std::string& hash = subject.inputs.fe->contents().sha256;
     if (!expectedHash.empty() && hash != expectedHash) {

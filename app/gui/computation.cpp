@@ -37,7 +37,9 @@ void readFe(Opened& opened, const Execution& execution) {
         }
         opened.fe =
             io::openFe(io::inputPath(opened.base.toStdString(), *input), active->scenario.import, opened.theCase.frame, execution);
-        opened.terrain = io::openTerrainOfCase(opened.theCase, opened.base.toStdString(), opened.fe->mesh(), execution);
+        Case framed = opened.theCase;
+        framed.frame = opened.fe->contents().frame;
+        opened.terrain = io::openTerrainOfCase(framed, opened.base.toStdString(), opened.fe->mesh(), execution);
     } catch (const Cancelled&) {
         throw;
     } catch (...) {
@@ -128,7 +130,7 @@ void Computation::reopen(const Case& theCase, const QString& path, const QString
 }
 
 void Computation::take(const Opened& opened, const Scenario& scenario) {
-    m_inputs = {opened.fe, opened.theCase.frame, opened.terrain.grid};
+    m_inputs = {opened.fe, opened.fe ? opened.fe->contents().frame : opened.theCase.frame, opened.terrain.grid};
     m_terrain = opened.terrain;
     m_import = scenario.import;
     m_results = {};

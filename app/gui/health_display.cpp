@@ -4,6 +4,7 @@
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
+#include "core/fe/frame_transform.h"
 #include "widgets/health_list.h"
 #include "widgets/timeline.h"
 
@@ -66,8 +67,9 @@ void HealthDisplay::showMarks() {
                                            : widgets::healthMarks(record->health(), record->acknowledged.has_value(), origin()));
 }
 
+// As exports add it: the origin of the frame, z up.
 Vec3 HealthDisplay::origin() const {
-    return m_computation.inputs().frame.origin.cast<double>();
+    return -FrameTransform(m_computation.inputs().frame).point(Vec3::Zero());
 }
 
 void HealthDisplay::show(std::size_t breach, bool near) {

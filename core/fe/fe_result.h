@@ -3,13 +3,16 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/finding.h"
 #include "core/base/hash.h"
 #include "core/fe/activity.h"
+#include "core/fe/frame.h"
 #include "core/fe/mesh.h"
+#include "core/fe/units.h"
 
 namespace rubble {
 
@@ -40,15 +43,19 @@ public:
             deathTime;  ///< exact death times s on the file's clock, NaN where the file has none [elements or empty]
         bool hasVelocity = false;
         std::shared_ptr<const StateSource> source;
-        std::string format;              ///< "Exodus II"
-        std::string path;                ///< as opened; of a series the first file
-        std::vector<std::string> files;  ///< all that were read, in their order; several for a series
-        std::uint64_t bytes = 0;         ///< of all files
-        double indexSeconds = 0.0;       ///< wall time it took to read mesh, times and activity
-        std::string sha256;              ///< of the file, hex; of a series, of the list of its files (io::sha256OfFe)
-        std::string activityFrom;        ///< how activity was decided, for people: "STATUS, 1 is active"
-        Digest fingerprint;              ///< of content and import options
-        Findings findings;               ///< what the reader had to work around
+        std::string format;                 ///< "Exodus II"
+        std::string path;                   ///< as opened; of a series the first file
+        std::vector<std::string> files;     ///< all that were read, in their order; several for a series
+        std::uint64_t bytes = 0;            ///< of all files
+        double indexSeconds = 0.0;          ///< wall time it took to read mesh, times and activity
+        std::string sha256;                 ///< of the file, hex; of a series, of the list of its files (io::sha256OfFe)
+        std::string activityFrom;           ///< how activity was decided, for people: "STATUS, 1 is active"
+        std::optional<FileUnits> declared;  ///< what a deck beside the file says that it counts in
+        FileUnits units;                    ///< what the file was taken to count in
+        Frame frame;                        ///< that everything here has been brought into
+        std::string unitsFrom;              ///< how units and up axis were decided, for people
+        Digest fingerprint;                 ///< of content and import options
+        Findings findings;                  ///< what the reader had to work around
     };
 
     /// @param byteBudget  bytes of states kept in memory at most (at least two states are always kept)

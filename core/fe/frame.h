@@ -12,7 +12,7 @@ struct Frame {
     Eigen::Matrix<std::int64_t, 3, 1> origin =
         Eigen::Matrix<std::int64_t, 3, 1>::Zero();  ///< local origin in file coordinates, whole metres
     double metresPerUnit = 1.0;                     ///< length unit of the file
-    std::string upAxis = "z";                       ///< axis of the file that points up
+    std::string upAxis = "z";                       ///< axis of the file that points up: x, y, z, -x, -y or -z
     std::string crs;                                ///< coordinate reference system, empty if none is known
 
     friend bool operator==(const Frame&, const Frame&) = default;

@@ -15,9 +15,15 @@ Mat3 rotationFrom(const std::string& upAxis) {
         rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;
     } else if (upAxis == "x") {
         rotation << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+    } else if (upAxis == "-z") {
+        rotation << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+    } else if (upAxis == "-y") {
+        rotation << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    } else if (upAxis == "-x") {
+        rotation << 0, 1, 0, 0, 0, -1, -1, 0, 0;
     } else if (upAxis != "z") {
         throw UsageError({"frame.up_axis", "\"{0}\" is not an axis that can point up", {upAxis}},
-                         {"frame.up_axis.remedy", "Set the up axis of the case's frame to x, y or z.", {}});
+                         {"frame.up_axis.remedy", "Set the up axis of the case's frame to x, y, z, -x, -y or -z.", {}});
     }
     return rotation;
 }

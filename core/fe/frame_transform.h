@@ -9,7 +9,7 @@ namespace rubble {
 /// right-handed rotation that turns the file's up axis to z.
 class FrameTransform {
 public:
-    /// Throws UsageError for a unit that is not positive or an up axis other than x, y, z.
+    /// Throws UsageError for a unit that is not positive or an up axis other than x, y, z, -x, -y, -z.
     explicit FrameTransform(const Frame& frame);
 
     Vec3 point(const Vec3& inFile) const { return m_rotation * (m_metresPerUnit * inFile - m_origin); }

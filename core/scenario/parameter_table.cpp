@@ -1,3 +1,4 @@
+#include "core/fe/units.h"
 #include "core/scenario/parameter_rows.h"
 
 namespace rubble {
@@ -14,7 +15,15 @@ std::vector<Parameter> importRows() {
             "Value of the active flag on active elements. Automatic: by the flag's convention, else what most elements have at the "
             "first state.")
         .text("displacement", RUBBLE_AT(import.displacement), "Displacement",
-              "Prefix of the nodal displacement variables. Empty: recognised by name. none: the nodes do not move.");
+              "Prefix of the nodal displacement variables. Empty: recognised by name. none: the nodes do not move.")
+        .choice(
+            "units", unitChoices(), RUBBLE_AT(import.units), "Units of the file",
+            "What the file counts mass, length and time in. frame: as the frame of the case says. auto: what densities, size and "
+            "free fall in the file fit, if only one system does; inspect says which and why.")
+        .choice(
+            "up_axis", upAxisChoices(), RUBBLE_AT(import.upAxis), "Up axis of the file",
+            "Axis of the file that points up. frame: as the frame of the case says. auto: against the free fall that is seen in "
+            "the file.");
     return std::move(table.rows);
 }
 

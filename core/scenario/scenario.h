@@ -33,6 +33,8 @@ struct ImportSettings {
     std::string statusVariable;      ///< name of the active flag
     std::optional<int> activeValue;  ///< its value on active elements
     std::string displacement;        ///< prefix of the displacement components; "none": nodes do not move
+    std::size_t units = 0;           ///< of the file, in the order of unitChoices()
+    std::size_t upAxis = 0;          ///< of the file, in the order of upAxisChoices()
     friend bool operator==(const ImportSettings&, const ImportSettings&) = default;
 };
 

@@ -30,7 +30,7 @@ AnimStream::AnimStream(const std::string& path) : m_path(path), m_file(gzopen(pa
         throw WorldError({"anim.unreadable", "{0} cannot be read", {path}},
                          {"fe.unreadable.remedy", "Check the path and that you may read the file.", {}});
     }
-    gzbuffer(m_file.get(), 1u << 17);
+    gzbuffer(m_file.get(), static_cast<unsigned>(std::clamp<std::uintmax_t>(size, 1u << 12, 1u << 17)));
     m_most = static_cast<std::int64_t>(size) * (gzdirect(m_file.get()) != 0 ? 1 : bestPacking);
 }
 

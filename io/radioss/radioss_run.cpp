@@ -62,7 +62,7 @@ public:
         requireTime(m_run.files.front(), first.time);
         const StarterDeck deck = readStarterDeck(m_run.deck);
         m_mesh = makeRadiossMesh(m_run.files.front(), first, deck.parts, m_frame);
-        noteUnits(deck);
+        m_declared = unitsOf(deck);
         for (std::size_t i = 0; i < m_run.files.size(); ++i) {
             m_execution.report(stage, static_cast<double>(i) / static_cast<double>(m_run.files.size()));
             readStatus(i, first);
@@ -76,16 +76,6 @@ private:
         if (!std::isfinite(time)) {
             throw ParseError({"anim.bad_time", "{0}: the time of the state is {1}", {path, time}},
                              {"anim.damaged.remedy", "The file is damaged: copy it again or leave it out.", {}});
-        }
-    }
-
-    void noteUnits(const StarterDeck& deck) {
-        const double metres = metresIn(deck.length);
-        if (metres > 0.0 && std::abs(metres / m_frame.metresPerUnit - 1.0) > 1e-9) {
-            m_findings.add({"anim.units",
-                            "The starter deck counts in {0}, {1} and {2}; the case takes a unit of length for {3}",
-                            {deck.mass, deck.length, deck.time, {m_frame.metresPerUnit, "m"}}},
-                           {"anim.units.remedy", "Set the length unit of the case's frame to {0}.", {{metres, "m"}}}, m_run.deck);
         }
     }
 
@@ -180,6 +170,7 @@ private:
         if (m_rigid > 0) {
             contents.activityFrom += " (" + englishInteger(m_rigid) + " rigid)";
         }
+        contents.declared = m_declared;
         settleDeathTimes(contents);
         contents.mesh = std::make_shared<const Mesh>(std::move(m_mesh.mesh));
         contents.times = m_times;
@@ -273,6 +264,7 @@ private:
     std::vector<std::vector<bool>> m_rows;
     std::int64_t m_rigid = 0;
     std::vector<double> m_deletion;
+    std::optional<FileUnits> m_declared;
     Findings m_findings;
 };
 

@@ -97,11 +97,19 @@ private:
 
 }  // namespace
 
-double metresIn(const std::string& unit) {
-    const std::map<std::string, double> units{{"mm", 0.001},  {"cm", 0.01},   {"dm", 0.1},   {"m", 1.0},
-                                              {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}};
-    const auto found = units.find(unit);
-    return found == units.end() ? 0.0 : found->second;
+std::optional<FileUnits> unitsOf(const StarterDeck& deck) {
+    const std::map<std::string, double> metres{{"mm", 0.001},  {"cm", 0.01},   {"dm", 0.1},   {"m", 1.0},
+                                               {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}};
+    const std::map<std::string, double> kilograms{{"mg", 1e-6},  {"g", 0.001},    {"kg", 1.0},       {"Mg", 1000.0},
+                                                  {"t", 1000.0}, {"ton", 1000.0}, {"lb", 0.45359237}};
+    const std::map<std::string, double> seconds{{"us", 1e-6}, {"ms", 0.001}, {"s", 1.0}};
+    const auto length = metres.find(deck.length);
+    const auto mass = kilograms.find(deck.mass);
+    const auto time = seconds.find(deck.time);
+    if (length == metres.end() || mass == kilograms.end() || time == seconds.end()) {
+        return std::nullopt;
+    }
+    return FileUnits{length->second, mass->second, time->second};
 }
 
 StarterDeck readStarterDeck(const std::string& path) {

@@ -2,7 +2,10 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+
+#include "core/fe/units.h"
 
 namespace rubble::io {
 
@@ -19,8 +22,8 @@ struct StarterDeck {
     std::string mass, length, time;          ///< units as the deck names them: "Mg", "mm", "s"; empty where it does not
 };
 
-/// Metres in a unit of length that a deck names; 0 for a name that is not known.
-double metresIn(const std::string& unit);
+/// The units that a deck names; nothing if it names none or one that is not known.
+std::optional<FileUnits> unitsOf(const StarterDeck& deck);
 
 /// Reads units, parts, initial densities, thicknesses of shells and sections of trusses from a starter deck (NAME_0000.rad), empty
 /// if there is no such file; what is not understood is left out.

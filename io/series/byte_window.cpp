@@ -31,7 +31,7 @@ bool ByteWindow::cover(std::size_t count) {
     }
     const std::uint64_t end = std::min<std::uint64_t>(m_size, m_place + count);
     if (m_place < m_begin || end > m_begin + m_window.size()) {
-        m_window.resize(std::max(count, windowBytes));
+        m_window.resize(static_cast<std::size_t>(std::min<std::uint64_t>(std::max(count, windowBytes), m_size - m_place)));
         m_file.clear();
         m_file.seekg(static_cast<std::streamoff>(m_place));
         m_file.read(m_window.data(), static_cast<std::streamsize>(m_window.size()));

@@ -1,6 +1,7 @@
 #include "io/vtk/vtk_reader.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "io/series/series_result.h"
@@ -71,6 +72,11 @@ private:
         for (GridEntry& entry : m_entries) {
             if (!entry.time) {
                 entry.time = readGridFile(entry.files.front(), none).time;
+            }
+            if (entry.time && !std::isfinite(*entry.time)) {
+                throw ParseError(
+                    {"vtk.time", "{0} says that its time is {1}", {entry.files.front(), {*entry.time, "s"}}},
+                    {"vtk.time.remedy", "Times must be finite: write the file again, or give a .pvd with the times.", {}});
             }
             m_timed &= entry.time.has_value();
         }

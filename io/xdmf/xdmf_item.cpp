@@ -4,9 +4,11 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "core/base/error.h"
@@ -23,6 +25,16 @@ std::string trimmed(const std::string& text) {
     return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
+// What no whole number can hold becomes one that no table has entries for.
+template <class T>
+T converted(double value) {
+    if constexpr (std::is_same_v<T, double>) {
+        return value;
+    } else {
+        return std::abs(value) < 9e15 ? static_cast<T>(value) : std::numeric_limits<T>::min();
+    }
+}
+
 template <class From, class T>
 T valueFrom(const char* bytes, bool swap) {
     std::array<char, sizeof(From)> raw{};
@@ -30,7 +42,11 @@ T valueFrom(const char* bytes, bool swap) {
     if (swap) {
         std::reverse(raw.begin(), raw.end());
     }
-    return static_cast<T>(std::bit_cast<From>(raw));
+    if constexpr (std::is_floating_point_v<From>) {
+        return converted<T>(std::bit_cast<From>(raw));
+    } else {
+        return static_cast<T>(std::bit_cast<From>(raw));
+    }
 }
 
 }  // namespace
@@ -116,7 +132,7 @@ std::vector<T> XdmfItems::fromText(const std::string& text, std::uint64_t count)
         if (result.ec != std::errc{}) {
             fail("a list of " + std::to_string(count) + " numbers ends after " + std::to_string(values.size()));
         }
-        values.push_back(static_cast<T>(value));
+        values.push_back(converted<T>(value));
         at = result.ptr;
     }
     return values;

@@ -139,6 +139,9 @@ private:
         XdmfState state;
         const pugi::xml_attribute time = grid.child("Time").attribute("Value");
         state.time = time ? time.as_double() : static_cast<double>(m_states.size());
+        if (!std::isfinite(state.time)) {
+            m_items.fail("the time \"" + std::string(time.as_string()).substr(0, 40) + "\" of a grid is no number");
+        }
         if (typeOf(grid, "GridType") == "collection") {
             for (const pugi::xml_node child : grid.children("Grid")) {
                 state.grids.push_back(child);

@@ -1,37 +1,23 @@
-#include <unistd.h>
-
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
-#include "core/base/error.h"
-#include "core/fe/fe_result.h"
-#include "io/d3plot/d3plot_family.h"
 #include "io/d3plot/d3plot_reader.h"
+#include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;
 
 /// Reads any bytes as a d3plot family: the root up to a mark of eight bytes, then its first member.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    static const std::string folder =
-        (std::filesystem::temp_directory_path() / ("rubble-fuzz-" + std::to_string(::getpid()))).string();
-    std::filesystem::create_directory(folder);
-    const std::string root = folder + "/d3plot";
-    const std::string all(reinterpret_cast<const char*>(bytes), size);
-    const std::size_t mark = all.find("NEXTFILE");
-    std::ofstream(root, std::ios::binary | std::ios::trunc) << all.substr(0, mark);
-    if (mark != std::string::npos) {
-        std::ofstream(root + "01", std::ios::binary | std::ios::trunc) << all.substr(mark + 8);
+    const std::string_view all(reinterpret_cast<const char*>(bytes), size);
+    const std::size_t mark = std::min(all.find("NEXTFILE"), size);
+    const std::string root = layDown(all.data(), mark, "d3plot");
+    if (mark < size) {
+        layDown(all.data() + mark + 8, size - mark - 8, "d3plot01");
     }
-    try {
-        const FeResult fe(io::readD3plot(root, {}, {}, Execution{}));
-        for (std::size_t k = 0; k < fe.stateCount(); ++k) {
-            fe.state(k);
-        }
-    } catch (const Error&) {
+    fuzzResult([&] { return io::readD3plot(root, {}, {}, fuzzExecution()); });
+    if (mark < size) {
+        std::filesystem::remove(root + "01");
     }
-    std::filesystem::remove(root);
-    std::filesystem::remove(root + "01");
     return 0;
 }

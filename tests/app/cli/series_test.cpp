@@ -28,8 +28,13 @@ TEST_F(Series, InspectSaysWhatIsThereWhatIsMissingAndWhatItCosts) {
     EXPECT_EQ(anim["bytes"], 20 * 50554 + 90546);
     EXPECT_GT(anim["index_s"], 0.0);
     EXPECT_EQ(anim["dead_total"], 43);
-    EXPECT_EQ(anim["missing"].size(), 1u);
-    EXPECT_EQ(anim["missing"][0]["what"], "units");
+    EXPECT_TRUE(anim["missing"].empty()) << "the starter deck says the units";
+    EXPECT_EQ(anim["units"]["system"], "kg-m-s") << "of the frame of a case, until somebody chooses";
+    EXPECT_EQ(anim["units"]["fits"]["choice"], "t-mm-s") << anim["units"]["fits"]["reason"];
+    const nlohmann::json chosen = cli({"inspect", data + "frame-anim", "--json", "--set", "units=t-mm-s"}).json();
+    EXPECT_EQ(chosen["units"]["system"], "t-mm-s");
+    EXPECT_NEAR(chosen["mass_kg"].get<double>(), 1000.0 * anim["mass_kg"].get<double>(), 1e-6 * chosen["mass_kg"].get<double>())
+        << "tonnes";
     const nlohmann::json d3plot = cli({"inspect", data + "frame-d3plot", "--json"}).json();
     EXPECT_EQ(d3plot["dead_total"], 43);
     std::vector<std::string> missing;

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
@@ -71,6 +73,21 @@ TEST(FeResult, KeepsStatesWithinItsBudget) {
     EXPECT_EQ(f.source->reads[0], 1);
     f.fe->state(1);
     EXPECT_EQ(f.source->reads[1], 2);
+}
+
+TEST(FeResult, HoldsNoMoreBytesThanItsBudgetHoweverLongTheSeries) {
+    constexpr std::size_t series = 500, kept = 7;
+    Fixture f(series, kept * (stateBytes + sizeof(FeState)));
+    std::vector<std::weak_ptr<const FeState>> seen(series);
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < 3 * series; ++i) {
+        // Across the series, as somebody who drags the time line.
+        const std::size_t k = i * i * 7919 % series;
+        seen[k] = f.fe->state(k);
+        const auto held = std::count_if(seen.begin(), seen.end(), [](const auto& state) { return !state.expired(); });
+        most = std::max(most, static_cast<std::size_t>(held));
+    }
+    EXPECT_EQ(most, kept) << "states of the budget, no more, and no fewer";
 }
 
 TEST(FeResult, KeepsTwoStatesWhateverTheBudget) {

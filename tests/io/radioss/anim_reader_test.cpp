@@ -305,8 +305,8 @@ TEST(AnimReader, TheFrameInThreeFormats) {
     }
     EXPECT_EQ(exact, 21) << "every dead brick, and nothing else: the criterion of shells and trusses writes no time";
     EXPECT_EQ(anim->contents().findings.count("anim.death_time"), 0);
-    EXPECT_EQ(anim->contents().findings.count("anim.units"), 0);
-    EXPECT_EQ(openFe(data + "frame-anim", {}, {}, Execution{})->contents().findings.count("anim.units"), 1)
+    EXPECT_EQ(anim->contents().findings.count("fe.units_declared"), 0);
+    EXPECT_EQ(openFe(data + "frame-anim", {}, {}, Execution{})->contents().findings.count("fe.units_declared"), 1)
         << "the deck counts in mm";
 }
 

@@ -1,0 +1,318 @@
+#include "core/fe/unit_evidence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/fe/frame_transform.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr double gravity = 9.80665;     // m/s2
+constexpr double clearlyBetter = 2.0;   // of scores
+constexpr std::size_t mostTriples = 4;  // of states that free fall is looked for in
+constexpr std::size_t mostFallers = 4000;
+constexpr double alikeFall = 0.05;  // of the median
+constexpr double shareOfFallers = 0.25;
+
+/// Densities of what is built and shot at, kg/m3; `usual` is what collapses are made of.
+struct KnownMaterial {
+    std::string_view name;
+    double low, high;
+    bool usual;
+};
+
+constexpr std::array materials{
+    KnownMaterial{"concrete", 2150.0, 2550.0, true},     KnownMaterial{"steel", 7600.0, 8100.0, true},
+    KnownMaterial{"stone", 2550.0, 3100.0, true},        KnownMaterial{"masonry", 1400.0, 2150.0, true},
+    KnownMaterial{"timber", 350.0, 900.0, true},         KnownMaterial{"cast iron", 7000.0, 7400.0, true},
+    KnownMaterial{"soil or fill", 900.0, 1400.0, false}, KnownMaterial{"titanium", 4400.0, 4600.0, false},
+    KnownMaterial{"copper", 8700.0, 9000.0, false},      KnownMaterial{"lead", 11200.0, 11450.0, false},
+    KnownMaterial{"tungsten", 17000.0, 19400.0, false},
+};
+
+// Nodes that belong to elements, all of which are inactive at a state although they were active at the first.
+std::vector<std::uint32_t> freeNodes(const FeResult::Contents& contents, std::size_t k) {
+    const Mesh& mesh = *contents.mesh;
+    std::vector<std::uint8_t> kind(mesh.nodeCount(), 0);  // 1: of dead elements, 2: held
+    for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
+        const auto element = idAt<ElementIndex>(e);
+        const bool dead = !contents.activity.active(k, element) && contents.activity.active(0, element);
+        for (const std::uint32_t node : mesh.cornersOf(element)) {
+            kind[node] = std::max<std::uint8_t>(kind[node], dead ? 1 : 2);
+        }
+    }
+    std::vector<std::uint32_t> nodes;
+    for (std::size_t n = 0; n < kind.size(); ++n) {
+        if (kind[n] == 1) {
+            nodes.push_back(static_cast<std::uint32_t>(n));
+        }
+    }
+    return nodes;
+}
+
+// Three states that follow each other, from the first with free nodes on, spread over the rest.
+std::vector<std::size_t> triples(const FeResult::Contents& contents) {
+    const std::size_t states = contents.times.size();
+    std::size_t first = 0;
+    while (first + 3 <= states && freeNodes(contents, first).empty()) {
+        ++first;
+    }
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; first + 3 <= states && i < mostTriples; ++i) {
+        const std::size_t start = first + (states - 3 - first) * i / (mostTriples - 1);
+        if (starts.empty() || starts.back() != start) {
+            starts.push_back(start);
+        }
+    }
+    return starts;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+Vec3 medianOf(const std::vector<Vec3>& vectors) {
+    Vec3 result;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        std::vector<double> values;
+        values.reserve(vectors.size());
+        for (const Vec3& vector : vectors) {
+            values.push_back(vector[axis]);
+        }
+        result[axis] = median(std::move(values));
+    }
+    return result;
+}
+
+void addAccelerations(const FeResult::Contents& contents, std::size_t k, std::vector<Vec3>& accelerations) {
+    const std::vector<std::uint32_t> nodes = freeNodes(contents, k);
+    const std::size_t stride = nodes.size() / (mostFallers / mostTriples) + 1;
+    const std::vector<double>& t = contents.times;
+    const std::array states{contents.source->read(k), contents.source->read(k + 1), contents.source->read(k + 2)};
+    for (std::size_t i = 0; i < nodes.size(); i += stride) {
+        const std::uint32_t n = nodes[i];
+        const Vec3 before = (states[1].positions[n] - states[0].positions[n]) / (t[k + 1] - t[k]);
+        const Vec3 after = (states[2].positions[n] - states[1].positions[n]) / (t[k + 2] - t[k + 1]);
+        accelerations.emplace_back((after - before) / (0.5 * (t[k + 2] - t[k])));
+    }
+}
+
+// What falls freely falls alike: a good share of the nodes must agree with the median.
+std::optional<Vec3> freeFall(const FeResult::Contents& contents, const Execution& execution) {
+    std::vector<Vec3> accelerations;
+    for (const std::size_t k : triples(contents)) {
+        execution.check();
+        addAccelerations(contents, k, accelerations);
+    }
+    if (accelerations.size() < 3) {
+        return std::nullopt;
+    }
+    const Vec3 middle = medianOf(accelerations);
+    const double tolerance = alikeFall * middle.norm();
+    std::vector<Vec3> alike;
+    for (const Vec3& acceleration : accelerations) {
+        if ((acceleration - middle).norm() <= tolerance) {
+            alike.push_back(acceleration);
+        }
+    }
+    const bool agreed = middle.norm() > 0.0 && static_cast<double>(alike.size()) >=
+                                                   std::max(3.0, shareOfFallers * static_cast<double>(accelerations.size()));
+    return agreed ? std::optional<Vec3>(medianOf(alike)) : std::nullopt;
+}
+
+/// Weighs one system against the evidence.
+class Fitting {
+public:
+    Fitting(const UnitSystem& system, const UnitEvidence& evidence) : m_evidence(evidence), m_units(system.units) {
+        m_fit.system = &system;
+        weighDeclared();
+        weighDensities();
+        weighSize();
+        weighFall();
+        weighDuration();
+    }
+
+    UnitFit take() { return std::move(m_fit); }
+
+private:
+    void weighDeclared() {
+        if (m_evidence.declared && systemOf(*m_evidence.declared) == m_fit.system) {
+            add(8.0, {"units.declared", "a deck beside the file counts so", {}});
+        }
+    }
+
+    void weighDensities() {
+        double sum = 0.0;
+        for (const UnitEvidence::Density& density : m_evidence.densities) {
+            const double si = density.value * m_units.density();
+            const auto known = std::find_if(materials.begin(), materials.end(), [&](const KnownMaterial& material) {
+                return si >= material.low && si <= material.high;
+            });
+            const bool possible = si >= 25.0 && si <= 22000.0;
+            sum += known != materials.end() ? (known->usual ? 4.0 : 2.0) : possible ? 0.0 : -8.0;
+            if (&density == &m_evidence.densities.front()) {
+                m_fit.reasons.push_back({"units.density",
+                                         "density {0} of \"{1}\" is {2}, {3}",
+                                         {density.value,
+                                          density.part,
+                                          {si, "kg/m3"},
+                                          known != materials.end() ? known->name
+                                          : possible               ? "no usual material"
+                                                                   : "no material"}});
+            }
+        }
+        if (!m_evidence.densities.empty()) {
+            m_fit.score += sum / static_cast<double>(m_evidence.densities.size());
+        }
+    }
+
+    void weighSize() {
+        const double si = m_evidence.size * m_units.metres;
+        const double score = si >= 0.5 && si <= 2000.0    ? 2.0
+                             : si >= 0.02 && si <= 5000.0 ? 0.5
+                             : si >= 0.005 && si <= 2e4   ? -1.0
+                                                          : -4.0;
+        add(score, {"units.size", "size {0} is {1}", {m_evidence.size, {si, "m"}}});
+    }
+
+    void weighFall() {
+        if (m_evidence.fall) {
+            const double inFile = m_evidence.fall->norm();
+            const double si = inFile * m_units.acceleration();
+            const double off = std::abs(si / gravity - 1.0);
+            add(off < 0.02  ? 8.0
+                : off < 0.3 ? 2.0
+                            : -4.0,
+                {"units.fall", "free nodes fall at {0}, which is {1}", {inFile, {si, "m/s2"}}});
+        }
+    }
+
+    void weighDuration() {
+        const double si = m_evidence.duration * m_units.seconds;
+        if (si > 0.0) {
+            add(si >= 0.02 && si <= 300.0    ? 1.0
+                : si >= 1e-5 && si <= 3600.0 ? 0.0
+                                             : -3.0,
+                {"units.duration", "{0} of time are {1}", {m_evidence.duration, {si, "s"}}});
+        }
+    }
+
+    void add(double score, Message reason) {
+        m_fit.score += score;
+        m_fit.reasons.push_back(std::move(reason));
+    }
+
+    const UnitEvidence& m_evidence;
+    FileUnits m_units;
+    UnitFit m_fit;
+};
+
+std::string joined(const std::vector<Message>& reasons) {
+    std::string text;
+    for (const Message& reason : reasons) {
+        text += (text.empty() ? "" : "; ") + englishText(reason);
+    }
+    return text;
+}
+
+}  // namespace
+
+UnitEvidence evidenceOf(const FeResult::Contents& contents, bool withFall, const Execution& execution) {
+    const Mesh& mesh = *contents.mesh;
+    UnitEvidence evidence;
+    std::vector<bool> known(mesh.parts.size(), false);
+    Aabb bounds;
+    for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
+        if (mesh.density[e] > 0.0 && !known[mesh.part[e]]) {
+            known[mesh.part[e]] = true;
+            evidence.densities.push_back({mesh.parts[mesh.part[e]].name, mesh.density[e]});
+        }
+        for (const std::uint32_t node : mesh.cornersOf(idAt<ElementIndex>(e))) {
+            bounds.extend(mesh.nodes[node]);
+        }
+    }
+    evidence.size = bounds.isEmpty() ? 0.0 : bounds.sizes().maxCoeff();
+    evidence.duration = contents.times.empty() ? 0.0 : contents.times.back() - contents.times.front();
+    evidence.declared = contents.declared;
+    if (withFall && contents.source) {
+        evidence.fall = freeFall(contents, execution);
+    }
+    return evidence;
+}
+
+UnitEvidence evidenceInFile(UnitEvidence evidence, const FileUnits& units, const Frame& frame) {
+    if (units.kilograms > 0.0) {
+        for (UnitEvidence::Density& density : evidence.densities) {
+            density.value /= units.density();
+        }
+    } else {
+        evidence.densities.clear();
+    }
+    evidence.size /= units.metres;
+    evidence.duration /= units.seconds;
+    if (evidence.fall) {
+        const FrameTransform transform(frame);
+        evidence.fall =
+            (transform.pointInFile(*evidence.fall) - transform.pointInFile(Vec3::Zero())) * units.seconds * units.seconds;
+    }
+    return evidence;
+}
+
+std::vector<UnitFit> fitUnits(const UnitEvidence& evidence) {
+    std::vector<UnitFit> fits;
+    for (const UnitSystem& system : unitSystems()) {
+        fits.push_back(Fitting(system, evidence).take());
+    }
+    std::stable_sort(fits.begin(), fits.end(), [](const UnitFit& a, const UnitFit& b) { return a.score > b.score; });
+    return fits;
+}
+
+Proposal proposeUnits(const UnitEvidence& evidence) {
+    const std::vector<UnitFit> fits = fitUnits(evidence);
+    const UnitFit& best = fits.front();
+    std::string rivals;
+    for (std::size_t i = 1; i < fits.size() && fits[i].score > best.score - clearlyBetter; ++i) {
+        rivals += (rivals.empty() ? "" : ", ") + std::string(fits[i].system->id);
+    }
+    if (best.score <= 0.0) {
+        return {"", {"units.none", "no known system fits; the best would be {0}: {1}", {best.system->id, joined(best.reasons)}}};
+    }
+    if (!rivals.empty()) {
+        return {"", {"units.ambiguous", "{0} would fit ({1}), and so would {2}", {best.system->id, joined(best.reasons), rivals}}};
+    }
+    return {std::string(best.system->id), {"units.fits", "{0}: {1}", {best.system->words, joined(best.reasons)}}};
+}
+
+Proposal proposeUpAxis(const UnitEvidence& evidence) {
+    if (!evidence.fall) {
+        return {"", {"up.unseen", "no node was seen to fall freely", {}}};
+    }
+    Eigen::Index axis = 0;
+    const Vec3 down = evidence.fall->normalized();
+    const double share = down.cwiseAbs().maxCoeff(&axis);
+    if (share < 0.98) {
+        return {
+            "",
+            {"up.oblique", "free nodes fall along ({0}, {1}, {2}), which is no axis of the file", {down.x(), down.y(), down.z()}}};
+    }
+    const std::string name(1, "xyz"[axis]);
+    return {down[axis] < 0.0 ? name : "-" + name,
+            {"up.falls", "free nodes fall along {0}", {down[axis] < 0.0 ? "-" + name : name}}};
+}
+
+std::optional<Message> implausibleSize(double size) {
+    if (size > 10000.0) {
+        return Message{"units.too_large", "The structure would be {0} large: no structure is", {{size / 1000.0, "km"}}};
+    }
+    if (size > 0.0 && size < 0.005) {
+        return Message{"units.too_small", "The structure would be {0} large", {{size * 1000.0, "mm"}}};
+    }
+    return std::nullopt;
+}
+
+}  // namespace rubble

@@ -19,6 +19,7 @@ struct FileHead {
     std::string bytes;                   ///< the first 4,096 bytes at most
     std::uint64_t size = 0;              ///< of the file as it lies there, bytes
     bool packed = false;                 ///< by gzip
+    std::string hdf5Format;              ///< what an HDF5 file says of itself: the text `format` at its root; empty for others
     std::vector<std::string> hdf5Names;  ///< names of what an HDF5 file holds at its root, sorted; empty for other files
 };
 

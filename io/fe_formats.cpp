@@ -7,6 +7,7 @@
 #include "io/d3plot/d3plot_header.h"
 #include "io/d3plot/d3plot_reader.h"
 #include "io/exodus/exodus_reader.h"
+#include "io/fe_copy/copy_reader.h"
 #include "io/fe_format.h"
 #include "io/marc/marc_reader.h"
 #include "io/radioss/anim_reader.h"
@@ -63,6 +64,7 @@ constexpr std::array formats{
     FeFormat{"Ansys coded database", ".cdb, with its .mac", 1, recognisesCdb, cdbMembers, readCdbs},
     FeFormat{"Ansys results", ".rst with a list of deaths", 1, recognisesRst, aloneWithDeathList, readRst},
     FeFormat{"XDMF", ".xdmf, .xmf", 1, recognisesXdmf, xdmfMembers, readXdmf},
+    FeFormat{"Rubble copy", ".h5, made by rubble-cli convert", 1, recognisesFeCopy, standsAlone, readFeCopy},
     FeFormat{"VTKHDF", ".vtkhdf, .hdf", 1, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},
     FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 1, recognisesExodus, exodusMembers, readExodus},
 };

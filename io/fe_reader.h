@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,6 +29,14 @@ std::vector<std::string> feFiles(const std::string& path);
 /// Whether files of a result have come or changed their size since it was opened: opening it again would show more, as of a
 /// series that is still being written. Throws WorldError.
 bool hasGrown(const FeResult& fe);
+
+/// What has come to a result between two openings.
+struct FeGrowth {
+    std::int64_t states = 0;  ///< more than before; negative where the result is shorter than it was
+    std::int64_t deaths = 0;  ///< more elements that are dead at the last state
+    std::int64_t bytes = 0;
+};
+FeGrowth growthBetween(const FeResult& before, const FeResult& after);
 
 /// What names the content of a result: the SHA-256 of its file, or of a list of all its files as sha256sum writes it (digest, two
 /// blanks, name without folder, newline), hex. Throws WorldError.

@@ -104,12 +104,6 @@ private:
     std::vector<char> m_buffer;
 };
 
-// Unique within the machine: process and a counter; O_EXCL settles the rest.
-std::string temporaryName(const std::string& target) {
-    static std::atomic<unsigned> counter{0};
-    return target + "." + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
-}
-
 // Writing through a link must change the file it points to, not replace the link.
 std::string targetOf(const std::string& path) {
     std::error_code ignored;
@@ -198,7 +192,7 @@ std::string sha256OfText(std::string_view text) {
 
 void writeAtomically(const std::string& path, const std::function<void(std::ostream&)>& write) {
     const std::string target = targetOf(path);
-    RemoveUnlessKept temporary{temporaryName(target)};
+    RemoveUnlessKept temporary{unfinishedName(target)};
     Descriptor file(::open(temporary.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (file.get() < 0) {
         temporary.kept = true;
@@ -225,6 +219,27 @@ void writeAtomically(const std::string& path, const std::function<void(std::ostr
     }
     temporary.kept = true;
     flushFolder(target);
+}
+
+void writeFileAtomically(const std::string& path, const std::function<void(const std::string&)>& write) {
+    const std::string target = targetOf(path);
+    if (std::error_code ignored; fs::is_directory(target, ignored)) {
+        failWrite(path, EISDIR);
+    }
+    RemoveUnlessKept temporary{unfinishedName(target)};
+    write(temporary.path);
+    Descriptor file(::open(temporary.path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (file.get() < 0 || ::fsync(file.get()) != 0 || file.close() != 0 || ::rename(temporary.path.c_str(), target.c_str()) != 0) {
+        failWrite(path, errno);
+    }
+    temporary.kept = true;
+    flushFolder(target);
+}
+
+// Unique within the machine: process and a counter.
+std::string unfinishedName(const std::string& path) {
+    static std::atomic<unsigned> counter{0};
+    return path + "." + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
 }
 
 void writeProvenance(const std::string& exportedPath, std::string_view text) {

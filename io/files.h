@@ -17,6 +17,12 @@ std::string sha256OfText(std::string_view text);
 /// Throws WorldError naming the path and the remedy; nothing is left behind.
 void writeAtomically(const std::string& path, const std::function<void(std::ostream&)>& write);
 
+/// The same for a library that wants a path: `write` makes the file it is given, which does not exist yet and stands beside `path`.
+void writeFileAtomically(const std::string& path, const std::function<void(const std::string&)>& write);
+
+/// A name beside a path that nobody else has, with the ending of what is not whole (".part").
+std::string unfinishedName(const std::string& path);
+
 /// Writes NAME.provenance.json beside an exported file.
 void writeProvenance(const std::string& exportedPath, std::string_view text);
 

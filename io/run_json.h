@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/scenario/case.h"
+#include "io/findings_json.h"
 #include "io/json_cursor.h"
 #include "io/run_file.h"
 
@@ -24,9 +25,6 @@ HealthBreach breachFromJson(const JsonCursor& object);
 /// Without clusters and members.
 nlohmann::json clusteringJson(const Clustering& clustering);
 Clustering clusteringFromJson(const JsonCursor& object);
-
-nlohmann::json findingsJson(const Findings& findings);
-Findings findingsFromJson(const JsonCursor& list);
 
 /// A digest of 32 hexadecimal digits.
 Digest digestFromJson(const JsonCursor& cursor);

@@ -152,6 +152,7 @@ Command accuracyCommand() {
     std::vector<Option> options{
         setOption(),
         scenarioOption(),
+        cachedOption(),
         terrainOption(),
         {"--multiples", "A,B", false, "multiples of the mean distance to sweep, auto among them (default: 1,1.5,2,2.5,3,4)"},
         {"--vary", "KEY=A,B", true, "values of a parameter to sweep, in every combination with the others"},

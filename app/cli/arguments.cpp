@@ -1,5 +1,7 @@
 #include "app/cli/arguments.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 
 namespace rubble::cli {
@@ -8,6 +10,11 @@ namespace {
 
 Message seeHelp(const Command& command) {
     return {"cli.see_help", "See rubble-cli {0} --help.", {command.name}};
+}
+
+std::size_t operandCount(const Command& command) {
+    const auto blanks = std::count(command.operand.begin(), command.operand.end(), ' ');
+    return command.operand.empty() ? 0 : static_cast<std::size_t>(blanks) + 1;
 }
 
 }  // namespace
@@ -23,7 +30,7 @@ Arguments::Arguments(const Command& command, std::span<const std::string> words)
             takeOperand(words[i]);
         }
     }
-    if (!command.operand.empty() && m_operand.empty() && !has("--help")) {
+    if (m_operands.size() < operandCount(command) && !has("--help")) {
         throw UsageError({"cli.operand_missing", "rubble-cli {0} needs a file: {1}.", {command.name, command.operand}},
                          seeHelp(command));
     }
@@ -49,14 +56,14 @@ const Option& Arguments::findOption(std::string_view name) const {
 }
 
 void Arguments::takeOperand(const std::string& word) {
-    if (m_command->operand.empty() || !m_operand.empty()) {
+    if (m_operands.size() >= operandCount(*m_command)) {
         throw UsageError({"cli.operand_surplus", "rubble-cli {0} cannot use \"{1}\" here.", {m_command->name, word}},
                          seeHelp(*m_command));
     }
     if (word.empty()) {
         throw UsageError({"cli.operand_empty", "The name of the file is empty.", {}}, seeHelp(*m_command));
     }
-    m_operand = word;
+    m_operands.push_back(word);
 }
 
 std::size_t Arguments::takeOption(std::span<const std::string> words, std::size_t i) {

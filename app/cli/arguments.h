@@ -19,7 +19,12 @@ public:
     Arguments(const Command& command, std::span<const std::string> words);
 
     const Command& command() const { return *m_command; }
-    const std::string& operand() const { return m_operand; }
+    const std::string& operand() const { return operand(0); }
+    /// Of a command that takes several.
+    const std::string& operand(std::size_t i) const {
+        static const std::string none;
+        return i < m_operands.size() ? m_operands[i] : none;
+    }
     bool has(std::string_view option) const { return m_values.contains(option); }
     /// Value of an option that was given at most once.
     std::optional<std::string> value(std::string_view option) const;
@@ -34,7 +39,7 @@ private:
     std::size_t takeOption(std::span<const std::string> words, std::size_t i);
 
     const Command* m_command;
-    std::string m_operand;
+    std::vector<std::string> m_operands;
     std::map<std::string, std::vector<std::string>, std::less<>> m_values;
 };
 

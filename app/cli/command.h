@@ -22,7 +22,7 @@ struct Option {
 /// One row of the command table: parser, help text and manual test all read it.
 struct Command {
     std::string_view name;     ///< "inspect"
-    std::string_view operand;  ///< "FE|CASE"; empty if the command takes none
+    std::string_view operand;  ///< "FE|CASE", "FE|CASE OUT" for two; empty if the command takes none
     std::string_view summary;  ///< one line
     std::string_view details;  ///< a few sentences for the command's own help
     std::vector<Option> options;

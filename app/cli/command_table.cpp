@@ -4,10 +4,10 @@ namespace rubble::cli {
 
 const std::vector<Command>& commandTable() {
     static const std::vector<Command> table = [] {
-        std::vector<Command> rows{inspectCommand(),   sizeCommand(),      effectsCommand(),   runCommand(),
-                                  influenceCommand(), accuracyCommand(),  calibrateCommand(), exportCommand(),
-                                  figureCommand(),    mapCommand(),       verifyCommand(),    acknowledgeCommand(),
-                                  selfTestCommand(),  parametersCommand()};
+        std::vector<Command> rows{inspectCommand(),   sizeCommand(),        effectsCommand(),   runCommand(),
+                                  influenceCommand(), accuracyCommand(),    calibrateCommand(), convertCommand(),
+                                  cacheCommand(),     exportCommand(),      figureCommand(),    mapCommand(),
+                                  verifyCommand(),    acknowledgeCommand(), selfTestCommand(),  parametersCommand()};
         for (Command& row : rows) {
             row.options.push_back(jsonOption());
             row.options.push_back(helpOption());
@@ -39,6 +39,10 @@ Option scenarioOption() {
 
 Option feOption() {
     return {"--fe", "FILE", false, "where the FE file of the run is now"};
+}
+
+Option cachedOption() {
+    return {"--cached", "", false, "open the FE result through a copy in the cache folder, which is made if there is none"};
 }
 
 Option terrainOption() {

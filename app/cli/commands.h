@@ -14,6 +14,8 @@ Command runCommand();
 Command influenceCommand();
 Command accuracyCommand();
 Command calibrateCommand();
+Command convertCommand();
+Command cacheCommand();
 Command exportCommand();
 Command figureCommand();
 Command mapCommand();
@@ -32,6 +34,7 @@ Option csvOption(std::string_view help);
 Option setOption();
 Option scenarioOption();
 Option feOption();
+Option cachedOption();
 Option terrainOption();
 Option runTerrainOption();
 

@@ -58,6 +58,7 @@ Command influenceCommand() {
     std::vector<Option> options{
         setOption(),
         scenarioOption(),
+        cachedOption(),
         terrainOption(),
         {"--effects", "A,B", false, "these only (default: all), by the names that `effects` lists"},
     };

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <optional>
 
 #include "app/cli/commands.h"
+#include "app/cli/growth_watch.h"
 #include "app/cli/json_output.h"
 #include "app/cli/missing_facts.h"
 #include "app/cli/output_file.h"
@@ -184,6 +186,7 @@ void printInspection(std::ostream& out, const Subject& subject, const Audit& aud
 }
 
 ExitCode inspect(const Arguments& arguments, Session& session) {
+    const std::optional<double> pause = followPause(arguments);
     const Subject subject = openSubject(arguments, session);
     checkCsvPath(arguments, subject.files);
     const Results results = runTo(subject, Stage::Components, nullptr, session.execution());
@@ -196,6 +199,9 @@ ExitCode inspect(const Arguments& arguments, Session& session) {
     } else {
         printInspection(session.out(), subject, audit, findings, units);
     }
+    if (pause) {
+        followGrowth(subject, *pause, session);
+    }
     return ExitCode::Ok;
 }
 
@@ -207,7 +213,11 @@ Command inspectCommand() {
             "what is in the file, and an audit of every death",
             "Reads the mesh, the states and the active flag, and lists components, deaths over time, masses and anomalies with a "
             "place.",
-            {setOption(), scenarioOption(), csvOption("write the table of components")},
+            {setOption(),
+             scenarioOption(),
+             cachedOption(),
+             {"--follow", "SECONDS", false, "look again this often and say what has come, until Ctrl-C"},
+             csvOption("write the table of components")},
             inspect};
 }
 

@@ -103,6 +103,7 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
 Command runCommand() {
     std::vector<Option> options{setOption(),
                                 scenarioOption(),
+                                cachedOption(),
                                 terrainOption(),
                                 {"--out", "RUN.h5", false, "keep the run in this file"},
                                 ExportRequest::option()};

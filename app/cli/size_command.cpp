@@ -39,7 +39,7 @@ Command sizeCommand() {
             "bounds of the Basic Grid, the clusters counted, what stopped the search",
             "Makes the fragments and searches the Basic Grid: the box that decides which fragments move together. --set multiple=M "
             "sets the common multiple of the mean distance by hand.",
-            {setOption(), scenarioOption(), csvOption("write the table of bounds")},
+            {setOption(), scenarioOption(), cachedOption(), csvOption("write the table of bounds")},
             size};
 }
 

@@ -8,7 +8,9 @@
 #include "core/base/error.h"
 #include "core/scenario/parameters.h"
 #include "io/case_file.h"
+#include "io/fe_copy/fe_cache.h"
 #include "io/fe_reader.h"
+#include "io/machine.h"
 
 namespace rubble::cli {
 
@@ -97,7 +99,10 @@ Subject openSubject(const Arguments& arguments, Session& session) {
     applySettings(subject.scenario, arguments.values("--set"));
 
     const auto start = std::chrono::steady_clock::now();
-    subject.inputs.fe = io::openFe(subject.fePath, subject.scenario.import, subject.inputs.frame, session.execution());
+    const ImportSettings& import = subject.scenario.import;
+    subject.inputs.fe = arguments.has("--cached")
+                            ? io::openFeCached(subject.fePath, import, subject.inputs.frame, session.execution(), io::cacheFolder())
+                            : io::openFe(subject.fePath, import, subject.inputs.frame, session.execution());
     subject.inputs.frame = theCase.frame = subject.inputs.fe->contents().frame;
     subject.openSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const std::string& hash = subject.inputs.fe->contents().sha256;

@@ -10,7 +10,9 @@
 #include "core/scenario/parameters.h"
 #include "io/acknowledgements.h"
 #include "io/case_file.h"
+#include "io/fe_copy/fe_cache.h"
 #include "io/fe_reader.h"
+#include "io/machine.h"
 #include "widgets/wording.h"
 
 namespace rubble {
@@ -21,7 +23,7 @@ constexpr int growthsPerSecond = 25;
 
 /// Reads the FE result and the terrain of a case. An FE result that was recognised but cannot be read as it is set leaves the case,
 /// so that the settings can be changed.
-void readFe(Opened& opened, const Execution& execution) {
+void readFe(Opened& opened, bool keepCopies, const Execution& execution) {
     try {
         const CaseScenario* active = nullptr;
         for (const CaseScenario& each : opened.theCase.scenarios) {
@@ -35,8 +37,10 @@ void readFe(Opened& opened, const Execution& execution) {
             throw ParseError({"gui.case_without_fe", "{0} names no FE result", {opened.base.toStdString()}},
                              {"gui.case_without_fe.remedy", "Open the FE result itself.", {}});
         }
-        opened.fe =
-            io::openFe(io::inputPath(opened.base.toStdString(), *input), active->scenario.import, opened.theCase.frame, execution);
+        const std::string path = io::inputPath(opened.base.toStdString(), *input);
+        const ImportSettings& import = active->scenario.import;
+        opened.fe = keepCopies ? io::openFeCached(path, import, opened.theCase.frame, execution, io::cacheFolder())
+                               : io::openFe(path, import, opened.theCase.frame, execution);
         Case framed = opened.theCase;
         framed.frame = opened.fe->contents().frame;
         opened.terrain = io::openTerrainOfCase(framed, opened.base.toStdString(), opened.fe->mesh(), execution);
@@ -107,7 +111,7 @@ void Computation::startOpening(std::function<Opened(const Execution&)> read) {
 
 void Computation::open(const QString& path) {
     const QString absolute = QDir().absoluteFilePath(path);
-    startOpening([absolute](const Execution& execution) {
+    startOpening([absolute, keep = m_keepCopies](const Execution& execution) {
         Opened result;
         if (io::isCaseFile(absolute.toStdString())) {
             result.theCase = io::loadCase(absolute.toStdString());
@@ -116,15 +120,15 @@ void Computation::open(const QString& path) {
             result.base = absolute + QStringLiteral(".rubble");
             result.theCase = io::caseForFe(absolute.toStdString(), result.base.toStdString());
         }
-        readFe(result, execution);
+        readFe(result, keep, execution);
         return result;
     });
 }
 
 void Computation::reopen(const Case& theCase, const QString& path, const QString& base) {
-    startOpening([theCase, path, base](const Execution& execution) {
+    startOpening([theCase, path, base, keep = m_keepCopies](const Execution& execution) {
         Opened result{theCase, path, base, nullptr, std::nullopt, {}};
-        readFe(result, execution);
+        readFe(result, keep, execution);
         return result;
     });
 }

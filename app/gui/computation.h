@@ -58,6 +58,8 @@ public:
     void reopen(const Case& theCase, const QString& path, const QString& base);
     /// Takes what was opened and prepares it up to the clusters.
     void take(const Opened& opened, const Scenario& scenario);
+    /// Whether FE results are opened through copies in the cache folder.
+    void keepCopies(bool keep) { m_keepCopies = keep; }
     void clear();
     /// Brings all stages before the simulation up to a changed scenario.
     void update(const Scenario& scenario);
@@ -129,6 +131,7 @@ private:
     void showProgress(Worker::Kind kind, const Progress& progress);
     QString scratchPath();
 
+    bool m_keepCopies = false;
     Inputs m_inputs;
     io::TerrainInput m_terrain;
     ImportSettings m_import;  // with which the FE result was read

@@ -10,6 +10,7 @@
 #include <QMimeData>
 #include <QSettings>
 #include <algorithm>
+#include <utility>
 
 #include "app/gui/accuracy_display.h"
 #include "app/gui/file_commands.h"
@@ -21,6 +22,7 @@
 #include "app/gui/status_feed.h"
 #include "app/gui/view_area.h"
 #include "core/base/build.h"
+#include "io/fe_reader.h"
 #include "widgets/accuracy_page.h"
 #include "widgets/status_line.h"
 #include "widgets/theme.h"
@@ -58,6 +60,8 @@ MainWindow::MainWindow(QWidget* parent)
     connectPlayback();
     connectAccuracy();
     qApp->installEventFilter(this);
+    m_actions["keep_copies"].setChecked(QSettings().value(QStringLiteral("keep_copies"), false).toBool());
+    m_computation.keepCopies(m_actions["keep_copies"].isChecked());
     setTheme(QSettings().value(QStringLiteral("theme"), QStringLiteral("system")).toString());
     render::View view = m_area->views().view();
     setView(view);
@@ -100,7 +104,39 @@ void MainWindow::openSample() {
     }
 }
 
+void MainWindow::refreshResult() {
+    const auto fe = m_computation.inputs().fe;
+    if (fe == nullptr) {
+        return;
+    }
+    const auto grown = std::make_shared<bool>(false);
+    m_computation.write([fe, grown](const Execution&) { *grown = io::hasGrown(*fe); },
+                        [this, fe, grown](const std::exception_ptr& thrown) {
+                            if (const auto failure = failureOf(thrown)) {
+                                showFailure(*failure);
+                            } else if (!*grown) {
+                                m_status->setMessage(tr("Nothing new: the result has %1 states").arg(fe->stateCount()));
+                            } else if (m_computation.inputs().fe == fe) {
+                                m_refreshed = fe;
+                                m_computation.reopen(m_document.theCase(), m_document.path(), m_document.base());
+                            }
+                        });
+}
+
+void MainWindow::showRefreshed(const FeResult& before, const render::View& view, double time) {
+    const FeResult& fe = *m_computation.inputs().fe;
+    const io::FeGrowth growth = io::growthBetween(before, fe);
+    setView(view);
+    m_playback->scrub(std::clamp(time, fe.times().front(), fe.times().back()));
+    m_status->setMessage(growth.states > 0 ? tr("%1 states more, to %2 s; %3 elements more are dead")
+                                                 .arg(growth.states)
+                                                 .arg(QLocale().toString(fe.times().back(), 'g', 4))
+                                                 .arg(growth.deaths)
+                                           : tr("The result was read again: %1 states").arg(fe.stateCount()));
+}
+
 void MainWindow::takeOpened(const Opened& opened) {
+    const auto before = std::exchange(m_refreshed, nullptr);
     const bool recognised =
         opened.fe != nullptr || (opened.failure && (opened.failure->id.starts_with("exodus.") ||
                                                     opened.failure->id.starts_with("terrain.") || !opened.path.isEmpty()));
@@ -115,9 +151,12 @@ void MainWindow::takeOpened(const Opened& opened) {
     if (!again) {
         m_document.replace(opened.theCase, opened.path, opened.base);
     }
+    const bool refreshed = again && before != nullptr && before == m_computation.inputs().fe && opened.fe != nullptr;
+    const render::View viewBefore = m_area->views().view();
+    const double timeBefore = m_playback->clock().time();
     m_computation.take(opened, m_document.scenario());
     showScene();
-    if (opened.fe != nullptr) {
+    if (opened.fe != nullptr && !refreshed) {
         render::View view = render::defaultView(m_shown, m_area->views().width(), m_area->views().height());
         view.theme = widgets::currentTheme();
         view.colourBy = m_area->views().view().colourBy;
@@ -129,7 +168,11 @@ void MainWindow::takeOpened(const Opened& opened) {
     if (opened.fe != nullptr && m_simulateWhenReady) {
         m_playback->clock().play();
     }
-    m_deck->choose(opened.fe != nullptr && !opened.path.isEmpty() ? PanelDeck::Grid : PanelDeck::Case);
+    if (refreshed) {
+        showRefreshed(*before, viewBefore, timeBefore);
+    } else {
+        m_deck->choose(opened.fe != nullptr && !opened.path.isEmpty() ? PanelDeck::Grid : PanelDeck::Case);
+    }
     showState();
 }
 
@@ -245,6 +288,7 @@ void MainWindow::showState() {
                            "look_top", "stacked", "beside", "fe_only", "fragments_only", "link", "export_figure"}) {
         m_actions[id].setEnabled(have);
     }
+    m_actions["refresh"].setEnabled(have && !running);
     m_actions["simulate"].setEnabled(have && deaths && !running && !comparing);
     m_actions["live"].setEnabled(have && deaths && !running && !comparing);
     m_actions["cancel"].setEnabled(m_computation.busy() || comparing);

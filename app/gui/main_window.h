@@ -42,6 +42,8 @@ public:
     /// Opens a case or an FE result; with `simulate`, simulates it as soon as it is prepared.
     void open(const QString& path, bool simulate = false);
     void openSample();
+    /// Reads the FE result again if files of it have grown or come; scenario, time and camera stay.
+    void refreshResult();
     void simulate(bool live);
     /// "system", "light" or "dark".
     void setTheme(const QString& name);
@@ -79,6 +81,7 @@ private:
     void connectPlayback();
     void connectAccuracy();
     void takeOpened(const Opened& opened);
+    void showRefreshed(const FeResult& before, const render::View& view, double time);
     void showScene();
     void showState();
     void showTitle();
@@ -112,6 +115,7 @@ private:
     QStackedWidget* m_centre = nullptr;
     ManualWindow* m_manual = nullptr;
     bool m_simulateWhenReady = false;
+    std::shared_ptr<const FeResult> m_refreshed;  // what is being read again
     render::SceneData m_shown;
 };
 

@@ -146,6 +146,11 @@ void MainWindow::connectFiles() {
         }
     });
     on("sample", [this] { openSample(); });
+    on("refresh", [this] { refreshResult(); });
+    on("keep_copies", [this](bool keep) {
+        QSettings().setValue(QStringLiteral("keep_copies"), keep);
+        m_computation.keepCopies(keep);
+    });
     on("terrain", [this] { m_files->chooseTerrain(); });
     on("no_terrain", [this] { m_files->dropTerrain(); });
     on("save", [this] { m_files->save(); });

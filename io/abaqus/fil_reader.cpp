@@ -43,7 +43,7 @@ public:
         FilModel model = readFilModel(path, m_records, record);
         m_mesh = std::move(model.mesh);
         m_freedoms = model.freedoms;
-        m_findings = model.findings;
+        m_facts.findings = model.findings;
         assign(model.sets);
         for (std::size_t n = 0; n < m_mesh.nodeIds.size(); ++n) {
             m_nodes.emplace(m_mesh.nodeIds[n], n);
@@ -52,14 +52,9 @@ public:
             m_elements.emplace(m_mesh.elementIds[e], e);
         }
         readIncrements(record, execution);
-        m_flag.name = m_hasStatus ? "STATUS" : "records of elements";
-        m_flag.activeByName = 1;
+        m_facts.flag.name = m_hasStatus ? "STATUS" : "records of elements";
+        m_facts.flag.activeByName = 1;
     }
-
-    const std::vector<double>& times() const override { return m_times; }
-    const SeriesFlag& flag() const override { return m_flag; }
-    bool hasVelocity() const override { return m_hasVelocity; }
-    const Findings& findings() const override { return m_findings; }
 
     SeriesStep step(std::size_t k) override {
         SeriesStep step;
@@ -85,7 +80,7 @@ public:
     SeriesFields fields(std::size_t k) const override {
         SeriesFields fields;
         fields.positions = m_mesh.nodes;
-        fields.velocities.assign(m_hasVelocity ? m_mesh.nodeCount() : 0, Vec3::Zero());
+        fields.velocities.assign(m_facts.hasVelocity ? m_mesh.nodeCount() : 0, Vec3::Zero());
         const std::scoped_lock lock(m_mutex);
         m_records.seek(m_increments[k].place);
         FilRecord record;
@@ -103,7 +98,7 @@ private:
         if (!path.empty()) {
             deck = readInputDeck(path);
         }
-        assignParts(deck ? &*deck : nullptr, sets, m_mesh, m_findings);
+        assignParts(deck ? &*deck : nullptr, sets, m_mesh, m_facts.findings);
     }
 
     void readIncrements(FilRecord& record, const Execution& execution) {
@@ -112,10 +107,10 @@ private:
             execution.report(stage, 0.0);
             const double time = record.real(0);
             const bool whole = readIncrement(record, time);
-            if (!whole && m_times.size() > 1) {
-                m_findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
-                               {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, m_path);
-                m_times.pop_back();
+            if (!whole && m_facts.times.size() > 1) {
+                m_facts.findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
+                                     {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, m_path);
+                m_facts.times.pop_back();
                 m_increments.pop_back();
             }
             while (record.key != incrementKey && m_records.next(record)) {
@@ -135,8 +130,8 @@ private:
 
     // Two increments at one time: a step begins where the one before ends, and the newer counts.
     bool readIncrement(FilRecord& record, double time) {
-        if (!m_times.empty() && time == m_times.back()) {
-            m_times.pop_back();
+        if (!m_facts.times.empty() && time == m_facts.times.back()) {
+            m_facts.times.pop_back();
             m_increments.pop_back();
         }
         Increment increment;
@@ -147,7 +142,7 @@ private:
         bool ended = false;
         while (!ended && m_records.next(record) && record.key != incrementKey) {
             ended = record.key == incrementEnd;
-            m_hasVelocity = m_hasVelocity || record.key == velocityKey;
+            m_facts.hasVelocity = m_facts.hasVelocity || record.key == velocityKey;
             if (record.key == elementHeader) {
                 const auto found = record.integer(3) == 4 ? m_elements.end() : m_elements.find(record.integer(0));
                 element = found == m_elements.end() ? m_mesh.elementCount() : found->second;
@@ -158,7 +153,7 @@ private:
                 takeStatus(record.real(0), element, increment);
             }
         }
-        m_times.push_back(time);
+        m_facts.times.push_back(time);
         m_increments.emplace_back(std::move(increment));
         return ended || !m_records.cutOff();
     }
@@ -167,7 +162,7 @@ private:
         m_hasStatus = true;
         const bool active = status != 0.0;
         if (increment.flagged[element] && increment.active[element] != active) {
-            m_findings.add(
+            m_facts.findings.add(
                 {"fil.status_differs", "Points of one element do not agree whether it is active; it counts as active", {}},
                 {"fil.status_differs.remedy", "Nothing to do if the element dies soon after.", {}},
                 "element " + englishInteger(m_mesh.elementIds[element]));
@@ -205,12 +200,9 @@ private:
     Mesh m_mesh;
     std::array<std::size_t, 3> m_freedoms{};
     std::unordered_map<std::int64_t, std::size_t> m_nodes, m_elements;  // by number
-    std::vector<double> m_times;
     std::vector<Increment> m_increments;
     std::vector<bool> m_ever;  // elements of which there is a record at all
-    bool m_hasStatus = false, m_hasVelocity = false, m_someMissing = false;
-    SeriesFlag m_flag;
-    Findings m_findings;
+    bool m_hasStatus = false, m_someMissing = false;
 };
 
 }  // namespace

@@ -39,25 +39,21 @@ public:
         bool timed = true;
         for (const std::string& file : m_files) {
             const CdbModel model = readCdb(file);
-            m_findings.append(model.findings);
+            m_facts.findings.append(model.findings);
             timed = timed && model.time.has_value();
-            m_times.push_back(model.time.value_or(0.0));
+            m_facts.times.push_back(model.time.value_or(0.0));
         }
-        if (!timed || !std::is_sorted(m_times.begin(), m_times.end())) {
-            for (std::size_t k = 0; k < m_times.size(); ++k) {
-                m_times[k] = static_cast<double>(k);
+        if (!timed || !std::is_sorted(m_facts.times.begin(), m_facts.times.end())) {
+            for (std::size_t k = 0; k < m_facts.times.size(); ++k) {
+                m_facts.times[k] = static_cast<double>(k);
             }
-            m_findings.add({"vtk.no_times", "The series does not say when its states are: they were taken one second apart", {}},
-                           {"cdb.no_times.remedy", "Write a line /COM,TIME=T into each file.", {}}, m_files.front(),
-                           static_cast<std::int64_t>(m_times.size()));
+            m_facts.findings.add(
+                {"vtk.no_times", "The series does not say when its states are: they were taken one second apart", {}},
+                {"cdb.no_times.remedy", "Write a line /COM,TIME=T into each file.", {}}, m_files.front(),
+                static_cast<std::int64_t>(m_facts.times.size()));
         }
-        m_flag.name = "birth/death field";
+        m_facts.flag.name = "birth/death field";
     }
-
-    const std::vector<double>& times() const override { return m_times; }
-    const SeriesFlag& flag() const override { return m_flag; }
-    bool hasVelocity() const override { return false; }
-    const Findings& findings() const override { return m_findings; }
 
     SeriesStep step(std::size_t k) override {
         CdbModel model = readCdb(m_files[k]);
@@ -75,38 +71,31 @@ public:
 
 private:
     std::vector<std::string> m_files;
-    std::vector<double> m_times;
-    SeriesFlag m_flag;
-    Findings m_findings;
 };
 
 /// One database and the kills of a macro, or times of a list of deaths.
 class KilledMesh : public MeshSeries {
 public:
-    KilledMesh(const std::string& path, const std::string& macro) : m_model(readCdb(path)), m_findings(m_model.findings) {
+    KilledMesh(const std::string& path, const std::string& macro) : m_model(readCdb(path)) {
+        m_facts.findings = m_model.findings;
         if (!macro.empty()) {
-            m_kills = readKills(macro, m_times, m_findings);
-            m_flag.name = "EKILL of " + fs::path(macro).filename().string();
-            m_flag.activeByName = 1;
+            m_kills = readKills(macro, m_facts.times, m_facts.findings);
+            m_facts.flag.name = "EKILL of " + fs::path(macro).filename().string();
+            m_facts.flag.activeByName = 1;
         } else if (const std::string list = deathListBeside(path); !list.empty()) {
             for (const DeathEntry& entry : readDeathList(list)) {
-                if (m_times.empty() || entry.time > m_times.back()) {
-                    m_times.push_back(entry.time);
+                if (m_facts.times.empty() || entry.time > m_facts.times.back()) {
+                    m_facts.times.push_back(entry.time);
                 }
             }
         }
-        if (m_times.empty() || m_times.front() > 0.0) {
-            m_times.insert(m_times.begin(), 0.0);
+        if (m_facts.times.empty() || m_facts.times.front() > 0.0) {
+            m_facts.times.insert(m_facts.times.begin(), 0.0);
         }
-        m_findings.add({"cdb.still", "The file has no displacements: nodes stay where they are", {}},
-                       {"cdb.still.remedy", "Give a series of .cdb files with updated coordinates (UPCOORD), one a state.", {}},
-                       path);
+        m_facts.findings.add(
+            {"cdb.still", "The file has no displacements: nodes stay where they are", {}},
+            {"cdb.still.remedy", "Give a series of .cdb files with updated coordinates (UPCOORD), one a state.", {}}, path);
     }
-
-    const std::vector<double>& times() const override { return m_times; }
-    const SeriesFlag& flag() const override { return m_flag; }
-    bool hasVelocity() const override { return false; }
-    const Findings& findings() const override { return m_findings; }
 
     SeriesStep step(std::size_t k) override {
         SeriesStep step;
@@ -116,7 +105,7 @@ public:
         if (!m_kills.empty()) {
             std::unordered_map<std::int64_t, bool> active;
             for (const KillEvent& kill : m_kills) {
-                if (kill.time <= m_times[k]) {
+                if (kill.time <= m_facts.times[k]) {
                     active[kill.element] = kill.active;
                 }
             }
@@ -137,9 +126,6 @@ public:
 private:
     CdbModel m_model;
     std::vector<KillEvent> m_kills;
-    std::vector<double> m_times;
-    SeriesFlag m_flag;
-    Findings m_findings;
 };
 
 }  // namespace

@@ -42,11 +42,6 @@ public:
         }
     }
 
-    const std::vector<double>& times() const override { return m_times; }
-    const SeriesFlag& flag() const override { return m_flag; }
-    bool hasVelocity() const override { return false; }
-    const Findings& findings() const override { return m_findings; }
-
     SeriesStep step(std::size_t k) override {
         SeriesStep step;
         if (k == 0) {
@@ -103,10 +98,10 @@ private:
         for (std::size_t s = 0; s < static_cast<std::size_t>(sets); ++s) {
             m_sets.push_back(static_cast<std::uint32_t>(index[s]) |
                              static_cast<std::uint64_t>(static_cast<std::uint32_t>(index[s + limit])) << 32);
-            m_times.push_back(times[s]);
+            m_facts.times.push_back(times[s]);
             const std::vector<std::int64_t> set = m_records.integers(m_sets.back(), mostHeader);
             if (set.size() > 122 && set[122] != 0) {
-                m_findings.add(
+                m_facts.findings.add(
                     {"rst.dead", "Sets have a list of dead elements whose meaning nobody has verified; it was not used", {}},
                     {"rst.dead.remedy", "Put a list of deaths (element,time) beside the file.", {}}, m_path);
             }
@@ -177,10 +172,11 @@ private:
         const auto type = m_types.find(values[1]);
         const auto shape = type == m_types.end() ? std::nullopt : shapeOfAnsys(type->second, values.size() - elementHeader);
         if (!shape) {
-            m_findings.add({"fe.skipped", "Elements of a type that makes no fragment were left out", {}},
-                           {"fe.skipped.remedy", "Nothing to do if they are masses, springs, contacts or rigid surfaces.", {}},
-                           "element " + englishInteger(values[8]) + " of type " +
-                               (type == m_types.end() ? "(none)" : std::to_string(type->second)));
+            m_facts.findings.add(
+                {"fe.skipped", "Elements of a type that makes no fragment were left out", {}},
+                {"fe.skipped.remedy", "Nothing to do if they are masses, springs, contacts or rigid surfaces.", {}},
+                "element " + englishInteger(values[8]) + " of type " +
+                    (type == m_types.end() ? "(none)" : std::to_string(type->second)));
             return;
         }
         for (std::size_t c = 0; c < static_cast<std::size_t>(cornerCount(*shape)); ++c) {
@@ -234,9 +230,6 @@ private:
     std::vector<std::int64_t> m_order;                      // numbers of the nodes in the order of the values
     std::unordered_map<std::int64_t, std::size_t> m_nodes;  // by number
     std::vector<std::uint64_t> m_sets;
-    std::vector<double> m_times;
-    SeriesFlag m_flag;
-    Findings m_findings;
 };
 
 }  // namespace

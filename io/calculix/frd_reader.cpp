@@ -18,9 +18,9 @@ namespace {
 class FrdSeries : public MeshSeries {
 public:
     explicit FrdSeries(const std::string& path) : m_file(path), m_mesh(m_file.mesh()) {
-        m_findings.append(m_file.findings());
+        m_facts.findings.append(m_file.findings());
         for (const FrdState& state : m_file.states()) {
-            m_times.push_back(state.time);
+            m_facts.times.push_back(state.time);
         }
         for (std::size_t n = 0; n < m_mesh.nodeIds.size(); ++n) {
             m_nodes.emplace(m_mesh.nodeIds[n], n);
@@ -36,28 +36,24 @@ public:
                     }
                 }
             }
-            assignParts(&*m_deck, materials, m_mesh, m_findings);
+            assignParts(&*m_deck, materials, m_mesh, m_facts.findings);
         }
-        m_flag.activeByName = 1;
+        m_facts.flag.activeByName = 1;
         m_byDeck = m_deck && !m_deck->changes.empty();
-        m_flag.name = m_byDeck ? "MODEL CHANGE of the input deck" : "nodes of elements";
+        m_facts.flag.name = m_byDeck ? "MODEL CHANGE of the input deck" : "nodes of elements";
         m_byNodes = !m_byDeck && someNodesMissing();
         if (m_byNodes) {
-            m_findings.add({"frd.inferred",
-                            "The file does not say which elements are dead: those with a node that a state leaves out were taken",
-                            {}},
-                           {"frd.inferred.remedy",
-                            "Elements whose nodes all belong to living ones are missed: put the input deck (.inp) with its MODEL "
-                            "CHANGE beside it.",
-                            {}},
-                           path);
+            m_facts.findings.add(
+                {"frd.inferred",
+                 "The file does not say which elements are dead: those with a node that a state leaves out were taken",
+                 {}},
+                {"frd.inferred.remedy",
+                 "Elements whose nodes all belong to living ones are missed: put the input deck (.inp) with its MODEL "
+                 "CHANGE beside it.",
+                 {}},
+                path);
         }
     }
-
-    const std::vector<double>& times() const override { return m_times; }
-    const SeriesFlag& flag() const override { return m_flag; }
-    bool hasVelocity() const override { return false; }
-    const Findings& findings() const override { return m_findings; }
 
     SeriesStep step(std::size_t k) override {
         SeriesStep step;
@@ -124,9 +120,6 @@ private:
     std::optional<InputDeck> m_deck;
     bool m_byDeck = false, m_byNodes = false;
     std::unordered_map<std::int64_t, std::size_t> m_nodes;  // by number
-    std::vector<double> m_times;
-    SeriesFlag m_flag;
-    Findings m_findings;
 };
 
 }  // namespace

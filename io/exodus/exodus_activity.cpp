@@ -77,7 +77,7 @@ private:
             if (!flagged(p)) {
                 m_result.findings.add({"exodus.no_flag", "Elements of blocks without {0} count as always active", {m_status.name}},
                                       {"exodus.no_flag.remedy", "Nothing to do if these blocks cannot fail.", {}},
-                                      "\"" + m_mesh.mesh.parts[p].name + "\"", static_cast<std::int64_t>(valuesOf(p).size()));
+                                      "\"" + m_mesh.partOfRun(p).name + "\"", static_cast<std::int64_t>(valuesOf(p).size()));
             }
         }
     }

@@ -62,6 +62,7 @@ ExodusFile::ExodusFile(const std::string& path) : m_path(path) {
         readBlocks();
         readVariables();
         readTimes();
+        readParts();
     } catch (...) {
         ex_close(m_id);
         throw;
@@ -155,6 +156,17 @@ void ExodusFile::readTimes() {
     m_times.resize(static_cast<std::size_t>(count));
     if (count > 0) {
         require(ex_get_all_times(m_id, m_times.data()), "the times of the states");
+    }
+}
+
+void ExodusFile::readParts() {
+    int variable = -1;
+    if (nc_inq_varid(m_id, exodusPartVariable, &variable) != NC_NOERR || m_blocks.empty()) {
+        return;
+    }
+    std::vector<long long> parts(m_blocks.size());
+    if (nc_get_var_longlong(m_id, variable, parts.data()) == NC_NOERR) {
+        m_partsOfBlocks.assign(parts.begin(), parts.end());
     }
 }
 

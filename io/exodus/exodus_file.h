@@ -39,6 +39,8 @@ public:
     const std::vector<std::string>& variables(ExodusEntity entity) const {
         return entity == ExodusEntity::Node ? m_nodeVariables : m_elementVariables;
     }
+    /// Which blocks make one part: equal values do (exodusPartVariable) [blocks]; empty where every block is a part.
+    const std::vector<std::int64_t>& partsOfBlocks() const { return m_partsOfBlocks; }
     /// Whether a block has values of an element variable.
     bool has(std::size_t block, int variable) const;
 
@@ -59,6 +61,7 @@ private:
     void readBlocks();
     void readVariables();
     void readTimes();
+    void readParts();
     /// Throws ParseError for a library status that is an error. @param what  "the coordinates"
     void require(int status, const std::string& what) const;
 
@@ -71,6 +74,7 @@ private:
     std::vector<ExodusBlock> m_blocks;
     std::vector<std::string> m_nodeVariables;
     std::vector<std::string> m_elementVariables;
+    std::vector<std::int64_t> m_partsOfBlocks;
     std::vector<int> m_truthTable;  // [blocks x element variables]
 };
 

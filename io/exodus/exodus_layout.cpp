@@ -255,6 +255,7 @@ private:
                                                  {"node_num_map", {nodes}},
                                                  {"elem_num_map", {dimension("num_elem")}},
                                                  {"eb_status", {blocks}},
+                                                 {exodusPartVariable, {blocks}},
                                                  {"elem_var_tab", {blocks, dimension("num_elem_var")}},
                                                  {"vals_nod_var", {steps, dimension("num_nod_var"), nodes}},
                                                  {"time_whole", {steps}}};

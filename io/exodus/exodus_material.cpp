@@ -1,15 +1,12 @@
 #include "io/exodus/exodus_material.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "io/exodus/exodus_names.h"
 
 namespace rubble::io {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Where a property of one part comes from.
 std::vector<double> fromFile(const ExodusFile& file, std::size_t block, const std::vector<std::string_view>& attributes,
@@ -42,32 +39,24 @@ std::vector<double> byConvention(const ExodusFile& file, std::size_t block, cons
 
 }  // namespace
 
-void readExodusMaterial(const ExodusFile& file, const FrameTransform& frame, ExodusMesh& result) {
-    Mesh& mesh = result.mesh;
-    mesh.density.assign(mesh.elementCount(), nothing);
-    mesh.section.assign(mesh.elementCount(), nothing);
-    for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
-        const std::size_t block = result.blocks[p], first = result.first[p];
-        const ElementShape shape = mesh.shapes[first];
-        const std::string& name = mesh.parts[p].name;
-        const std::vector<double> density =
-            fromFile(file, block, {"density", "rho", "mass_density"}, {"density", "rho", "mass_density"});
-        for (std::size_t e = 0; e < density.size(); ++e) {
-            mesh.density[first + e] = densityInSi(density[e], frame.metresPerUnit(), result.findings, name);
-        }
-        if (isSolid(shape)) {
-            continue;
-        }
-        std::vector<double> section = isShell(shape) ? fromFile(file, block, {"thickness", "shell_thickness", "thick"},
-                                                                {"thickness", "shell_thickness", "thick"})
-                                                     : fromFile(file, block, {"area", "cross_section", "section_area"}, {"area"});
-        if (section.empty()) {
-            section = byConvention(file, block, name, result.findings);
-        }
-        const double unit = isShell(shape) ? frame.metresPerUnit() : frame.metresPerUnit() * frame.metresPerUnit();
-        for (std::size_t e = 0; e < section.size(); ++e) {
-            mesh.section[first + e] = section[e] * unit;
-        }
+void readExodusMaterial(const ExodusFile& file, std::size_t block, ElementShape shape, const std::string& part, std::size_t first,
+                        MeshBuilder& builder, Findings& findings) {
+    const std::vector<double> density =
+        fromFile(file, block, {"density", "rho", "mass_density"}, {"density", "rho", "mass_density"});
+    for (std::size_t e = 0; e < density.size(); ++e) {
+        builder.setDensity(first + e, density[e]);
+    }
+    if (isSolid(shape)) {
+        return;
+    }
+    std::vector<double> section =
+        isShell(shape) ? fromFile(file, block, {"thickness", "shell_thickness", "thick"}, {"thickness", "shell_thickness", "thick"})
+                       : fromFile(file, block, {"area", "cross_section", "section_area"}, {"area"});
+    if (section.empty()) {
+        section = byConvention(file, block, part, findings);
+    }
+    for (std::size_t e = 0; e < section.size(); ++e) {
+        builder.setSection(first + e, section[e]);
     }
 }
 

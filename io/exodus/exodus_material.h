@@ -1,12 +1,18 @@
 #pragma once
 
-#include "io/exodus/exodus_mesh.h"
+#include <string>
+
+#include "core/base/finding.h"
+#include "core/fe/mesh.h"
+#include "io/exodus/exodus_file.h"
+#include "io/mesh_builder.h"
 
 namespace rubble::io {
 
-/// Fills density and section of the mesh from the blocks' attributes, else from element variables at the first state (density,
-/// thickness); NaN where the file says nothing. Densities in t/mm3 or kg/mm3 of a file in millimetres are recognised by their size,
-/// converted and counted.
-void readExodusMaterial(const ExodusFile& file, const FrameTransform& frame, ExodusMesh& mesh);
+/// Sets density and section of a block's elements from its attributes, else from element variables at the first state (density,
+/// thickness); what the file does not say stays unknown.
+/// @param part   named in findings  @param first  of the block's elements in the builder
+void readExodusMaterial(const ExodusFile& file, std::size_t block, ElementShape shape, const std::string& part, std::size_t first,
+                        MeshBuilder& builder, Findings& findings);
 
 }  // namespace rubble::io

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
+#include <map>
+#include <vector>
 
 #include "core/base/error.h"
-#include "core/fe/components.h"
 #include "io/exodus/exodus_material.h"
 #include "io/exodus/exodus_names.h"
 
@@ -13,58 +13,47 @@ namespace rubble::io {
 
 namespace {
 
-std::string nodeText(const Mesh& mesh, std::size_t node) {
-    return "node " + englishInteger(mesh.nodeIds[node]);
-}
-
-std::string blockText(const ExodusBlock& block) {
-    return block.name.empty() ? "block " + std::to_string(block.id) : "block " + std::to_string(block.id) + " (" + block.name + ")";
+std::string nameOf(const ExodusBlock& block) {
+    return block.name.empty() ? "block " + std::to_string(block.id) : block.name;
 }
 
 /// Builds the mesh block by block.
 class MeshReader {
 public:
-    MeshReader(const ExodusFile& file, const FrameTransform& frame) : m_file(file), m_frame(frame) {}
+    MeshReader(const ExodusFile& file, const FrameTransform& frame) : m_file(file), m_builder(file.path(), frame) {}
 
     ExodusMesh read() {
         readNodes();
         m_elementNumbers = m_file.numbers(ExodusEntity::Element);
-        m_result.mesh.offsets.push_back(0);
         for (std::size_t b = 0; b < m_file.blocks().size(); ++b) {
             readBlock(b);
         }
-        m_result.first.push_back(m_result.mesh.elementCount());
-        requireElements();
-        requirePlaces();
-        turnReversed();
-        readExodusMaterial(m_file, m_frame, m_result);
+        m_result.first.push_back(m_builder.elementCount());
+        m_result.mesh = m_builder.finish(m_result.findings);
         return std::move(m_result);
     }
 
 private:
     void readNodes() {
-        Mesh& mesh = m_result.mesh;
-        mesh.nodeIds = m_file.numbers(ExodusEntity::Node);
-        mesh.nodes.assign(m_file.nodeCount(), Vec3::Zero());
+        std::vector<Vec3> nodes(m_file.nodeCount(), Vec3::Zero());
         for (int axis = 0; axis < 3; ++axis) {
             const std::vector<double> values = m_file.coordinates(axis);
             for (std::size_t n = 0; n < values.size(); ++n) {
-                mesh.nodes[n][axis] = values[n];
+                nodes[n][axis] = values[n];
             }
         }
+        m_builder.setNodes(m_file.numbers(ExodusEntity::Node), std::move(nodes));
     }
 
-    std::string uniqueName(const ExodusBlock& block) {
-        std::string name = block.name.empty() ? "block " + std::to_string(block.id) : block.name;
-        if (!m_names.insert(name).second) {
-            m_result.findings.add({"exodus.name_twice", "Blocks share a name; their numbers were added to it", {}},
-                                  {"exodus.name_twice.remedy", "Rename them by regrouping.", {}}, blockText(block));
-            name += " (" + std::to_string(block.id) + ")";
-            while (!m_names.insert(name).second) {
-                name += "*";
-            }
+    std::uint32_t partOf(std::size_t b) {
+        const ExodusBlock& block = m_file.blocks()[b];
+        if (m_file.partsOfBlocks().empty()) {
+            return m_builder.addPart(nameOf(block), block.id);
         }
-        return name;
+        const std::int64_t number = m_file.partsOfBlocks()[b];
+        const auto found = m_parts.find(number);
+        return found != m_parts.end() ? found->second
+                                      : m_parts.emplace(number, m_builder.addPart(nameOf(block), block.id)).first->second;
     }
 
     void readBlock(std::size_t b) {
@@ -76,117 +65,32 @@ private:
         if (!shape) {
             m_result.findings.add({"exodus.skipped_block", "Elements of a type that makes no fragment were left out", {}},
                                   {"exodus.skipped_block.remedy", "Nothing to do if they are masses, contacts or particles.", {}},
-                                  blockText(block) + " of type " + (block.topology.empty() ? "(none)" : block.topology) + " with " +
+                                  nameOf(block) + " of type " + (block.topology.empty() ? "(none)" : block.topology) + " with " +
                                       englishInteger(block.nodesPerElement) + " nodes an element",
                                   block.elements);
             return;
         }
-        Mesh& mesh = m_result.mesh;
         m_result.blocks.push_back(b);
-        m_result.first.push_back(mesh.elementCount());
-        mesh.parts.push_back({uniqueName(block), block.id});
+        m_result.first.push_back(m_builder.elementCount());
+        const std::uint32_t part = partOf(b);
         const std::vector<std::int64_t> connectivity = m_file.connectivity(b);
         const auto corners = static_cast<std::size_t>(cornerCount(*shape));
+        std::vector<std::int64_t> nodes(corners);
         for (std::size_t e = 0; e < static_cast<std::size_t>(block.elements); ++e) {
-            const std::size_t inFile = static_cast<std::size_t>(block.first) + e;
-            const std::int64_t number = m_elementNumbers[inFile];
+            const auto first = e * static_cast<std::size_t>(block.nodesPerElement);
             for (std::size_t c = 0; c < corners; ++c) {
-                const std::int64_t node = connectivity[e * static_cast<std::size_t>(block.nodesPerElement) + c];
-                if (node < 1 || node > static_cast<std::int64_t>(mesh.nodeCount())) {
-                    throw ParseError(
-                        {"exodus.bad_node",
-                         "{0}: element {1} of {2} uses node {3} of {4}",
-                         {m_file.path(), number, blockText(block), node, mesh.nodeCount()}},
-                        {"exodus.bad_node.remedy", "The file is damaged: copy it again or let the analysis write it again.", {}});
-                }
-                mesh.corners.push_back(static_cast<std::uint32_t>(node - 1));
+                nodes[c] = std::max<std::int64_t>(connectivity[first + c], 0) - 1;
             }
-            mesh.elementIds.push_back(number);
-            mesh.shapes.push_back(*shape);
-            mesh.part.push_back(static_cast<std::uint32_t>(mesh.parts.size() - 1));
-            mesh.offsets.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+            m_builder.add(*shape, m_elementNumbers[static_cast<std::size_t>(block.first) + e], part, nodes,
+                          std::numeric_limits<double>::quiet_NaN());
         }
-        if (mesh.corners.size() > std::numeric_limits<std::uint32_t>::max()) {
-            throw ParseError({"exodus.too_large", "{0} has more elements than can be held", {m_file.path()}},
-                             {"exodus.too_large.remedy", "Give a part of the model.", {}});
-        }
-    }
-
-    void requireElements() const {
-        if (m_result.mesh.elementCount() == 0) {
-            throw ParseError({"exodus.no_elements",
-                              "{0} has no solids, shells or beams among its {1} blocks",
-                              {m_file.path(), m_file.blocks().size()}},
-                             {"exodus.no_elements.remedy", "Give an analysis whose structure is made of such elements.", {}});
-        }
-    }
-
-    // Nodes of no element may lie anywhere; those without a finite place are put where they harm nobody.
-    void requirePlaces() {
-        Mesh& mesh = m_result.mesh;
-        std::vector<bool> used(mesh.nodeCount(), false);
-        for (const std::uint32_t node : mesh.corners) {
-            used[node] = true;
-        }
-        const Vec3 harmless = m_frame.point(mesh.nodes[mesh.corners.front()]);
-        for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
-            Vec3& node = mesh.nodes[n];
-            if (usableLength(node.x()) && usableLength(node.y()) && usableLength(node.z())) {
-                node = m_frame.point(node);
-                continue;
-            }
-            if (used[n]) {
-                throw ParseError(
-                    {"exodus.bad_coordinate",
-                     "{0}: {1} lies at ({2}, {3}, {4})",
-                     {m_file.path(), nodeText(mesh, n), node.x(), node.y(), node.z()}},
-                    {"exodus.bad_coordinate.remedy", "Coordinates must be finite: let the analysis write the file again.", {}});
-            }
-            m_result.findings.add({"exodus.stray_node", "Nodes of no element have no finite place", {}},
-                                  {"exodus.stray_node.remedy", "Nothing to do: they are not used.", {}}, nodeText(mesh, n));
-            node = harmless;
-        }
-    }
-
-    void turnReversed() {
-        Mesh& mesh = m_result.mesh;
-        std::vector<Vec3> x;
-        for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
-            if (!isSolid(mesh.shapes[e])) {
-                continue;
-            }
-            x.clear();
-            for (const std::uint32_t node : mesh.cornersOf(idAt<ElementIndex>(e))) {
-                x.push_back(mesh.nodes[node]);
-            }
-            if (elementVolume(mesh.shapes[e], x, 0.0) >= 0.0) {
-                continue;
-            }
-            turn(mesh.shapes[e], mesh.corners.begin() + mesh.offsets[e]);
-            m_result.findings.add({"exodus.reversed", "Solids were numbered inside out at rest; they were turned", {}},
-                                  {"exodus.reversed.remedy", "Nothing to do if the elements look right.", {}},
-                                  "element " + englishInteger(mesh.elementIds[e]) + " (" + mesh.parts[mesh.part[e]].name + ")");
-        }
-    }
-
-    static void turn(ElementShape shape, std::vector<std::uint32_t>::iterator corner) {
-        switch (shape) {
-            case ElementShape::Hexahedron:
-                std::swap_ranges(corner, corner + 4, corner + 4);
-                break;
-            case ElementShape::Wedge:
-                std::swap_ranges(corner, corner + 3, corner + 3);
-                break;
-            default:  // pyramid and tetrahedron: the base the other way round
-                std::swap(corner[1], corner[shape == ElementShape::Pyramid ? 3 : 2]);
-                break;
-        }
+        readExodusMaterial(m_file, b, *shape, nameOf(block), m_result.first.back(), m_builder, m_result.findings);
     }
 
     const ExodusFile& m_file;
-    const FrameTransform& m_frame;
+    MeshBuilder m_builder;
     std::vector<std::int64_t> m_elementNumbers;
-    std::set<std::string> m_names;
+    std::map<std::int64_t, std::uint32_t> m_parts;  // by what the file says of its blocks
     ExodusMesh m_result;
 };
 

@@ -11,12 +11,14 @@
 
 namespace rubble::io {
 
-/// The mesh of an Exodus file and where its elements stand in the file.
+/// The mesh of an Exodus file and where its elements stand in the file: a run of elements for each block that was read.
 struct ExodusMesh {
     Mesh mesh;
-    std::vector<std::size_t> blocks;  ///< block of each part [parts]
-    std::vector<std::size_t> first;   ///< first element of each part in the mesh [parts + 1]
+    std::vector<std::size_t> blocks;  ///< block of each run [runs]
+    std::vector<std::size_t> first;   ///< first element of each run in the mesh [runs + 1]
     Findings findings;
+
+    const Part& partOfRun(std::size_t run) const { return mesh.parts[mesh.part[first[run]]]; }
 };
 
 /// Reads coordinates, blocks and materials. Blocks that are no structure are left out and counted; solids numbered the other way

@@ -10,6 +10,9 @@
 
 namespace rubble::io {
 
+/// A variable of ours [blocks]: which blocks make one part. Files without it have a part a block.
+inline constexpr const char* exodusPartVariable = "rubble_part";
+
 /// Shape of a block's elements by its topology word and node count; nothing for blocks that are no structure (spheres, polygons).
 /// Higher orders are known by their corners, which come first.
 std::optional<ElementShape> shapeOf(std::string_view topology, std::int64_t nodesPerElement);

@@ -65,22 +65,23 @@ ExodusSequence::ExodusSequence(std::vector<std::string> files, const ImportSetti
     for (std::size_t f = 0; f < m_files.size(); ++f) {
         addStates(f, *file(f));
         if (f > 0 && cutNumber(m_files[f]).second != cutNumber(m_files[f - 1]).second + 1) {
-            m_findings.add({"exodus.sequence_gap", "Files of the sequence are missing: states between them are not known", {}},
-                           {"exodus.sequence_gap.remedy", "Copy the whole sequence.", {}}, m_files[f]);
+            m_facts.findings.add(
+                {"exodus.sequence_gap", "Files of the sequence are missing: states between them are not known", {}},
+                {"exodus.sequence_gap.remedy", "Copy the whole sequence.", {}}, m_files[f]);
         }
     }
     const auto first = file(0);
     const std::vector<std::string>& names = first->variables(ExodusEntity::Element);
-    m_flag.choices = names;
+    m_facts.flag.choices = names;
     if (const auto status = findStatus(names, settings.statusVariable)) {
-        m_flag.name = status->name;
-        m_flag.activeByName = status->activeByName;
+        m_facts.flag.name = status->name;
+        m_facts.flag.activeByName = status->activeByName;
     } else if (!settings.statusVariable.empty()) {
         throw UsageError(
             {"exodus.unknown_status", "{0} has no element variable \"{1}\"", {first->path(), settings.statusVariable}},
             {"exodus.sequence_status.remedy", "Leave the name out: elements that a file of the sequence leaves out are dead.", {}});
     }
-    m_velocity = findVelocity(first->variables(ExodusEntity::Node)).has_value();
+    m_facts.hasVelocity = findVelocity(first->variables(ExodusEntity::Node)).has_value();
 }
 
 // The last file of a sequence may still be being written.
@@ -91,8 +92,8 @@ void ExodusSequence::dropUnfinished() {
         if (m_files.size() == 1) {
             throw;
         }
-        m_findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
-                       {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, m_files.back());
+        m_facts.findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
+                             {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, m_files.back());
         m_files.pop_back();
     }
 }
@@ -100,14 +101,15 @@ void ExodusSequence::dropUnfinished() {
 // Some codes write the last state before a change again as the first of the next file: the newer one counts.
 void ExodusSequence::addStates(std::size_t f, const ExodusFile& file) {
     requireThreeDimensions(file);
-    while (!m_times.empty() && !file.times().empty() && m_times.back() >= file.times().front()) {
-        m_findings.add({"exodus.sequence_overlap", "States that a later file of the sequence has again were taken from there", {}},
-                       {"exodus.sequence_overlap.remedy", "Nothing to do.", {}}, file.path());
-        m_times.pop_back();
+    while (!m_facts.times.empty() && !file.times().empty() && m_facts.times.back() >= file.times().front()) {
+        m_facts.findings.add(
+            {"exodus.sequence_overlap", "States that a later file of the sequence has again were taken from there", {}},
+            {"exodus.sequence_overlap.remedy", "Nothing to do.", {}}, file.path());
+        m_facts.times.pop_back();
         m_states.pop_back();
     }
     for (std::size_t k = 0; k < file.times().size(); ++k) {
-        m_times.push_back(file.times()[k]);
+        m_facts.times.push_back(file.times()[k]);
         m_states.push_back({f, k});
     }
 }
@@ -132,10 +134,11 @@ SeriesStep ExodusSequence::step(std::size_t k) {
     const auto source = file(state.file);
     if (k == 0 || m_states[k - 1].file != state.file) {
         m_mesh = readExodusMesh(*source, FrameTransform(Frame{}));
-        m_findings.append(m_mesh.findings);
+        m_facts.findings.append(m_mesh.findings);
         step.mesh = m_mesh.mesh;
     }
-    const auto status = m_flag.name.empty() ? std::nullopt : findStatus(source->variables(ExodusEntity::Element), m_flag.name);
+    const auto status =
+        m_facts.flag.name.empty() ? std::nullopt : findStatus(source->variables(ExodusEntity::Element), m_facts.flag.name);
     if (status) {
         step.flags.assign(m_mesh.mesh.elementCount(), std::numeric_limits<double>::quiet_NaN());
         for (std::size_t p = 0; p < m_mesh.blocks.size(); ++p) {
@@ -162,7 +165,7 @@ SeriesFields ExodusSequence::fields(std::size_t k) const {
     if (const auto displacement = chooseDisplacement(*source, m_settings)) {
         addInto(fields.positions, *source, *displacement, state.state);
     }
-    if (const auto velocity = findVelocity(source->variables(ExodusEntity::Node)); velocity && m_velocity) {
+    if (const auto velocity = findVelocity(source->variables(ExodusEntity::Node)); velocity && m_facts.hasVelocity) {
         fields.velocities.assign(source->nodeCount(), Vec3::Zero());
         addInto(fields.velocities, *source, *velocity, state.state);
     }

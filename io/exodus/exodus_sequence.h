@@ -24,12 +24,8 @@ public:
     /// Opens every file once. Throws as ExodusFile does.
     ExodusSequence(std::vector<std::string> files, const ImportSettings& settings);
 
-    const std::vector<double>& times() const override { return m_times; }
-    const SeriesFlag& flag() const override { return m_flag; }
-    bool hasVelocity() const override { return m_velocity; }
     SeriesStep step(std::size_t k) override;
     SeriesFields fields(std::size_t k) const override;
-    const Findings& findings() const override { return m_findings; }
 
 private:
     struct State {
@@ -43,12 +39,8 @@ private:
 
     std::vector<std::string> m_files;
     ImportSettings m_settings;
-    SeriesFlag m_flag;
-    bool m_velocity = false;
-    std::vector<double> m_times;
     std::vector<State> m_states;
     ExodusMesh m_mesh;  // of the newest step's file
-    Findings m_findings;
     mutable std::mutex m_mutex;
     mutable std::list<std::pair<std::size_t, std::shared_ptr<const ExodusFile>>> m_open;  // most recently used first
 };

@@ -4,17 +4,9 @@
 #include <cassert>
 
 #include "core/base/error.h"
-#include "io/exodus/exodus_mesh.h"
+#include "io/mesh_builder.h"
 
 namespace rubble::io {
-
-namespace {
-
-bool usable(const Vec3& value) {
-    return usableLength(value.x()) && usableLength(value.y()) && usableLength(value.z());
-}
-
-}  // namespace
 
 ExodusSource::ExodusSource(std::shared_ptr<const ExodusFile> file, std::shared_ptr<const Mesh> mesh, Activity activity,
                            const FrameTransform& frame, std::optional<VectorVariable> displacement,
@@ -74,7 +66,7 @@ void ExodusSource::mend(std::size_t k, const VectorVariable& variable, std::vect
         }
     }
     for (std::size_t n = 0; n < values.size(); ++n) {
-        if (usable(values[n])) {
+        if (usablePlace(values[n])) {
             continue;
         }
         if (needed[n]) {

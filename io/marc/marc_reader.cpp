@@ -13,21 +13,22 @@ namespace {
 
 class MarcSeries : public MeshSeries {
 public:
-    explicit MarcSeries(const std::string& path) : m_file(path), m_findings(m_file.findings()) {
+    explicit MarcSeries(const std::string& path) : m_file(path) {
+        m_facts.findings = m_file.findings();
         bool stress = !m_file.increments().empty();
         for (std::size_t k = 0; k < m_file.increments().size(); ++k) {
             const MarcIncrement& increment = m_file.increments()[k];
-            m_times.push_back(increment.time);
+            m_facts.times.push_back(increment.time);
             m_rewritten = m_rewritten || (k > 0 && increment.mesh);
-            m_velocity = m_velocity || increment.velocity.has_value();
+            m_facts.hasVelocity = m_facts.hasVelocity || increment.velocity.has_value();
             stress = stress && !increment.stressed.empty();
         }
         m_byStress = stress && !m_rewritten;
         if (m_byStress) {
             findStress();
-            m_flag.name = "stress";
-            m_flag.activeByName = 1;
-            m_findings.add(
+            m_facts.flag.name = "stress";
+            m_facts.flag.activeByName = 1;
+            m_facts.findings.add(
                 {"marc.inferred",
                  "The file does not say which elements are dead: those whose stress falls to exactly zero for good were taken",
                  {}},
@@ -40,16 +41,11 @@ public:
         }
     }
 
-    const std::vector<double>& times() const override { return m_times; }
-    const SeriesFlag& flag() const override { return m_flag; }
-    bool hasVelocity() const override { return m_velocity; }
-    const Findings& findings() const override { return m_findings; }
-
     SeriesStep step(std::size_t k) override {
         SeriesStep step;
         const MarcIncrement& increment = m_file.increments()[k];
         if (increment.mesh) {
-            Mesh mesh = m_file.readMesh(*increment.mesh, m_findings);
+            Mesh mesh = m_file.readMesh(*increment.mesh, m_facts.findings);
             m_places = mesh.nodes;
             m_whole = mesh.elementCount() == increment.stressed.size();
             step.mesh = std::move(mesh);
@@ -110,14 +106,11 @@ private:
     }
 
     MarcFile m_file;
-    bool m_rewritten = false, m_velocity = false, m_byStress = false, m_whole = false;
-    std::vector<double> m_times;
+    bool m_rewritten = false, m_byStress = false, m_whole = false;
     std::vector<Vec3> m_places;                                         // of the newest mesh
     std::vector<std::shared_ptr<const std::vector<Vec3>>> m_reference;  // places at rest of each state's nodes
     std::vector<std::size_t> m_firstStress, m_lastStress;               // state [elements]
     std::size_t m_firstLoaded = 0;                                      // first state at which most elements carry stress
-    SeriesFlag m_flag;
-    Findings m_findings;
 };
 
 }  // namespace

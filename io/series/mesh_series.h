@@ -32,23 +32,33 @@ struct SeriesFlag {
     std::vector<std::string> choices;  ///< what else the user may name, for the remedy
 };
 
-/// A result that is a series of meshes, one a state: elements are flagged, or left out once they are dead. Implementations throw
-/// ParseError or WorldError naming file and place.
+/// What is known of a series before its states are read.
+struct SeriesFacts {
+    std::vector<double> times;  ///< s
+    SeriesFlag flag;
+    bool hasVelocity = false;
+    Findings findings;  ///< what the series had to work around; steps add to it
+};
+
+/// A result that is a series of meshes, one a state: elements are flagged, or left out once they are dead. Implementations fill in
+/// the facts when they are made, and throw ParseError or WorldError naming file and place.
 class MeshSeries {
 public:
     virtual ~MeshSeries() = default;
 
-    virtual const std::vector<double>& times() const = 0;  ///< s
-    virtual const SeriesFlag& flag() const = 0;
-    virtual bool hasVelocity() const = 0;
+    const std::vector<double>& times() const { return m_facts.times; }
+    const SeriesFlag& flag() const { return m_facts.flag; }
+    bool hasVelocity() const { return m_facts.hasVelocity; }
+    const Findings& findings() const { return m_facts.findings; }
     /// Reads the elements of state k. Called once for every state, in order, by one thread.
     virtual SeriesStep step(std::size_t k) = 0;
     /// Reads the nodal values of state k. Called after all steps, in any order, from any thread.
     virtual SeriesFields fields(std::size_t k) const = 0;
-    /// What the series had to work around.
-    virtual const Findings& findings() const = 0;
     /// Exact death times s by element number, or empty.
     virtual std::vector<std::pair<std::int64_t, double>> deathTimes() const { return {}; }
+
+protected:
+    SeriesFacts m_facts;
 };
 
 }  // namespace rubble::io

@@ -24,7 +24,8 @@ struct Grid {
     std::vector<std::int64_t> connectivity;  ///< points, 0-based, not yet checked
     std::vector<GridArray> pointData;
     std::vector<GridArray> cellData;
-    std::optional<double> time;  ///< s, where the grid itself says it
+    std::vector<std::string> componentNames;  ///< of the field component_names; the cell array component indexes them
+    std::optional<double> time;               ///< s, where the grid itself says it
 
     std::size_t cellCount() const { return types.size(); }
 };

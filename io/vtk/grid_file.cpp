@@ -9,6 +9,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridReader.h>
@@ -19,6 +20,7 @@
 #include <new>
 
 #include "core/base/error.h"
+#include "io/exodus/exodus_names.h"
 #include "io/exodus/trial.h"
 #include "io/vtk/quiet_vtk.h"
 
@@ -121,6 +123,13 @@ void takeCells(vtkUnstructuredGrid& grid, Grid& result) {
     }
 }
 
+void takeComponentNames(vtkUnstructuredGrid& grid, Grid& result) {
+    auto* const names = vtkStringArray::SafeDownCast(grid.GetFieldData()->GetAbstractArray("component_names"));
+    for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i) {
+        result.componentNames.push_back(shownName(names->GetValue(i)));
+    }
+}
+
 void takeTime(vtkUnstructuredGrid& grid, Grid& result) {
     for (const char* name : {"TimeValue", "TIME", "Time", "time"}) {
         vtkDataArray* const array = grid.GetFieldData()->GetArray(name);
@@ -171,6 +180,7 @@ Grid readGridFile(const std::string& path, const GridSelection& selection) {
     result.pointData = arraysOf(grid->GetPointData(), selection, true);
     result.cellData = arraysOf(grid->GetCellData(), selection, false);
     takeTime(*grid, result);
+    takeComponentNames(*grid, result);
     return result;
 }
 

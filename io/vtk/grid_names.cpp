@@ -85,6 +85,8 @@ GridNames chooseGridNames(const Grid& grid, const ImportSettings& settings, cons
                                  "node", "id", "ids"});
     names.part = choose(cells, {"part_id", "partid", "part", "parts", "objectid", "blockid", "block_id", "material_id",
                                 "materialids", "material", "mat", "gmsh:physical"});
+    names.component = grid.componentNames.empty() ? "" : choose(cells, {"component"});
+    names.atRest = choose(namesOf(grid.pointData, 3), {"initial_position"});
     names.density = choose(cells, {"density", "rho", "mass_density"});
     names.thickness = choose(cells, {"thickness", "shell_thickness", "thick"});
     names.area = choose(cells, {"area", "cross_section", "section_area"});

@@ -13,6 +13,8 @@ namespace rubble::io {
 struct GridNames {
     SeriesFlag flag;
     bool ghostFlag = false;  ///< the flag is vtkGhostType, whose bits are looked at
+    std::string component;   ///< index into the names of components that the grid has
+    std::string atRest;      ///< places of the nodes at rest
     std::string element, node, part, density, thickness, area, displacement, velocity;
     std::string deathTime;
 };

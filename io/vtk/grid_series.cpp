@@ -15,6 +15,8 @@ namespace {
 
 // Bits of vtkGhostType on cells: duplicate (vtkLSDynaReader sets it on the dead) and hidden.
 constexpr unsigned ghostDead = 1u | 32u;
+// Some writers say "never" by a very large time.
+constexpr double latestTime = 1e15;
 
 std::int64_t whole(double value) {
     return std::abs(value) < 9e15 ? static_cast<std::int64_t>(std::llround(value)) : -1;
@@ -87,6 +89,10 @@ GridSeries::GridSeries(std::string path, std::unique_ptr<const GridSource> sourc
     all.everything = true;
     const Grid first = m_source->read(0, all);
     m_names = chooseGridNames(first, settings, m_path);
+    m_facts.times = m_source->times();
+    m_facts.flag = m_names.flag;
+    m_facts.hasVelocity = !m_names.velocity.empty();
+    m_componentNames = first.componentNames;
     m_moves = !settings.displacement.empty() && settings.displacement != "none";
     if (!m_moves && !m_names.displacement.empty()) {
         decideDisplacement(first);
@@ -94,14 +100,14 @@ GridSeries::GridSeries(std::string path, std::unique_ptr<const GridSource> sourc
 }
 
 void GridSeries::noteMissingTimes() {
-    m_findings.add({"vtk.no_times", "The series does not say when its states are: they were taken one second apart", {}},
-                   {"vtk.no_times.remedy", "Give a .pvd or .series file with the times, or files with TimeValue.", {}}, m_path,
-                   static_cast<std::int64_t>(times().size()));
+    m_facts.findings.add({"vtk.no_times", "The series does not say when its states are: they were taken one second apart", {}},
+                         {"vtk.no_times.remedy", "Give a .pvd or .series file with the times, or files with TimeValue.", {}},
+                         m_path, static_cast<std::int64_t>(times().size()));
 }
 
 void GridSeries::noteUnfinished(const std::string& file) {
-    m_findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
-                   {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, file);
+    m_facts.findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
+                         {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, file);
 }
 
 void GridSeries::decideDisplacement(const Grid& first) {
@@ -118,15 +124,16 @@ void GridSeries::decideDisplacement(const Grid& first) {
 
 SeriesStep GridSeries::step(std::size_t k) {
     SeriesStep step;
-    const std::vector<std::string> tell{m_names.element, m_names.part, m_names.density, m_names.thickness, m_names.area};
-    const bool same = k > 0 && m_source->sameCells(k, {m_names.element, m_names.part});
+    const std::vector<std::string> tell{m_names.element, m_names.part,      m_names.component,
+                                        m_names.density, m_names.thickness, m_names.area};
+    const bool same = k > 0 && m_source->sameCells(k, {m_names.element, m_names.part, m_names.component});
     GridSelection selection;
     selection.cells = !same;
     selection.points = !same;
     selection.cellArrays = {m_names.flag.name};
     if (!same) {
         selection.cellArrays.insert(selection.cellArrays.end(), tell.begin(), tell.end());
-        selection.pointArrays = {m_names.node};
+        selection.pointArrays = {m_names.node, m_names.atRest};
     }
     const Grid grid = m_source->read(k, selection);
     if (!same) {
@@ -143,6 +150,7 @@ SeriesStep GridSeries::step(std::size_t k) {
             .values(std::span(grid.connectivity));
         feed(grid.cellData, m_names.element);
         feed(grid.cellData, m_names.part);
+        feed(grid.cellData, m_names.component);
         feed(grid.pointData, m_names.node);
         const Digest cells = hasher.finish();
         if (k == 0 || !(cells == m_cells)) {
@@ -168,14 +176,14 @@ SeriesStep GridSeries::step(std::size_t k) {
 bool GridSeries::left(const Grid& grid, std::size_t cell) {
     // Converters write the links of rigid bodies as lines without a number.
     if (grid.types[cell] == 3 && !m_names.element.empty() && valueOf(grid.cellData, m_names.element, cell, 1.0) == 0.0) {
-        m_findings.add({"vtk.links", "Lines without an element number were left out: they are links of rigid bodies", {}},
-                       {"vtk.links.remedy", "Nothing to do.", {}}, "cell " + englishInteger(static_cast<std::int64_t>(cell)));
+        m_facts.findings.add({"vtk.links", "Lines without an element number were left out: they are links of rigid bodies", {}},
+                             {"vtk.links.remedy", "Nothing to do.", {}}, "cell " + englishInteger(static_cast<std::int64_t>(cell)));
         return true;
     }
     if (!shapeOfVtkCell(grid.types[cell])) {
-        m_findings.add({"vtk.skipped_cell", "Cells of a type that makes no fragment were left out", {}},
-                       {"vtk.skipped_cell.remedy", "Nothing to do if they are masses, contacts or particles.", {}},
-                       "type " + std::to_string(grid.types[cell]));
+        m_facts.findings.add({"vtk.skipped_cell", "Cells of a type that makes no fragment were left out", {}},
+                             {"vtk.skipped_cell.remedy", "Nothing to do if they are masses, contacts or particles.", {}},
+                             "type " + std::to_string(grid.types[cell]));
         return true;
     }
     return false;
@@ -184,6 +192,10 @@ bool GridSeries::left(const Grid& grid, std::size_t cell) {
 Mesh GridSeries::meshOf(const Grid& grid, std::size_t k) {
     Mesh mesh;
     mesh.nodes = grid.points;
+    if (const GridArray* atRest = findArray(grid.pointData, m_names.atRest);
+        atRest && atRest->values.size() == 3 * grid.points.size()) {
+        mesh.nodes = vectorsOf(*atRest);
+    }
     if (const GridArray* numbers = findArray(grid.pointData, m_names.node); numbers && !numbers->values.empty()) {
         for (const double number : numbers->values) {
             mesh.nodeIds.push_back(whole(number));
@@ -225,7 +237,10 @@ void GridSeries::addCell(const Grid& grid, std::size_t cell, std::size_t k, Mesh
     mesh.shapes.push_back(shape);
     mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
     mesh.offsets.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
-    mesh.part.push_back(partOf(whole(valueOf(grid.cellData, m_names.part, cell, 1.0)), shape, mesh));
+    const std::int64_t part = whole(valueOf(grid.cellData, m_names.part, cell, 1.0));
+    mesh.part.push_back(m_names.component.empty()
+                            ? partOf(part, shape, mesh)
+                            : componentOf(whole(valueOf(grid.cellData, m_names.component, cell, -1.0)), part, mesh));
     if (!m_names.element.empty()) {
         mesh.elementIds.push_back(whole(valueOf(grid.cellData, m_names.element, cell, -1.0)));
     }
@@ -244,6 +259,40 @@ std::uint32_t GridSeries::partOf(std::int64_t id, ElementShape shape, Mesh& mesh
         }
     }
     mesh.parts.push_back({name, id});
+    return static_cast<std::uint32_t>(mesh.parts.size() - 1);
+}
+
+// The last state knows every death; 0 stands for never.
+std::vector<std::pair<std::int64_t, double>> GridSeries::deathTimes() const {
+    std::vector<std::pair<std::int64_t, double>> result;
+    if (m_names.deathTime.empty() || m_names.element.empty()) {
+        return result;
+    }
+    GridSelection selection;
+    selection.points = false;
+    selection.cells = false;
+    selection.cellArrays = {m_names.element, m_names.deathTime};
+    const Grid last = m_source->read(times().size() - 1, selection);
+    const GridArray* numbers = findArray(last.cellData, m_names.element);
+    const GridArray* deaths = findArray(last.cellData, m_names.deathTime);
+    for (std::size_t c = 0; numbers && deaths && c < std::min(numbers->values.size(), deaths->values.size()); ++c) {
+        if (deaths->values[c] > 0.0 && deaths->values[c] < latestTime) {
+            result.emplace_back(whole(numbers->values[c]), deaths->values[c]);
+        }
+    }
+    return result;
+}
+
+// A numbered list of names knows no kinds.
+std::uint32_t GridSeries::componentOf(std::int64_t index, std::int64_t id, Mesh& mesh) const {
+    const bool named = index >= 0 && static_cast<std::size_t>(index) < m_componentNames.size();
+    const std::string name = named ? m_componentNames[static_cast<std::size_t>(index)] : "component " + std::to_string(index);
+    for (std::size_t p = mesh.parts.size(); p-- > 0;) {
+        if (mesh.parts[p].name == name) {
+            return static_cast<std::uint32_t>(p);
+        }
+    }
+    mesh.parts.push_back({name, m_names.part.empty() ? index : id});
     return static_cast<std::uint32_t>(mesh.parts.size() - 1);
 }
 

@@ -19,12 +19,9 @@ public:
     /// Reads the first and the last state. @param path  for messages
     GridSeries(std::string path, std::unique_ptr<const GridSource> source, const ImportSettings& settings);
 
-    const std::vector<double>& times() const override { return m_source->times(); }
-    const SeriesFlag& flag() const override { return m_names.flag; }
-    bool hasVelocity() const override { return !m_names.velocity.empty(); }
     SeriesStep step(std::size_t k) override;
     SeriesFields fields(std::size_t k) const override;
-    const Findings& findings() const override { return m_findings; }
+    std::vector<std::pair<std::int64_t, double>> deathTimes() const override;
     /// Counts that nobody says when the states are, so that they were counted.
     void noteMissingTimes();
     /// Counts a last state that was left out because it is not whole.
@@ -35,15 +32,16 @@ private:
     Mesh meshOf(const Grid& grid, std::size_t k);
     void addCell(const Grid& grid, std::size_t cell, std::size_t k, Mesh& mesh);
     std::uint32_t partOf(std::int64_t id, ElementShape shape, Mesh& mesh) const;
+    std::uint32_t componentOf(std::int64_t index, std::int64_t id, Mesh& mesh) const;
     bool left(const Grid& grid, std::size_t cell);
 
     std::string m_path;
     std::unique_ptr<const GridSource> m_source;
     GridNames m_names;
+    std::vector<std::string> m_componentNames;
     bool m_moves = false;             // points stay, the displacement moves
     Digest m_cells;                   // of the newest step
     std::vector<std::size_t> m_kept;  // cells of the newest step that are elements
-    Findings m_findings;
 };
 
 }  // namespace rubble::io

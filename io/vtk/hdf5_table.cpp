@@ -88,7 +88,9 @@ std::vector<std::string> namesIn(hid_t file, const std::string& group) {
 
 }  // namespace
 
-Hdf5Table::Hdf5Table(const std::string& path) : m_path(path) {
+Hdf5Table::Hdf5Table(const std::string& path) : Hdf5Table(path, [](const Hdf5Table& table) { table.lookAtAll(); }) {}
+
+Hdf5Table::Hdf5Table(const std::string& path, const std::function<void(const Hdf5Table&)>& lookAt) : m_path(path) {
     std::error_code error;
     m_bytes = std::filesystem::file_size(path, error);
     if (error) {
@@ -97,12 +99,14 @@ Hdf5Table::Hdf5Table(const std::string& path) : m_path(path) {
     }
     {
         const std::scoped_lock lock(nativeLibraries());
-        const auto look = [this] {
+        // Files that this process has open are open in the child too.
+        const auto look = [&] {
+            const ssize_t before = H5Fget_obj_count(static_cast<hid_t>(H5F_OBJ_ALL), H5F_OBJ_ALL);
             m_file = openFile(m_path);
-            lookAtAll();
+            lookAt(*this);
             m_file.reset();
             // What the library leaves open where it fails would stay open in this process.
-            if (H5Fget_obj_count(static_cast<hid_t>(H5F_OBJ_ALL), H5F_OBJ_ALL) > 0) {
+            if (H5Fget_obj_count(static_cast<hid_t>(H5F_OBJ_ALL), H5F_OBJ_ALL) > before) {
                 failTable(m_path, "(some)", "the library fails on it");
             }
         };

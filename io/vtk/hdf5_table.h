@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ public:
     /// Opens the file, after a look at all its tables in a child process: the packaged HDF5 can crash on a damaged one.
     /// Throws WorldError, ParseError.
     explicit Hdf5Table(const std::string& path);
+    /// The same with another look in the child process, for files too large to be looked at whole. @param look  reads from the
+    /// table that it is given; what it throws is thrown here
+    Hdf5Table(const std::string& path, const std::function<void(const Hdf5Table&)>& look);
 
     const std::string& path() const { return m_path; }
     /// True if there is a table of numbers of this name.

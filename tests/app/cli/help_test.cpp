@@ -12,7 +12,8 @@ using testing::HasSubstr;
 TEST(Help, OverviewNamesEveryCommandOfTheDesign) {
     const Outcome outcome = cli({"--help"});
     EXPECT_EQ(outcome.exitCode, 0);
-    for (const char* command : {"inspect", "size", "effects", "run", "export", "figure", "verify", "parameters"}) {
+    for (const char* command :
+         {"inspect", "size", "effects", "run", "convert", "cache", "export", "figure", "verify", "parameters"}) {
         EXPECT_THAT(outcome.out, HasSubstr(std::string("rubble-cli ") + command));
     }
     EXPECT_EQ(outcome.err, "");
@@ -53,6 +54,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         WrongUsage{{}, "rubble-cli COMMAND --help"}, WrongUsage{{"crush"}, "Commands: inspect, size, effects, run"},
         WrongUsage{{"inspect"}, "needs a file"}, WrongUsage{{"inspect", "a", "b"}, "cannot use \"b\""},
+        WrongUsage{{"convert", "a.exo"}, "needs a file"}, WrongUsage{{"convert", "a", "b.h5", "c"}, "cannot use \"c\""},
+        WrongUsage{{"cache", "polish"}, "list or clear"}, WrongUsage{{"cache", "list", "--only", "dust"}, "fe, worlds"},
+        WrongUsage{{"inspect", "a", "--follow", "0"}, "--follow"},
+        WrongUsage{{"inspect", "a", "--follow", "1", "--json"}, "--json"},
         WrongUsage{{"inspect", "--speed", "a"}, "no option --speed"}, WrongUsage{{"inspect", "a", "--csv"}, "--csv needs a value"},
         WrongUsage{{"inspect", "a", "--json=yes"}, "takes no value"},
         WrongUsage{{"run", "a", "--out", "b", "--out", "c"}, "given twice"},

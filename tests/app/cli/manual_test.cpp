@@ -86,6 +86,8 @@ TEST(Manual, NamesEveryKeyOfEveryJsonObject) {
         {"parameters"},
         {"accuracy", fe, "--check", "--no-fps", "--multiples", "2", "--set", "settle_time=0.5", "--cache", folder / "cache"},
         {"calibrate", "--bodies", "8,12,27", "--no-drawing", "--cache", folder / "cache"},
+        {"convert", fe, folder / "converted.h5"},
+        {"cache", "list", "--cache", folder / "cache"},
         {"inspect", folder / "missing.exo"}};
     for (std::vector<std::string> words : commandLines) {
         words.push_back("--json");

@@ -283,7 +283,7 @@ TEST_F(ExodusReaderTest, SolidsNumberedInsideOutAreTurned) {
     builder.addStillDisplacement();
     builder.element.emplace_back("STATUS", [](std::size_t, std::size_t) { return 1.0; });
     const auto fe = open(builder);
-    EXPECT_EQ(fe->contents().findings.count("exodus.reversed"), 4);
+    EXPECT_EQ(fe->contents().findings.count("fe.reversed"), 4);
     for (std::size_t e = 0; e < 4; ++e) {
         std::vector<Vec3> x;
         for (const std::uint32_t node : fe->mesh().cornersOf(idAt<ElementIndex>(e))) {
@@ -358,7 +358,7 @@ TEST_F(ExodusReaderTest, CoordinatesMustBeNumbersWhereTheyAreUsed) {
     builder.element.emplace_back("STATUS", [](std::size_t, std::size_t) { return 1.0; });
     builder.nodes.push_back({0, notANumber, 0});
     const auto fe = open(builder);
-    EXPECT_EQ(fe->contents().findings.count("exodus.stray_node"), 1);
+    EXPECT_EQ(fe->contents().findings.count("fe.stray_node"), 1);
     EXPECT_TRUE(fe->mesh().nodes.back().allFinite());
     builder.nodes[4].z() = notANumber;
     EXPECT_THAT(errorOf<ParseError>(builder), HasSubstr("node 5 lies at (1, 0, not a number)"));
@@ -413,7 +413,7 @@ TEST_F(ExodusReaderTest, NodesThatDoNotExistAreNamed) {
     ExodusBuilder builder = ExodusBuilder::threeCubes();
     builder.element.emplace_back("STATUS", [](std::size_t, std::size_t) { return 1.0; });
     builder.blocks[0].nodes[9] = 4000;
-    EXPECT_THAT(errorOf<ParseError>(builder), HasSubstr("element 2 of block 1 (row) uses node 4,000 of 16"));
+    EXPECT_THAT(errorOf<ParseError>(builder), HasSubstr("element 2 of \"row\" uses the node at place 4,000 of 16"));
     builder.blocks[0].nodes[9] = 0;
     errorOf<ParseError>(builder);
 }

@@ -1,0 +1,85 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <array>
+#include <filesystem>
+
+#include "app/gui/playback.h"
+#include "app/gui/view_area.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/app/gui/workbench.h"
+#include "widgets/status_line.h"
+
+namespace rubble {
+
+namespace {
+
+/// The small collapse up to some state, as an analysis that goes on would have written it by then.
+void writeUpTo(std::size_t states, const std::string& path) {
+    io::ExodusBuilder builder = cli::smallCollapse();
+    builder.times.resize(states);
+    builder.write(path + ".next");
+    std::filesystem::rename(path + ".next", path);
+}
+
+}  // namespace
+
+TEST_F(Workbench, RefreshShowsWhatHasComeAndKeepsTheRest) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath(QStringLiteral("growing.exo")).toStdString();
+    writeUpTo(3, path);
+    window->open(QString::fromStdString(path));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    window->document().setParameter(QStringLiteral("multiple"), 3.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    window->area().views().look(render::Preset::Top);
+    window->showInstant(0.1);
+    const render::View view = window->area().views().view();
+    const int panel = window->deck().stack().currentIndex();
+    const auto before = window->computation().inputs().fe;
+    ASSERT_EQ(before->stateCount(), 3u);
+
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return window->statusLine().activityText().contains(QStringLiteral("Nothing new")); }, patience))
+        << window->statusLine().activityText().toStdString();
+    EXPECT_EQ(window->computation().inputs().fe, before);
+
+    writeUpTo(6, path);
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().inputs().fe != before && prepared(); }, patience));
+    EXPECT_EQ(window->computation().inputs().fe->stateCount(), 6u);
+    EXPECT_DOUBLE_EQ(window->playback().clock().time(), 0.1);
+    EXPECT_EQ(window->area().views().view().cameras[0], view.cameras[0]);
+    EXPECT_EQ(window->area().views().view().layout, view.layout);
+    EXPECT_EQ(window->deck().stack().currentIndex(), panel);
+    EXPECT_EQ(window->document().scenario().grid.multiple, 3.0);
+    EXPECT_TRUE(window->document().undoStack().canUndo());
+    EXPECT_THAT(window->statusLine().activityText().toStdString(), testing::HasSubstr("3 states more, to 0.5 s"));
+}
+
+TEST_F(Workbench, CopiesOfResultsAreKeptWhenAskedFor) {
+    const QTemporaryDir folder, cache;
+    qputenv("RUBBLE_CACHE", cache.path().toUtf8());
+    const std::string path = folder.filePath(QStringLiteral("small.exo")).toStdString();
+    writeUpTo(6, path);
+    const auto openIt = [&] {
+        window->open(QString::fromStdString(path));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+        return window->computation().inputs().fe->contents().fingerprint;
+    };
+    const Digest plain = openIt();
+    EXPECT_FALSE(std::filesystem::exists(cache.path().toStdString() + "/fe"));
+    window->actions()["keep_copies"].trigger();
+    window->actions()["close"].trigger();
+    EXPECT_EQ(openIt(), plain);
+    ASSERT_TRUE(std::filesystem::exists(cache.path().toStdString() + "/fe"));
+    window->actions()["close"].trigger();
+    EXPECT_EQ(openIt(), plain);
+    window->actions()["keep_copies"].trigger();
+    qunsetenv("RUBBLE_CACHE");
+}
+
+}  // namespace rubble

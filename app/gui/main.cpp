@@ -9,6 +9,7 @@
 #include "app/gui/accuracy_display.h"
 #include "app/gui/main_window.h"
 #include "app/gui/options.h"
+#include "app/gui/panel_deck.h"
 #include "app/gui/screenshot.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/theme.h"
@@ -90,10 +91,16 @@ int main(int argc, char** argv) {
         window.open(options.path, options.simulate);
     }
     if (!options.screenshot.isEmpty()) {
-        new rubble::Screenshot(window, options.screenshot, options.time, options.simulate || options.sample);
-    } else if (options.time) {
-        QObject::connect(&window.computation(), &rubble::Computation::opened, &window,
-                         [&window, time = *options.time] { window.showInstant(time); });
+        new rubble::Screenshot(window, options);
+    } else if (options.time || options.panel) {
+        QObject::connect(&window.computation(), &rubble::Computation::opened, &window, [&window, options] {
+            if (options.panel) {
+                window.deck().choose(static_cast<rubble::PanelDeck::Entry>(*options.panel));
+            }
+            if (options.time) {
+                window.showInstant(*options.time);
+            }
+        });
     }
     return QApplication::exec();
 }

@@ -38,6 +38,17 @@ bool readValues(const QCommandLineParser& parser, Options& options) {
         return false;
     }
     options.theme = theme;
+    if (parser.isSet(QStringLiteral("panel"))) {
+        static const QStringList names{QStringLiteral("case"),    QStringLiteral("fragments"), QStringLiteral("grid"),
+                                       QStringLiteral("effects"), QStringLiteral("run"),       QStringLiteral("accuracy")};
+        const auto place = names.indexOf(parser.value(QStringLiteral("panel")));
+        if (place < 0) {
+            options.text = QCoreApplication::translate("options", "--panel is one of %1, not “%2”.")
+                               .arg(names.join(QStringLiteral(", ")), parser.value(QStringLiteral("panel")));
+            return false;
+        }
+        options.panel = static_cast<int>(place);
+    }
     return true;
 }
 
@@ -56,6 +67,8 @@ Options parseOptions(const QStringList& arguments) {
                        {QStringLiteral("screenshot"), tr("Save a picture of the window and leave."), QStringLiteral("png")},
                        {QStringLiteral("time"), tr("Show this instant, in seconds."), QStringLiteral("s")},
                        {QStringLiteral("size"), tr("Size of the window."), QStringLiteral("WxH")},
+                       {QStringLiteral("panel"), tr("Show this panel: case, fragments, grid, effects, run or accuracy."),
+                        QStringLiteral("panel")},
                        {QStringLiteral("theme"), tr("Colours: light, dark or system."), QStringLiteral("theme")}});
     Options options;
     if (!parser.parse(arguments)) {

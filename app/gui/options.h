@@ -16,6 +16,7 @@ struct Options {
     QString screenshot;
     std::optional<double> time;
     QString theme;
+    std::optional<int> panel;  ///< in the order of the rail
     QSize size;
     QString text;        ///< for --help and --version, or why the arguments are wrong
     bool wrong = false;  ///< text is a complaint

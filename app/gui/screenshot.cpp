@@ -7,14 +7,14 @@
 
 #include "app/gui/accuracy_display.h"
 #include "app/gui/main_window.h"
+#include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
 #include "widgets/figures/figure_file.h"
 
 namespace rubble {
 
-Screenshot::Screenshot(MainWindow& window, QString path, std::optional<double> time, bool simulated)
-    : QObject(&window), m_window(window), m_path(std::move(path)), m_time(time), m_simulated(simulated) {
+Screenshot::Screenshot(MainWindow& window, const Options& options) : QObject(&window), m_window(window), m_options(options) {
     m_timer.setInterval(100);
     connect(&m_timer, &QTimer::timeout, this, &Screenshot::look);
     m_timer.start();
@@ -32,12 +32,15 @@ void Screenshot::look() {
     const RunRecord* record = computation.currentRun();
     const bool simulated = record != nullptr && record->outcome != nullptr;
     const bool comparing = m_window.accuracy().waiting() || m_window.accuracy().work().running();
-    if (computation.busy() || comparing || !prepared || (m_simulated && !simulated)) {
+    if (computation.busy() || comparing || !prepared || ((m_options.simulate || m_options.sample) && !simulated)) {
         return;
     }
     m_timer.stop();
     m_window.playback().clock().pause();
-    m_window.playback().scrub(m_time.value_or(m_window.playback().clock().last()));
+    if (m_options.panel) {
+        m_window.deck().choose(static_cast<PanelDeck::Entry>(*m_options.panel));
+    }
+    m_window.playback().scrub(m_options.time.value_or(m_window.playback().clock().last()));
     // The views draw once more before the picture is taken.
     QTimer::singleShot(1000, this, &Screenshot::take);
 }
@@ -51,7 +54,7 @@ void Screenshot::take() {
             QPainter painter(&picture);
             painter.drawImage(QRect(views.mapTo(&m_window, QPoint(0, 0)), views.size()), views.grabFramebuffer());
         }
-        figures::writePng(m_path.toStdString(), picture);
+        figures::writePng(m_options.screenshot.toStdString(), picture);
         QCoreApplication::exit(0);
     } catch (...) {
         const auto failure = failureOf(std::current_exception());

@@ -2,7 +2,8 @@
 
 #include <QObject>
 #include <QTimer>
-#include <optional>
+
+#include "app/gui/options.h"
 
 namespace rubble {
 
@@ -14,17 +15,15 @@ class Screenshot : public QObject {
     Q_OBJECT
 
 public:
-    /// @param simulated  waits for the run to end
-    Screenshot(MainWindow& window, QString path, std::optional<double> time, bool simulated);
+    /// @param options  where to, which instant and panel, and whether to wait for a run to end
+    Screenshot(MainWindow& window, const Options& options);
 
 private:
     void look();
     void take();
 
     MainWindow& m_window;
-    QString m_path;
-    std::optional<double> m_time;
-    bool m_simulated;
+    const Options m_options;
     QTimer m_timer;
 };
 

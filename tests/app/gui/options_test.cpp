@@ -20,20 +20,22 @@ TEST(Options, NoneOpensAnEmptyWindow) {
 }
 
 TEST(Options, AllTogether) {
-    const Options options =
-        parse({"--screenshot", "a.png", "--time", "5.76", "--size", "1280x800", "--theme", "dark", "--simulate", "x.exo"});
+    const Options options = parse({"--screenshot", "a.png", "--time", "5.76", "--size", "1280x800", "--theme", "dark", "--panel",
+                                   "effects", "--simulate", "x.exo"});
     EXPECT_FALSE(options.wrong) << options.text.toStdString();
     EXPECT_EQ(options.screenshot, QStringLiteral("a.png"));
     EXPECT_DOUBLE_EQ(*options.time, 5.76);
     EXPECT_EQ(options.size, QSize(1280, 800));
     EXPECT_EQ(options.theme, QStringLiteral("dark"));
+    EXPECT_EQ(options.panel, 3);
     EXPECT_TRUE(options.simulate);
     EXPECT_EQ(options.path, QStringLiteral("x.exo"));
 }
 
 TEST(Options, WrongOnesSayWhy) {
-    for (const QStringList& wrong : {QStringList{"--time", "soon"}, QStringList{"--time", "nan"}, QStringList{"--size", "12"},
-                                     QStringList{"--theme", "pink"}, QStringList{"--colour"}, QStringList{"a.exo", "b.exo"}}) {
+    for (const QStringList& wrong :
+         {QStringList{"--time", "soon"}, QStringList{"--time", "nan"}, QStringList{"--size", "12"}, QStringList{"--theme", "pink"},
+          QStringList{"--panel", "dials"}, QStringList{"--colour"}, QStringList{"a.exo", "b.exo"}}) {
         const Options options = parse(wrong);
         EXPECT_TRUE(options.wrong) << wrong.join(u' ').toStdString();
         EXPECT_FALSE(options.text.isEmpty()) << wrong.join(u' ').toStdString();
@@ -43,7 +45,7 @@ TEST(Options, WrongOnesSayWhy) {
 TEST(Options, HelpNamesEveryOption) {
     const Options options = parse({"--help"});
     EXPECT_FALSE(options.wrong);
-    for (const char* name : {"--sample", "--simulate", "--screenshot", "--time", "--size", "--theme"}) {
+    for (const char* name : {"--sample", "--simulate", "--screenshot", "--time", "--size", "--theme", "--panel"}) {
         EXPECT_TRUE(options.text.contains(QLatin1String(name))) << name;
     }
 }

@@ -17,6 +17,7 @@ Command calibrateCommand();
 Command exportCommand();
 Command figureCommand();
 Command mapCommand();
+Command cameraCommand();
 Command verifyCommand();
 Command acknowledgeCommand();
 Command selfTestCommand();

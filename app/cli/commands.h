@@ -19,6 +19,7 @@ Command cacheCommand();
 Command exportCommand();
 Command figureCommand();
 Command mapCommand();
+Command cameraCommand();
 Command verifyCommand();
 Command acknowledgeCommand();
 Command selfTestCommand();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "app/cli/commands.h"
 #include "app/cli/health_output.h"
@@ -21,7 +22,7 @@ namespace {
 
 /// The run that the operand names, or that was made of the case or FE file that it names, with its inputs.
 struct MapSubject {
-    std::optional<TemporaryRun> temporary;
+    std::unique_ptr<TemporaryRun> temporary;
     std::shared_ptr<io::RunReader> run;
     Inputs inputs;
     Findings findings;
@@ -61,7 +62,8 @@ MapSubject openMapSubject(const Arguments& arguments, Session& session) {
         return subject;
     }
     const Subject opened = openSubject(arguments, session);
-    const std::string path = subject.temporary.emplace().path();
+    subject.temporary = std::make_unique<TemporaryRun>();
+    const std::string path = subject.temporary->path();
     std::unique_ptr<TrajectorySink> file = io::createRun(path, originOf(opened));
     const Results results = runTo(opened, Stage::Simulation, file.get(), session.execution());
     file.reset();

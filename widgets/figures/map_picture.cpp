@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "widgets/figures/draw.h"
 #include "widgets/figures/number_text.h"
-#include "widgets/figures/overlay.h"
 #include "widgets/figures/palette.h"
 
 namespace rubble::figures {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <regex>
 #include <set>
 
@@ -43,6 +44,20 @@ void collectKeys(const nlohmann::json& value, std::set<std::string>& keys) {
     }
 }
 
+/// Points that a camera at (0, -20, 2) with a focal length of 4,000 pixels sees.
+std::string writePairs(const std::string& path) {
+    std::ofstream out(path);
+    out << "picture_x_px,picture_y_px,x_m,y_m,z_m\n";
+    for (int k = 0; k < 10; ++k) {
+        const double x = (k * 7) % 10 - 4.5;
+        const double y = (k * 3) % 7;
+        const double z = (k * 5) % 8;
+        out << 2000.0 + 4000.0 * x / (y + 20.0) << ',' << 1500.0 - 4000.0 * (z - 2.0) / (y + 20.0) << ',' << x << ',' << y << ','
+            << z << '\n';
+    }
+    return path;
+}
+
 TEST(Manual, HasASectionForEveryCommandAndNoOther) {
     const std::set<std::string> documented = matches(manual(), "\n## rubble-cli ([a-z-]+)");
     EXPECT_EQ(documented, commands());
@@ -82,6 +97,8 @@ TEST(Manual, NamesEveryKeyOfEveryJsonObject) {
         {"run", fe, "--out", run, "--set", "settle_time=0.5"},
         {"verify", run},
         {"export", run, "--export", "fragments=" + (folder / "f.csv")},
+        {"map", run, "--cell", "1"},
+        {"camera", writePairs(folder / "pairs.csv"), "--size", "4000x3000"},
         {"self-test", "--only", "free-fall"},
         {"parameters"},
         {"accuracy", fe, "--check", "--no-fps", "--multiples", "2", "--set", "settle_time=0.5", "--cache", folder / "cache"},

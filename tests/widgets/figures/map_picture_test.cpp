@@ -1,0 +1,99 @@
+#include "widgets/figures/map_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "core/base/error.h"
+#include "tests/core/analysis/debris_scene.h"
+#include "widgets/figures/figure_file.h"
+#include "widgets/figures/palette.h"
+
+namespace rubble::figures {
+namespace {
+
+DebrisMap fieldMap(const Debris& debris, bool live) {
+    FragmentSet set;
+    set.list.resize(debris.fragments.size());
+    const std::vector<double> known(debris.fragments.size(), 2.0);
+    LiveStructure fallen;
+    MapPiece slab;
+    slab.box = {Vec3(-14.0, 0.0, 0.5), Quat::Identity(), Vec3(1.0, 1.0, 0.5)};
+    slab.centre = slab.box.centre;
+    slab.mass = slab.volume = 4.0;
+    fallen.pieces.push_back(slab);
+    MapSettings settings;
+    settings.cell = 0.5;
+    return makeDebrisMap(2.0, mapPieces(set, debris, known, known), true, live ? &fallen : nullptr, {"deck"}, SiteSurface{},
+                         settings, Execution());
+}
+
+std::size_t pixelsOf(const QImage& image, const QColor& colour) {
+    std::size_t count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            count += image.pixelColor(x, y) == colour;
+        }
+    }
+    return count;
+}
+
+class MapPicture : public testing::Test {
+protected:
+    void SetUp() override {
+        ensureGuiApplication();
+        style.pixels = {800, 500};
+        style.dpi = 100.0;
+    }
+    MapPictureStyle style;
+    DebrisMap map = fieldMap(analysis_scene::randomField(2, 300, 10.0), true);
+};
+
+TEST_F(MapPicture, EveryLayerIsDrawnOnWhite) {
+    std::set<QByteArray> pictures;
+    for (const MapLayer layer : map.present()) {
+        const QImage picture = mapPicture(map, layer, style);
+        EXPECT_EQ(picture.size(), style.pixels);
+        EXPECT_GT(pixelsOf(picture, Qt::white), 100000u);
+        EXPECT_TRUE(pictures.insert(QByteArray(reinterpret_cast<const char*>(picture.constBits()), picture.sizeInBytes())).second)
+            << mapLayerRow(layer).key << " looks like another layer";
+    }
+    EXPECT_EQ(pictures.size(), mapLayerCount);
+}
+
+TEST_F(MapPicture, LiveStructureIsThereOnlyWhenSwitchedOn) {
+    const QColor colour = palette(render::Theme::Print).released;
+    EXPECT_GT(pixelsOf(mapPicture(map, MapLayer::Mass, style), colour), 100u);
+    EXPECT_EQ(pixelsOf(mapPicture(fieldMap(analysis_scene::randomField(2, 300, 10.0), false), MapLayer::Mass, style), colour), 0u);
+}
+
+TEST_F(MapPicture, TheSameMapGivesTheSamePicture) {
+    EXPECT_EQ(mapPicture(map, MapLayer::Height, style), mapPicture(map, MapLayer::Height, style));
+}
+
+TEST_F(MapPicture, ABlockFarAwayDoesNotShrinkTheRest) {
+    Debris far = analysis_scene::randomField(2, 3000, 10.0);
+    const QImage without = mapPicture(fieldMap(far, false), MapLayer::Mass, style);
+    far.fragments.push_back(analysis_scene::boxAt(Vec3(900.0, 0.0, 0.5), 1.0));
+    const QImage with = mapPicture(fieldMap(far, false), MapLayer::Mass, style);
+    // As much of the sheet stays white, to a few per cent.
+    const auto white = [](const QImage& image) { return static_cast<double>(pixelsOf(image, Qt::white)); };
+    EXPECT_LT(std::abs(white(with) - white(without)), 0.1 * white(without));
+}
+
+TEST_F(MapPicture, AnEmptyMapSaysSo) {
+    const DebrisMap empty = makeDebrisMap(0.0, {}, true, nullptr, {}, SiteSurface{}, {}, Execution());
+    const QImage picture = mapPicture(empty, MapLayer::Mass, style);
+    EXPECT_LT(pixelsOf(picture, Qt::white), static_cast<std::size_t>(picture.width() * picture.height()));
+}
+
+TEST_F(MapPicture, RefusesSizesAndLayersThatItCannotDraw) {
+    style.pixels = {50, 50};
+    EXPECT_THROW(mapPicture(map, MapLayer::Mass, style), UsageError);
+    style.pixels = {800, 500};
+    EXPECT_THROW(mapPicture(fieldMap(analysis_scene::randomField(2, 30, 10.0), false), MapLayer::LiveMass, style), UsageError);
+}
+
+}  // namespace
+}  // namespace rubble::figures

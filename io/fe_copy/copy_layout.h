@@ -27,8 +27,9 @@ inline constexpr const char* corners = "/mesh/corners";  ///< nodes, element by 
 inline constexpr const char* density = "/mesh/density";  ///< kg/m3 or NaN [elements]
 inline constexpr const char* section = "/mesh/section";  ///< m or m2 or NaN [elements]
 inline constexpr const char* deathTime = "/death_time";  ///< s or NaN [elements]; missing where no time is known
-inline constexpr const char* digests = "/digests";       ///< of the values of each state [states, 16]
-inline constexpr const char* seal = "/seal";             ///< digest over all tables above [16]
+inline constexpr const char* chunks = "/chunks";    ///< ChunkPlace of positions, then of velocities if there are any, of each state
+inline constexpr const char* digests = "/digests";  ///< of the values of each state [states, 16]
+inline constexpr const char* seal = "/seal";        ///< digest over all tables above [16]
 }  // namespace copy_table
 
 /// Table of a state, a chunk by itself: "/positions/000012", "/velocities/000012".

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "io/fe_copy/copy_layout.h"
 #include "io/fe_copy/copy_seal.h"
+#include "io/fe_copy/state_chunks.h"
 #include "io/mesh_builder.h"
 #include "io/vtk/hdf5_table.h"
 
@@ -37,6 +38,12 @@ std::vector<Vec3> vectorsOf(const std::vector<double>& flat) {
     return vectors;
 }
 
+// A state has the place of its positions and, behind it, that of its velocities.
+constexpr std::size_t numbersOfPlace = 3;
+constexpr std::size_t chunkNumbers(bool hasVelocity) {
+    return hasVelocity ? 2 * numbersOfPlace : numbersOfPlace;
+}
+
 /// The tables of a copy, read in the order of its seal.
 class CopyTables {
 public:
@@ -48,12 +55,14 @@ public:
         m_contents.times = reals(copy_table::times);
         readActivity();
         readAbout();
+        m_chunks = integers(copy_table::chunks);
         m_digests = integers(copy_table::digests);
         requireSeal();
         check();
         return {std::move(m_contents), std::move(m_about)};
     }
 
+    std::vector<std::int64_t> takeChunks() { return std::move(m_chunks); }
     std::vector<std::int64_t> takeDigests() { return std::move(m_digests); }
 
 private:
@@ -149,6 +158,7 @@ private:
                              mesh.density.size() == elements && mesh.section.size() == elements &&
                              mesh.corners.size() == mesh.offsets.back() &&
                              (m_contents.deathTime.empty() || m_contents.deathTime.size() == elements) &&
+                             m_chunks.size() == m_contents.times.size() * chunkNumbers(m_contents.hasVelocity) &&
                              m_digests.size() == m_contents.times.size() * sizeof(Digest::bytes);
         if (!lengths || !inside(mesh.corners, nodes) || !inside(mesh.part, mesh.parts.size()) ||
             !std::all_of(mesh.nodes.begin(), mesh.nodes.end(), usablePlace)) {
@@ -162,50 +172,57 @@ private:
     CopySeal m_seal;
     Mesh m_mesh;
     CopyAbout m_about;
+    std::vector<std::int64_t> m_chunks;
     std::vector<std::int64_t> m_digests;
 };
 
 /// States of a copy, each held against its digest.
 class CopySource : public StateSource {
 public:
-    CopySource(std::shared_ptr<const Hdf5Table> file, const FeResult::Contents& contents, std::vector<std::int64_t> digests)
-        : m_file(std::move(file)),
+    CopySource(std::string path, const FeResult::Contents& contents, std::vector<std::int64_t> chunks,
+               std::vector<std::int64_t> digests)
+        : m_path(std::move(path)),
+          m_file(m_path),
           m_times(contents.times),
           m_nodes(contents.mesh->nodeCount()),
           m_hasVelocity(contents.hasVelocity),
+          m_chunks(std::move(chunks)),
           m_digests(std::move(digests)) {}
 
     FeState read(std::size_t k) const override {
         FeState state;
         state.time = m_times[k];
-        state.positions = vectors("positions", k);
+        const std::size_t first = k * chunkNumbers(m_hasVelocity);
+        state.positions = vectors(first, k);
         if (m_hasVelocity) {
-            state.velocities = vectors("velocities", k);
+            state.velocities = vectors(first + numbersOfPlace, k);
         }
         const Digest digest = digestOfState(state);
-        const auto first = m_digests.begin() + static_cast<std::ptrdiff_t>(k * digest.bytes.size());
-        if (!std::equal(digest.bytes.begin(), digest.bytes.end(), first) ||
+        const auto expected = m_digests.begin() + static_cast<std::ptrdiff_t>(k * digest.bytes.size());
+        if (!std::equal(digest.bytes.begin(), digest.bytes.end(), expected) ||
             !std::all_of(state.positions.begin(), state.positions.end(), usablePlace)) {
-            failDamaged(m_file->path(), "state " + std::to_string(k) + " is not what was written");
+            fail(k);
         }
         return state;
     }
 
 private:
-    std::vector<Vec3> vectors(const char* what, std::size_t k) const {
-        const std::string table = copyStateTable(what, k);
-        const Hdf5Table::Shape shape = m_file->shape(table);
-        if (shape.rows != m_nodes || shape.columns != 3) {
-            failDamaged(m_file->path(), "state " + std::to_string(k) + " has " + std::to_string(shape.rows) + " nodes instead of " +
-                                            std::to_string(m_nodes));
+    [[noreturn]] void fail(std::size_t k) const { failDamaged(m_path, "state " + std::to_string(k) + " is not what was written"); }
+
+    std::vector<Vec3> vectors(std::size_t first, std::size_t k) const {
+        auto read = m_file.read({m_chunks[first], m_chunks[first + 1], m_chunks[first + 2]}, m_nodes);
+        if (!read) {
+            fail(k);
         }
-        return vectorsOf(m_file->reals(table, 0, m_nodes));
+        return std::move(*read);
     }
 
-    std::shared_ptr<const Hdf5Table> m_file;
+    const std::string m_path;
+    const StateChunks m_file;
     const std::vector<double> m_times;
     const std::size_t m_nodes;
     const bool m_hasVelocity;
+    const std::vector<std::int64_t> m_chunks;
     const std::vector<std::int64_t> m_digests;
 };
 
@@ -216,10 +233,10 @@ bool recognisesFeCopy(const FileHead& head) {
 }
 
 FeCopy openFeCopy(const std::string& path) {
-    const auto file = std::make_shared<const Hdf5Table>(path, [](const Hdf5Table& look) { CopyTables(look).read(); });
-    CopyTables tables(*file);
+    const Hdf5Table file(path, [](const Hdf5Table& look) { CopyTables(look).read(); });
+    CopyTables tables(file);
     FeCopy copy = tables.read();
-    copy.contents.source = std::make_shared<const CopySource>(file, copy.contents, tables.takeDigests());
+    copy.contents.source = std::make_shared<const CopySource>(path, copy.contents, tables.takeChunks(), tables.takeDigests());
     return copy;
 }
 

@@ -11,6 +11,7 @@
 #include "io/fe_copy/copy_about.h"
 #include "io/fe_copy/copy_layout.h"
 #include "io/fe_copy/copy_seal.h"
+#include "io/fe_copy/state_chunks.h"
 #include "io/hdf5_handle.h"
 #include "io/run_driver.h"
 
@@ -89,10 +90,12 @@ private:
         H5Awrite(version.get(), H5T_NATIVE_INT, &copyVersion);
     }
 
-    void put(const std::string& name, const Table& table) {
+    void put(const std::string& name, const Table& table) { put(name, table, longestChunk); }
+
+    ChunkPlace put(const std::string& name, const Table& table, hsize_t chunkRows) {
         const Hdf5Session session;
         const std::array<hsize_t, 2> extent{table.count, table.width};
-        const std::array<hsize_t, 2> chunk{std::clamp<hsize_t>(table.count, 1, longestChunk), table.width};
+        const std::array<hsize_t, 2> chunk{std::clamp<hsize_t>(table.count, 1, chunkRows), table.width};
         const int rank = table.width > 1 ? 2 : 1;
         const Hdf5Handle space(H5Screate_simple(rank, extent.data(), nullptr), H5Sclose);
         const Hdf5Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
@@ -109,11 +112,31 @@ private:
             throw WorldError({"convert.write", "Cannot write {0}: {1}", {m_path, hdf5Reason()}},
                              {"convert.write.remedy", "Check free space and rights of the folder, or choose another place.", {}});
         }
+        return table.count > 0 ? placeOf(set.get()) : ChunkPlace{};
     }
 
-    void putVectors(const std::string& name, const std::vector<Vec3>& values) {
+    Table vectors(const std::vector<Vec3>& values) const {
         const hid_t kept = fitsSinglePrecision(values) ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
-        put(name, {values.data(), values.size(), 3, H5T_NATIVE_DOUBLE, kept});
+        return {values.data(), values.size(), 3, H5T_NATIVE_DOUBLE, kept};
+    }
+
+    // All of a state in one chunk, whose place is noted.
+    void putState(const char* what, std::size_t k, const std::vector<Vec3>& values) {
+        const ChunkPlace place = put(copyStateTable(what, k), vectors(values), std::max<hsize_t>(values.size(), 1));
+        m_chunks.insert(m_chunks.end(), {place.address, place.bytes, place.filtersLeftOut});
+    }
+
+    // Once it has reached the file.
+    ChunkPlace placeOf(hid_t set) const {
+        haddr_t address = HADDR_UNDEF;
+        hsize_t size = 0;
+        unsigned mask = 0;
+        const Hdf5Handle space(H5Dget_space(set), H5Sclose);
+        const bool known = H5Dflush(set) >= 0 && H5Dget_chunk_info(set, space.get(), 0, nullptr, &mask, &address, &size) >= 0;
+        requireWritten();
+        return known ? ChunkPlace{static_cast<std::int64_t>(address), static_cast<std::int64_t>(size),
+                                  static_cast<std::int64_t>(mask)}
+                     : ChunkPlace{};
     }
 
     void putReals(const std::string& name, const std::vector<double>& values) {
@@ -136,9 +159,9 @@ private:
 
     void writeState(std::size_t k, FeState state) {
         move(state.positions);
-        putVectors(copyStateTable("positions", k), state.positions);
+        putState("positions", k, state.positions);
         if (m_fe.contents().hasVelocity) {
-            putVectors(copyStateTable("velocities", k), state.velocities);
+            putState("velocities", k, state.velocities);
         }
         const Digest digest = digestOfState(state);
         m_digests.insert(m_digests.end(), digest.bytes.begin(), digest.bytes.end());
@@ -154,7 +177,7 @@ private:
             flat.insert(flat.end(), place.data(), place.data() + 3);
         }
         m_seal.add(flat);
-        putVectors(nodes, places);
+        put(nodes, vectors(places));
         putIntegers(elementIds, m_mesh.elementIds, H5T_STD_I64LE);
         std::vector<std::int64_t> kinds;
         for (const ElementShape shape : m_mesh.shapes) {
@@ -176,6 +199,7 @@ private:
             letters.push_back(static_cast<unsigned char>(letter));
         }
         putIntegers(about, letters, H5T_STD_U8LE);
+        putIntegers(chunks, m_chunks, H5T_STD_I64LE);
         putIntegers(digests, m_digests, H5T_STD_U8LE);
         const Digest whole = m_seal.finish();
         put(seal, {whole.bytes.data(), whole.bytes.size(), 1, H5T_NATIVE_UINT8, H5T_STD_U8LE});
@@ -201,6 +225,7 @@ private:
     const Vec3 m_offset;
     Hdf5Handle m_file;
     CopySeal m_seal;
+    std::vector<std::int64_t> m_chunks;
     std::vector<std::int64_t> m_digests;
 };
 

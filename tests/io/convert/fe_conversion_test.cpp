@@ -37,17 +37,6 @@ std::vector<std::string> namesIn(const std::string& folder) {
     return names;
 }
 
-/// Ends the work when half of it is done.
-Execution cancelledHalfWay() {
-    static std::shared_ptr<Execution> self;
-    self = std::make_shared<Execution>([](const Progress& progress) {
-        if (progress.fraction >= 0.4 && progress.stage.id == "convert.state") {
-            self->cancel();
-        }
-    });
-    return *self;
-}
-
 struct Conversions {
     std::string name;
     std::string file;
@@ -91,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
         Conversions{"VtuFlagged", "vtu-status/series.pvd"}, Conversions{"VtuRemoved", "vtu-cells-removed/s.vtu.series"},
         Conversions{"VtkHdf", "vtkhdf/transient20.vtkhdf"}, Conversions{"Xdmf", "xdmf/proj.xdmf"},
         Conversions{"ExodusZeroIsAlive", "exodus/elem_status0alive.exo"},
-        Conversions{"ExodusDeathStatus", "exodus/death_status.exo"}, Conversions{"ExodusSequence", "exodus/seq.e"},
+        Conversions{"ExodusOneIsAlive", "exodus/status1alive.exo"}, Conversions{"ExodusSequence", "exodus/seq.e"},
         Conversions{"AbaqusAscii", "abaqus-fil/proj_ascii.fil"}, Conversions{"AbaqusBinary", "abaqus-fil/proj_binle.fil"},
         Conversions{"MarcRemoved", "marc/proj_removed.t19"}, Conversions{"MarcKept", "marc/proj_kept.t19"},
         Conversions{"AnsysDatabases", "ansys-cdb/proj_00.cdb"}, Conversions{"D3plotBe64Single", "d3plot/be64-single/d3plot"},
@@ -101,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
         Conversions{"D3plotLe32MattypNdim5", "d3plot/le32-mattyp-ndim5/d3plot"},
         Conversions{"D3plotLe32Mdlopt0", "d3plot/le32-mdlopt0/d3plot"}, Conversions{"RadiossAnimation", "radioss-anim/PROJA001"},
         Conversions{"VtkLegacy", "vtk-legacy-anim_to_vtk/PROJ_001.vtk"}),
-    [](const testing::TestParamInfo<Conversions>& info) { return info.param.name; });
+    [](const testing::TestParamInfo<Conversions>& each) { return each.param.name; });
 
 class FeConversion : public testing::Test {
 protected:
@@ -202,7 +191,13 @@ TEST_F(FeConversion, AResultIsNeverWrittenOverItself) {
 
 TEST_F(FeConversion, ACancelledConversionLeavesNothing) {
     for (const std::string ending : {".exo", ".pvd", ".h5"}) {
-        EXPECT_THROW(convertFe(*m_fe, {}, m_folder / "cut" + ending, false, cancelledHalfWay()), Cancelled) << ending;
+        const Execution execution;
+        const MixedResult fe(0, [&execution](std::size_t state) {
+            if (state == 2) {
+                execution.cancel();
+            }
+        });
+        EXPECT_THROW(convertFe(*fe, {}, m_folder / "cut" + ending, false, execution), Cancelled) << ending;
         EXPECT_EQ(namesIn(m_folder.path()), std::vector<std::string>{}) << ending;
     }
 }
@@ -212,12 +207,8 @@ TEST_F(FeConversion, AKilledConversionLeavesNothingThatLooksFinished) {
         const TemporaryFolder folder;
         const pid_t child = ::fork();
         if (child == 0) {
-            const Execution execution([](const Progress& progress) {
-                if (progress.fraction >= 0.4) {
-                    std::raise(SIGKILL);
-                }
-            });
-            convertFe(*m_fe, {}, folder / "killed" + ending, false, execution);
+            const MixedResult fe(0, [](std::size_t state) { state == 2 ? std::raise(SIGKILL) : 0; });
+            convertFe(*fe, {}, folder / "killed" + ending, false, Execution{});
             ::_exit(0);
         }
         int status = 0;

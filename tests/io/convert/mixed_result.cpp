@@ -16,11 +16,15 @@ const std::vector<double> times{0.0, 0.1, 0.25, 1.0 / 3.0, 0.5};
 /// Moves every node by its own vector, so that no two values are alike.
 class MovingSource : public StateSource {
 public:
-    MovingSource(std::shared_ptr<const Mesh> mesh, std::shared_ptr<std::vector<std::size_t>> reads)
-        : m_mesh(std::move(mesh)), m_reads(std::move(reads)) {}
+    MovingSource(std::shared_ptr<const Mesh> mesh, std::shared_ptr<std::vector<std::size_t>> reads,
+                 std::function<void(std::size_t)> atRead)
+        : m_mesh(std::move(mesh)), m_reads(std::move(reads)), m_atRead(std::move(atRead)) {}
 
     FeState read(std::size_t k) const override {
         m_reads->push_back(k);
+        if (m_atRead) {
+            m_atRead(k);
+        }
         FeState state;
         state.time = times[k];
         for (std::size_t n = 0; n < m_mesh->nodeCount(); ++n) {
@@ -35,6 +39,7 @@ public:
 private:
     std::shared_ptr<const Mesh> m_mesh;
     std::shared_ptr<std::vector<std::size_t>> m_reads;
+    std::function<void(std::size_t)> m_atRead;
 };
 
 /// Puts elements of all shapes side by side, each with nodes of its own.
@@ -72,7 +77,8 @@ struct MixedMesh {
 
 }  // namespace
 
-MixedResult::MixedResult(std::size_t extraNodes) : m_reads(std::make_shared<std::vector<std::size_t>>()) {
+MixedResult::MixedResult(std::size_t extraNodes, std::function<void(std::size_t)> atRead)
+    : m_reads(std::make_shared<std::vector<std::size_t>>()) {
     MixedMesh made;
     made.add(ElementShape::Hexahedron, 0, 11, 2400.0, nothing);
     made.add(ElementShape::Quadrilateral, 1, 40, 7850.0, 0.02);
@@ -106,7 +112,7 @@ MixedResult::MixedResult(std::size_t extraNodes) : m_reads(std::make_shared<std:
     contents.sha256 = "0123";
     contents.activityFrom = "this test";
     contents.findings.add({"test.finding", "Found {0} of {1}", {3, {0.5, "m"}}}, {"test.remedy", "None", {}}, "an example", 4);
-    contents.source = std::make_shared<const MovingSource>(contents.mesh, m_reads);
+    contents.source = std::make_shared<const MovingSource>(contents.mesh, m_reads, std::move(atRead));
     m_fe = std::make_shared<const FeResult>(std::move(contents));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -11,8 +12,8 @@ namespace rubble::io {
 /// times, densities and sections of which some are not known, an element that comes back. Five states.
 class MixedResult {
 public:
-    /// @param extraNodes  nodes of no element besides, to make the states larger
-    explicit MixedResult(std::size_t extraNodes = 0);
+    /// @param extraNodes  nodes of no element besides, to make the states larger  @param atRead  called before a state is read
+    explicit MixedResult(std::size_t extraNodes = 0, std::function<void(std::size_t)> atRead = {});
 
     const FeResult& operator*() const { return *m_fe; }
     const FeResult* operator->() const { return m_fe.get(); }

@@ -12,6 +12,7 @@
 #include "io/fe_reader.h"
 #include "io/native_lock.h"
 #include "tests/io/convert/mixed_result.h"
+#include "tests/io/fe_copy/chunk_damage.h"
 #include "tests/io/temporary_folder.h"
 
 namespace rubble::io {
@@ -26,28 +27,6 @@ std::string bytesOfFile(const std::string& path) {
 
 void putBytes(const std::string& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary | std::ios::trunc).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-}
-
-/// Turns the bits of the stored bytes of a dataset round, in the middle of its first chunk.
-void damage(const std::string& path, const char* dataset) {
-    const std::scoped_lock lock(nativeLibraries());
-    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-    const hid_t set = H5Dopen2(file, dataset, H5P_DEFAULT);
-    haddr_t address = HADDR_UNDEF;
-    hsize_t size = 0;
-    unsigned mask = 0;
-    const hid_t space = H5Dget_space(set);
-    const herr_t found = H5Dget_chunk_info(set, space, 0, nullptr, &mask, &address, &size);
-    H5Sclose(space);
-    H5Dclose(set);
-    H5Fclose(file);
-    ASSERT_GE(found, 0) << dataset;
-    ASSERT_NE(address, HADDR_UNDEF);
-    std::fstream stream(path, std::ios::binary | std::ios::in | std::ios::out);
-    stream.seekg(static_cast<std::streamoff>(address + size / 2));
-    const int byte = stream.get();
-    stream.seekp(static_cast<std::streamoff>(address + size / 2));
-    stream.put(static_cast<char>(byte ^ 0xff));
 }
 
 class FeCopyFile : public testing::Test {
@@ -89,8 +68,8 @@ TEST_F(FeCopyFile, IsKnownByItsContent) {
 }
 
 TEST_F(FeCopyFile, AStateIsReadWithoutTheOthers) {
-    damage(m_path, "/positions/000001");
-    damage(m_path, "/velocities/000003");
+    damageChunk(m_path, "/positions/000001");
+    damageChunk(m_path, "/velocities/000003");
     const auto back = openFe(m_path, {}, {}, Execution{});
     for (const std::size_t k : {4u, 0u, 2u}) {
         EXPECT_EQ(back->state(k)->positions, m_fe->state(k)->positions);
@@ -102,7 +81,7 @@ TEST_F(FeCopyFile, AStateIsReadWithoutTheOthers) {
 TEST_F(FeCopyFile, DamagedTablesAreRefused) {
     for (const char* table : {"/mesh/corners", "/activity", "/times", "/digests", "/about", "/seal"}) {
         const std::string whole = bytesOfFile(m_path);
-        damage(m_path, table);
+        damageChunk(m_path, table);
         EXPECT_THAT(errorOfOpening(), HasSubstr("copy.h5")) << table;
         putBytes(m_path, whole);
     }

@@ -13,6 +13,7 @@
 #include "io/fe_reader.h"
 #include "tests/io/convert/mixed_result.h"
 #include "tests/io/d3plot/d3plot_builder.h"
+#include "tests/io/fe_copy/chunk_damage.h"
 #include "tests/io/temporary_folder.h"
 
 namespace rubble::io {
@@ -78,7 +79,8 @@ TEST_F(FeCache, UntouchedFilesAreNotReadAgain) {
     open();
     const std::vector<std::string> reports = [&] {
         std::vector<std::string> stages;
-        const Execution execution([&](const Progress& progress) { stages.push_back(progress.stage.id); });
+        const Execution execution =
+            Execution([&](const Progress& progress) { stages.push_back(progress.stage.id); }).withThreads(1);
         openFeCached(m_path, {}, {}, execution, m_cache);
         return stages;
     }();
@@ -87,7 +89,7 @@ TEST_F(FeCache, UntouchedFilesAreNotReadAgain) {
     fs::last_write_time(m_path, fs::last_write_time(m_path) + std::chrono::hours(1));
     const auto time = copyTime();
     std::vector<std::string> stages;
-    const Execution execution([&](const Progress& progress) { stages.push_back(progress.stage.id); });
+    const Execution execution = Execution([&](const Progress& progress) { stages.push_back(progress.stage.id); }).withThreads(1);
     openFeCached(m_path, {}, {}, execution, m_cache);
     EXPECT_GT(std::count(stages.begin(), stages.end(), "fe.digest"), 0);
     EXPECT_EQ(copyTime(), time);
@@ -155,21 +157,15 @@ TEST_F(FeCache, ADamagedStateIsReadFromTheResult) {
     const auto plain = openFe(m_path, {}, {}, Execution{});
     open();
     const std::string copy = copyPath();
-    // Damage in the middle of the file, where states lie; the tables are written last.
-    std::size_t fellBack = 0;
-    const auto size = static_cast<std::streamoff>(fs::file_size(copy));
-    for (std::streamoff at = size / 8; at < size / 2; at += size / 16) {
-        std::fstream stream(copy, std::ios::binary | std::ios::in | std::ios::out);
-        stream.seekp(at);
-        stream.put('\x7f');
-        stream.put('\x7f');
-        stream.close();
-        const auto fe = open();
-        expectSameResult(*plain, *fe);
-        fellBack += filesOf(".damaged");
-    }
-    EXPECT_GT(fellBack, 0u);
+    damageChunk(copy, "/positions/000002");
+    const auto fe = open();
+    EXPECT_EQ(fe->contents().findings.count("fe_cache.damaged"), 0) << "nobody has looked at states yet";
+    EXPECT_EQ(fe->state(1)->positions, plain->state(1)->positions);
+    EXPECT_EQ(filesOf(".damaged"), 0u);
+    expectSameResult(*plain, *fe);
+    EXPECT_EQ(filesOf(".damaged"), 1u);
     const auto then = open();
+    EXPECT_EQ(then->contents().findings.count("fe_cache.damaged"), 1);
     EXPECT_EQ(filesOf(".damaged"), 0u);
     expectSameResult(*plain, *then);
 }

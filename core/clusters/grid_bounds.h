@@ -12,6 +12,9 @@ namespace rubble {
 std::array<AxisSizing, 3> boundGrid(const FragmentSet& fragments, const Mesh& mesh, const Components& components,
                                     std::int64_t bodiesMax);
 
+/// h_eff_min, the size at which one birth time would give the bodies allowed [m]: a guide.
+double guideSize(double meanDistance, std::size_t fragments, std::int64_t bodiesMax);
+
 /// Where the bounds along an axis leave the search no room.
 enum class BoundConflict : std::uint8_t {
     None,

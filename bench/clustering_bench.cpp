@@ -9,6 +9,8 @@
 
 #include "core/clusters/clustering.h"
 #include "core/clusters/fragment_order.h"
+#include "core/clusters/grid_outline.h"
+#include "core/clusters/grid_sizer.h"
 #include "core/clusters/partition.h"
 #include "core/clusters/sizing.h"
 #include "tests/core/clusters/matrix_oracle.h"
@@ -147,6 +149,25 @@ void countingAgain(benchmark::State& state) {
     }
 }
 BENCHMARK(countingAgain)->Name("stone arch, count at another grid")->Unit(benchmark::kMillisecond);
+
+/// All that the Basic Grid panel waits for at one place of its slider: bounds, count, findings, and the lines of the drawn grid.
+void sizingAtTheSlider(benchmark::State& state) {
+    const arches::Arch& arch = arches::mergedStoneArch();
+    GridSizer sizer(arch.fragments, arch.mesh(), arch.components);
+    GridSettings settings;
+    settings.multiple = 2.0;
+    double worst = 0.0;
+    for (auto _ : state) {
+        settings.multiple = *settings.multiple < 8.0 ? *settings.multiple + 0.05 : 0.5;
+        worst = std::max(worst, seconds([&] {
+                             const BasicGrid grid = sizer.size(settings, Execution()).grid;
+                             benchmark::DoNotOptimize(gridOutline(arch.fragments, {grid.l, grid.w, grid.h}));
+                         }));
+    }
+    state.counters["fragments"] = static_cast<double>(arch.fragments.size());
+    state.counters["worst_ms"] = 1e3 * worst;
+}
+BENCHMARK(sizingAtTheSlider)->Name("stone arch, slider of the grid panel")->Unit(benchmark::kMillisecond);
 
 void searching(benchmark::State& state, const arches::Arch& (*arch)()) {
     const arches::Arch& a = arch();

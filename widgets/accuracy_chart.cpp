@@ -1,34 +1,13 @@
 #include "widgets/accuracy_chart.h"
 
-#include <QBuffer>
 #include <QHelpEvent>
 #include <QMouseEvent>
-#include <QSvgGenerator>
 #include <QToolTip>
 
 #include "widgets/accuracy_words.h"
 #include "widgets/theme.h"
 
 namespace rubble::widgets {
-
-namespace {
-
-/// Size of text in a file whose picture is this wide, px: 9 pt where the picture is 6.3 inches wide.
-constexpr double fileTextShare = 9.0 / 72.0 / 6.3;
-
-void paintFile(QPainter& painter, const PlotContent& content, const QSize& pixels) {
-    // Drawn at the size of a window and scaled, so that points and lines grow with the text.
-    const double width = 720.0;
-    const double scale = pixels.width() / width;
-    painter.fillRect(QRect(QPoint(0, 0), pixels), Qt::white);
-    painter.scale(scale, scale);
-    QFont font = headingFont();
-    font.setPixelSize(static_cast<int>(width * fileTextShare));
-    AccuracyPlot(content, QRectF(0, 0, width, pixels.height() / scale), font, figures::palette(render::Theme::Print))
-        .paint(painter);
-}
-
-}  // namespace
 
 AccuracyChart::AccuracyChart(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
@@ -172,25 +151,12 @@ void AccuracyChart::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-QImage AccuracyChart::image(const QSize& pixels) const {
-    QImage picture(pixels, QImage::Format_RGB32);
-    QPainter painter(&picture);
-    paintFile(painter, m_content, pixels);
-    return picture;
+void AccuracyChart::paintFile(QPainter& painter, const QRectF& area, const QFont& font) const {
+    AccuracyPlot(m_content, area, font, figures::palette(render::Theme::Print)).paint(painter);
 }
 
-QByteArray AccuracyChart::svg(const QSize& size) const {
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
-    generator.setSize(size);
-    generator.setViewBox(QRect(QPoint(0, 0), size));
-    generator.setTitle(tr("What accuracy costs"));
-    QPainter painter(&generator);
-    paintFile(painter, m_content, size);
-    painter.end();
-    return buffer.data();
+QString AccuracyChart::fileTitle() const {
+    return tr("What accuracy costs");
 }
 
 }  // namespace rubble::widgets

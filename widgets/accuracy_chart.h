@@ -1,16 +1,16 @@
 #pragma once
 
-#include <QImage>
 #include <QWidget>
 #include <optional>
 
 #include "widgets/accuracy_plot.h"
+#include "widgets/file_chart.h"
 
 namespace rubble::widgets {
 
 /// The chart of cost against accuracy. Hovering a point tells its numbers, a click chooses it; with the keyboard, Left and Right go
 /// from point to point and Enter chooses.
-class AccuracyChart : public QWidget {
+class AccuracyChart : public QWidget, public FileChart {
     Q_OBJECT
 
 public:
@@ -22,11 +22,6 @@ public:
     QPointF placeOf(std::size_t point) const;
     /// The point that the mouse is over or the keyboard has gone to.
     std::optional<std::size_t> marked() const { return m_marked; }
-
-    // The chart for a file: print colours on white. @param pixels  of the picture; text keeps its share of the width
-    QImage image(const QSize& pixels) const;
-    /// The same as SVG.
-    QByteArray svg(const QSize& size) const;
 
     QSize sizeHint() const override { return {560, 400}; }
     QSize minimumSizeHint() const override { return {320, 220}; }
@@ -42,6 +37,8 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void paintFile(QPainter& painter, const QRectF& area, const QFont& font) const override;
+    QString fileTitle() const override;
 
 private:
     AccuracyPlot plot() const;

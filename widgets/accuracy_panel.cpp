@@ -4,9 +4,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QStyle>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/wording.h"
@@ -14,6 +17,10 @@
 namespace rubble::widgets {
 
 namespace {
+
+constexpr double leastTolerance = 0.001;   // m
+constexpr double greatestTolerance = 100;  // m
+constexpr std::size_t mostTolerances = 6;
 
 std::vector<std::string> listed(const QString& text) {
     std::vector<std::string> values;
@@ -31,6 +38,8 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
     : Panel(tr("Accuracy"), tr("What accuracy costs in time, and which differences mean something."), parent),
       m_multiples(new QLineEdit(QStringLiteral("auto, 1.5, 2, 3, 4"))),
       m_varied(new QLineEdit),
+      m_toleranceField(new QLineEdit(QStringLiteral("0.1, 0.2, 0.3"))),
+      m_toleranceWhy(new QLabel),
       m_repeats(new QSpinBox),
       m_liveFps(new QCheckBox(tr("Measure live FPS"))),
       m_retimed(new QCheckBox(tr("Measure times again"))),
@@ -62,7 +71,9 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
     m_progress->setWordWrap(true);
     addWide(m_bar);
     addWide(m_progress);
+    addPrediction();
     buildChoices();
+    buildMachine();
     addWide(m_findings);
     connect(m_compare, &QPushButton::clicked, this, &AccuracyPanel::compareRequested);
     connect(m_multiples, &QLineEdit::returnPressed, m_compare, &QPushButton::click);
@@ -99,6 +110,15 @@ void AccuracyPanel::buildChoices() {
     field(tr("Repeats of the reference"), m_repeats,
           tr("How often the reference is repeated with births shifted by a micrometre: what its own debris differs by says what a "
              "difference means. Each takes as long as the reference"));
+    m_toleranceField->setObjectName(QStringLiteral("tolerances"));
+    field(tr("Tolerances, m"), m_toleranceField,
+          tr("Accuracy rates count the fragments within these distances of their place in the reference, and the view coloured by "
+             "error changes colour there. Metres, separated by commas. Another comparison takes them up without simulating anew"));
+    m_toleranceWhy->setObjectName(QStringLiteral("complaint"));
+    m_toleranceWhy->setWordWrap(true);
+    m_toleranceWhy->hide();
+    group->addWide(m_toleranceWhy);
+    connect(m_toleranceField, &QLineEdit::editingFinished, this, &AccuracyPanel::readTolerances);
     m_liveFps->setChecked(true);
     m_liveFps->setToolTip(tr("Draw each setting once off screen, as live mode would, and count frames per second"));
     group->addWide(m_liveFps);
@@ -109,6 +129,51 @@ void AccuracyPanel::buildChoices() {
            "the slowest of all: it can take many times as long as the run itself."));
     m_folder = group->addNote({});
     m_folder->setTextInteractionFlags(Qt::TextSelectableByMouse);
+}
+
+void AccuracyPanel::buildMachine() {
+    PanelGroup* group = addGroup(tr("This machine"));
+    auto* calibrate = new QPushButton(tr("Calibrate this machine…"));
+    calibrate->setObjectName(QStringLiteral("calibrate"));
+    calibrate->setToolTip(tr("Measure how many bodies this machine carries, and see the curve"));
+    group->addWide(calibrate);
+    group->addNote(
+        tr("Tells how many bodies a frame rate allows, and lets time and FPS be predicted of a collapse that was not "
+           "compared yet."));
+    connect(calibrate, &QPushButton::clicked, this, &AccuracyPanel::calibrationRequested);
+}
+
+void AccuracyPanel::readTolerances() {
+    std::vector<double> read;
+    bool good = true;
+    for (const std::string& part : listed(m_toleranceField->text())) {
+        bool number = false;
+        const double tolerance = QString::fromStdString(part).toDouble(&number);
+        good = good && number && tolerance >= leastTolerance && tolerance <= greatestTolerance;
+        read.push_back(tolerance);
+    }
+    std::sort(read.begin(), read.end());
+    read.erase(std::unique(read.begin(), read.end()), read.end());
+    good = good && !read.empty() && read.size() <= mostTolerances;
+    m_toleranceField->setProperty("wrong", !good);
+    m_toleranceField->style()->unpolish(m_toleranceField);
+    m_toleranceField->style()->polish(m_toleranceField);
+    m_toleranceWhy->setText(tr("One to %1 distances from %2 to %3 m, separated by commas, please. In force: %4.")
+                                .arg(mostTolerances)
+                                .arg(QLocale().toString(leastTolerance), QLocale().toString(greatestTolerance), tolerancesText()));
+    m_toleranceWhy->setVisible(!good);
+    if (good && read != m_tolerances) {
+        m_tolerances = std::move(read);
+        emit tolerancesChanged(m_tolerances);
+    }
+}
+
+QString AccuracyPanel::tolerancesText() const {
+    QStringList texts;
+    for (const double tolerance : m_tolerances) {
+        texts << QLocale::c().toString(tolerance, 'g', 6);
+    }
+    return texts.join(QStringLiteral(", "));
 }
 
 AccuracyPanel::Request AccuracyPanel::request() const {
@@ -122,6 +187,7 @@ AccuracyPanel::Request AccuracyPanel::request() const {
         request.varied.push_back(
             {part.left(sign).trimmed().toStdString(), sign < 0 ? std::vector<std::string>() : listed(part.mid(sign + 1))});
     }
+    request.tolerances = m_tolerances;
     request.repeats = m_repeats->value();
     request.liveFps = m_liveFps->isChecked();
     request.retimed = m_retimed->isChecked();
@@ -132,7 +198,8 @@ void AccuracyPanel::setReady(bool ready, bool running, const QString& why) {
     m_compare->setEnabled(ready && !running);
     m_compare->setVisible(!running);
     m_cancel->setVisible(running);
-    for (QWidget* editor : std::initializer_list<QWidget*>{m_multiples, m_varied, m_repeats, m_liveFps, m_retimed}) {
+    for (QWidget* editor :
+         std::initializer_list<QWidget*>{m_multiples, m_varied, m_toleranceField, m_repeats, m_liveFps, m_retimed}) {
         editor->setEnabled(!running);
     }
     m_why->setText(why);

@@ -23,6 +23,7 @@ public:
         std::vector<std::string> multiples;  ///< of the mean distance, "auto" among them; empty: the grid as set
         std::vector<VariedParameter> varied;
         int repeats = 2;
+        std::vector<double> tolerances{0.1, 0.2, 0.3};  ///< m, of the accuracy rate; ascending
         bool liveFps = true;
         bool retimed = false;  ///< times that are kept do not count
     };
@@ -35,15 +36,27 @@ public:
     /// Where finished worlds are kept.
     void setFolder(const QString& folder);
 
+    /// As typed, if they can be read.
+    const std::vector<double>& tolerances() const { return m_tolerances; }
+
 signals:
+    /// The user settled on other tolerances [m].
+    void tolerancesChanged(const std::vector<double>& tolerances);
+    void calibrationRequested();
     void compareRequested();
     void cancelRequested();
 
 private:
     void buildChoices();
+    void buildMachine();
+    void readTolerances();
+    QString tolerancesText() const;
 
     QLineEdit* m_multiples;
     QLineEdit* m_varied;
+    QLineEdit* m_toleranceField;
+    QLabel* m_toleranceWhy;
+    std::vector<double> m_tolerances{0.1, 0.2, 0.3};
     QSpinBox* m_repeats;
     QCheckBox* m_liveFps;
     QCheckBox* m_retimed;

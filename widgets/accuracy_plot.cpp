@@ -7,6 +7,7 @@
 
 #include "core/analysis/accuracy_settings.h"
 #include "widgets/accuracy_words.h"
+#include "widgets/chart_axis.h"
 #include "widgets/timeline.h"
 #include "widgets/wording.h"
 
@@ -19,42 +20,6 @@ constexpr double tickSpace = 56.0;  // px, that one tick of an axis takes at lea
 
 QString tr(const char* text) {
     return QCoreApplication::translate("accuracy", text);
-}
-
-/// 1, 2, 5 or 1, 3 times the powers of ten between two figures, as many as there is room for.
-std::vector<double> logTicks(double low, double high, double room) {
-    std::vector<double> ticks;
-    for (const auto& steps : {std::vector<double>{1.0, 2.0, 5.0}, std::vector<double>{1.0, 3.0}, std::vector<double>{1.0}}) {
-        ticks.clear();
-        for (int power = static_cast<int>(std::floor(std::log10(low))); std::pow(10.0, power) <= high; ++power) {
-            for (const double step : steps) {
-                const double tick = step * std::pow(10.0, power);
-                if (tick >= low * (1.0 - 1e-9) && tick <= high * (1.0 + 1e-9)) {
-                    ticks.push_back(tick);
-                }
-            }
-        }
-        if (static_cast<double>(ticks.size()) <= room) {
-            break;
-        }
-    }
-    return ticks;
-}
-
-/// The next number of the form 1, 2, 3 or 5 times a power of ten, down or up.
-double roundOut(double value, bool up) {
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    const std::array<double, 6> steps{1.0, 2.0, 3.0, 5.0, 10.0, 20.0};
-    double found = steps[0];
-    for (const double step : steps) {
-        if (up && step * power >= value * (1.0 - 1e-9)) {
-            return step * power;
-        }
-        if (!up && step * power <= value * (1.0 + 1e-9)) {
-            found = step;
-        }
-    }
-    return found * power;
 }
 
 }  // namespace
@@ -101,7 +66,7 @@ PlotContent plotContent(const AccuracyReport& report, CostKind cost, const Accur
 }
 
 double AccuracyPlot::Axis::share(double value) const {
-    return logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+    return logarithmic ? logShare(value, low, high) : (value - low) / (high - low);
 }
 
 AccuracyPlot::AccuracyPlot(const PlotContent& content, const QRectF& area, const QFont& font, const figures::Palette& palette)

@@ -67,6 +67,7 @@ EffectsPanel::EffectsPanel(QWidget* parent)
     m_summary->setWordWrap(true);
     addWide(m_summary);
     buildRows();
+    addPrediction();
     buildMaterials();
     setContent({});
 }

@@ -1,12 +1,18 @@
 #include "widgets/grid_panel.h"
+#include "core/clusters/grid_bounds.h"
 
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLocale>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QTableWidget>
 #include <cmath>
 
+#include "widgets/calibration_plot.h"
+#include "widgets/grid_words.h"
 #include "widgets/parameter_editor.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
@@ -18,12 +24,18 @@ namespace {
 constexpr int sliderSteps = 400;
 constexpr double leastMultiple = 0.5;
 constexpr double greatestMultiple = 50.0;
+constexpr int tableColumns = 6;
+constexpr std::array<const char*, 3> sizeKeys{"grid_l", "grid_w", "grid_h"};
 
 QTableWidgetItem* figureCell(const QString& text, Qt::Alignment alignment = Qt::AlignRight | Qt::AlignVCenter) {
     auto* item = new QTableWidgetItem(text);
     item->setTextAlignment(alignment);
     item->setFlags(Qt::ItemIsEnabled);
     return item;
+}
+
+QString multipleText(double multiple) {
+    return multiple > 0.0 ? QLocale().toString(multiple, 'f', multiple < 10.0 ? 2 : 1) : QString(QChar(0x2013));
 }
 
 }  // namespace
@@ -45,49 +57,85 @@ int GridPanel::positionOf(double multiple) {
 
 GridPanel::GridPanel(QWidget* parent)
     : Panel(tr("Basic Grid"), tr("Which fragments move together, and what that costs."), parent),
+      m_advice(new QLabel),
+      m_use(new QPushButton),
       m_slider(new QSlider(Qt::Horizontal)),
-      m_table(new QTableWidget(3, 5)),
-      m_clamps(new Notice),
+      m_multipleWhy(new Notice),
+      m_table(new QTableWidget(3, tableColumns)),
       m_findings(new FindingList) {
-    PanelGroup* target = addGroup(tr("Target"));
-    addParameter(target, "fps_target");
-    addParameter(target, "bodies_max");
-    PanelGroup* size = addGroup(tr("Size"));
-    addParameter(size, "multiple");
-    m_slider->setRange(0, sliderSteps);
-    m_slider->setAccessibleName(tr("Multiple of mean distance"));
-    m_slider->setToolTip(tr("Drag to set the multiple; the clusters are counted anew while you drag."));
-    size->addWide(m_slider);
-    buildTable(size);
-    size->addWide(m_clamps);
-    connect(m_slider, &QSlider::sliderPressed, this, &GridPanel::draggingStarted);
-    connect(m_slider, &QSlider::sliderReleased, this, &GridPanel::draggingEnded);
-    connect(m_slider, &QSlider::valueChanged, this,
-            [this](int position) { emit edited(QStringLiteral("multiple"), ParameterValue(multipleAt(position))); });
-
-    PanelGroup* result = addGroup(tr("Result"));
-    m_fragments = result->addValue(tr("Fragments"));
-    m_clusters = result->addValue(tr("Clusters"), {}, tr("Rigid bodies that the engine moves, counted at these sizes"));
-    m_perCluster = result->addValue(tr("Fragments in a cluster, mean"));
-    m_splits = result->addValue(tr("Split by component, by velocity"), {},
-                                tr("Clusters added because none may span two components, or because a fragment moves otherwise"));
-    m_stopped = result->addNote({});
+    buildTarget();
+    buildSize();
+    buildResult();
+    addPrediction();
     addWide(m_findings);
-    addRemaining(Stage::Sizing, tr("By hand"));
-    addRemaining(Stage::Clusters, tr("Clusters"));
+    addRemaining(Stage::Sizing, tr("Clusters"));
+    addRemaining(Stage::Clusters, tr("More"));
+    setAdvice({});
+    setPublishedCounts({});
     setContent({});
 }
 
+void GridPanel::buildTarget() {
+    PanelGroup* target = addGroup(tr("Target"));
+    addParameter(target, "fps_target");
+    addParameter(target, "bodies_max");
+    m_advice->setObjectName(QStringLiteral("muted"));
+    m_advice->setWordWrap(true);
+    target->addWide(m_advice);
+    auto* buttons = new QWidget;
+    auto* row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_use->setObjectName(QStringLiteral("useBodies"));
+    m_use->setToolTip(tr("Allow as many bodies as this machine carries at the target rate"));
+    auto* calibrate = new QPushButton(tr("Calibrate this machine…"));
+    calibrate->setObjectName(QStringLiteral("calibrate"));
+    calibrate->setToolTip(tr("Measure how many bodies this machine carries, and see the curve"));
+    row->addWidget(m_use);
+    row->addWidget(calibrate);
+    row->addStretch();
+    target->addWide(buttons);
+    connect(m_use, &QPushButton::clicked, this, [this] { emit edited(QStringLiteral("bodies_max"), ParameterValue(m_offered)); });
+    connect(calibrate, &QPushButton::clicked, this, &GridPanel::calibrationRequested);
+}
+
+void GridPanel::buildSize() {
+    PanelGroup* size = addGroup(tr("Size"));
+    addParameter(size, "grouping");
+    addParameter(size, "multiple");
+    m_slider->setRange(0, sliderSteps);
+    m_slider->setPageStep(20);
+    m_slider->setAccessibleName(tr("Multiple of mean distance"));
+    m_slider->setToolTip(tr("Drag to set the multiple; clusters are counted and the grid is drawn anew while you drag."));
+    size->addWide(m_slider);
+    size->addWide(m_multipleWhy);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        addParameter(size, sizeKeys[axis]);
+        m_axisWhy[axis] = new Notice;
+        size->addWide(m_axisWhy[axis]);
+    }
+    buildTable(size);
+    connect(m_slider, &QSlider::sliderPressed, this, &GridPanel::draggingStarted);
+    connect(m_slider, &QSlider::sliderReleased, this, &GridPanel::draggingEnded);
+    connect(m_slider, &QSlider::valueChanged, this, [this](int position) {
+        m_slider->setAccessibleDescription(tr("%1 times the mean distance").arg(multipleText(multipleAt(position))));
+        emit edited(QStringLiteral("multiple"), ParameterValue(multipleAt(position)));
+    });
+}
+
 void GridPanel::buildTable(PanelGroup* group) {
-    m_table->setHorizontalHeaderLabels({tr("axis"), tr("d"), tr("size"), tr("fragment"), tr("component")});
-    const std::array tips = {tr("Axis of the model"), tr("Mean distance of adjacent fragments, m"),
-                             tr("Chosen size of the Basic Grid, m"), tr("Largest fragment: the least sensible size, m"),
-                             tr("Smallest component: the greatest sensible size, m")};
-    for (int column = 0; column < 5; ++column) {
+    m_table->setHorizontalHeaderLabels({tr("axis"), tr("d"), tr("size"), tr("size/d"), tr("fragment"), tr("comp.")});
+    const std::array tips = {tr("Axis of the model"),
+                             tr("Mean distance of adjacent fragments, m"),
+                             tr("Chosen size of the Basic Grid, m"),
+                             tr("Size over mean distance; the published method recommends two to three"),
+                             tr("Largest fragment: the least sensible size, m"),
+                             tr("Smallest component, m: along axes the greatest sensible size")};
+    for (int column = 0; column < tableColumns; ++column) {
         m_table->horizontalHeaderItem(column)->setToolTip(tips[static_cast<std::size_t>(column)]);
         m_table->horizontalHeaderItem(column)->setTextAlignment(column == 0 ? Qt::AlignLeft : Qt::AlignRight);
     }
     m_table->verticalHeader()->hide();
+    m_table->setAccessibleName(tr("Sizes of the Basic Grid and their bounds, m"));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(4, QHeaderView::ResizeToContents);
@@ -106,81 +154,130 @@ void GridPanel::buildTable(PanelGroup* group) {
     group->addNote(tr("metres; d is the mean distance of adjacent fragments"));
 }
 
+void GridPanel::buildResult() {
+    PanelGroup* result = addGroup(tr("Result"));
+    m_fragments = result->addValue(tr("Fragments"));
+    m_clusters = result->addValue(tr("Clusters"), {}, tr("Rigid bodies that the engine moves, counted at these sizes"));
+    m_perCluster = result->addValue(tr("Fragments in a cluster, mean"));
+    m_splits = result->addValue(tr("Split by component, by velocity"), {},
+                                tr("Clusters added because none may span two components, or because a fragment moves otherwise"));
+    m_stopped = result->addNote({});
+    PanelGroup* published = addGroup(tr("Against the published two to three"));
+    for (std::size_t i = 0; i < publishedMultiples.size(); ++i) {
+        m_published[i] = published->addValue(tr("Clusters at %1 d").arg(QLocale().toString(publishedMultiples[i], 'g', 3)), {},
+                                             tr("Counted on these fragments; within their bounds or not"));
+    }
+    m_ours = published->addValue(tr("As set"));
+    published->addNote(
+        tr("Few fragments share a birth time in a result with many states, so the multiple is larger than the two to "
+           "three of the published method."));
+}
+
+bool GridPanel::dragging() const {
+    return m_slider->isSliderDown();
+}
+
 void GridPanel::setScenario(const Scenario& scenario) {
     Panel::setScenario(scenario);
-    if (scenario.grid.multiple) {
+    m_settings = scenario.grid;
+    m_use->setVisible(m_offered > 0 && m_offered != m_settings.bodiesMax);
+    m_multipleWhy->set(Notice::Kind::Note, multipleReason(m_settings));
+    const bool decides = !m_settings.oneBodyPerFragment && !(m_settings.length && m_settings.width && m_settings.height);
+    m_slider->setEnabled(decides);
+    m_slider->setToolTip(decides ? tr("Drag to set the multiple; clusters are counted and the grid is drawn anew while you drag.")
+                                 : multipleReason(m_settings));
+    if (scenario.grid.multiple && !dragging()) {
         const QSignalBlocker quiet(m_slider);
         m_slider->setValue(positionOf(*scenario.grid.multiple));
     }
 }
 
+void GridPanel::setAdvice(const MachineAdvice& advice) {
+    const QString target = QLocale().toString(advice.target, 'g', 4);
+    m_offered = 0;
+    if (!advice.calibrated) {
+        m_advice->setText(tr("This machine is not calibrated: 4,500 bodies at 24 FPS is the published figure."));
+    } else if (advice.disturbed || !advice.typical) {
+        m_advice->setText(
+            tr("The calibration of this machine says nothing here: other programs worked meanwhile, or it has too few "
+               "points."));
+    } else {
+        m_advice->setText(
+            tr("This machine carries %1 bodies at %2 FPS where some of them rest, %3 where none does.")
+                .arg(bodiesWords(*advice.typical), target, advice.worst ? bodiesWords(*advice.worst) : tr("an unknown number")));
+        // Two digits are what the fit can mean.
+        const double step = std::max(1.0, std::pow(10.0, std::floor(std::log10(std::max(1.0, advice.typical->bodies))) - 1.0));
+        m_offered = static_cast<std::int64_t>(step * std::floor(advice.typical->bodies / step));
+    }
+    m_use->setText(tr("Allow %1").arg(shownCount(m_offered)));
+    m_use->setVisible(m_offered > 0 && m_offered != m_settings.bodiesMax);
+}
+
+void GridPanel::setPublishedCounts(const std::vector<PublishedCount>& counts) {
+    for (std::size_t i = 0; i < m_published.size(); ++i) {
+        m_published[i]->setText(i < counts.size() ? shownCount(static_cast<std::int64_t>(counts[i].clusters))
+                                                  : QString(QChar(0x2013)));
+    }
+}
+
 void GridPanel::setContent(const Content& content) {
-    QString sentences;
     for (int row = 0; row < 3; ++row) {
-        const char name = "xyz"[row];
-        m_table->setItem(row, 0, figureCell(QString(QLatin1Char(name)), Qt::AlignLeft | Qt::AlignVCenter));
+        m_table->setItem(row, 0, figureCell(QString(QLatin1Char("xyz"[row])), Qt::AlignLeft | Qt::AlignVCenter));
         if (content.sizing == nullptr) {
-            for (int column = 1; column < 5; ++column) {
+            for (int column = 1; column < tableColumns; ++column) {
                 m_table->setItem(row, column, figureCell(QString(QChar(0x2013))));
             }
-            continue;
-        }
-        const AxisSizing& axis = content.sizing->axis[static_cast<std::size_t>(row)];
-        showAxis(row, axis, content);
-        if (const QString sentence = clampSentence(name, axis, content); !sentence.isEmpty()) {
-            sentences += (sentences.isEmpty() ? QString() : QStringLiteral("\n")) + sentence;
+        } else {
+            showAxis(row, content.sizing->axis[static_cast<std::size_t>(row)], content);
         }
     }
-    m_clamps->set(Notice::Kind::Finding, sentences);
+    showReasons(content);
     showResult(content);
 }
 
+void GridPanel::showReasons(const Content& content) {
+    const std::array byHand{m_settings.length, m_settings.width, m_settings.height};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool set = byHand[i].has_value() || (m_settings.multiple.has_value() && content.sizing != nullptr &&
+                                                   content.sizing->stoppedBy == StoppedBy::User);
+        m_axisWhy[i]->set(Notice::Kind::Finding, content.sizing == nullptr || m_settings.oneBodyPerFragment
+                                                     ? QString()
+                                                     : axisReason("xyz"[i], content.sizing->axis[i], set,
+                                                                  boundByComponents(m_settings), content.components.get()));
+    }
+}
+
 void GridPanel::showAxis(int row, const AxisSizing& axis, const Content& content) {
-    const std::array values = {axis.meanDistance, axis.size, axis.accuracyMin, axis.accuracyMax};
-    for (int column = 1; column < 5; ++column) {
-        m_table->setItem(row, column, figureCell(shownNumber(values[static_cast<std::size_t>(column - 1)])));
+    const std::array texts = {shownNumber(axis.meanDistance), shownNumber(axis.size), multipleText(axis.multiple),
+                              shownNumber(axis.accuracyMin), shownNumber(axis.accuracyMax)};
+    for (int column = 1; column < tableColumns; ++column) {
+        m_table->setItem(row, column, figureCell(texts[static_cast<std::size_t>(column - 1)]));
     }
     QFont bold = m_table->font();
     bold.setWeight(QFont::DemiBold);
     m_table->item(row, 2)->setFont(bold);
-    const int limiting = axis.clampedBy == ClampedBy::FragmentSize ? 3 : axis.clampedBy == ClampedBy::ComponentSize ? 4 : -1;
+    const int limiting = axis.clampedBy == ClampedBy::FragmentSize ? 4 : axis.clampedBy == ClampedBy::ComponentSize ? 5 : -1;
     if (limiting > 0) {
         m_table->item(row, limiting)->setForeground(tints().finding);
     }
     if (axis.largestFragment && content.fragments != nullptr && content.mesh != nullptr) {
         const Fragment& fragment = content.fragments->list[at(*axis.largestFragment)];
-        m_table->item(row, 3)->setToolTip(tr("Element %1").arg(shownCount(content.mesh->elementIds[at(fragment.element)])));
+        m_table->item(row, 4)->setToolTip(tr("Element %1").arg(shownCount(content.mesh->elementIds[at(fragment.element)])));
     }
     if (axis.smallestComponent && content.components != nullptr) {
-        m_table->item(row, 4)->setToolTip(QString::fromStdString(content.components->list[at(*axis.smallestComponent)].name));
+        m_table->item(row, 5)->setToolTip(QString::fromStdString(content.components->list[at(*axis.smallestComponent)].name));
     }
 }
 
-QString GridPanel::clampSentence(char name, const AxisSizing& axis, const Content& content) const {
-    const QString component = axis.smallestComponent && content.components != nullptr
-                                  ? QString::fromStdString(content.components->list[at(*axis.smallestComponent)].name)
-                                  : tr("the smallest component");
-    const QString least = shownNumber(axis.accuracyMin);
-    const QString most = shownNumber(axis.accuracyMax);
-    const QChar which = QLatin1Char(name);
-    switch (axis.clampedBy) {
-        case ClampedBy::FragmentSize:
-            return axis.accuracyMin > axis.accuracyMax ? tr("%1: the largest fragment (%2 m) exceeds the smallest component (%3, "
-                                                            "%4 m). Clusters stay within one component "
-                                                            "all the same.")
-                                                             .arg(which)
-                                                             .arg(least, component, most)
-                                                       : tr("%1: held at the largest fragment, %2 m.").arg(which).arg(least);
-        case ClampedBy::ComponentSize:
-            return tr("%1: held at the smallest component (%2, %3 m).").arg(which).arg(component, most);
-        case ClampedBy::Spacing:
-            return tr("%1: the mean distance (%2 m) exceeds the smallest component (%3, %4 m).")
-                .arg(which)
-                .arg(shownNumber(axis.meanDistance), component, most);
-        case ClampedBy::None:
-            break;
+void GridPanel::showAutomatic(const Sizing& sizing) {
+    editor(QStringLiteral("multiple"))->setAutomaticValue(sizing.commonMultiple);
+    for (std::size_t i = 0; i < 3; ++i) {
+        editor(QLatin1String(sizeKeys[i]))->setAutomaticValue(sizing.axis[i].size);
     }
-    return {};
+    if (!dragging() && sizing.commonMultiple > 0.0) {
+        const QSignalBlocker quiet(m_slider);
+        m_slider->setValue(positionOf(sizing.commonMultiple));
+    }
 }
 
 void GridPanel::showResult(const Content& content) {
@@ -192,46 +289,30 @@ void GridPanel::showResult(const Content& content) {
                               ? shownNumber(static_cast<double>(sizing->fragments) / static_cast<double>(sizing->clusters))
                               : none);
     const Clustering* clustering = content.clustering.get();
-    m_splits->setText(clustering != nullptr
+    m_splits->setText(clustering != nullptr && !content.counted
                           ? QStringLiteral("%1, %2").arg(shownCount(static_cast<std::int64_t>(clustering->splitByComponent)),
                                                          shownCount(static_cast<std::int64_t>(clustering->splitByVelocity)))
                           : none);
-    QString stopped;
-    if (sizing == nullptr) {
-        stopped = tr("Open a result: the sizes that meet the live frame rate appear here.");
-    } else if (sizing->stoppedBy == StoppedBy::Efficiency) {
-        stopped = tr("The search stopped at the smallest multiple that keeps to the bodies allowed.");
-    } else if (sizing->stoppedBy == StoppedBy::FpsUnreachable) {
-        stopped = tr("%1 FPS is out of reach within the bounds of the sizes: about %2 FPS is. The run goes on at the upper bounds.")
-                      .arg(shownNumber(sizing->fpsTarget), shownNumber(sizing->reachableFps, 2));
-    } else {
-        stopped = tr("Set by hand.");
-    }
+    m_stopped->setText(sizing != nullptr ? stopReason(*sizing)
+                                         : tr("Open a result: the sizes that meet the live frame rate appear here."));
+    m_ours->setText(
+        sizing == nullptr
+            ? none
+            : tr("%1 at %2 d").arg(shownCount(static_cast<std::int64_t>(sizing->clusters)), multipleText(sizing->commonMultiple)));
     if (sizing != nullptr) {
-        stopped += QLatin1Char(' ') + tr("Few fragments share a birth time in a result with many states, so the multiple is larger "
-                                         "than the two to three of the published method.");
-        editor(QStringLiteral("multiple"))->setAutomaticValue(sizing->commonMultiple);
-        const std::array<const char*, 3> keys = {"grid_l", "grid_w", "grid_h"};
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (ParameterEditor* field = editor(QLatin1String(keys[i]))) {
-                field->setAutomaticValue(sizing->axis[i].size);
-            }
-        }
-        if (!m_slider->isSliderDown()) {
-            const QSignalBlocker quiet(m_slider);
-            m_slider->setValue(positionOf(sizing->commonMultiple));
-        }
+        showAutomatic(*sizing);
     }
-    m_slider->setEnabled(sizing != nullptr && sizing->fragments > 0);
-    m_stopped->setText(stopped);
     Findings findings;
     if (sizing != nullptr) {
         findings.append(sizing->findings);
     }
-    if (clustering != nullptr) {
+    if (clustering != nullptr && !content.counted) {
         findings.append(clustering->findings);
     }
-    m_findings->set(findings);
+    // While the slider moves, only figures do: notices that come and go would move what is under the mouse.
+    if (!content.counted) {
+        m_findings->set(findings);
+    }
 }
 
 }  // namespace rubble::widgets

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/parameter_editor.h"
+#include "widgets/prediction_box.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
 
@@ -208,6 +209,18 @@ void Panel::setScenario(const Scenario& scenario) {
 void Panel::setEditable(bool editable) {
     for (ParameterEditor* editor : std::as_const(m_editors)) {
         editor->setAvailable(editable, tr("Open a result first"));
+    }
+}
+
+void Panel::addPrediction() {
+    m_prediction = new PredictionBox;
+    addWide(m_prediction);
+    connect(m_prediction, &PredictionBox::helpRequested, this, &Panel::predictionHelpRequested);
+}
+
+void Panel::setPrediction(const PredictionContent& content) {
+    if (m_prediction != nullptr) {
+        m_prediction->setContent(content);
     }
 }
 

@@ -14,6 +14,8 @@ class QVBoxLayout;
 namespace rubble::widgets {
 
 class ParameterEditor;
+class PredictionBox;
+struct PredictionContent;
 
 /// A sentence that needs attention, in place: a finding (amber), an error (red) or a plain note.
 class Notice : public QFrame {
@@ -80,18 +82,25 @@ public:
     virtual void setScenario(const Scenario& scenario);
     /// Greys out all editors while there is nothing to set.
     virtual void setEditable(bool editable);
+    /// What the setting is predicted to cost; nothing for a panel without costly controls.
+    void setPrediction(const PredictionContent& content);
+    PredictionBox* prediction() const { return m_prediction; }
     ParameterEditor* editor(const QString& key) const { return m_editors.value(key); }
     QSize sizeHint() const override;
 
 signals:
     /// The user changed a parameter.
     void edited(const QString& key, const rubble::ParameterValue& value);
+    /// The user wants to know how figures that are not known can be found out.
+    void predictionHelpRequested();
 
 protected:
     /// A row for a parameter by key; its edits leave through edited().
     ParameterEditor* addParameter(PanelGroup* group, const std::string& key);
     /// Takes an editor that stands elsewhere in the panel: it shows the scenario, and its edits leave through edited().
     void takeEditor(ParameterEditor* editor);
+    /// Gives the panel its box of predictions, here.
+    void addPrediction();
     /// Rows for all unkeyed parameters of a stage that the panel does not show yet; nothing if there are none.
     /// @param elsewhere  says which of them another panel shows
     void addRemaining(Stage stage, const QString& heading, bool (*elsewhere)(std::string_view key) = nullptr);
@@ -100,6 +109,7 @@ private:
     QVBoxLayout* m_column;
     Notice* m_error;
     Notice* m_stale;
+    PredictionBox* m_prediction = nullptr;
     QHash<QString, ParameterEditor*> m_editors;
 };
 

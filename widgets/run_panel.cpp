@@ -49,6 +49,7 @@ RunPanel::RunPanel(QWidget* parent)
     connect(m_simulate, &QPushButton::clicked, this, &RunPanel::simulateRequested);
     connect(m_live, &QPushButton::clicked, this, &RunPanel::liveRequested);
     connect(m_cancel, &QPushButton::clicked, this, &RunPanel::cancelRequested);
+    addPrediction();
     m_healthGroup = addGroup(tr("Health of the run"));
     m_health = new HealthList;
     m_healthGroup->addWide(m_health);

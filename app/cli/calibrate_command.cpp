@@ -9,8 +9,10 @@
 #include "app/cli/study_options.h"
 #include "app/cli/text_output.h"
 #include "core/analysis/calibration.h"
+#include "core/analysis/calibration_table.h"
 #include "core/analysis/published_results.h"
 #include "core/base/error.h"
+#include "io/files.h"
 #include "io/machine.h"
 #include "io/study_files.h"
 
@@ -166,7 +168,9 @@ ExitCode calibrateMachine(const Arguments& arguments, Session& session) {
                                      error.what());
         }
     }
-    writeCsv(arguments, pointTable(calibration));
+    if (const auto csv = arguments.value("--csv")) {
+        io::writeAtomically(*csv, [&](std::ostream& out) { writeCalibrationCsv(calibration, out); });
+    }
     if (!calibration.complete) {
         session.err() << "rubble-cli: cancelled; what was measured is reported and not kept\n";
     }

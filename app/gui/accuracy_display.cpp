@@ -53,7 +53,7 @@ void AccuracyDisplay::compareWhenReady() {
 
 void AccuracyDisplay::compare() {
     widgets::AccuracyPanel& panel = m_deck.accuracy();
-    if (m_computation.inputs().fe == nullptr || m_work.running() || m_computation.busy(Stage::Simulation)) {
+    if (m_computation.inputs().fe == nullptr || m_work.running() || m_computation.busy(Stage::Simulation) || !m_busy.isEmpty()) {
         return;
     }
     panel.setError({});
@@ -68,6 +68,13 @@ void AccuracyDisplay::compare() {
     panel.setProgress(tr("Preparing"), 0.0, std::numeric_limits<double>::quiet_NaN());
     refresh();
     emit changed();
+}
+
+void AccuracyDisplay::setBusy(const QString& why) {
+    if (why != m_busy) {
+        m_busy = why;
+        showPanel();
+    }
 }
 
 void AccuracyDisplay::ended(const Failure* failure) {
@@ -143,10 +150,12 @@ void AccuracyDisplay::showPanel() {
         why = tr("No element dies in this result, so there is nothing to compare.");
     } else if (simulating) {
         why = tr("A run is being simulated: comparing beside it would spoil the times. Wait for it or cancel it.");
+    } else if (!m_busy.isEmpty()) {
+        why = m_busy;
     } else if (m_work.running()) {
         why = tr("Simulate waits until the comparison is through, so that its times hold. Settings can be edited meanwhile.");
     }
-    m_deck.accuracy().setReady(fe != nullptr && !none && !simulating, m_work.running(), why);
+    m_deck.accuracy().setReady(fe != nullptr && !none && !simulating && m_busy.isEmpty(), m_work.running(), why);
     showRail();
 }
 

@@ -31,6 +31,8 @@ public:
     void compare();
     /// The scenario of a row becomes that of the case.
     void adopt(int row);
+    /// Other work runs beside which nothing can be timed; empty: none does.
+    void setBusy(const QString& why);
     /// Shows what is known now.
     void refresh();
 
@@ -57,6 +59,7 @@ private:
     const void* m_fe = nullptr;  // of the result that was compared
     double m_fraction = 0.0;
     bool m_compareWhenReady = false;
+    QString m_busy;
 };
 
 }  // namespace rubble

@@ -53,6 +53,7 @@ AccuracyReport AccuracyWork::compare(const Inputs& inputs, const Scenario& scena
     std::string renderer;
     AccuracyOptions options;
     options.study.repeats = request.repeats;
+    options.study.measures.tolerances = request.tolerances;
     options.machine = m_machine;
     options.store = &files;
     options.retimed = request.retimed;

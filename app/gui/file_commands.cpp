@@ -10,14 +10,15 @@
 
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
+#include "core/analysis/calibration_table.h"
 #include "core/analysis/sweep_table.h"
 #include "core/base/error.h"
 #include "io/acknowledgements.h"
 #include "io/case_file.h"
 #include "io/exports.h"
 #include "io/files.h"
-#include "widgets/accuracy_chart.h"
 #include "widgets/figures/figure_file.h"
+#include "widgets/file_chart.h"
 
 namespace rubble {
 
@@ -227,9 +228,27 @@ void FileCommands::saveSweep(const std::shared_ptr<const AccuracyReport>& report
     }
 }
 
+void FileCommands::saveCalibration(const std::shared_ptr<const Calibration>& calibration) {
+    if (calibration == nullptr) {
+        return;
+    }
+    const QString path = askForOutput(tr("Calibration"), QStringLiteral("-calibration.csv"), tr("Tables (*.csv)"));
+    if (!path.isEmpty()) {
+        saveCalibrationTo(path, *calibration);
+    }
+}
+
 void FileCommands::saveSweepTo(const QString& path, const AccuracyReport& report) {
+    writeTable(path, [&](std::ostream& out) { writeSweepCsv(report, out); });
+}
+
+void FileCommands::saveCalibrationTo(const QString& path, const Calibration& calibration) {
+    writeTable(path, [&](std::ostream& out) { writeCalibrationCsv(calibration, out); });
+}
+
+void FileCommands::writeTable(const QString& path, const std::function<void(std::ostream&)>& table) {
     try {
-        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeSweepCsv(report, out); });
+        io::writeAtomically(path.toStdString(), table);
         emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
@@ -237,14 +256,14 @@ void FileCommands::saveSweepTo(const QString& path, const AccuracyReport& report
     }
 }
 
-void FileCommands::saveChart(const widgets::AccuracyChart& chart) {
-    const QString path = askForOutput(tr("Chart"), QStringLiteral("-accuracy.svg"), tr("Drawings (*.svg);;Images (*.png)"));
+void FileCommands::saveChart(const widgets::FileChart& chart, const QString& suffix) {
+    const QString path = askForOutput(tr("Chart"), suffix, tr("Drawings (*.svg);;Images (*.png)"));
     if (!path.isEmpty()) {
         saveChartTo(path, chart);
     }
 }
 
-void FileCommands::saveChartTo(const QString& path, const widgets::AccuracyChart& chart) {
+void FileCommands::saveChartTo(const QString& path, const widgets::FileChart& chart) {
     try {
         if (QFileInfo(path).suffix().compare(QLatin1String("svg"), Qt::CaseInsensitive) == 0) {
             const QByteArray drawing = chart.svg(chartSize);

@@ -2,7 +2,9 @@
 
 #include <QObject>
 #include <exception>
+#include <functional>
 #include <memory>
+#include <ostream>
 
 #include "widgets/render/scene_data.h"
 #include "widgets/render/view.h"
@@ -14,9 +16,10 @@ namespace rubble {
 struct Case;
 class Computation;
 struct AccuracyReport;
+struct Calibration;
 class Document;
 namespace widgets {
-class AccuracyChart;
+class FileChart;
 }
 
 /// Saving and exporting: asks for paths, writes on the worker, says what came of it.
@@ -42,11 +45,15 @@ public:
     void exportSeries();
     void exportFigure(const render::View& view, const render::SceneData& data);
     void saveSweep(const std::shared_ptr<const AccuracyReport>& report);
-    void saveChart(const widgets::AccuracyChart& chart);
+    void saveCalibration(const std::shared_ptr<const Calibration>& calibration);
+    /// @param suffix  that the proposed name ends with: "-accuracy.svg"
+    void saveChart(const widgets::FileChart& chart, const QString& suffix);
     /// Writes the settings compared as CSV, with the columns of rubble-cli accuracy --csv.
     void saveSweepTo(const QString& path, const AccuracyReport& report);
+    /// Writes the points of a calibration as CSV, with the columns of rubble-cli calibrate --csv.
+    void saveCalibrationTo(const QString& path, const Calibration& calibration);
     /// Writes the chart as SVG where the path ends so, as PNG otherwise.
-    void saveChartTo(const QString& path, const widgets::AccuracyChart& chart);
+    void saveChartTo(const QString& path, const widgets::FileChart& chart);
 
 signals:
     void done(const QString& what);
@@ -55,6 +62,7 @@ signals:
 private:
     void setTerrain(const QString& path, const QString& what);
     QString askForOutput(const QString& title, const QString& suffix, const QString& filter);
+    void writeTable(const QString& path, const std::function<void(std::ostream&)>& table);
     void reportWrite(const QString& path, std::exception_ptr thrown);
 
     Document& m_document;

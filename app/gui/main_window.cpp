@@ -10,10 +10,15 @@
 #include <QMimeData>
 #include <QSettings>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/gui/accuracy_display.h"
+#include "app/gui/calibration_display.h"
+#include "app/gui/error_display.h"
 #include "app/gui/file_commands.h"
+#include "app/gui/forecast_display.h"
+#include "app/gui/grid_display.h"
 #include "app/gui/health_display.h"
 #include "app/gui/manual.h"
 #include "app/gui/panel_deck.h"
@@ -45,6 +50,10 @@ MainWindow::MainWindow(QWidget* parent)
       m_feed(new StatusFeed(m_document, m_computation, *m_playback, *m_status, this)),
       m_health(new HealthDisplay(m_computation, *m_deck, *m_playback, *m_area, *m_timeline, this)),
       m_accuracy(new AccuracyDisplay(m_document, m_computation, *m_deck, *m_accuracyPage, this)),
+      m_grid(new GridDisplay(m_document, m_computation, *m_deck, this)),
+      m_calibration(new CalibrationDisplay(m_document, *m_deck, *this, this)),
+      m_forecast(new ForecastDisplay(m_document, m_computation, *m_grid, m_calibration->work(), *m_deck, this)),
+      m_errors(new ErrorDisplay(m_computation, *m_area, this)),
       m_files(new FileCommands(m_document, m_computation, *this)),
       m_colours(new QComboBox),
       m_title(new QLabel) {
@@ -59,6 +68,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectComputation();
     connectPlayback();
     connectAccuracy();
+    connectCosts();
     qApp->installEventFilter(this);
     m_actions["keep_copies"].setChecked(QSettings().value(QStringLiteral("keep_copies"), false).toBool());
     m_computation.keepCopies(m_actions["keep_copies"].isChecked());
@@ -80,6 +90,10 @@ MainWindow::~MainWindow() {
     delete m_feed;
     delete m_health;
     delete m_accuracy;
+    delete m_forecast;
+    delete m_calibration;
+    delete m_grid;
+    delete m_errors;
     delete m_playback;
     delete m_deck;
 }
@@ -178,6 +192,10 @@ void MainWindow::takeOpened(const Opened& opened) {
 
 void MainWindow::scenarioChanged() {
     m_deck->showScenario();
+    if (m_grid->dragging()) {
+        // Clusters are counted meanwhile; the rest follows when the slider rests.
+        return;
+    }
     const bool reread = m_computation.inputs().fe == nullptr || m_computation.importStale(m_document.scenario());
     if (reread && !m_document.empty()) {
         m_computation.reopen(m_document.theCase(), m_document.path(), m_document.base());
@@ -192,6 +210,7 @@ void MainWindow::scenarioChanged() {
 void MainWindow::prepared() {
     m_deck->showResults();
     m_deck->clearFailures();
+    m_errors->refresh();
     m_area->setError({});
     if (m_computation.failure()) {
         showFailure(*m_computation.failure());
@@ -215,6 +234,7 @@ render::SceneData MainWindow::sceneData() const {
     scene.fragments = from.fragments;
     scene.clustering = from.clustering;
     scene.trajectory = record != nullptr ? record->reader : nullptr;
+    scene.reference = m_errors->reference();
     scene.setSurroundings(record != nullptr ? record->scenario : m_document.scenario(), m_computation.inputs().terrain,
                           record != nullptr ? record->outcome.get() : nullptr);
     return scene;
@@ -231,9 +251,10 @@ void MainWindow::showScene() {
 void MainWindow::simulate(bool live) {
     const Results& results = m_computation.results();
     if (m_computation.inputs().fe == nullptr || (results.fragments != nullptr && results.fragments->list.empty()) ||
-        m_accuracy->work().running()) {
+        !costlyWork().isEmpty()) {
         return;
     }
+    m_forecast->runBegins();
     const CaseScenario* active = m_document.active();
     m_deck->clearFailures();
     m_deck->choose(PanelDeck::Run);
@@ -253,6 +274,8 @@ void MainWindow::runEnded(bool complete) {
             outcome.liveMean = m_feed->liveMean();
             outcome.liveWorst = m_feed->liveWorst();
         }
+        // Live mode keeps the pace of the collapse: its wall time is none of the setting's.
+        m_forecast->runEnded({record->live ? std::nan("") : record->wallSeconds, record->live ? m_feed->liveMean() : std::nan("")});
         m_status->setMessage(tr("Simulated in %1").arg(widgets::shownDuration(record->wallSeconds)));
     } else {
         m_status->setMessage(record != nullptr && record->reader != nullptr
@@ -260,6 +283,7 @@ void MainWindow::runEnded(bool complete) {
                                  : tr("Cancelled"));
     }
     m_deck->showOutcome(outcome);
+    m_errors->refresh();
     m_area->views().update();
     showState();
     m_feed->refresh();
@@ -281,7 +305,7 @@ void MainWindow::showState() {
     const RunRecord* record = m_computation.currentRun();
     const bool finished = record != nullptr && record->outcome != nullptr && !record->running;
     const bool running = m_computation.busy(Stage::Simulation);
-    const bool comparing = m_accuracy->work().running();
+    const bool costly = !costlyWork().isEmpty();
     const bool deaths = m_computation.results().fragments == nullptr || !m_computation.results().fragments->list.empty();
     m_deck->showState();
     for (const char* id : {"play", "back", "forward", "back_ten", "forward_ten", "first", "last", "fit", "look_side", "look_front",
@@ -289,9 +313,9 @@ void MainWindow::showState() {
         m_actions[id].setEnabled(have);
     }
     m_actions["refresh"].setEnabled(have && !running);
-    m_actions["simulate"].setEnabled(have && deaths && !running && !comparing);
-    m_actions["live"].setEnabled(have && deaths && !running && !comparing);
-    m_actions["cancel"].setEnabled(m_computation.busy() || comparing);
+    m_actions["simulate"].setEnabled(have && deaths && !running && !costly);
+    m_actions["live"].setEnabled(have && deaths && !running && !costly);
+    m_actions["cancel"].setEnabled(m_computation.busy() || costly);
     m_actions["save_run"].setEnabled(record != nullptr && !record->running);
     m_actions["export_fragments"].setEnabled(finished);
     m_actions["export_series"].setEnabled(finished);
@@ -303,6 +327,7 @@ void MainWindow::showState() {
         std::any_of(inputs.begin(), inputs.end(), [](const CaseInput& input) { return input.role == InputRole::Terrain; }));
     m_colours->setEnabled(have);
     m_playback->refresh(record != nullptr && m_computation.runStale(m_document.scenario()));
+    showBusy();
 }
 
 void MainWindow::showTitle() {
@@ -334,6 +359,29 @@ void MainWindow::setView(const render::View& view) {
     m_actions[layouts[static_cast<std::size_t>(view.layout)]].setChecked(true);
     m_actions["link"].setChecked(view.camerasLinked);
     m_colours->setCurrentIndex(m_colours->findData(static_cast<int>(view.colourBy)));
+    m_errors->setShown(view.colourBy == render::ColourBy::Error);
+}
+
+QString MainWindow::costlyWork() const {
+    return m_accuracy->work().running()      ? tr("Settings are being compared: work beside it would spoil the times.")
+           : m_calibration->work().running() ? tr("This machine is being calibrated: work beside it would spoil the times.")
+           : m_errors->work().running()      ? tr("A reference is being computed.")
+                                             : QString();
+}
+
+void MainWindow::showBusy() {
+    const bool simulating = m_computation.busy(Stage::Simulation);
+    const QString run = tr("A run is being simulated.");
+    const bool comparing = m_accuracy->work().running();
+    m_accuracy->setBusy(comparing ? QString() : costlyWork());
+    m_calibration->setBusy(m_calibration->work().running() ? QString() : simulating ? run : costlyWork());
+    m_errors->setBusy(m_errors->work().running() ? QString() : simulating ? run : costlyWork());
+}
+
+void MainWindow::showGrid() {
+    render::View view = m_area->views().view();
+    view.basicGrid = m_deck->rail().current() == PanelDeck::Grid ? m_grid->grid() : std::nullopt;
+    m_area->views().setView(view);
 }
 
 void MainWindow::setLayoutOf(render::Layout layout) {
@@ -354,6 +402,7 @@ void MainWindow::setTheme(const QString& name) {
     m_area->views().setView(view);
     m_deck->showResults();
     m_accuracy->refresh();
+    m_calibration->refresh();
     m_feed->refresh();
     showTitle();
 }
@@ -389,6 +438,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     m_computation.cancel();
     m_accuracy->work().cancel();
+    m_calibration->work().cancel();
+    m_errors->work().cancel();
     event->accept();
 }
 

@@ -16,7 +16,11 @@ class QStackedWidget;
 namespace rubble {
 
 class AccuracyDisplay;
+class CalibrationDisplay;
+class ErrorDisplay;
 class FileCommands;
+class ForecastDisplay;
+class GridDisplay;
 class HealthDisplay;
 class ManualWindow;
 class PanelDeck;
@@ -56,6 +60,10 @@ public:
     ViewArea& area() { return *m_area; }
     HealthDisplay& health() { return *m_health; }
     AccuracyDisplay& accuracy() { return *m_accuracy; }
+    GridDisplay& grid() { return *m_grid; }
+    CalibrationDisplay& calibration() { return *m_calibration; }
+    ForecastDisplay& forecast() { return *m_forecast; }
+    ErrorDisplay& errors() { return *m_errors; }
     widgets::AccuracyPage& accuracyPage() { return *m_accuracyPage; }
     widgets::Timeline& timeline() { return *m_timeline; }
     widgets::StatusLine& statusLine() { return *m_status; }
@@ -80,6 +88,11 @@ private:
     void connectComputation();
     void connectPlayback();
     void connectAccuracy();
+    void connectCosts();
+    /// What would spoil the times of other work, in words; empty: nothing runs that would.
+    QString costlyWork() const;
+    void showBusy();
+    void showGrid();
     void takeOpened(const Opened& opened);
     void showRefreshed(const FeResult& before, const render::View& view, double time);
     void showScene();
@@ -107,6 +120,10 @@ private:
     StatusFeed* m_feed;
     HealthDisplay* m_health;
     AccuracyDisplay* m_accuracy;
+    GridDisplay* m_grid;
+    CalibrationDisplay* m_calibration;
+    ForecastDisplay* m_forecast;
+    ErrorDisplay* m_errors;
     FileCommands* m_files;
     QComboBox* m_colours;
     QLabel* m_title;

@@ -6,7 +6,6 @@
 #include "widgets/case_panel.h"
 #include "widgets/effects_panel.h"
 #include "widgets/fragments_panel.h"
-#include "widgets/grid_panel.h"
 #include "widgets/parameter_editor.h"
 #include "widgets/wording.h"
 
@@ -64,12 +63,16 @@ PanelDeck::PanelDeck(Document& document, Computation& computation, QObject* pare
     for (widgets::Panel* panel : panels()) {
         m_stack->addWidget(panel);
         connect(panel, &widgets::Panel::edited, this, &PanelDeck::edit);
+        connect(panel, &widgets::Panel::predictionHelpRequested, this, [this] { choose(Accuracy); });
     }
     connect(m_rail, &widgets::StageRail::chosen, m_stack, &QStackedWidget::setCurrentIndex);
     connect(m_case, &widgets::CasePanel::regroupRequested, this, &PanelDeck::regroup);
     connect(m_case, &widgets::CasePanel::regroupingCleared, this, &PanelDeck::clearRegrouping);
     connect(m_grid, &widgets::GridPanel::draggingStarted, &m_document, &Document::beginGesture);
-    connect(m_grid, &widgets::GridPanel::draggingEnded, &m_document, &Document::endGesture);
+    connect(m_grid, &widgets::GridPanel::draggingEnded, this, [this] {
+        m_document.endGesture();
+        emit gridSettled();
+    });
     connect(m_run, &widgets::RunPanel::simulateRequested, this, &PanelDeck::simulateRequested);
     connect(m_run, &widgets::RunPanel::liveRequested, this, &PanelDeck::liveRequested);
     connect(m_run, &widgets::RunPanel::cancelRequested, this, &PanelDeck::cancelRequested);
@@ -122,8 +125,11 @@ void PanelDeck::showResults() {
     m_case->setTerrain(terrain.grid, QString::fromStdString(terrain.path), terrain.findings);
     m_case->setContent(fe, results.components);
     m_fragments->setContent(results.fragments, fe.get());
-    m_grid->setContent(
-        {results.sizing, results.clustering, results.fragments, results.components, fe != nullptr ? &fe->mesh() : nullptr});
+    // While the slider is held, counts for its place are shown.
+    if (!m_grid->dragging()) {
+        m_grid->setContent(
+            {results.sizing, results.clustering, results.fragments, results.components, fe != nullptr ? &fe->mesh() : nullptr});
+    }
     showEffects(true);
 }
 

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "widgets/accuracy_panel.h"
+#include "widgets/grid_panel.h"
 #include "widgets/panel.h"
 #include "widgets/run_panel.h"
 #include "widgets/stage_rail.h"
@@ -16,7 +17,6 @@ namespace widgets {
 class CasePanel;
 class EffectsPanel;
 class FragmentsPanel;
-class GridPanel;
 }  // namespace widgets
 
 /// The rail and its panels, kept in step with document and computation. What the user edits becomes undoable edits of the document.
@@ -29,10 +29,12 @@ public:
     PanelDeck(Document& document, Computation& computation, QObject* parent = nullptr);
 
     widgets::StageRail& rail() { return *m_rail; }
+    widgets::GridPanel& grid() { return *m_grid; }
     widgets::EffectsPanel& effects() { return *m_effects; }
     widgets::RunPanel& run() { return *m_run; }
     widgets::AccuracyPanel& accuracy() { return *m_accuracy; }
     QStackedWidget& stack() { return *m_stack; }
+    std::vector<widgets::Panel*> panels() const;
     void choose(Entry entry);
     /// Results have changed: shows them.
     void showResults();
@@ -50,13 +52,14 @@ signals:
     void simulateRequested();
     void liveRequested();
     void cancelRequested();
+    /// The slider of the Basic Grid came to rest.
+    void gridSettled();
 
 private:
     void edit(const QString& key, const ParameterValue& value);
     void regroup(const RegroupStep& step);
     void clearRegrouping();
     void showRail();
-    std::vector<widgets::Panel*> panels() const;
 
     Document& m_document;
     Computation& m_computation;

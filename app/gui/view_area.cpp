@@ -4,14 +4,26 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/error_bar.h"
 #include "widgets/theme.h"
 
 namespace rubble {
 
 ViewArea::ViewArea(QWidget* parent)
-    : QStackedWidget(parent), m_views(new widgets::ViewWidget), m_error(new widgets::Notice), m_activity(new QLabel) {
+    : QStackedWidget(parent),
+      m_views(new widgets::ViewWidget),
+      m_errorBar(new widgets::ErrorBar),
+      m_error(new widgets::Notice),
+      m_activity(new QLabel) {
     addWidget(buildEmpty());
-    addWidget(m_views);
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_errorBar->hide();
+    column->addWidget(m_errorBar);
+    column->addWidget(m_views, 1);
+    addWidget(page);
 }
 
 QWidget* ViewArea::buildEmpty() {

@@ -12,13 +12,20 @@
 #include <QToolButton>
 
 #include "app/gui/accuracy_display.h"
+#include "app/gui/calibration_display.h"
+#include "app/gui/error_display.h"
 #include "app/gui/file_commands.h"
+#include "app/gui/forecast_display.h"
+#include "app/gui/grid_display.h"
 #include "app/gui/health_display.h"
 #include "app/gui/main_window.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
+#include "widgets/accuracy_chart.h"
 #include "widgets/accuracy_page.h"
+#include "widgets/calibration_chart.h"
+#include "widgets/calibration_view.h"
 #include "widgets/status_line.h"
 #include "widgets/timeline.h"
 #include "widgets/transport.h"
@@ -29,6 +36,17 @@ namespace {
 
 constexpr int compactBelow = 1440;
 constexpr int panelWidth = 336;
+
+/// Where the colours of an error change: at the tolerances, and at two lengths beyond them.
+std::vector<double> errorStepsFor(const std::vector<double>& tolerances) {
+    std::vector<double> steps = tolerances;
+    for (const double beyond : {1.0, 3.0, 10.0, 30.0, 100.0, 300.0}) {
+        if (steps.size() < tolerances.size() + 2 && beyond > steps.back()) {
+            steps.push_back(beyond);
+        }
+    }
+    return steps;
+}
 
 }  // namespace
 
@@ -119,16 +137,18 @@ void MainWindow::buildToolBar() {
     auto* label = new QLabel(tr(" Colour by "));
     label->setObjectName(QStringLiteral("muted"));
     bar->addWidget(label);
-    const std::array<std::pair<QString, render::ColourBy>, 5> choices = {{{tr("highlight"), render::ColourBy::Highlight},
+    const std::array<std::pair<QString, render::ColourBy>, 6> choices = {{{tr("highlight"), render::ColourBy::Highlight},
                                                                           {tr("component"), render::ColourBy::Component},
                                                                           {tr("birth time"), render::ColourBy::BirthTime},
                                                                           {tr("speed"), render::ColourBy::Speed},
-                                                                          {tr("cluster"), render::ColourBy::Cluster}}};
+                                                                          {tr("cluster"), render::ColourBy::Cluster},
+                                                                          {tr("error"), render::ColourBy::Error}}};
     for (const auto& [name, by] : choices) {
         m_colours->addItem(name, static_cast<int>(by));
     }
     m_colours->setToolTip(tr("What the colour of a fragment says"));
     m_colours->setAccessibleName(tr("Colour by"));
+    m_colours->setObjectName(QStringLiteral("colourBy"));
     m_colours->setFocusPolicy(Qt::TabFocus);
     bar->addWidget(m_colours);
     auto* space = new QWidget;
@@ -244,6 +264,8 @@ void MainWindow::connectComputation() {
             m_computation.cancel();
         } else {
             m_accuracy->work().cancel();
+            m_calibration->work().cancel();
+            m_errors->work().cancel();
         }
     });
     connect(m_deck, &PanelDeck::simulateRequested, this, [this] { simulate(false); });
@@ -257,6 +279,7 @@ void MainWindow::connectComputation() {
     connect(&m_computation, &Computation::stateChanged, this, &MainWindow::showState);
     connect(&m_computation, &Computation::runBegun, this, [this] {
         m_deck->showOutcome({});
+        m_errors->refresh();
         showScene();
     });
     connect(&m_computation, &Computation::runGrew, this, [this] { m_area->views().update(); });
@@ -284,7 +307,30 @@ void MainWindow::connectAccuracy() {
     connect(m_accuracyPage, &widgets::AccuracyPage::saveTableRequested, this,
             [this] { m_files->saveSweep(m_accuracy->work().report()); });
     connect(m_accuracyPage, &widgets::AccuracyPage::saveChartRequested, this,
-            [this] { m_files->saveChart(m_accuracyPage->chart()); });
+            [this] { m_files->saveChart(m_accuracyPage->chart(), QStringLiteral("-accuracy.svg")); });
+    connect(&m_deck->accuracy(), &widgets::AccuracyPanel::tolerancesChanged, this, [this](const std::vector<double>& tolerances) {
+        render::View view = m_area->views().view();
+        view.errorSteps = errorStepsFor(tolerances);
+        setView(view);
+    });
+}
+
+void MainWindow::connectCosts() {
+    connect(m_deck, &PanelDeck::gridSettled, this, &MainWindow::scenarioChanged);
+    connect(m_grid, &GridDisplay::changed, this, &MainWindow::showGrid);
+    connect(&m_deck->stack(), &QStackedWidget::currentChanged, this, &MainWindow::showGrid);
+    connect(&m_accuracy->work(), &AccuracyWork::ended, m_forecast, &ForecastDisplay::pointsAdded);
+    connect(m_calibration, &CalibrationDisplay::changed, this, &MainWindow::showState);
+    connect(m_calibration, &CalibrationDisplay::told, m_status, &widgets::StatusLine::setMessage);
+    widgets::CalibrationView& calibration = m_calibration->view();
+    connect(&calibration, &widgets::CalibrationView::saveTableRequested, this,
+            [this] { m_files->saveCalibration(m_calibration->work().calibration()); });
+    connect(&calibration, &widgets::CalibrationView::saveChartRequested, this,
+            [this] { m_files->saveChart(m_calibration->view().chart(), QStringLiteral("-calibration.svg")); });
+    connect(m_errors, &ErrorDisplay::changed, this, [this] {
+        showScene();
+        showState();
+    });
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

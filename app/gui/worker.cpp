@@ -24,10 +24,18 @@ Worker::~Worker() {
 }
 
 void Worker::start(Job job) {
+    enqueue(std::move(job), true);
+}
+
+void Worker::startNext(Job job) {
+    enqueue(std::move(job), false);
+}
+
+void Worker::enqueue(Job job, bool cancelsRunning) {
     {
         const std::lock_guard lock(m_mutex);
         std::erase_if(m_waiting, [&](const Job& waiting) { return waiting.kind == job.kind; });
-        if (m_running == job.kind) {
+        if (cancelsRunning && m_running == job.kind) {
             m_execution.cancel();
         }
         m_waiting.push_back(std::move(job));

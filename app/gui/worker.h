@@ -37,6 +37,9 @@ public:
     ~Worker() override;
 
     void start(Job job);
+    /// The same, but what runs of its kind comes to its end first: for work so short that a stream of it would cancel itself for
+    /// ever.
+    void startNext(Job job);
     /// Cancels what runs and drops what waits.
     void cancel();
     /// The same for one kind.
@@ -50,6 +53,7 @@ signals:
     void changed();
 
 private:
+    void enqueue(Job job, bool cancelsRunning);
     void loop();
     void runOne(Job& job, const Execution& execution);
 

@@ -65,7 +65,6 @@ std::array<AxisSizing, 3> boundGrid(const FragmentSet& fragments, const Mesh& me
                                     std::int64_t bodiesMax) {
     assert(bodiesMax > 0);
     std::array<AxisSizing, 3> axes;
-    const double perBody = static_cast<double>(fragments.size()) / static_cast<double>(std::max<std::int64_t>(1, bodiesMax));
     const Vec3 extent = extentOf(fragments);
     const std::vector<Vec3> centres = orderingCentres(fragments);
     std::vector<std::uint32_t> everyone(fragments.size());
@@ -73,12 +72,16 @@ std::array<AxisSizing, 3> boundGrid(const FragmentSet& fragments, const Mesh& me
     for (int axis = 0; axis < 3; ++axis) {
         AxisSizing& sizing = axes[static_cast<std::size_t>(axis)];
         sizing.meanDistance = orderFragments(fragments, mesh, centres, everyone, axis).meanDistance();
-        sizing.efficiencyMin = sizing.meanDistance * std::cbrt(perBody);
+        sizing.efficiencyMin = guideSize(sizing.meanDistance, fragments.size(), bodiesMax);
         boundByFragments(sizing, axis, fragments);
         sizing.extent = sizing.accuracyMax = extent[axis];
         boundByComponents(sizing, axis, components);
     }
     return axes;
+}
+
+double guideSize(double meanDistance, std::size_t fragments, std::int64_t bodiesMax) {
+    return meanDistance * std::cbrt(static_cast<double>(fragments) / static_cast<double>(std::max<std::int64_t>(1, bodiesMax)));
 }
 
 BoundConflict conflictOf(const AxisSizing& axis) {

@@ -12,6 +12,14 @@ namespace rubble {
 std::array<AxisSizing, 3> boundGrid(const FragmentSet& fragments, const Mesh& mesh, const Components& components,
                                     std::int64_t bodiesMax);
 
+/// h_eff_min, the size at which one birth time would give the bodies allowed [m]: a guide.
+double guideSize(double meanDistance, std::size_t fragments, std::int64_t bodiesMax);
+
+/// Whether the smallest component is a bound: nested clusters keep within a component however large the grid.
+inline bool boundByComponents(const GridSettings& settings) {
+    return settings.grouping == Grouping::Axes || settings.acrossComponents;
+}
+
 /// Where the bounds along an axis leave the search no room.
 enum class BoundConflict : std::uint8_t {
     None,

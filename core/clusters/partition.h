@@ -37,6 +37,9 @@ public:
     /// The reference stays valid until the next call. Throws Cancelled.
     const Partition& at(const std::array<double, 3>& size, const GridSettings& settings, const Execution& execution);
 
+    /// What at() gave last.
+    const Partition& latest() const { return m_partition; }
+
     std::size_t births() const { return m_births.size(); }
     std::span<const MovingMass> masses() const { return m_masses; }
 

@@ -289,4 +289,28 @@ TEST_F(AccuracyWidgets, ThePanelReadsWhatIsAskedFor) {
     EXPECT_TRUE(panel.request().varied.front().values.empty()) << "a key without values is refused by the sweep, not lost";
 }
 
+TEST_F(AccuracyWidgets, TolerancesAreReadInOrderOrRefusedInPlace) {
+    AccuracyPanel panel;
+    std::vector<double> heard;
+    QObject::connect(&panel, &AccuracyPanel::tolerancesChanged, [&heard](const std::vector<double>& t) { heard = t; });
+    auto* field = panel.findChild<QLineEdit*>(QStringLiteral("tolerances"));
+    auto* complaint = panel.findChild<QLabel*>(QStringLiteral("complaint"));
+    const auto type = [field](const char* text) {
+        field->setText(QLatin1String(text));
+        QTest::keyClick(field, Qt::Key_Return);
+    };
+    type("0.5, 0.25,0.5, 2");
+    EXPECT_EQ(heard, (std::vector<double>{0.25, 0.5, 2.0}));
+    EXPECT_EQ(panel.request().tolerances, heard);
+    EXPECT_TRUE(complaint->isHidden());
+    for (const char* wrong : {"", "abc", "0.1, -2", "0", "1e9", "nan", "1,2,3,4,5,6,7"}) {
+        type(wrong);
+        EXPECT_FALSE(complaint->isHidden()) << wrong;
+        EXPECT_EQ(panel.request().tolerances, heard) << wrong;
+    }
+    type("0.1");
+    EXPECT_TRUE(complaint->isHidden());
+    EXPECT_EQ(panel.request().tolerances, std::vector<double>{0.1});
+}
+
 }  // namespace rubble::widgets

@@ -133,7 +133,89 @@ TEST(GridPanel, AClampIsExplainedInASentence) {
     EXPECT_TRUE(explained);
     const auto* table = panel.findChild<QTableWidget*>();
     EXPECT_EQ(table->item(0, 2)->text(), QStringLiteral("5.95"));
-    EXPECT_EQ(table->item(2, 4)->text(), QStringLiteral("1.60"));
+    EXPECT_EQ(table->item(2, 5)->text(), QStringLiteral("1.60"));
+}
+
+TEST(GridPanel, SizesByHandOutsideTheirBoundsAreExplainedAtTheirField) {
+    GridPanel panel;
+    Scenario scenario;
+    scenario.grid.length = 9.0;
+    scenario.grid.width = 1.0;
+    panel.setScenario(scenario);
+    auto sizing = someSizing();
+    sizing->stoppedBy = StoppedBy::User;
+    sizing->axis[0].size = 9.0;
+    sizing->axis[0].smallestComponent = idAt<ComponentId>(1);
+    sizing->axis[1].size = 1.0;
+    panel.setContent({sizing, nullptr, nullptr, twoComponents(), nullptr});
+    const auto told = [&panel](const char* text) {
+        for (const Notice* notice : panel.findChildren<Notice*>()) {
+            if (notice->text().contains(QLatin1String(text))) {
+                return true;
+            }
+        }
+        return false;
+    };
+    EXPECT_TRUE(told("x: larger than the smallest component (strip, 7.00 m)"));
+    EXPECT_TRUE(told("y: smaller than the largest fragment, 1.84 m"));
+    EXPECT_TRUE(told("Set by hand along x, y"));
+    EXPECT_TRUE(panel.findChild<QSlider*>()->isEnabled());
+    scenario.grid.height = 2.0;
+    panel.setScenario(scenario);
+    EXPECT_TRUE(told("the multiple decides nothing"));
+    EXPECT_FALSE(panel.findChild<QSlider*>()->isEnabled());
+    scenario.grid.oneBodyPerFragment = true;
+    panel.setScenario(scenario);
+    EXPECT_TRUE(told("Every fragment moves alone"));
+}
+
+TEST(GridPanel, ACountWhileTheSliderMovesLeavesTheRestAsItIs) {
+    GridPanel panel;
+    auto clustering = std::make_shared<Clustering>();
+    clustering->splitByComponent = 17;
+    panel.setContent({someSizing(), clustering, nullptr, twoComponents(), nullptr});
+    const auto told = [&panel](const QString& text) {
+        for (const QLabel* label : panel.findChildren<QLabel*>()) {
+            if (label->text() == text) {
+                return true;
+            }
+        }
+        return false;
+    };
+    EXPECT_TRUE(told(QStringLiteral("17, 0")));
+    auto counted = someSizing();
+    counted->clusters = 5111;
+    panel.setContent({counted, clustering, nullptr, twoComponents(), nullptr, true});
+    EXPECT_TRUE(told(QStringLiteral("5,111")));
+    EXPECT_FALSE(told(QStringLiteral("17, 0"))) << "splits of another grid say nothing of this one";
+    panel.setPublishedCounts({{2.0, 25584}, {2.5, 16818}, {3.0, 11632}});
+    EXPECT_TRUE(told(QStringLiteral("16,818")));
+}
+
+TEST(GridPanel, TheMachinesAdviceIsOneEdit) {
+    GridPanel panel;
+    panel.setScenario(Scenario());
+    auto* use = panel.findChild<QPushButton*>(QStringLiteral("useBodies"));
+    EXPECT_TRUE(use->isHidden()) << "not calibrated";
+    GridPanel::MachineAdvice advice;
+    advice.calibrated = true;
+    advice.target = 24.0;
+    advice.typical = Calibration::BodiesMax{3147.0, false, false};
+    advice.worst = Calibration::BodiesMax{1900.0, false, true};
+    panel.setAdvice(advice);
+    EXPECT_FALSE(use->isHidden());
+    ParameterValue value;
+    QObject::connect(&panel, &Panel::edited, [&](const QString&, const ParameterValue& v) { value = v; });
+    use->click();
+    EXPECT_EQ(value, ParameterValue(std::int64_t{3100})) << "two digits are what a fit can mean";
+    Scenario taken;
+    taken.grid.bodiesMax = 3100;
+    panel.setScenario(taken);
+    EXPECT_TRUE(use->isHidden());
+    advice.disturbed = true;
+    panel.setScenario(Scenario());
+    panel.setAdvice(advice);
+    EXPECT_TRUE(use->isHidden()) << "a busy machine says nothing";
 }
 
 TEST(CasePanel, SelectedComponentsAreMergedByAnEdit) {

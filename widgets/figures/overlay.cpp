@@ -58,6 +58,26 @@ void addComponents(std::vector<LegendEntry>& legend, const render::Scene& scene,
     }
 }
 
+/// One line for each step of the error, with its count.
+void addErrors(Overlay& overlay, const render::View& view, const render::PaneStatus& status, const Palette& p) {
+    if (view.errorSteps.empty() || status.errors.size() != view.errorSteps.size() + 1) {
+        overlay.legend.push_back(
+            {p.fragment, tr("fragments %1, no reference: errors are not known").arg(countText(status.fragments))});
+        return;
+    }
+    overlay.legend.push_back({QColor(), tr("error against the reference:")});
+    const std::size_t last = view.errorSteps.size();
+    for (std::size_t i = 0; i <= last; ++i) {
+        const QString bound = numberText(view.errorSteps[std::min(i, last - 1)]);
+        const QString range = i == last ? tr("over %1 m").arg(bound) : tr("≤ %1 m").arg(bound);
+        overlay.legend.push_back({errorColour(static_cast<double>(i) / static_cast<double>(last)),
+                                  range + QStringLiteral(" · ") + countText(status.errors[i])});
+    }
+    if (status.errorsUnknown > 0) {
+        overlay.legend.push_back({p.muted, tr("not in the reference · %1").arg(countText(status.errorsUnknown))});
+    }
+}
+
 void addFragments(Overlay& overlay, const render::View& view, const render::Scene& scene, const render::PaneStatus& status,
                   const render::SceneColours& colours) {
     const Palette& p = palette(view.theme);
@@ -81,6 +101,9 @@ void addFragments(Overlay& overlay, const render::View& view, const render::Scen
             overlay.bars.push_back({true, timeText(first), timeText(last), tr("birth time")});
             break;
         }
+        case render::ColourBy::Error:
+            addErrors(overlay, view, status, p);
+            break;
         case render::ColourBy::Speed:
             overlay.legend.push_back({QColor(), tr("fragments %1").arg(count)});
             overlay.bars.push_back({false, tr("0 m/s"), tr("%1 m/s").arg(numberText(scene.speedTop())), tr("speed")});

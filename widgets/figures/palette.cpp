@@ -153,6 +153,15 @@ QColor speedColour(double place) {
     return onStops(stops, place);
 }
 
+QColor errorColour(double place) {
+    static const std::array<Stop, 5> stops{{{0.0, QColor("#f4f1cf")},
+                                            {0.25, QColor("#a3d0a4")},
+                                            {0.5, QColor("#4aa3a8")},
+                                            {0.75, QColor("#3b629f")},
+                                            {1.0, QColor("#35205f")}}};
+    return onStops(stops, place);
+}
+
 render::SceneColours sceneColours(render::Theme theme) {
     const Palette& p = palette(theme);
     render::SceneColours c;
@@ -165,11 +174,13 @@ render::SceneColours sceneColours(render::Theme theme) {
     c.fragment = rgb(p.fragment);
     c.selection = rgb(p.accent);
     c.released = rgb(p.released);
+    c.unknown = rgb(p.muted);
     c.structure = rgbs(p.structureGreys);
     c.categories = rgbs(p.categories);
     for (std::size_t i = 0; i < c.birthRamp.size(); ++i) {
         c.birthRamp[i] = rgb(birthColour(static_cast<double>(i) / 255.0));
         c.speedRamp[i] = rgb(speedColour(static_cast<double>(i) / 255.0));
+        c.errorRamp[i] = rgb(errorColour(static_cast<double>(i) / 255.0));
     }
     c.ambient = theme == render::Theme::Dark ? 0.42 : 0.48;
     return c;

@@ -42,6 +42,8 @@ const Palette& palette(render::Theme theme);
 /// Colour of the birth-time and the speed scale at a place in [0, 1]; lightness rises all the way, so they read in grey too.
 QColor birthColour(double place);
 QColor speedColour(double place);
+/// Colour of the error scale at a place in [0, 1]; lightness falls all the way.
+QColor errorColour(double place);
 
 /// What the scene draws with, from the palette.
 render::SceneColours sceneColours(render::Theme theme);

@@ -4,6 +4,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -24,11 +25,12 @@ constexpr std::array<Named<render::Layout>, 4> layouts{{{render::Layout::Beside,
                                                         {render::Layout::Stacked, "stacked"},
                                                         {render::Layout::FeOnly, "fe_only"},
                                                         {render::Layout::FragmentsOnly, "fragments_only"}}};
-constexpr std::array<Named<render::ColourBy>, 5> colourings{{{render::ColourBy::Highlight, "highlight"},
+constexpr std::array<Named<render::ColourBy>, 6> colourings{{{render::ColourBy::Highlight, "highlight"},
                                                              {render::ColourBy::Component, "component"},
                                                              {render::ColourBy::BirthTime, "birth_time"},
                                                              {render::ColourBy::Speed, "speed"},
-                                                             {render::ColourBy::Cluster, "cluster"}}};
+                                                             {render::ColourBy::Cluster, "cluster"},
+                                                             {render::ColourBy::Error, "error"}}};
 constexpr std::array<Named<render::Theme>, 3> themes{
     {{render::Theme::Light, "light"}, {render::Theme::Dark, "dark"}, {render::Theme::Print, "print"}}};
 
@@ -145,6 +147,39 @@ render::Camera cameraFrom(const QJsonValue& value, std::string_view source, cons
     return camera;
 }
 
+void readGrid(const QJsonValue& value, std::string_view source, render::View& view) {
+    if (value.isUndefined() || value.isNull()) {
+        return;
+    }
+    const QJsonArray list = value.toArray();
+    std::array<double, 3> size{};
+    for (int i = 0; i < 3; ++i) {
+        size[static_cast<std::size_t>(i)] = list.size() == 3 ? list[i].toDouble(0.0) : 0.0;
+    }
+    if (!std::all_of(size.begin(), size.end(), [](double s) { return std::isfinite(s) && s > 0.0; })) {
+        refuse(source, "basic_grid is no size", "three lengths above 0 in metres, or null");
+    }
+    view.basicGrid = size;
+}
+
+void readErrorSteps(const QJsonValue& value, std::string_view source, render::View& view) {
+    if (value.isUndefined()) {
+        return;
+    }
+    std::vector<double> steps;
+    for (const QJsonValue& entry : value.toArray()) {
+        const double step = entry.toDouble(0.0);
+        if (!std::isfinite(step) || !(step > (steps.empty() ? 0.0 : steps.back()))) {
+            refuse(source, "error_steps are no rising lengths", "lengths above 0 in metres, each larger than the one before");
+        }
+        steps.push_back(step);
+    }
+    if (steps.empty()) {
+        refuse(source, "error_steps are empty", "at least one length above 0 in metres");
+    }
+    view.errorSteps = std::move(steps);
+}
+
 void readSelection(const QJsonValue& value, std::string_view source, render::View& view) {
     if (!value.isUndefined() && !value.isArray()) {
         refuse(source, "selection is not a list", "a list of element indices");
@@ -165,6 +200,14 @@ std::string toJson(const render::View& view) {
     for (const ElementIndex e : view.selection) {
         selection.append(static_cast<qint64>(at(e)));
     }
+    QJsonValue grid(QJsonValue::Null);
+    if (view.basicGrid) {
+        grid = QJsonArray{(*view.basicGrid)[0], (*view.basicGrid)[1], (*view.basicGrid)[2]};
+    }
+    QJsonArray steps;
+    for (const double step : view.errorSteps) {
+        steps.append(step);
+    }
     const QJsonObject object{{"rubble_view", version},
                              {"layout", nameOf(layouts, view.layout)},
                              {"cameras", QJsonArray{objectOf(view.cameras[0]), objectOf(view.cameras[1])}},
@@ -176,6 +219,8 @@ std::string toJson(const render::View& view) {
                              {"captions", view.captions},
                              {"legends", view.legends},
                              {"scale_bar", view.scaleBar},
+                             {"basic_grid", grid},
+                             {"error_steps", steps},
                              {"selection", selection}};
     return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
 }
@@ -214,6 +259,8 @@ render::View viewFromJson(std::string_view json, std::string_view source) {
                 cameraFrom(cameras.toArray()[i], source, "cameras[" + std::to_string(i) + "]");
         }
     }
+    readGrid(reader.object().value("basic_grid"), source, view);
+    readErrorSteps(reader.object().value("error_steps"), source, view);
     readSelection(reader.object().value("selection"), source, view);
     return view;
 }

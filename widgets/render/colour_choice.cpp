@@ -33,6 +33,14 @@ Rgb clusterColour(const SceneColours& colours, ClusterId cluster) {
     return category(colours, at(cluster) * 5 % std::max<std::size_t>(1, 3 * colours.categories.size()));
 }
 
+std::size_t errorStep(const std::vector<double>& steps, double error) {
+    return static_cast<std::size_t>(std::lower_bound(steps.begin(), steps.end(), error) - steps.begin());
+}
+
+Rgb errorColour(const SceneColours& colours, const std::vector<double>& steps, double error) {
+    return onRamp(colours.errorRamp, 0.0, static_cast<double>(steps.size()), static_cast<double>(errorStep(steps, error)));
+}
+
 Rgb onRamp(const std::array<Rgb, 256>& ramp, double low, double high, double value) {
     const double share = high > low ? (value - low) / (high - low) : 0.0;
     return ramp[static_cast<std::size_t>(std::lround(255.0 * std::clamp(std::isfinite(share) ? share : 0.0, 0.0, 1.0)))];

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "core/base/ids.h"
 #include "widgets/render/colours.h"
@@ -18,6 +19,10 @@ Rgb structure(const SceneColours& colours, std::uint32_t component);
 Rgb category(const SceneColours& colours, std::size_t index);
 /// Colour of a cluster: neighbours in number look different.
 Rgb clusterColour(const SceneColours& colours, ClusterId cluster);
+/// Which of the steps an error [m] falls into: 0 up to the first bound.
+std::size_t errorStep(const std::vector<double>& steps, double error);
+/// Colour of an error.
+Rgb errorColour(const SceneColours& colours, const std::vector<double>& steps, double error);
 /// Colour of a value on a scale; clamped at both ends, and the first colour for a scale without length.
 Rgb onRamp(const std::array<Rgb, 256>& ramp, double low, double high, double value);
 

@@ -27,6 +27,8 @@ struct SceneColours {
     std::vector<Rgb> categories;       ///< by component or cluster, taken in turn
     std::array<Rgb, 256> birthRamp{};  ///< first birth .. last birth
     std::array<Rgb, 256> speedRamp{};  ///< 0 .. Scene::speedTop()
+    std::array<Rgb, 256> errorRamp{};  ///< the smallest error .. the largest
+    Rgb unknown;                       ///< a fragment that the reference does not have at this time
     double ambient = 0.4;              ///< share of light that comes from everywhere
 
     friend bool operator==(const SceneColours&, const SceneColours&) = default;

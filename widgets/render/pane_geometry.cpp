@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "core/analysis/debris_measures.h"
 #include "widgets/render/colour_choice.h"
 
 namespace rubble::render {
@@ -143,9 +144,10 @@ void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& sca
         place(shown);
         m_placedTime = shown;
         m_placed = true;
-        m_coloured = m_coloured && !changed && colourBy != ColourBy::Speed;
+        m_coloured = m_coloured && !changed && colourBy != ColourBy::Speed && colourBy != ColourBy::Error;
     }
-    if (!m_coloured || colourBy != m_colourBy || !(scale.colours == m_colouredWith)) {
+    const bool otherSteps = colourBy == ColourBy::Error && scale.errorSteps != m_colouredSteps;
+    if (!m_coloured || colourBy != m_colourBy || otherSteps || !(scale.colours == m_colouredWith)) {
         colour(colourBy, scale);
         m_coloured = true;
     }
@@ -282,15 +284,65 @@ Rgb PaneGeometry::debrisColour(FragmentId fragment, std::size_t group, const std
         case ColourBy::Speed:
             return colour_choice::onRamp(scale.colours.speedRamp, 0.0, scale.speedTop,
                                          m_carried ? static_cast<double>(speeds[group]) : f.velocity.norm());
+        case ColourBy::Error:
+            return errorColour(fragment, scale);
         case ColourBy::Highlight:
             break;
     }
     return scale.colours.fragment;
 }
 
+/// How far each fragment is from where the reference has it at the same time.
+void PaneGeometry::takeErrors() {
+    m_errors.clear();
+    if (!m_carried || !m_data.reference || !m_data.components || m_data.reference->frameCount() == 0) {
+        return;
+    }
+    if (m_referenceCarriers.empty() || !m_data.reference->complete()) {
+        m_referenceCarriers = m_data.reference->carriers();
+    }
+    const Debris own = debrisOf(*m_data.fragments, *m_data.components, m_data.trajectory->carriers(), m_frame);
+    const Debris there =
+        debrisOf(*m_data.fragments, *m_data.components, m_referenceCarriers, frameAtTime(*m_data.reference, m_placedTime));
+    m_errors = fragmentErrors(own, there);
+}
+
+void PaneGeometry::countErrors(const ColourScale& scale) {
+    m_status.errors.clear();
+    m_status.errorsUnknown = 0;
+    if (m_errors.empty()) {
+        return;
+    }
+    m_status.errors.assign(scale.errorSteps.size() + 1, 0);
+    for (std::size_t f = 0; f < m_errors.size(); ++f) {
+        if (!m_born[f]) {
+            continue;
+        }
+        if (std::isfinite(m_errors[f])) {
+            ++m_status.errors[colour_choice::errorStep(scale.errorSteps, m_errors[f])];
+        } else {
+            ++m_status.errorsUnknown;
+        }
+    }
+}
+
+Rgb PaneGeometry::errorColour(FragmentId fragment, const ColourScale& scale) const {
+    if (m_errors.empty()) {
+        return scale.colours.fragment;
+    }
+    const double error = m_errors[at(fragment)];
+    return std::isfinite(error) ? colour_choice::errorColour(scale.colours, scale.errorSteps, error) : scale.colours.unknown;
+}
+
 void PaneGeometry::colour(ColourBy colourBy, const ColourScale& scale) {
     m_colourBy = colourBy;
     m_colouredWith = scale.colours;
+    m_colouredSteps = scale.errorSteps;
+    m_errors.clear();
+    if (m_groupsShown > 0 && colourBy == ColourBy::Error) {
+        takeErrors();
+    }
+    countErrors(scale);
     m_colours.resize(4 * (m_debrisPoints + m_structurePoints.size()));
     std::uint8_t* out = m_colours.data();
     const auto put = [&out](const Rgb& c) {

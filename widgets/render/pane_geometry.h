@@ -19,9 +19,10 @@ namespace rubble::render {
 /// What the scene knows about all data, for colours.
 struct ColourScale {
     SceneColours colours;
-    double firstBirth = 0.0;  ///< s
-    double lastBirth = 0.0;   ///< s
-    double speedTop = 1.0;    ///< m/s
+    double firstBirth = 0.0;         ///< s
+    double lastBirth = 0.0;          ///< s
+    double speedTop = 1.0;           ///< m/s
+    std::vector<double> errorSteps;  ///< m, ascending
 };
 
 /// The triangles of one pane at one instant, free of any graphics library: points, colours, triangles and who owns them.
@@ -69,6 +70,9 @@ private:
     void addDebris(double time);
     void place(double time);
     void colour(ColourBy colourBy, const ColourScale& scale);
+    void takeErrors();
+    void countErrors(const ColourScale& scale);
+    Rgb errorColour(FragmentId fragment, const ColourScale& scale) const;
     Rgb debrisColour(FragmentId fragment, std::size_t group, const std::vector<float>& speeds, ColourBy colourBy,
                      const ColourScale& scale) const;
     void select(const std::vector<ElementIndex>& selection);
@@ -101,6 +105,9 @@ private:
     bool m_placed = false;
     ColourBy m_colourBy = ColourBy::Highlight;
     SceneColours m_colouredWith;
+    std::vector<double> m_colouredSteps;
+    std::vector<double> m_errors;  ///< m, by fragment; empty: not known
+    std::vector<Carrier> m_referenceCarriers;
     bool m_coloured = false;
     std::vector<ElementIndex> m_selection;
 

@@ -96,6 +96,7 @@ PaneRenderer::PaneRenderer()
     m_renderer->AddActor(m_selectionActor);
     m_ground.addTo(*m_renderer);  // last: what the model covers is not shaded again
     m_water.addTo(*m_renderer);
+    m_grid.addTo(*m_renderer);
     m_renderer->GetCullers()->RemoveAllItems();  // they ask every frame for the bounds of all points
     m_renderer->AutomaticLightCreationOff();
     // One lamp behind the viewer's left shoulder shows the three faces of a block in three tones.
@@ -132,6 +133,7 @@ void PaneRenderer::setColours(const SceneColours& colours, const Aabb& bounds, c
         actor->GetProperty()->SetAmbient(colours.ambient);
         actor->GetProperty()->SetDiffuse(1.0 - colours.ambient);
     }
+    m_grid.setColours(colours);
     m_selectionActor->GetProperty()->SetColor(channel(colours.selection.r), channel(colours.selection.g),
                                               channel(colours.selection.b));
     if (!bounds.isEmpty()) {
@@ -143,6 +145,11 @@ void PaneRenderer::setColours(const SceneColours& colours, const Aabb& bounds, c
 void PaneRenderer::setGround(bool visible) {
     m_ground.setVisible(visible);
     m_water.setVisible(visible);
+}
+
+void PaneRenderer::setGrid(const std::vector<Eigen::Vector3f>& ends) {
+    m_grid.set(ends);
+    m_grid.setVisible(true);
 }
 
 void PaneRenderer::setTriangles(const PaneGeometry& geometry) {

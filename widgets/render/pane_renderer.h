@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "widgets/render/grid_lines.h"
 #include "widgets/render/ground.h"
 #include "widgets/render/pane_geometry.h"
 #include "widgets/render/panes.h"
@@ -32,6 +33,8 @@ public:
     /// @param waterLevel  m; unset: no water
     void setColours(const SceneColours& colours, const Aabb& bounds, const SiteSurface& ground, std::optional<double> waterLevel);
     void setGround(bool visible);
+    /// Lines over the model, two ends each [m]; none: nothing is drawn.
+    void setGrid(const std::vector<Eigen::Vector3f>& ends);
     /// @param pane  place in a window of width x height device pixels
     void place(const Pane& pane, int width, int height);
     void look(const Camera& camera, const Aabb& bounds);
@@ -50,6 +53,7 @@ private:
     vtkSmartPointer<vtkActor> m_selectionActor;
     Ground m_ground;
     WaterSurface m_water;
+    GridLines m_grid;
     const PaneGeometry* m_shown = nullptr;
     std::uint64_t m_pointsVersion = 0;
     std::uint64_t m_coloursVersion = 0;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/clusters/grid_outline.h"
 #include "widgets/render/camera.h"
 #include "widgets/render/pane_geometry.h"
 #include "widgets/render/pane_renderer.h"
@@ -82,6 +83,7 @@ struct Scene::Impl {
     std::array<PaneRenderer, 2> renderers;
     std::array<std::unique_ptr<PaneGeometry>, 2> geometries;
     std::array<PaneStatus, 2> statuses;
+    std::optional<std::array<double, 3>> gridShown;
     View view;
     int width = 1;
     int height = 1;
@@ -128,6 +130,16 @@ struct Scene::Impl {
         renderers[pane].show(nullptr);
         geometries[pane].reset();
         statuses[pane] = {};
+    }
+
+    /// The Basic Grid over the fragments, made anew only when it is another.
+    void showGrid() {
+        PaneRenderer& renderer = renderers[indexOf(PaneContent::Fragments)];
+        if (view.basicGrid != gridShown) {
+            gridShown = view.basicGrid;
+            const bool drawn = gridShown && data.fragments;
+            renderer.setGrid(drawn ? gridOutline(*data.fragments, *gridShown) : std::vector<Eigen::Vector3f>());
+        }
     }
 
     PaneGeometry* geometryFor(PaneContent content) {
@@ -181,6 +193,8 @@ void Scene::setData(const SceneData& data) {
         m_impl->drop(0);
     }
     m_impl->drop(1);
+    m_impl->gridShown.reset();
+    m_impl->renderers[1].setGrid({});
     m_impl->data = data;
     m_impl->settleScale();
     m_impl->coloursChanged = true;
@@ -212,6 +226,8 @@ void Scene::update(const View& view, int width, int height) {
     if (m_impl->coloursChanged) {
         m_impl->applyColours();
     }
+    m_impl->scale.errorSteps = view.errorSteps;
+    m_impl->showGrid();
     for (PaneRenderer& renderer : m_impl->renderers) {
         renderer.renderer().DrawOff();
     }

@@ -30,6 +30,8 @@ struct PaneStatus {
     std::size_t fragments = 0;                 ///< shown as born
     std::vector<std::size_t> bornByComponent;  ///< fragments shown as born, of each component
     std::size_t clusters = 0;                  ///< with at least one fragment born
+    std::vector<std::size_t> errors;           ///< fragments shown as born, by the steps of the error; empty: not coloured by it
+    std::size_t errorsUnknown = 0;             ///< of them, those that the reference does not have at this time
     std::size_t faces = 0;                     ///< drawn
 };
 

@@ -22,9 +22,10 @@ struct SceneData {
     std::shared_ptr<const FragmentSet> fragments;
     std::shared_ptr<const Clustering> clustering;
     std::shared_ptr<const TrajectoryReader> trajectory;
-    double groundHeight = 0.0;                   ///< m
-    std::shared_ptr<const TerrainGrid> terrain;  ///< drawn instead of the level ground; null: none
-    std::optional<double> waterLevel;            ///< m, drawn in the fragments pane; unset: no water
+    std::shared_ptr<const TrajectoryReader> reference;  ///< of the same fragments, each its own body: errors are against it
+    double groundHeight = 0.0;                          ///< m
+    std::shared_ptr<const TerrainGrid> terrain;         ///< drawn instead of the level ground; null: none
+    std::optional<double> waterLevel;                   ///< m, drawn in the fragments pane; unset: no water
 
     /// Ground, terrain and water as a run has them: what was off in it is not shown. Before a run's outcome is known everything is
     /// shown that is not switched off.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace rubble::render {
 /// What a pane shows: the conventional FE result, or the fragments with the active structure.
 enum class PaneContent : std::uint8_t { Fe, Fragments };
 enum class Layout : std::uint8_t { Beside, Stacked, FeOnly, FragmentsOnly };
-enum class ColourBy : std::uint8_t { Highlight, Component, BirthTime, Speed, Cluster };
+enum class ColourBy : std::uint8_t { Highlight, Component, BirthTime, Speed, Cluster, Error };
 enum class Theme : std::uint8_t { Light, Dark, Print };
 
 /// Camera in the case's local frame.
@@ -40,7 +41,9 @@ struct View {
     bool captions = true;
     bool legends = true;
     bool scaleBar = true;
-    std::vector<ElementIndex> selection;  ///< drawn in the accent colour in both panes, active or fragment
+    std::optional<std::array<double, 3>> basicGrid;           ///< m, l w h of boxes drawn over the fragments; unset: none
+    std::vector<double> errorSteps{0.1, 0.2, 0.3, 1.0, 3.0};  ///< m, ascending: where the colours of an error change
+    std::vector<ElementIndex> selection;                      ///< drawn in the accent colour in both panes, active or fragment
 
     friend bool operator==(const View&, const View&) = default;
 };

@@ -214,4 +214,14 @@ TEST(Prediction, KnownPointsHoldWhatAPointOfASweepSays) {
 }
 
 }  // namespace
+// The grid decides the bodies and nothing else: sizes by hand tell a point from none with the same bodies.
+TEST(Prediction, SizesByHandPartNoPoints) {
+    Scenario byHand;
+    byHand.grid.length = 2.0;
+    byHand.grid.width = 3.0;
+    byHand.grid.height = 4.0;
+    byHand.grid.multiple = 5.0;
+    EXPECT_TRUE(openPoint({}, "here", 2, byHand, 100, 10).parameters.empty());
+}
+
 }  // namespace rubble

@@ -112,6 +112,20 @@ TEST_F(Legends, EveryColouringExplainsItself) {
     EXPECT_EQ(speed.bars[0].high, QString("%1 m/s").arg(m_scene.speedTop()));
 }
 
+TEST_F(Legends, ErrorsAreCountedByTheirSteps) {
+    EXPECT_TRUE(overlayFor(render::ColourBy::Error).legend[0].text.contains(QStringLiteral("no reference")));
+    auto data = scenes::ballisticRun(scenes::collapsingWall(), 1.0);
+    data.reference = data.trajectory;
+    m_scene.setData(data);
+    const Overlay overlay = overlayFor(render::ColourBy::Error);
+    const std::size_t steps = m_view.errorSteps.size();
+    ASSERT_EQ(overlay.legend.size(), 1 + steps + 1 + 1) << "title, steps, beyond the last, active structure";
+    EXPECT_EQ(overlay.legend[1].text, QStringLiteral("≤ 0.1 m · 12")) << "a run is at no distance from itself";
+    EXPECT_EQ(overlay.legend[1].colour, errorColour(0.0));
+    EXPECT_EQ(overlay.legend[steps + 1].text, QStringLiteral("over 3 m · 0"));
+    EXPECT_EQ(overlay.legend[steps + 1].colour, errorColour(1.0));
+}
+
 TEST_F(Legends, WhatTheViewSwitchesOffIsGone) {
     m_view.captions = m_view.legends = m_view.scaleBar = false;
     const Overlay overlay = overlayFor(render::ColourBy::BirthTime);

@@ -79,6 +79,9 @@ TEST(Palette, ScalesRiseInLightness) {
         EXPECT_GT(luminance(birthColour(i / 100.0)), luminance(birthColour((i - 1) / 100.0)));
         EXPECT_GT(luminance(speedColour(i / 100.0)), luminance(speedColour((i - 1) / 100.0)));
     }
+    for (int i = 1; i <= 100; ++i) {
+        EXPECT_LT(luminance(errorColour(i / 100.0)), luminance(errorColour((i - 1) / 100.0)));
+    }
     EXPECT_EQ(birthColour(-3.0), birthColour(0.0));
     EXPECT_EQ(birthColour(7.0), birthColour(1.0));
     EXPECT_EQ(speedColour(std::nan("")), speedColour(0.0));

@@ -26,12 +26,19 @@ render::View randomView(std::mt19937& engine) {
     }
     view.camerasLinked = pick(2) == 1;
     view.time = n(engine);
-    view.colourBy = static_cast<render::ColourBy>(pick(5));
+    view.colourBy = static_cast<render::ColourBy>(pick(6));
     view.theme = static_cast<render::Theme>(pick(3));
     view.ground = pick(2) == 1;
     view.captions = pick(2) == 1;
     view.legends = pick(2) == 1;
     view.scaleBar = pick(2) == 1;
+    if (pick(2) == 1) {
+        view.basicGrid = {1e-3 + std::abs(n(engine)), 1e-3 + std::abs(n(engine)), 1e-3 + std::abs(n(engine))};
+    }
+    view.errorSteps.clear();
+    for (int i = pick(4); i >= 0; --i) {
+        view.errorSteps.push_back(1e-3 + std::abs(n(engine)) + (view.errorSteps.empty() ? 0.0 : view.errorSteps.back()));
+    }
     for (int i = pick(4); i > 0; --i) {
         view.selection.push_back(idAt<ElementIndex>(static_cast<std::size_t>(pick(1000000))));
     }
@@ -78,6 +85,10 @@ TEST(ViewJson, RefusesWhatItCannotReadAndSaysWhere) {
                                       {R"({"cameras": [{"position": [0, 0, 0]}, {}]})", "cameras[0]"},
                                       {R"({"cameras": [{"parallel_scale": -1}, {}]})", "cameras[0].parallel_scale"},
                                       {R"({"selection": [1.5]})", "selection"},
+                                      {R"({"basic_grid": [1, 2]})", "basic_grid"},
+                                      {R"({"basic_grid": [1, 2, 0]})", "basic_grid"},
+                                      {R"({"error_steps": []})", "error_steps"},
+                                      {R"({"error_steps": [0.2, 0.1]})", "error_steps"},
                                       {R"({"selection": 4})", "selection"}}) {
         const std::string text = complaint(json);
         EXPECT_NE(text.find("case.rubble"), std::string::npos) << json << ": " << text;

@@ -202,6 +202,66 @@ TEST_F(PaneContents, ColoursSayWhatTheyStandFor) {
     EXPECT_GT(seen.size(), 3u);
 }
 
+/// The same run with all bodies moved by a length along x, and without those that entered last.
+std::shared_ptr<const TrajectoryReader> movedRun(const TrajectoryReader& run, float along, std::size_t leftOut = 0) {
+    auto moved = std::make_shared<MemoryTrajectory>();
+    moved->begin({});
+    std::vector<BodyRecord> bodies = run.bodies();
+    bodies.resize(bodies.size() - leftOut);
+    std::vector<Carrier> carriers = run.carriers();
+    std::erase_if(carriers, [&bodies](const Carrier& carrier) { return at(carrier.body) >= bodies.size(); });
+    moved->addBodies(bodies, carriers);
+    for (std::size_t i = 0; i < run.frameCount(); ++i) {
+        TrajectoryFrame frame = *run.frame(i);
+        for (Eigen::Vector3f& position : frame.positions) {
+            position.x() += along;
+        }
+        moved->commit(frame);
+    }
+    moved->finish({});
+    return moved;
+}
+
+TEST_F(PaneContents, ErrorsAreDistancesFromTheReferenceAtTheSameTime) {
+    m_scale.errorSteps = {0.1, 0.2, 0.3};
+    for (std::size_t i = 0; i < 256; ++i) {
+        m_scale.colours.errorRamp[i] = {static_cast<std::uint8_t>(i), 3, 0};
+    }
+    m_scale.colours.unknown = {9, 9, 9};
+    SceneData data = scenes::ballisticRun(m_fe, 1.0);
+    data.reference = movedRun(*data.trajectory, 0.25f);
+    PaneGeometry pane(PaneContent::Fragments, data, false);
+    for (const double time : {0.25, 0.5, 0.87}) {
+        pane.update(time, ColourBy::Error, m_scale, m_nothing);
+        ASSERT_EQ(pane.status().errors.size(), 4u);
+        EXPECT_EQ(pane.status().errors[2], pane.status().fragments) << "all of them 0.25 m away, at " << time;
+        EXPECT_GT(pointsOfColour(pane, {170, 3, 0}), 0u) << "the third of four colours";
+        EXPECT_EQ(pane.status().errorsUnknown, 0u);
+    }
+    m_scale.errorSteps = {0.2};
+    pane.update(0.87, ColourBy::Error, m_scale, m_nothing);
+    EXPECT_EQ(pane.status().errors, (std::vector<std::size_t>{0, 12}));
+    pane.update(0.87, ColourBy::Highlight, m_scale, m_nothing);
+    EXPECT_TRUE(pane.status().errors.empty()) << "nothing is counted that is not shown";
+}
+
+TEST_F(PaneContents, WhatTheReferenceLacksHasAColourOfItsOwn) {
+    m_scale.colours.unknown = {9, 9, 9};
+    m_scale.errorSteps = {0.1};
+    SceneData data = scenes::ballisticRun(m_fe, 1.0);
+    data.reference = movedRun(*data.trajectory, 0.0f, 1);
+    PaneGeometry pane(PaneContent::Fragments, data, false);
+    pane.update(0.8, ColourBy::Error, m_scale, m_nothing);
+    EXPECT_GT(pane.status().errorsUnknown, 0u);
+    EXPECT_EQ(pane.status().errors[0] + pane.status().errorsUnknown, pane.status().fragments);
+    EXPECT_GT(pointsOfColour(pane, {9, 9, 9}), 0u);
+    data.reference = nullptr;
+    PaneGeometry alone(PaneContent::Fragments, data, false);
+    alone.update(0.8, ColourBy::Error, m_scale, m_nothing);
+    EXPECT_TRUE(alone.status().errors.empty());
+    EXPECT_GT(pointsOfColour(alone, m_scale.colours.fragment), 0u) << "without a reference fragments keep their own colour";
+}
+
 TEST_F(PaneContents, ARayMeetsWhatIsInFront) {
     PaneGeometry pane(PaneContent::Fragments, scenes::ballisticRun(m_fe, 1.0), false);
     pane.update(0.0, ColourBy::Highlight, m_scale, m_nothing);

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "app/gui/forecast.h"
+
+namespace rubble {
+
+class CalibrationWork;
+class Computation;
+class Document;
+class GridDisplay;
+class PanelDeck;
+
+/// Shows in every panel with costly controls what the setting as it stands is predicted to cost, and after a run, in the Run panel,
+/// what was predicted of it beside what it came to.
+class ForecastDisplay : public QObject {
+    Q_OBJECT
+
+public:
+    ForecastDisplay(Document& document, Computation& computation, GridDisplay& grid, CalibrationWork& calibration, PanelDeck& deck,
+                    QObject* parent = nullptr);
+
+    /// Figures of the last run; NaN: not measured.
+    struct Measured {
+        double wallSeconds;
+        double liveFps;
+    };
+    /// A run of the scenario as it stands begins: what is said of it now is kept.
+    void runBegins();
+    /// It came to its end.
+    void runEnded(const Measured& measured);
+    /// Settings were compared: there are more points now.
+    void pointsAdded();
+    /// The newest answer for the scenario as it stands; unset while it is worked out.
+    const std::optional<Forecast::Answer>& answer() const { return m_answer; }
+
+private:
+    void ask();
+    void said(const Forecast::Answer& answer);
+    void show();
+
+    Document& m_document;
+    Computation& m_computation;
+    GridDisplay& m_grid;
+    CalibrationWork& m_calibration;
+    PanelDeck& m_deck;
+    std::optional<Forecast::Answer> m_answer;
+    std::optional<Forecast::Answer> m_shown;      // the newest, maybe of another setting
+    std::optional<Scenario> m_runScenario;        // of the run whose prediction is kept, or awaited
+    std::optional<Forecast::Answer> m_beforeRun;  // what was said of it
+    std::optional<widgets::PredictionContent> m_afterRun;
+    Forecast m_forecast;
+};
+
+}  // namespace rubble

@@ -1,0 +1,272 @@
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <fstream>
+#include <sstream>
+
+#include "app/gui/accuracy_display.h"
+#include "app/gui/calibration_display.h"
+#include "app/gui/error_display.h"
+#include "app/gui/file_commands.h"
+#include "app/gui/forecast_display.h"
+#include "app/gui/grid_display.h"
+#include "app/gui/view_area.h"
+#include "core/analysis/calibration_table.h"
+#include "core/clusters/clustering.h"
+#include "io/machine.h"
+#include "io/study_files.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/app/gui/workbench.h"
+#include "widgets/calibration_chart.h"
+#include "widgets/calibration_view.h"
+#include "widgets/error_bar.h"
+#include "widgets/prediction_box.h"
+
+namespace rubble {
+
+namespace {
+
+/// A window with a cache of its own.
+class CostsWorkbench : public Workbench {
+protected:
+    void SetUp() override {
+        qputenv("RUBBLE_CACHE", m_folder.filePath(QStringLiteral("cache")).toUtf8());
+        Workbench::SetUp();
+    }
+    void TearDown() override {
+        window.reset();
+        qunsetenv("RUBBLE_CACHE");
+    }
+    void openSmall() {
+        const std::string path = m_folder.filePath(QStringLiteral("small.exo")).toStdString();
+        cli::writeSmallCollapse(path);
+        window->open(QString::fromStdString(path));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+        window->document().setParameter(QStringLiteral("settle_time"), 0.5);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    }
+    void simulateToEnd() {
+        window->simulate(false);
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] {
+                const RunRecord* record = window->computation().currentRun();
+                return record != nullptr && record->outcome != nullptr && !window->computation().busy();
+            },
+            patience));
+    }
+    bool answered() const { return window->forecast().answer().has_value(); }
+    QString predictionOf(widgets::Panel& panel) { return panel.prediction()->text(); }
+    QTemporaryDir m_folder;
+};
+
+std::string textOf(const QString& path) {
+    std::ifstream in(path.toStdString(), std::ios::binary);
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+// The drag counts, draws and is undone as one; the computation waits until the slider rests.
+TEST_F(CostsWorkbench, TheGridFollowsTheSliderAndIsOneStepOfUndo) {
+    openArch();
+    window->deck().choose(PanelDeck::Grid);
+    const auto& views = window->area().views();
+    ASSERT_TRUE(views.view().basicGrid.has_value()) << "the grid is drawn while its panel is open";
+    const Scenario before = window->document().scenario();
+    const int steps = window->document().undoStack().count();
+    const auto clustering = window->computation().results().clustering;
+    auto* slider = window->deck().grid().findChild<QSlider*>();
+    slider->setSliderDown(true);
+    for (const double multiple : {3.0, 6.0, 12.0}) {
+        slider->setValue(widgets::GridPanel::positionOf(multiple));
+        const double set = *window->document().scenario().grid.multiple;
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window->grid().bodies().has_value(); }, patience));
+        const Sizing& old = *window->computation().results().sizing;
+        const BasicGrid grid{set * old.axis[0].meanDistance, set * old.axis[1].meanDistance, set * old.axis[2].meanDistance};
+        const Results& results = window->computation().results();
+        const Clustering counted = makeClusters(*results.fragments, window->computation().inputs().fe->mesh(), grid,
+                                                window->document().scenario().grid, Execution());
+        EXPECT_EQ(static_cast<std::size_t>(*window->grid().bodies()), counted.list.size());
+        EXPECT_NEAR((*views.view().basicGrid)[0], grid.l, 1e-12);
+        EXPECT_EQ(results.clustering, clustering) << "clusters are made when the slider rests";
+    }
+    slider->setSliderDown(false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    EXPECT_NE(window->computation().results().clustering, clustering);
+    EXPECT_EQ(static_cast<std::int64_t>(window->computation().results().clustering->list.size()), window->grid().bodies());
+    EXPECT_EQ(window->document().undoStack().count(), steps + 1);
+    window->document().undoStack().undo();
+    EXPECT_EQ(window->document().scenario(), before);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    window->deck().choose(PanelDeck::Run);
+    EXPECT_FALSE(views.view().basicGrid.has_value());
+}
+
+TEST_F(CostsWorkbench, ThePublishedMultiplesAreCounted) {
+    openArch();
+    window->deck().choose(PanelDeck::Grid);
+    const Results& results = window->computation().results();
+    GridSettings at;
+    at.multiple = 2.5;
+    const std::size_t clusters =
+        sizeBasicGrid(*results.fragments, window->computation().inputs().fe->mesh(), *results.components, at, Execution()).clusters;
+    const QString expected = QLocale().toString(static_cast<qlonglong>(clusters));
+    const auto told = [&] {
+        for (const QLabel* label : window->deck().grid().findChildren<QLabel*>()) {
+            if (label->text() == expected) {
+                return true;
+            }
+        }
+        return false;
+    };
+    EXPECT_TRUE(QTest::qWaitFor(told, patience)) << expected.toStdString();
+}
+
+TEST_F(CostsWorkbench, WithoutPointsEveryPanelSaysThatItDoesNotKnow) {
+    openSmall();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered(); }, patience));
+    for (const PanelDeck::Entry entry : {PanelDeck::Grid, PanelDeck::Effects, PanelDeck::Run, PanelDeck::Accuracy}) {
+        widgets::Panel& panel = *window->deck().panels()[entry];
+        ASSERT_NE(panel.prediction(), nullptr);
+        EXPECT_TRUE(predictionOf(panel).contains(QStringLiteral("Not known"))) << predictionOf(panel).toStdString();
+    }
+    emit window->deck().run().prediction()->helpRequested();
+    EXPECT_EQ(window->deck().rail().current(), PanelDeck::Accuracy);
+}
+
+TEST_F(CostsWorkbench, CalibratesAndSavesTheCurve) {
+    openSmall();
+    window->deck().choose(PanelDeck::Grid);
+    CalibrationDisplay& calibration = window->calibration();
+    calibration.open();
+    EXPECT_TRUE(calibration.opened());
+    calibration.work().setBodies({8, 12, 27});
+    calibration.view().findChild<QPushButton*>(QStringLiteral("primary"))->click();
+    ASSERT_TRUE(calibration.work().running());
+    EXPECT_FALSE(window->actions()["simulate"].isEnabled()) << "a run beside it would spoil the times";
+    EXPECT_FALSE(window->deck().accuracy().findChild<QPushButton*>(QStringLiteral("primary"))->isEnabled());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !calibration.work().running(); }, patience));
+    ASSERT_NE(calibration.work().calibration(), nullptr);
+    EXPECT_TRUE(window->actions()["simulate"].isEnabled());
+    EXPECT_EQ(calibration.work().calibration()->points.size(), 6u);
+    EXPECT_EQ(calibration.view().chart().content().curves.size(), 6u);
+
+    const auto at = [this](const char* name) { return m_folder.filePath(QLatin1String(name)); };
+    window->files().saveCalibrationTo(at("c.csv"), *calibration.work().calibration());
+    std::stringstream expected;
+    writeCalibrationCsv(*calibration.work().calibration(), expected);
+    EXPECT_EQ(textOf(at("c.csv")), expected.str());
+    EXPECT_TRUE(expected.str().starts_with("pile,bodies,physics_fps,drawing_fps,live_fps\ntypical,"));
+    window->files().saveChartTo(at("c.svg"), calibration.view().chart());
+    EXPECT_NE(textOf(at("c.svg")).find("<svg"), std::string::npos);
+    window->files().saveChartTo(at("c.png"), calibration.view().chart());
+    EXPECT_FALSE(QImage(at("c.png")).isNull());
+}
+
+TEST_F(CostsWorkbench, EarlierPointsPredictAndTheRunStandsBesideIt) {
+    openSmall();
+    const Scenario& scenario = window->document().scenario();
+    const Inputs& inputs = window->computation().inputs();
+    const std::string machine = io::machineText();
+    const Digest scene = sceneDigest(originOf(inputs, referenceScenario(scenario), 0, 0.0, machine), DebrisInstant::AtRest);
+    io::StudyFiles files(io::cacheFolder());
+    for (const std::int64_t bodies : {2, 3, 4, 6, 8}) {
+        KnownPoint point = openPoint(scene, machine, Execution().threads(), scenario, cli::smallDead, bodies);
+        point.setting = "multiple=" + std::to_string(bodies);
+        point.values[static_cast<std::size_t>(Predicted::WallSeconds)] = 0.02 * static_cast<double>(bodies);
+        point.values[static_cast<std::size_t>(Predicted::FootprintIou)] = 1.0 - 0.4 / static_cast<double>(bodies);
+        files.keep(point);
+    }
+    window->forecast().pointsAdded();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered(); }, patience));
+    for (const PanelDeck::Entry entry : {PanelDeck::Grid, PanelDeck::Effects, PanelDeck::Run, PanelDeck::Accuracy}) {
+        const QString said = predictionOf(*window->deck().panels()[entry]);
+        EXPECT_TRUE(said.contains(QStringLiteral("Wall time:"))) << said.toStdString();
+        EXPECT_TRUE(said.contains(QStringLiteral("Footprint overlap:"))) << said.toStdString();
+        EXPECT_TRUE(said.contains(QStringLiteral("Not known: live rate"))) << said.toStdString();
+    }
+    simulateToEnd();
+    const QString after = predictionOf(window->deck().run());
+    EXPECT_TRUE(after.contains(QStringLiteral("Wall time:")) && after.contains(QStringLiteral("said:"))) << after.toStdString();
+    EXPECT_FALSE(predictionOf(window->deck().grid()).contains(QStringLiteral("said:"))) << "that panel looks ahead";
+    window->document().setParameter(QStringLiteral("friction"), 0.9);
+    EXPECT_FALSE(predictionOf(window->deck().run()).contains(QStringLiteral("said:"))) << "of another setting";
+    window->document().undoStack().undo();
+    EXPECT_TRUE(predictionOf(window->deck().run()).contains(QStringLiteral("said:")));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+}
+
+TEST_F(CostsWorkbench, ACalibrationIsCancelledAndAKeptOneIsFoundAgain) {
+    openSmall();
+    CalibrationDisplay& calibration = window->calibration();
+    calibration.open();
+    calibration.view().findChild<QPushButton*>(QStringLiteral("primary"))->click();
+    ASSERT_TRUE(calibration.work().running());
+    calibration.view().findChild<QPushButton*>(QStringLiteral("cancelCalibration"))->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !calibration.work().running(); }, patience));
+    EXPECT_EQ(calibration.work().calibration(), nullptr) << "a curve that was broken off is none";
+    calibration.work().setBodies({8, 12, 27});
+    calibration.view().findChild<QPushButton*>(QStringLiteral("primary"))->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !calibration.work().running(); }, patience));
+    window.reset();
+    window = std::make_unique<MainWindow>();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window->calibration().work().calibration() != nullptr; }, patience));
+}
+
+TEST_F(CostsWorkbench, FragmentsAreColouredByTheirErrorAgainstAReference) {
+    openSmall();
+    auto* colours = window->findChild<QComboBox*>(QStringLiteral("colourBy"));
+    const auto colourBy = [&](render::ColourBy by) {
+        colours->setCurrentIndex(colours->findData(static_cast<int>(by)));
+        emit colours->activated(colours->currentIndex());
+    };
+    widgets::ErrorBar& bar = window->area().errorBar();
+    EXPECT_TRUE(bar.isHidden());
+    colourBy(render::ColourBy::Error);
+    EXPECT_FALSE(bar.isHidden());
+    EXPECT_EQ(bar.state(), widgets::ErrorBar::State::NoRun);
+    simulateToEnd();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bar.state() == widgets::ErrorBar::State::NoReference; }, patience));
+    EXPECT_EQ(window->sceneData().reference, nullptr);
+    bar.findChild<QPushButton*>(QStringLiteral("computeReference"))->click();
+    ASSERT_TRUE(window->errors().work().running());
+    EXPECT_FALSE(window->actions()["simulate"].isEnabled());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bar.state() == widgets::ErrorBar::State::Shown; }, patience));
+    ASSERT_NE(window->sceneData().reference, nullptr);
+    EXPECT_TRUE(window->sceneData().reference->complete());
+    EXPECT_EQ(window->sceneData().reference->carriers().size(), static_cast<std::size_t>(cli::smallDead));
+    window->showInstant(0.5);
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return !window->area().views().status(render::PaneContent::Fragments).errors.empty(); }, patience));
+    const render::PaneStatus& status = window->area().views().status(render::PaneContent::Fragments);
+    std::size_t counted = status.errorsUnknown;
+    for (const std::size_t n : status.errors) {
+        counted += n;
+    }
+    EXPECT_EQ(counted, status.fragments);
+    EXPECT_EQ(status.errors.size(), 6u);
+    // The tolerances of the panel decide where colours change.
+    auto* tolerances = window->deck().accuracy().findChild<QLineEdit*>(QStringLiteral("tolerances"));
+    tolerances->setText(QStringLiteral("0.05, 2"));
+    emit tolerances->editingFinished();
+    EXPECT_EQ(window->area().views().view().errorSteps, (std::vector<double>{0.05, 2.0, 3.0, 10.0}));
+    // Another scene has another reference; the same one is found again.
+    window->document().setParameter(QStringLiteral("gravity"), 5.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    simulateToEnd();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bar.state() == widgets::ErrorBar::State::NoReference; }, patience));
+    window->document().undoStack().undo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    simulateToEnd();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return bar.state() == widgets::ErrorBar::State::Shown; }, patience));
+    colourBy(render::ColourBy::Speed);
+    EXPECT_TRUE(bar.isHidden());
+    EXPECT_EQ(window->sceneData().reference, nullptr);
+}
+
+}  // namespace rubble

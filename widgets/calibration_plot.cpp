@@ -1,0 +1,311 @@
+#include "widgets/calibration_plot.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLocale>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "core/analysis/published_results.h"
+#include "widgets/chart_axis.h"
+#include "widgets/wording.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+constexpr double reach = 12.0;      // px, of the mouse
+constexpr double tickSpace = 64.0;  // px, that one tick of an axis takes at least
+constexpr int placesOfCurve = 33;
+constexpr std::array<PileKind, 2> piles{PileKind::Typical, PileKind::Worst};
+constexpr std::array<LiveLoad, 3> loads{LiveLoad::Physics, LiveLoad::Drawing, LiveLoad::Both};
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("calibration", text);
+}
+
+RateCurve curveOf(const Calibration& calibration, PileKind pile, LiveLoad load) {
+    RateCurve curve{pile, load, {}};
+    double low = 0.0;
+    double high = 0.0;
+    for (const CalibrationPoint& point : calibration.points) {
+        if (point.pile == pile && point.fps(load) > 0.0 && std::isfinite(point.fps(load))) {
+            const auto bodies = static_cast<double>(point.bodies);
+            low = low > 0.0 ? std::min(low, bodies) : bodies;
+            high = std::max(high, bodies);
+        }
+    }
+    for (int i = 0; high > low && i < placesOfCurve; ++i) {
+        const double bodies = low * std::pow(high / low, static_cast<double>(i) / (placesOfCurve - 1));
+        if (const auto fps = calibration.fps(pile, load, bodies)) {
+            curve.places.push_back({bodies, *fps});
+        }
+    }
+    return curve;
+}
+
+QString loadWords(LiveLoad load) {
+    return load == LiveLoad::Physics ? tr("physics alone") : load == LiveLoad::Drawing ? tr("drawing alone") : tr("both (live)");
+}
+
+}  // namespace
+
+CalibrationPlotContent calibrationPlotContent(const Calibration* calibration, double target) {
+    CalibrationPlotContent content;
+    content.target = target;
+    if (calibration != nullptr) {
+        for (const PileKind pile : piles) {
+            content.bodiesMax[static_cast<std::size_t>(pile)] = calibration->bodiesMax(pile, LiveLoad::Both, target);
+            for (const LiveLoad load : loads) {
+                content.curves.push_back(curveOf(*calibration, pile, load));
+            }
+        }
+        for (const CalibrationPoint& point : calibration->points) {
+            for (const LiveLoad load : loads) {
+                if (std::isfinite(point.fps(load)) && point.fps(load) > 0.0) {
+                    content.points.push_back({point.pile, load, static_cast<double>(point.bodies), point.fps(load)});
+                }
+            }
+        }
+    }
+    for (const PublishedRate& rate : publishedRates) {
+        content.points.push_back({std::nullopt, LiveLoad::Both, static_cast<double>(rate.bodies), rate.fps});
+    }
+    return content;
+}
+
+QString curveWords(PileKind pile, LiveLoad load) {
+    const QString name = pile == PileKind::Typical ? tr("typical pile") : tr("worst pile");
+    return QStringLiteral("%1, %2").arg(name, loadWords(load));
+}
+
+QString bodiesWords(const Calibration::BodiesMax& most) {
+    const QString number = shownCount(static_cast<std::int64_t>(most.bodies));
+    return most.atLeast ? tr("over %1").arg(number) : most.atMost ? tr("under %1").arg(number) : number;
+}
+
+QString ratePointWords(const RatePoint& point) {
+    const QString name = point.pile ? curveWords(*point.pile, point.load) : tr("as published, on a GTX 480");
+    return tr("%1\n%2 bodies\n%3 FPS").arg(name, shownCount(static_cast<std::int64_t>(point.bodies)), shownNumber(point.fps));
+}
+
+CalibrationPlot::CalibrationPlot(const CalibrationPlotContent& content, const QRectF& area, const QFont& font,
+                                 const figures::Palette& palette)
+    : m_content(content), m_area(area), m_font(font), m_palette(palette) {
+    const QFontMetricsF metrics(m_font);
+    const double line = metrics.height();
+    m_frame = area.adjusted(2.0 * line + metrics.horizontalAdvance(QStringLiteral("1,000")), line, -1.5 * line, -3.4 * line);
+    settleAxes();
+}
+
+void CalibrationPlot::settleAxes() {
+    double least = 1e300;
+    double most = 0.0;
+    double slowest = m_content.target;
+    double fastest = m_content.target;
+    for (const RatePoint& point : m_content.points) {
+        least = std::min(least, point.bodies);
+        most = std::max(most, point.bodies);
+        slowest = std::min(slowest, point.fps);
+        fastest = std::max(fastest, point.fps);
+    }
+    if (most > 0.0) {
+        m_bodies = {roundOut(least / 1.15, false), roundOut(most * 1.15, true)};
+        m_fps = {roundOut(slowest / 1.2, false), roundOut(fastest * 1.2, true)};
+    }
+}
+
+QPointF CalibrationPlot::place(double bodies, double fps) const {
+    return {m_frame.left() + logShare(bodies, m_bodies.first, m_bodies.second) * m_frame.width(),
+            m_frame.bottom() - logShare(fps, m_fps.first, m_fps.second) * m_frame.height()};
+}
+
+std::optional<std::size_t> CalibrationPlot::pointAt(const QPointF& at) const {
+    std::optional<std::size_t> found;
+    double nearest = reach;
+    for (std::size_t i = 0; i < m_content.points.size(); ++i) {
+        const QPointF apart = place(m_content.points[i].bodies, m_content.points[i].fps) - at;
+        const double distance = std::hypot(apart.x(), apart.y());
+        if (distance <= nearest) {
+            nearest = distance;
+            found = i;
+        }
+    }
+    return found;
+}
+
+QColor CalibrationPlot::colourOf(LiveLoad load) const {
+    return load == LiveLoad::Physics   ? m_palette.categories[1]
+           : load == LiveLoad::Drawing ? m_palette.categories[3]
+                                       : m_palette.text;
+}
+
+void CalibrationPlot::paint(QPainter& painter) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(m_font);
+    paintAxes(painter);
+    for (const RateCurve& curve : m_content.curves) {
+        paintCurve(painter, curve);
+    }
+    std::vector<QRectF> taken;
+    for (const RatePoint& point : m_content.points) {
+        const QPointF at = place(point.bodies, point.fps);
+        taken.emplace_back(at - QPointF(radius, radius), at + QPointF(radius, radius));
+    }
+    paintTarget(painter, taken);
+    for (const RatePoint& point : m_content.points) {
+        paintPoint(painter, point);
+    }
+    paintNames(painter, taken);
+}
+
+void CalibrationPlot::paintAxes(QPainter& painter) const {
+    const double line = QFontMetricsF(m_font).height();
+    for (const double tick : logTicks(m_bodies.first, m_bodies.second, m_frame.width() / tickSpace)) {
+        const double x = place(tick, m_fps.first).x();
+        painter.setPen(QPen(m_palette.hairline, 1.0));
+        painter.drawLine(QPointF(x, m_frame.top()), QPointF(x, m_frame.bottom()));
+        painter.setPen(m_palette.muted);
+        painter.drawText(QRectF(x - 40.0, m_frame.bottom() + 4.0, 80.0, line), Qt::AlignHCenter | Qt::AlignTop,
+                         shownCount(static_cast<std::int64_t>(tick)));
+    }
+    for (const double tick : logTicks(m_fps.first, m_fps.second, m_frame.height() / (0.6 * tickSpace))) {
+        const double y = place(m_bodies.first, tick).y();
+        painter.setPen(QPen(m_palette.hairline, 1.0));
+        painter.drawLine(QPointF(m_frame.left(), y), QPointF(m_frame.right(), y));
+        painter.setPen(m_palette.muted);
+        painter.drawText(QRectF(m_area.left(), y - line, m_frame.left() - m_area.left() - 6.0, 2.0 * line),
+                         Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(tick, 'g', 6));
+    }
+    painter.setPen(m_palette.muted);
+    painter.drawText(QRectF(m_area.left(), m_frame.bottom() + 1.7 * line, m_area.width(), line), Qt::AlignCenter,
+                     tr("bodies in the scene"));
+    painter.save();
+    painter.translate(m_area.left() + 0.8 * line, m_frame.center().y());
+    painter.rotate(-90.0);
+    painter.drawText(QRectF(-0.5 * m_area.height(), -0.6 * line, m_area.height(), 1.2 * line), Qt::AlignCenter,
+                     tr("frames per second of wall clock"));
+    painter.restore();
+}
+
+void CalibrationPlot::paintCurve(QPainter& painter, const RateCurve& curve) const {
+    if (curve.places.size() < 2) {
+        return;
+    }
+    QPolygonF line;
+    QPolygonF band;
+    for (const RateCurve::Place& at : curve.places) {
+        line << place(at.bodies, at.fps.value);
+        band << place(at.bodies, at.fps.high);
+    }
+    painter.save();
+    painter.setClipRect(m_frame);
+    const bool typical = curve.pile == PileKind::Typical;
+    if (typical && curve.load == LiveLoad::Both) {
+        for (auto at = curve.places.rbegin(); at != curve.places.rend(); ++at) {
+            band << place(at->bodies, at->fps.low);
+        }
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(m_palette.accentTint);
+        painter.drawPolygon(band);
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colourOf(curve.load), curve.load == LiveLoad::Both ? 2.0 : 1.3, typical ? Qt::SolidLine : Qt::DashLine));
+    painter.drawPolyline(line);
+    painter.restore();
+}
+
+void CalibrationPlot::paintPoint(QPainter& painter, const RatePoint& point) const {
+    const QPointF at = place(point.bodies, point.fps);
+    if (!point.pile) {
+        painter.setPen(QPen(m_palette.fragment, 1.4));
+        painter.setBrush(m_palette.fragment);
+        painter.drawRect(QRectF(at - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius)));
+        return;
+    }
+    const QColor colour = colourOf(point.load);
+    painter.setPen(QPen(colour, 1.4));
+    painter.setBrush(*point.pile == PileKind::Typical ? colour : m_palette.panel);
+    painter.drawEllipse(at, radius, radius);
+}
+
+void CalibrationPlot::write(QPainter& painter, const QString& words, const QColor& colour, const std::vector<QPointF>& corners,
+                            std::vector<QRectF>& taken) const {
+    const QFontMetricsF metrics(painter.font());
+    const QSizeF size(metrics.horizontalAdvance(words) + 4.0, metrics.height());
+    for (const QPointF& corner : corners) {
+        const QRectF where(corner, size);
+        const bool free = m_frame.contains(where) &&
+                          std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(where); });
+        if (free) {
+            painter.fillRect(where, m_palette.chip);
+            painter.setPen(colour);
+            painter.drawText(where, Qt::AlignCenter, words);
+            taken.push_back(where);
+            return;
+        }
+    }
+}
+
+void CalibrationPlot::paintTarget(QPainter& painter, std::vector<QRectF>& taken) const {
+    const double line = QFontMetricsF(m_font).height();
+    const double y = place(m_bodies.first, m_content.target).y();
+    painter.setPen(QPen(m_palette.good, 1.5, Qt::DashLine));
+    painter.drawLine(QPointF(m_frame.left(), y), QPointF(m_frame.right(), y));
+    const QString words = tr("target: %1 FPS").arg(QLocale().toString(m_content.target, 'g', 4));
+    const double width = QFontMetricsF(m_font).horizontalAdvance(words) + 10.0;
+    write(painter, words, m_palette.good,
+          {{m_frame.left() + 4.0, y - line - 2.0}, {m_frame.left() + 4.0, y + 2.0}, {m_frame.right() - width, y - line - 2.0}},
+          taken);
+    for (const PileKind pile : piles) {
+        const auto& most = m_content.bodiesMax[static_cast<std::size_t>(pile)];
+        if (!most) {
+            continue;
+        }
+        const double x = std::clamp(place(most->bodies, m_content.target).x(), m_frame.left(), m_frame.right());
+        painter.setPen(QPen(m_palette.good, 1.3, pile == PileKind::Typical ? Qt::SolidLine : Qt::DotLine));
+        painter.drawLine(QPointF(x, y), QPointF(x, m_frame.bottom()));
+        const QString name = pile == PileKind::Typical ? tr("N max, typical: %1") : tr("N max, worst: %1");
+        const QString label = name.arg(bodiesWords(*most));
+        const double across = QFontMetricsF(m_font).horizontalAdvance(label) + 8.0;
+        std::vector<QPointF> corners;
+        for (double up = 1.2; up < 8.0; up += 1.2) {
+            corners.emplace_back(x + 4.0, m_frame.bottom() - up * line - 2.0);
+            corners.emplace_back(x - across, m_frame.bottom() - up * line - 2.0);
+        }
+        write(painter, label, m_palette.good, corners, taken);
+    }
+}
+
+void CalibrationPlot::paintNames(QPainter& painter, std::vector<QRectF>& taken) const {
+    const double line = QFontMetricsF(m_font).height();
+    const auto around = [&](const QPointF& at, const QString& words) {
+        const double width = QFontMetricsF(m_font).horizontalAdvance(words) + 6.0;
+        std::vector<QPointF> corners;
+        for (const double away : {0.0, 0.8, 1.6, 2.6}) {
+            corners.emplace_back(at.x() + 8.0, at.y() - (0.5 + away) * line);
+            corners.emplace_back(at.x() + 8.0, at.y() - (0.5 - away) * line);
+            corners.emplace_back(at.x() - width - 4.0, at.y() - (0.5 + away) * line);
+            corners.emplace_back(at.x() - width - 4.0, at.y() - (0.5 - away) * line);
+        }
+        return corners;
+    };
+    for (const RateCurve& curve : m_content.curves) {
+        if (!curve.places.empty()) {
+            const QString words = curveWords(curve.pile, curve.load);
+            const RateCurve::Place& end = curve.places.back();
+            write(painter, words, colourOf(curve.load), around(place(end.bodies, end.fps.value), words), taken);
+        }
+    }
+    for (auto point = m_content.points.rbegin(); point != m_content.points.rend() && !point->pile; ++point) {
+        const QString words = tr("published (GTX 480)");
+        const std::size_t before = taken.size();
+        write(painter, words, m_palette.fragment, around(place(point->bodies, point->fps), words), taken);
+        if (taken.size() > before) {
+            break;
+        }
+    }
+}
+
+}  // namespace rubble::widgets

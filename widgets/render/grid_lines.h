@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "widgets/render/colours.h"
+
+class vtkActor;
+class vtkPolyData;
+class vtkRenderer;
+
+namespace rubble::render {
+
+/// Straight lines over a model, in the accent colour.
+class GridLines {
+public:
+    GridLines();
+    ~GridLines();
+
+    void addTo(vtkRenderer& renderer);
+    /// @param ends  two for each line [m]; none: nothing is drawn
+    void set(const std::vector<Eigen::Vector3f>& ends);
+    void setColours(const SceneColours& colours);
+    void setVisible(bool visible);
+
+private:
+    bool m_there = false;
+    vtkSmartPointer<vtkPolyData> m_lines;
+    vtkSmartPointer<vtkActor> m_actor;
+};
+
+}  // namespace rubble::render

@@ -1,5 +1,4 @@
 #include "widgets/grid_panel.h"
-#include "core/clusters/grid_bounds.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -11,6 +10,7 @@
 #include <QTableWidget>
 #include <cmath>
 
+#include "core/clusters/grid_bounds.h"
 #include "widgets/calibration_plot.h"
 #include "widgets/grid_words.h"
 #include "widgets/parameter_editor.h"

@@ -53,11 +53,11 @@ public:
         if (runPath.empty()) {
             auto trajectory = std::make_shared<MemoryTrajectory>();
             const Results results = run(inputs, sampleScenario(*inputs.fe), Stage::Simulation, {}, trajectory.get(), execution);
-            m_data = {inputs.fe, results.components, results.fragments, results.clustering, trajectory, 0.0, nullptr, {}};
+            show(inputs, results, results.fragments, results.clustering, trajectory);
         } else {
             const auto made = io::openRun(runPath);
             const Results results = run(inputs, made->origin().scenario, Stage::Components, {}, nullptr, execution);
-            m_data = {inputs.fe, results.components, made->fragments(), made->clustering(), made, 0.0, nullptr, {}};
+            show(inputs, results, made->fragments(), made->clustering(), made);
         }
         m_window->SetOffScreenRendering(1);
         m_window->SetMultiSamples(0);
@@ -79,6 +79,15 @@ public:
     }
 
 private:
+    void show(const Inputs& inputs, const Results& results, std::shared_ptr<const FragmentSet> fragments,
+              std::shared_ptr<const Clustering> clustering, std::shared_ptr<const TrajectoryReader> trajectory) {
+        m_data.fe = inputs.fe;
+        m_data.components = results.components;
+        m_data.fragments = std::move(fragments);
+        m_data.clustering = std::move(clustering);
+        m_data.trajectory = std::move(trajectory);
+    }
+
     vtkNew<vtkRenderWindow> m_window;
     render::Scene m_scene;
     render::SceneData m_data;

@@ -67,9 +67,14 @@ TEST_F(Size, TheTableNamesEveryBoundAndWhatStoppedTheSearch) {
     }
 }
 
-TEST_F(Size, BothArchesEndOutOfReachOfTheTarget) {
+TEST_F(Size, BothArchesEndOutOfReachOfTheTargetAlongAxesAndWithinItNested) {
     for (const char* arch : {"stone-arch", "rc-arch"}) {
-        const Outcome outcome = cli({"size", sourcePath(std::string("resources/samples/") + arch + ".exo"), "--json"});
+        const std::string path = sourcePath(std::string("resources/samples/") + arch + ".exo");
+        const Outcome nested = cli({"size", path, "--json"});
+        ASSERT_EQ(nested.exitCode, 0) << nested.err;
+        EXPECT_EQ(nested.json()["stopped_by"], "efficiency") << arch;
+        EXPECT_LE(nested.json()["clusters"], 4500) << arch;
+        const Outcome outcome = cli({"size", path, "--json", "--set", "grouping=axes"});
         ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
         const nlohmann::json object = outcome.json();
         EXPECT_EQ(object["stopped_by"], "fps_unreachable") << arch;

@@ -16,7 +16,9 @@ protected:
         return makeFragments(*fe, components, settings, Execution());
     }
     Clustering clusters(const FragmentSet& set, double size) const {
-        return makeClusters(set, fe->mesh(), {size, size, size}, {}, Execution());
+        GridSettings settings;
+        settings.grouping = Grouping::Axes;
+        return makeClusters(set, fe->mesh(), {size, size, size}, settings, Execution());
     }
     std::shared_ptr<const FeResult> fe = scenes::collapsingWall(6, 4);
     Components components = groupComponents(fe->mesh(), {}, {}, {});

@@ -103,7 +103,7 @@ TEST(Parameters, RefusesWhatIsOutOfRangeAndChangesNothing) {
         if (row.kind == ParameterKind::Text) {
             continue;
         }
-        for (const std::string text : {"nan", "1e999", "", "x", "-1e300", "12abc", "inf", " 1"}) {
+        for (const std::string text : {"nan", "1e999", "", "xx", "-1e300", "12abc", "inf", " 1"}) {
             Scenario scenario;
             EXPECT_THROW(setParameterText(scenario, keyFor(row), text), UsageError) << row.key << "=" << text;
             EXPECT_EQ(scenario, Scenario()) << row.key << "=" << text;

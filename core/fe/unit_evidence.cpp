@@ -11,7 +11,7 @@ namespace rubble {
 namespace {
 
 constexpr double gravity = 9.80665;     // m/s2
-constexpr double clearlyBetter = 2.0;   // of scores
+constexpr double clearlyBetter = 3.0;   // of scores
 constexpr std::size_t mostTriples = 4;  // of states that free fall is looked for in
 constexpr std::size_t mostFallers = 4000;
 constexpr double alikeFall = 0.05;  // of the median

@@ -28,7 +28,7 @@ struct UnitEvidence {
 /// How well a system fits what a file tells.
 struct UnitFit {
     const UnitSystem* system = nullptr;
-    double score = 0.0;            ///< logarithm of a likelihood; 2 more is clearly better
+    double score = 0.0;            ///< logarithm of a likelihood; 3 more is clearly better
     std::vector<Message> reasons;  ///< in words and numbers
 };
 

@@ -8,11 +8,12 @@ namespace rubble::io {
 namespace {
 
 TEST(FrameTransform, UpBecomesZWithoutChangingTheHand) {
-    for (const std::string axis : {"x", "y", "z"}) {
+    for (const std::string axis : {"x", "y", "z", "-x", "-y", "-z"}) {
         Frame frame;
         frame.upAxis = axis;
         const FrameTransform transform(frame);
-        EXPECT_EQ(transform.vector(Vec3::Unit(axis[0] - 'x')), Vec3::UnitZ());
+        const double sign = axis.front() == '-' ? -1.0 : 1.0;
+        EXPECT_EQ(transform.vector(sign * Vec3::Unit(axis.back() - 'x')), Vec3::UnitZ()) << axis;
         const Vec3 a = transform.vector(Vec3::UnitX()), b = transform.vector(Vec3::UnitY()), c = transform.vector(Vec3::UnitZ());
         EXPECT_EQ(a.cross(b), c);
     }

@@ -84,6 +84,17 @@ TEST(UnitEvidence, RivalsAreNamedWhereNothingDecides) {
     EXPECT_TRUE(proposeUnits(evidence).choice.empty());
 }
 
+TEST(UnitEvidence, AnImpactInMicrosecondsIsAmongTheRivals) {
+    // A tungsten rod of 23 cm in 70 microseconds, as its file counts: as t, m and s it would be a usual building.
+    UnitEvidence evidence;
+    evidence.densities = {{"rod", 18.62}, {"plate", 7.896}};
+    evidence.size = 23.0;
+    evidence.duration = 70.03;
+    const Proposal proposal = proposeUnits(evidence);
+    EXPECT_TRUE(proposal.choice.empty());
+    EXPECT_NE(englishText(proposal.reason).find("g-cm-us"), std::string::npos) << englishText(proposal.reason);
+}
+
 TEST(UnitEvidence, ADeckThatNamesItsUnitsDecides) {
     UnitEvidence evidence;
     evidence.size = 20.0;

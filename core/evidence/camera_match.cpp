@@ -198,7 +198,7 @@ bool settle(CameraMatch& match, const std::vector<PointPair>& pairs, double leas
 /// squares that each pair adds). A pair that holds the camera by itself has a small residual however wrong it is: only without it
 /// the others tell.
 void testEachPair(CameraMatch& match, const std::vector<PointPair>& pairs, double least) {
-    constexpr double falseAlarms = 1e-4;  // of one set
+    constexpr double falseAlarms = 1e-3;  // of one set
     for (std::size_t agree = pairs.size() - match.wrong().size(); agree > pairsNeeded(match.found) && match.freedom > 3; --agree) {
         const double sum = match.sigma * match.sigma * match.freedom;
         CameraMatch best;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 
 #include "app/cli/option_value.h"
 #include "core/base/error.h"
@@ -58,6 +59,13 @@ std::vector<MapLayer> parseLayers(const std::string& text) {
         layers.push_back(*found);
     }
     return layers;
+}
+
+/// Hands on what Qt has to say, but for its remark on a variable that a program without windows does not need.
+void passOnQtMessage(QtMsgType, const QMessageLogContext&, const QString& text) {
+    if (!text.contains("XDG_RUNTIME_DIR")) {
+        std::cerr << text.toStdString() << '\n';
+    }
 }
 
 QSize parsePixels(const std::string& text) {
@@ -149,6 +157,7 @@ void MapRequest::write(const std::string& path, const RunMap& made, const io::Ru
         const io::MapFragments list{fragments.get(), &made.debris, run.elementIds(), made.arrivals, made.energies};
         io::writeMapPackage(path, made.map, list, m_contours, origin, session.execution());
     } else if (endsWith(path, ".png")) {
+        qInstallMessageHandler(passOnQtMessage);
         figures::ensureGuiApplication();
         const Vec3 offset = io::WorldOffset(run.origin().frame).offset();
         figures::MapPictureStyle style;

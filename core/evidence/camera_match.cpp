@@ -194,6 +194,40 @@ bool settle(CameraMatch& match, const std::vector<PointPair>& pairs, double leas
     return true;
 }
 
+/// Sets aside, one by one, pairs without which the others fit so much better that chance hardly explains it (F test of the sum of
+/// squares that each pair adds). A pair that holds the camera by itself has a small residual however wrong it is: only without it
+/// the others tell.
+void testEachPair(CameraMatch& match, const std::vector<PointPair>& pairs, double least) {
+    constexpr double falseAlarms = 1e-3;  // of one set
+    for (std::size_t agree = pairs.size() - match.wrong().size(); agree > pairsNeeded(match.found) && match.freedom > 3; --agree) {
+        const double sum = match.sigma * match.sigma * match.freedom;
+        CameraMatch best;
+        double bestSum = sum;
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+            if (!match.used[k]) {
+                continue;
+            }
+            CameraMatch without = match;
+            without.used[k] = false;
+            if (!refine(without.camera, pairs, weightsOf(without.used), match.found)) {
+                continue;
+            }
+            takeResiduals(without, pairs);
+            const double rest = without.sigma * without.sigma * without.freedom;
+            if (rest < bestSum) {
+                bestSum = rest;
+                best = std::move(without);
+            }
+        }
+        const double freedom = match.freedom - 2;
+        const double ratio = 0.5 * (sum - bestSum) / std::max(least * least, bestSum / freedom);
+        if (ratio <= fisherQuantile(1.0 - falseAlarms / static_cast<double>(pairs.size()), 2.0, freedom)) {
+            return;
+        }
+        match = std::move(best);
+    }
+}
+
 /// Expected number of cameras that as many pairs would agree with as well by chance, among all that were tried (a contrario: Moisan
 /// & Stival 2004), as a natural logarithm.
 double chanceOf(const CameraMatch& match, std::size_t pairs, const CameraKnowledge& known, double least) {
@@ -293,8 +327,8 @@ bool samePose(const CameraModel& a, const CameraModel& b, double distance) {
 }
 
 /// Refuses if a second pose fits nearly as well as the best one.
-void refuseTwo(const std::vector<CameraMatch>& matches, const std::vector<PointPair>& pairs) {
-    const CameraMatch& best = matches.front();
+/// @param matches  as found from the guesses, `best` the first of them after all tests
+void refuseTwo(const CameraMatch& best, const std::vector<CameraMatch>& matches, const std::vector<PointPair>& pairs) {
     const double distance = (best.camera.place - pairs.front().model).norm();
     for (std::size_t m = 1; m < matches.size(); ++m) {
         const CameraMatch& other = matches[m];
@@ -385,8 +419,9 @@ CameraMatch matchCamera(const std::vector<PointPair>& given, const CameraKnowled
                "are wrong.");
     }
     CameraMatch match = matches.front();
+    testEachPair(match, pairs, leastShare * diagonal);
     checkShape(pairs, match.used, known, true);
-    refuseTwo(matches, pairs);
+    refuseTwo(match, matches, pairs);
     if (!takeCovariance(match, pairs)) {
         refuse({"camera.left_open", "These pairs leave the camera open: other cameras see them alike.", {}},
                "Add points at other distances and in other corners of the picture, or find fewer numbers.");

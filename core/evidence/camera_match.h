@@ -59,10 +59,10 @@ struct CameraMatch {
 
 /// Finds the camera: poses of three pairs at a time (and of a row of focal lengths if it is free) are tried in a fixed order, the
 /// one that most pairs agree with is refined by least squares (Levenberg-Marquardt), and pairs that lie farther than four standard
-/// deviations off are set aside, until none changes. The covariance is that of linear theory at the solution. Deterministic.
-/// Throws UsageError naming the remedy for numbers that are none, too few pairs for what is to be found, points on one line, points
-/// in one plane with a free focal length, pairs that no camera agrees with, sets that leave the pose or the focal length open, and
-/// two poses that fit alike; Cancelled.
+/// deviations off are set aside, until none changes; then those without which the others fit far better. The covariance is that of
+/// linear theory at the solution. Deterministic. Throws UsageError naming the remedy for numbers that are none, too few pairs for
+/// what is to be found, points on one line, points in one plane with a free focal length, pairs that no camera agrees with, sets
+/// that leave the pose or the focal length open, and two poses that fit alike; Cancelled.
 CameraMatch matchCamera(const std::vector<PointPair>& pairs, const CameraKnowledge& known, const Execution& execution);
 
 }  // namespace rubble

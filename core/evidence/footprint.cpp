@@ -120,6 +120,26 @@ private:
     std::vector<std::uint8_t> m_walked;  ///< a bit for each direction [cells]
 };
 
+/// Cuts a ring wherever it comes back to a corner, so that none of the rings touches itself.
+std::vector<FootprintRing> simpleRings(const FootprintRing& ring) {
+    std::vector<FootprintRing> rings;
+    FootprintRing path;
+    std::map<MapCell, std::size_t> placeOf;
+    for (const MapCell& corner : ring) {
+        const auto [known, fresh] = placeOf.emplace(corner, path.size());
+        if (fresh) {
+            path.push_back(corner);
+            continue;
+        }
+        const auto from = path.begin() + static_cast<std::ptrdiff_t>(known->second);
+        rings.emplace_back(from, path.end());
+        std::for_each(from + 1, path.end(), [&](const MapCell& cut) { placeOf.erase(cut); });
+        path.erase(from + 1, path.end());
+    }
+    rings.push_back(std::move(path));
+    return rings;
+}
+
 }  // namespace
 
 std::vector<FootprintPolygon> footprintOf(std::span<const MapCell> cells) {
@@ -127,15 +147,17 @@ std::vector<FootprintPolygon> footprintOf(std::span<const MapCell> cells) {
     std::map<std::size_t, FootprintPolygon> parts;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         for (std::size_t direction = 0; direction < steps.size(); ++direction) {
-            FootprintRing ring = walk.from(c, direction);
-            if (ring.empty()) {
+            const FootprintRing walked = walk.from(c, direction);
+            if (walked.empty()) {
                 continue;
             }
             FootprintPolygon& polygon = parts[walk.partOf(c)];
-            if (signedArea(ring) > 0.0) {
-                polygon.outer = std::move(ring);
-            } else {
-                polygon.holes.push_back(std::move(ring));
+            for (FootprintRing& ring : simpleRings(walked)) {
+                if (signedArea(ring) > 0.0) {
+                    polygon.outer = std::move(ring);
+                } else {
+                    polygon.holes.push_back(std::move(ring));
+                }
             }
         }
     }

@@ -18,7 +18,8 @@ struct FootprintPolygon {
 };
 
 /// The outline of a set of cells, one polygon for each part that hangs together by sides, in the order of their first cells. Rings
-/// have no corner on a straight stretch and do not cross; they may touch where cells meet by a corner.
+/// have no corner on a straight stretch, do not cross and meet no corner of their own twice; rings of one polygon may touch in a
+/// corner, where cells meet by one.
 /// @param cells  ascending, each once
 std::vector<FootprintPolygon> footprintOf(std::span<const MapCell> cells);
 

@@ -118,7 +118,7 @@ void writeContours(GDALDataset& file, const MapPlace& place, const DebrisMap& ma
         for (const Eigen::Vector2d& corner : contour.corners) {
             addPoint(line, place, corner);
         }
-        line.closeRings();
+        addPoint(line, place, contour.corners.front());
         layer.add(line, [&](OGRFeature& feature) { feature.SetField("height_m", contour.level); });
     }
 }

@@ -107,6 +107,21 @@ struct Range {
     double place(double value) const { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
 };
 
+/// The next number of two digits, so that the legend reads well.
+double roundedUp(double value) {
+    if (!(value > 0.0)) {
+        return value;
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+    return unit * std::ceil(value / unit - 1e-9);
+}
+
+/// A number of the legend, without powers of ten where thousands will do.
+QString legendNumber(double value) {
+    return std::abs(value) >= 1000.0 && std::abs(value) < 1e7 ? countText(static_cast<std::size_t>(std::lround(value)))
+                                                              : numberText(value);
+}
+
 Range rangeOf(const std::vector<double>& values, MapLayer layer) {
     std::vector<double> known;
     std::copy_if(values.begin(), values.end(), std::back_inserter(known), [](double v) { return std::isfinite(v); });
@@ -117,6 +132,7 @@ Range rangeOf(const std::vector<double>& values, MapLayer layer) {
     std::sort(known.begin(), known.end());
     range.low = layer == MapLayer::Arrival ? known.front() : 0.0;
     range.high = known[static_cast<std::size_t>(topShare * static_cast<double>(known.size() - 1))];
+    range.high = roundedUp(range.high);
     range.cut = known.back() > range.high;
     if (!(range.high > range.low)) {
         range.high = known.back() > range.low ? known.back() : range.low + 1.0;
@@ -236,7 +252,8 @@ private:
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(m_palette.muted, std::max(1.0, 0.06 * m_text)));
         painter.drawRect(m_frame);
-        const double step = roundLength(m_map.cell / m_cellPixels, 9.0 * m_text);
+        const double step =
+            roundLength(m_map.cell / m_cellPixels, std::min({9.0 * m_text, 0.4 * m_frame.width(), 0.4 * m_frame.height()}));
         const double tick = 0.4 * m_small;
         const double metres = m_map.cell / m_cellPixels;
         const double west = m_style.origin.x() + m_map.cell * m_window.low.i - (m_cells.left() - m_frame.left()) * metres;
@@ -354,7 +371,7 @@ private:
         constexpr int marks = 4;
         for (int k = 0; k <= marks; ++k) {
             const double share = static_cast<double>(k) / marks;
-            const QString number = numberText(m_range.low + share * (m_range.high - m_range.low));
+            const QString number = legendNumber(m_range.low + share * (m_range.high - m_range.low));
             write(painter, QRectF(bar.right() + 0.4 * m_line, bar.bottom() - share * height - 0.5 * m_line, 8.0 * m_line, m_line),
                   k == marks && m_range.cut ? QStringLiteral("≥ ") + number : number,
                   static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), m_text);

@@ -68,6 +68,8 @@ AccuracyPage::AccuracyPage(QWidget* parent)
     m_splitter->setStretchFactor(1, 1);
     m_splitter->setSizes({400, 464});
     column->addWidget(m_splitter, 1);
+    // Keeps the words together at the top while there is nothing below them.
+    column->addStretch();
     connect(m_chart, &AccuracyChart::rowChosen, this, &AccuracyPage::rowChosen);
     connect(m_table, &AccuracyTable::rowChosen, this, &AccuracyPage::rowChosen);
     connect(m_saveTable, &QPushButton::clicked, this, &AccuracyPage::saveTableRequested);

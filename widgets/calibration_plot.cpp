@@ -80,8 +80,13 @@ QString curveWords(PileKind pile, LiveLoad load) {
     return QStringLiteral("%1, %2").arg(name, loadWords(load));
 }
 
+std::int64_t roundedBodies(const Calibration::BodiesMax& most) {
+    const double step = std::max(1.0, std::pow(10.0, std::floor(std::log10(std::max(1.0, most.bodies))) - 1.0));
+    return static_cast<std::int64_t>(step * (most.atMost ? std::ceil(most.bodies / step) : std::floor(most.bodies / step)));
+}
+
 QString bodiesWords(const Calibration::BodiesMax& most) {
-    const QString number = shownCount(static_cast<std::int64_t>(most.bodies));
+    const QString number = shownCount(roundedBodies(most));
     return most.atLeast ? tr("over %1").arg(number) : most.atMost ? tr("under %1").arg(number) : number;
 }
 
@@ -95,7 +100,8 @@ CalibrationPlot::CalibrationPlot(const CalibrationPlotContent& content, const QR
     : m_content(content), m_area(area), m_font(font), m_palette(palette) {
     const QFontMetricsF metrics(m_font);
     const double line = metrics.height();
-    m_frame = area.adjusted(2.0 * line + metrics.horizontalAdvance(QStringLiteral("1,000")), line, -1.5 * line, -3.4 * line);
+    const double last = 0.5 * metrics.horizontalAdvance(QStringLiteral("100,000"));
+    m_frame = area.adjusted(2.0 * line + metrics.horizontalAdvance(QStringLiteral("1,000")), line, -last - 4.0, -3.4 * line);
     settleAxes();
 }
 

@@ -47,6 +47,8 @@ CalibrationPlotContent calibrationPlotContent(const Calibration* calibration, do
 
 /// "typical pile, physics alone"
 QString curveWords(PileKind pile, LiveLoad load);
+/// Rounded to the two digits that the fit can mean: down, or up where it is only known that there are fewer.
+std::int64_t roundedBodies(const Calibration::BodiesMax& most);
 /// "3,100", "over 6,000"
 QString bodiesWords(const Calibration::BodiesMax& most);
 /// All figures of a point: what the chart says on hover and reads aloud.

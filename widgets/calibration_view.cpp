@@ -54,6 +54,7 @@ CalibrationView::CalibrationView(QWidget* parent)
     m_progress->setObjectName(QStringLiteral("muted"));
     column->addWidget(m_progress);
     column->addWidget(buildButtons());
+    m_calibrate->setFocus();
     setContent({});
 }
 
@@ -92,8 +93,9 @@ void CalibrationView::setContent(const Content& content) {
             ? tr("How many frames per second live mode reaches with so many bodies. Squares are the published points, measured on "
                  "a "
                  "GTX 480 in 2012.")
-            : tr("%1, %2 threads; drawn by %3. A frame simulates 1/%4 s of the collapse and draws both views. Typical: the mean of "
-                 "a pile that comes to rest. Worst: the worst second of a heap of which nothing ever rests.")
+            : tr("%1; simulated on %2 threads, drawn by %3. A frame simulates 1/%4 s of the collapse and draws both views. "
+                 "Typical: "
+                 "the mean of a pile that comes to rest. Worst: the worst second of a heap of which nothing ever rests.")
                   .arg(QString::fromStdString(calibration->machine), shownCount(calibration->threads),
                        calibration->renderer.empty() ? tr("nothing") : QString::fromStdString(calibration->renderer),
                        QLocale().toString(calibration->target, 'g', 4)));
@@ -130,12 +132,7 @@ void CalibrationView::showFacts(const Content& content) {
                            : tr("%1: not known, fewer than three points").arg(name));
         }
         const auto& typical = content.plot.bodiesMax[static_cast<std::size_t>(PileKind::Typical)];
-        if (typical && !content.calibration->disturbed()) {
-            // Two digits are what the fit can mean.
-            const double digit = std::pow(10.0, std::floor(std::log10(std::max(1.0, typical->bodies))) - 1.0);
-            const double step = std::max(1.0, digit);
-            m_offered = static_cast<std::int64_t>(step * std::floor(typical->bodies / step));
-        }
+        m_offered = typical && !content.calibration->disturbed() ? roundedBodies(*typical) : 0;
     }
     m_facts->setText(lines.join(QStringLiteral("  ·  ")));
     m_facts->setVisible(!lines.isEmpty());

@@ -136,9 +136,8 @@ void GridPanel::buildTable(PanelGroup* group) {
     }
     m_table->verticalHeader()->hide();
     m_table->setAccessibleName(tr("Sizes of the Basic Grid and their bounds, m"));
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(4, QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setMinimumSectionSize(24);
     m_table->horizontalHeader()->setFont(headingFont());
@@ -205,9 +204,7 @@ void GridPanel::setAdvice(const MachineAdvice& advice) {
         m_advice->setText(
             tr("This machine carries %1 bodies at %2 FPS where some of them rest, %3 where none does.")
                 .arg(bodiesWords(*advice.typical), target, advice.worst ? bodiesWords(*advice.worst) : tr("an unknown number")));
-        // Two digits are what the fit can mean.
-        const double step = std::max(1.0, std::pow(10.0, std::floor(std::log10(std::max(1.0, advice.typical->bodies))) - 1.0));
-        m_offered = static_cast<std::int64_t>(step * std::floor(advice.typical->bodies / step));
+        m_offered = roundedBodies(*advice.typical);
     }
     m_use->setText(tr("Allow %1").arg(shownCount(m_offered)));
     m_use->setVisible(m_offered > 0 && m_offered != m_settings.bodiesMax);

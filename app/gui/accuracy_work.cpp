@@ -103,4 +103,13 @@ void AccuracyWork::showProgress(const Progress& progress) {
     emit progressed(widgets::worded(progress.stage), fraction, left);
 }
 
+void AccuracyWork::cancel() {
+    m_worker.cancel();
+    // What had not started yet never ends by itself.
+    if (m_running && !m_worker.busy(Worker::Kind::Study)) {
+        m_running = false;
+        emit ended(nullptr);
+    }
+}
+
 }  // namespace rubble

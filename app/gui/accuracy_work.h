@@ -20,7 +20,7 @@ public:
 
     /// Starts a comparison; answers with grew(), progressed() and ended(). Throws UsageError for settings that cannot be swept.
     void start(const Inputs& inputs, const Scenario& scenario, const widgets::AccuracyPanel::Request& request);
-    void cancel() { m_worker.cancel(); }
+    void cancel();
     /// Cancels and forgets.
     void clear();
     bool running() const { return m_running; }

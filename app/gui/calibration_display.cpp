@@ -70,6 +70,7 @@ void CalibrationDisplay::calibrate() {
         return;
     }
     m_view->setError({});
+    m_before = m_work.calibration().get();
     m_work.start(m_target);
     m_view->setProgress(0.0, std::numeric_limits<double>::quiet_NaN());
     refresh();
@@ -80,7 +81,7 @@ void CalibrationDisplay::ended(const Failure* failure) {
     if (failure != nullptr) {
         m_view->setError(failure->what, failure->remedy);
     } else {
-        emit told(m_work.calibration() != nullptr ? tr("This machine is calibrated") : tr("The calibration was cancelled"));
+        emit told(m_work.calibration().get() != m_before ? tr("This machine is calibrated") : tr("The calibration was cancelled"));
     }
     refresh();
     emit changed();

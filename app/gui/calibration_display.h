@@ -47,6 +47,7 @@ private:
     CalibrationWork m_work;
     QDialog* m_dialog;
     widgets::CalibrationView* m_view;
+    const Calibration* m_before = nullptr;  // what there was when measuring began
     QString m_busy;
     double m_target = 0.0;  // frames per second that the curves are marked for
 };

@@ -104,4 +104,13 @@ void CalibrationWork::take(const Outcome& outcome) {
     emit changed();
 }
 
+void CalibrationWork::cancel() {
+    m_worker.cancel();
+    // What had not started yet never ends by itself.
+    if (m_running && !m_worker.busy(Worker::Kind::Study)) {
+        m_running = false;
+        emit ended(nullptr);
+    }
+}
+
 }  // namespace rubble

@@ -22,7 +22,7 @@ public:
     void load(double target);
     /// Measures; answers with progressed() and ended().
     void start(double target);
-    void cancel() { m_worker.cancel(); }
+    void cancel();
     bool running() const { return m_running; }
     /// Numbers of bodies to measure with; empty: those of core.
     void setBodies(std::vector<std::int64_t> bodies) { m_bodies = std::move(bodies); }

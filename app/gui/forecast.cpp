@@ -54,7 +54,7 @@ Forecast::Answer Forecast::answer(const Question& question, const std::string& m
     KnownPoint open = openPoint(scene, machine, threads, question.scenario, static_cast<std::int64_t>(question.fragments->size()),
                                 question.bodies);
     open.span = spanOf(*question.fragments, question.inputs.fe->times().back());
-    Answer answer{question.scenario, question.bodies, {}};
+    Answer answer{question.scenario, question.bodies, {}, false};
     for (const Predicted what : shownFigures) {
         answer.figures.push_back({what, predict(what, open, earlier.points, calibration), std::nullopt});
     }
@@ -62,14 +62,16 @@ Forecast::Answer Forecast::answer(const Question& question, const std::string& m
 }
 
 void Forecast::ask(const Question& question) {
+    const int number = ++m_asked;
     auto made = std::make_shared<std::optional<Answer>>();
     m_worker.startNext(
         {Worker::Kind::Study,
          [question, machine = m_machine, calibration = m_calibration, earlier = m_earlier, made](const Execution& execution) {
              *made = answer(question, machine, calibration.get(), *earlier, execution.threads());
          },
-         [this, made](const std::exception_ptr&) {
+         [this, number, made](const std::exception_ptr&) {
              if (made->has_value()) {
+                 (*made)->newest = number == m_asked;
                  emit said(**made);
              }
          }});

@@ -28,6 +28,7 @@ public:
         Scenario scenario;
         std::int64_t bodies = 0;
         std::vector<widgets::PredictedFigure> figures;
+        bool newest = false;  ///< nothing was asked since
     };
 
     /// @param machine  in words
@@ -53,6 +54,7 @@ private:
                          int threads);
 
     std::string m_machine;
+    int m_asked = 0;
     std::shared_ptr<const Calibration> m_calibration;
     std::shared_ptr<Earlier> m_earlier = std::make_shared<Earlier>();
     // Last, so that it has ended before anything it uses goes.

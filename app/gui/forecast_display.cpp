@@ -45,7 +45,8 @@ void ForecastDisplay::said(const Forecast::Answer& answer) {
     if (m_runScenario && !m_beforeRun && answer.scenario == *m_runScenario) {
         m_beforeRun = answer;
     }
-    if (answer.scenario == m_document.scenario()) {
+    // An older answer may rest on points or a calibration that are no longer what is known.
+    if (answer.newest && answer.scenario == m_document.scenario()) {
         m_answer = answer;
         show();
     }

@@ -133,4 +133,13 @@ void ReferenceWork::clear() {
     emit changed();
 }
 
+void ReferenceWork::cancel() {
+    m_worker.cancel();
+    // What had not started yet never ends by itself.
+    if (m_running && !m_worker.busy(Worker::Kind::Simulate)) {
+        m_running = false;
+        emit ended(nullptr);
+    }
+}
+
 }  // namespace rubble

@@ -23,7 +23,7 @@ public:
     /// Simulates it; answers with progressed() and ended().
     /// @param origin  of the run whose reference it is: its files
     void start(const Inputs& inputs, const Scenario& scenario, io::RunOrigin origin);
-    void cancel() { m_worker.cancel(); }
+    void cancel();
     void clear();
     bool running() const { return m_running; }
     /// The kept files are being looked through.

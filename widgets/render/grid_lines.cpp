@@ -19,6 +19,8 @@ GridLines::GridLines() : m_lines(vtkSmartPointer<vtkPolyData>::New()), m_actor(v
     mapper->ScalarVisibilityOff();
     m_actor->SetMapper(mapper);
     m_actor->GetProperty()->LightingOff();
+    // What lies behind a fine grid stays to be seen.
+    m_actor->GetProperty()->SetOpacity(0.6);
     m_actor->PickableOff();
     m_actor->VisibilityOff();
 }

@@ -139,6 +139,7 @@ TEST(GridPanel, AClampIsExplainedInASentence) {
 TEST(GridPanel, SizesByHandOutsideTheirBoundsAreExplainedAtTheirField) {
     GridPanel panel;
     Scenario scenario;
+    scenario.grid.grouping = Grouping::Axes;
     scenario.grid.length = 9.0;
     scenario.grid.width = 1.0;
     panel.setScenario(scenario);

@@ -105,10 +105,10 @@ TEST_F(Convert, FollowSaysWhatHasCome) {
                     grown = true;
                 }
                 const bool told = grown && textOf(out).find("+3 states") != std::string::npos;
-                if (!stopped && (told || std::chrono::steady_clock::now() - begun > std::chrono::minutes(2)) {
-            // A second one would end the program at once.
-            stopped = true;
-            ::kill(child, SIGINT);
+                if (!stopped && (told || std::chrono::steady_clock::now() - begun > std::chrono::minutes(2))) {
+                    // A second one would end the program at once.
+                    stopped = true;
+                    ::kill(child, SIGINT);
                 }
             })
             .run({"sh", "-c",

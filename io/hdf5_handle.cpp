@@ -2,6 +2,15 @@
 
 namespace rubble::io {
 
+namespace {
+
+// Where the packaged library failed on a damaged file or a full disk it leaves objects open, and its work at the end of the program
+// then crashes or goes round in circles. Every file here is closed by its owner, so nothing waits for that work. To be said before
+// the library is used for the first time.
+const bool endsWithoutTheLibrary = H5dont_atexit() >= 0;
+
+}  // namespace
+
 Hdf5Session::Hdf5Session() : m_lock(nativeLibraries()) {
     H5Eget_auto2(H5E_DEFAULT, &m_print, &m_printData);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

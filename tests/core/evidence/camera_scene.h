@@ -11,7 +11,8 @@
 namespace rubble {
 
 /// A camera that looks at a collapsed bridge, and points on it.
-struct CameraScene {
+class CameraScene {
+public:
     CameraModel camera;
     CameraKnowledge known;
     std::vector<PointPair> pairs;

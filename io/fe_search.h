@@ -25,8 +25,8 @@ FoundFe findFeAt(const std::string& path, const FileHead& head);
 /// Bytes of all files.
 std::uint64_t bytesOf(const std::vector<std::string>& files);
 
-/// Names the content of a result as it is opened: files, settings, and the frame and units that were decided on, so that it is known
-/// again once the decision is recorded.
+/// Names the content of a result as it is opened: files, settings, and the frame and units that were decided on, so that it is
+/// known again once the decision is recorded.
 Digest feFingerprint(const FeFormat& format, const std::string& sha256, const ImportSettings& settings, const Frame& frame,
                      const FileUnits& units);
 

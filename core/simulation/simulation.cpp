@@ -485,9 +485,11 @@ void Collapse::warn() {
     const std::int64_t slowed = m_world->contacts().speedLimits;
     if (slowed > 0) {
         m_result.findings.add(
-            {"simulation.speed_held", "{0} times a body was held back: nothing that it touched could have made it that fast", {slowed}},
-            {"simulation.speed_held.remedy", "raise step_rate or substeps; light bodies between far heavier ones ask for it", {}}, "",
-            slowed);
+            {"simulation.speed_held",
+             "{0} times a body was held back: nothing that it touched could have made it that fast",
+             {slowed}},
+            {"simulation.speed_held.remedy", "raise step_rate or substeps; light bodies between far heavier ones ask for it", {}},
+            "", slowed);
     }
 }
 

@@ -34,6 +34,7 @@ TEST_F(Workbench, RefreshShowsWhatHasComeAndKeepsTheRest) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     window->document().setParameter(QStringLiteral("multiple"), 3.0);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    window->area().views().setAnimated(false);
     window->area().views().look(render::Preset::Top);
     window->showInstant(0.1);
     const render::View view = window->area().views().view();

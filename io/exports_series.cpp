@@ -17,12 +17,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
-#include <pugixml.hpp>
 #include <set>
 #include <sstream>
 
@@ -31,6 +29,7 @@
 #include "io/exports.h"
 #include "io/files.h"
 #include "io/fragment_places.h"
+#include "io/pvd_index.h"
 
 namespace rubble::io {
 
@@ -268,35 +267,6 @@ std::vector<Instant> instantsOf(const Series& series) {
 
 constexpr std::array<const char*, 3> partNames{"fragments", "structure", "released"};
 
-struct Entry {
-    double time;
-    int part;
-    std::string file;
-};
-
-std::string timeText(double time) {
-    std::array<char, 40> buffer{};
-    return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), time).ptr};
-}
-
-void writeIndex(const std::string& path, const std::vector<Entry>& entries) {
-    pugi::xml_document document;
-    pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-    declaration.append_attribute("version") = "1.0";
-    pugi::xml_node file = document.append_child("VTKFile");
-    file.append_attribute("type") = "Collection";
-    file.append_attribute("version") = "0.1";
-    pugi::xml_node collection = file.append_child("Collection");
-    for (const Entry& entry : entries) {
-        pugi::xml_node set = collection.append_child("DataSet");
-        set.append_attribute("timestep") = timeText(entry.time).c_str();
-        set.append_attribute("part") = entry.part;
-        set.append_attribute("name") = partNames[static_cast<std::size_t>(entry.part)];
-        set.append_attribute("file") = entry.file.c_str();
-    }
-    writeAtomically(path, [&](std::ostream& out) { document.save(out, "  "); });
-}
-
 std::string numberedName(const char* stem, std::size_t number) {
     std::array<char, 48> name{};
     std::snprintf(name.data(), name.size(), "%s_%05zu.vtu", stem, number);
@@ -304,9 +274,9 @@ std::string numberedName(const char* stem, std::size_t number) {
 }
 
 // Files of an earlier, longer series in the same folder would only mislead.
-void removeStale(const fs::path& folder, const std::vector<Entry>& entries) {
+void removeStale(const fs::path& folder, const std::vector<PvdEntry>& entries) {
     std::set<std::string> current;
-    for (const Entry& entry : entries) {
+    for (const PvdEntry& entry : entries) {
         current.insert(fs::path(entry.file).filename().string());
     }
     std::error_code ignored;
@@ -329,7 +299,7 @@ void writeText(const fs::path& path, const std::string& text) {
     writeAtomically(path.string(), [&text](std::ostream& out) { out << text; });
 }
 
-void writeInstants(const Series& series, const fs::path& folder, const std::string& path, std::vector<Entry>& entries,
+void writeInstants(const Series& series, const fs::path& folder, const std::string& path, std::vector<PvdEntry>& entries,
                    const Execution& execution) {
     const std::vector<Instant> instants = instantsOf(series);
     std::optional<std::pair<std::size_t, std::string>> lastStructure;
@@ -346,12 +316,12 @@ void writeInstants(const Series& series, const fs::path& folder, const std::stri
             writeText(folder / lastStructure->second, structureText(series, instant.state, places));
         }
         const std::string prefix = folder.filename().string() + "/";
-        entries.push_back({instant.time, 0, prefix + fragments});
-        entries.push_back({instant.time, 1, prefix + lastStructure->second});
+        entries.push_back({instant.time, 0, partNames[0], prefix + fragments});
+        entries.push_back({instant.time, 1, partNames[1], prefix + lastStructure->second});
         if (!series.islands.empty() && instant.state + 1 == series.fe.stateCount()) {
             const std::string released = numberedName("released", i);
             writeText(folder / released, releasedText(series, instant.time));
-            entries.push_back({instant.time, 2, prefix + released});
+            entries.push_back({instant.time, 2, partNames[2], prefix + released});
         }
     }
 }
@@ -371,15 +341,15 @@ void exportSeries(const std::string& path, const RunReader& run, const FeResult&
             Message{"io.series.folder", "Cannot make the folder {0} for the series", {folder.string()}},
             Message{"io.series.folder.remedy", "Check free space and rights of the folder, or choose another place.", {}});
     }
-    std::vector<Entry> entries;
+    std::vector<PvdEntry> entries;
     try {
         writeInstants(series, folder, path, entries, execution);
     } catch (const Cancelled&) {
         // What was written so far is a series as well.
-        writeIndex(path, entries);
+        writePvdIndex(path, entries);
         throw;
     }
-    writeIndex(path, entries);
+    writePvdIndex(path, entries);
     removeStale(folder, entries);
     writeProvenance(path, provenanceText(run));
     execution.report(Message{"io.export.series", "Writing {0}", {path}}, 1.0);

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "app/cli/option_value.h"
+#include "app/cli/picture_options.h"
 #include "app/cli/virtual_display.h"
 #include "core/base/error.h"
 #include "core/fe/components.h"
@@ -25,27 +26,6 @@ constexpr std::array<ColourName, 5> colourNames{{{"highlight", render::ColourBy:
                                                  {"birth_time", render::ColourBy::BirthTime},
                                                  {"speed", render::ColourBy::Speed},
                                                  {"cluster", render::ColourBy::Cluster}}};
-constexpr int smallestPixels = 100;
-constexpr int largestPixels = 8000;
-
-QSize parseSize(const std::string& text) {
-    const std::size_t cross = text.find('x');
-    int width = 0;
-    int height = 0;
-    const bool parsed = cross != std::string::npos && parseNumber(std::string_view(text).substr(0, cross), width) &&
-                        parseNumber(std::string_view(text).substr(cross + 1), height);
-    if (!parsed || std::min(width, height) < smallestPixels || std::max(width, height) > largestPixels) {
-        throw wrongValue("--size", text, "WIDTHxHEIGHT in pixels, each from 100 to 8000");
-    }
-    return {width, height};
-}
-
-/// Hands on what Qt has to say, but for its remark on a variable that a program without windows does not need.
-void passOnQtMessage(QtMsgType, const QMessageLogContext&, const QString& text) {
-    if (!text.contains("XDG_RUNTIME_DIR")) {
-        std::cerr << text.toStdString() << '\n';
-    }
-}
 
 }  // namespace
 
@@ -89,7 +69,7 @@ FigureRequest::FigureRequest(const Arguments& arguments) {
         m_colourBy = found->colour;
     }
     if (const auto size = arguments.value("--size")) {
-        m_style.pixels = parseSize(*size);
+        m_style.pixels = parsePictureSize(*size);
     }
 }
 
@@ -128,7 +108,7 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
     data.trajectory = run;
     data.setSurroundings(scenario, inputs.terrain, run->result().get());
 
-    qInstallMessageHandler(passOnQtMessage);
+    quietQt();
     figures::ensureGuiApplication();
     const VirtualDisplay display;
     render::View view = render::defaultView(data, m_style.pixels.width(), m_style.pixels.height(), m_layout);

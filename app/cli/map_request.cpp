@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "app/cli/option_value.h"
+#include "app/cli/picture_options.h"
 #include "core/base/error.h"
 #include "io/fragment_places.h"
 #include "io/geo/map_files.h"
@@ -16,9 +17,6 @@
 namespace rubble::cli {
 
 namespace {
-
-constexpr int smallestPixels = 100;
-constexpr int largestPixels = 8000;
 
 bool endsWith(const std::string& path, std::string_view ending) {
     if (path.size() < ending.size()) {
@@ -61,25 +59,6 @@ std::vector<MapLayer> parseLayers(const std::string& text) {
     return layers;
 }
 
-/// Hands on what Qt has to say, but for its remark on a variable that a program without windows does not need.
-void passOnQtMessage(QtMsgType, const QMessageLogContext&, const QString& text) {
-    if (!text.contains("XDG_RUNTIME_DIR")) {
-        std::cerr << text.toStdString() << '\n';
-    }
-}
-
-QSize parsePixels(const std::string& text) {
-    const std::size_t cross = text.find('x');
-    int width = 0;
-    int height = 0;
-    const bool parsed = cross != std::string::npos && parseNumber(std::string_view(text).substr(0, cross), width) &&
-                        parseNumber(std::string_view(text).substr(cross + 1), height);
-    if (!parsed || std::min(width, height) < smallestPixels || std::max(width, height) > largestPixels) {
-        throw wrongValue("--size", text, "WIDTHxHEIGHT in pixels, each from 100 to 8000");
-    }
-    return {width, height};
-}
-
 }  // namespace
 
 std::vector<Option> MapRequest::options() {
@@ -113,7 +92,7 @@ MapRequest::MapRequest(const Arguments& arguments) {
         m_live = *live == "on";
     }
     if (const auto size = arguments.value("--size")) {
-        m_pixels = parsePixels(*size);
+        m_pixels = parsePictureSize(*size);
     }
 }
 
@@ -157,7 +136,7 @@ void MapRequest::write(const std::string& path, const RunMap& made, const io::Ru
         const io::MapFragments list{fragments.get(), &made.debris, run.elementIds(), made.arrivals, made.energies};
         io::writeMapPackage(path, made.map, list, m_contours, origin, session.execution());
     } else if (endsWith(path, ".png")) {
-        qInstallMessageHandler(passOnQtMessage);
+        quietQt();
         figures::ensureGuiApplication();
         const Vec3 offset = io::WorldOffset(run.origin().frame).offset();
         figures::MapPictureStyle style;

@@ -19,18 +19,17 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
-#include <pugixml.hpp>
 #include <regex>
 #include <vector>
 
 #include "core/base/error.h"
 #include "io/convert/single_precision.h"
 #include "io/files.h"
+#include "io/pvd_index.h"
 
 namespace rubble::io {
 
@@ -44,11 +43,6 @@ std::string stateName(std::size_t k) {
     std::array<char, 32> name{};
     std::snprintf(name.data(), name.size(), "state_%05zu.vtu", k);
     return name.data();
-}
-
-std::string timeText(double time) {
-    std::array<char, 40> buffer{};
-    return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), time).ptr};
 }
 
 // Single precision where that loses nothing.
@@ -204,21 +198,12 @@ private:
 };
 
 void writeIndex(const std::string& path, const std::vector<double>& times) {
-    pugi::xml_document document;
-    pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-    declaration.append_attribute("version") = "1.0";
-    pugi::xml_node file = document.append_child("VTKFile");
-    file.append_attribute("type") = "Collection";
-    file.append_attribute("version") = "0.1";
-    pugi::xml_node collection = file.append_child("Collection");
     const std::string prefix = fs::path(gridFolder(path)).filename().string() + "/";
+    std::vector<PvdEntry> entries;
     for (std::size_t k = 0; k < times.size(); ++k) {
-        pugi::xml_node set = collection.append_child("DataSet");
-        set.append_attribute("timestep") = timeText(times[k]).c_str();
-        set.append_attribute("part") = 0;
-        set.append_attribute("file") = (prefix + stateName(k)).c_str();
+        entries.push_back({times[k], 0, "", prefix + stateName(k)});
     }
-    writeAtomically(path, [&](std::ostream& out) { document.save(out, "  "); });
+    writePvdIndex(path, entries);
 }
 
 /// A folder that goes with all it holds unless it was moved to its place.

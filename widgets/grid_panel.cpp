@@ -168,8 +168,8 @@ void GridPanel::buildResult() {
     }
     m_ours = published->addValue(tr("As set"));
     published->addNote(
-        tr("Few fragments share a birth time in a result with many states, so the multiple is larger than the two to "
-           "three of the published method."));
+        tr("Few fragments share a birth time in a result with many states: the same number of bodies may need a larger "
+           "multiple than the two to three of the published method."));
 }
 
 bool GridPanel::dragging() const {

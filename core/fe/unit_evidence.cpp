@@ -142,7 +142,7 @@ public:
 private:
     void weighDeclared() {
         if (m_evidence.declared && systemOf(*m_evidence.declared) == m_fit.system) {
-            add(8.0, {"units.declared", "a deck beside the file counts so", {}});
+            add(8.0, {"units.declared", "the file or a deck beside it says so", {}});
         }
     }
 

@@ -49,13 +49,6 @@ protected:
     QTemporaryDir m_folder;
 };
 
-std::string textOf(const QString& path) {
-    std::ifstream in(path.toStdString(), std::ios::binary);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
 }  // namespace
 
 TEST_F(AccuracyWorkbench, ComparesShowsAndUsesASettingWhichUndoTakesBack) {

@@ -62,13 +62,6 @@ protected:
     QTemporaryDir m_folder;
 };
 
-std::string textOf(const QString& path) {
-    std::ifstream in(path.toStdString(), std::ios::binary);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
 }  // namespace
 
 // The drag counts, draws and is undone as one; the computation waits until the slider rests.

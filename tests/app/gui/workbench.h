@@ -4,11 +4,22 @@
 
 #include <QApplication>
 #include <QTest>
+#include <fstream>
+#include <sstream>
+#include <string>
 
 #include "app/gui/main_window.h"
 #include "app/gui/panel_deck.h"
 
 namespace rubble {
+
+/// All that a file holds; empty if it cannot be read.
+inline std::string textOf(const QString& path) {
+    std::ifstream in(path.toStdString(), std::ios::binary);
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
 
 /// A window of the smallest size, and the steps that tests begin with.
 class Workbench : public testing::Test {

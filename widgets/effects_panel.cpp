@@ -24,7 +24,7 @@ const std::array<Keys, effectCount>& settingsOf() {
     static const std::array<Keys, effectCount> keys{{{"ground_height"},
                                                      {},
                                                      {"pieces", "piece_size"},
-                                                     {"overlap_speed"},
+                                                     {"overlap_speed", "overlap_time"},
                                                      {"water_level", "water_density", "water_current_x", "water_current_y",
                                                       "water_drag", "water_linear_drag", "water_added_mass"},
                                                      {"air_density", "air_drag_coefficient"},

@@ -148,6 +148,10 @@ std::vector<Parameter> simulationRows() {
         .number("freeze_delay", "s", 0, 60, RUBBLE_AT(simulation.freezeDelay), "Freeze after", "How long it must stay so.")
         .number("overlap_speed", "m/s", 0, 100, RUBBLE_AT(simulation.overlapSpeed), "Overlap resolved at",
                 "Speed at which overlap that exists at birth is resolved, by position only.")
+        .number(
+            "overlap_time", "s", 0, 10000, RUBBLE_AT(simulation.overlapTime), "Overlap resolved for",
+            "How long after its birth a body is brought out of what it was born in; what is left then stays, so that the pile can "
+            "come to rest. Longer: looser piles that rest later.")
         .number("settle_time", "s", 0, 10000, RUBBLE_AT(simulation.settleTime), "Settle time",
                 "How long the run goes on at most after the last FE state, until 99 % of the bodies sleep.")
         .number("frame_rate", "FPS", 0.1, 1000, RUBBLE_AT(simulation.frameRate), "Recorded frames",

@@ -29,6 +29,7 @@ public:
     double kineticEnergy(BodyId body) const override;
     Momenta momenta(BodyId body) const override;
     double smallestSide(BodyId body) const override { return m_bodies[at(body)]->smallestSide; }
+    double lifted(BodyId body) const override { return m_bodies[at(body)]->lifted; }
     double penetration(BodyId body) const override { return removed(body) ? 0.0 : m_bodies[at(body)]->penetration; }
     double birthDepth(BodyId body) const override;
     bool pushedByPiece(BodyId body) const override { return m_bodies[at(body)]->pushed; }

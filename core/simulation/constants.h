@@ -48,11 +48,9 @@ constexpr double pieceStillTravel = 0.002;
 constexpr double contactMargin = 0.01;
 /// m. Solids less deep in each other touch: that is no overlap to be brought apart. Higher: a push where they are born.
 constexpr double touchingDepth = 1e-4;
-/// m/s2. Acceleration of the lighter body that bringing apart an overlap at birth may press with: as many layers above it. Lower:
-/// piles of births stay squeezed; higher: newborns heave up what lies on them.
-constexpr double birthPartingAcceleration = 100.0;
-/// m/s2. The same for overlap that came about otherwise. Higher: neighbours are pressed into each other.
-constexpr double partingAcceleration = 30.0;
+/// Way of a body in a step over that of one contact, at most, where many bring overlap at birth apart. Lower: deep piles stay
+/// squeezed; higher: single bodies jump.
+constexpr double partingReach = 10.0;
 /// m/s. Soft contacts push overlap apart at most this fast. Lower: piles squeeze; higher: they burst.
 constexpr double pushOutSpeed = 1.0;
 /// m/s. Hits slower than this do not bounce. Lower: piles tremble; higher: small bounces are lost.

@@ -97,9 +97,9 @@ void HealthMonitor::watchPenetration(Watched& watched, double depth, double time
     }
 }
 
-double HealthMonitor::allowedSpeedSquared(const TrackedBody& body) const {
+double HealthMonitor::allowedSpeedSquared(const TrackedBody& body, double lifted) const {
     const double z = body.latest.pose.position.z();
-    double fall = body.birthHeight - z;
+    double fall = body.birthHeight + lifted - z;
     double own = body.birthSpeedSquared + speedFloor * speedFloor / (m_limits.speed * m_limits.speed);
     if (m_site.waterLevel) {
         // Buoyancy lifts what is lighter than water; the current carries.
@@ -114,7 +114,7 @@ double HealthMonitor::allowedSpeedSquared(const TrackedBody& body) const {
 void HealthMonitor::watchSpeed(const RigidWorld& world, std::size_t index, const TrackedBody& body) {
     Watched& watched = m_bodies[index];
     const double speedSquared = body.latest.velocity.squaredNorm();
-    const double allowed = allowedSpeedSquared(body);
+    const double allowed = allowedSpeedSquared(body, world.lifted(idAt<BodyId>(index)));
     const double energy = 0.5 * speedSquared + m_site.gravity * body.latest.pose.position.z();
     m_gain.add(index, body.mass * (energy - watched.energy), never);
     watched.energy = energy;

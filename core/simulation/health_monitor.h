@@ -96,7 +96,7 @@ private:
     void watchPenetration(Watched& watched, double depth, double time) const;
     void watchSpeed(const RigidWorld& world, std::size_t index, const TrackedBody& body);
     void watchPlace(Watched& watched, const Vec3& place, double time);
-    double allowedSpeedSquared(const TrackedBody& body) const;
+    double allowedSpeedSquared(const TrackedBody& body, double lifted) const;
     void note(HealthCheck check, const Tally& tally, double limit, std::span<const TrackedBody> bodies, double time);
     void notePenetration(std::span<const TrackedBody> bodies, double time);
     void noteEnergy(const HealthStep& step, std::span<const TrackedBody> bodies);

@@ -62,7 +62,8 @@ struct WorldSettings {
     bool freeze = true;
     double freezeSpeed = 0.02;  ///< m/s
     double freezeDelay = 0.5;   ///< s
-    double overlapSpeed = 0.4;  ///< m/s
+    double overlapSpeed = 1.5;  ///< m/s
+    double overlapTime = 4.0;   ///< s
     /// Asked now and then within a step; a step that is told to stop ends early and leaves the world good for destruction only.
     std::function<bool()> cancelled;
 };
@@ -129,6 +130,8 @@ public:
     virtual double penetration(BodyId body) const = 0;
     /// How deep a body was inside older bodies and pieces when it entered, over its own smallest side; 0 before its first step.
     virtual double birthDepth(BodyId body) const = 0;
+    /// m, by which bringing it out of overlap at birth has lifted a body so far, by position only.
+    virtual double lifted(BodyId body) const = 0;
     /// A moving piece has pushed this body at some time.
     virtual bool pushedByPiece(BodyId body) const = 0;
     virtual const ContactReport& contacts() const = 0;

@@ -53,6 +53,7 @@ WorldSettings worldSettings(const RunDescription& description, const EffectDecis
     world.freezeSpeed = s.freezeSpeed;
     world.freezeDelay = s.freezeDelay;
     world.overlapSpeed = s.overlapSpeed;
+    world.overlapTime = s.overlapTime;
     world.cancelled = [execution] { return execution.cancelled(); };
     return world;
 }

@@ -29,7 +29,6 @@ void carryOver(const SoftContact& from, SoftContact& to) {
     to.restLoad = from.restLoad;
     to.pushes = from.pushes;
     to.yielded = from.yielded;
-    to.born = from.born;
     std::array<bool, 4> fromDone{}, toDone{};
     for (int i = 0; i < to.count; ++i) {
         for (int j = 0; j < from.count; ++j) {

@@ -38,7 +38,6 @@ struct SoftContact {
     int pushes = 0;                ///< of a carrying piece in vain, in a row
     bool fresh = true;             ///< not there in the step before
     bool yielded = false;          ///< the piece of this contact has given way
-    bool born = false;             ///< the offset is overlap at birth
     bool yielding = false;         ///< and goes on into the body now
     bool pressing = false;         ///< it strikes from above or from the side
 

@@ -61,6 +61,11 @@ struct alignas(8 * solverLanes) LanePointWork {
     Lanes raised;        ///< N s, upward part of what acted in the soft pass
 };
 
+/// What has been spent at a point on bringing overlap apart in this step.
+struct alignas(8 * solverLanes) LanePush {
+    Lanes push;  ///< kg m
+};
+
 /// Contacts side by side. Missing ones at the end of a colour have no mass and no body.
 struct alignas(8 * solverLanes) LaneContacts {
     std::uint32_t a[solverLanes], b[solverLanes];  ///< bodies
@@ -78,8 +83,7 @@ struct alignas(8 * solverLanes) LaneContacts {
     KeptLanes biasRate;      ///< 1/s, of the soft pass
     KeptLanes massScale;     ///< of the soft pass
     KeptLanes impulseScale;  ///< of the soft pass
-    KeptLanes parting;       ///< m/s, at which overlap at birth is brought apart in the soft pass; zero: none
-    KeptLanes partingLimit;  ///< N s per point and substep that may be spent on that
+    KeptLanes parting;       ///< m, by which overlap at birth is brought apart in this step; zero: none
     KeptLanes impulseLimit;  ///< N s per point and substep
     KeptLanes lift;          ///< m/s, what an upward impulse gains against gravity in a substep; zero between two that move
     KeptLanes bookedShare;   ///< 1: its work of pushing apart is accounted for
@@ -95,8 +99,10 @@ struct LaneScene {
     LanePointWork* works = nullptr;  ///< beside the points
     LaneBody* bodies = nullptr;
     const LaneTravel* travel = nullptr;
-    std::uint32_t movable = 0;  ///< bodies below this one move
-    double h = 0.0;             ///< s, length of a substep
+    std::uint32_t movable = 0;   ///< bodies below this one move
+    double h = 0.0;              ///< s, length of a substep
+    LanePush* pushes = nullptr;  ///< beside the points
+    LaneBody* parted = nullptr;  ///< m and rad by which overlap is brought apart, in place of speeds
 };
 
 /// The passes over contacts [first, last) of one colour, in two makes: for every processor, and for those with 256-bit vectors.
@@ -109,6 +115,8 @@ struct LanePasses {
     /// Solves once without the push, where the bodies have moved to. @param moved  they have since the pass before
     /// @param final  the last pass of the substep: its impulses are added up
     void (*relax)(const LaneScene& scene, std::size_t first, std::size_t last, bool moved, bool final);
+    /// Brings overlap at birth apart by position only. @param hold  nothing is pushed further, only kept from going back
+    void (*part)(const LaneScene& scene, std::size_t first, std::size_t last, bool hold);
     /// Notes the velocities before any impulse, for the work of contacts that are accounted for.
     void (*noteOpening)(const LaneScene& scene, std::size_t first, std::size_t last);
     /// Books the work of a substep.

@@ -212,13 +212,7 @@ inline void solve(const LaneScene& scene, LaneContacts& c, double push, bool las
         } else {
             wanted = p.normalImpulse - mass * (speed + (apart ? ahead : zero));
         }
-        Lanes total = smaller(larger(wanted, zero), wide(c.impulseLimit));
-        if (Push) {
-            // Beyond what holds the two where they are, little is spent on bringing them apart.
-            const Lanes parting = wide(c.parting);
-            const Lanes parted = smaller(p.normalImpulse - mass * (speed - parting), wide(c.partingLimit));
-            total = parting > zero ? larger(total, parted) : total;
-        }
+        const Lanes total = smaller(larger(wanted, zero), wide(c.impulseLimit));
         const Lanes change = total - p.normalImpulse;
         p.normalImpulse = total;
         p.largestImpulse = kept(larger(wide(p.largestImpulse), total));
@@ -282,6 +276,32 @@ void relax(const LaneScene& scene, std::size_t first, std::size_t last, bool mov
     }
 }
 
+void part(const LaneScene& scene, std::size_t first, std::size_t last, bool hold) {
+    const Lanes zero = all(0.0);
+    for (std::size_t i = first; i < last; ++i) {
+        const LaneContacts& c = scene.contacts[i];
+        End a = load(scene.parted, c.a);
+        End b = load(scene.parted, c.b);
+        const Pair pair(c);
+        const Lanes parting = wide(c.parting);
+        for (std::uint32_t k = 0; k < c.points; ++k) {
+            const LanePoint& p = scene.points[c.firstPoint + k];
+            Lanes& push = scene.pushes[c.firstPoint + k].push;
+            const Arms arms(p);
+            const Lanes mass = wide(p.normalMass);
+            const Lanes way = dot(pair.normal, relativeVelocity(a, b, arms));
+            // What touches stays apart, what is open may close, what overlaps comes apart.
+            const Lanes wanted = larger(push + mass * (parting - larger(p.now, zero) - way), zero);
+            const Lanes held = larger(push, push - mass * way);
+            const Lanes total = hold ? (parting > zero ? held : wanted) : wanted;
+            apply(pair, a, b, arms, (total - push) * pair.normal);
+            push = total;
+        }
+        store(a, scene.parted, c.a, scene.movable);
+        store(b, scene.parted, c.b, scene.movable);
+    }
+}
+
 void noteOpening(const LaneScene& scene, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
         const LaneContacts& c = scene.contacts[i];
@@ -324,6 +344,6 @@ void book(const LaneScene& scene, std::size_t first, std::size_t last) {
 }  // namespace
 
 extern const LanePasses passes;
-const LanePasses passes{warmStart, soft, relax, noteOpening, book};
+const LanePasses passes{warmStart, soft, relax, part, noteOpening, book};
 
 }  // namespace rubble::RUBBLE_LANE_MAKE

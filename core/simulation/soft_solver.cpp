@@ -18,6 +18,10 @@ constexpr double warmGrowth = 3.0;
 /// Passes that take the push back. Fewer: piles creep and tremble, since what one contact leaves the others have to take; more:
 /// slower.
 constexpr int relaxPasses = 3;
+/// Passes that bring overlap at birth apart, then such that only keep others from being pressed together for it. More of the first:
+/// it comes apart sooner; fewer of the second: piles are pressed into themselves and tremble.
+constexpr int partPasses = 3;
+constexpr int holdPasses = 3;
 /// Rounds over the points of a contact that bounces.
 constexpr int restitutionRounds = 8;
 /// Contacts that one thread takes at a time.
@@ -300,7 +304,6 @@ void SoftSolver::fillLanes(const Group& group, LaneContacts& lanes) {
         lanes.massScale[lane] = static_cast<KeptNumber>(c.massScale);
         lanes.impulseScale[lane] = static_cast<KeptNumber>(c.impulseScale);
         lanes.parting[lane] = static_cast<KeptNumber>(c.parting);
-        lanes.partingLimit[lane] = static_cast<KeptNumber>(c.partingLimit);
         lanes.lift[lane] = static_cast<KeptNumber>(c.lift);
         lanes.impulseLimit[lane] = c.impulseLimit < 0.0 ? unlimited : static_cast<KeptNumber>(c.impulseLimit);
         lanes.bookedShare[lane] = c.booked ? 1 : 0;
@@ -370,6 +373,22 @@ void SoftSolver::relax() {
 
 void SoftSolver::book() {
     forEachBooked(m_passes.book);
+}
+
+bool SoftSolver::part() {
+    if (std::none_of(contacts.begin(), contacts.end(), [](const SolverContact& c) { return c.parting > 0.0; })) {
+        return false;
+    }
+    m_parted.assign(bodies.size(), LaneBody{});
+    m_pushes.assign(m_lanePoints.size(), LanePush{});
+    m_scene.parted = m_parted.data();
+    m_scene.pushes = m_pushes.data();
+    for (int pass = 0; pass < partPasses + holdPasses; ++pass) {
+        forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) {
+            m_passes.part(scene, first, last, pass >= partPasses);
+        });
+    }
+    return true;
 }
 
 void SoftSolver::takeBack() {

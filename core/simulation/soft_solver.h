@@ -50,9 +50,8 @@ struct SolverContact {
     double biasRate = 0.0;      ///< 1/s, of the soft pass
     double massScale = 1.0;     ///< of the soft pass
     double impulseScale = 0.0;  ///< of the soft pass
-    double parting = 0.0;       ///< m/s, at which overlap at birth is brought apart in the soft pass
+    double parting = 0.0;       ///< m, by which overlap at birth is brought apart in this step; zero: none
     double lift = 0.0;          ///< m/s, what an upward impulse gains against gravity in a substep; see LaneContacts
-    double partingLimit = 0.0;  ///< N s per point and substep that may be spent on that
     double impulseLimit = 0.0;  ///< N s per point and substep; negative: none
     double work = 0.0;          ///< J, in this step: of pushing the bodies apart, or of a moving piece
     std::uint32_t found = 0;    ///< where the contact came from
@@ -103,6 +102,10 @@ public:
     void relax();
     /// Books the work of this substep.
     void book();
+    /// Brings overlap at birth apart by position only, after the last substep; false: there is none.
+    bool part();
+    /// m and rad that this moves and turns the bodies by.
+    std::span<const LaneBody> parted() const { return m_parted; }
     /// Puts impulses and work into contacts and points. The passes above do not reach those.
     void takeBack();
     /// Gives back the speed of approach of every hit above `threshold` [m/s].
@@ -144,6 +147,8 @@ private:
     std::vector<LanePointWork> m_laneWorks;
     std::vector<LaneBody> m_laneBodies;
     std::vector<LaneTravel> m_laneTravel;
+    std::vector<LanePush> m_pushes;  ///< beside the points
+    std::vector<LaneBody> m_parted;  ///< [bodies]
 };
 
 }  // namespace rubble

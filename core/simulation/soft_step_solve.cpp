@@ -79,7 +79,7 @@ void SoftStepWorld::restPair(std::size_t first, std::size_t last, double dt) {
         SoftContact& contact = m_contacts[i];
         if (a.newborn || b.newborn) {
             contact.offset = contact.depth > touchingDepth ? contact.depth : 0.0;
-            contact.yielded = contact.born = contact.offset > 0.0;
+            contact.yielded = contact.offset > 0.0;
         }
         if (contact.fresh && contact.depth > contactMargin) {
             // Nothing comes into being deep: what lies deeper than the way of one step was there, under another part's name.
@@ -241,6 +241,13 @@ void SoftStepWorld::buildSolver(double h) {
     });
 }
 
+/// m by which the two are brought apart in this step.
+double SoftStepWorld::partingOf(const SoftContact& contact, double dt) const {
+    const auto ageOf = [&](const Collider& x) { return x.kind == ColliderKind::Body ? solidOf(x).age : 1e300; };
+    const bool young = std::min(ageOf(*contact.a), ageOf(*contact.b)) < m_settings.overlapTime;
+    return young ? std::min(m_settings.overlapSpeed * dt, contact.offset) : 0.0;
+}
+
 void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h) {
     const PairProperties& pair = m_settings.pairs.of(contact.a->material, contact.b->material);
     const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
@@ -255,11 +262,7 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
     const auto swelling = [](const Collider& x) { return x.kind == ColliderKind::Body && x.overlapping; };
     c.booked = !c.driven && (contact.offset > 0.0 || swelling(*contact.a) || swelling(*contact.b));
     c.impulseLimit = -1.0;
-    if (!c.driven && contact.offset > 0.0) {
-        c.parting = std::min(m_settings.overlapSpeed, contact.offset / (h * m_substeps));
-        const double inverse = std::max(m_solver.bodies[c.a].inverseMass, m_solver.bodies[c.b].inverseMass);
-        c.partingLimit = (contact.born ? birthPartingAcceleration : partingAcceleration) * h / (inverse * contact.count);
-    }
+    c.parting = c.driven ? 0.0 : partingOf(contact, h * m_substeps);
     const bool immovable = c.a >= m_awake.size() || c.b >= m_awake.size();
     c.lift = immovable ? (c.a >= m_awake.size() ? 1.0 : -1.0) * m_settings.gravity * h : 0.0;
     c.frequency = immovable ? 2.0 * frequency : frequency;

@@ -243,6 +243,7 @@ void SoftStepWorld::substeps(double dt) {
         m_solver.relax();
         m_solver.book();
     }
+    m_parting = m_solver.part();
     m_solver.takeBack();
     m_solver.restitute(restitutionThreshold);
     for (std::size_t i = 0; i < m_awake.size(); ++i) {
@@ -366,7 +367,8 @@ void SoftStepWorld::writeBack(double dt) {
             solid.velocity = m_solver.bodies[i].velocity;
             solid.spin = m_solver.bodies[i].spin;
             solid.supported = m_supportedNow[i] != 0;
-            lifting[i] = keepAboveGround(solid, dt);
+            solid.age += dt;
+            lifting[i] = bringApart(i, dt) + keepAboveGround(solid, dt);
             btRigidBody& object = *solid.collider->object;
             object.setWorldTransform(toBullet(solid.pose));
             object.setLinearVelocity(toBullet(solid.velocity));
@@ -378,6 +380,28 @@ void SoftStepWorld::writeBack(double dt) {
         m_pieces[i].pose = fromBullet(m_pieces[i].collider->object->getWorldTransform());
         place(m_pieces[i]);
     }
+}
+
+/// Moves and turns what lies in others from birth, without a change of its speed. Returns the work [J] that it took.
+double SoftStepWorld::bringApart(std::size_t slot, double dt) {
+    if (!m_parting) {
+        return 0.0;
+    }
+    Solid& solid = m_bodies[m_awake[slot]];
+    const LaneBody& parted = m_solver.parted()[slot];
+    Vec3 way(parted.velocity), turned(parted.spin);
+    const double length = way.norm() + turned.norm() * solid.collider->radius;
+    const double most = partingReach * m_settings.overlapSpeed * dt;
+    if (length > most) {
+        way *= most / length;
+        turned *= most / length;
+    }
+    solid.pose.position += way;
+    solid.collider->lifted += way.z();
+    solid.pose.orientation = turnedBy(solid.pose.orientation, turned, 1.0);
+    m_solver.bodies[slot].moved += way;
+    m_solver.bodies[slot].turned += turned;
+    return m_settings.gravity * way.z() / solid.inverseMass;
 }
 
 /// Returns the work [J] that it took.

@@ -54,6 +54,7 @@ private:
         Vec3 inertia = Vec3::Ones();
         double inverseMass = 0.0;
         std::int32_t slot = -1;  ///< among the solver's bodies in this step; -1: immovable and still
+        double age = 0.0;        ///< s, that it has been there and awake
         bool hull = false;       ///< a part is a hull
         int drivers = 0;         ///< moving pieces that press on it in this step
         bool active = false;     ///< a contact acted on it in this step
@@ -131,6 +132,7 @@ private:
     void takeBodies();
     std::vector<Taken> takeContacts();
     void buildSolver(double h);
+    double partingOf(const SoftContact& contact, double dt) const;
     void fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h);
     void weighDown(const std::vector<Taken>& taken);
     double yieldOf(const SolverContact& c) const;
@@ -147,6 +149,7 @@ private:
     void takeResults();
     void bookPiece(SoftContact& contact, const SolverContact& c, double pushed);
     void writeBack(double dt);
+    double bringApart(std::size_t slot, double dt);
     double keepAboveGround(Solid& solid, double dt) const;
     void settle(double dt);
     void freeze(Collider& body);
@@ -170,6 +173,7 @@ private:
     std::uint32_t m_stillSlot = 0;
     std::vector<char> m_supported, m_supportedNow;  ///< [slots] firm in the step before, in this step; moving pieces never
     std::vector<double> m_fastest;                  ///< m/s, [slots] that a body may get to in this step
+    bool m_parting = false;                         ///< overlap at birth comes apart in this step
     int m_substeps = 1;                             ///< of this step
     double m_substepLength = 0.0;                   ///< s, of the step before: what the impulses carried on are for
     std::vector<Pair> m_pairs[Kinds];

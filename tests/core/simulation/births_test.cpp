@@ -55,6 +55,48 @@ TEST(Births, OverlapIsNeverALaunch) {
     }
 }
 
+TEST(Births, WhatIsNotApartInTimeStaysAndRests) {
+    WorldScene scene;
+    scene.solver = SolverKind::SoftStep;
+    scene.settings.overlapSpeed = 0.4;
+    scene.settings.overlapTime = 0.5;
+    scene.box({0, 0, 0.5}, {1, 1, 1});
+    const BodyId upper = scene.box({0, 0, 0.6}, {1, 1, 1});
+    scene.run(3.0);
+    // 0.9 m deep at first, apart at 0.4 m/s for 0.5 s; the load presses the lower one a little into the ground meanwhile.
+    EXPECT_NEAR(scene.place(upper).z() - scene.place(idAt<BodyId>(0)).z(), 0.1 + 0.4 * 0.5, 0.05);
+    EXPECT_EQ(scene.world().state(upper), BodyState::Frozen);
+    // Lifted by position: the speed never knew of it, the work did, and what soft contacts spent on the load beside it.
+    const double way = scene.world().lifted(upper);
+    const double least = scene.world().mass(upper) * scene.settings.gravity * way;
+    EXPECT_NEAR(way, 0.4 * 0.5, 0.03);
+    EXPECT_GE(scene.world().contacts().overlapWork, 0.99 * least);
+    EXPECT_LE(scene.world().contacts().overlapWork, 1.3 * least);
+}
+
+TEST(Births, APileComesApartWithoutBoiling) {
+    WorldScene scene;
+    scene.solver = SolverKind::SoftStep;
+    // 4 x 4 x 6 boxes in the space of half as many: each lies half in its neighbours above and below.
+    for (int k = 0; k < 6; ++k) {
+        for (int i = 0; i < 4; ++i) {
+            for (int j = 0; j < 4; ++j) {
+                scene.box({0.62 * i, 0.62 * j, 0.3 + 0.3 * k}, {0.6, 0.6, 0.6});
+            }
+        }
+    }
+    scene.run(8.0);
+    std::size_t asleep = 0;
+    double highest = 0.0;
+    for (std::size_t i = 0; i < scene.world().bodyCount(); ++i) {
+        asleep += scene.world().state(idAt<BodyId>(i)) == BodyState::Frozen;
+        highest = std::max(highest, scene.place(idAt<BodyId>(i)).z());
+    }
+    EXPECT_GE(asleep, 0.9 * static_cast<double>(scene.world().bodyCount()));
+    EXPECT_GT(highest, 2.5) << "six boxes on each other, apart from what fell off the top";
+    EXPECT_LT(highest, 3.4);
+}
+
 TEST(Births, InsideAnOlderPileDoNotLaunchIt) {
     WorldScene scene;
     for (int i = 0; i < 5; ++i) {

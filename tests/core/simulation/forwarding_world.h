@@ -28,6 +28,7 @@ public:
     double kineticEnergy(BodyId body) const override { return m_world->kineticEnergy(body); }
     Momenta momenta(BodyId body) const override { return m_world->momenta(body); }
     double smallestSide(BodyId body) const override { return m_world->smallestSide(body); }
+    double lifted(BodyId body) const override { return m_world->lifted(body); }
     double penetration(BodyId body) const override { return m_world->penetration(body); }
     double birthDepth(BodyId body) const override { return m_world->birthDepth(body); }
     bool pushedByPiece(BodyId body) const override { return m_world->pushedByPiece(body); }

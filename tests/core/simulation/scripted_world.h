@@ -14,6 +14,7 @@ public:
         BodyState state = BodyState::Awake;
         double side = 1.0;         ///< m
         double penetration = 0.0;  ///< m
+        double lifted = 0.0;       ///< m
         bool pushed = false;
     };
     std::vector<Body> scripted;
@@ -34,6 +35,7 @@ public:
     double kineticEnergy(BodyId) const override { return 0.0; }
     Momenta momenta(BodyId) const override { return {}; }
     double smallestSide(BodyId body) const override { return scripted[at(body)].side; }
+    double lifted(BodyId body) const override { return scripted[at(body)].lifted; }
     double penetration(BodyId body) const override { return scripted[at(body)].penetration; }
     double birthDepth(BodyId) const override { return 0.0; }
     bool pushedByPiece(BodyId body) const override { return scripted[at(body)].pushed; }

@@ -1,8 +1,6 @@
 #include <QApplication>
 #include <QFileInfo>
-#include <QLibraryInfo>
-#include <QLocale>
-#include <QTranslator>
+#include <QSettings>
 #include <cstdio>
 #include <cstdlib>
 
@@ -12,6 +10,7 @@
 #include "app/gui/panel_deck.h"
 #include "app/gui/screenshot.h"
 #include "widgets/figures/figure_file.h"
+#include "widgets/language.h"
 #include "widgets/theme.h"
 
 namespace {
@@ -24,22 +23,6 @@ bool displayReady() {
         qputenv("QT_QPA_PLATFORM", "xcb");
     }
     return rubble::figures::displayAvailable();
-}
-
-/// Text in the language of the system where there is a translation; English otherwise.
-void installTranslations(QApplication& application) {
-    auto* own = new QTranslator(&application);
-    if (own->load(QLocale(), QStringLiteral("rubble"), QStringLiteral("_"), QStringLiteral(":/translations"))) {
-        QApplication::installTranslator(own);
-        auto* qt = new QTranslator(&application);
-        if (qt->load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
-                     QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
-            QApplication::installTranslator(qt);
-        }
-    } else {
-        // English words with English numbers.
-        QLocale::setDefault(QLocale(QLocale::English));
-    }
 }
 
 QStringList argumentsOf(int argc, char** argv) {
@@ -72,7 +55,8 @@ int main(int argc, char** argv) {
     QCoreApplication::setOrganizationName(QStringLiteral("rubble"));
     QCoreApplication::setApplicationName(QStringLiteral("rubble"));
     QApplication application(argc, argv);
-    installTranslations(application);
+    const QString kept = QSettings().value(QStringLiteral("language"), QStringLiteral("system")).toString();
+    rubble::widgets::speak(options.language.isEmpty() ? kept : options.language);
     rubble::widgets::applyTheme(rubble::widgets::systemTheme());
     rubble::MainWindow window;
     if (!options.theme.isEmpty()) {

@@ -118,7 +118,7 @@ bool isPhrase(const Literal& literal) {
     static const std::regex lower("[a-z]{2}");
     const std::string& text = literal.text;
     // What begins or ends in the middle of a sentence is put together by the program and cannot be translated on its own.
-    const bool odd = std::count(text.begin(), text.end(), '"') % 2 == 1;
+    const bool odd = std::count(text.begin(), text.end(), '"') % 2 == 1 || text.ends_with("= '");
     const bool torn = text.empty() || odd || std::string_view(" \"),;#\n").find(text.front()) != std::string_view::npos ||
                       (text.back() == ' ' && !text.ends_with(": ")) || text.back() == '(';
     const bool quoted =

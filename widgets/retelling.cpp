@@ -99,7 +99,8 @@ QString Retelling::whole(const QString& text, const QByteArrayList& contexts) co
     if (found == m_words.constEnd()) {
         return {};
     }
-    for (const QByteArray& context : contexts) {
+    // Where no class of its own has it, a text is most likely the name of a parameter, of a choice or of an action.
+    for (const QByteArray& context : contexts + QByteArrayList{"parameters", "choices", "actions"}) {
         for (const Words& words : *found) {
             if (words.context == context) {
                 return words.to;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "widgets/language.h"
+#include "widgets/spoken_text.h"
 
 namespace rubble::widgets {
 
@@ -36,7 +37,7 @@ QString patternOf(const std::string& english) {
 QString shownArgument(const Argument& argument) {
     QString text;
     if (const auto* words = std::get_if<std::string>(&argument.value)) {
-        text = said("messages", *words);
+        text = spokenText(*words);
     } else if (const auto* whole = std::get_if<std::int64_t>(&argument.value)) {
         text = shownCount(*whole);
     } else {

@@ -1,6 +1,7 @@
 #include <QApplication>
 #include <QFileInfo>
 #include <QSettings>
+#include <clocale>
 #include <cstdio>
 #include <cstdlib>
 
@@ -9,6 +10,7 @@
 #include "app/gui/options.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/screenshot.h"
+#include "app/gui/settings.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/language.h"
 #include "widgets/theme.h"
@@ -55,8 +57,10 @@ int main(int argc, char** argv) {
     QCoreApplication::setOrganizationName(QStringLiteral("rubble"));
     QCoreApplication::setApplicationName(QStringLiteral("rubble"));
     QApplication application(argc, argv);
-    const QString kept = QSettings().value(QStringLiteral("language"), QStringLiteral("system")).toString();
-    rubble::widgets::speak(options.language.isEmpty() ? kept : options.language);
+    // Qt takes the system's locale over for C as well, but files are read and written with a point as decimal sign everywhere.
+    std::setlocale(LC_NUMERIC, "C");
+    QSettings settings;
+    rubble::widgets::speak(options.language.isEmpty() ? rubble::readPreferences(settings).language : options.language);
     rubble::widgets::applyTheme(rubble::widgets::systemTheme());
     rubble::MainWindow window;
     if (!options.theme.isEmpty()) {

@@ -18,10 +18,6 @@ namespace {
 constexpr double reach = 14.0;      // px, of the mouse
 constexpr double tickSpace = 56.0;  // px, that one tick of an axis takes at least
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("accuracy", text);
-}
-
 }  // namespace
 
 PlotContent plotContent(const AccuracyReport& report, CostKind cost, const AccuracyKind& accuracy, std::optional<int> inUse,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCoreApplication>
 #include <QPainter>
 #include <optional>
 #include <utility>
@@ -42,6 +43,7 @@ PlotContent plotContent(const AccuracyReport& report, CostKind cost, const Accur
 
 /// Lays a chart out in a rectangle and draws it, on a screen or for a file.
 class AccuracyPlot {
+    Q_DECLARE_TR_FUNCTIONS(rubble::widgets::AccuracyPlot)
 public:
     /// @param font  of labels; its size decides the margins
     AccuracyPlot(const PlotContent& content, const QRectF& area, const QFont& font, const figures::Palette& palette);

@@ -13,7 +13,7 @@ namespace rubble::widgets {
 namespace {
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("accuracy", text);
+    return QCoreApplication::translate("rubble::widgets", text);
 }
 
 struct MeasureWords {

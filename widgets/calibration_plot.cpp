@@ -22,7 +22,7 @@ constexpr std::array<PileKind, 2> piles{PileKind::Typical, PileKind::Worst};
 constexpr std::array<LiveLoad, 3> loads{LiveLoad::Physics, LiveLoad::Drawing, LiveLoad::Both};
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("calibration", text);
+    return QCoreApplication::translate("rubble::widgets", text);
 }
 
 RateCurve curveOf(const Calibration& calibration, PileKind pile, LiveLoad load) {

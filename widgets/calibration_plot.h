@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCoreApplication>
 #include <QFont>
 #include <QRectF>
 #include <array>
@@ -56,6 +57,7 @@ QString ratePointWords(const RatePoint& point);
 
 /// Lays the chart out in a rectangle and draws it, on a screen or for a file. Both axes are logarithmic.
 class CalibrationPlot {
+    Q_DECLARE_TR_FUNCTIONS(rubble::widgets::CalibrationPlot)
 public:
     CalibrationPlot(const CalibrationPlotContent& content, const QRectF& area, const QFont& font, const figures::Palette& palette);
 

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/fe/unit_evidence.h"
+#include "widgets/spoken_text.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
 
@@ -184,14 +185,14 @@ void CasePanel::showFile(const FeResult* fe) {
     const QString path = QString::fromStdString(c.path);
     m_name->setText(m_name->fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, 150));
     m_name->setToolTip(path);
-    m_format->setText(QString::fromStdString(c.format));
+    m_format->setText(spokenText(c.format));
     m_elements->setText(shownCount(static_cast<std::int64_t>(fe->mesh().elementCount())));
     m_nodes->setText(shownCount(static_cast<std::int64_t>(fe->mesh().nodeCount())));
     m_states->setText(shownCount(static_cast<std::int64_t>(fe->stateCount())));
     m_span->setText(QStringLiteral("%1 – %2").arg(QLocale().toString(fe->times().front(), 'f', 2),
                                                   QLocale().toString(fe->times().back(), 'f', 2)));
     showUnits(c);
-    const QString flag = QString::fromStdString(c.activityFrom);
+    const QString flag = spokenText(c.activityFrom);
     m_flag->setText(flag.section(u'(', 0, 0).trimmed());
     m_flag->setToolTip(flag);
     m_velocity->setText(c.hasVelocity ? tr("in the file") : tr("from positions"));
@@ -213,8 +214,8 @@ void CasePanel::showUnits(const FeResult::Contents& contents) {
     const QString fitting = QString::fromStdString(proposal.choice);
     const bool other = !fitting.isEmpty() && fitting != name;
     m_units->setText(other ? tr("%1, fits %2").arg(name, fitting) : name);
-    const QString reason = QString::fromStdString(englishText(proposal.reason));
-    m_units->setToolTip(tr("Taken: %1.\nWhat the file fits: %2.").arg(QString::fromStdString(contents.unitsFrom), reason));
+    const QString reason = worded(proposal.reason);
+    m_units->setToolTip(tr("Taken: %1.\nWhat the file fits: %2.").arg(spokenText(contents.unitsFrom), reason));
 }
 
 void CasePanel::showComponents(const FeResult* fe, const Components* components) {
@@ -228,7 +229,7 @@ void CasePanel::showComponents(const FeResult* fe, const Components* components)
             dead += fe != nullptr && !fe->activity().active(fe->stateCount() - 1, e) ? 1 : 0;
         }
         m_table->setItem(row, Name, cell(QString::fromStdString(component.name), false));
-        m_table->setItem(row, Kind, cell(QString::fromStdString(component.kind), false));
+        m_table->setItem(row, Kind, cell(spokenText(component.kind), false));
         m_table->setItem(row, Elements, cell(shownCount(static_cast<std::int64_t>(component.elements.size())), true));
         m_table->setItem(row, Dead, cell(shownCount(dead), true));
         auto* density = cell(shownNumber(component.density, 4), true);

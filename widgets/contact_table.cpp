@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "widgets/icons.h"
+#include "widgets/language.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
 
@@ -214,10 +215,7 @@ void ContactTable::fillRow(int row, MaterialPair pair) {
         auto* item = plain(column, shownCoefficient(held.value_or(valueOf(m_pairs.of(pair.first, pair.second), column))), {});
         const bool own = changed(pair, column) && !held;
         const QString words =
-            source != sources.end()
-                ? QString::fromUtf8((column == Friction ? source->friction : source->restitution).data(),
-                                    static_cast<qsizetype>((column == Friction ? source->friction : source->restitution).size()))
-                : QString();
+            source != sources.end() ? said("messages", column == Friction ? source->friction : source->restitution) : QString();
         if (held) {
             item->setForeground(tints().muted);
             item->setToolTip(tr("One %1 is set for all pairs; give it back to automatic to use the table.").arg(what.toLower()));

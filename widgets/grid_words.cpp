@@ -12,7 +12,7 @@ namespace {
 constexpr double aBit = 1e-9;  // share by which a size may pass a bound unsaid
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("grid", text);
+    return QCoreApplication::translate("rubble::widgets", text);
 }
 
 QString reasonByHand(QChar which, const AxisSizing& axis, bool byComponents, const QString& component) {

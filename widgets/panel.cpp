@@ -8,6 +8,7 @@
 
 #include "widgets/parameter_editor.h"
 #include "widgets/prediction_box.h"
+#include "widgets/spoken_text.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
 
@@ -77,7 +78,7 @@ void FindingList::set(const Findings& findings) {
             text = tr("%1×: %2").arg(shownCount(finding.count), text);
         }
         if (!finding.example.empty()) {
-            text += QStringLiteral(" (") + tr("first: %1").arg(QString::fromStdString(finding.example)) + QStringLiteral(")");
+            text += QStringLiteral(" (") + tr("first: %1").arg(spokenText(finding.example)) + QStringLiteral(")");
         }
         notice->set(Notice::Kind::Finding, text, worded(finding.remedy));
         m_column->addWidget(notice);
@@ -86,12 +87,12 @@ void FindingList::set(const Findings& findings) {
 }
 
 PanelGroup::PanelGroup(const QString& heading, QWidget* parent)
-    : QWidget(parent), m_heading(new QLabel(heading.toUpper())), m_grid(new QGridLayout) {
+    : QWidget(parent), m_heading(new QLabel(heading)), m_grid(new QGridLayout) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);
     m_heading->setObjectName(QStringLiteral("groupHeading"));
-    m_heading->setFont(headingFont());
+    m_heading->setFont(groupFont());
     m_heading->setVisible(!heading.isEmpty());
     column->addWidget(m_heading);
     column->addLayout(m_grid);
@@ -104,7 +105,7 @@ PanelGroup::PanelGroup(const QString& heading, QWidget* parent)
 }
 
 void PanelGroup::setHeading(const QString& heading) {
-    m_heading->setText(heading.toUpper());
+    m_heading->setText(heading);
 }
 
 QLabel* PanelGroup::addValue(const QString& label, const QString& unit, const QString& tip) {
@@ -117,6 +118,7 @@ QLabel* PanelGroup::addValue(const QString& label, const QString& unit, const QS
     value->setObjectName(QStringLiteral("value"));
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     value->setToolTip(tip);
+    value->setAccessibleName(label);
     auto* of = new QLabel(unit);
     of->setObjectName(QStringLiteral("unit"));
     m_grid->addWidget(name, row, 0);

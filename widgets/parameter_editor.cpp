@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/language.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
@@ -41,7 +42,7 @@ QString ParameterEditor::key() const {
 }
 
 QString ParameterEditor::label() const {
-    return qt(m_row.label);
+    return said("parameters", m_row.label);
 }
 
 QString ParameterEditor::unit() const {
@@ -53,7 +54,7 @@ QString ParameterEditor::unit() const {
 }
 
 QString ParameterEditor::tip() const {
-    QString text = QStringLiteral("<p>") + qt(m_row.help).toHtmlEscaped() + QStringLiteral("</p>");
+    QString text = QStringLiteral("<p>") + said("parameters", m_row.help).toHtmlEscaped() + QStringLiteral("</p>");
     if (std::isfinite(m_row.low) || std::isfinite(m_row.high)) {
         const QString low = std::isfinite(m_row.low) ? QLocale().toString(m_row.low, 'g', 6) : QStringLiteral("−∞");
         const QString high = std::isfinite(m_row.high) ? QLocale().toString(m_row.high, 'g', 6) : QStringLiteral("∞");

@@ -79,7 +79,7 @@ PredictionBox::PredictionBox(QWidget* parent) : QWidget(parent), m_heading(new Q
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);
     m_heading->setObjectName(QStringLiteral("groupHeading"));
-    m_heading->setFont(headingFont());
+    m_heading->setFont(groupFont());
     m_heading->setWordWrap(true);
     column->addWidget(m_heading);
     auto* grid = new QGridLayout;
@@ -116,7 +116,7 @@ void PredictionBox::setContent(const PredictionContent& content) {
     const QString heading = content.state == State::Afterwards ? tr("Said before the run, and measured")
                             : content.state == State::Pending  ? tr("Predicted for this setting …")
                                                                : tr("Predicted for this setting");
-    m_heading->setText(heading.toUpper());
+    m_heading->setText(heading);
     for (std::size_t i = 0; i < predictedCount; ++i) {
         const auto found = std::find_if(content.figures.begin(), content.figures.end(),
                                         [i](const PredictedFigure& figure) { return static_cast<std::size_t>(figure.what) == i; });

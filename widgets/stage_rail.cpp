@@ -3,6 +3,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/theme.h"
@@ -13,14 +14,12 @@ namespace rubble::widgets {
 /// One entry: an icon or a state mark and a title, painted so that the state is told by shape as well as by colour.
 class StageRail::Button : public QAbstractButton {
 public:
-    explicit Button(const RailEntry& entry) : m_entry(entry) {
+    explicit Button(const RailEntry& entry) {
         setCheckable(true);
         setAutoExclusive(true);
-        setText(entry.title);
-        setAccessibleName(entry.title);
         setFocusPolicy(Qt::TabFocus);
         setCursor(Qt::PointingHandCursor);
-        describe();
+        setEntry(entry);
     }
 
     void setState(StageState state, std::int64_t findings, double fraction) {
@@ -34,6 +33,13 @@ public:
         update();
     }
     StageState state() const { return m_state; }
+    void setEntry(const RailEntry& entry) {
+        m_entry = entry;
+        setText(entry.title);
+        setAccessibleName(entry.title);
+        describe();
+        update();
+    }
     void setCompact(bool compact) {
         m_compact = compact;
         updateGeometry();
@@ -153,6 +159,12 @@ StageRail::StageRail(const std::vector<RailEntry>& entries, QWidget* parent) : Q
         });
     }
     column->addStretch();
+}
+
+void StageRail::setEntries(const std::vector<RailEntry>& entries) {
+    for (std::size_t i = 0; i < std::min(entries.size(), m_buttons.size()); ++i) {
+        m_buttons[i]->setEntry(entries[i]);
+    }
 }
 
 void StageRail::setCurrent(int index) {

@@ -26,6 +26,8 @@ class StageRail : public QWidget {
 public:
     explicit StageRail(const std::vector<RailEntry>& entries, QWidget* parent = nullptr);
 
+    /// The same entries in other words.
+    void setEntries(const std::vector<RailEntry>& entries);
     int current() const { return m_current; }
     void setCurrent(int index);
     /// @param findings  counted recoverable findings: an amber mark beside the state

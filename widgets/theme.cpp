@@ -167,6 +167,12 @@ QFont headingFont() {
     return sized(0.86, QFont::Normal);
 }
 
+QFont groupFont() {
+    QFont font = headingFont();
+    font.setCapitalization(QFont::AllUppercase);
+    return font;
+}
+
 QFont largeFigureFont() {
     return sized(1.9, QFont::Normal);
 }

@@ -20,6 +20,8 @@ const figures::Palette& tints();
 QFont titleFont();
 QFont textFont();
 QFont headingFont();
+/// The small heading of a group, in capitals where the script has them.
+QFont groupFont();
 QFont largeFigureFont();
 
 }  // namespace rubble::widgets

@@ -2,17 +2,42 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "widgets/language.h"
+#include "widgets/spoken_text.h"
 
 namespace rubble::widgets {
 
 namespace {
 
+/// The pattern of a message in the language of the window. Core puts some together: what was asked in front of a reason, and that a
+/// value may be automatic before the last stop.
+QString patternOf(const std::string& english) {
+    const QString whole = said("messages", english);
+    if (whole != QString::fromStdString(english)) {
+        return whole;
+    }
+    static constexpr std::string_view orAuto = ", or auto";
+    if (const std::size_t at = english.rfind(orAuto); at != std::string::npos && at + orAuto.size() + 1 == english.size()) {
+        QString without = patternOf(english.substr(0, at) + english.back());
+        return without.insert(without.size() - 1, said("messages", orAuto));
+    }
+    for (std::size_t colon = english.find(": "); colon != std::string::npos; colon = english.find(": ", colon + 2)) {
+        const std::string preface = english.substr(0, colon + 2);
+        if (const QString words = said("messages", preface); words != QString::fromStdString(preface)) {
+            return words + patternOf(english.substr(colon + 2));
+        }
+    }
+    return whole;
+}
+
 QString shownArgument(const Argument& argument) {
     QString text;
     if (const auto* words = std::get_if<std::string>(&argument.value)) {
-        text = QString::fromStdString(*words);
+        text = spokenText(*words);
     } else if (const auto* whole = std::get_if<std::int64_t>(&argument.value)) {
         text = shownCount(*whole);
     } else {
@@ -24,12 +49,7 @@ QString shownArgument(const Argument& argument) {
 }  // namespace
 
 QString worded(const Message& message) {
-    const QString english = QString::fromStdString(message.pattern);
-    // An id without a translation comes back as the id itself.
-    QString pattern = message.id.empty() ? english : qtTrId(message.id.c_str());
-    if (pattern == QString::fromStdString(message.id)) {
-        pattern = english;
-    }
+    const QString pattern = patternOf(message.pattern);
     QString text;
     for (qsizetype i = 0; i < pattern.size(); ++i) {
         const qsizetype close = pattern[i] == u'{' ? pattern.indexOf(u'}', i) : -1;
@@ -108,7 +128,9 @@ QString shownDuration(double seconds) {
 }
 
 QString shownName(std::string_view name) {
-    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())).replace(u'_', u' ');
+    std::string words(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return said("choices", words);
 }
 
 QString shownValue(const ParameterValue& value) {

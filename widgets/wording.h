@@ -8,7 +8,8 @@
 
 namespace rubble::widgets {
 
-/// A message of core or io in the language of the window: the pattern is looked up by its id, English if there is no translation.
+/// A message of core or io in the language of the window: pattern and words among its arguments are looked up as they stand,
+/// English if there is no translation.
 QString worded(const Message& message);
 
 /// A number rounded to the significant digits it deserves, with the locale's decimal sign and grouping; powers of ten where it is

@@ -78,6 +78,12 @@ const std::array table = {
               QT_TRANSLATE_NOOP("actions", "Apply the settings of the published method"),
               "",
               {}},
+    ActionRow{"preferences",
+              "Edit",
+              QT_TRANSLATE_NOOP("actions", "Preferences…"),
+              QT_TRANSLATE_NOOP("actions", "Language, colours, threads, memory, autosave"),
+              "Ctrl+,",
+              {}},
     ActionRow{"stacked", "View", QT_TRANSLATE_NOOP("actions", "Stacked"),
               QT_TRANSLATE_NOOP("actions", "FE view above the fragments"), "1", Glyph::Stacked, true},
     ActionRow{"beside", "View", QT_TRANSLATE_NOOP("actions", "Beside"),
@@ -169,11 +175,22 @@ const std::array table = {
               QT_TRANSLATE_NOOP("actions", "Save fragments and active structure over time, as PVD"),
               "",
               {}},
-    ActionRow{"manual", "Help", QT_TRANSLATE_NOOP("actions", "Manual"), QT_TRANSLATE_NOOP("actions", "How Rubble works"), "F1",
-              Glyph::Help},
+    ActionRow{"manual", "Help", QT_TRANSLATE_NOOP("actions", "Manual"),
+              QT_TRANSLATE_NOOP("actions", "The page of the manual about what has the focus"), "F1", Glyph::Help},
+    ActionRow{"manual_search",
+              "Help",
+              QT_TRANSLATE_NOOP("actions", "Search the manual…"),
+              QT_TRANSLATE_NOOP("actions", "Find words in the manual"),
+              "Shift+F1",
+              {}},
     ActionRow{
         "about", "Help", QT_TRANSLATE_NOOP("actions", "About Rubble"), QT_TRANSLATE_NOOP("actions", "Version and method"), "", {}},
 };
+
+/// The titles of the menus.
+[[maybe_unused]] constexpr std::array titles = {QT_TRANSLATE_NOOP("actions", "Case"),   QT_TRANSLATE_NOOP("actions", "Edit"),
+                                                QT_TRANSLATE_NOOP("actions", "View"),   QT_TRANSLATE_NOOP("actions", "Simulation"),
+                                                QT_TRANSLATE_NOOP("actions", "Export"), QT_TRANSLATE_NOOP("actions", "Help")};
 
 QString translated(const char* text) {
     return QCoreApplication::translate("actions", text);
@@ -191,6 +208,7 @@ Actions::Actions(QWidget& window) {
         const QKeySequence key = QKeySequence::fromString(QLatin1String(row.key), QKeySequence::PortableText);
         action->setObjectName(QString::fromUtf8(row.id.data(), static_cast<qsizetype>(row.id.size())));
         action->setShortcut(key);
+        action->setProperty("source", QString::fromUtf8(row.text));
         action->setToolTip(key.isEmpty()
                                ? translated(row.tip)
                                : QStringLiteral("%1 (%2)").arg(translated(row.tip), key.toString(QKeySequence::NativeText)));
@@ -210,9 +228,8 @@ QAction& Actions::operator[](std::string_view id) const {
 }
 
 QString actionReference() {
-    QString page = QStringLiteral("# ") + translated("Actions and keys") + QStringLiteral("\n\n|") + translated("Menu") +
-                   QLatin1Char('|') + translated("Action") + QLatin1Char('|') + translated("Key") + QLatin1Char('|') +
-                   translated("What it does") + QStringLiteral("|\n|---|---|---|---|\n");
+    QString page = QStringLiteral("# ") + QCoreApplication::translate("manual", "Actions and keys") + QStringLiteral("\n\n|") +
+                   QCoreApplication::translate("manual", "Menu|Action|Key|What it does") + QStringLiteral("|\n|---|---|---|---|\n");
     for (const ActionRow& row : table) {
         page += QStringLiteral("|%1|%2|%3|%4|\n")
                     .arg(translated(row.menu), translated(row.text), QString::fromLatin1(row.key), translated(row.tip));

@@ -23,7 +23,7 @@ constexpr int growthsPerSecond = 25;
 
 /// Reads the FE result and the terrain of a case. An FE result that was recognised but cannot be read as it is set leaves the case,
 /// so that the settings can be changed.
-void readFe(Opened& opened, bool keepCopies, const Execution& execution) {
+void readFe(Opened& opened, const Keeping& keeping, const Execution& execution) {
     try {
         const CaseScenario* active = nullptr;
         for (const CaseScenario& each : opened.theCase.scenarios) {
@@ -39,8 +39,9 @@ void readFe(Opened& opened, bool keepCopies, const Execution& execution) {
         }
         const std::string path = io::inputPath(opened.base.toStdString(), *input);
         const ImportSettings& import = active->scenario.import;
-        opened.fe = keepCopies ? io::openFeCached(path, import, opened.theCase.frame, execution, io::cacheFolder())
-                               : io::openFe(path, import, opened.theCase.frame, execution);
+        const auto fe = keeping.copies ? io::openFeCached(path, import, opened.theCase.frame, execution, io::cacheFolder())
+                                       : io::openFe(path, import, opened.theCase.frame, execution);
+        opened.fe = std::make_shared<const FeResult>(fe->contents(), keeping.stateBytes());
         Case framed = opened.theCase;
         framed.frame = opened.fe->contents().frame;
         opened.terrain = io::openTerrainOfCase(framed, opened.base.toStdString(), opened.fe->mesh(), execution);
@@ -111,7 +112,7 @@ void Computation::startOpening(std::function<Opened(const Execution&)> read) {
 
 void Computation::open(const QString& path) {
     const QString absolute = QDir().absoluteFilePath(path);
-    startOpening([absolute, keep = m_keepCopies](const Execution& execution) {
+    startOpening([absolute, keep = m_keeping](const Execution& execution) {
         Opened result;
         if (io::isCaseFile(absolute.toStdString())) {
             result.theCase = io::loadCase(absolute.toStdString());
@@ -126,7 +127,7 @@ void Computation::open(const QString& path) {
 }
 
 void Computation::reopen(const Case& theCase, const QString& path, const QString& base) {
-    startOpening([theCase, path, base, keep = m_keepCopies](const Execution& execution) {
+    startOpening([theCase, path, base, keep = m_keeping](const Execution& execution) {
         Opened result{theCase, path, base, nullptr, std::nullopt, {}};
         readFe(result, keep, execution);
         return result;
@@ -307,8 +308,8 @@ std::shared_ptr<const SimulationResult> Computation::simulateOnWorker(const std:
     const std::unique_ptr<TrajectorySink> file = io::createRun(record->path.toStdString(), origin);
     auto lastTold = std::chrono::steady_clock::time_point();
     WatchedSink::Listener listener;
-    listener.begun = [&](const RunDescription&) {
-        const std::shared_ptr<io::RunReader> reader = io::openRun(record->path.toStdString());
+    listener.begun = [&, keeping = m_keeping](const RunDescription&) {
+        const std::shared_ptr<io::RunReader> reader = io::openRun(record->path.toStdString(), keeping.frameBytes());
         QMetaObject::invokeMethod(
             this, [this, record, reader, prepared] { began(record, reader, prepared); }, Qt::QueuedConnection);
     };

@@ -44,6 +44,15 @@ struct RunRecord {
 };
 
 /// What has been computed for the open case: the FE result, the results by stage and the run. Starts the work on the worker and
+/// What is kept of the files that are read.
+struct Keeping {
+    bool copies = false;                       ///< a compressed copy of every FE result
+    std::size_t bytes = std::size_t{1} << 30;  ///< of states and frames in memory
+
+    std::size_t stateBytes() const { return bytes - frameBytes(); }
+    std::size_t frameBytes() const { return bytes / 3; }
+};
+
 /// tells the window; results that a change has made stale stay until newer ones replace them.
 class Computation : public QObject {
     Q_OBJECT
@@ -59,7 +68,9 @@ public:
     /// Takes what was opened and prepares it up to the clusters.
     void take(const Opened& opened, const Scenario& scenario);
     /// Whether FE results are opened through copies in the cache folder.
-    void keepCopies(bool keep) { m_keepCopies = keep; }
+    void keepCopies(bool keep) { m_keeping.copies = keep; }
+    /// Bytes that states and frames of what is opened from now on may take.
+    void useMemory(std::size_t bytes) { m_keeping.bytes = bytes; }
     void clear();
     /// Brings all stages before the simulation up to a changed scenario.
     void update(const Scenario& scenario);
@@ -131,7 +142,7 @@ private:
     void showProgress(Worker::Kind kind, const Progress& progress);
     QString scratchPath();
 
-    bool m_keepCopies = false;
+    Keeping m_keeping;
     Inputs m_inputs;
     io::TerrainInput m_terrain;
     ImportSettings m_import;  // with which the FE result was read

@@ -1,8 +1,7 @@
 #include <QApplication>
 #include <QFileInfo>
-#include <QLibraryInfo>
-#include <QLocale>
-#include <QTranslator>
+#include <QSettings>
+#include <clocale>
 #include <cstdio>
 #include <cstdlib>
 
@@ -11,7 +10,9 @@
 #include "app/gui/options.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/screenshot.h"
+#include "app/gui/settings.h"
 #include "widgets/figures/figure_file.h"
+#include "widgets/language.h"
 #include "widgets/theme.h"
 
 namespace {
@@ -24,22 +25,6 @@ bool displayReady() {
         qputenv("QT_QPA_PLATFORM", "xcb");
     }
     return rubble::figures::displayAvailable();
-}
-
-/// Text in the language of the system where there is a translation; English otherwise.
-void installTranslations(QApplication& application) {
-    auto* own = new QTranslator(&application);
-    if (own->load(QLocale(), QStringLiteral("rubble"), QStringLiteral("_"), QStringLiteral(":/translations"))) {
-        QApplication::installTranslator(own);
-        auto* qt = new QTranslator(&application);
-        if (qt->load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
-                     QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
-            QApplication::installTranslator(qt);
-        }
-    } else {
-        // English words with English numbers.
-        QLocale::setDefault(QLocale(QLocale::English));
-    }
 }
 
 QStringList argumentsOf(int argc, char** argv) {
@@ -72,7 +57,10 @@ int main(int argc, char** argv) {
     QCoreApplication::setOrganizationName(QStringLiteral("rubble"));
     QCoreApplication::setApplicationName(QStringLiteral("rubble"));
     QApplication application(argc, argv);
-    installTranslations(application);
+    // Qt takes the system's locale over for C as well, but files are read and written with a point as decimal sign everywhere.
+    std::setlocale(LC_NUMERIC, "C");
+    QSettings settings;
+    rubble::widgets::speak(options.language.isEmpty() ? rubble::readPreferences(settings).language : options.language);
     rubble::widgets::applyTheme(rubble::widgets::systemTheme());
     rubble::MainWindow window;
     if (!options.theme.isEmpty()) {

@@ -20,10 +20,11 @@
 #include "app/gui/forecast_display.h"
 #include "app/gui/grid_display.h"
 #include "app/gui/health_display.h"
-#include "app/gui/manual.h"
+#include "app/gui/help.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
 #include "app/gui/sample.h"
+#include "app/gui/settings.h"
 #include "app/gui/status_feed.h"
 #include "app/gui/view_area.h"
 #include "core/base/build.h"
@@ -56,7 +57,8 @@ MainWindow::MainWindow(QWidget* parent)
       m_errors(new ErrorDisplay(m_computation, *m_area, this)),
       m_files(new FileCommands(m_document, m_computation, *this)),
       m_colours(new QComboBox),
-      m_title(new QLabel) {
+      m_title(new QLabel),
+      m_help(new Help(*this)) {
     setAcceptDrops(true);
     setWindowIcon(widgets::glyphIcon(widgets::Glyph::Fragments));
     resize(1280, 800);
@@ -70,14 +72,18 @@ MainWindow::MainWindow(QWidget* parent)
     connectAccuracy();
     connectCosts();
     qApp->installEventFilter(this);
-    m_actions["keep_copies"].setChecked(QSettings().value(QStringLiteral("keep_copies"), false).toBool());
-    m_computation.keepCopies(m_actions["keep_copies"].isChecked());
-    setTheme(QSettings().value(QStringLiteral("theme"), QStringLiteral("system")).toString());
+    QSettings settings;
+    QStringList complaints;
+    applyPreferences(readPreferences(settings, &complaints));
     render::View view = m_area->views().view();
     setView(view);
     m_playback->reset();
     showTitle();
     showState();
+    if (!complaints.isEmpty()) {
+        m_status->setMessage(
+            tr("Preferences that could not be read are as delivered: %1").arg(complaints.join(QStringLiteral(", "))));
+    }
 }
 
 MainWindow::~MainWindow() {
@@ -412,16 +418,6 @@ void MainWindow::showInstant(double time) {
     m_playback->scrub(time);
 }
 
-void MainWindow::showManual() {
-    if (m_manual == nullptr) {
-        m_manual = new ManualWindow(this);
-    }
-    const std::array<const char*, 6> pages = {"Case", "Fragments", "Basic Grid", "Effects", "Run", "Accuracy"};
-    m_manual->showPage(QLatin1String(pages[static_cast<std::size_t>(std::max(0, m_deck->rail().current()))]));
-    m_manual->show();
-    m_manual->raise();
-}
-
 void MainWindow::showAbout() {
     QMessageBox::about(
         this, tr("About Rubble"),
@@ -454,6 +450,13 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (!urls.isEmpty() && urls.front().isLocalFile()) {
         event->acceptProposedAction();
         open(urls.front().toLocalFile());
+    }
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && m_retellable) {
+        retell();
     }
 }
 

@@ -5,6 +5,7 @@
 #include "app/gui/actions.h"
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
+#include "widgets/preferences_dialog.h"
 #include "widgets/render/scene_data.h"
 #include "widgets/render/view.h"
 
@@ -22,7 +23,7 @@ class FileCommands;
 class ForecastDisplay;
 class GridDisplay;
 class HealthDisplay;
-class ManualWindow;
+class Help;
 class PanelDeck;
 class Playback;
 class StatusFeed;
@@ -69,10 +70,13 @@ public:
     widgets::StatusLine& statusLine() { return *m_status; }
     FileCommands& files() { return *m_files; }
     Actions& actions() { return m_actions; }
+    Help& help() { return *m_help; }
+    const widgets::Preferences& preferences() const { return m_preferences; }
     /// What the views show.
     render::SceneData sceneData() const;
 
 protected:
+    void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -104,7 +108,11 @@ private:
     void runEnded(bool complete);
     void setLayoutOf(render::Layout layout);
     void setView(const render::View& view);
-    void showManual();
+    void showPreferences();
+    void setPreferences(const widgets::Preferences& preferences);
+    void applyPreferences(const widgets::Preferences& preferences);
+    /// Says again what is put together from figures, in the language that is spoken now.
+    void retell();
     void showAbout();
 
     Document m_document;
@@ -130,7 +138,9 @@ private:
     QWidget* m_left = nullptr;
     QSplitter* m_splitter = nullptr;
     QStackedWidget* m_centre = nullptr;
-    ManualWindow* m_manual = nullptr;
+    Help* m_help;
+    widgets::Preferences m_preferences;
+    bool m_retellable = false;  // everything is built
     bool m_simulateWhenReady = false;
     std::shared_ptr<const FeResult> m_refreshed;  // what is being read again
     render::SceneData m_shown;

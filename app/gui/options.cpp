@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/build.h"
+#include "widgets/language.h"
 
 namespace rubble {
 
@@ -38,6 +39,13 @@ bool readValues(const QCommandLineParser& parser, Options& options) {
         return false;
     }
     options.theme = theme;
+    options.language = parser.value(QStringLiteral("language"));
+    const QStringList languages = widgets::languageCodes() + QStringList(QStringLiteral("system"));
+    if (parser.isSet(QStringLiteral("language")) && !languages.contains(options.language)) {
+        options.text = QCoreApplication::translate("options", "--language is one of %1, not “%2”.")
+                           .arg(languages.join(QStringLiteral(", ")), options.language);
+        return false;
+    }
     if (parser.isSet(QStringLiteral("panel"))) {
         static const QStringList names{QStringLiteral("case"),    QStringLiteral("fragments"), QStringLiteral("grid"),
                                        QStringLiteral("effects"), QStringLiteral("run"),       QStringLiteral("accuracy")};
@@ -55,21 +63,28 @@ bool readValues(const QCommandLineParser& parser, Options& options) {
 }  // namespace
 
 Options parseOptions(const QStringList& arguments) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("options", text); };
     QCommandLineParser parser;
-    parser.setApplicationDescription(tr("Workbench for the debris of structural collapses."));
+    parser.setApplicationDescription(QCoreApplication::translate("options", "Workbench for the debris of structural collapses."));
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("file"), tr("A case (*.rubble) or an FE result."), QStringLiteral("[file]"));
-    parser.addOptions({{QStringLiteral("sample"), tr("Open the embedded sample and simulate it.")},
-                       {QStringLiteral("simulate"), tr("Simulate as soon as the file is open.")},
-                       {QStringLiteral("accuracy"), tr("Compare settings as soon as the file is open.")},
-                       {QStringLiteral("screenshot"), tr("Save a picture of the window and leave."), QStringLiteral("png")},
-                       {QStringLiteral("time"), tr("Show this instant, in seconds."), QStringLiteral("s")},
-                       {QStringLiteral("size"), tr("Size of the window."), QStringLiteral("WxH")},
-                       {QStringLiteral("panel"), tr("Show this panel: case, fragments, grid, effects, run or accuracy."),
-                        QStringLiteral("panel")},
-                       {QStringLiteral("theme"), tr("Colours: light, dark or system."), QStringLiteral("theme")}});
+    parser.addPositionalArgument(QStringLiteral("file"),
+                                 QCoreApplication::translate("options", "A case (*.rubble) or an FE result."),
+                                 QStringLiteral("[file]"));
+    parser.addOptions(
+        {{QStringLiteral("sample"), QCoreApplication::translate("options", "Open the embedded sample and simulate it.")},
+         {QStringLiteral("simulate"), QCoreApplication::translate("options", "Simulate as soon as the file is open.")},
+         {QStringLiteral("accuracy"), QCoreApplication::translate("options", "Compare settings as soon as the file is open.")},
+         {QStringLiteral("screenshot"), QCoreApplication::translate("options", "Save a picture of the window and leave."),
+          QStringLiteral("png")},
+         {QStringLiteral("time"), QCoreApplication::translate("options", "Show this instant, in seconds."), QStringLiteral("s")},
+         {QStringLiteral("size"), QCoreApplication::translate("options", "Size of the window."), QStringLiteral("WxH")},
+         {QStringLiteral("panel"),
+          QCoreApplication::translate("options", "Show this panel: case, fragments, grid, effects, run or accuracy."),
+          QStringLiteral("panel")},
+         {QStringLiteral("language"), QCoreApplication::translate("options", "Language: en, zh_CN or system."),
+          QStringLiteral("language")},
+         {QStringLiteral("theme"), QCoreApplication::translate("options", "Colours: light, dark or system."),
+          QStringLiteral("theme")}});
     Options options;
     if (!parser.parse(arguments)) {
         options.text = parser.errorText();
@@ -87,7 +102,7 @@ Options parseOptions(const QStringList& arguments) {
     }
     options.wrong = !readValues(parser, options) || parser.positionalArguments().size() > 1;
     if (parser.positionalArguments().size() > 1) {
-        options.text = tr("One file at a time, please.");
+        options.text = QCoreApplication::translate("options", "One file at a time, please.");
     }
     options.sample = parser.isSet(QStringLiteral("sample"));
     options.simulate = parser.isSet(QStringLiteral("simulate"));

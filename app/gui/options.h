@@ -16,6 +16,7 @@ struct Options {
     QString screenshot;
     std::optional<double> time;
     QString theme;
+    QString language;          ///< en, zh_CN or system; empty: as in the preferences
     std::optional<int> panel;  ///< in the order of the rail
     QSize size;
     QString text;        ///< for --help and --version, or why the arguments are wrong

@@ -45,13 +45,7 @@ PanelDeck::PanelDeck(Document& document, Computation& computation, QObject* pare
     : QObject(parent),
       m_document(document),
       m_computation(computation),
-      m_rail(new widgets::StageRail(
-          {{tr("Case"), tr("What was computed, and of what the structure is made."), widgets::Glyph::Case},
-           {tr("Fragments"), tr("What became debris, when, and with which mass."), widgets::Glyph::Fragments},
-           {tr("Basic Grid"), tr("Which fragments move together, and what that costs."), widgets::Glyph::Grid},
-           {tr("Effects"), tr("What acts on the fragments, why, and what it costs."), widgets::Glyph::Effects},
-           {tr("Run"), tr("Where the fragments go."), widgets::Glyph::Run},
-           {tr("Accuracy"), tr("What accuracy costs in time, and which differences mean something."), widgets::Glyph::Accuracy}})),
+      m_rail(new widgets::StageRail(entries())),
       m_stack(new QStackedWidget),
       m_case(new widgets::CasePanel),
       m_fragments(new widgets::FragmentsPanel),
@@ -78,6 +72,23 @@ PanelDeck::PanelDeck(Document& document, Computation& computation, QObject* pare
     connect(m_run, &widgets::RunPanel::cancelRequested, this, &PanelDeck::cancelRequested);
     choose(Case);
     showScenario();
+}
+
+std::vector<widgets::RailEntry> PanelDeck::entries() {
+    return {{tr("Case"), tr("What was computed, and of what the structure is made."), widgets::Glyph::Case},
+            {tr("Fragments"), tr("What became debris, when, and with which mass."), widgets::Glyph::Fragments},
+            {tr("Basic Grid"), tr("Which fragments move together, and what that costs."), widgets::Glyph::Grid},
+            {tr("Effects"), tr("What acts on the fragments, why, and what it costs."), widgets::Glyph::Effects},
+            {tr("Run"), tr("Where the fragments go."), widgets::Glyph::Run},
+            {tr("Accuracy"), tr("What accuracy costs in time, and which differences mean something."), widgets::Glyph::Accuracy}};
+}
+
+void PanelDeck::retell() {
+    m_rail->setEntries(entries());
+    showScenario();
+    showResults();
+    showOutcome(m_outcome);
+    showState();
 }
 
 std::vector<widgets::Panel*> PanelDeck::panels() const {
@@ -203,6 +214,7 @@ void PanelDeck::showState() {
 }
 
 void PanelDeck::showOutcome(const widgets::RunPanel::Outcome& outcome) {
+    m_outcome = outcome;
     m_run->setOutcome(outcome);
 }
 

@@ -47,6 +47,8 @@ public:
     void showEffects(bool anew = false);
     void showFailure(const QString& what, const QString& remedy, const std::string& id);
     void clearFailures();
+    /// Says everything again, in the language that is spoken now.
+    void retell();
 
 signals:
     void simulateRequested();
@@ -60,6 +62,8 @@ private:
     void regroup(const RegroupStep& step);
     void clearRegrouping();
     void showRail();
+    /// The rail in the language that is spoken now.
+    static std::vector<widgets::RailEntry> entries();
 
     Document& m_document;
     Computation& m_computation;
@@ -71,6 +75,7 @@ private:
     widgets::EffectsPanel* m_effects;
     widgets::RunPanel* m_run;
     widgets::AccuracyPanel* m_accuracy;
+    widgets::RunPanel::Outcome m_outcome;
 };
 
 }  // namespace rubble

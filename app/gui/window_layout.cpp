@@ -1,4 +1,5 @@
 #include <QActionGroup>
+#include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -18,9 +19,12 @@
 #include "app/gui/forecast_display.h"
 #include "app/gui/grid_display.h"
 #include "app/gui/health_display.h"
+#include "app/gui/help.h"
 #include "app/gui/main_window.h"
+#include "app/gui/mnemonics.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
+#include "app/gui/settings.h"
 #include "app/gui/view_area.h"
 #include "widgets/accuracy_chart.h"
 #include "widgets/accuracy_page.h"
@@ -92,8 +96,9 @@ void MainWindow::buildMenus() {
         if (const QString name = QCoreApplication::translate("actions", row.menu); name != title) {
             title = name;
             menu = menuBar()->addMenu(title);
+            menu->menuAction()->setProperty("source", QString::fromUtf8(row.menu));
         }
-        for (const char* first : {"save", "close", "preset_default", "link", "theme_system", "play"}) {
+        for (const char* first : {"save", "close", "preset_default", "preferences", "link", "theme_system", "play"}) {
             if (row.id == first) {
                 menu->addSeparator();
             }
@@ -101,6 +106,7 @@ void MainWindow::buildMenus() {
         menu->addAction(&m_actions[row.id]);
     }
     menuBar()->setCornerWidget(m_title);
+    giveMnemonics(*menuBar());
     for (const auto& ids : {std::vector<const char*>{"stacked", "beside", "fe_only", "fragments_only"},
                             std::vector<const char*>{"theme_system", "theme_light", "theme_dark"}}) {
         auto* group = new QActionGroup(this);
@@ -168,8 +174,9 @@ void MainWindow::connectFiles() {
     on("sample", [this] { openSample(); });
     on("refresh", [this] { refreshResult(); });
     on("keep_copies", [this](bool keep) {
-        QSettings().setValue(QStringLiteral("keep_copies"), keep);
-        m_computation.keepCopies(keep);
+        widgets::Preferences preferences = m_preferences;
+        preferences.keepCopies = keep;
+        setPreferences(preferences);
     });
     on("terrain", [this] { m_files->chooseTerrain(); });
     on("no_terrain", [this] { m_files->dropTerrain(); });
@@ -195,7 +202,9 @@ void MainWindow::connectFiles() {
     on("redo", [this] { m_document.undoStack().redo(); });
     on("preset_default", [this] { m_document.applyPreset(QStringLiteral("default")); });
     on("preset_paper", [this] { m_document.applyPreset(QStringLiteral("paper")); });
-    on("manual", [this] { showManual(); });
+    on("preferences", [this] { showPreferences(); });
+    on("manual", [this] { m_help->showAbout(QApplication::focusWidget()); });
+    on("manual_search", [this] { m_help->search(); });
     on("about", [this] { showAbout(); });
     connect(m_files, &FileCommands::done, m_status, &widgets::StatusLine::setMessage);
     connect(m_files, &FileCommands::failed, this,
@@ -243,8 +252,9 @@ void MainWindow::connectViews() {
     on("look_top", [this] { m_area->views().look(render::Preset::Top); });
     for (const char* theme : {"system", "light", "dark"}) {
         on(("theme_" + std::string(theme)).c_str(), [this, theme] {
-            QSettings().setValue(QStringLiteral("theme"), QLatin1String(theme));
-            setTheme(QLatin1String(theme));
+            widgets::Preferences preferences = m_preferences;
+            preferences.theme = QLatin1String(theme);
+            setPreferences(preferences);
         });
     }
     connect(m_colours, &QComboBox::activated, this, [this] {

@@ -1,12 +1,26 @@
 #include "app/gui/worker.h"
 
 #include <algorithm>
+#include <atomic>
 #include <new>
 
 #include "core/base/error.h"
 #include "widgets/wording.h"
 
 namespace rubble {
+
+namespace {
+
+std::atomic<int>& threadsOfWork() {
+    static std::atomic<int> threads{0};
+    return threads;
+}
+
+}  // namespace
+
+void Worker::useThreads(int threads) {
+    threadsOfWork() = threads;
+}
 
 Worker::Worker(QObject* parent) : QObject(parent) {
     m_thread = std::thread([this] { loop(); });
@@ -82,7 +96,8 @@ void Worker::loop() {
         m_execution = Execution([this, kind = job.kind](const Progress& progress) {
             QMetaObject::invokeMethod(this, [this, kind, progress] { emit progressed(kind, progress); }, Qt::QueuedConnection);
         });
-        const Execution execution = m_execution;
+        const int threads = threadsOfWork();
+        const Execution execution = threads > 0 ? m_execution.withThreads(threads) : m_execution;
         lock.unlock();
         QMetaObject::invokeMethod(this, [this] { emit changed(); }, Qt::QueuedConnection);
         runOne(job, execution);

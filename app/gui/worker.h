@@ -32,6 +32,9 @@ public:
         std::function<void(std::exception_ptr)> finish;
     };
 
+    /// How many threads the work of all workers may use from its next start on; 0: all of the machine.
+    static void useThreads(int threads);
+
     explicit Worker(QObject* parent = nullptr);
     /// Cancels and waits.
     ~Worker() override;

@@ -35,7 +35,7 @@ std::vector<SourceFile> programSources() {
 }
 
 std::vector<SourceFile> allSources() {
-    return readSources({"core", "io", "widgets", "app", "tests", "bench"});
+    return readSources({"core", "io", "widgets", "app", "tests", "bench", "translations"});
 }
 
 std::vector<Include> includesOf(const SourceFile& file) {

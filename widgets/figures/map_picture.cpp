@@ -28,10 +28,6 @@ constexpr double shownShare = 0.999;
 constexpr double mostStretched = 2.0;
 constexpr double topShare = 0.99;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("figures", text);
-}
-
 QString fromView(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
@@ -39,7 +35,7 @@ QString fromView(std::string_view text) {
 /// Name of a layer as people read it.
 QString layerName(MapLayer layer) {
     const std::string name(mapLayerRow(layer).name);
-    return tr(name.c_str());
+    return QCoreApplication::translate("messages", name.c_str());
 }
 
 QString unitText(MapLayer layer) {
@@ -148,6 +144,7 @@ QColor colourAt(MapLayer layer, double place) {
 
 /// Draws one picture.
 class Sheet {
+    Q_DECLARE_TR_FUNCTIONS(rubble::figures::Sheet)
 public:
     Sheet(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style)
         : m_map(map),

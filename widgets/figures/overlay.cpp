@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t longestLegend = 6;
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("figures", text);
+    return QCoreApplication::translate("rubble::figures", text);
 }
 
 QColor colourOf(const render::Rgb& c) {

@@ -87,6 +87,23 @@ Palette print() {
     return p;
 }
 
+/// The same palette with yellow fragments on a dark grey structure.
+Palette yellow(Palette p) {
+    const bool dark = p.window.lightness() < 110;
+    p.fragment = QColor("#e6b800");
+    p.fragmentTint = dark ? QColor("#4d4526") : QColor("#f5ebc2");
+    p.structure = QColor("#5c5f66");
+    p.structureGreys = {QColor("#5c5f66"), QColor("#4c5058"), QColor("#696660"), QColor("#55534f"), QColor("#63666b")};
+    p.categories[0] = p.fragment;
+    p.categories[2] = QColor("#d55e00");
+    return p;
+}
+
+ColourSet& chosenSet() {
+    static ColourSet set = ColourSet::Vermilion;
+    return set;
+}
+
 struct Stop {
     double place;
     QColor colour;
@@ -121,18 +138,17 @@ std::vector<render::Rgb> rgbs(const std::vector<QColor>& colours) {
 }  // namespace
 
 const Palette& palette(render::Theme theme) {
-    static const Palette lightPalette = light();
-    static const Palette darkPalette = dark();
-    static const Palette printPalette = print();
-    switch (theme) {
-        case render::Theme::Dark:
-            return darkPalette;
-        case render::Theme::Print:
-            return printPalette;
-        case render::Theme::Light:
-            break;
-    }
-    return lightPalette;
+    static const std::array<std::array<Palette, 3>, 2> palettes{
+        {{light(), dark(), print()}, {yellow(light()), yellow(dark()), yellow(print())}}};
+    return palettes[static_cast<std::size_t>(chosenSet())][static_cast<std::size_t>(theme)];
+}
+
+void chooseColours(ColourSet set) {
+    chosenSet() = set;
+}
+
+ColourSet colourSet() {
+    return chosenSet();
 }
 
 QColor birthColour(double place) {

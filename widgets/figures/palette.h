@@ -39,6 +39,15 @@ struct Palette {
 
 const Palette& palette(render::Theme theme);
 
+/// Colours of fragments and active structure. In both sets the two differ in lightness and can be told apart by the colour-blind.
+enum class ColourSet : std::uint8_t {
+    Vermilion,  ///< fragments vermilion, structure stone grey
+    Yellow,     ///< fragments yellow, structure dark grey: parted most by lightness, so in print without colour too
+};
+/// Which set palettes have from now on; called before drawing, on the thread that draws.
+void chooseColours(ColourSet set);
+ColourSet colourSet();
+
 /// Colour of the birth-time and the speed scale at a place in [0, 1]; lightness rises all the way, so they read in grey too.
 QColor birthColour(double place);
 QColor speedColour(double place);

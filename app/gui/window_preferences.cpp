@@ -1,0 +1,72 @@
+// The part of the main window that follows the user's preferences.
+#include <QAction>
+#include <QMenuBar>
+#include <QSettings>
+#include <QTimer>
+
+#include "app/gui/accuracy_display.h"
+#include "app/gui/calibration_display.h"
+#include "app/gui/error_display.h"
+#include "app/gui/health_display.h"
+#include "app/gui/main_window.h"
+#include "app/gui/mnemonics.h"
+#include "app/gui/panel_deck.h"
+#include "app/gui/playback.h"
+#include "app/gui/settings.h"
+#include "app/gui/status_feed.h"
+#include "app/gui/view_area.h"
+#include "widgets/language.h"
+
+namespace rubble {
+
+void MainWindow::showPreferences() {
+    auto* dialog = findChild<widgets::PreferencesDialog*>();
+    if (dialog == nullptr) {
+        dialog = new widgets::PreferencesDialog(m_preferences, this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        connect(dialog, &widgets::PreferencesDialog::changed, this, &MainWindow::setPreferences);
+    }
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
+}
+
+void MainWindow::setPreferences(const widgets::Preferences& preferences) {
+    QSettings settings;
+    writePreferences(settings, preferences);
+    if (preferences.language != m_preferences.language) {
+        widgets::speak(preferences.language);
+    }
+    applyPreferences(preferences);
+    if (auto* dialog = findChild<widgets::PreferencesDialog*>()) {
+        dialog->show(preferences);
+    }
+}
+
+void MainWindow::applyPreferences(const widgets::Preferences& preferences) {
+    m_preferences = preferences;
+    figures::chooseColours(preferences.colours);
+    Worker::useThreads(preferences.threads);
+    m_computation.keepCopies(preferences.keepCopies);
+    m_computation.useMemory(static_cast<std::size_t>(preferences.memoryMib) << 20);
+    m_actions["keep_copies"].setChecked(preferences.keepCopies);
+    setTheme(preferences.theme);
+    m_area->views().update();
+    m_retellable = true;
+}
+
+void MainWindow::retell() {
+    giveMnemonics(*menuBar());
+    m_deck->retell();
+    m_accuracy->refresh();
+    m_calibration->refresh();
+    m_errors->refresh();
+    m_health->refresh();
+    m_feed->refresh();
+    m_document.undoStack().indexChanged(m_document.undoStack().index());
+    showTitle();
+    showState();
+    m_area->views().update();
+}
+
+}  // namespace rubble

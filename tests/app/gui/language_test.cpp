@@ -1,0 +1,438 @@
+#include "widgets/language.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QRegularExpression>
+#include <QSettings>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <map>
+#include <set>
+
+#include "app/gui/computation.h"
+#include "app/gui/help.h"
+#include "app/gui/manual.h"
+#include "app/gui/mnemonics.h"
+#include "app/gui/playback.h"
+#include "app/gui/settings.h"
+#include "app/gui/view_area.h"
+#include "io/case_file.h"
+#include "io/exports.h"
+#include "tests/app/gui/workbench.h"
+#include "widgets/preferences_dialog.h"
+
+namespace rubble {
+
+namespace {
+
+/// Text by the place where it stands: the way down from the window, and which property.
+using Texts = std::map<QString, QString>;
+
+QString wayTo(const QObject& object, const QObject& window) {
+    QString way;
+    for (const QObject* at = &object; at != &window && at != nullptr; at = at->parent()) {
+        const qsizetype place = at->parent() != nullptr ? at->parent()->children().indexOf(const_cast<QObject*>(at)) : 0;
+        way.prepend(QStringLiteral("/%1:%2%3").arg(QLatin1String(at->metaObject()->className()), at->objectName()).arg(place));
+    }
+    return way;
+}
+
+void addModel(Texts& texts, const QString& way, const QAbstractItemModel& model) {
+    for (int column = 0; column < model.columnCount(); ++column) {
+        texts[way + QStringLiteral("#head%1").arg(column)] = model.headerData(column, Qt::Horizontal).toString();
+        texts[way + QStringLiteral("#headtip%1").arg(column)] =
+            model.headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString();
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const QModelIndex cell = model.index(row, column);
+            texts[way + QStringLiteral("#%1,%2").arg(row).arg(column)] = cell.data().toString();
+            texts[way + QStringLiteral("#tip%1,%2").arg(row).arg(column)] = cell.data(Qt::ToolTipRole).toString();
+        }
+    }
+}
+
+/// All that a window says, on screen or when asked (tips, names for screen readers), but what the user typed.
+Texts textsOf(QWidget& window) {
+    Texts texts;
+    QList<QObject*> objects = window.findChildren<QObject*>();
+    objects << &window;
+    for (const QObject* object : objects) {
+        const QString way = wayTo(*object, window);
+        if (!object->isWidgetType() && !object->inherits("QAction")) {
+            continue;
+        }
+        if (object->inherits("QTextEdit") || object->inherits("QLineEdit") ||
+            object->objectName().startsWith(QLatin1String("qt_"))) {
+            continue;
+        }
+        for (const char* property : {"text", "title", "toolTip", "accessibleName", "accessibleDescription", "placeholderText"}) {
+            if (const QVariant value = object->property(property); value.typeId() == QMetaType::QString) {
+                texts[way + u'.' + QLatin1String(property)] = value.toString();
+            }
+        }
+        if (const auto* choice = qobject_cast<const QComboBox*>(object)) {
+            addModel(texts, way, *choice->model());
+        } else if (const auto* view = qobject_cast<const QAbstractItemView*>(object); view != nullptr && view->model() != nullptr) {
+            addModel(texts, way, *view->model());
+        }
+    }
+    return texts;
+}
+
+/// Words in Latin letters that are the same in every language: units, formats, programs, people, keys of the keyboard.
+const std::set<QString>& sameEverywhere() {
+    static const std::set<QString> words = [] {
+        std::set<QString> list;
+        const QString plain = QStringLiteral(
+            "Rubble rubble cli ParaView Bullet bullet Exodus II CSV PVD SVG PNG JSON VTU HDF GTX NVIDIA IoU RMS FPS FE MB MiB GiB "
+            "kB kg mm ms "
+            "min kJ MJ GJ TJ nbsp amp lt gt quot Ctrl Shift Enter Delete Esc Home End Space Tab Alt auto Auto English "
+            "NAVFAC DM ACI Wyllie Asteriou Tsiambaos Baltay Gjelsvik Rabbat Russell Avallone Baumeister STATUS "
+            "accuracy calibrate csv pair inspect frame status none EPYC AMD Intel CPU GHz Core Xeon Processor Platinum x86 Mesa "
+            "LLVM bits llvmpipe "
+            "exo tif tiff asc bil img hgt dt xyz grd zh CN xf");
+        for (const QString& word : plain.split(u' ')) {
+            list.insert(word);
+        }
+        // Keys and values as the case file and the command line have them.
+        for (const Parameter& row : parameterTable()) {
+            for (const QString& word : QString::fromUtf8(row.key.data(), static_cast<qsizetype>(row.key.size()))
+                                           .split(QRegularExpression(QStringLiteral("[^A-Za-z]+")))) {
+                list.insert(word);
+            }
+            for (const std::string_view choice : row.choices) {
+                for (const QString& word : QString::fromUtf8(choice.data(), static_cast<qsizetype>(choice.size()))
+                                               .split(QRegularExpression(QStringLiteral("[^A-Za-z]+")))) {
+                    list.insert(word);
+                }
+            }
+        }
+        return list;
+    }();
+    return words;
+}
+
+/// English words in a text, but for names of the file and what is the same everywhere.
+QStringList strangeWords(QString text, const QStringList& names) {
+    static const QRegularExpression tag(QStringLiteral("<[^>]*>|\\S*/\\S*/\\S*"));
+    static const QRegularExpression word(QStringLiteral("[A-Za-z]{2,}"));
+    for (const QString& name : names) {
+        text.remove(name, Qt::CaseInsensitive);
+    }
+    text.remove(tag);
+    QStringList found;
+    for (auto at = word.globalMatch(text); at.hasNext();) {
+        const QString latin = at.next().captured();
+        if (!sameEverywhere().contains(latin)) {
+            found << latin;
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+/// A workbench that speaks English again afterwards.
+class Languages : public Workbench {
+protected:
+    void SetUp() override {
+        widgets::speak(QStringLiteral("en"));
+        Workbench::SetUp();
+    }
+    void TearDown() override {
+        window.reset();
+        widgets::speak(QStringLiteral("en"));
+    }
+    void speak(const char* language) {
+        widgets::speak(QLatin1String(language));
+        QTest::qWait(50);
+    }
+    QStringList namesOfTheFile() const {
+        QStringList names{QStringLiteral("rc-arch.exo"), QStringLiteral("rc-arch")};
+        if (const auto& fe = window->computation().inputs().fe) {
+            for (const Part& part : fe->mesh().parts) {
+                names << QString::fromStdString(part.name);
+            }
+        }
+        return names;
+    }
+    void chooseAll() {
+        for (int entry = PanelDeck::Case; entry <= PanelDeck::Accuracy; ++entry) {
+            window->deck().choose(static_cast<PanelDeck::Entry>(entry));
+            QTest::qWait(10);
+        }
+        window->deck().choose(PanelDeck::Case);
+        QTest::qWait(10);
+    }
+};
+
+TEST_F(Languages, AnEmptyWindowSpeaksChineseOnly) {
+    speak("zh_CN");
+    chooseAll();
+    for (const auto& [place, text] : textsOf(*window)) {
+        EXPECT_TRUE(strangeWords(text, {}).isEmpty()) << qPrintable(place) << ": " << qPrintable(text);
+    }
+}
+
+TEST_F(Languages, AWindowWithAResultAndARunSpeaksChineseOnly) {
+    speak("zh_CN");
+    openArch();
+    makeCheap();
+    window->simulate(false);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            const RunRecord* record = window->computation().currentRun();
+            return record != nullptr && record->outcome != nullptr && !record->running && !window->computation().busy();
+        },
+        patience));
+    chooseAll();
+    const QStringList names = namesOfTheFile();
+    for (const auto& [place, text] : textsOf(*window)) {
+        EXPECT_TRUE(strangeWords(text, names).isEmpty()) << qPrintable(place) << ": " << qPrintable(text);
+    }
+    // Tables of the run are the same whatever is spoken.
+    std::vector<std::string> tables;
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("fragments.csv"));
+    const auto write = [&] {
+        io::exportFragments(path.toStdString(), *window->computation().currentRun()->reader, Execution{});
+        tables.push_back(textOf(path));
+    };
+    write();
+    QLocale::setDefault(QLocale(QLocale::German));
+    write();
+    speak("en");
+    write();
+    EXPECT_GT(tables[0].size(), 10000u);
+    EXPECT_EQ(tables[0], tables[1]);
+    EXPECT_EQ(tables[0], tables[2]);
+}
+
+TEST_F(Languages, AWindowThatSwitchedSaysWhatOneSaysThatBeganInIt) {
+    openArch();
+    chooseAll();
+    const Texts english = textsOf(*window);
+    const double time = window->computation().inputs().fe->times()[3];
+    window->showInstant(time);
+    window->document().setParameter(QStringLiteral("friction"), 0.5);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    const render::View view = window->area().views().view();
+    const int index = window->document().undoStack().index();
+    speak("zh_CN");
+    // Nothing but words has changed.
+    EXPECT_DOUBLE_EQ(window->playback().clock().time(), time);
+    EXPECT_EQ(window->document().undoStack().index(), index);
+    EXPECT_EQ(window->area().views().view(), view);
+    EXPECT_EQ(rail(PanelDeck::Grid), widgets::StageState::UpToDate);
+    window->document().undoStack().undo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    chooseAll();
+    const Texts switched = textsOf(*window);
+    const QStringList names = namesOfTheFile();
+    for (const auto& [place, text] : switched) {
+        EXPECT_TRUE(strangeWords(text, names).isEmpty()) << qPrintable(place) << ": " << qPrintable(text);
+    }
+    speak("en");
+    chooseAll();
+    static const QRegularExpression chinese(QStringLiteral("[\\x{4e00}-\\x{9fff}]"));
+    std::size_t compared = 0;
+    for (const auto& [place, text] : textsOf(*window)) {
+        EXPECT_FALSE(text.contains(chinese) && !text.contains(QStringLiteral("简体中文")))
+            << qPrintable(place) << ": " << qPrintable(text);
+        // Figures that go on (memory, times) and what the history says of steps taken since are others now.
+        const bool lives = place.contains(QLatin1String("StatusLine")) || place.contains(QLatin1String("redo")) ||
+                           place.contains(QLatin1String("undo")) || place.contains(QLatin1String("Transport")) ||
+                           place.contains(QLatin1String("PredictionBox")) || place.contains(QLatin1String("QTimer"));
+        const auto before = english.find(place);
+        if (!lives && before != english.end()) {
+            ++compared;
+            EXPECT_EQ(QString(text).remove(u'&'), QString(before->second).remove(u'&')) << qPrintable(place);
+        }
+    }
+    EXPECT_GT(compared, 500u);
+}
+
+TEST_F(Languages, EveryActionOfEveryMenuHasAMnemonicOfItsOwn) {
+    for (const char* language : {"en", "zh_CN"}) {
+        speak(language);
+        const auto letterOf = [](const QString& text) {
+            const qsizetype at = text.indexOf(u'&');
+            return at < 0 || at + 1 >= text.size() ? QChar() : text[at + 1].toUpper();
+        };
+        std::set<QChar> titles;
+        for (QAction* title : window->menuBar()->actions()) {
+            ASSERT_NE(title->menu(), nullptr);
+            EXPECT_TRUE(!letterOf(title->text()).isNull() && titles.insert(letterOf(title->text())).second)
+                << qPrintable(title->text());
+            emit title->menu()->aboutToShow();
+            std::set<QChar> letters;
+            for (const QAction* action : title->menu()->actions()) {
+                if (!action->isSeparator()) {
+                    EXPECT_TRUE(!letterOf(action->text()).isNull() && letters.insert(letterOf(action->text())).second)
+                        << language << ": " << qPrintable(title->text()) << " > " << qPrintable(action->text());
+                }
+            }
+        }
+        EXPECT_EQ(titles.size(), static_cast<std::size_t>(window->menuBar()->actions().size()));
+    }
+}
+
+// Numbers of a locale belong on screen: files are the same whatever the window speaks and the system counts in.
+TEST_F(Languages, FilesAreTheSameInEveryLanguageAndLocale) {
+    openArch();
+    window->document().setParameter(QStringLiteral("friction"), 0.25);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    std::vector<std::string> cases;
+    const auto write = [&] {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("arch.rubble"));
+        io::saveCase(path.toStdString(), window->document().theCase());
+        cases.push_back(textOf(path));
+    };
+    write();
+    EXPECT_NE(cases.front().find("0.25"), std::string::npos);
+    speak("zh_CN");
+    write();
+    QLocale::setDefault(QLocale(QLocale::German));
+    write();
+    speak("en");
+    EXPECT_EQ(cases[0], cases[1]);
+    EXPECT_EQ(cases[0], cases[2]);
+}
+
+TEST_F(Languages, PreferencesAreInForceAtOnceAndKept) {
+    QSettings().clear();
+    window->actions()["preferences"].trigger();
+    auto* dialog = window->findChild<widgets::PreferencesDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog, patience));
+    auto* language = dialog->findChild<QComboBox*>(QStringLiteral("language"));
+    language->setFocus();
+    QTest::keyClick(language, Qt::Key_End);
+    EXPECT_EQ(widgets::currentLanguage(), QStringLiteral("zh_CN"));
+    EXPECT_EQ(dialog->windowTitle(), QStringLiteral("首选项"));
+    for (const auto& [place, text] : textsOf(*dialog)) {
+        EXPECT_TRUE(strangeWords(text, {}).isEmpty()) << qPrintable(place) << ": " << qPrintable(text);
+    }
+    auto* autosave = dialog->findChild<QSpinBox*>(QStringLiteral("autosave"));
+    autosave->setFocus();
+    QTest::keyClick(autosave, Qt::Key_Up);
+    EXPECT_EQ(QSettings().value(QStringLiteral("autosave_seconds")).toInt(), widgets::Preferences().autosaveSeconds + 30);
+    auto* theme = dialog->findChild<QComboBox*>(QStringLiteral("theme"));
+    QTest::keyClick(theme, Qt::Key_End);
+    EXPECT_EQ(window->area().views().view().theme, render::Theme::Dark);
+    QSettings settings;
+    EXPECT_EQ(readPreferences(settings), window->preferences());
+    QTest::mouseClick(dialog->findChild<QAbstractButton*>(QStringLiteral("defaults")), Qt::LeftButton);
+    EXPECT_EQ(window->preferences(), widgets::Preferences());
+    EXPECT_EQ(readPreferences(settings), widgets::Preferences());
+}
+
+TEST(Settings, DamagedOnesAreAsDeliveredAndNamed) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("rubble.ini"));
+    const auto with = [&](const QByteArray& text, QStringList& complaints) {
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        file.write(text);
+        file.close();
+        QSettings settings(path, QSettings::IniFormat);
+        return readPreferences(settings, &complaints);
+    };
+    QStringList complaints;
+    const widgets::Preferences some =
+        with("[General]\nlanguage=klingon\nthreads=-3\nmemory_mib=lots\nautosave_seconds=60\ntheme=dark\n", complaints);
+    EXPECT_EQ(complaints, QStringList({QStringLiteral("language"), QStringLiteral("threads"), QStringLiteral("memory_mib")}));
+    EXPECT_EQ(some.theme, QStringLiteral("dark"));
+    EXPECT_EQ(some.autosaveSeconds, 60);
+    EXPECT_EQ(some.threads, 0);
+    complaints.clear();
+    EXPECT_EQ(with(QByteArray("\x00\x01[[[\nno key at all", 18), complaints), widgets::Preferences());
+    EXPECT_FALSE(complaints.isEmpty());
+    complaints.clear();
+    EXPECT_EQ(with("", complaints), widgets::Preferences());
+    EXPECT_TRUE(complaints.isEmpty());
+}
+
+TEST_F(Languages, F1LeadsToThePageAboutWhatHasTheFocus) {
+    const std::vector<ManualPage> pages = manualPages();
+    const auto stands = [&](const HelpTopic& topic) {
+        return std::any_of(pages.begin(), pages.end(), [&](const ManualPage& page) {
+            return page.name.contains(topic.page, Qt::CaseInsensitive) &&
+                   (topic.heading.isEmpty() || page.headings.contains(topic.heading)) && page.text.contains(topic.words);
+        });
+    };
+    openArch();
+    std::size_t told = 0;
+    for (const QWidget* widget : window->findChildren<QWidget*>()) {
+        const HelpTopic topic = helpAbout(widget);
+        EXPECT_TRUE(stands(topic)) << widget->metaObject()->className() << ": " << qPrintable(topic.page) << " # "
+                                   << qPrintable(topic.heading) << ", " << qPrintable(topic.words);
+        told += topic.page == QLatin1String("Start") ? 0 : 1;
+    }
+    EXPECT_GT(told, 300u);
+    window->deck().choose(PanelDeck::Run);
+    QWidget* field = window->findChild<QWidget*>(QStringLiteral("step_rate"));
+    ASSERT_NE(field, nullptr);
+    EXPECT_EQ(helpAbout(field), (HelpTopic{QStringLiteral("Parameters"), {}, QStringLiteral("step_rate")}));
+    field->setFocus();
+    QTest::keyClick(field->focusProxy() != nullptr ? field->focusProxy() : field, Qt::Key_F1);
+    EXPECT_TRUE(window->help().manual().pointedAt().contains(QStringLiteral("step_rate")));
+}
+
+TEST_F(Languages, WhatIsThisNumberKnowsEveryFigureInBothLanguages) {
+    for (const char* language : {"en", "zh_CN"}) {
+        speak(language);
+        std::size_t figures = 0;
+        for (const QLabel* label : window->findChildren<QLabel*>(QStringLiteral("value"))) {
+            if (label->accessibleName().isEmpty()) {
+                continue;
+            }
+            ++figures;
+            const HelpTopic topic = helpAbout(label);
+            window->help().manual().showPlace(topic.page, topic.heading, topic.words);
+            EXPECT_FALSE(window->help().manual().pointedAt().isEmpty())
+                << language << ": " << qPrintable(label->accessibleName()) << " as " << qPrintable(topic.words);
+        }
+        EXPECT_GT(figures, 30u);
+    }
+}
+
+TEST_F(Languages, PagesInChineseHaveTheHeadingsOfTheEnglishOnes) {
+    speak("zh_CN");
+    std::size_t own = 0;
+    for (const ManualPage& page : manualPages()) {
+        if (page.ownLanguage && page.text.contains(u'|') == false) {
+            ++own;
+        }
+        EXPECT_EQ(headingsOf(page.text).size(), page.headings.size()) << qPrintable(page.name);
+    }
+    EXPECT_GT(own, 5u);
+    ManualWindow window;
+    window.showPlace(QStringLiteral("Basic Grid"), QStringLiteral("This machine"), {});
+    EXPECT_TRUE(window.findChild<QTextBrowser*>()->textCursor().block().text() == QStringLiteral("本机"));
+}
+
+TEST(Manual, FindsWordsWithTheHeadingTheyStandUnder) {
+    const std::vector<ManualPage> pages{
+        {QStringLiteral("One"), QStringLiteral("# One\n\nA *pile* of stone\n\n## Deep\n\nstone in a pile\n")},
+        {QStringLiteral("Pile"), QStringLiteral("# Pile\n\nnothing\n")}};
+    const std::vector<ManualFind> finds = findInManual(pages, QStringLiteral("PILE stone"));
+    ASSERT_EQ(finds.size(), 2u);
+    EXPECT_EQ(finds[0].heading, QString());
+    EXPECT_EQ(finds[0].line, QStringLiteral("A pile of stone"));
+    EXPECT_EQ(finds[1].heading, QStringLiteral("Deep"));
+    ASSERT_EQ(findInManual(pages, QStringLiteral("pile")).size(), 3u);
+    EXPECT_EQ(findInManual(pages, QStringLiteral("pile")).front().page, 1);
+    EXPECT_TRUE(findInManual(pages, QStringLiteral("  ")).empty());
+}
+
+}  // namespace rubble

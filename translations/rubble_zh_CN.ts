@@ -1,0 +1,8594 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>accuracy</name>
+    <message>
+        <source>mass map</source>
+        <translation>质量图</translation>
+    </message>
+    <message>
+        <source>difference of the mass map</source>
+        <translation>质量图差异</translation>
+    </message>
+    <message>
+        <source>Share of the mass that lies in other cells of 2 m than in the reference: 0 is the same</source>
+        <translation>与基准相比，落在不同 2 m 单元格中的质量所占比例：0 表示完全相同</translation>
+    </message>
+    <message>
+        <source>core overlap</source>
+        <translation>核心区重合度</translation>
+    </message>
+    <message>
+        <source>core overlap with the reference (IoU)</source>
+        <translation>与基准的核心区重合度（IoU）</translation>
+    </message>
+    <message>
+        <source>Cells in both cores, which hold 95 % of the mass, over cells in either: 1 is the same</source>
+        <translation>同属两者核心区（含 95 % 质量）的单元格数与任一核心区单元格数之比：1 表示完全相同</translation>
+    </message>
+    <message>
+        <source>footprint overlap</source>
+        <translation>覆盖范围重合度</translation>
+    </message>
+    <message>
+        <source>footprint overlap with the reference (IoU)</source>
+        <translation>与基准的覆盖范围重合度（IoU）</translation>
+    </message>
+    <message>
+        <source>Cells of 1 m in both footprints over cells in either: 1 is the same</source>
+        <translation>同属两者覆盖范围的 1 m 单元格数与任一覆盖范围单元格数之比：1 表示完全相同</translation>
+    </message>
+    <message>
+        <source>run-out</source>
+        <translation>散落距离</translation>
+    </message>
+    <message>
+        <source>error of the 95 % run-out, m</source>
+        <translation>95 % 散落距离误差，m</translation>
+    </message>
+    <message>
+        <source>How far the distance within which 95 % of the mass lies differs from the reference</source>
+        <translation>包含 95 % 质量的距离与基准相差多少</translation>
+    </message>
+    <message>
+        <source>height map</source>
+        <translation>高度图</translation>
+    </message>
+    <message>
+        <source>height map, root mean square error, m</source>
+        <translation>高度图均方根误差，m</translation>
+    </message>
+    <message>
+        <source>Root of the mean square difference of the heights of the pile over both footprints</source>
+        <translation>在两者覆盖范围内，堆积高度之差的均方根</translation>
+    </message>
+    <message>
+        <source>mean height</source>
+        <translation>平均高度</translation>
+    </message>
+    <message>
+        <source>error of the mean height of the mass, m</source>
+        <translation>质量平均高度误差，m</translation>
+    </message>
+    <message>
+        <source>How far the mean height of the mass above ground differs from the reference</source>
+        <translation>质量距地面的平均高度与基准相差多少</translation>
+    </message>
+    <message>
+        <source>centroid</source>
+        <translation>质心</translation>
+    </message>
+    <message>
+        <source>shift of the centroid, m</source>
+        <translation>质心偏移，m</translation>
+    </message>
+    <message>
+        <source>Distance between the centroids of the mass</source>
+        <translation>两个质量质心之间的距离</translation>
+    </message>
+    <message>
+        <source>fragment error</source>
+        <translation>碎块误差</translation>
+    </message>
+    <message>
+        <source>median error of the fragments, m</source>
+        <translation>碎块误差中位数，m</translation>
+    </message>
+    <message>
+        <source>Median over the fragments of the distance from their place in the reference</source>
+        <translation>各碎块到其基准位置的距离的中位数</translation>
+    </message>
+</context>
+<context>
+    <name>actions</name>
+    <message>
+        <source>Open…</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>Open a case or an FE result</source>
+        <translation>打开案例或有限元结果</translation>
+    </message>
+    <message>
+        <source>Open the sample</source>
+        <translation>打开示例</translation>
+    </message>
+    <message>
+        <source>Open the collapse of the stone arch bridge and simulate it</source>
+        <translation>打开石拱桥倒塌示例并进行模拟</translation>
+    </message>
+    <message>
+        <source>Refresh result</source>
+        <translation>刷新结果</translation>
+    </message>
+    <message>
+        <source>Look what the analysis has written since, and show it; settings, time and camera stay</source>
+        <translation>查看分析程序此后新写出的内容并显示；设置、时间和相机保持不变</translation>
+    </message>
+    <message>
+        <source>Keep copies of results</source>
+        <translation>保留结果副本</translation>
+    </message>
+    <message>
+        <source>Keep a compressed copy of every FE result that is read: it opens at once next time</source>
+        <translation>为读取的每个有限元结果保留压缩副本：下次可立即打开</translation>
+    </message>
+    <message>
+        <source>Terrain…</source>
+        <translation>地形…</translation>
+    </message>
+    <message>
+        <source>Choose the raster of heights that the debris falls on</source>
+        <translation>选择承接堆积物的高程栅格</translation>
+    </message>
+    <message>
+        <source>Without terrain</source>
+        <translation>不用地形</translation>
+    </message>
+    <message>
+        <source>Let the debris fall on level ground again</source>
+        <translation>让堆积物重新落在水平地面上</translation>
+    </message>
+    <message>
+        <source>Save case</source>
+        <translation>保存案例</translation>
+    </message>
+    <message>
+        <source>Save the case</source>
+        <translation>保存当前案例</translation>
+    </message>
+    <message>
+        <source>Save case as…</source>
+        <translation>案例另存为…</translation>
+    </message>
+    <message>
+        <source>Save the case under another name</source>
+        <translation>以另一名称保存案例</translation>
+    </message>
+    <message>
+        <source>Save run as…</source>
+        <translation>计算另存为…</translation>
+    </message>
+    <message>
+        <source>Save the last run as a run file, for rubble-cli and for later</source>
+        <translation>将上一次计算保存为计算文件，供 rubble-cli 和以后使用</translation>
+    </message>
+    <message>
+        <source>Close case</source>
+        <translation>关闭案例</translation>
+    </message>
+    <message>
+        <source>Close the case</source>
+        <translation>关闭当前案例</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>退出</translation>
+    </message>
+    <message>
+        <source>Leave Rubble</source>
+        <translation>退出 Rubble</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Take the last change back</source>
+        <translation>撤回上一次更改</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Make the change again</source>
+        <translation>重新执行该更改</translation>
+    </message>
+    <message>
+        <source>Settings as delivered</source>
+        <translation>默认设置</translation>
+    </message>
+    <message>
+        <source>Apply the default settings</source>
+        <translation>应用默认设置</translation>
+    </message>
+    <message>
+        <source>Settings as published</source>
+        <translation>论文设置</translation>
+    </message>
+    <message>
+        <source>Apply the settings of the published method</source>
+        <translation>应用论文所发表方法的设置</translation>
+    </message>
+    <message>
+        <source>Stacked</source>
+        <translation>上下排列</translation>
+    </message>
+    <message>
+        <source>FE view above the fragments</source>
+        <translation>有限元视图在上，碎块在下</translation>
+    </message>
+    <message>
+        <source>Beside</source>
+        <translation>左右排列</translation>
+    </message>
+    <message>
+        <source>FE view left, fragments right</source>
+        <translation>有限元视图在左，碎块在右</translation>
+    </message>
+    <message>
+        <source>FE only</source>
+        <translation>仅有限元</translation>
+    </message>
+    <message>
+        <source>Only the conventional FE view</source>
+        <translation>仅显示常规有限元视图</translation>
+    </message>
+    <message>
+        <source>Fragments only</source>
+        <translation>仅碎块</translation>
+    </message>
+    <message>
+        <source>Only the view with the fragments</source>
+        <translation>仅显示碎块视图</translation>
+    </message>
+    <message>
+        <source>Cameras linked</source>
+        <translation>相机联动</translation>
+    </message>
+    <message>
+        <source>Both views look from the same place</source>
+        <translation>两个视图使用同一视角</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合窗口</translation>
+    </message>
+    <message>
+        <source>Show the whole model</source>
+        <translation>显示整个模型</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>侧视</translation>
+    </message>
+    <message>
+        <source>Look from the side, slightly from above</source>
+        <translation>从侧面略偏上方观察</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>沿 y 轴</translation>
+    </message>
+    <message>
+        <source>Look straight along y</source>
+        <translation>正对 y 轴方向观察</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>俯视</translation>
+    </message>
+    <message>
+        <source>Look straight down</source>
+        <translation>垂直向下观察</translation>
+    </message>
+    <message>
+        <source>Colours of the system</source>
+        <translation>跟随系统配色</translation>
+    </message>
+    <message>
+        <source>Light or dark as the system has it</source>
+        <translation>浅色或深色跟随系统</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>浅色配色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>深色配色</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>Simulate the whole collapse as fast as it goes</source>
+        <translation>以最快速度模拟整个倒塌过程</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>Simulate at the pace of the collapse and watch</source>
+        <translation>按倒塌的实际速度模拟并观看</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Stop what runs; what is computed is kept</source>
+        <translation>停止正在运行的工作；已计算的内容保留</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>播放或暂停</translation>
+    </message>
+    <message>
+        <source>Back one state</source>
+        <translation>后退一个状态</translation>
+    </message>
+    <message>
+        <source>Forward one state</source>
+        <translation>前进一个状态</translation>
+    </message>
+    <message>
+        <source>Back ten states</source>
+        <translation>后退十个状态</translation>
+    </message>
+    <message>
+        <source>Forward ten states</source>
+        <translation>前进十个状态</translation>
+    </message>
+    <message>
+        <source>To the first instant</source>
+        <translation>到起始时刻</translation>
+    </message>
+    <message>
+        <source>To the last instant</source>
+        <translation>到最后时刻</translation>
+    </message>
+    <message>
+        <source>Figure of this instant…</source>
+        <translation>当前时刻的图…</translation>
+    </message>
+    <message>
+        <source>Save both views as a figure for print</source>
+        <translation>将两个视图保存为印刷用图</translation>
+    </message>
+    <message>
+        <source>Table of fragments…</source>
+        <translation>碎块表…</translation>
+    </message>
+    <message>
+        <source>Save where every fragment went, as CSV</source>
+        <translation>将每个碎块的去向保存为 CSV</translation>
+    </message>
+    <message>
+        <source>Series for ParaView…</source>
+        <translation>ParaView 序列…</translation>
+    </message>
+    <message>
+        <source>Save fragments and active structure over time, as PVD</source>
+        <translation>将碎块和未失效结构随时间的变化保存为 PVD</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>手册</translation>
+    </message>
+    <message>
+        <source>About Rubble</source>
+        <translation>关于 Rubble</translation>
+    </message>
+    <message>
+        <source>Version and method</source>
+        <translation>版本与方法</translation>
+    </message>
+    <message>
+        <source>Preferences…</source>
+        <translation>首选项…</translation>
+    </message>
+    <message>
+        <source>Language, colours, threads, memory, autosave</source>
+        <translation>语言、配色、线程、内存、自动保存</translation>
+    </message>
+    <message>
+        <source>The page of the manual about what has the focus</source>
+        <translation>手册中与当前焦点相关的页面</translation>
+    </message>
+    <message>
+        <source>Search the manual…</source>
+        <translation>搜索手册…</translation>
+    </message>
+    <message>
+        <source>Find words in the manual</source>
+        <translation>在手册中查找词语</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>模拟计算</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+</context>
+<context>
+    <name>choices</name>
+    <message>
+        <source>-x</source>
+        <translation>-x</translation>
+    </message>
+    <message>
+        <source>-y</source>
+        <translation>-y</translation>
+    </message>
+    <message>
+        <source>-z</source>
+        <translation>-z</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>axes</source>
+        <translation>按轴</translation>
+    </message>
+    <message>
+        <source>axis box</source>
+        <translation>轴向包围盒</translation>
+    </message>
+    <message>
+        <source>bullet</source>
+        <translation>Bullet</translation>
+    </message>
+    <message>
+        <source>component box</source>
+        <translation>构件包围盒</translation>
+    </message>
+    <message>
+        <source>compound</source>
+        <translation>组合体</translation>
+    </message>
+    <message>
+        <source>concrete</source>
+        <translation>混凝土</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>精确</translation>
+    </message>
+    <message>
+        <source>fe</source>
+        <translation>有限元速度</translation>
+    </message>
+    <message>
+        <source>follow</source>
+        <translation>跟随</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>坐标框架</translation>
+    </message>
+    <message>
+        <source>g-cm-s</source>
+        <translation>g-cm-s</translation>
+    </message>
+    <message>
+        <source>g-cm-us</source>
+        <translation>g-cm-us</translation>
+    </message>
+    <message>
+        <source>g-mm-ms</source>
+        <translation>g-mm-ms</translation>
+    </message>
+    <message>
+        <source>g-mm-s</source>
+        <translation>g-mm-s</translation>
+    </message>
+    <message>
+        <source>grid boxes</source>
+        <translation>网格盒</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>hull</source>
+        <translation>凸包</translation>
+    </message>
+    <message>
+        <source>kg-m-s</source>
+        <translation>kg-m-s</translation>
+    </message>
+    <message>
+        <source>kg-mm-ms</source>
+        <translation>kg-mm-ms</translation>
+    </message>
+    <message>
+        <source>kg-mm-s</source>
+        <translation>kg-mm-s</translation>
+    </message>
+    <message>
+        <source>kip-in-s</source>
+        <translation>kip-in-s</translation>
+    </message>
+    <message>
+        <source>latch</source>
+        <translation>锁定</translation>
+    </message>
+    <message>
+        <source>lbf-ft-s</source>
+        <translation>lbf-ft-s</translation>
+    </message>
+    <message>
+        <source>lbf-in-s</source>
+        <translation>lbf-in-s</translation>
+    </message>
+    <message>
+        <source>masonry</source>
+        <translation>砌体</translation>
+    </message>
+    <message>
+        <source>nested</source>
+        <translation>嵌套</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>oriented box</source>
+        <translation>有向包围盒</translation>
+    </message>
+    <message>
+        <source>refuse</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>释放</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>静止</translation>
+    </message>
+    <message>
+        <source>soft-step</source>
+        <translation>软步法</translation>
+    </message>
+    <message>
+        <source>soil</source>
+        <translation>土</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>steel</source>
+        <translation>钢</translation>
+    </message>
+    <message>
+        <source>stone</source>
+        <translation>石材</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>t-m-s</source>
+        <translation>t-m-s</translation>
+    </message>
+    <message>
+        <source>t-mm-s</source>
+        <translation>t-mm-s</translation>
+    </message>
+    <message>
+        <source>water bed</source>
+        <translation>水底</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+</context>
+<context>
+    <name>manual</name>
+    <message>
+        <source>Actions and keys</source>
+        <translation>操作与按键</translation>
+    </message>
+    <message>
+        <source>Menu|Action|Key|What it does</source>
+        <translation>菜单|操作|按键|作用</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Every setting of a scenario, as the panels, `rubble-cli --set key=value` and the case file know it.</source>
+        <translation>方案的全部设置，与面板、`rubble-cli --set key=value` 和案例文件中的一致。</translation>
+    </message>
+    <message>
+        <source>Key|Meaning|Unit|Default|Values|What it does and what it costs</source>
+        <translation>键|含义|单位|默认|取值|作用与代价</translation>
+    </message>
+</context>
+<context>
+    <name>messages</name>
+    <message>
+        <source>&quot;{0}&quot; cannot be the name of a regrouped component</source>
+        <translation>“{0}”不能作为重新分组后构件的名称</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is not a pair of materials.</source>
+        <translation>“{0}”不是一对材料。</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is not an axis that can point up</source>
+        <translation>“{0}”不是可以指向上方的坐标轴</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; never meet: no body is made of either.</source>
+        <translation>“{0}”不会相遇：没有刚体由其中任一材料制成。</translation>
+    </message>
+    <message>
+        <source>, or auto</source>
+        <translation>，或 auto</translation>
+    </message>
+    <message>
+        <source>.cdb, with its .mac</source>
+        <translation>.cdb，附其 .mac</translation>
+    </message>
+    <message>
+        <source>.fil with its .inp</source>
+        <translation>.fil，附其 .inp</translation>
+    </message>
+    <message>
+        <source>.frd with its .inp</source>
+        <translation>.frd，附其 .inp</translation>
+    </message>
+    <message>
+        <source>.h5, made by rubble-cli convert</source>
+        <translation>.h5，由 rubble-cli convert 生成</translation>
+    </message>
+    <message>
+        <source>.rst with a list of deaths</source>
+        <translation>.rst，附失效清单</translation>
+    </message>
+    <message>
+        <source>0.95 is what is usual.</source>
+        <translation>通常取 0.95。</translation>
+    </message>
+    <message>
+        <source>2 repeats and 1e-6 m are usual.</source>
+        <translation>通常重复 2 次，扰动 1e-6 m。</translation>
+    </message>
+    <message>
+        <source>32 lower-case hexadecimal digits</source>
+        <translation>32 位小写十六进制数字</translation>
+    </message>
+    <message>
+        <source>A density lies outside {0} to {1}</source>
+        <translation>密度超出 {0} 至 {1}</translation>
+    </message>
+    <message>
+        <source>A dying element has positions that are not numbers and makes no fragment</source>
+        <translation>某失效单元的位置含非数值，不生成碎块</translation>
+    </message>
+    <message>
+        <source>A dying element is too large or too fast for numbers and makes no fragment</source>
+        <translation>某失效单元过大或过快，超出数值范围，不生成碎块</translation>
+    </message>
+    <message>
+        <source>A few dozen pairs are enough.</source>
+        <translation>几十对点就足够。</translation>
+    </message>
+    <message>
+        <source>A figure of {0} x {1} pixels at {2} dpi cannot be drawn</source>
+        <translation>无法绘制 {0} x {1} 像素、{2} dpi 的图</translation>
+    </message>
+    <message>
+        <source>A fragment is thinner than the engine can bear: its solid is thickened, its mass is not</source>
+        <translation>某碎块薄于引擎所能承受：其实体被加厚，质量不变</translation>
+    </message>
+    <message>
+        <source>A live rate of {0} is out of reach: even at the upper bounds {1} clusters are counted, {2} are allowed; about {3} can be reached</source>
+        <translation>无法达到 {0} 的实时帧率：即使取上限仍有 {1} 个聚类，而允许 {2} 个；约可达到 {3}</translation>
+    </message>
+    <message>
+        <source>A map cannot have cells of {0}.</source>
+        <translation>地图的单元格不能为 {0}。</translation>
+    </message>
+    <message>
+        <source>A map of {0} x {1} pixels at {2} dpi cannot be drawn</source>
+        <translation>无法绘制 {0} x {1} 像素、{2} dpi 的地图</translation>
+    </message>
+    <message>
+        <source>A map with cells of {0} would take too many of them: the debris is too large or too far away for it.</source>
+        <translation>单元格为 {0} 的地图需要过多单元格：堆积物过大或过远。</translation>
+    </message>
+    <message>
+        <source>A picture of {0} x {1} pixels with these settings of its camera cannot be matched.</source>
+        <translation>{0} x {1} 像素且采用这些相机设置的照片无法匹配。</translation>
+    </message>
+    <message>
+        <source>A regrouping step holds a number that is not finite</source>
+        <translation>某重新分组步骤含有非有限数值</translation>
+    </message>
+    <message>
+        <source>A regrouping step moved no elements</source>
+        <translation>某重新分组步骤未移动任何单元</translation>
+    </message>
+    <message>
+        <source>A repeat floor takes at least 1 repeat and a birth shift above zero.</source>
+        <translation>重复性下限至少需要 1 次重复和大于零的产生位置扰动。</translation>
+    </message>
+    <message>
+        <source>A repeat of the reference could not be simulated.</source>
+        <translation>基准的一次重复无法模拟。</translation>
+    </message>
+    <message>
+        <source>A result could not be kept for a second start.</source>
+        <translation>某项结果无法保留供再次启动使用。</translation>
+    </message>
+    <message>
+        <source>A state within the series is cut off or of another length; it was left out</source>
+        <translation>序列中某状态被截断或长度不同；已略去</translation>
+    </message>
+    <message>
+        <source>A sweep has 1 to {0} settings; {1} were asked for.</source>
+        <translation>一次对比可含 1 至 {0} 项设置；请求了 {1} 项。</translation>
+    </message>
+    <message>
+        <source>A terrain with its first node at ({0}, {1}) and cells of {2} has no place</source>
+        <translation>首节点在 ({0}, {1})、单元格为 {2} 的地形没有位置</translation>
+    </message>
+    <message>
+        <source>A world that was kept under this name was simulated from something else: it is not compared.</source>
+        <translation>以此名称保留的计算来自其他输入：不予比较。</translation>
+    </message>
+    <message>
+        <source>A world was simulated on another machine: its debris is compared, its figures of time are not.</source>
+        <translation>某次计算是在另一台机器上模拟的：比较其堆积物，不比较其时间。</translation>
+    </message>
+    <message>
+        <source>ACI 318 (2019): concrete on hardened concrete that was not roughened 0.6</source>
+        <translation>ACI 318 (2019)：混凝土对未凿毛的硬化混凝土 0.6</translation>
+    </message>
+    <message>
+        <source>Abaqus results file</source>
+        <translation>Abaqus 结果文件</translation>
+    </message>
+    <message>
+        <source>Accept a live rate of about {0}, merge small components into their neighbours, or raise bodies_max if this machine moves more</source>
+        <translation>接受约 {0} 的实时帧率，将小构件并入相邻构件，或在本机能承载更多时提高 bodies_max</translation>
+    </message>
+    <message>
+        <source>Add it, or take the last good copy.</source>
+        <translation>补上它，或采用上一份完好的副本。</translation>
+    </message>
+    <message>
+        <source>Add pairs, or give the focal length.</source>
+        <translation>增加点对，或给出焦距。</translation>
+    </message>
+    <message>
+        <source>Add points at other distances and in other corners of the picture, or find fewer numbers.</source>
+        <translation>增加位于其他距离和照片其他角落的点，或减少待求参数。</translation>
+    </message>
+    <message>
+        <source>Add points in front of or behind that plane, or give the focal length.</source>
+        <translation>增加该平面前方或后方的点，或给出焦距。</translation>
+    </message>
+    <message>
+        <source>Add points in front of or behind the others.</source>
+        <translation>增加位于其他点前方或后方的点。</translation>
+    </message>
+    <message>
+        <source>Add points well away from that line.</source>
+        <translation>增加远离该直线的点。</translation>
+    </message>
+    <message>
+        <source>Along {0} the grid of {1} is larger than the smallest structural component, &quot;{2}&quot; with {3}</source>
+        <translation>沿 {0}，网格 {1} 大于最小结构构件“{2}”（{3}）</translation>
+    </message>
+    <message>
+        <source>Along {0} the grid of {1} is smaller than the largest fragment, element {2} of &quot;{3}&quot; with {4}</source>
+        <translation>沿 {0}，网格 {1} 小于最大碎块，即“{3}”的单元 {2}（{4}）</translation>
+    </message>
+    <message>
+        <source>Along {0} the largest fragment, element {1} of &quot;{2}&quot; with {3}, exceeds the smallest structural component, &quot;{4}&quot; with {5}</source>
+        <translation>沿 {0}，最大碎块，即“{2}”的单元 {1}（{3}），超过最小结构构件“{4}”（{5}）</translation>
+    </message>
+    <message>
+        <source>Along {0} the mean distance of the fragments, {1}, exceeds the smallest structural component, &quot;{2}&quot; with {3}; the largest fragment is element {4} of &quot;{5}&quot; with {6}</source>
+        <translation>沿 {0}，碎块平均间距 {1} 超过最小结构构件“{2}”（{3}）；最大碎块为“{5}”的单元 {4}（{6}）</translation>
+    </message>
+    <message>
+        <source>An acknowledgement needs a {0}.</source>
+        <translation>确认需要填写{0}。</translation>
+    </message>
+    <message>
+        <source>An element comes back to life after its death</source>
+        <translation>某单元失效后又复活</translation>
+    </message>
+    <message>
+        <source>An element has no volume at its death: a box of the minimum thickness stands for it</source>
+        <translation>某单元失效时没有体积：以最小厚度的盒代替</translation>
+    </message>
+    <message>
+        <source>An element is a sliver at its death: a box of the minimum thickness stands for it</source>
+        <translation>某单元失效时为薄片：以最小厚度的盒代替</translation>
+    </message>
+    <message>
+        <source>An element is folded through itself at its death: a box stands for it</source>
+        <translation>某单元失效时自身翻折：以盒代替</translation>
+    </message>
+    <message>
+        <source>An element is inactive at every state and makes no fragment</source>
+        <translation>某单元在所有状态均未激活，不生成碎块</translation>
+    </message>
+    <message>
+        <source>An element is inactive at first and appears later</source>
+        <translation>某单元起初未激活，后来出现</translation>
+    </message>
+    <message>
+        <source>An element is inside out at its death: its corners are numbered anew</source>
+        <translation>某单元失效时内外翻转：其角点重新编号</translation>
+    </message>
+    <message>
+        <source>An element without volume at rest weighs what its fragment&apos;s solid would</source>
+        <translation>静止时没有体积的单元按其碎块实体计重</translation>
+    </message>
+    <message>
+        <source>An exact death time lies outside the states between which the element dies</source>
+        <translation>精确失效时刻不在单元失效的两个状态之间</translation>
+    </message>
+    <message>
+        <source>Another program makes the copy</source>
+        <translation>另一程序正在生成该副本</translation>
+    </message>
+    <message>
+        <source>Ansys coded database</source>
+        <translation>Ansys 编码数据库</translation>
+    </message>
+    <message>
+        <source>Ansys results</source>
+        <translation>Ansys 结果</translation>
+    </message>
+    <message>
+        <source>As computed</source>
+        <translation>按计算值</translation>
+    </message>
+    <message>
+        <source>Ask for 16 to {0} pixels a side and 20 to 2400 dpi.</source>
+        <translation>请给出每边 16 至 {0} 像素、20 至 2400 dpi。</translation>
+    </message>
+    <message>
+        <source>Ask for 2 repeats or more.</source>
+        <translation>请给出 2 次或更多重复。</translation>
+    </message>
+    <message>
+        <source>Ask for {0} to {1} pixels a side and 20 to 2400 dpi.</source>
+        <translation>请给出每边 {0} 至 {1} 像素、20 至 2400 dpi。</translation>
+    </message>
+    <message>
+        <source>Auditing deaths</source>
+        <translation>正在核查失效</translation>
+    </message>
+    <message>
+        <source>Baltay &amp; Gjelsvik (1990): sliding about 0.47; Rabbat &amp; Russell (1985): cast on, at rest, 0.57-0.70</source>
+        <translation>Baltay &amp; Gjelsvik (1990)：滑动约 0.47；Rabbat &amp; Russell (1985)：现浇、静止 0.57-0.70</translation>
+    </message>
+    <message>
+        <source>Begin the table with the line name,picture_x_px,picture_y_px,x_m,y_m,z_m.</source>
+        <translation>表格首行应为 name,picture_x_px,picture_y_px,x_m,y_m,z_m。</translation>
+    </message>
+    <message>
+        <source>Blocks without attribute names: their first attribute was taken for thickness or area</source>
+        <translation>单元块没有属性名：其第一个属性被当作厚度或面积</translation>
+    </message>
+    <message>
+        <source>CalculiX results</source>
+        <translation>CalculiX 结果</translation>
+    </message>
+    <message>
+        <source>Cannot make the folder {0} for the series</source>
+        <translation>无法为该序列建立文件夹 {0}</translation>
+    </message>
+    <message>
+        <source>Cannot make the folder {0}: {1}</source>
+        <translation>无法建立文件夹 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>Cannot read the acknowledgements {0}</source>
+        <translation>无法读取确认记录 {0}</translation>
+    </message>
+    <message>
+        <source>Cannot read the case {0}</source>
+        <translation>无法读取案例 {0}</translation>
+    </message>
+    <message>
+        <source>Cannot read the input deck {0}</source>
+        <translation>无法读取输入卡 {0}</translation>
+    </message>
+    <message>
+        <source>Cannot read the run file {0}: {1}</source>
+        <translation>无法读取计算文件 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>Cannot read {0}</source>
+        <translation>无法读取 {0}</translation>
+    </message>
+    <message>
+        <source>Cannot read {0}: {1}</source>
+        <translation>无法读取 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>Cannot write the run file {0}: {1}</source>
+        <translation>无法写入计算文件 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>Cannot write {0}: {1}</source>
+        <translation>无法写入 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>Cases (*.rubble)</source>
+        <translation>案例 (*.rubble)</translation>
+    </message>
+    <message>
+        <source>Cell arrays with one component: {0}</source>
+        <translation>单分量的单元数组：{0}</translation>
+    </message>
+    <message>
+        <source>Cells of a type that makes no fragment were left out</source>
+        <translation>不生成碎块的单元类型已略去</translation>
+    </message>
+    <message>
+        <source>Check free space and rights of the folder, or choose another place.</source>
+        <translation>请检查剩余空间和文件夹权限，或选择其他位置。</translation>
+    </message>
+    <message>
+        <source>Check free space and rights of the folder, or choose another place; what was there before is unchanged.</source>
+        <translation>请检查剩余空间和文件夹权限，或选择其他位置；原有内容未变。</translation>
+    </message>
+    <message>
+        <source>Check it, or set component[NAME].section.</source>
+        <translation>请检查，或设置 component[NAME].section。</translation>
+    </message>
+    <message>
+        <source>Check rights and free space, or choose another place.</source>
+        <translation>请检查权限和剩余空间，或选择其他位置。</translation>
+    </message>
+    <message>
+        <source>Check that all files are of one run; move the others away.</source>
+        <translation>请检查所有文件是否属于同一次分析；将其他文件移走。</translation>
+    </message>
+    <message>
+        <source>Check that it is the deck of this result.</source>
+        <translation>请检查它是否为此结果的输入卡。</translation>
+    </message>
+    <message>
+        <source>Check that list and result belong together.</source>
+        <translation>请检查清单与结果是否对应。</translation>
+    </message>
+    <message>
+        <source>Check that the file exists and that you may read it.</source>
+        <translation>请检查文件是否存在以及您是否有读取权限。</translation>
+    </message>
+    <message>
+        <source>Check that the folder exists, may be written and has room.</source>
+        <translation>请检查文件夹是否存在、可写且有空间。</translation>
+    </message>
+    <message>
+        <source>Check the disk if this is said again.</source>
+        <translation>若再次出现，请检查磁盘。</translation>
+    </message>
+    <message>
+        <source>Check the element&apos;s nodes, or its thickness or section.</source>
+        <translation>请检查该单元的节点、厚度或截面。</translation>
+    </message>
+    <message>
+        <source>Check the masses, or set component[NAME].density.</source>
+        <translation>请检查质量，或设置 component[NAME].density。</translation>
+    </message>
+    <message>
+        <source>Check the node order of the element; a solver that lets elements invert may need other limits.</source>
+        <translation>请检查单元的节点次序；允许单元翻转的求解器可能需要其他限值。</translation>
+    </message>
+    <message>
+        <source>Check the path and that you may read the file.</source>
+        <translation>请检查路径以及您是否有读取权限。</translation>
+    </message>
+    <message>
+        <source>Check the path, or leave the terrain out.</source>
+        <translation>请检查路径，或不使用地形。</translation>
+    </message>
+    <message>
+        <source>Check the rights of the folder.</source>
+        <translation>请检查文件夹权限。</translation>
+    </message>
+    <message>
+        <source>Check the step&apos;s box, plane or component, or remove the step.</source>
+        <translation>请检查该步骤的盒、平面或构件，或删除该步骤。</translation>
+    </message>
+    <message>
+        <source>Check the units of the file and set component[NAME].density in kg/m3.</source>
+        <translation>请检查文件单位，并以 kg/m3 设置 component[NAME].density。</translation>
+    </message>
+    <message>
+        <source>Check the variable: --set status_variable=NAME and active_value say another.</source>
+        <translation>请检查该变量：用 --set status_variable=NAME 和 active_value 另行指定。</translation>
+    </message>
+    <message>
+        <source>Check these elements; the file may be damaged.</source>
+        <translation>请检查这些单元；文件可能已损坏。</translation>
+    </message>
+    <message>
+        <source>Check which point belongs to which, the size of the picture and the focal length; more good pairs show which ones are wrong.</source>
+        <translation>请检查点的对应关系、照片尺寸和焦距；更多正确的点对可显示哪些有误。</translation>
+    </message>
+    <message>
+        <source>Checking the files of the series</source>
+        <translation>正在检查序列文件</translation>
+    </message>
+    <message>
+        <source>Checking {0}</source>
+        <translation>正在检查 {0}</translation>
+    </message>
+    <message>
+        <source>Choose another folder, or make room there.</source>
+        <translation>请选择其他文件夹，或腾出空间。</translation>
+    </message>
+    <message>
+        <source>Choose another name, or move the folder away.</source>
+        <translation>请选择其他名称，或移走该文件夹。</translation>
+    </message>
+    <message>
+        <source>Choose larger cells if memory is short; else look at the coordinate system of the case.</source>
+        <translation>若内存不足请选择更大的单元格；否则请查看案例的坐标系。</translation>
+    </message>
+    <message>
+        <source>Choose larger cells, or look for bodies that left the site.</source>
+        <translation>请选择更大的单元格，或查找离开场地的刚体。</translation>
+    </message>
+    <message>
+        <source>Choose larger cells, or write a table, which lists only cells that hold something.</source>
+        <translation>请选择更大的单元格，或输出仅列出非空单元格的表格。</translation>
+    </message>
+    <message>
+        <source>Choose one of default, paper, reference.</source>
+        <translation>请选择 default、paper、reference 之一。</translation>
+    </message>
+    <message>
+        <source>Choose one of {0}.</source>
+        <translation>请选择 {0} 之一。</translation>
+    </message>
+    <message>
+        <source>Compare runs of the same FE result with the same cells and shares.</source>
+        <translation>请以相同的单元格和比例比较同一有限元结果的计算。</translation>
+    </message>
+    <message>
+        <source>Compare the deaths with the analysis.</source>
+        <translation>请将失效情况与分析对照。</translation>
+    </message>
+    <message>
+        <source>Contours cannot be drawn every {0} up to a height of {1}.</source>
+        <translation>无法按 {0} 间隔绘制高至 {1} 的等值线。</translation>
+    </message>
+    <message>
+        <source>Coordinates must be finite: let the analysis write the file again.</source>
+        <translation>坐标必须为有限值：请让分析程序重新写出文件。</translation>
+    </message>
+    <message>
+        <source>Copy it again from where it came.</source>
+        <translation>请从来源处重新复制。</translation>
+    </message>
+    <message>
+        <source>Copy it beside the result with all that it includes.</source>
+        <translation>请连同其包含的所有文件复制到结果旁。</translation>
+    </message>
+    <message>
+        <source>Copy the file again, or wait until the analysis has finished writing it.</source>
+        <translation>请重新复制文件，或等待分析程序写完。</translation>
+    </message>
+    <message>
+        <source>Copy the file again, or wait until the analysis has written it.</source>
+        <translation>请重新复制文件，或等待分析程序写出。</translation>
+    </message>
+    <message>
+        <source>Copy the files again; check that all are of one analysis.</source>
+        <translation>请重新复制这些文件；检查它们是否属于同一分析。</translation>
+    </message>
+    <message>
+        <source>Copy the missing files beside the others.</source>
+        <translation>请将缺少的文件复制到其他文件旁。</translation>
+    </message>
+    <message>
+        <source>Copy the missing files, or open the later mesh by itself.</source>
+        <translation>请复制缺少的文件，或单独打开后来的网格。</translation>
+    </message>
+    <message>
+        <source>Copy the whole sequence.</source>
+        <translation>请复制整个序列。</translation>
+    </message>
+    <message>
+        <source>Copy the whole series, or remove the entry.</source>
+        <translation>请复制整个序列，或删除该条目。</translation>
+    </message>
+    <message>
+        <source>Copy them beside the deck if they hold densities or sections.</source>
+        <translation>若其中有密度或截面，请复制到输入卡旁。</translation>
+    </message>
+    <message>
+        <source>Copy these files again.</source>
+        <translation>请重新复制这些文件。</translation>
+    </message>
+    <message>
+        <source>Correct it in the file, or take the last good copy.</source>
+        <translation>请在文件中更正，或采用上一份完好的副本。</translation>
+    </message>
+    <message>
+        <source>Correct it or leave it out.</source>
+        <translation>请更正或删去。</translation>
+    </message>
+    <message>
+        <source>Correct the box or plane of the step.</source>
+        <translation>请更正该步骤的盒或平面。</translation>
+    </message>
+    <message>
+        <source>Correct the inputs and scenarios of the case.</source>
+        <translation>请更正案例的输入和方案。</translation>
+    </message>
+    <message>
+        <source>Correct the value in the file, or take the last good copy.</source>
+        <translation>请在文件中更正该值，或采用上一份完好的副本。</translation>
+    </message>
+    <message>
+        <source>Debris of {0} fragments cannot be compared with debris of {1}: they are of different collapses, or were measured in different ways.</source>
+        <translation>{0} 个碎块的堆积物不能与 {1} 个碎块的堆积物比较：它们属于不同的倒塌，或测量方式不同。</translation>
+    </message>
+    <message>
+        <source>Delete it to have it simulated here.</source>
+        <translation>删除它即可在本机重新模拟。</translation>
+    </message>
+    <message>
+        <source>Delete the file named, if this is said each time.</source>
+        <translation>若每次都出现，请删除所指文件。</translation>
+    </message>
+    <message>
+        <source>Densities and sections were taken from the input deck</source>
+        <translation>密度和截面取自输入卡</translation>
+    </message>
+    <message>
+        <source>Did you mean one of {0}?</source>
+        <translation>您是指 {0} 之一吗？</translation>
+    </message>
+    <message>
+        <source>Did you mean one of {0}? `rubble-cli parameters` lists all.</source>
+        <translation>您是指 {0} 之一吗？`rubble-cli parameters` 可列出全部。</translation>
+    </message>
+    <message>
+        <source>Draw another layer; impact energy needs a complete run, live structure its layers.</source>
+        <translation>请绘制其他图层；冲击能需要完整的计算，未失效结构需要其图层。</translation>
+    </message>
+    <message>
+        <source>EROSION_STATUS, 1 is active</source>
+        <translation>EROSION_STATUS，1 为激活</translation>
+    </message>
+    <message>
+        <source>Element values do not have the length that their counts give and were passed over</source>
+        <translation>单元值的长度与其计数不符，已跳过</translation>
+    </message>
+    <message>
+        <source>Elements are inactive in every state: they may be rigid, which these files do not tell</source>
+        <translation>某些单元在所有状态均未激活：可能是刚性的，这些文件不作说明</translation>
+    </message>
+    <message>
+        <source>Elements of a type that makes no fragment were left out</source>
+        <translation>不生成碎块的单元类型已略去</translation>
+    </message>
+    <message>
+        <source>Elements of blocks without {0} count as always active</source>
+        <translation>没有 {0} 的单元块中的单元视为始终激活</translation>
+    </message>
+    <message>
+        <source>Elements share a number; they were told apart by their nodes</source>
+        <translation>某些单元编号相同；已按节点区分</translation>
+    </message>
+    <message>
+        <source>Elements that never carry stress are taken for dead as well. Let UACTIVE take them off the post file (mode -1), or put a list of deaths (element,time) beside it.</source>
+        <translation>从不受力的单元也被视为失效。请用 UACTIVE 将其从后处理文件移除（模式 -1），或在旁边放置失效清单（单元,时刻）。</translation>
+    </message>
+    <message>
+        <source>Elements that {0} calls dead at every state were taken for rigid ones that stand</source>
+        <translation>{0} 在所有状态称为失效的单元被视为站立的刚性单元</translation>
+    </message>
+    <message>
+        <source>Elements whose nodes all belong to living ones are missed: put the input deck (.inp) with its MODEL CHANGE beside it.</source>
+        <translation>其节点全部属于存活单元的失效单元会被遗漏：请将含 MODEL CHANGE 的输入卡（.inp）放在旁边。</translation>
+    </message>
+    <message>
+        <source>Entries of the deletion table are negative or no number; these elements count as dead</source>
+        <translation>删除表中有负值或非数值；这些单元视为失效</translation>
+    </message>
+    <message>
+        <source>Exodus II</source>
+        <translation>Exodus II</translation>
+    </message>
+    <message>
+        <source>FE result</source>
+        <translation>有限元结果</translation>
+    </message>
+    <message>
+        <source>Files of the sequence are missing: states between them are not known</source>
+        <translation>序列缺少文件：其间的状态未知</translation>
+    </message>
+    <message>
+        <source>Files that belong to the family stand behind a missing number, or hold a later mesh; they were not read</source>
+        <translation>属于该系列的文件位于缺号之后，或含后来的网格；未读取</translation>
+    </message>
+    <message>
+        <source>Files that the input deck includes are not there</source>
+        <translation>输入卡包含的文件不存在</translation>
+    </message>
+    <message>
+        <source>Files whose states have another length were left out</source>
+        <translation>状态长度不同的文件已略去</translation>
+    </message>
+    <message>
+        <source>Finding the states</source>
+        <translation>正在查找状态</translation>
+    </message>
+    <message>
+        <source>Formats that can be read: {0}.</source>
+        <translation>可读取的格式：{0}。</translation>
+    </message>
+    <message>
+        <source>Fragments wider than the grid mostly stand alone; raise it for fewer bodies</source>
+        <translation>宽于网格的碎块大多单独成类；增大网格可减少刚体</translation>
+    </message>
+    <message>
+        <source>Free space on that disk or choose another place for the run file, then run again; the frames written so far can be read.</source>
+        <translation>请在该磁盘腾出空间或为计算文件选择其他位置，然后重新计算；已写出的帧可以读取。</translation>
+    </message>
+    <message>
+        <source>Give --force to replace it, or another name.</source>
+        <translation>请用 --force 覆盖，或改用其他名称。</translation>
+    </message>
+    <message>
+        <source>Give a .pvd or .series file with the times, or files with TimeValue.</source>
+        <translation>请给出带时间的 .pvd 或 .series 文件，或含 TimeValue 的文件。</translation>
+    </message>
+    <message>
+        <source>Give a distance above zero.</source>
+        <translation>请给出大于零的距离。</translation>
+    </message>
+    <message>
+        <source>Give a name that is not empty and that no other component has.</source>
+        <translation>请给出非空且未被其他构件使用的名称。</translation>
+    </message>
+    <message>
+        <source>Give a normal that is not zero and a point of finite coordinates.</source>
+        <translation>请给出非零法向和有限坐标的点。</translation>
+    </message>
+    <message>
+        <source>Give a number from {0} to {1}.</source>
+        <translation>请给出 {0} 至 {1} 之间的数值。</translation>
+    </message>
+    <message>
+        <source>Give a part of the model.</source>
+        <translation>请给出模型的一部分。</translation>
+    </message>
+    <message>
+        <source>Give a raster in one file, such as a GeoTIFF.</source>
+        <translation>请以单个文件给出栅格，例如 GeoTIFF。</translation>
+    </message>
+    <message>
+        <source>Give a raster of finite heights with at least two rows and columns.</source>
+        <translation>请给出至少两行两列的有限高程栅格。</translation>
+    </message>
+    <message>
+        <source>Give a raster of heights with one band.</source>
+        <translation>请给出单波段高程栅格。</translation>
+    </message>
+    <message>
+        <source>Give a raster of heights with one band: GeoTIFF, ESRI ASCII grid, BIL, ENVI, IMG, HGT, DTED, XYZ or Surfer.</source>
+        <translation>请给出单波段高程栅格：GeoTIFF、ESRI ASCII 网格、BIL、ENVI、IMG、HGT、DTED、XYZ 或 Surfer。</translation>
+    </message>
+    <message>
+        <source>Give a raster that covers the site, or fill its gaps with gdal_fillnodata.py.</source>
+        <translation>请给出覆盖场地的栅格，或用 gdal_fillnodata.py 填补空缺。</translation>
+    </message>
+    <message>
+        <source>Give a raster that covers the site.</source>
+        <translation>请给出覆盖场地的栅格。</translation>
+    </message>
+    <message>
+        <source>Give a series of .cdb files with updated coordinates (UPCOORD), one a state.</source>
+        <translation>请给出坐标已更新（UPCOORD）的 .cdb 文件序列，每个状态一个。</translation>
+    </message>
+    <message>
+        <source>Give a size above zero, 0.25 m or 1 m for example.</source>
+        <translation>请给出大于零的尺寸，例如 0.25 m 或 1 m。</translation>
+    </message>
+    <message>
+        <source>Give a size above zero, 1 m or 2 m for example.</source>
+        <translation>请给出大于零的尺寸，例如 1 m 或 2 m。</translation>
+    </message>
+    <message>
+        <source>Give a spacing above zero that makes a thousand lines at most, 0.5 m for example.</source>
+        <translation>请给出大于零且最多产生一千条线的间距，例如 0.5 m。</translation>
+    </message>
+    <message>
+        <source>Give a text.</source>
+        <translation>请给出文字。</translation>
+    </message>
+    <message>
+        <source>Give a three-dimensional analysis.</source>
+        <translation>请给出三维分析。</translation>
+    </message>
+    <message>
+        <source>Give a time within the run.</source>
+        <translation>请给出计算范围内的时刻。</translation>
+    </message>
+    <message>
+        <source>Give a whole number from {0} to {1}.</source>
+        <translation>请给出 {0} 至 {1} 之间的整数。</translation>
+    </message>
+    <message>
+        <source>Give an analysis whose structure is made of such elements.</source>
+        <translation>请给出由此类单元构成结构的分析。</translation>
+    </message>
+    <message>
+        <source>Give each once.</source>
+        <translation>每项只能给出一次。</translation>
+    </message>
+    <message>
+        <source>Give fewer values, or sweep the parameters one after the other.</source>
+        <translation>请减少取值，或逐个变化参数。</translation>
+    </message>
+    <message>
+        <source>Give it a place with gdal_translate -a_ullr, or put its world file beside it.</source>
+        <translation>请用 gdal_translate -a_ullr 给定位置，或在旁边放置其坐标文件。</translation>
+    </message>
+    <message>
+        <source>Give numbers from {0} to {1}.</source>
+        <translation>请给出 {0} 至 {1} 之间的数值。</translation>
+    </message>
+    <message>
+        <source>Give one of them: {0}.</source>
+        <translation>请给出其中之一：{0}。</translation>
+    </message>
+    <message>
+        <source>Give the FE file that the run names.</source>
+        <translation>请给出该计算所指的有限元文件。</translation>
+    </message>
+    <message>
+        <source>Give the animation files (A001, ...) that they were made from.</source>
+        <translation>请给出其来源的动画文件（A001、…）。</translation>
+    </message>
+    <message>
+        <source>Give the animation files themselves: they tell rigid from dead.</source>
+        <translation>请给出动画文件本身：它们能区分刚性与失效。</translation>
+    </message>
+    <message>
+        <source>Give the case a projected system, such as the UTM zone of the site.</source>
+        <translation>请为案例采用投影坐标系，例如场地所在的 UTM 带。</translation>
+    </message>
+    <message>
+        <source>Give the case an EPSG code, EPSG:25832 for example, or none.</source>
+        <translation>请为案例给出 EPSG 代码，例如 EPSG:25832，或不给出。</translation>
+    </message>
+    <message>
+        <source>Give the d3plot of the analysis.</source>
+        <translation>请给出该分析的 d3plot。</translation>
+    </message>
+    <message>
+        <source>Give the deck as text, or take the file away.</source>
+        <translation>请以文本给出输入卡，或移走该文件。</translation>
+    </message>
+    <message>
+        <source>Give the elevation model, not a picture of it.</source>
+        <translation>请给出高程模型，而不是其图片。</translation>
+    </message>
+    <message>
+        <source>Give the file of the one that you want.</source>
+        <translation>请给出所需的那一个文件。</translation>
+    </message>
+    <message>
+        <source>Give the length of the file&apos;s unit in metres, 0.001 for millimetres.</source>
+        <translation>请给出文件长度单位对应的米数，毫米为 0.001。</translation>
+    </message>
+    <message>
+        <source>Give the output another name.</source>
+        <translation>请为输出另取名称。</translation>
+    </message>
+    <message>
+        <source>Give the result file of the analysis, not its input mesh.</source>
+        <translation>请给出分析的结果文件，而不是输入网格。</translation>
+    </message>
+    <message>
+        <source>Give the result file. Formats that can be read: {0}.</source>
+        <translation>请给出结果文件。可读取的格式：{0}。</translation>
+    </message>
+    <message>
+        <source>Give the result of the FE analysis as Exodus II (.exo, .e, .ex2).</source>
+        <translation>请以 Exodus II（.exo、.e、.ex2）给出有限元分析结果。</translation>
+    </message>
+    <message>
+        <source>Give the results of the collapse, not of its vibration modes.</source>
+        <translation>请给出倒塌的结果，而不是振型。</translation>
+    </message>
+    <message>
+        <source>Give the size of the picture, a focal length above zero or none, and up to two radial terms.</source>
+        <translation>请给出照片尺寸、大于零的焦距（或不给出），以及至多两个径向畸变项。</translation>
+    </message>
+    <message>
+        <source>Give the table of pairs, with a few dozen lines.</source>
+        <translation>请给出点对表，几十行即可。</translation>
+    </message>
+    <message>
+        <source>Give the whole family (d3plot, d3plot01, ...), or wait until the analysis has gone on.</source>
+        <translation>请给出整个系列（d3plot、d3plot01、…），或等待分析继续。</translation>
+    </message>
+    <message>
+        <source>Give true or false.</source>
+        <translation>请给出 true 或 false。</translation>
+    </message>
+    <message>
+        <source>Give two materials with a comma between them, such as stone,soil.</source>
+        <translation>请给出以逗号分隔的两种材料，例如 stone,soil。</translation>
+    </message>
+    <message>
+        <source>Give {0}.</source>
+        <translation>请给出{0}。</translation>
+    </message>
+    <message>
+        <source>Height, live structure</source>
+        <translation>高度，未失效结构</translation>
+    </message>
+    <message>
+        <source>If it should be debris, check the name and the polarity of the active flag.</source>
+        <translation>若它应成为堆积物，请检查激活标志的名称和取值方向。</translation>
+    </message>
+    <message>
+        <source>If the flag is the other way round: --set active_value=0 or 1.</source>
+        <translation>若标志方向相反：--set active_value=0 或 1。</translation>
+    </message>
+    <message>
+        <source>If the flag is the other way round: --set active_value={0}.</source>
+        <translation>若标志方向相反：--set active_value={0}。</translation>
+    </message>
+    <message>
+        <source>Images (*.png)</source>
+        <translation>图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Impact energy</source>
+        <translation>冲击能</translation>
+    </message>
+    <message>
+        <source>It counts as structure from then on; check the polarity of the active flag if this is not meant.</source>
+        <translation>此后它计为结构；若非本意，请检查激活标志的取值方向。</translation>
+    </message>
+    <message>
+        <source>It is made again; delete the file if this is said each time.</source>
+        <translation>已重新生成；若每次都出现，请删除该文件。</translation>
+    </message>
+    <message>
+        <source>It stays dead (revival = latch); revival = follow lets it come back.</source>
+        <translation>它保持失效（revival = latch）；revival = follow 允许其复活。</translation>
+    </message>
+    <message>
+        <source>It was active at a single state of a result without velocities: ask the solver for velocities or for more states.</source>
+        <translation>在没有速度的结果中，它只在一个状态激活：请让求解器输出速度或更多状态。</translation>
+    </message>
+    <message>
+        <source>Its fragment ends then (revival = follow); revival = latch keeps it dead.</source>
+        <translation>其碎块随之结束（revival = follow）；revival = latch 使其保持失效。</translation>
+    </message>
+    <message>
+        <source>Kills that do not name an element by number were passed over</source>
+        <translation>未按编号指定单元的删除指令已跳过</translation>
+    </message>
+    <message>
+        <source>LS-DYNA d3plot</source>
+        <translation>LS-DYNA d3plot</translation>
+    </message>
+    <message>
+        <source>Largest piece</source>
+        <translation>最大碎块</translation>
+    </message>
+    <message>
+        <source>Leave the name out: elements that a file of the sequence leaves out are dead.</source>
+        <translation>请不要给出名称：序列文件略去的单元即为失效。</translation>
+    </message>
+    <message>
+        <source>Let the analysis number its elements uniquely.</source>
+        <translation>请让分析程序给单元唯一编号。</translation>
+    </message>
+    <message>
+        <source>Let the analysis write it without compression (/FCOMP,RST,0).</source>
+        <translation>请让分析程序不压缩写出（/FCOMP,RST,0）。</translation>
+    </message>
+    <message>
+        <source>Let the analysis write the file again.</source>
+        <translation>请让分析程序重新写出文件。</translation>
+    </message>
+    <message>
+        <source>Let the analysis write the status of its elements (STATUS, death_status, elem_status).</source>
+        <translation>请让分析程序写出单元状态（STATUS、death_status、elem_status）。</translation>
+    </message>
+    <message>
+        <source>Let the name end in .exo (Exodus II), .pvd (a series of VTU files) or .h5 (a copy that opens at once).</source>
+        <translation>名称须以 .exo（Exodus II）、.pvd（VTU 文件序列）或 .h5（可立即打开的副本）结尾。</translation>
+    </message>
+    <message>
+        <source>Let the solver delete such elements earlier if they matter.</source>
+        <translation>若有影响，请让求解器更早删除此类单元。</translation>
+    </message>
+    <message>
+        <source>Lines without an element number were left out: they are links of rigid bodies</source>
+        <translation>没有单元编号的行已略去：它们是刚体连接</translation>
+    </message>
+    <message>
+        <source>Links of rigid bodies were left out: they are no elements</source>
+        <translation>刚体连接已略去：它们不是单元</translation>
+    </message>
+    <message>
+        <source>Live FPS could not be measured: nothing can be drawn here.</source>
+        <translation>无法测量实时 FPS：此处不能绘图。</translation>
+    </message>
+    <message>
+        <source>Local frame of the case</source>
+        <translation>案例的局部坐标框架</translation>
+    </message>
+    <message>
+        <source>Look at the health of the run; a higher step rate may keep it sound.</source>
+        <translation>请查看计算的健康状况；提高步率或可使其正常。</translation>
+    </message>
+    <message>
+        <source>Looking when debris came to where it lies</source>
+        <translation>正在查找堆积物到达现位置的时刻</translation>
+    </message>
+    <message>
+        <source>Looking when debris was hit hardest</source>
+        <translation>正在查找堆积物受最大撞击的时刻</translation>
+    </message>
+    <message>
+        <source>Lower minimum_thickness_ratio or minimum_half_extent if stability allows it.</source>
+        <translation>若稳定性允许，请减小 minimum_thickness_ratio 或 minimum_half_extent。</translation>
+    </message>
+    <message>
+        <source>MED is out of scope: it has no status of elements. Convert the result to VTU with the dead cells left out or flagged.</source>
+        <translation>不支持 MED：其中没有单元状态。请转换为 VTU，略去失效单元或加以标记。</translation>
+    </message>
+    <message>
+        <source>MODEL CHANGE of the input deck</source>
+        <translation>输入卡的 MODEL CHANGE</translation>
+    </message>
+    <message>
+        <source>MSC Marc post file</source>
+        <translation>MSC Marc 后处理文件</translation>
+    </message>
+    <message>
+        <source>Make it coarser, as with gdalwarp -r average -tr SIZE SIZE and cells of {0} or more.</source>
+        <translation>请将其变粗，例如 gdalwarp -r average -tr SIZE SIZE，单元格取 {0} 或更大。</translation>
+    </message>
+    <message>
+        <source>Make room for the cache (rubble-cli cache clear), or name another folder.</source>
+        <translation>请为缓存腾出空间（rubble-cli cache clear），或指定其他文件夹。</translation>
+    </message>
+    <message>
+        <source>Make room for the cache, or name another folder.</source>
+        <translation>请为缓存腾出空间，或指定其他文件夹。</translation>
+    </message>
+    <message>
+        <source>Make room there, or set TMPDIR to a folder with room and start again.</source>
+        <translation>请在该处腾出空间，或将 TMPDIR 设为有空间的文件夹后重新启动。</translation>
+    </message>
+    <message>
+        <source>Make the copy again from the result itself: rubble-cli convert.</source>
+        <translation>请由结果本身重新生成副本：rubble-cli convert。</translation>
+    </message>
+    <message>
+        <source>Making fragments</source>
+        <translation>正在生成碎块</translation>
+    </message>
+    <message>
+        <source>Mass per area</source>
+        <translation>单位面积质量</translation>
+    </message>
+    <message>
+        <source>Mass per area, live structure</source>
+        <translation>单位面积质量，未失效结构</translation>
+    </message>
+    <message>
+        <source>Measure again when the machine is quiet.</source>
+        <translation>请在机器空闲时重新测量。</translation>
+    </message>
+    <message>
+        <source>Most elements are inactive at the first state: {0}</source>
+        <translation>多数单元在初始状态未激活：{0}</translation>
+    </message>
+    <message>
+        <source>Move it away and acknowledge the run again.</source>
+        <translation>请将其移走并重新确认该计算。</translation>
+    </message>
+    <message>
+        <source>NAVFAC DM 7.02 (1986): concrete or masonry on gravel and coarse sand 0.55-0.60</source>
+        <translation>NAVFAC DM 7.02 (1986)：混凝土或砌体对砾石和粗砂 0.55-0.60</translation>
+    </message>
+    <message>
+        <source>NAVFAC DM 7.02 (1986): concrete or masonry on silty sand or gravel 0.45-0.55, on fine silty sand 0.35-0.45</source>
+        <translation>NAVFAC DM 7.02 (1986)：混凝土或砌体对粉质砂或砾石 0.45-0.55，对粉细砂 0.35-0.45</translation>
+    </message>
+    <message>
+        <source>NAVFAC DM 7.02 (1986): dressed rock on dressed rock 0.55-0.70</source>
+        <translation>NAVFAC DM 7.02 (1986)：修琢石对修琢石 0.55-0.70</translation>
+    </message>
+    <message>
+        <source>NAVFAC DM 7.02 (1986): sheet pile interlocks 0.30; Avallone &amp; Baumeister (1996): sliding, dry, 0.42-0.57</source>
+        <translation>NAVFAC DM 7.02 (1986)：板桩锁口 0.30；Avallone &amp; Baumeister (1996)：干滑动 0.42-0.57</translation>
+    </message>
+    <message>
+        <source>NAVFAC DM 7.02 (1986): steel sheet piles on gravel 0.40, on sand 0.30</source>
+        <translation>NAVFAC DM 7.02 (1986)：钢板桩对砾石 0.40，对砂 0.30</translation>
+    </message>
+    <message>
+        <source>NAVFAC DM 7.02 (1986): steel sheet piles on silty sand 0.25, on silt 0.20</source>
+        <translation>NAVFAC DM 7.02 (1986)：钢板桩对粉质砂 0.25，对粉土 0.20</translation>
+    </message>
+    <message>
+        <source>Name another folder, or check its rights.</source>
+        <translation>请指定其他文件夹，或检查其权限。</translation>
+    </message>
+    <message>
+        <source>Name one of these: {0}; displacement=none if the points are where the nodes are.</source>
+        <translation>请指定其中之一：{0}；若点即为节点所在位置，则 displacement=none。</translation>
+    </message>
+    <message>
+        <source>Name the components that are to become one.</source>
+        <translation>请指定要合并的构件。</translation>
+    </message>
+    <message>
+        <source>Name the flag: --set status_variable=NAME (there are {0}), or put a list of deaths (element,time) beside it as {1}.</source>
+        <translation>请指定标志：--set status_variable=NAME（有 {0}），或在旁边放置失效清单（单元,时刻）{1}。</translation>
+    </message>
+    <message>
+        <source>Names that come near: {0}. `rubble-cli inspect` lists all.</source>
+        <translation>相近的名称：{0}。`rubble-cli inspect` 可列出全部。</translation>
+    </message>
+    <message>
+        <source>No camera sees enough of these {0} pairs where the picture shows them.</source>
+        <translation>没有相机能在照片所示位置看到这 {0} 对点中足够多的点。</translation>
+    </message>
+    <message>
+        <source>No density is known: {0} is assumed</source>
+        <translation>密度未知：假定为 {0}</translation>
+    </message>
+    <message>
+        <source>No exact death time is known: the first state that reports the death is taken</source>
+        <translation>精确失效时刻未知：取首个报告失效的状态</translation>
+    </message>
+    <message>
+        <source>No figure can be drawn: there is no X display that answers</source>
+        <translation>无法绘图：没有可响应的 X 显示</translation>
+    </message>
+    <message>
+        <source>No folder for the run can be made in {0}</source>
+        <translation>无法在 {0} 建立计算文件夹</translation>
+    </message>
+    <message>
+        <source>No section is known: {0} is assumed</source>
+        <translation>截面未知：假定为 {0}</translation>
+    </message>
+    <message>
+        <source>No thickness is known: {0} is assumed</source>
+        <translation>厚度未知：假定为 {0}</translation>
+    </message>
+    <message>
+        <source>Nodes of active elements need finite values: let the analysis write the state again, or cut the file before it.</source>
+        <translation>激活单元的节点需要有限值：请让分析程序重新写出该状态，或在其之前截断文件。</translation>
+    </message>
+    <message>
+        <source>Nodes of active elements need finite values: let the analysis write the state again, or cut the result before it.</source>
+        <translation>激活单元的节点需要有限值：请让分析程序重新写出该状态，或在其之前截断结果。</translation>
+    </message>
+    <message>
+        <source>Nodes of no element have no finite place</source>
+        <translation>不属于任何单元的节点没有有限位置</translation>
+    </message>
+    <message>
+        <source>Nothing can be drawn here: only the physics was measured.</source>
+        <translation>此处不能绘图：仅测量了物理计算。</translation>
+    </message>
+    <message>
+        <source>Nothing needs doing: it is simulated anew.</source>
+        <translation>无需处理：将重新模拟。</translation>
+    </message>
+    <message>
+        <source>Nothing says which elements are dead: all count as active</source>
+        <translation>没有信息说明哪些单元失效：全部视为激活</translation>
+    </message>
+    <message>
+        <source>Nothing to do if the dead are left out of the mesh.</source>
+        <translation>若网格中已略去失效单元，则无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do if the element dies soon after.</source>
+        <translation>若该单元随后很快失效，则无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do if the elements look right.</source>
+        <translation>若单元看起来正确，则无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do if these blocks cannot fail.</source>
+        <translation>若这些单元块不会破坏，则无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do if they are masses, contacts or particles.</source>
+        <translation>若它们是质量、接触或粒子，则无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do if they are masses, springs, contacts or rigid surfaces.</source>
+        <translation>若它们是质量、弹簧、接触或刚性面，则无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do if you do not need the numbers.</source>
+        <translation>若不需要编号，则无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do.</source>
+        <translation>无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do: a restart writes its first state again.</source>
+        <translation>无需处理：重启动会再次写出其首个状态。</translation>
+    </message>
+    <message>
+        <source>Nothing to do: exports add it again.</source>
+        <translation>无需处理：导出时会加回。</translation>
+    </message>
+    <message>
+        <source>Nothing to do: these deaths are known by their states.</source>
+        <translation>无需处理：这些失效由状态得知。</translation>
+    </message>
+    <message>
+        <source>Nothing to do: they are not used.</source>
+        <translation>无需处理：它们未被使用。</translation>
+    </message>
+    <message>
+        <source>Nothing to merge into &quot;{0}&quot;</source>
+        <translation>没有可并入“{0}”的内容</translation>
+    </message>
+    <message>
+        <source>Numbers are missing in the series; deaths are known less exactly there</source>
+        <translation>序列缺号；该处的失效时刻不够准确</translation>
+    </message>
+    <message>
+        <source>One of the two is stone, concrete, steel or masonry.</source>
+        <translation>两者之一须为石材、混凝土、钢或砌体。</translation>
+    </message>
+    <message>
+        <source>Open a *.rubble file or an FE result.</source>
+        <translation>请打开 *.rubble 文件或有限元结果。</translation>
+    </message>
+    <message>
+        <source>Open a *.run.h5 file that `rubble-cli run --out` wrote.</source>
+        <translation>请打开由 `rubble-cli run --out` 写出的 *.run.h5 文件。</translation>
+    </message>
+    <message>
+        <source>Open it with a newer Rubble.</source>
+        <translation>请用更新版本的 Rubble 打开。</translation>
+    </message>
+    <message>
+        <source>Open it with a newer Rubble; the file is unchanged.</source>
+        <translation>请用更新版本的 Rubble 打开；文件未变。</translation>
+    </message>
+    <message>
+        <source>Open it with the Rubble that wrote it, or run the case again.</source>
+        <translation>请用写出它的 Rubble 打开，或重新计算该案例。</translation>
+    </message>
+    <message>
+        <source>Open the FE result itself.</source>
+        <translation>请直接打开有限元结果。</translation>
+    </message>
+    <message>
+        <source>Open the result again once the analysis has gone on.</source>
+        <translation>分析继续进行后请重新打开结果。</translation>
+    </message>
+    <message>
+        <source>Open the result again.</source>
+        <translation>请重新打开结果。</translation>
+    </message>
+    <message>
+        <source>Open the result that it was made from to choose other variables.</source>
+        <translation>请打开其来源结果以选择其他变量。</translation>
+    </message>
+    <message>
+        <source>OpenRadioss animation</source>
+        <translation>OpenRadioss 动画</translation>
+    </message>
+    <message>
+        <source>OpenRadioss animation converted to VTK</source>
+        <translation>转换为 VTK 的 OpenRadioss 动画</translation>
+    </message>
+    <message>
+        <source>OpenSees recorders other than pvd are out of scope: record the analysis with &quot;recorder pvd&quot; and give the .pvd file.</source>
+        <translation>不支持 pvd 以外的 OpenSees 记录器：请用“recorder pvd”记录分析并给出 .pvd 文件。</translation>
+    </message>
+    <message>
+        <source>Other programs worked on this machine while it was measured: nothing is predicted from this.</source>
+        <translation>测量时本机有其他程序运行：不据此作任何预测。</translation>
+    </message>
+    <message>
+        <source>Other programs worked on this machine while settings were timed.</source>
+        <translation>设置计时期间本机有其他程序运行。</translation>
+    </message>
+    <message>
+        <source>Particles are shown and dropped as cubes of their volume</source>
+        <translation>粒子显示并下落为同体积的立方体</translation>
+    </message>
+    <message>
+        <source>Parts share a name; their numbers were added to it</source>
+        <translation>部件重名；已在名称后加编号</translation>
+    </message>
+    <message>
+        <source>Points of one element do not agree whether it is active; it counts as active</source>
+        <translation>同一单元的各点对其是否激活不一致；视为激活</translation>
+    </message>
+    <message>
+        <source>Project it first, as with gdalwarp -t_srs EPSG:NUMBER -r bilinear, to the system of the FE model.</source>
+        <translation>请先投影到有限元模型的坐标系，例如 gdalwarp -t_srs EPSG:NUMBER -r bilinear。</translation>
+    </message>
+    <message>
+        <source>Project it with gdalwarp -t_srs, or correct the coordinate system of the case&apos;s frame.</source>
+        <translation>请用 gdalwarp -t_srs 投影，或更正案例坐标框架的坐标系。</translation>
+    </message>
+    <message>
+        <source>Put a list of deaths (element,time) beside it as {0}, or let the analysis write the status of its elements.</source>
+        <translation>请在旁边放置失效清单（单元,时刻）{0}，或让分析程序写出单元状态。</translation>
+    </message>
+    <message>
+        <source>Put a list of deaths (element,time) beside the file.</source>
+        <translation>请在文件旁放置失效清单（单元,时刻）。</translation>
+    </message>
+    <message>
+        <source>RC arch (published)</source>
+        <translation>钢筋混凝土拱桥（论文）</translation>
+    </message>
+    <message>
+        <source>Reading active elements</source>
+        <translation>正在读取激活单元</translation>
+    </message>
+    <message>
+        <source>Reading the copy</source>
+        <translation>正在读取副本</translation>
+    </message>
+    <message>
+        <source>Reading the increments</source>
+        <translation>正在读取增量步</translation>
+    </message>
+    <message>
+        <source>Reading the mesh</source>
+        <translation>正在读取网格</translation>
+    </message>
+    <message>
+        <source>Reading the states</source>
+        <translation>正在读取状态</translation>
+    </message>
+    <message>
+        <source>Remove files that an earlier run left behind.</source>
+        <translation>请删除先前分析遗留的文件。</translation>
+    </message>
+    <message>
+        <source>Remove it, or correct it to one of: </source>
+        <translation>请删除，或更正为以下之一：</translation>
+    </message>
+    <message>
+        <source>Remove one of the two.</source>
+        <translation>请删除其中之一。</translation>
+    </message>
+    <message>
+        <source>Remove states that a restart wrote twice.</source>
+        <translation>请删除重启动重复写出的状态。</translation>
+    </message>
+    <message>
+        <source>Remove the include.</source>
+        <translation>请删除该包含语句。</translation>
+    </message>
+    <message>
+        <source>Remove the states that a restart wrote twice.</source>
+        <translation>请删除重启动重复写出的状态。</translation>
+    </message>
+    <message>
+        <source>Rename the file or the component in question.</source>
+        <translation>请重命名相关文件或构件。</translation>
+    </message>
+    <message>
+        <source>Rename them by regrouping.</source>
+        <translation>请通过重新分组重命名。</translation>
+    </message>
+    <message>
+        <source>Rubble copy</source>
+        <translation>Rubble 副本</translation>
+    </message>
+    <message>
+        <source>Run the analysis with OpenRadioss, or a newer version.</source>
+        <translation>请用 OpenRadioss 或更新版本运行分析。</translation>
+    </message>
+    <message>
+        <source>Run the analysis without it.</source>
+        <translation>请在没有它的情况下运行分析。</translation>
+    </message>
+    <message>
+        <source>Run the case again to the end.</source>
+        <translation>请重新将案例计算到底。</translation>
+    </message>
+    <message>
+        <source>Run the case again, or take a good copy of the run file.</source>
+        <translation>请重新计算该案例，或取计算文件的完好副本。</translation>
+    </message>
+    <message>
+        <source>Runs (*.run.h5)</source>
+        <translation>计算 (*.run.h5)</translation>
+    </message>
+    <message>
+        <source>Save the view again, or mend the file there.</source>
+        <translation>请重新保存视图，或在该处修正文件。</translation>
+    </message>
+    <message>
+        <source>Saving the run</source>
+        <translation>正在保存计算</translation>
+    </message>
+    <message>
+        <source>Say how its components begin: --set displacement=PREFIX; displacement=none if the nodes do not move. Nodal variables in the file: {0}</source>
+        <translation>请说明其分量的前缀：--set displacement=PREFIX；若节点不移动，则 displacement=none。文件中的节点变量：{0}</translation>
+    </message>
+    <message>
+        <source>Say which variable tells active from dead elements: --set status_variable=NAME (and active_value=0 or 1). Element variables in the file: {0}</source>
+        <translation>请说明哪个变量区分激活与失效单元：--set status_variable=NAME（以及 active_value=0 或 1）。文件中的单元变量：{0}</translation>
+    </message>
+    <message>
+        <source>Say who has looked at the breaches, and why the run may be used.</source>
+        <translation>请说明谁查看了超限，以及为何仍可使用该计算。</translation>
+    </message>
+    <message>
+        <source>Searching the Basic Grid</source>
+        <translation>正在搜索基本网格</translation>
+    </message>
+    <message>
+        <source>Series (*.pvd)</source>
+        <translation>序列 (*.pvd)</translation>
+    </message>
+    <message>
+        <source>Set DISPLAY to a running X server, or install xvfb: the command line then starts one itself.</source>
+        <translation>请将 DISPLAY 设为正在运行的 X 服务器，或安装 xvfb：命令行将自动启动它。</translation>
+    </message>
+    <message>
+        <source>Set birth_time = state to treat all elements alike.</source>
+        <translation>请设置 birth_time = state 以同样处理所有单元。</translation>
+    </message>
+    <message>
+        <source>Set component[NAME].density.</source>
+        <translation>请设置 component[NAME].density。</translation>
+    </message>
+    <message>
+        <source>Set component[NAME].section.</source>
+        <translation>请设置 component[NAME].section。</translation>
+    </message>
+    <message>
+        <source>Set component[{0}].density to a positive number.</source>
+        <translation>请将 component[{0}].density 设为正数。</translation>
+    </message>
+    <message>
+        <source>Set it for the whole sweep, and vary what costs time: the grid, cluster_shape, pieces, step_rate, substeps, iterations, solver, break_up_speed or an effect.</source>
+        <translation>请对整个对比统一设置，而变化影响耗时的参数：网格、cluster_shape、pieces、step_rate、substeps、iterations、solver、break_up_speed 或某一效应。</translation>
+    </message>
+    <message>
+        <source>Set revival to latch (dead is dead) or follow (its fragment ends).</source>
+        <translation>请将 revival 设为 latch（失效即永久失效）或 follow（其碎块结束）。</translation>
+    </message>
+    <message>
+        <source>Set the origin of the case&apos;s frame, in whole metres, to where the FE model&apos;s zero lies, or give the right raster.</source>
+        <translation>请将案例坐标框架的原点（整米）设在有限元模型零点处，或给出正确的栅格。</translation>
+    </message>
+    <message>
+        <source>Set the up axis of the case&apos;s frame to x, y, z, -x, -y or -z.</source>
+        <translation>请将案例坐标框架的竖直轴设为 x、y、z、-x、-y 或 -z。</translation>
+    </message>
+    <message>
+        <source>Set units to the system of the analysis. {0}.</source>
+        <translation>请将 units 设为分析所用的单位制。{0}。</translation>
+    </message>
+    <message>
+        <source>Set units to the system of the analysis; the frame of the case holds until then.</source>
+        <translation>请将 units 设为分析所用的单位制；在此之前按案例的坐标框架。</translation>
+    </message>
+    <message>
+        <source>Set units={0}.</source>
+        <translation>请设置 units={0}。</translation>
+    </message>
+    <message>
+        <source>Set units={0}. {1}.</source>
+        <translation>请设置 units={0}。{1}。</translation>
+    </message>
+    <message>
+        <source>Set up_axis; the frame of the case holds until then.</source>
+        <translation>请设置 up_axis；在此之前按案例的坐标框架。</translation>
+    </message>
+    <message>
+        <source>Sets have a list of dead elements whose meaning nobody has verified; it was not used</source>
+        <translation>结果集含有一份含义未经证实的失效单元清单；未采用</translation>
+    </message>
+    <message>
+        <source>Simulate it to its end.</source>
+        <translation>请将其模拟到底。</translation>
+    </message>
+    <message>
+        <source>Solids were numbered inside out at rest; they were turned</source>
+        <translation>实体单元静止时内外编号颠倒；已翻转</translation>
+    </message>
+    <message>
+        <source>Source component</source>
+        <translation>来源构件</translation>
+    </message>
+    <message>
+        <source>Start again: what is done is kept.</source>
+        <translation>请重新启动：已完成的内容保留。</translation>
+    </message>
+    <message>
+        <source>States at the time of the state before were left out</source>
+        <translation>与前一状态时刻相同的状态已略去</translation>
+    </message>
+    <message>
+        <source>States that a later file of the sequence has again were taken from there</source>
+        <translation>序列中后来文件再次给出的状态取自后者</translation>
+    </message>
+    <message>
+        <source>States that do not come after the state before were left out</source>
+        <translation>不晚于前一状态的状态已略去</translation>
+    </message>
+    <message>
+        <source>States that go back in time were left out</source>
+        <translation>时间倒退的状态已略去</translation>
+    </message>
+    <message>
+        <source>States within the series are cut off and were left out</source>
+        <translation>序列中被截断的状态已略去</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Take the grid that was searched by counting; the guide is shown for comparison only</source>
+        <translation>请采用通过计数搜索得到的网格；参考值仅供比较</translation>
+    </message>
+    <message>
+        <source>Taking the digest of the files</source>
+        <translation>正在计算文件摘要</translation>
+    </message>
+    <message>
+        <source>The active flag is neither 0 nor 1</source>
+        <translation>激活标志既非 0 也非 1</translation>
+    </message>
+    <message>
+        <source>The active flag is not a number; the element stays as it was at the state before</source>
+        <translation>激活标志不是数值；该单元保持前一状态的情形</translation>
+    </message>
+    <message>
+        <source>The active flag lies between active and dead; the element counts as active until it is dead</source>
+        <translation>激活标志介于激活与失效之间；该单元在失效之前视为激活</translation>
+    </message>
+    <message>
+        <source>The calibration could not be kept.</source>
+        <translation>标定无法保留。</translation>
+    </message>
+    <message>
+        <source>The case cannot be saved: a name or a path in it is not valid UTF-8</source>
+        <translation>案例无法保存：其中的名称或路径不是有效的 UTF-8</translation>
+    </message>
+    <message>
+        <source>The case cannot be saved: at {0}: {1}</source>
+        <translation>案例无法保存：在 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>The coordinate system &quot;{0}&quot; of the case is not known.</source>
+        <translation>案例的坐标系“{0}”未知。</translation>
+    </message>
+    <message>
+        <source>The coordinate system &quot;{0}&quot; of the case is not one of eastings and northings.</source>
+        <translation>案例的坐标系“{0}”不是东向和北向坐标系。</translation>
+    </message>
+    <message>
+        <source>The copy has settled which elements are active: import settings do nothing</source>
+        <translation>副本已确定哪些单元激活：导入设置不起作用</translation>
+    </message>
+    <message>
+        <source>The copy of the result could not be kept in the cache</source>
+        <translation>结果的副本无法保留在缓存中</translation>
+    </message>
+    <message>
+        <source>The copy of the result in the cache was damaged and is made again</source>
+        <translation>缓存中的结果副本已损坏，正在重新生成</translation>
+    </message>
+    <message>
+        <source>The deck of the analysis counts in {0}, the file was taken to count in {1}</source>
+        <translation>分析的输入卡采用 {0}，而文件被判定为 {1}</translation>
+    </message>
+    <message>
+        <source>The density of element {0} ({1}) is {2}</source>
+        <translation>单元 {0}（{1}）的密度为 {2}</translation>
+    </message>
+    <message>
+        <source>The file does not say which elements are dead: those whose stress falls to exactly zero for good were taken</source>
+        <translation>文件未说明哪些单元失效：取应力永久降为零的单元</translation>
+    </message>
+    <message>
+        <source>The file does not say which elements are dead: those with a node that a state leaves out were taken</source>
+        <translation>文件未说明哪些单元失效：取有节点在某状态被略去的单元</translation>
+    </message>
+    <message>
+        <source>The file has no deletion table; elements whose stresses have become 0 are taken for dead</source>
+        <translation>文件没有删除表；应力变为 0 的单元视为失效</translation>
+    </message>
+    <message>
+        <source>The file has no displacements: nodes stay where they are</source>
+        <translation>文件没有位移：节点保持不动</translation>
+    </message>
+    <message>
+        <source>The file is damaged or not yet whole: copy it again or let the analysis write it again.</source>
+        <translation>文件已损坏或尚不完整：请重新复制或让分析程序重新写出。</translation>
+    </message>
+    <message>
+        <source>The file is damaged or not yet whole: copy it again or write it again.</source>
+        <translation>文件已损坏或尚不完整：请重新复制或重新写出。</translation>
+    </message>
+    <message>
+        <source>The file is damaged or was edited by hand: put it right there, or take the last good copy.</source>
+        <translation>文件已损坏或被手工修改：请在该处更正，或采用上一份完好的副本。</translation>
+    </message>
+    <message>
+        <source>The file is damaged, or no d3plot: copy it again.</source>
+        <translation>文件已损坏，或不是 d3plot：请重新复制。</translation>
+    </message>
+    <message>
+        <source>The file is damaged, or too large for this machine.</source>
+        <translation>文件已损坏，或对本机过大。</translation>
+    </message>
+    <message>
+        <source>The file is damaged: copy it again or leave it out.</source>
+        <translation>文件已损坏：请重新复制或不使用它。</translation>
+    </message>
+    <message>
+        <source>The file is damaged: copy it again or let the analysis write it again.</source>
+        <translation>文件已损坏：请重新复制或让分析程序重新写出。</translation>
+    </message>
+    <message>
+        <source>The file is damaged: copy it again or write it again.</source>
+        <translation>文件已损坏：请重新复制或重新写出。</translation>
+    </message>
+    <message>
+        <source>The file is damaged: copy it again, or let CDWRITE write it again (blocked format).</source>
+        <translation>文件已损坏：请重新复制，或让 CDWRITE 重新写出（分块格式）。</translation>
+    </message>
+    <message>
+        <source>The file may be cut short: copy it again from where it came.</source>
+        <translation>文件可能被截短：请从来源处重新复制。</translation>
+    </message>
+    <message>
+        <source>The file tells which nodes are gone, not which elements: dead elements whose nodes others still use cannot be seen</source>
+        <translation>文件只说明哪些节点消失，未说明单元：节点仍被其他单元使用的失效单元无法识别</translation>
+    </message>
+    <message>
+        <source>The first state that reports the death is taken instead; birth_time = state does so for all.</source>
+        <translation>改取首个报告失效的状态；birth_time = state 对全部如此。</translation>
+    </message>
+    <message>
+        <source>The folder holds further results, which were not read</source>
+        <translation>文件夹中还有其他结果，未读取</translation>
+    </message>
+    <message>
+        <source>The folder {0} cannot be made: {1}</source>
+        <translation>无法建立文件夹 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>The folder {0} cannot be read: {1}</source>
+        <translation>无法读取文件夹 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>The folder {0} holds {1} results of one format</source>
+        <translation>文件夹 {0} 中有 {1} 个同一格式的结果</translation>
+    </message>
+    <message>
+        <source>The folder {0} would be replaced, but holds {1}</source>
+        <translation>文件夹 {0} 将被替换，但其中有 {1}</translation>
+    </message>
+    <message>
+        <source>The grid is {0} along {1}; the split by component keeps every cluster within one component. To give it room, merge &quot;{2}&quot; with a neighbour or set component[{2}].structural = false</source>
+        <translation>沿 {1} 的网格为 {0}；按构件分离使每个聚类限于一个构件之内。如需放宽，请将“{2}”并入相邻构件，或设置 component[{2}].structural = false</translation>
+    </message>
+    <message>
+        <source>The grid set by hand gives {0} clusters, more than the {1} bodies that reach {2}</source>
+        <translation>手动设置的网格给出 {0} 个聚类，多于可达到 {2} 的 {1} 个刚体</translation>
+    </message>
+    <message>
+        <source>The influence of effects takes a floor of at least 2 repeats.</source>
+        <translation>效应影响分析的下限至少需要 2 次重复。</translation>
+    </message>
+    <message>
+        <source>The last state is not complete and was left out</source>
+        <translation>最后一个状态不完整，已略去</translation>
+    </message>
+    <message>
+        <source>The last state is not whole and was left out</source>
+        <translation>最后一个状态不完整，已略去</translation>
+    </message>
+    <message>
+        <source>The length unit of the frame is {0}</source>
+        <translation>坐标框架的长度单位为 {0}</translation>
+    </message>
+    <message>
+        <source>The list of deaths names elements that the mesh does not have</source>
+        <translation>失效清单列有网格中不存在的单元</translation>
+    </message>
+    <message>
+        <source>The map has no layer &quot;{0}&quot;</source>
+        <translation>地图没有图层“{0}”</translation>
+    </message>
+    <message>
+        <source>The map is {0} x {1} cells of {2} and too large for a raster: some debris lies far away.</source>
+        <translation>地图为 {0} x {1} 个 {2} 的单元格，作为栅格过大：有堆积物在很远处。</translation>
+    </message>
+    <message>
+        <source>The match is {0}: {1} of {2} pairs agree to {3} RMS; with 95 % confidence the camera stands within {4} of where it was found, {5} from the points, and looks within {6} of that direction.</source>
+        <translation>匹配结果为{0}：{2} 对点中有 {1} 对以 {3} 的均方根误差相符；在 95 % 置信度下，相机位于所求位置 {4} 以内，距各点 {5}，视线方向偏差在 {6} 以内。</translation>
+    </message>
+    <message>
+        <source>The pair &quot;{0}&quot; has a coordinate that is not a number.</source>
+        <translation>点对“{0}”的坐标不是数值。</translation>
+    </message>
+    <message>
+        <source>The pairs that agree</source>
+        <translation>相符的点对</translation>
+    </message>
+    <message>
+        <source>The parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>The place, size or mass of fragment {0} at {1} is not a number, or negative: this debris cannot be measured.</source>
+        <translation>碎块 {0} 在 {1} 的位置、尺寸或质量不是数值或为负：无法测量此堆积物。</translation>
+    </message>
+    <message>
+        <source>The place, size or mass of piece {0} of the debris is not a number, or negative: it cannot be mapped.</source>
+        <translation>堆积物第 {0} 块的位置、尺寸或质量不是数值或为负：无法制图。</translation>
+    </message>
+    <message>
+        <source>The plane that splits &quot;{0}&quot; has no direction</source>
+        <translation>分割“{0}”的平面没有方向</translation>
+    </message>
+    <message>
+        <source>The points</source>
+        <translation>各点</translation>
+    </message>
+    <message>
+        <source>The result file is damaged there, or its solver diverged: its mass is missing from the debris.</source>
+        <translation>结果文件在该处已损坏，或其求解器发散：堆积物缺少其质量。</translation>
+    </message>
+    <message>
+        <source>The rows of {0} do not run along east and north</source>
+        <translation>{0} 的行列不沿东向和北向</translation>
+    </message>
+    <message>
+        <source>The run is not complete, so it does not say how hard fragments hit: there is no impact energy.</source>
+        <translation>计算不完整，未说明碎块撞击的强度：没有冲击能。</translation>
+    </message>
+    <message>
+        <source>The run of {0} was stopped before its simulation began</source>
+        <translation>{0} 的计算在模拟开始前已停止</translation>
+    </message>
+    <message>
+        <source>The run was not made from {0}: it has fewer elements</source>
+        <translation>该计算不是由 {0} 得到的：后者单元较少</translation>
+    </message>
+    <message>
+        <source>The run was not made from {0}: it has fewer elements.</source>
+        <translation>该计算不是由 {0} 得到的：后者单元较少。</translation>
+    </message>
+    <message>
+        <source>The run was stopped before anything was simulated: there is nothing to map.</source>
+        <translation>计算在模拟任何内容之前已停止：没有可制图的内容。</translation>
+    </message>
+    <message>
+        <source>The series does not say when its states are: they were taken one second apart</source>
+        <translation>序列未说明各状态的时刻：按间隔一秒处理</translation>
+    </message>
+    <message>
+        <source>The shares of the core and of the run-out must lie above 0 and at most at 1.</source>
+        <translation>核心区和散落距离的比例必须大于 0 且不超过 1。</translation>
+    </message>
+    <message>
+        <source>The states hold no places of nodes: nothing moves</source>
+        <translation>各状态没有节点位置：没有运动</translation>
+    </message>
+    <message>
+        <source>The status of elements is neither 0, 1 nor 255; these count as active</source>
+        <translation>单元状态既非 0、1 也非 255；这些视为激活</translation>
+    </message>
+    <message>
+        <source>The structure lies far from the origin and was moved to a local one</source>
+        <translation>结构远离原点，已移至局部原点</translation>
+    </message>
+    <message>
+        <source>The structure would be {0} large</source>
+        <translation>结构尺寸将为 {0}</translation>
+    </message>
+    <message>
+        <source>The structure would be {0} large: no structure is</source>
+        <translation>结构尺寸将为 {0}：没有这样的结构</translation>
+    </message>
+    <message>
+        <source>The terrain has no finite height at node {0} of row {1}, counted from the south-west</source>
+        <translation>地形在第 {1} 行（自西南起）节点 {0} 处没有有限高程</translation>
+    </message>
+    <message>
+        <source>The terrain {0} is empty</source>
+        <translation>地形 {0} 为空</translation>
+    </message>
+    <message>
+        <source>The terrain {0} is not a file</source>
+        <translation>地形 {0} 不是文件</translation>
+    </message>
+    <message>
+        <source>The unit of mass was taken from the densities: t, kg or g per cubed length unit</source>
+        <translation>质量单位由密度得出：t、kg 或 g 每立方长度单位</translation>
+    </message>
+    <message>
+        <source>The units of the file cannot be told: {0}</source>
+        <translation>无法判断文件的单位：{0}</translation>
+    </message>
+    <message>
+        <source>The up axis of the file cannot be told: {0}</source>
+        <translation>无法判断文件的竖直轴：{0}</translation>
+    </message>
+    <message>
+        <source>The user&apos;s numbers cannot be read; elements are numbered as they stand in the file</source>
+        <translation>无法读取用户编号；单元按文件中的次序编号</translation>
+    </message>
+    <message>
+        <source>The value</source>
+        <translation>该值</translation>
+    </message>
+    <message>
+        <source>The velocity of a dying element is not known: it is born at rest</source>
+        <translation>某失效单元的速度未知：产生时静止</translation>
+    </message>
+    <message>
+        <source>The velocity of some corners of a dying element is not known</source>
+        <translation>某失效单元部分角点的速度未知</translation>
+    </message>
+    <message>
+        <source>The velocity of {0} elements of released islands is not known</source>
+        <translation>释放的孤立部分中 {0} 个单元的速度未知</translation>
+    </message>
+    <message>
+        <source>There is no component &quot;{0}&quot; among {1}</source>
+        <translation>{1} 中没有构件“{0}”</translation>
+    </message>
+    <message>
+        <source>There is no file {0}</source>
+        <translation>没有文件 {0}</translation>
+    </message>
+    <message>
+        <source>There is no map at {0}: the run goes from {1} to {2}.</source>
+        <translation>{0} 没有地图：计算范围为 {1} 至 {2}。</translation>
+    </message>
+    <message>
+        <source>There is no material &quot;{0}&quot;.</source>
+        <translation>没有材料“{0}”。</translation>
+    </message>
+    <message>
+        <source>There is no parameter &quot;{0}&quot;.</source>
+        <translation>没有参数“{0}”。</translation>
+    </message>
+    <message>
+        <source>There is no preset &quot;{0}&quot;.</source>
+        <translation>没有预设“{0}”。</translation>
+    </message>
+    <message>
+        <source>There is no terrain file {0}</source>
+        <translation>没有地形文件 {0}</translation>
+    </message>
+    <message>
+        <source>These pairs leave the camera open: other cameras see them alike.</source>
+        <translation>这些点对不能确定相机：其他相机所见相同。</translation>
+    </message>
+    <message>
+        <source>They move with the mean of the others; ask the solver for velocities or for more states.</source>
+        <translation>它们取其余的平均运动；请让求解器输出速度或更多状态。</translation>
+    </message>
+    <message>
+        <source>They were active at a single state of a result without velocities and are released at rest.</source>
+        <translation>在没有速度的结果中，它们只在一个状态激活，因此静止释放。</translation>
+    </message>
+    <message>
+        <source>Time of arrival</source>
+        <translation>到达时刻</translation>
+    </message>
+    <message>
+        <source>Time them again on a quiet machine: --retime, or Measure times again in the Accuracy panel.</source>
+        <translation>请在空闲机器上重新计时：--retime，或精度面板中的“重新测量时间”。</translation>
+    </message>
+    <message>
+        <source>Times must be finite: write the file again, or give a .pvd with the times.</source>
+        <translation>时刻必须为有限值：请重新写出文件，或给出带时间的 .pvd。</translation>
+    </message>
+    <message>
+        <source>Times of deletion lie outside the interval in which the element dies; they were left out</source>
+        <translation>删除时刻不在单元失效的区间内；已略去</translation>
+    </message>
+    <message>
+        <source>Turn it upright with gdalwarp -r bilinear.</source>
+        <translation>请用 gdalwarp -r bilinear 将其转正。</translation>
+    </message>
+    <message>
+        <source>Two cameras see these points alike: one {0} from the other.</source>
+        <translation>两个相机所见各点相同：两者相距 {0}。</translation>
+    </message>
+    <message>
+        <source>Use a newer version of Rubble, or make the copy again.</source>
+        <translation>请使用更新版本的 Rubble，或重新生成副本。</translation>
+    </message>
+    <message>
+        <source>Use the Rubble that wrote it, or move it away and acknowledge the run again.</source>
+        <translation>请使用写出它的 Rubble，或将其移走并重新确认该计算。</translation>
+    </message>
+    <message>
+        <source>Use the run as it is, or name the run that you mean.</source>
+        <translation>请按现状使用该计算，或指明所要的计算。</translation>
+    </message>
+    <message>
+        <source>VTK gives no reason</source>
+        <translation>VTK 未给出原因</translation>
+    </message>
+    <message>
+        <source>VTK legacy</source>
+        <translation>VTK 旧格式</translation>
+    </message>
+    <message>
+        <source>VTK&apos;s reader fails on it</source>
+        <translation>VTK 读取器读取失败</translation>
+    </message>
+    <message>
+        <source>Volume per area</source>
+        <translation>单位面积体积</translation>
+    </message>
+    <message>
+        <source>Volume per area, live structure</source>
+        <translation>单位面积体积，未失效结构</translation>
+    </message>
+    <message>
+        <source>Wait until the analysis has written it, or copy it again.</source>
+        <translation>请等待分析程序写出，或重新复制。</translation>
+    </message>
+    <message>
+        <source>What was kept of an earlier study is damaged and is made again.</source>
+        <translation>先前研究保留的内容已损坏，将重新生成。</translation>
+    </message>
+    <message>
+        <source>Whole components may move as one body; lower the grid for accuracy</source>
+        <translation>整个构件可能作为一个刚体运动；减小网格可提高精度</translation>
+    </message>
+    <message>
+        <source>Write a line /COM,TIME=T into each file.</source>
+        <translation>请在每个文件中写入一行 /COM,TIME=T。</translation>
+    </message>
+    <message>
+        <source>Write it again, or give one of the series&apos; own files.</source>
+        <translation>请重新写出，或给出序列自身的文件之一。</translation>
+    </message>
+    <message>
+        <source>Write it as an unstructured grid (VTKHDF 1.0 or 2.x), or as .vtu files with a .pvd.</source>
+        <translation>请写成非结构网格（VTKHDF 1.0 或 2.x），或 .vtu 文件加 .pvd。</translation>
+    </message>
+    <message>
+        <source>Write it with a newer version.</source>
+        <translation>请用更新版本写出。</translation>
+    </message>
+    <message>
+        <source>Write it with a point as decimal sign, or leave the line out.</source>
+        <translation>请以小数点书写，或删去该行。</translation>
+    </message>
+    <message>
+        <source>Write it without QUADR in *DATABASE_EXTENT_BINARY.</source>
+        <translation>请在 *DATABASE_EXTENT_BINARY 中不使用 QUADR 写出。</translation>
+    </message>
+    <message>
+        <source>Write it without the rigid body data (*DATABASE_BINARY_D3PLOT).</source>
+        <translation>请不带刚体数据写出（*DATABASE_BINARY_D3PLOT）。</translation>
+    </message>
+    <message>
+        <source>Write it without them.</source>
+        <translation>请不带它们写出。</translation>
+    </message>
+    <message>
+        <source>Write the d3plot with a version that deletes by element.</source>
+        <translation>请用按单元删除的版本写出 d3plot。</translation>
+    </message>
+    <message>
+        <source>Write the d3plot with the geometry of the nodes.</source>
+        <translation>请带节点几何写出 d3plot。</translation>
+    </message>
+    <message>
+        <source>Write the element&apos;s number and the time of its death on each line.</source>
+        <translation>请在每行写出单元编号及其失效时刻。</translation>
+    </message>
+    <message>
+        <source>Write the result as .vtu files with a .pvd, or with its values in HDF5.</source>
+        <translation>请将结果写成 .vtu 文件加 .pvd，或将数值写入 HDF5。</translation>
+    </message>
+    <message>
+        <source>Write the result as an unstructured grid (.vtu) or a series of them (.pvd).</source>
+        <translation>请将结果写成非结构网格（.vtu）或其序列（.pvd）。</translation>
+    </message>
+    <message>
+        <source>Write the series with a unique number for every element.</source>
+        <translation>请写出每个单元编号唯一的序列。</translation>
+    </message>
+    <message>
+        <source>Write the series with node numbers (point data NODE_ID or GlobalNodeId), or keep all points.</source>
+        <translation>请写出带节点编号的序列（点数据 NODE_ID 或 GlobalNodeId），或保留全部点。</translation>
+    </message>
+    <message>
+        <source>Writing the states</source>
+        <translation>正在写入状态</translation>
+    </message>
+    <message>
+        <source>Writing {0}</source>
+        <translation>正在写入 {0}</translation>
+    </message>
+    <message>
+        <source>Wyllie (2014): about 0.2 for normal impacts in the field on rock and concrete; laboratory 0.3-0.5, Asteriou &amp; Tsiambaos (2018)</source>
+        <translation>Wyllie (2014)：现场对岩石和混凝土的法向撞击约 0.2；室内 0.3-0.5，Asteriou &amp; Tsiambaos (2018)</translation>
+    </message>
+    <message>
+        <source>a JSON text, perhaps a case</source>
+        <translation>JSON 文本，可能是案例</translation>
+    </message>
+    <message>
+        <source>a MED file (Code_Aster, Salome)</source>
+        <translation>MED 文件（Code_Aster、Salome）</translation>
+    </message>
+    <message>
+        <source>a SHA-256 has 64 lower-case hexadecimal digits</source>
+        <translation>SHA-256 为 64 位小写十六进制数字</translation>
+    </message>
+    <message>
+        <source>a VTK legacy file</source>
+        <translation>VTK 旧格式文件</translation>
+    </message>
+    <message>
+        <source>a binary file of another format</source>
+        <translation>其他格式的二进制文件</translation>
+    </message>
+    <message>
+        <source>a blast file</source>
+        <translation>爆炸文件</translation>
+    </message>
+    <message>
+        <source>a block has no end</source>
+        <translation>某块没有结尾</translation>
+    </message>
+    <message>
+        <source>a block has no format</source>
+        <translation>某块没有格式</translation>
+    </message>
+    <message>
+        <source>a block of 4096 bytes</source>
+        <translation>一个 4096 字节的块</translation>
+    </message>
+    <message>
+        <source>a block of results should say how many nodes it has</source>
+        <translation>结果块应说明节点数</translation>
+    </message>
+    <message>
+        <source>a cluster has members that do not exist</source>
+        <translation>某聚类的成员不存在</translation>
+    </message>
+    <message>
+        <source>a collapse log of OpenSees</source>
+        <translation>OpenSees 的倒塌日志</translation>
+    </message>
+    <message>
+        <source>a count is negative</source>
+        <translation>某计数为负</translation>
+    </message>
+    <message>
+        <source>a cpm file (airbag particles)</source>
+        <translation>cpm 文件（气囊粒子）</translation>
+    </message>
+    <message>
+        <source>a d3drlf file (dynamic relaxation)</source>
+        <translation>d3drlf 文件（动力松弛）</translation>
+    </message>
+    <message>
+        <source>a d3eigv file (eigenvectors)</source>
+        <translation>d3eigv 文件（特征向量）</translation>
+    </message>
+    <message>
+        <source>a d3thdt file (time histories)</source>
+        <translation>d3thdt 文件（时程）</translation>
+    </message>
+    <message>
+        <source>a digest of 32 hexadecimal digits</source>
+        <translation>32 位十六进制摘要</translation>
+    </message>
+    <message>
+        <source>a fragment names a component that does not exist</source>
+        <translation>某碎块所指的构件不存在</translation>
+    </message>
+    <message>
+        <source>a grid has no topology or no geometry</source>
+        <translation>某网格没有拓扑或几何</translation>
+    </message>
+    <message>
+        <source>a line of 80 columns</source>
+        <translation>一行 80 列</translation>
+    </message>
+    <message>
+        <source>a list of three numbers</source>
+        <translation>三个数值的列表</translation>
+    </message>
+    <message>
+        <source>a list of three whole numbers</source>
+        <translation>三个整数的列表</translation>
+    </message>
+    <message>
+        <source>a longer one</source>
+        <translation>更长的一个</translation>
+    </message>
+    <message>
+        <source>a number above zero</source>
+        <translation>大于零的数值</translation>
+    </message>
+    <message>
+        <source>a pile at rest wakes</source>
+        <translation>静止的堆积体被唤醒</translation>
+    </message>
+    <message>
+        <source>a pile at rest woke again, {0} times</source>
+        <translation>静止的堆积体又被唤醒 {0} 次</translation>
+    </message>
+    <message>
+        <source>a positive length in metres</source>
+        <translation>以米为单位的正长度</translation>
+    </message>
+    <message>
+        <source>a real of 22 columns</source>
+        <translation>22 列的实数</translation>
+    </message>
+    <message>
+        <source>a record of 2 or more words</source>
+        <translation>2 个或更多字的记录</translation>
+    </message>
+    <message>
+        <source>a solid does not have the corners of its shape</source>
+        <translation>某实体单元的角点数与其形状不符</translation>
+    </message>
+    <message>
+        <source>a surface of the rigid road</source>
+        <translation>刚性路面</translation>
+    </message>
+    <message>
+        <source>a text of at most 4096 bytes</source>
+        <translation>至多 4096 字节的文本</translation>
+    </message>
+    <message>
+        <source>a vector of nodes</source>
+        <translation>节点向量</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>adapted elements</source>
+        <translation>自适应单元</translation>
+    </message>
+    <message>
+        <source>an OpenSees mpco file</source>
+        <translation>OpenSees 的 mpco 文件</translation>
+    </message>
+    <message>
+        <source>an XML text</source>
+        <translation>XML 文本</translation>
+    </message>
+    <message>
+        <source>an angle between 0 and 180 degrees</source>
+        <translation>0 至 180 度之间的角度</translation>
+    </message>
+    <message>
+        <source>an element is short</source>
+        <translation>某单元过短</translation>
+    </message>
+    <message>
+        <source>an entry names no file</source>
+        <translation>某条目未指定文件</translation>
+    </message>
+    <message>
+        <source>an id must not be empty and must be the only one of its kind</source>
+        <translation>标识不能为空，且同类中必须唯一</translation>
+    </message>
+    <message>
+        <source>an increment does not say its time</source>
+        <translation>某增量步未说明其时间</translation>
+    </message>
+    <message>
+        <source>an input needs a path</source>
+        <translation>输入需要路径</translation>
+    </message>
+    <message>
+        <source>an intfor file (interface forces)</source>
+        <translation>intfor 文件（界面力）</translation>
+    </message>
+    <message>
+        <source>an item I, D or A</source>
+        <translation>I、D 或 A 项</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>对象</translation>
+    </message>
+    <message>
+        <source>api version</source>
+        <translation>API 版本</translation>
+    </message>
+    <message>
+        <source>as many fragments as the file has room for</source>
+        <translation>文件所能容纳的碎块数</translation>
+    </message>
+    <message>
+        <source>as set</source>
+        <translation>按设置</translation>
+    </message>
+    <message>
+        <source>beams and their values</source>
+        <translation>梁及其数值</translation>
+    </message>
+    <message>
+        <source>below the ground</source>
+        <translation>位于地面以下</translation>
+    </message>
+    <message>
+        <source>birth/death field</source>
+        <translation>生死场</translation>
+    </message>
+    <message>
+        <source>bodies can meet: the fall columns of {0} and {1} overlap by {2}</source>
+        <translation>刚体可能相遇：{0} 与 {1} 的下落柱重叠 {2}</translation>
+    </message>
+    <message>
+        <source>bodies inside each other</source>
+        <translation>刚体相互侵入</translation>
+    </message>
+    <message>
+        <source>by its name</source>
+        <translation>按名称</translation>
+    </message>
+    <message>
+        <source>by the frame of the case</source>
+        <translation>按案例的坐标框架</translation>
+    </message>
+    <message>
+        <source>by the setting units</source>
+        <translation>按设置 units</translation>
+    </message>
+    <message>
+        <source>by the setting up_axis</source>
+        <translation>按设置 up_axis</translation>
+    </message>
+    <message>
+        <source>bytes that have the digest at the end</source>
+        <translation>末尾具有该摘要的字节</translation>
+    </message>
+    <message>
+        <source>cast iron</source>
+        <translation>铸铁</translation>
+    </message>
+    <message>
+        <source>cells of {0} by {1} were resampled to {2}</source>
+        <translation>{0} x {1} 的单元格已重采样为 {2}</translation>
+    </message>
+    <message>
+        <source>check the vertical datum, the unit of the heights and the origin of the case&apos;s frame</source>
+        <translation>请检查高程基准、高程单位和案例坐标框架的原点</translation>
+    </message>
+    <message>
+        <source>clustering {0} settings</source>
+        <translation>正在对 {0} 项设置聚类</translation>
+    </message>
+    <message>
+        <source>clusters can hit at {0}, above the assumed threshold of {1}, but would leave {2} bodies where {3} are allowed (bodies_max)</source>
+        <translation>聚类的撞击速度可达 {0}，超过假定阈值 {1}，但会产生 {2} 个刚体，而允许 {3} 个（bodies_max）</translation>
+    </message>
+    <message>
+        <source>component that most of the mass in the cell comes from</source>
+        <translation>单元格内大部分质量来自的构件</translation>
+    </message>
+    <message>
+        <source>convert them first if they are feet</source>
+        <translation>若为英尺请先换算</translation>
+    </message>
+    <message>
+        <source>convert them first if they are not</source>
+        <translation>若不是请先换算</translation>
+    </message>
+    <message>
+        <source>corners of a cell</source>
+        <translation>单元格的角点</translation>
+    </message>
+    <message>
+        <source>d3plot, d3plot01, ...</source>
+        <translation>d3plot、d3plot01、…</translation>
+    </message>
+    <message>
+        <source>debris can fall on the terrain, which lies between {0} and {1}</source>
+        <translation>堆积物可能落在高程 {0} 至 {1} 之间的地形上</translation>
+    </message>
+    <message>
+        <source>debris can reach {0} below the level of the water at {1}</source>
+        <translation>堆积物可到达水位 {1} 以下 {0} 处</translation>
+    </message>
+    <message>
+        <source>deletion table of nodes: dead when all nodes are gone (MDLOPT 1)</source>
+        <translation>节点删除表：全部节点消失即失效（MDLOPT 1）</translation>
+    </message>
+    <message>
+        <source>deletion table, 0 is dead (MDLOPT 2)</source>
+        <translation>删除表，0 为失效（MDLOPT 2）</translation>
+    </message>
+    <message>
+        <source>density {0} of &quot;{1}&quot; is {2}, {3}</source>
+        <translation>“{1}”的密度 {0} 为 {2}，{3}</translation>
+    </message>
+    <message>
+        <source>element post codes</source>
+        <translation>单元后处理代码</translation>
+    </message>
+    <message>
+        <source>elements are not written in the solid format (EBLOCK,19,SOLID)</source>
+        <translation>单元未以实体格式写出（EBLOCK,19,SOLID）</translation>
+    </message>
+    <message>
+        <source>ends inside its values</source>
+        <translation>在其数值内部结束</translation>
+    </message>
+    <message>
+        <source>energy gained</source>
+        <translation>能量增加</translation>
+    </message>
+    <message>
+        <source>energy rose by {0} of the work of gravity beyond gravity, births, overlap, pieces and effects; the limit is {1} ({2} gained most)</source>
+        <translation>除重力、产生、重叠、运动结构和效应外，能量增加了重力功的 {0}；限值为 {1}（{2} 增加最多）</translation>
+    </message>
+    <message>
+        <source>energy rose {0} times beyond what gravity, births, pieces and effects put in</source>
+        <translation>能量 {0} 次增加，超出重力、产生、运动结构和效应的输入</translation>
+    </message>
+    <message>
+        <source>far outside the site</source>
+        <translation>远在场地之外</translation>
+    </message>
+    <message>
+        <source>faster than gravity</source>
+        <translation>快于重力所能</translation>
+    </message>
+    <message>
+        <source>fe, terrain, photograph or survey</source>
+        <translation>fe、terrain、photograph 或 survey</translation>
+    </message>
+    <message>
+        <source>find the file with the SHA-256 of the case, or save the case anew</source>
+        <translation>请找到与案例 SHA-256 相符的文件，或重新保存案例</translation>
+    </message>
+    <message>
+        <source>flags of airbags</source>
+        <translation>气囊标志</translation>
+    </message>
+    <message>
+        <source>flags of particles</source>
+        <translation>粒子标志</translation>
+    </message>
+    <message>
+        <source>floating point word size</source>
+        <translation>浮点字长</translation>
+    </message>
+    <message>
+        <source>fluid materials</source>
+        <translation>流体材料</translation>
+    </message>
+    <message>
+        <source>free nodes fall along ({0}, {1}, {2}), which is no axis of the file</source>
+        <translation>自由节点沿 ({0}, {1}, {2}) 下落，不是文件的坐标轴</translation>
+    </message>
+    <message>
+        <source>free nodes fall along {0}</source>
+        <translation>自由节点沿 {0} 下落</translation>
+    </message>
+    <message>
+        <source>free nodes fall at {0}, which is {1}</source>
+        <translation>自由节点以 {0} 下落，即 {1}</translation>
+    </message>
+    <message>
+        <source>further nodes of elements</source>
+        <translation>单元的其他节点</translation>
+    </message>
+    <message>
+        <source>give a raster that covers the whole site</source>
+        <translation>请给出覆盖整个场地的栅格</translation>
+    </message>
+    <message>
+        <source>give a raster with one band if that is not right</source>
+        <translation>若不对，请给出单波段栅格</translation>
+    </message>
+    <message>
+        <source>grams, centimetres, microseconds (stress in Mbar)</source>
+        <translation>克、厘米、微秒（应力 Mbar）</translation>
+    </message>
+    <message>
+        <source>grams, centimetres, seconds (stress in dyn/cm2)</source>
+        <translation>克、厘米、秒（应力 dyn/cm2）</translation>
+    </message>
+    <message>
+        <source>grams, millimetres, milliseconds (stress in MPa)</source>
+        <translation>克、毫米、毫秒（应力 MPa）</translation>
+    </message>
+    <message>
+        <source>grams, millimetres, seconds (stress in Pa)</source>
+        <translation>克、毫米、秒（应力 Pa）</translation>
+    </message>
+    <message>
+        <source>has elements of higher order in full</source>
+        <translation>含完整的高阶单元</translation>
+    </message>
+    <message>
+        <source>has flow variables</source>
+        <translation>含流动变量</translation>
+    </message>
+    <message>
+        <source>has two dimensions</source>
+        <translation>为二维</translation>
+    </message>
+    <message>
+        <source>held by most elements at the first state</source>
+        <translation>初始状态多数单元的取值</translation>
+    </message>
+    <message>
+        <source>how many fragments reach into the cell</source>
+        <translation>有多少碎块伸入该单元格</translation>
+    </message>
+    <message>
+        <source>inferred: dead when all stresses have become 0 (no deletion table, MDLOPT 0)</source>
+        <translation>推断：全部应力变为 0 即失效（没有删除表，MDLOPT 0）</translation>
+    </message>
+    <message>
+        <source>inside its header</source>
+        <translation>在其文件头内</translation>
+    </message>
+    <message>
+        <source>integration points</source>
+        <translation>积分点</translation>
+    </message>
+    <message>
+        <source>it does not have one row for each fragment</source>
+        <translation>它没有为每个碎块提供一行</translation>
+    </message>
+    <message>
+        <source>it does not have the columns of this version</source>
+        <translation>它没有此版本的各列</translation>
+    </message>
+    <message>
+        <source>it does not match the vertices</source>
+        <translation>它与顶点不符</translation>
+    </message>
+    <message>
+        <source>it has no attribute version</source>
+        <translation>它没有版本属性</translation>
+    </message>
+    <message>
+        <source>it has no shape</source>
+        <translation>它没有形状</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>它已损坏</translation>
+    </message>
+    <message>
+        <source>it is larger than an index can be</source>
+        <translation>它大于索引所能表示</translation>
+    </message>
+    <message>
+        <source>it is no unstructured grid</source>
+        <translation>它不是非结构网格</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>它不存在</translation>
+    </message>
+    <message>
+        <source>it lies too far outside the {0} earlier points</source>
+        <translation>它超出 {0} 个已有点的范围太远</translation>
+    </message>
+    <message>
+        <source>it names a body or elements that do not exist</source>
+        <translation>它所指的刚体或单元不存在</translation>
+    </message>
+    <message>
+        <source>it names a cluster that does not exist</source>
+        <translation>它所指的聚类不存在</translation>
+    </message>
+    <message>
+        <source>it names a fragment or a body that does not exist</source>
+        <translation>它所指的碎块或刚体不存在</translation>
+    </message>
+    <message>
+        <source>it names a fragment that does not exist</source>
+        <translation>它所指的碎块不存在</translation>
+    </message>
+    <message>
+        <source>it names no files</source>
+        <translation>它未指定文件</translation>
+    </message>
+    <message>
+        <source>its activity does not go with its states and elements</source>
+        <translation>其激活信息与状态数和单元数不符</translation>
+    </message>
+    <message>
+        <source>its content is not what the run wrote</source>
+        <translation>其内容不是该计算所写</translation>
+    </message>
+    <message>
+        <source>its counts of points, cells and connectivity do not go together</source>
+        <translation>其点数、单元数与连接关系不一致</translation>
+    </message>
+    <message>
+        <source>its points do not have three coordinates</source>
+        <translation>其点没有三个坐标</translation>
+    </message>
+    <message>
+        <source>its rows are longer than the file</source>
+        <translation>其行数超过文件长度</translation>
+    </message>
+    <message>
+        <source>its size cannot be read</source>
+        <translation>无法读取其大小</translation>
+    </message>
+    <message>
+        <source>its tables are not those that it was sealed with</source>
+        <translation>其各表不是封存时的内容</translation>
+    </message>
+    <message>
+        <source>its tables do not go together</source>
+        <translation>其各表不一致</translation>
+    </message>
+    <message>
+        <source>keep one, or merge them into one raster</source>
+        <translation>请保留一个，或合并为一个栅格</translation>
+    </message>
+    <message>
+        <source>kilograms, metres, seconds (stress in Pa)</source>
+        <translation>千克、米、秒（应力 Pa）</translation>
+    </message>
+    <message>
+        <source>kilograms, millimetres, milliseconds (stress in GPa)</source>
+        <translation>千克、毫米、毫秒（应力 GPa）</translation>
+    </message>
+    <message>
+        <source>kilograms, millimetres, seconds (stress in kPa)</source>
+        <translation>千克、毫米、秒（应力 kPa）</translation>
+    </message>
+    <message>
+        <source>kinetic energy before the hardest hit, over the area of the cell</source>
+        <translation>最大撞击前的动能除以单元格面积</translation>
+    </message>
+    <message>
+        <source>kip s2/in, inches, seconds (stress in ksi)</source>
+        <translation>kip s2/in、英寸、秒（应力 ksi）</translation>
+    </message>
+    <message>
+        <source>lbf s2/in, inches, seconds (stress in psi)</source>
+        <translation>lbf s2/in、英寸、秒（应力 psi）</translation>
+    </message>
+    <message>
+        <source>leaves out the nodes of rigid bodies</source>
+        <translation>略去刚体的节点</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>已略去</translation>
+    </message>
+    <message>
+        <source>lengths in m, z up, mass in kg</source>
+        <translation>长度 m，z 向上，质量 kg</translation>
+    </message>
+    <message>
+        <source>level ground at {0} carries the debris; there is no terrain</source>
+        <translation>高程 {0} 的水平地面承接堆积物；没有地形</translation>
+    </message>
+    <message>
+        <source>live structure</source>
+        <translation>未失效结构</translation>
+    </message>
+    <message>
+        <source>local, metres</source>
+        <translation>局部，米</translation>
+    </message>
+    <message>
+        <source>look at the body&apos;s element and its birth velocity in the FE file, or set birth_velocity = rest; without ground bodies fall for ever (ground)</source>
+        <translation>请查看该刚体的单元及其在有限元文件中的产生速度，或设置 birth_velocity = rest；没有地面时刚体一直下落（ground）</translation>
+    </message>
+    <message>
+        <source>look at the element of that body in the FE file; switch the effects off one by one to find the one that fails</source>
+        <translation>请在有限元文件中查看该刚体的单元；逐一关闭效应以找出出错者</translation>
+    </message>
+    <message>
+        <source>look at the named element in the FE file; check density and coordinates</source>
+        <translation>请在有限元文件中查看所指单元；检查密度和坐标</translation>
+    </message>
+    <message>
+        <source>look at the terrain where the debris lies, or give a raster without gaps</source>
+        <translation>请查看堆积物处的地形，或给出没有空缺的栅格</translation>
+    </message>
+    <message>
+        <source>lower box_bulking, choose cluster_shape = hull or compound, or raise bodies_max for smaller clusters</source>
+        <translation>请减小 box_bulking，选择 cluster_shape = hull 或 compound，或提高 bodies_max 以减小聚类</translation>
+    </message>
+    <message>
+        <source>lower end of the laboratory values for hard blocks, 0.3-0.5, Asteriou &amp; Tsiambaos (2018)</source>
+        <translation>坚硬块体室内值的下端，0.3-0.5，Asteriou &amp; Tsiambaos (2018)</translation>
+    </message>
+    <message>
+        <source>lower end of the range for soil, 0.05-0.3, Wyllie (2014)</source>
+        <translation>土的取值范围下端，0.05-0.3，Wyllie (2014)</translation>
+    </message>
+    <message>
+        <source>lower half of the range for soil and rubble, 0.05-0.3, Wyllie (2014)</source>
+        <translation>土和碎石取值范围的下半部，0.05-0.3，Wyllie (2014)</translation>
+    </message>
+    <message>
+        <source>make sure that both are in the same one</source>
+        <translation>请确保两者在同一坐标系中</translation>
+    </message>
+    <message>
+        <source>mass of fallen live structure over the area of the cell</source>
+        <translation>坠落的未失效结构的质量除以单元格面积</translation>
+    </message>
+    <message>
+        <source>mass over the area of the cell</source>
+        <translation>质量除以单元格面积</translation>
+    </message>
+    <message>
+        <source>material types</source>
+        <translation>材料类型</translation>
+    </message>
+    <message>
+        <source>materials and properties</source>
+        <translation>材料与属性</translation>
+    </message>
+    <message>
+        <source>mean height of the top of fallen live structure above the ground</source>
+        <translation>坠落的未失效结构顶面距地面的平均高度</translation>
+    </message>
+    <message>
+        <source>mean height of the top of the debris above the ground</source>
+        <translation>堆积物顶面距地面的平均高度</translation>
+    </message>
+    <message>
+        <source>measuring drawing</source>
+        <translation>正在测量绘制</translation>
+    </message>
+    <message>
+        <source>measuring live frames</source>
+        <translation>正在测量实时帧</translation>
+    </message>
+    <message>
+        <source>measuring this machine</source>
+        <translation>正在测量本机</translation>
+    </message>
+    <message>
+        <source>members of a subset</source>
+        <translation>子集的成员</translation>
+    </message>
+    <message>
+        <source>metres, kilograms and seconds</source>
+        <translation>米、千克和秒</translation>
+    </message>
+    <message>
+        <source>metres, z up, origin of the frame added</source>
+        <translation>米，z 向上，已加上坐标框架原点</translation>
+    </message>
+    <message>
+        <source>minus infinite</source>
+        <translation>负无穷</translation>
+    </message>
+    <message>
+        <source>missing elements are dead</source>
+        <translation>略去的单元即为失效</translation>
+    </message>
+    <message>
+        <source>more bytes</source>
+        <translation>更多字节</translation>
+    </message>
+    <message>
+        <source>name the value for no data with gdal_translate -a_nodata</source>
+        <translation>请用 gdal_translate -a_nodata 指定无数据值</translation>
+    </message>
+    <message>
+        <source>names of tensors</source>
+        <translation>张量名称</translation>
+    </message>
+    <message>
+        <source>no body</source>
+        <translation>没有刚体</translation>
+    </message>
+    <message>
+        <source>no cluster of two or more fragments can be faster than {0}; the assumed threshold is {1}</source>
+        <translation>没有两个或更多碎块的聚类能快于 {0}；假定阈值为 {1}</translation>
+    </message>
+    <message>
+        <source>no cluster of two or more fragments is of stone or masonry without reinforcement</source>
+        <translation>没有两个或更多碎块的聚类属于未配筋的石材或砌体</translation>
+    </message>
+    <message>
+        <source>no component is marked as reinforced (component[NAME].reinforced)</source>
+        <translation>没有构件标为配筋（component[NAME].reinforced）</translation>
+    </message>
+    <message>
+        <source>no element is active once a fragment has been handed over</source>
+        <translation>碎块交接后没有单元处于激活状态</translation>
+    </message>
+    <message>
+        <source>no further bytes</source>
+        <translation>没有更多字节</translation>
+    </message>
+    <message>
+        <source>no known system fits; the best would be {0}: {1}</source>
+        <translation>没有已知单位制相符；最接近的是 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>no level of water is given (water_level)</source>
+        <translation>未给出水位（water_level）</translation>
+    </message>
+    <message>
+        <source>no material</source>
+        <translation>没有材料</translation>
+    </message>
+    <message>
+        <source>no more is known</source>
+        <translation>没有更多信息</translation>
+    </message>
+    <message>
+        <source>no node was seen to fall freely</source>
+        <translation>未见自由下落的节点</translation>
+    </message>
+    <message>
+        <source>no reinforced component falls in two or more clusters</source>
+        <translation>没有配筋构件分成两个或更多聚类下落</translation>
+    </message>
+    <message>
+        <source>no two bodies fall</source>
+        <translation>没有两个刚体下落</translation>
+    </message>
+    <message>
+        <source>no two of {0} fall columns overlap; the nearest, of {1} and {2}, are {3} apart</source>
+        <translation>{0} 个下落柱中没有两个重叠；最近的 {1} 与 {2} 相距 {3}</translation>
+    </message>
+    <message>
+        <source>no usual material</source>
+        <translation>不是常见材料</translation>
+    </message>
+    <message>
+        <source>nodal results do not say how many vectors there are</source>
+        <translation>节点结果未说明向量数</translation>
+    </message>
+    <message>
+        <source>nodal values</source>
+        <translation>节点值</translation>
+    </message>
+    <message>
+        <source>nodes of elements</source>
+        <translation>单元的节点</translation>
+    </message>
+    <message>
+        <source>nodes of the rigid road</source>
+        <translation>刚性路面的节点</translation>
+    </message>
+    <message>
+        <source>nodes, shells and values</source>
+        <translation>节点、壳和数值</translation>
+    </message>
+    <message>
+        <source>none is needed; heights between nodes are interpolated</source>
+        <translation>不需要；节点之间的高程为插值</translation>
+    </message>
+    <message>
+        <source>not a file</source>
+        <translation>不是文件</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>不是数值</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>未说明</translation>
+    </message>
+    <message>
+        <source>nothing falls into it</source>
+        <translation>没有物体落入其中</translation>
+    </message>
+    <message>
+        <source>nothing falls on it</source>
+        <translation>没有物体落在其上</translation>
+    </message>
+    <message>
+        <source>nothing moves through the air, or the air has no density</source>
+        <translation>没有物体在空气中运动，或空气没有密度</translation>
+    </message>
+    <message>
+        <source>nothing says which elements are dead</source>
+        <translation>没有信息说明哪些单元失效</translation>
+    </message>
+    <message>
+        <source>one of the known names</source>
+        <translation>已知名称之一</translation>
+    </message>
+    <message>
+        <source>packs three node numbers into a word, as very old versions did</source>
+        <translation>像很旧的版本那样将三个节点编号压入一个字</translation>
+    </message>
+    <message>
+        <source>particles and their values</source>
+        <translation>粒子及其数值</translation>
+    </message>
+    <message>
+        <source>pieces = none leaves the structure without collision shapes</source>
+        <translation>pieces = none 使结构没有碰撞形状</translation>
+    </message>
+    <message>
+        <source>place or velocity of {0} was no number: it was taken out ({1} bodies)</source>
+        <translation>{0} 的位置或速度不是数值：已移出（{1} 个刚体）</translation>
+    </message>
+    <message>
+        <source>raise bodies_max, or read the debris there as coarser than it is</source>
+        <translation>请提高 bodies_max，或将该处堆积物视为偏粗</translation>
+    </message>
+    <message>
+        <source>raise freeze_delay or lower freeze_speed, so that bodies freeze only when at rest</source>
+        <translation>请提高 freeze_delay 或减小 freeze_speed，使刚体仅在静止时冻结</translation>
+    </message>
+    <message>
+        <source>raise step_rate for the whole run, or set auto_remedy = false</source>
+        <translation>请提高整个计算的 step_rate，或设置 auto_remedy = false</translation>
+    </message>
+    <message>
+        <source>raise step_rate or substeps; light bodies between far heavier ones ask for it</source>
+        <translation>请提高 step_rate 或 substeps；夹在重得多的刚体之间的轻刚体需要如此</translation>
+    </message>
+    <message>
+        <source>raise step_rate, or set auto_remedy = true, or raise bodies_max for smaller clusters; under solver = bullet deep piles squeeze together, take soft-step there</source>
+        <translation>请提高 step_rate，或设置 auto_remedy = true，或提高 bodies_max 以减小聚类；solver = bullet 时深堆积体会压缩，请改用 soft-step</translation>
+    </message>
+    <message>
+        <source>raise step_rate, or set auto_remedy = true; solver = bullet gains more than soft-step</source>
+        <translation>请提高 step_rate，或设置 auto_remedy = true；solver = bullet 的增量大于 soft-step</translation>
+    </message>
+    <message>
+        <source>raise step_rate, or set ground_height (or the terrain) to its real height</source>
+        <translation>请提高 step_rate，或将 ground_height（或地形）设为实际高程</translation>
+    </message>
+    <message>
+        <source>raise step_rate; look for births inside other bodies (overlap_speed) and for restitution above 1</source>
+        <translation>请提高 step_rate；检查是否在其他刚体内部产生（overlap_speed），以及恢复系数是否大于 1</translation>
+    </message>
+    <message>
+        <source>raise step_rate; under solver = bullet piles squeeze together, take soft-step there</source>
+        <translation>请提高 step_rate；solver = bullet 时堆积体会压缩，请改用 soft-step</translation>
+    </message>
+    <message>
+        <source>read them as debris that the FE analysis did not delete</source>
+        <translation>请将其视为有限元分析未删除的堆积物</translation>
+    </message>
+    <message>
+        <source>records of elements</source>
+        <translation>单元记录</translation>
+    </message>
+    <message>
+        <source>rigid road</source>
+        <translation>刚性路面</translation>
+    </message>
+    <message>
+        <source>rigid shells</source>
+        <translation>刚性壳</translation>
+    </message>
+    <message>
+        <source>segments of the rigid road</source>
+        <translation>刚性路面的面段</translation>
+    </message>
+    <message>
+        <source>series of VTU files</source>
+        <translation>VTU 文件序列</translation>
+    </message>
+    <message>
+        <source>set off, as auto would: </source>
+        <translation>设为关闭，自动亦然：</translation>
+    </message>
+    <message>
+        <source>set off; auto would be on: </source>
+        <translation>设为关闭；自动则会开启：</translation>
+    </message>
+    <message>
+        <source>set on, as auto would: </source>
+        <translation>设为开启，自动亦然：</translation>
+    </message>
+    <message>
+        <source>set on, but cannot be: </source>
+        <translation>设为开启，但无法开启：</translation>
+    </message>
+    <message>
+        <source>set on; auto would be off: </source>
+        <translation>设为开启；自动则会关闭：</translation>
+    </message>
+    <message>
+        <source>should hold integers, but its flags say reals</source>
+        <translation>应为整数，但其标志为实数</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>已模拟</translation>
+    </message>
+    <message>
+        <source>simulated, interpolated between two recorded instants</source>
+        <translation>已模拟，在两个记录时刻之间插值</translation>
+    </message>
+    <message>
+        <source>simulating {0} worlds for the repeat floor</source>
+        <translation>正在为重复性下限模拟 {0} 次计算</translation>
+    </message>
+    <message>
+        <source>simulating {0} worlds: the reference, its repeats, the settings</source>
+        <translation>正在模拟 {0} 次计算：基准、其重复和各项设置</translation>
+    </message>
+    <message>
+        <source>simulating {0} worlds: the run, {1} repeats, {2} effects switched</source>
+        <translation>正在模拟 {0} 次计算：原计算、{1} 次重复、切换 {2} 个效应</translation>
+    </message>
+    <message>
+        <source>simulating, {0} bodies at {1}</source>
+        <translation>正在模拟，{1} 时 {0} 个刚体</translation>
+    </message>
+    <message>
+        <source>size {0} is {1}</source>
+        <translation>尺寸 {0} 为 {1}</translation>
+    </message>
+    <message>
+        <source>slugs, feet, seconds (stress in psf)</source>
+        <translation>斯勒格、英尺、秒（应力 psf）</translation>
+    </message>
+    <message>
+        <source>soil or fill</source>
+        <translation>土或填料</translation>
+    </message>
+    <message>
+        <source>solids and their values</source>
+        <translation>实体及其数值</translation>
+    </message>
+    <message>
+        <source>split_by_connectivity, split_by_box, split_by_plane, merge or rename</source>
+        <translation>split_by_connectivity、split_by_box、split_by_plane、merge 或 rename</translation>
+    </message>
+    <message>
+        <source>status byte, 0 is deleted</source>
+        <translation>状态字节，0 为已删除</translation>
+    </message>
+    <message>
+        <source>status_variable</source>
+        <translation>status_variable</translation>
+    </message>
+    <message>
+        <source>stone arch (published)</source>
+        <translation>石拱桥（论文）</translation>
+    </message>
+    <message>
+        <source>study world</source>
+        <translation>研究计算</translation>
+    </message>
+    <message>
+        <source>terrain or stage of the program</source>
+        <translation>地形或程序的阶段</translation>
+    </message>
+    <message>
+        <source>the * of a record</source>
+        <translation>记录的 *</translation>
+    </message>
+    <message>
+        <source>the active structure stays {0} outside the ballistic reach of every fragment (nearest: {1} to the fragment of {2})</source>
+        <translation>激活结构始终在所有碎块的弹道可达范围之外 {0}（最近：距 {2} 的碎块 {1}）</translation>
+    </message>
+    <message>
+        <source>the axes of beams</source>
+        <translation>梁的轴</translation>
+    </message>
+    <message>
+        <source>the block names</source>
+        <translation>单元块名称</translation>
+    </message>
+    <message>
+        <source>the block numbers</source>
+        <translation>单元块编号</translation>
+    </message>
+    <message>
+        <source>the case has no terrain</source>
+        <translation>案例没有地形</translation>
+    </message>
+    <message>
+        <source>the case has {0} terrains; the first is used</source>
+        <translation>案例有 {0} 个地形；采用第一个</translation>
+    </message>
+    <message>
+        <source>the cells</source>
+        <translation>单元格</translation>
+    </message>
+    <message>
+        <source>the centre of {0} was {1} below the ground ({2} bodies)</source>
+        <translation>{0} 的中心低于地面 {1}（{2} 个刚体）</translation>
+    </message>
+    <message>
+        <source>the cluster of {0} can hit at {1}, above the assumed threshold of {2}; at most {3} bodies result</source>
+        <translation>{0} 的聚类撞击速度可达 {1}，超过假定阈值 {2}；至多产生 {3} 个刚体</translation>
+    </message>
+    <message>
+        <source>the control block</source>
+        <translation>控制块</translation>
+    </message>
+    <message>
+        <source>the control block and its extension</source>
+        <translation>控制块及其扩展</translation>
+    </message>
+    <message>
+        <source>the coordinate system of the terrain could not be held against that of the case</source>
+        <translation>无法将地形的坐标系与案例的坐标系核对</translation>
+    </message>
+    <message>
+        <source>the coordinates</source>
+        <translation>坐标</translation>
+    </message>
+    <message>
+        <source>the corner of a cell</source>
+        <translation>单元格的角点</translation>
+    </message>
+    <message>
+        <source>the cost of this world on this machine</source>
+        <translation>该计算在本机的代价</translation>
+    </message>
+    <message>
+        <source>the element numbers</source>
+        <translation>单元编号</translation>
+    </message>
+    <message>
+        <source>the elements have no end</source>
+        <translation>单元没有结尾</translation>
+    </message>
+    <message>
+        <source>the fields</source>
+        <translation>场</translation>
+    </message>
+    <message>
+        <source>the file cannot be closed</source>
+        <translation>文件无法关闭</translation>
+    </message>
+    <message>
+        <source>the file or a deck beside it says so</source>
+        <translation>文件或其旁的输入卡如此说明</translation>
+    </message>
+    <message>
+        <source>the first word</source>
+        <translation>第一个字</translation>
+    </message>
+    <message>
+        <source>the flags of the header</source>
+        <translation>文件头的标志</translation>
+    </message>
+    <message>
+        <source>the forces of beams</source>
+        <translation>梁的内力</translation>
+    </message>
+    <message>
+        <source>the header</source>
+        <translation>文件头</translation>
+    </message>
+    <message>
+        <source>the header of a set is short</source>
+        <translation>结果集的头过短</translation>
+    </message>
+    <message>
+        <source>the header of its geometry is short</source>
+        <translation>其几何的头过短</translation>
+    </message>
+    <message>
+        <source>the length of a record, 2 or more words</source>
+        <translation>记录长度，2 个或更多字</translation>
+    </message>
+    <message>
+        <source>the length of the extension</source>
+        <translation>扩展的长度</translation>
+    </message>
+    <message>
+        <source>the length of the numbers</source>
+        <translation>数值的长度</translation>
+    </message>
+    <message>
+        <source>the library fails on it</source>
+        <translation>库读取失败</translation>
+    </message>
+    <message>
+        <source>the local axes</source>
+        <translation>局部坐标轴</translation>
+    </message>
+    <message>
+        <source>the masses of elements</source>
+        <translation>单元的质量</translation>
+    </message>
+    <message>
+        <source>the masses of nodes</source>
+        <translation>节点的质量</translation>
+    </message>
+    <message>
+        <source>the materials of parts</source>
+        <translation>部件的材料</translation>
+    </message>
+    <message>
+        <source>the mixed topology ends inside a cell</source>
+        <translation>混合拓扑在单元格内部结束</translation>
+    </message>
+    <message>
+        <source>the name of a part</source>
+        <translation>部件名称</translation>
+    </message>
+    <message>
+        <source>the names of the variables</source>
+        <translation>变量名称</translation>
+    </message>
+    <message>
+        <source>the node numbers</source>
+        <translation>节点编号</translation>
+    </message>
+    <message>
+        <source>the nodes have no end</source>
+        <translation>节点没有结尾</translation>
+    </message>
+    <message>
+        <source>the nodes of elements</source>
+        <translation>单元的节点</translation>
+    </message>
+    <message>
+        <source>the nodes&apos; format has no reals</source>
+        <translation>节点格式中没有实数</translation>
+    </message>
+    <message>
+        <source>the normals</source>
+        <translation>法向</translation>
+    </message>
+    <message>
+        <source>the number of adapted elements</source>
+        <translation>自适应单元数</translation>
+    </message>
+    <message>
+        <source>the number of beams</source>
+        <translation>梁数</translation>
+    </message>
+    <message>
+        <source>the number of fluid materials</source>
+        <translation>流体材料数</translation>
+    </message>
+    <message>
+        <source>the number of global values</source>
+        <translation>全局值数</translation>
+    </message>
+    <message>
+        <source>the number of history variables of a shell</source>
+        <translation>壳的历史变量数</translation>
+    </message>
+    <message>
+        <source>the number of history variables of a solid</source>
+        <translation>实体的历史变量数</translation>
+    </message>
+    <message>
+        <source>the number of materials of beams</source>
+        <translation>梁的材料数</translation>
+    </message>
+    <message>
+        <source>the number of materials of particles</source>
+        <translation>粒子的材料数</translation>
+    </message>
+    <message>
+        <source>the number of materials of shells</source>
+        <translation>壳的材料数</translation>
+    </message>
+    <message>
+        <source>the number of materials of solids</source>
+        <translation>实体的材料数</translation>
+    </message>
+    <message>
+        <source>the number of materials of thick shells</source>
+        <translation>厚壳的材料数</translation>
+    </message>
+    <message>
+        <source>the number of nodes</source>
+        <translation>节点数</translation>
+    </message>
+    <message>
+        <source>the number of particles</source>
+        <translation>粒子数</translation>
+    </message>
+    <message>
+        <source>the number of parts</source>
+        <translation>部件数</translation>
+    </message>
+    <message>
+        <source>the number of points through the thickness</source>
+        <translation>厚度方向的积分点数</translation>
+    </message>
+    <message>
+        <source>the number of shells</source>
+        <translation>壳数</translation>
+    </message>
+    <message>
+        <source>the number of shells of eight nodes</source>
+        <translation>八节点壳数</translation>
+    </message>
+    <message>
+        <source>the number of solids</source>
+        <translation>实体数</translation>
+    </message>
+    <message>
+        <source>the number of solids of twenty nodes</source>
+        <translation>二十节点实体数</translation>
+    </message>
+    <message>
+        <source>the number of states</source>
+        <translation>状态数</translation>
+    </message>
+    <message>
+        <source>the number of thermal values of a solid</source>
+        <translation>实体的热学值数</translation>
+    </message>
+    <message>
+        <source>the number of thick shells</source>
+        <translation>厚壳数</translation>
+    </message>
+    <message>
+        <source>the number of values of a beam</source>
+        <translation>梁的数值个数</translation>
+    </message>
+    <message>
+        <source>the number of values of a shell</source>
+        <translation>壳的数值个数</translation>
+    </message>
+    <message>
+        <source>the number of values of a solid</source>
+        <translation>实体的数值个数</translation>
+    </message>
+    <message>
+        <source>the number of values of a thick shell</source>
+        <translation>厚壳的数值个数</translation>
+    </message>
+    <message>
+        <source>the number of variables</source>
+        <translation>变量数</translation>
+    </message>
+    <message>
+        <source>the numbers of elements</source>
+        <translation>单元编号</translation>
+    </message>
+    <message>
+        <source>the numbers of nodes</source>
+        <translation>节点编号</translation>
+    </message>
+    <message>
+        <source>the numbers of shells</source>
+        <translation>壳的编号</translation>
+    </message>
+    <message>
+        <source>the parts</source>
+        <translation>部件</translation>
+    </message>
+    <message>
+        <source>the pile has not the volume that rubble has</source>
+        <translation>堆积体的体积与碎石不符</translation>
+    </message>
+    <message>
+        <source>the pile has {0} times the volume of its material, less than {1}: it is squeezed into itself</source>
+        <translation>堆积体体积为其材料体积的 {0} 倍，小于 {1}：自身压缩</translation>
+    </message>
+    <message>
+        <source>the pile has {0} times the volume of its material, more than {1}: its shapes are inflated</source>
+        <translation>堆积体体积为其材料体积的 {0} 倍，大于 {1}：形状过于膨胀</translation>
+    </message>
+    <message>
+        <source>the place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>the points</source>
+        <translation>各点</translation>
+    </message>
+    <message>
+        <source>the record 1921 of a results file</source>
+        <translation>结果文件的 1921 号记录</translation>
+    </message>
+    <message>
+        <source>the reinforced component {0} falls in {1} clusters</source>
+        <translation>配筋构件 {0} 分成 {1} 个聚类下落</translation>
+    </message>
+    <message>
+        <source>the rigid road</source>
+        <translation>刚性路面</translation>
+    </message>
+    <message>
+        <source>the share of bodies at rest fell to {0} after it had reached {1}</source>
+        <translation>静止刚体的比例在达到 {1} 后降至 {0}</translation>
+    </message>
+    <message>
+        <source>the state of elements</source>
+        <translation>单元状态</translation>
+    </message>
+    <message>
+        <source>the table of its elements is short</source>
+        <translation>其单元表过短</translation>
+    </message>
+    <message>
+        <source>the table of its sets is short</source>
+        <translation>其结果集表过短</translation>
+    </message>
+    <message>
+        <source>the tensors of particles</source>
+        <translation>粒子的张量</translation>
+    </message>
+    <message>
+        <source>the tensors of shells</source>
+        <translation>壳的张量</translation>
+    </message>
+    <message>
+        <source>the tensors of solids</source>
+        <translation>实体的张量</translation>
+    </message>
+    <message>
+        <source>the terrain does not say in which unit its heights are; they are taken as metres</source>
+        <translation>地形未说明高程单位；按米处理</translation>
+    </message>
+    <message>
+        <source>the terrain ends {0} beside all that falls</source>
+        <translation>地形在所有下落物旁边 {0} 处终止</translation>
+    </message>
+    <message>
+        <source>the terrain ends {0} short of the outline of the structure and goes on level from there</source>
+        <translation>地形在距结构轮廓 {0} 处终止，由此以水平面延续</translation>
+    </message>
+    <message>
+        <source>the terrain gives its heights in &quot;{0}&quot;; they are taken as metres</source>
+        <translation>地形高程的单位为“{0}”；按米处理</translation>
+    </message>
+    <message>
+        <source>the terrain has {0} bands; the first is taken as heights</source>
+        <translation>地形有 {0} 个波段；取第一个为高程</translation>
+    </message>
+    <message>
+        <source>the terrain is not the one the case was saved with</source>
+        <translation>地形不是保存案例时的那一个</translation>
+    </message>
+    <message>
+        <source>the terrain lies {0} above all that falls</source>
+        <translation>地形位于所有下落物之上 {0}</translation>
+    </message>
+    <message>
+        <source>the terrain lies {0} {1} the whole structure</source>
+        <translation>地形位于整个结构{1} {0}</translation>
+    </message>
+    <message>
+        <source>the terrain takes its place, and goes on level beyond its edges</source>
+        <translation>由地形代替，并在其边缘之外以水平面延续</translation>
+    </message>
+    <message>
+        <source>the text ends too early</source>
+        <translation>文本过早结束</translation>
+    </message>
+    <message>
+        <source>the texts of the header</source>
+        <translation>文件头的文本</translation>
+    </message>
+    <message>
+        <source>the time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>the times of the states</source>
+        <translation>各状态的时刻</translation>
+    </message>
+    <message>
+        <source>the top</source>
+        <translation>顶部</translation>
+    </message>
+    <message>
+        <source>the truth table of the element variables</source>
+        <translation>单元变量的真值表</translation>
+    </message>
+    <message>
+        <source>the type of a cell</source>
+        <translation>单元格类型</translation>
+    </message>
+    <message>
+        <source>the unit must be a number above zero</source>
+        <translation>单位必须为大于零的数值</translation>
+    </message>
+    <message>
+        <source>the values of elements</source>
+        <translation>单元的数值</translation>
+    </message>
+    <message>
+        <source>the values of nodes</source>
+        <translation>节点的数值</translation>
+    </message>
+    <message>
+        <source>the velocities</source>
+        <translation>各速度</translation>
+    </message>
+    <message>
+        <source>the velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>the verification data is not whole</source>
+        <translation>校验数据不完整</translation>
+    </message>
+    <message>
+        <source>the water at {0} stays {1} below the lowest place that debris can reach</source>
+        <translation>水位 {0} 低于堆积物可达最低处 {1}</translation>
+    </message>
+    <message>
+        <source>the word on airbags</source>
+        <translation>关于气囊的字</translation>
+    </message>
+    <message>
+        <source>the word on coordinates</source>
+        <translation>关于坐标的字</translation>
+    </message>
+    <message>
+        <source>the word on derivatives</source>
+        <translation>关于导数的字</translation>
+    </message>
+    <message>
+        <source>the word on penetration</source>
+        <translation>关于侵入的字</translation>
+    </message>
+    <message>
+        <source>the word on temperatures</source>
+        <translation>关于温度的字</translation>
+    </message>
+    <message>
+        <source>the word rubble-world and a digest</source>
+        <translation>rubble-world 字样和摘要</translation>
+    </message>
+    <message>
+        <source>there is no mesh</source>
+        <translation>没有网格</translation>
+    </message>
+    <message>
+        <source>there was not enough memory for it</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>thick shells</source>
+        <translation>厚壳</translation>
+    </message>
+    <message>
+        <source>this is not valid JSON</source>
+        <translation>不是有效的 JSON</translation>
+    </message>
+    <message>
+        <source>this key is unknown here</source>
+        <translation>此处不认识该键</translation>
+    </message>
+    <message>
+        <source>this machine was busy with other work when it was calibrated</source>
+        <translation>标定时本机正忙于其他工作</translation>
+    </message>
+    <message>
+        <source>three finite numbers</source>
+        <translation>三个有限数值</translation>
+    </message>
+    <message>
+        <source>time histories</source>
+        <translation>时程</translation>
+    </message>
+    <message>
+        <source>timing one setting at a time: {0}</source>
+        <translation>正在逐项设置计时：{0}</translation>
+    </message>
+    <message>
+        <source>tonnes, metres, seconds (stress in kPa)</source>
+        <translation>吨、米、秒（应力 kPa）</translation>
+    </message>
+    <message>
+        <source>tonnes, millimetres, seconds (stress in MPa)</source>
+        <translation>吨、毫米、秒（应力 MPa）</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true 或 false</translation>
+    </message>
+    <message>
+        <source>types of cells</source>
+        <translation>单元格类型</translation>
+    </message>
+    <message>
+        <source>typical or worst</source>
+        <translation>典型或最差</translation>
+    </message>
+    <message>
+        <source>units above zero</source>
+        <translation>大于零的单位</translation>
+    </message>
+    <message>
+        <source>unknown reason</source>
+        <translation>未知原因</translation>
+    </message>
+    <message>
+        <source>user&apos;s numbers of 8 bytes</source>
+        <translation>8 字节的用户编号</translation>
+    </message>
+    <message>
+        <source>values of cells</source>
+        <translation>单元格的数值</translation>
+    </message>
+    <message>
+        <source>values of points</source>
+        <translation>点的数值</translation>
+    </message>
+    <message>
+        <source>volume from mass and density</source>
+        <translation>由质量和密度得出的体积</translation>
+    </message>
+    <message>
+        <source>volume from mass and density, or from the space between them</source>
+        <translation>由质量和密度或由所围空间得出的体积</translation>
+    </message>
+    <message>
+        <source>volume from the space between them</source>
+        <translation>由所围空间得出的体积</translation>
+    </message>
+    <message>
+        <source>volume of fallen live structure over the area of the cell</source>
+        <translation>坠落的未失效结构的体积除以单元格面积</translation>
+    </message>
+    <message>
+        <source>volume of material over the area of the cell</source>
+        <translation>材料体积除以单元格面积</translation>
+    </message>
+    <message>
+        <source>volume of the largest fragment that reaches into the cell</source>
+        <translation>伸入该单元格的最大碎块的体积</translation>
+    </message>
+    <message>
+        <source>volume of the pile</source>
+        <translation>堆积体的体积</translation>
+    </message>
+    <message>
+        <source>was written with *DATABASE_EXTENT_BINARY_COMP and leaves out parts of the states</source>
+        <translation>以 *DATABASE_EXTENT_BINARY_COMP 写出，略去了部分状态</translation>
+    </message>
+    <message>
+        <source>weight over drag at the highest possible speed of {0} is only {1} (the fragment of {2}), below {3}</source>
+        <translation>以最大可能速度 {0} 计，重量与阻力之比仅为 {1}（{2} 的碎块），低于 {3}</translation>
+    </message>
+    <message>
+        <source>weight over drag at the highest possible speed of {0} is {1} or more (least for the fragment of {2}); below {3} a landing would move by 1 %</source>
+        <translation>以最大可能速度 {0} 计，重量与阻力之比不小于 {1}（最小者为 {2} 的碎块）；低于 {3} 时落点将移动 1 %</translation>
+    </message>
+    <message>
+        <source>when the first of what lies in the cell came there</source>
+        <translation>单元格内首个物体到达的时刻</translation>
+    </message>
+    <message>
+        <source>words of cells</source>
+        <translation>单元格的字</translation>
+    </message>
+    <message>
+        <source>{0} asks for more memory than there is</source>
+        <translation>{0} 需要的内存超过现有内存</translation>
+    </message>
+    <message>
+        <source>{0} bodies are more or fewer than this machine was calibrated with</source>
+        <translation>{0} 个刚体超出本机标定的范围</translation>
+    </message>
+    <message>
+        <source>{0} bodies became no number and were taken out</source>
+        <translation>{0} 个刚体变为非数值，已移出</translation>
+    </message>
+    <message>
+        <source>{0} bodies cannot be calibrated with.</source>
+        <translation>不能以 {0} 个刚体标定。</translation>
+    </message>
+    <message>
+        <source>{0} bodies have no finite, positive mass, inertia, place or size and were left out</source>
+        <translation>{0} 个刚体没有有限且为正的质量、惯量、位置或尺寸，已略去</translation>
+    </message>
+    <message>
+        <source>{0} bodies lay inside others for over 0.5 s</source>
+        <translation>{0} 个刚体侵入其他刚体超过 0.5 s</translation>
+    </message>
+    <message>
+        <source>{0} bodies went further than 10 building heights from the structure</source>
+        <translation>{0} 个刚体离结构超过 10 倍建筑高度</translation>
+    </message>
+    <message>
+        <source>{0} bodies were below the ground</source>
+        <translation>{0} 个刚体位于地面以下</translation>
+    </message>
+    <message>
+        <source>{0} bodies were faster than gravity and their birth allow</source>
+        <translation>{0} 个刚体快于重力及其产生所能</translation>
+    </message>
+    <message>
+        <source>{0} cannot be &quot;{1}&quot;.</source>
+        <translation>{0} 不能为“{1}”。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be made: {1}</source>
+        <translation>无法生成 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be opened as HDF5: {1}</source>
+        <translation>无法以 HDF5 打开 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be opened as netCDF ({1})</source>
+        <translation>无法以 netCDF 打开 {0}（{1}）</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read</source>
+        <translation>无法读取 {0}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read any more</source>
+        <translation>{0} 已无法读取</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read as XDMF: {1}</source>
+        <translation>无法以 XDMF 读取 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read as a VTK grid: {1}</source>
+        <translation>无法以 VTK 网格读取 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read from row {1} of {2} on: {3}</source>
+        <translation>无法从第 {1} 行（共 {2} 行）起读取 {0}：{3}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read: {1}</source>
+        <translation>无法读取 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be removed: {1}</source>
+        <translation>无法删除 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be written: {1}</source>
+        <translation>无法写入 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} clusters were hit hard enough to break up and were left whole: no room for more bodies</source>
+        <translation>{0} 个聚类受到足以破碎的撞击，但保持完整：没有容纳更多刚体的余地</translation>
+    </message>
+    <message>
+        <source>{0} covers x = {1} to {2}, y = {3} to {4} of the local frame; the structure stands at x = {5} to {6}, y = {7} to {8}</source>
+        <translation>{0} 覆盖局部坐标框架的 x = {1} 至 {2}，y = {3} 至 {4}；结构位于 x = {5} 至 {6}，y = {7} 至 {8}</translation>
+    </message>
+    <message>
+        <source>{0} does not say by a known name which elements are active</source>
+        <translation>{0} 未以已知名称说明哪些单元激活</translation>
+    </message>
+    <message>
+        <source>{0} does not say what to convert to</source>
+        <translation>{0} 未说明转换为何种格式</translation>
+    </message>
+    <message>
+        <source>{0} does not say where its pixels lie</source>
+        <translation>{0} 未说明其像素的位置</translation>
+    </message>
+    <message>
+        <source>{0} does not say which elements are active: it has no element variables</source>
+        <translation>{0} 未说明哪些单元激活：没有单元变量</translation>
+    </message>
+    <message>
+        <source>{0} does not say which elements are active: no flag under a known name, and no element is ever missing</source>
+        <translation>{0} 未说明哪些单元激活：没有已知名称的标志，也没有单元被略去</translation>
+    </message>
+    <message>
+        <source>{0} earlier points scatter too much: it may be anything from {1} to {2}</source>
+        <translation>{0} 个已有点过于分散：可能为 {1} 至 {2} 的任何值</translation>
+    </message>
+    <message>
+        <source>{0} earlier points with the same settings but for numbers; {1} are needed</source>
+        <translation>仅数值不同的已有点有 {0} 个；需要 {1} 个</translation>
+    </message>
+    <message>
+        <source>{0} fragments are born at {1} instants: at the guide of {2} mean distances, which would give {3} clusters for one birth time, {4} clusters are counted. The published &quot;two to three&quot; mean distances do not carry over where few fragments share a birth</source>
+        <translation>{0} 个碎块在 {1} 个时刻产生：按参考值 {2} 倍平均间距，若同一时刻产生应有 {3} 个聚类，实际统计 {4} 个。当同一时刻产生的碎块很少时，论文的“二至三”倍平均间距并不适用</translation>
+    </message>
+    <message>
+        <source>{0} has a second section {1} before byte {2}</source>
+        <translation>{0} 在字节 {2} 之前有第二个 {1} 段</translation>
+    </message>
+    <message>
+        <source>{0} has become shorter since it was opened: it ends before byte {1}</source>
+        <translation>{0} 打开后变短：在字节 {1} 之前结束</translation>
+    </message>
+    <message>
+        <source>{0} has more elements than can be held</source>
+        <translation>{0} 的单元数超过所能容纳</translation>
+    </message>
+    <message>
+        <source>{0} has no cell array &quot;{1}&quot;</source>
+        <translation>{0} 没有单元数组“{1}”</translation>
+    </message>
+    <message>
+        <source>{0} has no complete state: a state takes {1} bytes, and {2} bytes follow the mesh</source>
+        <translation>{0} 没有完整的状态：一个状态需 {1} 字节，网格之后仅有 {2} 字节</translation>
+    </message>
+    <message>
+        <source>{0} has no element variable &quot;{1}&quot;</source>
+        <translation>{0} 没有单元变量“{1}”</translation>
+    </message>
+    <message>
+        <source>{0} has no health breaches: there is nothing to acknowledge</source>
+        <translation>{0} 没有健康超限：没有可确认的内容</translation>
+    </message>
+    <message>
+        <source>{0} has no height at all around the structure ({1} of {2} have none)</source>
+        <translation>{0} 在结构周围没有任何高程（{2} 处中 {1} 处没有）</translation>
+    </message>
+    <message>
+        <source>{0} has no height for {1} of {2} places around the structure</source>
+        <translation>{0} 在结构周围 {2} 处中有 {1} 处没有高程</translation>
+    </message>
+    <message>
+        <source>{0} has no nodal displacement under a known name</source>
+        <translation>{0} 没有已知名称的节点位移</translation>
+    </message>
+    <message>
+        <source>{0} has no nodal variables {1}_x, {1}_y and {1}_z in any spelling</source>
+        <translation>{0} 没有任何拼写的节点变量 {1}_x、{1}_y 和 {1}_z</translation>
+    </message>
+    <message>
+        <source>{0} has no nodes</source>
+        <translation>{0} 没有节点</translation>
+    </message>
+    <message>
+        <source>{0} has no point array &quot;{1}&quot; with three components</source>
+        <translation>{0} 没有三分量的点数组“{1}”</translation>
+    </message>
+    <message>
+        <source>{0} has no solids, shells or beams</source>
+        <translation>{0} 没有实体、壳或梁</translation>
+    </message>
+    <message>
+        <source>{0} has no states: it is a mesh without results</source>
+        <translation>{0} 没有状态：它是没有结果的网格</translation>
+    </message>
+    <message>
+        <source>{0} has other elements than {1}: {2} of one kind, where there were {3}, or other numbers</source>
+        <translation>{0} 的单元与 {1} 不同：某一类有 {2} 个，原为 {3} 个，或编号不同</translation>
+    </message>
+    <message>
+        <source>{0} has {1} columns and {2} rows; a surface takes two of each</source>
+        <translation>{0} 有 {1} 列 {2} 行；曲面至少各需两个</translation>
+    </message>
+    <message>
+        <source>{0} has {1} coordinates a node instead of three</source>
+        <translation>{0} 的节点有 {1} 个坐标，而不是三个</translation>
+    </message>
+    <message>
+        <source>{0} has {1} dimensions; only solids, shells and beams in space make fragments</source>
+        <translation>{0} 为 {1} 维；只有空间中的实体、壳和梁生成碎块</translation>
+    </message>
+    <message>
+        <source>{0} has {1} heights around the structure; at most {2} can be used</source>
+        <translation>{0} 在结构周围有 {1} 个高程；至多可用 {2} 个</translation>
+    </message>
+    <message>
+        <source>{0} has {1} nodes and {2} velocities; expected: {3} and {4}</source>
+        <translation>{0} 有 {1} 个节点和 {2} 个速度；应为 {3} 和 {4}</translation>
+    </message>
+    <message>
+        <source>{0} has {1} states of {2} elements, more than can be held</source>
+        <translation>{0} 有 {2} 个单元的 {1} 个状态，超过所能容纳</translation>
+    </message>
+    <message>
+        <source>{0} heights do not make a terrain of {1} by {2} nodes</source>
+        <translation>{0} 个高程不能构成 {1} x {2} 个节点的地形</translation>
+    </message>
+    <message>
+        <source>{0} heights such as {1} cannot be heights of land and were taken as gaps</source>
+        <translation>{0} 个高程（例如 {1}）不可能是地面高程，按空缺处理</translation>
+    </message>
+    <message>
+        <source>{0} holds colours or complex numbers, not heights</source>
+        <translation>{0} 含颜色或复数，而不是高程</translation>
+    </message>
+    <message>
+        <source>{0} holds no raster</source>
+        <translation>{0} 不含栅格</translation>
+    </message>
+    <message>
+        <source>{0} is JSON, but not a case of Rubble</source>
+        <translation>{0} 是 JSON，但不是 Rubble 的案例</translation>
+    </message>
+    <message>
+        <source>{0} is a VTK file, but no unstructured grid</source>
+        <translation>{0} 是 VTK 文件，但不是非结构网格</translation>
+    </message>
+    <message>
+        <source>{0} is a copy of version {1}; this program reads up to version {2}</source>
+        <translation>{0} 是版本 {1} 的副本；本程序最高可读版本 {2}</translation>
+    </message>
+    <message>
+        <source>{0} is a flat analysis: element {1} is of type {2}</source>
+        <translation>{0} 为平面分析：单元 {1} 的类型为 {2}</translation>
+    </message>
+    <message>
+        <source>{0} is a folder without an FE result</source>
+        <translation>{0} 是没有有限元结果的文件夹</translation>
+    </message>
+    <message>
+        <source>{0} is a run of version {1}; this program reads version {2}</source>
+        <translation>{0} 是版本 {1} 的计算；本程序读取版本 {2}</translation>
+    </message>
+    <message>
+        <source>{0} is active within the ballistic reach of the fragment of {1}</source>
+        <translation>{0} 在 {1} 的碎块的弹道可达范围内处于激活状态</translation>
+    </message>
+    <message>
+        <source>{0} is an HDF5 file, but not a run of Rubble</source>
+        <translation>{0} 是 HDF5 文件，但不是 Rubble 的计算</translation>
+    </message>
+    <message>
+        <source>{0} is an animation file of another version: it begins with {1}, {2} is read</source>
+        <translation>{0} 是其他版本的动画文件：以 {1} 开头，可读取的是 {2}</translation>
+    </message>
+    <message>
+        <source>{0} is cut off: it ends after {1} bytes, {2}</source>
+        <translation>{0} 被截断：在 {1} 字节后结束，{2}</translation>
+    </message>
+    <message>
+        <source>{0} is cut off: it ends at byte {1} within {2}</source>
+        <translation>{0} 被截断：在 {2} 内的字节 {1} 处结束</translation>
+    </message>
+    <message>
+        <source>{0} is cut off: {1} take {2} bytes from byte {3} on, which the file does not have</source>
+        <translation>{0} 被截断：{1} 从字节 {3} 起需 {2} 字节，文件没有</translation>
+    </message>
+    <message>
+        <source>{0} is cut off: {1} take {2} bytes from {3} on, and {4} bytes are left</source>
+        <translation>{0} 被截断：{1} 从 {3} 起需 {2} 字节，只剩 {4} 字节</translation>
+    </message>
+    <message>
+        <source>{0} is cut off: {1} takes {2} bytes, the file has {3}</source>
+        <translation>{0} 被截断：{1} 需 {2} 字节，文件有 {3} 字节</translation>
+    </message>
+    <message>
+        <source>{0} is damaged so that the HDF5 library fails on it</source>
+        <translation>{0} 已损坏，HDF5 库读取失败</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: {1}</source>
+        <translation>{0} 已损坏：{1}</translation>
+    </message>
+    <message>
+        <source>{0} is empty</source>
+        <translation>{0} 为空</translation>
+    </message>
+    <message>
+        <source>{0} is in &quot;{1}&quot;, the case in &quot;{2}&quot;</source>
+        <translation>{0} 采用“{1}”，案例采用“{2}”</translation>
+    </message>
+    <message>
+        <source>{0} is no Exodus II file: {1}</source>
+        <translation>{0} 不是 Exodus II 文件：{1}</translation>
+    </message>
+    <message>
+        <source>{0} is no FE result that can be read: it is {1}</source>
+        <translation>{0} 不是可读取的有限元结果：它是{1}</translation>
+    </message>
+    <message>
+        <source>{0} is no VTKHDF grid that can be read: {1}</source>
+        <translation>{0} 不是可读取的 VTKHDF 网格：{1}</translation>
+    </message>
+    <message>
+        <source>{0} is no d3plot any more</source>
+        <translation>{0} 已不是 d3plot</translation>
+    </message>
+    <message>
+        <source>{0} is no index of a VTK series: {1}</source>
+        <translation>{0} 不是 VTK 序列的索引：{1}</translation>
+    </message>
+    <message>
+        <source>{0} is no input deck: line {1} is no text</source>
+        <translation>{0} 不是输入卡：第 {1} 行不是文本</translation>
+    </message>
+    <message>
+        <source>{0} is no longer what it was when it was opened</source>
+        <translation>{0} 打开后已被更改</translation>
+    </message>
+    <message>
+        <source>{0} is no sound XML: {1} at byte {2}</source>
+        <translation>{0} 不是正确的 XML：字节 {2} 处 {1}</translation>
+    </message>
+    <message>
+        <source>{0} is no sound record of a simulated world: at byte {1} {2} were expected.</source>
+        <translation>{0} 不是完好的模拟计算记录：字节 {1} 处应为 {2}。</translation>
+    </message>
+    <message>
+        <source>{0} is no static or transient analysis of Ansys</source>
+        <translation>{0} 不是 Ansys 的静力或瞬态分析</translation>
+    </message>
+    <message>
+        <source>{0} is no terrain that can be read: {1}</source>
+        <translation>{0} 不是可读取的地形：{1}</translation>
+    </message>
+    <message>
+        <source>{0} is no tolerance for the accuracy rate.</source>
+        <translation>{0} 不能作为精度率的容差。</translation>
+    </message>
+    <message>
+        <source>{0} is not a run file of Rubble, or is damaged: {1}</source>
+        <translation>{0} 不是 Rubble 的计算文件，或已损坏：{1}</translation>
+    </message>
+    <message>
+        <source>{0} is not complete: it has no outcome to acknowledge</source>
+        <translation>{0} 不完整：没有可确认的结果</translation>
+    </message>
+    <message>
+        <source>{0} is not complete: its run was stopped before the end</source>
+        <translation>{0} 不完整：其计算在结束前停止</translation>
+    </message>
+    <message>
+        <source>{0} is of version {1}; this program reads version {2}</source>
+        <translation>{0} 为版本 {1}；本程序读取版本 {2}</translation>
+    </message>
+    <message>
+        <source>{0} is there already</source>
+        <translation>{0} 已存在</translation>
+    </message>
+    <message>
+        <source>{0} is too large for a case</source>
+        <translation>{0} 作为案例过大</translation>
+    </message>
+    <message>
+        <source>{0} is too large for a table of point pairs</source>
+        <translation>{0} 作为点对表过大</translation>
+    </message>
+    <message>
+        <source>{0} is too large to hold acknowledgements</source>
+        <translation>{0} 作为确认记录过大</translation>
+    </message>
+    <message>
+        <source>{0} islands of live structure are released at the end of the FE result and can fall on what stands (by {1})</source>
+        <translation>{0} 个未失效的孤立部分在有限元结果结束时释放，可能落在站立的结构上（到 {1} 为止）</translation>
+    </message>
+    <message>
+        <source>{0} islands of live structure are released at the end of the FE result and can meet other bodies</source>
+        <translation>{0} 个未失效的孤立部分在有限元结果结束时释放，可能与其他刚体相遇</translation>
+    </message>
+    <message>
+        <source>{0} islands of live structure have no finite place, mass or inertia and are held where they are</source>
+        <translation>{0} 个未失效的孤立部分没有有限的位置、质量或惯量，固定于原处</translation>
+    </message>
+    <message>
+        <source>{0} lay {1} deep in another for over 0.5 s, {2} of its smallest side; the limit is {3} ({4} bodies)</source>
+        <translation>{0} 侵入另一刚体 {1} 深超过 0.5 s，为其最小边的 {2}；限值为 {3}（{4} 个刚体）</translation>
+    </message>
+    <message>
+        <source>{0} lie in one plane, which leaves the focal length open.</source>
+        <translation>{0}位于同一平面，焦距无法确定。</translation>
+    </message>
+    <message>
+        <source>{0} lie on one line: any camera around it would see them alike.</source>
+        <translation>{0}位于一条直线上：其周围的任何相机所见相同。</translation>
+    </message>
+    <message>
+        <source>{0} lies in degrees ({1}), not in metres</source>
+        <translation>{0} 以度（{1}）为单位，而不是米</translation>
+    </message>
+    <message>
+        <source>{0} loose pieces of the structure ({1} elements) are alive at the end and are held where they are</source>
+        <translation>结构的 {0} 个松散部分（{1} 个单元）在结束时存活，固定于原处</translation>
+    </message>
+    <message>
+        <source>{0} names no FE result</source>
+        <translation>{0} 未指定有限元结果</translation>
+    </message>
+    <message>
+        <source>{0} names the file {1}, which is not there</source>
+        <translation>{0} 所指的文件 {1} 不存在</translation>
+    </message>
+    <message>
+        <source>{0} of the bodies lay more than 5 % of their smallest side inside another for over 0.5 s, {1} at most; {2} worst</source>
+        <translation>{0} 的刚体有超过最小边 5 % 的部分侵入其他刚体超过 0.5 s，至多 {1}；最差为 {2}</translation>
+    </message>
+    <message>
+        <source>{0} of time are {1}</source>
+        <translation>{0} 的时间为 {1}</translation>
+    </message>
+    <message>
+        <source>{0} of {1} places of the terrain had no height and were filled from their neighbours</source>
+        <translation>地形 {1} 处中有 {0} 处没有高程，由相邻处填补</translation>
+    </message>
+    <message>
+        <source>{0} pairs are too few to find {1} numbers of a camera: it takes {2}.</source>
+        <translation>{0} 对点太少，不能求出相机的 {1} 个参数：需要 {2} 对。</translation>
+    </message>
+    <message>
+        <source>{0} says that its time is {1}</source>
+        <translation>{0} 给出的时间为 {1}</translation>
+    </message>
+    <message>
+        <source>{0} says what collapses, not how it is simulated: no reference holds for two values of it.</source>
+        <translation>{0} 说明的是什么倒塌，而不是如何模拟：其两个取值没有共同的基准。</translation>
+    </message>
+    <message>
+        <source>{0} steps were halved after health breaches</source>
+        <translation>健康超限后有 {0} 步被减半</translation>
+    </message>
+    <message>
+        <source>{0} times a body was held back: nothing that it touched could have made it that fast</source>
+        <translation>刚体被限速 {0} 次：它接触的物体不可能使其达到如此速度</translation>
+    </message>
+    <message>
+        <source>{0} was written by a newer Rubble: case version {1}, this program reads up to {2}</source>
+        <translation>{0} 由更新版本的 Rubble 写出：案例版本 {1}，本程序最高可读 {2}</translation>
+    </message>
+    <message>
+        <source>{0} was {1} from the structure, beyond 10 building heights, {2} ({3} bodies)</source>
+        <translation>{0} 距结构 {1}，超过 10 倍建筑高度 {2}（{3} 个刚体）</translation>
+    </message>
+    <message>
+        <source>{0} was {1} times as fast as its birth and its fall allow; the limit is {2} ({3} bodies)</source>
+        <translation>{0} 的速度为其产生和下落所能的 {1} 倍；限值为 {2}（{3} 个刚体）</translation>
+    </message>
+    <message>
+        <source>{0} would be written over {1}, which is read</source>
+        <translation>{0} 将覆盖正在读取的 {1}</translation>
+    </message>
+    <message>
+        <source>{0} would fit ({1}), and so would {2}</source>
+        <translation>{0} 相符（{1}），{2} 也相符</translation>
+    </message>
+    <message>
+        <source>{0} {1} is given twice.</source>
+        <translation>{0} {1} 给出了两次。</translation>
+    </message>
+    <message>
+        <source>{0} {1}, which cannot be read (word {2} is {3})</source>
+        <translation>{0} {1}，无法读取（第 {2} 个字为 {3}）</translation>
+    </message>
+    <message>
+        <source>{0}, line 1: there is no column {1}</source>
+        <translation>{0} 第 1 行：没有列 {1}</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}, column {2} (byte {3}): {4}</source>
+        <translation>{0} 第 {1} 行第 {2} 列（字节 {3}）：{4}</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: there are more than {2} pairs</source>
+        <translation>{0} 第 {1} 行：超过 {2} 对</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: {2} is &quot;{3}&quot;, which is no number</source>
+        <translation>{0} 第 {1} 行：{2} 为“{3}”，不是数值</translation>
+    </message>
+    <message>
+        <source>{0}: &quot;{1}&quot; before byte {2} is no number; expected: {3}</source>
+        <translation>{0}：字节 {2} 之前的“{1}”不是数值；应为：{3}</translation>
+    </message>
+    <message>
+        <source>{0}: &quot;{1}&quot; before byte {2} is no section of such a file</source>
+        <translation>{0}：字节 {2} 之前的“{1}”不是此类文件的段</translation>
+    </message>
+    <message>
+        <source>{0}: a number is too large</source>
+        <translation>{0}：某数值过大</translation>
+    </message>
+    <message>
+        <source>{0}: a state would take more than {1} words; the files have {2}</source>
+        <translation>{0}：一个状态需超过 {1} 个字；文件有 {2} 个</translation>
+    </message>
+    <message>
+        <source>{0}: a view of version {1}; this program reads version {2}</source>
+        <translation>{0}：版本 {1} 的视图；本程序读取版本 {2}</translation>
+    </message>
+    <message>
+        <source>{0}: an element in the block before byte {1} uses node {2} of {3}</source>
+        <translation>{0}：字节 {1} 之前的块中有单元使用节点 {2}（共 {3}）</translation>
+    </message>
+    <message>
+        <source>{0}: at {1}: expected {2}, found {3}</source>
+        <translation>{0}：在 {1}：应为 {2}，实为 {3}</translation>
+    </message>
+    <message>
+        <source>{0}: at {1}: {2}</source>
+        <translation>{0}：在 {1}：{2}</translation>
+    </message>
+    <message>
+        <source>{0}: before byte {1} {2}</source>
+        <translation>{0}：字节 {1} 之前 {2}</translation>
+    </message>
+    <message>
+        <source>{0}: before byte {1}: {2}</source>
+        <translation>{0}：字节 {1} 之前：{2}</translation>
+    </message>
+    <message>
+        <source>{0}: byte {1} should be {2}, but there is {3}</source>
+        <translation>{0}：字节 {1} 应为 {2}，实为 {3}</translation>
+    </message>
+    <message>
+        <source>{0}: cannot read {1} ({2})</source>
+        <translation>{0}：无法读取 {1}（{2}）</translation>
+    </message>
+    <message>
+        <source>{0}: cell {1} at state {2} is a {3} of {4} points</source>
+        <translation>{0}：状态 {2} 的单元格 {1} 为 {4} 个点的 {3}</translation>
+    </message>
+    <message>
+        <source>{0}: cell {1} at state {2} uses point {3} of {4}</source>
+        <translation>{0}：状态 {2} 的单元格 {1} 使用点 {3}（共 {4}）</translation>
+    </message>
+    <message>
+        <source>{0}: dataset {1}: {2}</source>
+        <translation>{0}：数据集 {1}：{2}</translation>
+    </message>
+    <message>
+        <source>{0}: element {1} of &quot;{2}&quot; uses the node at place {3} of {4}</source>
+        <translation>{0}：“{2}”的单元 {1} 使用位于 {3} 的节点（共 {4}）</translation>
+    </message>
+    <message>
+        <source>{0}: element {1} of {2} in the block before byte {3} belongs to none of {4} parts</source>
+        <translation>{0}：字节 {3} 之前的块中，单元 {1}（共 {2}）不属于 {4} 个部件中的任何一个</translation>
+    </message>
+    <message>
+        <source>{0}: element {1} uses the node {2}, which is not there</source>
+        <translation>{0}：单元 {1} 使用不存在的节点 {2}</translation>
+    </message>
+    <message>
+        <source>{0}: frame {1} at {2} is damaged</source>
+        <translation>{0}：{2} 的第 {1} 帧已损坏</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} includes files in a circle</source>
+        <translation>{0}：第 {1} 行循环包含文件</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} is not &quot;element,time&quot;: {2}</source>
+        <translation>{0}：第 {1} 行不是“单元,时刻”：{2}</translation>
+    </message>
+    <message>
+        <source>{0}: not a view in JSON, at character {1}: {2}</source>
+        <translation>{0}：不是 JSON 视图，字符 {1} 处：{2}</translation>
+    </message>
+    <message>
+        <source>{0}: number {1} of the {2} (after {3}) uses {4} {5} of {6}</source>
+        <translation>{0}：{2}（{3} 之后）的第 {1} 个使用 {4} {5}（共 {6}）</translation>
+    </message>
+    <message>
+        <source>{0}: state {1} at {2} does not come after state {3} at {4}</source>
+        <translation>{0}：{2} 的状态 {1} 不在 {4} 的状态 {3} 之后</translation>
+    </message>
+    <message>
+        <source>{0}: state {1} has the time {2}; times must be finite and grow</source>
+        <translation>{0}：状态 {1} 的时间为 {2}；时间必须有限且递增</translation>
+    </message>
+    <message>
+        <source>{0}: state {1} has {2} nodes instead of the {3} it had when it was opened</source>
+        <translation>{0}：状态 {1} 有 {2} 个节点，而打开时为 {3} 个</translation>
+    </message>
+    <message>
+        <source>{0}: state {1} has {2} nodes instead of {3}, and no numbers that say which</source>
+        <translation>{0}：状态 {1} 有 {2} 个节点，而不是 {3} 个，且没有说明是哪些的编号</translation>
+    </message>
+    <message>
+        <source>{0}: state {1} has {2} offsets for {3} cells</source>
+        <translation>{0}：状态 {1} 有 {2} 个偏移量，对应 {3} 个单元格</translation>
+    </message>
+    <message>
+        <source>{0}: the attribute {1} is not a number</source>
+        <translation>{0}：属性 {1} 不是数值</translation>
+    </message>
+    <message>
+        <source>{0}: the blocks hold {1} elements, but the header says {2}</source>
+        <translation>{0}：各块共有 {1} 个单元，而文件头为 {2} 个</translation>
+    </message>
+    <message>
+        <source>{0}: the cell before byte {1} uses node {2} of {3}</source>
+        <translation>{0}：字节 {1} 之前的单元格使用节点 {2}（共 {3}）</translation>
+    </message>
+    <message>
+        <source>{0}: the header of the netCDF file makes no sense</source>
+        <translation>{0}：netCDF 文件头没有意义</translation>
+    </message>
+    <message>
+        <source>{0}: the key &quot;{1}&quot; stands twice in one object</source>
+        <translation>{0}：键“{1}”在同一对象中出现两次</translation>
+    </message>
+    <message>
+        <source>{0}: the length of the {1} before {2} is {3}; expected: 0 to {4}, the words of all files</source>
+        <translation>{0}：{2} 之前的 {1} 长度为 {3}；应为：0 至 {4}，即全部文件的字数</translation>
+    </message>
+    <message>
+        <source>{0}: the number of {1} before byte {2} is {3}; expected: 0 or more</source>
+        <translation>{0}：字节 {2} 之前的 {1} 数为 {3}；应为：0 或更大</translation>
+    </message>
+    <message>
+        <source>{0}: the number of {1} before byte {2} is {3}; expected: 0 to {4}, what the file can hold</source>
+        <translation>{0}：字节 {2} 之前的 {1} 数为 {3}；应为：0 至 {4}，即文件所能容纳</translation>
+    </message>
+    <message>
+        <source>{0}: the picture cannot be written: {1}</source>
+        <translation>{0}：无法写入图片：{1}</translation>
+    </message>
+    <message>
+        <source>{0}: the record at byte {1} is compressed</source>
+        <translation>{0}：字节 {1} 处的记录经过压缩</translation>
+    </message>
+    <message>
+        <source>{0}: the record at byte {1} {2}</source>
+        <translation>{0}：字节 {1} 处的记录 {2}</translation>
+    </message>
+    <message>
+        <source>{0}: the structure of the file cannot be read ({1})</source>
+        <translation>{0}：无法读取文件结构（{1}）</translation>
+    </message>
+    <message>
+        <source>{0}: the table {1} cannot be read: {2}</source>
+        <translation>{0}：无法读取表 {1}：{2}</translation>
+    </message>
+    <message>
+        <source>{0}: the time of state {1} is {2}</source>
+        <translation>{0}：状态 {1} 的时间为 {2}</translation>
+    </message>
+    <message>
+        <source>{0}: the time of the state is {1}</source>
+        <translation>{0}：该状态的时间为 {1}</translation>
+    </message>
+    <message>
+        <source>{0}: the type of a cell before byte {1} is {2}; expected: 1, 3, 5, 9, 10 or 12</source>
+        <translation>{0}：字节 {1} 之前的单元格类型为 {2}；应为：1、3、5、9、10 或 12</translation>
+    </message>
+    <message>
+        <source>{0}: the view&apos;s {1}</source>
+        <translation>{0}：视图的 {1}</translation>
+    </message>
+    <message>
+        <source>{0}: two blocks have the number {1}</source>
+        <translation>{0}：两个单元块编号均为 {1}</translation>
+    </message>
+    <message>
+        <source>{0}: two elements of state {1} cannot be told apart (entry {2})</source>
+        <translation>{0}：状态 {1} 的两个单元无法区分（条目 {2}）</translation>
+    </message>
+    <message>
+        <source>{0}: {1} (word {2}, {3}) is {4}; expected: {5}</source>
+        <translation>{0}：{1}（第 {2} 个字，{3}）为 {4}；应为：{5}</translation>
+    </message>
+    <message>
+        <source>{0}: {1} at state {2} has {3} values and ends before cell {4}</source>
+        <translation>{0}：状态 {2} 的 {1} 有 {3} 个值，在单元格 {4} 之前结束</translation>
+    </message>
+    <message>
+        <source>{0}: {1} at state {2} has {3} values for {4} elements</source>
+        <translation>{0}：状态 {2} 的 {1} 有 {3} 个值，对应 {4} 个单元</translation>
+    </message>
+    <message>
+        <source>{0}: {1} at state {2} has {3} values instead of {4}</source>
+        <translation>{0}：状态 {2} 的 {1} 有 {3} 个值，而不是 {4} 个</translation>
+    </message>
+    <message>
+        <source>{0}: {1} before byte {2}: {3}; expected: {4}</source>
+        <translation>{0}：字节 {2} 之前的 {1}：{3}；应为：{4}</translation>
+    </message>
+    <message>
+        <source>{0}: {1} comes back to life, which revival = refuse forbids</source>
+        <translation>{0}：{1} 复活，而 revival = refuse 不允许</translation>
+    </message>
+    <message>
+        <source>{0}: {1} does not have the shape that the counts of the file give it</source>
+        <translation>{0}：{1} 的形状与文件的计数不符</translation>
+    </message>
+    <message>
+        <source>{0}: {1} does not hold numbers</source>
+        <translation>{0}：{1} 不含数值</translation>
+    </message>
+    <message>
+        <source>{0}: {1} does not say of which type its elements are</source>
+        <translation>{0}：{1} 未说明其单元的类型</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is {2}, more than the file can hold</source>
+        <translation>{0}：{1} 为 {2}，超过文件所能容纳</translation>
+    </message>
+    <message>
+        <source>{0}: {1} lies at ({2}, {3}, {4})</source>
+        <translation>{0}：{1} 位于 ({2}, {3}, {4})</translation>
+    </message>
+    <message>
+        <source>{0}: {1} of node {2} at state {3} is ({4}, {5}, {6})</source>
+        <translation>{0}：状态 {3} 节点 {2} 的 {1} 为 ({4}, {5}, {6})</translation>
+    </message>
+    <message>
+        <source>{0}: {1} shells are said to be rigid, of {2}</source>
+        <translation>{0}：称有 {1} 个刚性壳，共 {2} 个</translation>
+    </message>
+    <message>
+        <source>element {0} ({1}) at state {2}</source>
+        <translation>状态 {2} 的单元 {0}（{1}）</translation>
+    </message>
+    <message>
+        <source>element {0} ({1})</source>
+        <translation>单元 {0}（{1}）</translation>
+    </message>
+    <message>
+        <source>element {0} of type {1}</source>
+        <translation>类型为 {1} 的单元 {0}</translation>
+    </message>
+    <message>
+        <source>element {0} at state {1}: {2}</source>
+        <translation>状态 {1} 的单元 {0}：{2}</translation>
+    </message>
+    <message>
+        <source>element {0}</source>
+        <translation>单元 {0}</translation>
+    </message>
+    <message>
+        <source>node {0}</source>
+        <translation>节点 {0}</translation>
+    </message>
+    <message>
+        <source>body {0}</source>
+        <translation>刚体 {0}</translation>
+    </message>
+    <message>
+        <source>the fragment of {0}</source>
+        <translation>{0} 的碎块</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>实体</translation>
+    </message>
+    <message>
+        <source>shell</source>
+        <translation>壳</translation>
+    </message>
+    <message>
+        <source>beam</source>
+        <translation>梁</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>混合</translation>
+    </message>
+</context>
+<context>
+    <name>options</name>
+    <message>
+        <source>--time needs a number of seconds, not “%1”.</source>
+        <translation>--time 需要以秒为单位的数值，而不是“%1”。</translation>
+    </message>
+    <message>
+        <source>--size needs WIDTHxHEIGHT, such as 1280x800, not “%1”.</source>
+        <translation>--size 需要“宽x高”，例如 1280x800，而不是“%1”。</translation>
+    </message>
+    <message>
+        <source>--theme is light, dark or system, not “%1”.</source>
+        <translation>--theme 为 light、dark 或 system，而不是“%1”。</translation>
+    </message>
+    <message>
+        <source>--language is one of %1, not “%2”.</source>
+        <translation>--language 为 %1 之一，而不是“%2”。</translation>
+    </message>
+    <message>
+        <source>--panel is one of %1, not “%2”.</source>
+        <translation>--panel 为 %1 之一，而不是“%2”。</translation>
+    </message>
+    <message>
+        <source>Workbench for the debris of structural collapses.</source>
+        <translation>结构倒塌堆积物分析工作台。</translation>
+    </message>
+    <message>
+        <source>A case (*.rubble) or an FE result.</source>
+        <translation>案例（*.rubble）或有限元结果。</translation>
+    </message>
+    <message>
+        <source>Open the embedded sample and simulate it.</source>
+        <translation>打开内置示例并进行模拟。</translation>
+    </message>
+    <message>
+        <source>Simulate as soon as the file is open.</source>
+        <translation>文件打开后立即模拟。</translation>
+    </message>
+    <message>
+        <source>Compare settings as soon as the file is open.</source>
+        <translation>文件打开后立即比较各设置。</translation>
+    </message>
+    <message>
+        <source>Save a picture of the window and leave.</source>
+        <translation>保存窗口图片后退出。</translation>
+    </message>
+    <message>
+        <source>Show this instant, in seconds.</source>
+        <translation>显示该时刻，单位秒。</translation>
+    </message>
+    <message>
+        <source>Size of the window.</source>
+        <translation>窗口大小。</translation>
+    </message>
+    <message>
+        <source>Show this panel: case, fragments, grid, effects, run or accuracy.</source>
+        <translation>显示该面板：case、fragments、grid、effects、run 或 accuracy。</translation>
+    </message>
+    <message>
+        <source>Language: en, zh_CN or system.</source>
+        <translation>语言：en、zh_CN 或 system。</translation>
+    </message>
+    <message>
+        <source>Colours: light, dark or system.</source>
+        <translation>配色：light、dark 或 system。</translation>
+    </message>
+    <message>
+        <source>One file at a time, please.</source>
+        <translation>一次只能打开一个文件。</translation>
+    </message>
+</context>
+<context>
+    <name>parameters</name>
+    <message>
+        <source>A cluster of stone or masonry falls apart into its fragments on a hard hit. auto: on if one can be hit that hard and the bodies so freed stay within bodies_max.</source>
+        <translation>石材或砌体聚类在强烈撞击下散成各个碎块。自动：若可能发生如此强烈的撞击，且由此释放的刚体数不超过 bodies_max，则开启。</translation>
+    </message>
+    <message>
+        <source>A level ground that carries the debris. auto: on unless terrain covers the site.</source>
+        <translation>承接堆积物的水平地面。自动：除非地形覆盖整个场地，否则开启。</translation>
+    </message>
+    <message>
+        <source>Acceleration downwards.</source>
+        <translation>向下的加速度。</translation>
+    </message>
+    <message>
+        <source>Active flag</source>
+        <translation>激活标志</translation>
+    </message>
+    <message>
+        <source>Added mass</source>
+        <translation>附加质量</translation>
+    </message>
+    <message>
+        <source>Air drag</source>
+        <translation>空气阻力</translation>
+    </message>
+    <message>
+        <source>Area of steel over the area of the face that two clusters of a reinforced component share.</source>
+        <translation>钢筋面积与配筋构件的两个聚类共有面面积之比。</translation>
+    </message>
+    <message>
+        <source>Assumed density</source>
+        <translation>假定密度</translation>
+    </message>
+    <message>
+        <source>Assumed section</source>
+        <translation>假定截面</translation>
+    </message>
+    <message>
+        <source>Assumed thickness</source>
+        <translation>假定厚度</translation>
+    </message>
+    <message>
+        <source>At sea level and 15 °C 1.225.</source>
+        <translation>海平面、15 °C 时为 1.225。</translation>
+    </message>
+    <message>
+        <source>Axis of the file that points up. frame: as the frame of the case says. auto: against the free fall that is seen in the file.</source>
+        <translation>文件中指向上方的坐标轴。frame（坐标框架）：按案例的坐标框架。auto（自动）：与文件中所见的自由下落方向相反。</translation>
+    </message>
+    <message>
+        <source>Birth shift</source>
+        <translation>产生位置扰动</translation>
+    </message>
+    <message>
+        <source>Birth time</source>
+        <translation>产生时刻</translation>
+    </message>
+    <message>
+        <source>Birth velocity</source>
+        <translation>产生速度</translation>
+    </message>
+    <message>
+        <source>Bodies allowed here</source>
+        <translation>本机允许的刚体数</translation>
+    </message>
+    <message>
+        <source>Bodies that have come to rest are held until something disturbs them. Off: a pile creeps and costs time for ever.</source>
+        <translation>静止的刚体保持不动，直到受到扰动。关闭：堆积体会蠕动并一直耗费时间。</translation>
+    </message>
+    <message>
+        <source>Break-up</source>
+        <translation>破碎</translation>
+    </message>
+    <message>
+        <source>Break-up speed</source>
+        <translation>破碎速度</translation>
+    </message>
+    <message>
+        <source>Bulking of a box</source>
+        <translation>包围盒松散系数</translation>
+    </message>
+    <message>
+        <source>Buoyancy, drag and added mass are proportional to it.</source>
+        <translation>浮力、阻力和附加质量与之成正比。</translation>
+    </message>
+    <message>
+        <source>Buoyancy, drag, current and added mass below the level of the water. auto: on if a level is given and a body can reach it.</source>
+        <translation>水面以下的浮力、阻力、水流和附加质量。自动：若给定水位且有刚体能到达水中，则开启。</translation>
+    </message>
+    <message>
+        <source>Cell size of the grid boxes. Smaller: closer to the structure, slower.</source>
+        <translation>网格盒的单元格尺寸。越小越贴近结构，也越慢。</translation>
+    </message>
+    <message>
+        <source>Cluster shape</source>
+        <translation>聚类形状</translation>
+    </message>
+    <message>
+        <source>Clusters across components</source>
+        <translation>跨构件聚类</translation>
+    </message>
+    <message>
+        <source>Coefficient of drag of a box in air, with its projected area: 1.05 for a cube.</source>
+        <translation>盒体在空气中按投影面积计的阻力系数：立方体为 1.05。</translation>
+    </message>
+    <message>
+        <source>Coefficient of drag of a box in water, with its projected area.</source>
+        <translation>盒体在水中按投影面积计的阻力系数。</translation>
+    </message>
+    <message>
+        <source>Collision shape of a cluster. axis_box: as published. oriented_box: same cost, less empty space. hull: closer, slower. compound: a box for every fragment, slowest.</source>
+        <translation>聚类的碰撞形状。axis_box（轴向包围盒）：论文所用。oriented_box（有向包围盒）：耗时相同，空隙更少。hull（凸包）：更贴近，较慢。compound（组合体）：每个碎块一个盒，最慢。</translation>
+    </message>
+    <message>
+        <source>Contact of fragments</source>
+        <translation>碎块间接触</translation>
+    </message>
+    <message>
+        <source>Contact with the structure</source>
+        <translation>与结构的接触</translation>
+    </message>
+    <message>
+        <source>Coulomb coefficient of every contact. Automatic: by pair of materials.</source>
+        <translation>所有接触的库仑摩擦系数。自动：按材料对取值。</translation>
+    </message>
+    <message>
+        <source>Coulomb coefficient of two materials, such as pair[stone,soil].friction. Automatic: the sourced table in the manual.</source>
+        <translation>两种材料之间的库仑摩擦系数，例如 pair[stone,soil].friction。自动：取手册中注明来源的表。</translation>
+    </message>
+    <message>
+        <source>Cross-section of beams where neither the file nor a component setting gives one.</source>
+        <translation>文件和构件设置均未给出时梁的横截面面积。</translation>
+    </message>
+    <message>
+        <source>Current along x</source>
+        <translation>沿 x 的水流</translation>
+    </message>
+    <message>
+        <source>Current along y</source>
+        <translation>沿 y 的水流</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>密度</translation>
+    </message>
+    <message>
+        <source>Density of one component; takes the place of what the file says.</source>
+        <translation>单个构件的密度；取代文件中的值。</translation>
+    </message>
+    <message>
+        <source>Density of the air</source>
+        <translation>空气密度</translation>
+    </message>
+    <message>
+        <source>Density of the water</source>
+        <translation>水的密度</translation>
+    </message>
+    <message>
+        <source>Density where neither the file nor a component setting gives one; each use is counted as a finding.</source>
+        <translation>文件和构件设置均未给出时的密度；每次采用都计为一条发现。</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>位移</translation>
+    </message>
+    <message>
+        <source>Drag in air</source>
+        <translation>空气中的阻力</translation>
+    </message>
+    <message>
+        <source>Drag in water</source>
+        <translation>水中的阻力</translation>
+    </message>
+    <message>
+        <source>Drag proportional to speed, on the mass of the displaced water: brings floating bodies to rest.</source>
+        <translation>与速度成正比的阻力，按排开水的质量计：使漂浮的刚体静止下来。</translation>
+    </message>
+    <message>
+        <source>Elongation at break</source>
+        <translation>断裂伸长率</translation>
+    </message>
+    <message>
+        <source>Every fragment moves alone: the reference run. Slow.</source>
+        <translation>每个碎块单独运动：即基准计算。很慢。</translation>
+    </message>
+    <message>
+        <source>Fallen live structure</source>
+        <translation>坠落的未失效结构</translation>
+    </message>
+    <message>
+        <source>Fragments hit each other. auto: on unless no two can meet. Most of the cost of a pile.</source>
+        <translation>碎块之间相互碰撞。自动：除非任何两块都不可能相遇，否则开启。堆积体的大部分耗时在此。</translation>
+    </message>
+    <message>
+        <source>Fragments hit the structure that still stands or falls. auto: on if any of it lies within the reach of a fragment while it is active. Costs the most where the structure is large.</source>
+        <translation>碎块撞击仍然站立或正在下落的结构。自动：若激活的结构处于碎块可达范围内，则开启。结构较大时耗时最多。</translation>
+    </message>
+    <message>
+        <source>Fragments that depart from their cluster&apos;s rigid motion by more than this are split off. 0: no split.</source>
+        <translation>偏离聚类刚体运动超过此值的碎块被分离出来。0：不分离。</translation>
+    </message>
+    <message>
+        <source>Frames per second of wall clock that live mode should reach.</source>
+        <translation>实时模式应达到的每秒帧数（按实际时间）。</translation>
+    </message>
+    <message>
+        <source>Frames recorded per second of collapse; FE states are always recorded.</source>
+        <translation>每秒倒塌时间记录的帧数；有限元状态总会被记录。</translation>
+    </message>
+    <message>
+        <source>Freeze after</source>
+        <translation>冻结延迟</translation>
+    </message>
+    <message>
+        <source>Freeze below</source>
+        <translation>冻结速度</translation>
+    </message>
+    <message>
+        <source>Freeze bodies at rest</source>
+        <translation>冻结静止刚体</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>摩擦</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>重力</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>Ground is made of</source>
+        <translation>地面材料</translation>
+    </message>
+    <message>
+        <source>Grouping</source>
+        <translation>分组方式</translation>
+    </message>
+    <message>
+        <source>Halves the steps for 0.5 s whenever energy is gained or bodies lie inside each other beyond the limits of the health monitor. Costs time only then; the run says when it did.</source>
+        <translation>当能量增加或刚体相互侵入超过健康监测限值时，步长减半 0.5 s。仅在此时耗时；计算会说明何时采用。</translation>
+    </message>
+    <message>
+        <source>Height of the ground</source>
+        <translation>地面高度</translation>
+    </message>
+    <message>
+        <source>How long it must stay so.</source>
+        <translation>须保持多久。</translation>
+    </message>
+    <message>
+        <source>How long the run goes on at most after the last FE state, until 99 % of the bodies sleep.</source>
+        <translation>最后一个有限元状态之后计算最多继续多久，直到 99 % 的刚体休眠。</translation>
+    </message>
+    <message>
+        <source>How the active structure collides. component_box: one box for each component, as published. grid_boxes: boxes of its active elements on a grid. surface: every active element at the surface.</source>
+        <translation>激活结构如何参与碰撞。component_box（构件包围盒）：每个构件一个盒，论文所用。grid_boxes（网格盒）：网格上激活单元的盒。surface（表面）：表面上的每个激活单元。</translation>
+    </message>
+    <message>
+        <source>Impulse over mass of a hit above which a cluster of stone or masonry falls apart. An assumption.</source>
+        <translation>撞击的冲量与质量之比超过此值时，石材或砌体聚类散开。属于假定。</translation>
+    </message>
+    <message>
+        <source>Iterations of Bullet&apos;s contact solver in each step. Costs time; a smaller step buys more.</source>
+        <translation>Bullet 接触求解器每步的迭代次数。耗费时间；减小步长更有效。</translation>
+    </message>
+    <message>
+        <source>Largest volume of a cluster&apos;s box over that of its fragments. A box around scattered fragments holds mostly what is not its own; it is drawn in towards its centre of mass to this. At 1 the voids between boxes swell the pile as rubble does, by 1.3 to 1.8. 1000: never drawn in, as published.</source>
+        <translation>聚类盒体积与其碎块体积之比的上限。散布碎块的包围盒大部分不属于碎块自身；盒体向质心收缩至此值。取 1 时，盒间空隙使堆积体像碎石一样膨胀 1.3 至 1.8 倍。1000：从不收缩，如论文。</translation>
+    </message>
+    <message>
+        <source>Lets one cluster hold fragments of several components, as the published method does when its grid is too large.</source>
+        <translation>允许一个聚类包含多个构件的碎块，论文方法在网格过大时即如此。</translation>
+    </message>
+    <message>
+        <source>Level of the water</source>
+        <translation>水位</translation>
+    </message>
+    <message>
+        <source>Limits the grid</source>
+        <translation>限制网格</translation>
+    </message>
+    <message>
+        <source>Linear drag in water</source>
+        <translation>水中的线性阻力</translation>
+    </message>
+    <message>
+        <source>Live frame rate</source>
+        <translation>实时帧率</translation>
+    </message>
+    <message>
+        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 60 for bodies of up to 0.3 m, fewer with the square root of their size down to 30; always 60 for bullet.</source>
+        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 60，更大时随尺寸平方根减小，最低 30；bullet 始终为 60。</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Material of ground and terrain: decides friction and restitution of hits on it.</source>
+        <translation>地面和地形的材料：决定撞击时的摩擦和恢复系数。</translation>
+    </message>
+    <message>
+        <source>Most rigid bodies that this machine carries at the live frame rate. More bodies: finer debris, slower run.</source>
+        <translation>本机在实时帧率下最多能承载的刚体数。刚体越多：堆积物越精细，计算越慢。</translation>
+    </message>
+    <message>
+        <source>Moves every birth place at random by this much: shows how far a result repeats.</source>
+        <translation>将每个产生位置随机移动此距离：显示结果的可重复程度。</translation>
+    </message>
+    <message>
+        <source>Moving structure</source>
+        <translation>运动结构</translation>
+    </message>
+    <message>
+        <source>Multiple of mean distance</source>
+        <translation>平均间距的倍数</translation>
+    </message>
+    <message>
+        <source>Name of the element variable that tells active from deactivated. Empty: recognised by name.</source>
+        <translation>区分激活与失效的单元变量名。留空：按名称识别。</translation>
+    </message>
+    <message>
+        <source>Normal restitution of every hit. Automatic: by pair of materials.</source>
+        <translation>每次撞击的法向恢复系数。自动：按材料对取值。</translation>
+    </message>
+    <message>
+        <source>Normal restitution of two materials. Automatic: the sourced table in the manual.</source>
+        <translation>两种材料之间的法向恢复系数。自动：取手册中注明来源的表。</translation>
+    </message>
+    <message>
+        <source>One body per fragment</source>
+        <translation>每个碎块一个刚体</translation>
+    </message>
+    <message>
+        <source>Overlap resolved at</source>
+        <translation>重叠消除速度</translation>
+    </message>
+    <message>
+        <source>Parts alive at the end of the FE result without a path to a support. released: they go on as rigid bodies. held: they stay where they are.</source>
+        <translation>有限元结果结束时仍存活但没有路径通向支座的部分。released（释放）：作为刚体继续运动。held（固定）：停在原处。</translation>
+    </message>
+    <message>
+        <source>Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin bodies would sink into each other under their load.</source>
+        <translation>软步法求解器将一步分成的份数，接触只查找一次。当薄刚体会在荷载下相互陷入时，它会自动取更多份。</translation>
+    </message>
+    <message>
+        <source>Prefix of the nodal displacement variables. Empty: recognised by name. none: the nodes do not move.</source>
+        <translation>节点位移变量的前缀。留空：按名称识别。none（无）：节点不移动。</translation>
+    </message>
+    <message>
+        <source>Recorded frames</source>
+        <translation>记录帧率</translation>
+    </message>
+    <message>
+        <source>Reinforced</source>
+        <translation>配筋</translation>
+    </message>
+    <message>
+        <source>Reinforcement ties</source>
+        <translation>钢筋拉结</translation>
+    </message>
+    <message>
+        <source>Resistance of the air. auto: on if weight is less than 17 times the drag at the highest possible speed of some body, which is 1 % of its travel.</source>
+        <translation>空气的阻力。自动：若某刚体的重量小于其最大可能速度下阻力的 17 倍（相当于行程的 1 %），则开启。</translation>
+    </message>
+    <message>
+        <source>Restitution</source>
+        <translation>恢复系数</translation>
+    </message>
+    <message>
+        <source>Revived elements</source>
+        <translation>复活的单元</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>随机种子</translation>
+    </message>
+    <message>
+        <source>Seed of the birth shift.</source>
+        <translation>产生位置扰动的随机种子。</translation>
+    </message>
+    <message>
+        <source>Settle time</source>
+        <translation>稳定时间</translation>
+    </message>
+    <message>
+        <source>Share of its length by which a tie stretches before it breaks.</source>
+        <translation>拉结断裂前伸长量与其长度之比。</translation>
+    </message>
+    <message>
+        <source>Share of the displaced water that has to be accelerated with a body: 0.5 for a sphere, about 0.7 for a cube.</source>
+        <translation>随刚体一起加速的排开水所占比例：球体为 0.5，立方体约为 0.7。</translation>
+    </message>
+    <message>
+        <source>Size along x</source>
+        <translation>沿 x 的尺寸</translation>
+    </message>
+    <message>
+        <source>Size along y</source>
+        <translation>沿 y 的尺寸</translation>
+    </message>
+    <message>
+        <source>Size along z</source>
+        <translation>沿 z 的尺寸</translation>
+    </message>
+    <message>
+        <source>Size of grid boxes</source>
+        <translation>网格盒尺寸</translation>
+    </message>
+    <message>
+        <source>Size of the Basic Grid along x. Automatic: from the multiple.</source>
+        <translation>基本网格沿 x 的尺寸。自动：由倍数确定。</translation>
+    </message>
+    <message>
+        <source>Size of the Basic Grid along y. Automatic: from the multiple.</source>
+        <translation>基本网格沿 y 的尺寸。自动：由倍数确定。</translation>
+    </message>
+    <message>
+        <source>Size of the Basic Grid along z. Automatic: from the multiple.</source>
+        <translation>基本网格沿 z 的尺寸。自动：由倍数确定。</translation>
+    </message>
+    <message>
+        <source>Size of the Basic Grid as a multiple of the mean distance of adjacent fragments. Automatic: the smallest that keeps to the bodies allowed.</source>
+        <translation>基本网格尺寸，为相邻碎块平均间距的倍数。自动：不超过允许刚体数的最小值。</translation>
+    </message>
+    <message>
+        <source>Smaller steps when unhealthy</source>
+        <translation>异常时减小步长</translation>
+    </message>
+    <message>
+        <source>Smallest half extent</source>
+        <translation>最小半尺寸</translation>
+    </message>
+    <message>
+        <source>Smallest half extent of a fragment as a share of its longest; thinner solids are thickened and counted.</source>
+        <translation>碎块最小半尺寸与最长半尺寸之比的下限；更薄的实体被加厚并计数。</translation>
+    </message>
+    <message>
+        <source>Smallest half extent of a fragment; thinner solids are thickened and counted.</source>
+        <translation>碎块的最小半尺寸；更薄的实体被加厚并计数。</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>求解器</translation>
+    </message>
+    <message>
+        <source>Solver iterations</source>
+        <translation>求解器迭代次数</translation>
+    </message>
+    <message>
+        <source>Speed at which overlap that exists at birth is resolved, by position only.</source>
+        <translation>产生时已有的重叠被消除的速度，仅修正位置。</translation>
+    </message>
+    <message>
+        <source>Speed of a body&apos;s fastest corner below which it counts as at rest.</source>
+        <translation>刚体最快角点的速度低于此值时视为静止。</translation>
+    </message>
+    <message>
+        <source>Steel between neighbouring clusters of reinforced components, until it breaks. auto: on if such a component has two or more clusters.</source>
+        <translation>配筋构件相邻聚类之间的钢筋，直至断裂。自动：若此类构件有两个或更多聚类，则开启。</translation>
+    </message>
+    <message>
+        <source>Steel ratio</source>
+        <translation>配筋率</translation>
+    </message>
+    <message>
+        <source>Steel runs through the component: neighbouring clusters of it are tied (effect ties).</source>
+        <translation>构件内贯穿钢筋：其相邻聚类被拉结（钢筋拉结效应）。</translation>
+    </message>
+    <message>
+        <source>Steps per second</source>
+        <translation>每秒步数</translation>
+    </message>
+    <message>
+        <source>Strength of the steel</source>
+        <translation>钢筋强度</translation>
+    </message>
+    <message>
+        <source>Stress at which a tie yields; its force never passes stress times area.</source>
+        <translation>拉结屈服的应力；其力不超过应力乘以面积。</translation>
+    </message>
+    <message>
+        <source>Substeps</source>
+        <translation>子步数</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>地形</translation>
+    </message>
+    <message>
+        <source>The terrain of the case carries the debris. auto: on if the case has one and debris can reach it.</source>
+        <translation>由案例的地形承接堆积物。自动：若案例有地形且堆积物能到达，则开启。</translation>
+    </message>
+    <message>
+        <source>Thickness of one component&apos;s shells, cross-section of its beams; takes the place of what the file says.</source>
+        <translation>单个构件的壳厚度或梁横截面面积；取代文件中的值。</translation>
+    </message>
+    <message>
+        <source>Thickness of shells where neither the file nor a component setting gives one.</source>
+        <translation>文件和构件设置均未给出时壳的厚度。</translation>
+    </message>
+    <message>
+        <source>Thickness or section</source>
+        <translation>厚度或截面</translation>
+    </message>
+    <message>
+        <source>Thinnest fragment</source>
+        <translation>最薄碎块</translation>
+    </message>
+    <message>
+        <source>Units of the file</source>
+        <translation>文件单位</translation>
+    </message>
+    <message>
+        <source>Up axis of the file</source>
+        <translation>文件的竖直轴</translation>
+    </message>
+    <message>
+        <source>Value of active</source>
+        <translation>激活值</translation>
+    </message>
+    <message>
+        <source>Value of the active flag on active elements. Automatic: by the flag&apos;s convention, else what most elements have at the first state.</source>
+        <translation>激活单元的激活标志取值。自动：按该标志的惯例，否则取初始状态下多数单元的值。</translation>
+    </message>
+    <message>
+        <source>Velocity of the water.</source>
+        <translation>水的流速。</translation>
+    </message>
+    <message>
+        <source>Velocity tolerance</source>
+        <translation>速度容差</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>水</translation>
+    </message>
+    <message>
+        <source>What one component is made of: decides friction and restitution, and whether clusters break up. Automatic: from its density: from 7,000 to 9,000 kg/m3 steel, from 2,550 to 3,500 stone, from 1,400 to 2,100 masonry, anything else concrete.</source>
+        <translation>单个构件的材料：决定摩擦和恢复系数，以及聚类是否破碎。自动：由密度判断：7,000 至 9,000 kg/m3 为钢，2,550 至 3,500 为石材，1,400 至 2,100 为砌体，其余为混凝土。</translation>
+    </message>
+    <message>
+        <source>What the file counts mass, length and time in. frame: as the frame of the case says. auto: what densities, size and free fall in the file fit, if only one system does; inspect says which and why.</source>
+        <translation>文件中质量、长度和时间的单位。frame（坐标框架）：按案例的坐标框架。auto（自动）：与文件中的密度、尺寸和自由下落相符的单位制，且仅有一个相符时采用；inspect 会说明结果与原因。</translation>
+    </message>
+    <message>
+        <source>Whether the component&apos;s smallest dimension bounds the Basic Grid.</source>
+        <translation>构件的最小尺寸是否限制基本网格。</translation>
+    </message>
+    <message>
+        <source>fe: fragments keep the velocity their element had. rest: they are born at rest, as in the published method.</source>
+        <translation>fe（有限元速度）：碎块保持其单元的速度。rest（静止）：如论文方法，产生时静止。</translation>
+    </message>
+    <message>
+        <source>latch: dead is dead. follow: the fragment ends when its element returns. refuse: such a file is an error.</source>
+        <translation>latch（锁定）：失效即永久失效。follow（跟随）：单元复活时碎块结束。refuse（拒绝）：此类文件视为错误。</translation>
+    </message>
+    <message>
+        <source>nested: the fragments of a component that are born together are cut in two, again and again, until each cluster is as compact as a full box of the Basic Grid. axes: those with the same groups along x, y and z, as published.</source>
+        <translation>nested（嵌套）：同一构件中同时产生的碎块不断一分为二，直到每个聚类与一个装满的基本网格盒同样紧凑。axes（按轴）：沿 x、y、z 分组相同的碎块归为一类，如论文。</translation>
+    </message>
+    <message>
+        <source>soft-step: soft contacts in small substeps; piles keep their volume, several times faster in large ones. bullet: sequential impulses as Bullet has them; large piles squeeze into themselves.</source>
+        <translation>soft-step（软步法）：小子步中的软接触；堆积体保持体积，规模大时快数倍。bullet：Bullet 自带的序列冲量法；大型堆积体会自身压缩。</translation>
+    </message>
+    <message>
+        <source>state: a fragment is born at the first state that reports its element inactive. exact: at the death time in the file.</source>
+        <translation>state（状态）：碎块在首个报告其单元失效的状态产生。exact（精确）：在文件给出的失效时刻产生。</translation>
+    </message>
+    <message>
+        <source>z of the level ground.</source>
+        <translation>水平地面的 z 坐标。</translation>
+    </message>
+    <message>
+        <source>z of the still surface. Automatic: there is no water.</source>
+        <translation>静水面的 z 坐标。自动：没有水。</translation>
+    </message>
+</context>
+<context>
+    <name>prediction</name>
+    <message>
+        <source>Wall time</source>
+        <translation>实际耗时</translation>
+    </message>
+    <message>
+        <source>Of the simulation, from start to end</source>
+        <translation>模拟从开始到结束</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步</translation>
+    </message>
+    <message>
+        <source>Mean from the first to the last birth</source>
+        <translation>从首次到末次产生的平均值</translation>
+    </message>
+    <message>
+        <source>Live rate</source>
+        <translation>实时帧率</translation>
+    </message>
+    <message>
+        <source>Frames per second of live mode, mean from the first to the last birth</source>
+        <translation>实时模式的每秒帧数，从首次到末次产生的平均值</translation>
+    </message>
+    <message>
+        <source>Mass map difference</source>
+        <translation>质量图差异</translation>
+    </message>
+    <message>
+        <source>Share of the mass that lies in other cells of 2 m than in the reference: 0 is the same</source>
+        <translation>与基准相比，落在不同 2 m 单元格中的质量所占比例：0 表示完全相同</translation>
+    </message>
+    <message>
+        <source>Core overlap</source>
+        <translation>核心区重合度</translation>
+    </message>
+    <message>
+        <source>Of the cells that hold 95 % of the mass, with the reference: 1 is the same</source>
+        <translation>含 95 % 质量的单元格与基准的重合度：1 表示完全相同</translation>
+    </message>
+    <message>
+        <source>Footprint overlap</source>
+        <translation>覆盖范围重合度</translation>
+    </message>
+    <message>
+        <source>Of the cells that debris covers, with the reference: 1 is the same</source>
+        <translation>堆积物覆盖的单元格与基准的重合度：1 表示完全相同</translation>
+    </message>
+    <message>
+        <source>Height map error</source>
+        <translation>高度图误差</translation>
+    </message>
+    <message>
+        <source>Root of the mean square difference of the heights of the pile</source>
+        <translation>堆积高度之差的均方根</translation>
+    </message>
+    <message>
+        <source>Mean height error</source>
+        <translation>平均高度误差</translation>
+    </message>
+    <message>
+        <source>Difference of the mean height of the mass above ground</source>
+        <translation>质量距地面平均高度之差</translation>
+    </message>
+</context>
+<context>
+    <name>rubble</name>
+    <message>
+        <source>auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::AccuracyDisplay</name>
+    <message>
+        <source>Preparing</source>
+        <translation>准备中</translation>
+    </message>
+    <message>
+        <source>Settings compared</source>
+        <translation>设置比较完成</translation>
+    </message>
+    <message>
+        <source>The comparison is not complete; what is done is kept, and comparing again goes on</source>
+        <translation>比较尚未完成；已完成的部分保留，再次比较会继续进行</translation>
+    </message>
+    <message>
+        <source>These points belong to other settings of the case: compare again before one is used.</source>
+        <translation>这些点属于本案例的其他设置：使用前请重新比较。</translation>
+    </message>
+    <message>
+        <source>setting %1</source>
+        <translation>设置 %1</translation>
+    </message>
+    <message>
+        <source>Open a result first.</source>
+        <translation>请先打开结果。</translation>
+    </message>
+    <message>
+        <source>No element dies in this result, so there is nothing to compare.</source>
+        <translation>此结果中没有单元失效，因此没有可比较的内容。</translation>
+    </message>
+    <message>
+        <source>A run is being simulated: comparing beside it would spoil the times. Wait for it or cancel it.</source>
+        <translation>正在模拟：同时比较会影响计时。请等待其完成或取消。</translation>
+    </message>
+    <message>
+        <source>Simulate waits until the comparison is through, so that its times hold. Settings can be edited meanwhile.</source>
+        <translation>比较完成之前不能模拟，以保证计时有效。其间可以编辑设置。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::CalibrationDisplay</name>
+    <message>
+        <source>This machine</source>
+        <translation>本机</translation>
+    </message>
+    <message>
+        <source>This machine is calibrated</source>
+        <translation>本机标定完成</translation>
+    </message>
+    <message>
+        <source>The calibration was cancelled</source>
+        <translation>标定已取消</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::Computation</name>
+    <message>
+        <source>Opening</source>
+        <translation>正在打开</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::Document</name>
+    <message>
+        <source>preset %1</source>
+        <translation>预设 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::ErrorDisplay</name>
+    <message>
+        <source>The reference is kept (%1 MB).</source>
+        <translation>基准已保留（%1 MB）。</translation>
+    </message>
+    <message>
+        <source>It can be computed when the run is through.</source>
+        <translation>计算完成后可以计算基准。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::FileCommands</name>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Cases and FE results (*);;Cases (*.rubble)</source>
+        <translation>案例和有限元结果 (*);;案例 (*.rubble)</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>地形</translation>
+    </message>
+    <message>
+        <source>Rasters of heights (*.tif *.tiff *.asc *.bil *.img *.hgt *.dt0 *.dt1 *.dt2 *.xyz *.grd);;All files (*)</source>
+        <translation>高程栅格 (*.tif *.tiff *.asc *.bil *.img *.hgt *.dt0 *.dt1 *.dt2 *.xyz *.grd);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>terrain %1</source>
+        <translation>地形 %1</translation>
+    </message>
+    <message>
+        <source>terrain left out</source>
+        <translation>不用地形</translation>
+    </message>
+    <message>
+        <source>Save the case?</source>
+        <translation>保存案例？</translation>
+    </message>
+    <message>
+        <source>The settings of this case have changed since it was saved.</source>
+        <translation>自上次保存以来，此案例的设置已更改。</translation>
+    </message>
+    <message>
+        <source>Save case</source>
+        <translation>保存案例</translation>
+    </message>
+    <message>
+        <source>Cases (*.rubble)</source>
+        <translation>案例 (*.rubble)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>Save run</source>
+        <translation>保存计算</translation>
+    </message>
+    <message>
+        <source>Runs (*.run.h5)</source>
+        <translation>计算 (*.run.h5)</translation>
+    </message>
+    <message>
+        <source>Table of fragments</source>
+        <translation>碎块表</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Series for ParaView</source>
+        <translation>ParaView 序列</translation>
+    </message>
+    <message>
+        <source>Series (*.pvd)</source>
+        <translation>序列 (*.pvd)</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>图</translation>
+    </message>
+    <message>
+        <source>Images (*.png)</source>
+        <translation>图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Settings compared</source>
+        <translation>设置比较完成</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>标定</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>图表</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg);;Images (*.png)</source>
+        <translation>矢量图 (*.svg);;图片 (*.png)</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::Help</name>
+    <message>
+        <source>What is this number?</source>
+        <translation>这个数值是什么？</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::MainWindow</name>
+    <message>
+        <source>The sample is not installed.</source>
+        <translation>示例未安装。</translation>
+    </message>
+    <message>
+        <source>Install Rubble&apos;s samples folder, or open a result of your own.</source>
+        <translation>请安装 Rubble 的示例文件夹，或打开您自己的结果。</translation>
+    </message>
+    <message>
+        <source>Nothing new: the result has %1 states</source>
+        <translation>没有新内容：结果有 %1 个状态</translation>
+    </message>
+    <message>
+        <source>%1 states more, to %2 s; %3 elements more are dead</source>
+        <translation>新增 %1 个状态，到 %2 s；新增 %3 个失效单元</translation>
+    </message>
+    <message>
+        <source>The result was read again: %1 states</source>
+        <translation>已重新读取结果：%1 个状态</translation>
+    </message>
+    <message>
+        <source>Simulated in %1</source>
+        <translation>模拟用时 %1</translation>
+    </message>
+    <message>
+        <source>Cancelled at %1 s; what is computed is kept</source>
+        <translation>已在 %1 s 处取消；已计算的内容保留</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>已更改</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>未保存</translation>
+    </message>
+    <message>
+        <source>saved %1</source>
+        <translation>%1 已保存</translation>
+    </message>
+    <message>
+        <source>scenario</source>
+        <translation>方案</translation>
+    </message>
+    <message>
+        <source>Settings are being compared: work beside it would spoil the times.</source>
+        <translation>正在比较设置：同时进行其他工作会影响计时。</translation>
+    </message>
+    <message>
+        <source>This machine is being calibrated: work beside it would spoil the times.</source>
+        <translation>正在标定本机：同时进行其他工作会影响计时。</translation>
+    </message>
+    <message>
+        <source>A reference is being computed.</source>
+        <translation>正在计算基准。</translation>
+    </message>
+    <message>
+        <source>A run is being simulated.</source>
+        <translation>正在模拟。</translation>
+    </message>
+    <message>
+        <source>About Rubble</source>
+        <translation>关于 Rubble</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Rubble %1&lt;/h3&gt;&lt;p&gt;Turns the elements that a collapse analysis deactivates into rigid fragments and shows where they go.&lt;/p&gt;&lt;p&gt;Method: Xu, Lu, Guan, Ren: Physics engine-driven visualization of deactivated elements and its application in bridge collapse simulation. Automation in Construction 35 (2013) 471-481.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Rubble %1&lt;/h3&gt;&lt;p&gt;将倒塌分析中失效的单元转化为刚性碎块，并显示其去向。&lt;/p&gt;&lt;p&gt;方法来源：Xu, Lu, Guan, Ren: Physics engine-driven visualization of deactivated elements and its application in bridge collapse simulation. Automation in Construction 35 (2013) 471-481.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source> Colour by </source>
+        <translation> 着色依据 </translation>
+    </message>
+    <message>
+        <source>highlight</source>
+        <translation>突出碎块</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>构件</translation>
+    </message>
+    <message>
+        <source>birth time</source>
+        <translation>产生时刻</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>cluster</source>
+        <translation>聚类</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>What the colour of a fragment says</source>
+        <translation>碎块颜色的含义</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>着色依据</translation>
+    </message>
+    <message>
+        <source>Undo %1</source>
+        <translation>撤销 %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation>重做 %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Preferences that could not be read are as delivered: %1</source>
+        <translation>无法读取的首选项采用默认值：%1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::ManualWindow</name>
+    <message>
+        <source>Rubble manual</source>
+        <translation>Rubble 手册</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>页面</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>搜索手册</translation>
+    </message>
+    <message>
+        <source>Words to find; where all of them stand together is listed below</source>
+        <translation>要查找的词语；全部词语同时出现之处列于下方</translation>
+    </message>
+    <message>
+        <source>Places found</source>
+        <translation>找到的位置</translation>
+    </message>
+    <message>
+        <source>Nothing found. Try fewer words, or the name of a parameter.</source>
+        <translation>未找到。请减少词语，或使用参数名称。</translation>
+    </message>
+    <message>
+        <source>%1 places and more</source>
+        <translation>%1 处以上</translation>
+    </message>
+    <message>
+        <source>Places: %1</source>
+        <translation>%1 处</translation>
+    </message>
+    <message>
+        <source>This page is in English.</source>
+        <translation>此页为英文。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::PanelDeck</name>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>What was computed, and of what the structure is made.</source>
+        <translation>计算了什么，结构由什么组成。</translation>
+    </message>
+    <message>
+        <source>Fragments</source>
+        <translation>碎块</translation>
+    </message>
+    <message>
+        <source>What became debris, when, and with which mass.</source>
+        <translation>什么成为堆积物，何时，质量多少。</translation>
+    </message>
+    <message>
+        <source>Basic Grid</source>
+        <translation>基本网格</translation>
+    </message>
+    <message>
+        <source>Which fragments move together, and what that costs.</source>
+        <translation>哪些碎块一起运动，代价如何。</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>效应</translation>
+    </message>
+    <message>
+        <source>What acts on the fragments, why, and what it costs.</source>
+        <translation>什么作用于碎块，原因和代价。</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>计算</translation>
+    </message>
+    <message>
+        <source>Where the fragments go.</source>
+        <translation>碎块去向何处。</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>精度</translation>
+    </message>
+    <message>
+        <source>What accuracy costs in time, and which differences mean something.</source>
+        <translation>精度耗费多少时间，哪些差异有意义。</translation>
+    </message>
+    <message>
+        <source>regrouping dropped</source>
+        <translation>撤除重新分组</translation>
+    </message>
+    <message>
+        <source>Open a result first.</source>
+        <translation>请先打开结果。</translation>
+    </message>
+    <message>
+        <source>No element dies in this result, so there is nothing to simulate.</source>
+        <translation>此结果中没有单元失效，因此没有可模拟的内容。</translation>
+    </message>
+    <message>
+        <source>Settings have changed since this run: it is shown as it was. Simulate to bring it up to date.</source>
+        <translation>此次计算后设置已更改：显示的仍是当时的结果。请重新模拟以更新。</translation>
+    </message>
+    <message>
+        <source>The sizes are counted anew when the simulation is through.</source>
+        <translation>模拟完成后将重新统计尺寸。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::StatusFeed</name>
+    <message>
+        <source> · about %1 left</source>
+        <translation> · 约剩 %1</translation>
+    </message>
+    <message>
+        <source>Bodies</source>
+        <translation>刚体</translation>
+    </message>
+    <message>
+        <source>%1 awake</source>
+        <translation>%1 个活动</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>发现项</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>健康</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>No limit of the health monitor was passed in this run.</source>
+        <translation>此次计算未超过任何健康监测限值。</translation>
+    </message>
+    <message>
+        <source>tainted</source>
+        <translation>存疑</translation>
+    </message>
+    <message>
+        <source>acknowledged</source>
+        <translation>已确认</translation>
+    </message>
+    <message>
+        <source> FPS</source>
+        <translation> FPS</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>target %1</source>
+        <translation>目标 %1</translation>
+    </message>
+    <message>
+        <source>mean, worst second %1</source>
+        <translation>平均值，最差一秒为 %1</translation>
+    </message>
+    <message>
+        <source>Playback</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>能量</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>内存</translation>
+    </message>
+    <message>
+        <source> GiB</source>
+        <translation> GiB</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::ViewArea</name>
+    <message>
+        <source>Where do the fragments go?</source>
+        <translation>碎块去向何处？</translation>
+    </message>
+    <message>
+        <source>Two views appear here: the conventional FE result, in which deactivated elements vanish, and the same collapse with every deactivated element as a fragment that falls, hits and comes to rest. Drop an FE result or a case anywhere in this window.</source>
+        <translation>这里将出现两个视图：失效单元直接消失的常规有限元结果，以及同一倒塌过程中每个失效单元都作为碎块下落、碰撞直至静止的画面。将有限元结果或案例拖放到窗口任意位置即可。</translation>
+    </message>
+    <message>
+        <source>Open the sample</source>
+        <translation>打开示例</translation>
+    </message>
+    <message>
+        <source>The collapse of a stone arch bridge: opens and starts to simulate</source>
+        <translation>石拱桥倒塌示例：打开并开始模拟</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>Open a case (*.rubble) or an FE result</source>
+        <translation>打开案例（*.rubble）或有限元结果</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::Worker</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>内存不足。</translation>
+    </message>
+    <message>
+        <source>Close other programs or choose a coarser Basic Grid.</source>
+        <translation>请关闭其他程序，或选择更粗的基本网格。</translation>
+    </message>
+    <message>
+        <source>This should not happen: please report it with the file.</source>
+        <translation>这不应发生：请附上文件反馈此问题。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::figures</name>
+    <message>
+        <source>%1 more components · %2</source>
+        <translation>另有 %1 个构件 · %2</translation>
+    </message>
+    <message>
+        <source>fragments %1, no reference: errors are not known</source>
+        <translation>碎块 %1，没有基准：误差未知</translation>
+    </message>
+    <message>
+        <source>error against the reference:</source>
+        <translation>与基准的误差：</translation>
+    </message>
+    <message>
+        <source>over %1 m</source>
+        <translation>超过 %1 m</translation>
+    </message>
+    <message>
+        <source>≤ %1 m</source>
+        <translation>≤ %1 m</translation>
+    </message>
+    <message>
+        <source>not in the reference · %1</source>
+        <translation>基准中没有 · %1</translation>
+    </message>
+    <message>
+        <source>fragments %1</source>
+        <translation>碎块 %1</translation>
+    </message>
+    <message>
+        <source>fragments %1 in %2 clusters</source>
+        <translation>碎块 %1，聚类 %2</translation>
+    </message>
+    <message>
+        <source>birth time</source>
+        <translation>产生时刻</translation>
+    </message>
+    <message>
+        <source>0 m/s</source>
+        <translation>0 m/s</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Conventional FE result</source>
+        <translation>常规有限元结果</translation>
+    </message>
+    <message>
+        <source>Fragments</source>
+        <translation>碎块</translation>
+    </message>
+    <message>
+        <source>interpolated after state %1 of %2</source>
+        <translation>在状态 %1（共 %2）之后插值</translation>
+    </message>
+    <message>
+        <source>last state, %1 of %2</source>
+        <translation>最后状态 %1（共 %2）</translation>
+    </message>
+    <message>
+        <source>state %1 of %2</source>
+        <translation>状态 %1（共 %2）</translation>
+    </message>
+    <message>
+        <source>not simulated, at their birth places</source>
+        <translation>未模拟，位于产生位置</translation>
+    </message>
+    <message>
+        <source>simulated so far</source>
+        <translation>已模拟到此</translation>
+    </message>
+    <message>
+        <source>simulated, interpolated</source>
+        <translation>已模拟，插值</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>已模拟</translation>
+    </message>
+    <message>
+        <source>%1 · t = %2, %3</source>
+        <translation>%1 · t = %2，%3</translation>
+    </message>
+    <message>
+        <source>active structure %1</source>
+        <translation>激活结构 %1</translation>
+    </message>
+    <message>
+        <source>released structure %1</source>
+        <translation>释放的结构 %1</translation>
+    </message>
+    <message>
+        <source>active %1 of %2 elements</source>
+        <translation>激活 %1，共 %2 个单元</translation>
+    </message>
+    <message>
+        <source>selected %1</source>
+        <translation>选中 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::figures::Sheet</name>
+    <message>
+        <source>No debris at this time</source>
+        <translation>此时没有堆积物</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>fallen live structure</source>
+        <translation>坠落的未失效结构</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>另有 %1 项</translation>
+    </message>
+    <message>
+        <source>%1, t = %2, %3, cells of %4</source>
+        <translation>%1，t = %2，%3，单元格 %4</translation>
+    </message>
+    <message>
+        <source>; %1 cells with debris lie outside the picture</source>
+        <translation>；另有 %1 个有堆积物的单元格在图外</translation>
+    </message>
+    <message>
+        <source>local coordinates in metres</source>
+        <translation>局部坐标，单位 m</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets</name>
+    <message>
+        <source>reference</source>
+        <translation>基准</translation>
+    </message>
+    <message>
+        <source>repeat floor</source>
+        <translation>重复性下限</translation>
+    </message>
+    <message>
+        <source>as published</source>
+        <translation>论文设置</translation>
+    </message>
+    <message>
+        <source>ms per step</source>
+        <translation>每步毫秒</translation>
+    </message>
+    <message>
+        <source>wall time</source>
+        <translation>实际耗时</translation>
+    </message>
+    <message>
+        <source>live FPS</source>
+        <translation>实时 FPS</translation>
+    </message>
+    <message>
+        <source>cost: milliseconds per step, mean</source>
+        <translation>代价：每步平均毫秒数</translation>
+    </message>
+    <message>
+        <source>cost: wall time of the run, s</source>
+        <translation>代价：计算的实际耗时，s</translation>
+    </message>
+    <message>
+        <source>live frames per second, mean</source>
+        <translation>实时每秒帧数，平均</translation>
+    </message>
+    <message>
+        <source>within %1 m</source>
+        <translation>%1 m 以内</translation>
+    </message>
+    <message>
+        <source>fragments within %1 m of their place in the reference, %</source>
+        <translation>距基准位置 %1 m 以内的碎块，%</translation>
+    </message>
+    <message>
+        <source>Share of the fragments that lie within %1 m of where the reference has them</source>
+        <translation>位于基准位置 %1 m 以内的碎块所占比例</translation>
+    </message>
+    <message>
+        <source> FPS</source>
+        <translation> FPS</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>%1 bodies</source>
+        <translation>%1 个刚体</translation>
+    </message>
+    <message>
+        <source>not simulated: %1</source>
+        <translation>未模拟：%1</translation>
+    </message>
+    <message>
+        <source>not done yet</source>
+        <translation>尚未完成</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source> (no more than the floor)</source>
+        <translation> （不超过重复性下限）</translation>
+    </message>
+    <message>
+        <source>limits of health passed: %1</source>
+        <translation>超过健康限值：%1</translation>
+    </message>
+    <message>
+        <source>other programs took %1 of the processors while it was timed</source>
+        <translation>计时期间其他程序占用了处理器的 %1</translation>
+    </message>
+    <message>
+        <source>physics alone</source>
+        <translation>仅物理计算</translation>
+    </message>
+    <message>
+        <source>drawing alone</source>
+        <translation>仅绘制</translation>
+    </message>
+    <message>
+        <source>both (live)</source>
+        <translation>两者（实时）</translation>
+    </message>
+    <message>
+        <source>typical pile</source>
+        <translation>典型堆积体</translation>
+    </message>
+    <message>
+        <source>worst pile</source>
+        <translation>最差堆积体</translation>
+    </message>
+    <message>
+        <source>over %1</source>
+        <translation>超过 %1</translation>
+    </message>
+    <message>
+        <source>under %1</source>
+        <translation>低于 %1</translation>
+    </message>
+    <message>
+        <source>as published, on a GTX 480</source>
+        <translation>论文数据，GTX 480</translation>
+    </message>
+    <message>
+        <source>%1
+%2 bodies
+%3 FPS</source>
+        <translation>%1
+%2 个刚体
+%3 FPS</translation>
+    </message>
+    <message>
+        <source>%1: smaller than the largest fragment, %2 m, which then joins no group of its width.</source>
+        <translation>%1：小于最大碎块 %2 m，该碎块不会归入此宽度的任何分组。</translation>
+    </message>
+    <message>
+        <source>%1: larger than the smallest component (%2, %3 m); clusters are split between components all the same.</source>
+        <translation>%1：大于最小构件（%2，%3 m）；聚类仍会在构件之间分开。</translation>
+    </message>
+    <message>
+        <source>the smallest component</source>
+        <translation>最小构件</translation>
+    </message>
+    <message>
+        <source>%1: the largest fragment (%2 m) exceeds the smallest component (%3, %4 m). Clusters stay within one component all the same.</source>
+        <translation>%1：最大碎块（%2 m）超过最小构件（%3，%4 m）。聚类仍限于一个构件之内。</translation>
+    </message>
+    <message>
+        <source>%1: held at the largest fragment, %2 m.</source>
+        <translation>%1：限于最大碎块 %2 m。</translation>
+    </message>
+    <message>
+        <source>%1: held at the smallest component (%2, %3 m).</source>
+        <translation>%1：限于最小构件（%2，%3 m）。</translation>
+    </message>
+    <message>
+        <source>%1: the mean distance (%2 m) exceeds the smallest component (%3, %4 m).</source>
+        <translation>%1：平均间距（%2 m）超过最小构件（%3，%4 m）。</translation>
+    </message>
+    <message>
+        <source>Every fragment moves alone (One body per fragment): there is no grid.</source>
+        <translation>每个碎块单独运动（每个碎块一个刚体）：没有网格。</translation>
+    </message>
+    <message>
+        <source>All three sizes are set by hand: the multiple decides nothing.</source>
+        <translation>三个尺寸均为手动设置：倍数不起作用。</translation>
+    </message>
+    <message>
+        <source>Set by hand along %1: the multiple decides the rest.</source>
+        <translation>沿 %1 为手动设置：其余由倍数决定。</translation>
+    </message>
+    <message>
+        <source>The search stopped at the smallest multiple that keeps to the bodies allowed.</source>
+        <translation>搜索停在不超过允许刚体数的最小倍数处。</translation>
+    </message>
+    <message>
+        <source>%1 FPS is out of reach within the bounds of the sizes: about %2 FPS is. The run goes on at the upper bounds.</source>
+        <translation>在尺寸范围内无法达到 %1 FPS：约可达 %2 FPS。计算按上限继续。</translation>
+    </message>
+    <message>
+        <source>Set by hand.</source>
+        <translation>手动设置。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::AccuracyChart</name>
+    <message>
+        <source>Cost against accuracy</source>
+        <translation>代价与精度</translation>
+    </message>
+    <message>
+        <source>%1 points. Left and Right go from point to point, Enter uses the setting.</source>
+        <translation>%1 个点。左右键在点之间移动，回车键采用该设置。</translation>
+    </message>
+    <message>
+        <source>Click to use this setting.</source>
+        <translation>单击采用此设置。</translation>
+    </message>
+    <message>
+        <source>No setting has both figures yet. Points appear here as they are done.</source>
+        <translation>尚无同时具有两项数值的设置。各点完成后将显示在此。</translation>
+    </message>
+    <message>
+        <source>What accuracy costs</source>
+        <translation>精度的代价</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::AccuracyPage</name>
+    <message>
+        <source>Save table…</source>
+        <translation>保存表格…</translation>
+    </message>
+    <message>
+        <source>Save chart…</source>
+        <translation>保存图表…</translation>
+    </message>
+    <message>
+        <source>What accuracy costs</source>
+        <translation>精度的代价</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>精度</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>代价</translation>
+    </message>
+    <message>
+        <source>Milliseconds per step, mean from the first to the last birth</source>
+        <translation>每步毫秒数，从首次到末次产生的平均值</translation>
+    </message>
+    <message>
+        <source>Wall time of the simulation from start to end, seconds</source>
+        <translation>模拟从开始到结束的实际耗时，秒</translation>
+    </message>
+    <message>
+        <source>Frames per second of live mode: the more the better</source>
+        <translation>实时模式的每秒帧数：越高越好</translation>
+    </message>
+    <message>
+        <source>Cost: %1</source>
+        <translation>代价：%1</translation>
+    </message>
+    <message>
+        <source>Settings compared</source>
+        <translation>设置比较完成</translation>
+    </message>
+    <message>
+        <source>Save all settings that are done as CSV, with the columns of rubble-cli accuracy --csv</source>
+        <translation>将所有已完成的设置保存为 CSV，列与 rubble-cli accuracy --csv 相同</translation>
+    </message>
+    <message>
+        <source>Save the chart as SVG or PNG</source>
+        <translation>将图表保存为 SVG 或 PNG</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done, %3 repeats of the reference</source>
+        <translation>%2 项中已完成 %1 项，基准重复 %3 次</translation>
+    </message>
+    <message>
+        <source>Nothing has been compared yet.</source>
+        <translation>尚未进行比较。</translation>
+    </message>
+    <message>
+        <source>Choose settings at the left and press Compare: each is simulated, measured against the reference, in which every fragment is its own body, and then timed alone.</source>
+        <translation>在左侧选择设置并按“比较”：每项设置都会被模拟，与每个碎块各为一个刚体的基准对比，然后单独计时。</translation>
+    </message>
+    <message>
+        <source>The case has changed since these settings were compared.</source>
+        <translation>比较这些设置后案例已更改。</translation>
+    </message>
+    <message>
+        <source>Points are shown as they were and cannot be used. Compare again to bring them up to date.</source>
+        <translation>各点按当时结果显示，不能采用。请重新比较以更新。</translation>
+    </message>
+    <message>
+        <source>further right</source>
+        <translation>越靠右</translation>
+    </message>
+    <message>
+        <source>further left</source>
+        <translation>越靠左</translation>
+    </message>
+    <message>
+        <source>Each point is one setting, run on this machine. Click a point to use it. %1 and %2 is better; differences inside the band mean nothing.</source>
+        <translation>每个点是在本机运行的一项设置。单击某点即可采用。%1、%2越好；带内的差异没有意义。</translation>
+    </message>
+    <message>
+        <source>Higher</source>
+        <translation>越靠上</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>越靠下</translation>
+    </message>
+    <message>
+        <source>Settings without both figures yet: %1.</source>
+        <translation>尚缺两项数值的设置：%1。</translation>
+    </message>
+    <message>
+        <source>Settings without both figures: %1, see the table.</source>
+        <translation>没有两项数值的设置：%1，见表格。</translation>
+    </message>
+    <message>
+        <source>Where %1 FPS lie is not known: no two points enclose it.</source>
+        <translation>%1 FPS 的位置未知：没有两点将其包围。</translation>
+    </message>
+    <message>
+        <source>The current setting is none of the points.</source>
+        <translation>当前设置不在这些点之中。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::AccuracyPanel</name>
+    <message>
+        <source>Accuracy</source>
+        <translation>精度</translation>
+    </message>
+    <message>
+        <source>What accuracy costs in time, and which differences mean something.</source>
+        <translation>精度耗费多少时间，哪些差异有意义。</translation>
+    </message>
+    <message>
+        <source>Measure live FPS</source>
+        <translation>测量实时 FPS</translation>
+    </message>
+    <message>
+        <source>Measure times again</source>
+        <translation>重新测量时间</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Simulate the reference, its repeats and every setting, measure them, and time each alone. What was simulated before is not simulated again</source>
+        <translation>模拟基准、其重复计算和每项设置，进行测量并分别单独计时。已模拟过的不再重复模拟</translation>
+    </message>
+    <message>
+        <source>Stop comparing; what is done is kept, and comparing again goes on from there</source>
+        <translation>停止比较；已完成的部分保留，再次比较从该处继续</translation>
+    </message>
+    <message>
+        <source>Progress of the comparison</source>
+        <translation>比较进度</translation>
+    </message>
+    <message>
+        <source>Open a result first.</source>
+        <translation>请先打开结果。</translation>
+    </message>
+    <message>
+        <source>Settings to compare</source>
+        <translation>要比较的设置</translation>
+    </message>
+    <message>
+        <source>Multiples of the mean distance</source>
+        <translation>平均间距的倍数</translation>
+    </message>
+    <message>
+        <source>Sizes of the Basic Grid, as multiples of the mean distance of adjacent fragments (no unit), separated by commas; auto is the size that the program finds. Empty: the grid as set</source>
+        <translation>基本网格尺寸，为相邻碎块平均间距的倍数（无单位），以逗号分隔；auto 为程序求得的尺寸。留空：按当前网格</translation>
+    </message>
+    <message>
+        <source>Other parameters to vary</source>
+        <translation>要变化的其他参数</translation>
+    </message>
+    <message>
+        <source>Values of other parameters in every combination, such as cluster_shape=oriented_box,hull; several parameters are separated by semicolons. The manual lists all parameters</source>
+        <translation>其他参数的取值，组合全部取值，例如 cluster_shape=oriented_box,hull；多个参数以分号分隔。手册列出了所有参数</translation>
+    </message>
+    <message>
+        <source>Repeats of the reference</source>
+        <translation>基准重复次数</translation>
+    </message>
+    <message>
+        <source>How often the reference is repeated with births shifted by a micrometre: what its own debris differs by says what a difference means. Each takes as long as the reference</source>
+        <translation>将产生位置移动一微米后重复计算基准的次数：其自身堆积物的差异说明多大的差异才有意义。每次与基准耗时相同</translation>
+    </message>
+    <message>
+        <source>Tolerances, m</source>
+        <translation>容差，m</translation>
+    </message>
+    <message>
+        <source>Accuracy rates count the fragments within these distances of their place in the reference, and the view coloured by error changes colour there. Metres, separated by commas. Another comparison takes them up without simulating anew</source>
+        <translation>精度率统计位于基准位置这些距离以内的碎块，按误差着色的视图也在此变色。单位米，以逗号分隔。再次比较时采用，无需重新模拟</translation>
+    </message>
+    <message>
+        <source>Draw each setting once off screen, as live mode would, and count frames per second</source>
+        <translation>每项设置像实时模式那样在屏幕外绘制一次，并统计每秒帧数</translation>
+    </message>
+    <message>
+        <source>Times and live FPS that are kept do not count: for a machine that is quiet now</source>
+        <translation>不使用已保留的时间和实时 FPS：适用于现在空闲的机器</translation>
+    </message>
+    <message>
+        <source>The settings of the published method are compared too. A body for every fragment, the reference, is the slowest of all: it can take many times as long as the run itself.</source>
+        <translation>同时比较论文方法的设置。每个碎块一个刚体的基准最慢：耗时可能是计算本身的许多倍。</translation>
+    </message>
+    <message>
+        <source>This machine</source>
+        <translation>本机</translation>
+    </message>
+    <message>
+        <source>Calibrate this machine…</source>
+        <translation>标定本机…</translation>
+    </message>
+    <message>
+        <source>Measure how many bodies this machine carries, and see the curve</source>
+        <translation>测量本机能承载多少刚体，并查看曲线</translation>
+    </message>
+    <message>
+        <source>Tells how many bodies a frame rate allows, and lets time and FPS be predicted of a collapse that was not compared yet.</source>
+        <translation>说明某帧率允许多少刚体，并可预测尚未比较过的倒塌的时间和 FPS。</translation>
+    </message>
+    <message>
+        <source>One to %1 distances from %2 to %3 m, separated by commas, please. In force: %4.</source>
+        <translation>请输入 1 至 %1 个从 %2 到 %3 m 的距离，以逗号分隔。当前有效：%4。</translation>
+    </message>
+    <message>
+        <source> · about %1 left</source>
+        <translation> · 约剩 %1</translation>
+    </message>
+    <message>
+        <source>What is done is kept in %1, so that a second start goes on from there.</source>
+        <translation>已完成的内容保留在 %1 中，再次启动可从该处继续。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::AccuracyPlot</name>
+    <message>
+        <source>%1 FPS on this machine</source>
+        <translation>本机 %1 FPS</translation>
+    </message>
+    <message>
+        <source>repeat floor of the reference</source>
+        <translation>基准的重复性下限</translation>
+    </message>
+    <message>
+        <source>%1 (in use)</source>
+        <translation>%1（正在使用）</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::AccuracyTable</name>
+    <message>
+        <source>Settings compared</source>
+        <translation>设置比较完成</translation>
+    </message>
+    <message>
+        <source>setting</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>What departs from the settings of the case</source>
+        <translation>与案例设置的不同之处</translation>
+    </message>
+    <message>
+        <source>bodies</source>
+        <translation>刚体</translation>
+    </message>
+    <message>
+        <source>Clusters: each is moved by one rigid body</source>
+        <translation>聚类：每个由一个刚体带动</translation>
+    </message>
+    <message>
+        <source>ms a step</source>
+        <translation>每步 ms</translation>
+    </message>
+    <message>
+        <source>Milliseconds per step, mean from the first to the last birth, with nothing beside it</source>
+        <translation>每步毫秒数，从首次到末次产生的平均值，期间无其他工作</translation>
+    </message>
+    <message>
+        <source>wall, s</source>
+        <translation>耗时，s</translation>
+    </message>
+    <message>
+        <source>Wall time of the simulation from start to end, seconds</source>
+        <translation>模拟从开始到结束的实际耗时，秒</translation>
+    </message>
+    <message>
+        <source>live FPS</source>
+        <translation>实时 FPS</translation>
+    </message>
+    <message>
+        <source>Frames per second of live mode, mean from the first to the last birth</source>
+        <translation>实时模式的每秒帧数，从首次到末次产生的平均值</translation>
+    </message>
+    <message>
+        <source>, %</source>
+        <translation>，%</translation>
+    </message>
+    <message>
+        <source>, m</source>
+        <translation>，m</translation>
+    </message>
+    <message>
+        <source>● %1 (in use)</source>
+        <translation>● %1（正在使用）</translation>
+    </message>
+    <message>
+        <source>: failed</source>
+        <translation>：失败</translation>
+    </message>
+    <message>
+        <source>: not done</source>
+        <translation>：未完成</translation>
+    </message>
+    <message>
+        <source>No more than the repeat floor of the reference: says nothing</source>
+        <translation>不超过基准的重复性下限：不说明任何问题</translation>
+    </message>
+    <message>
+        <source>How far the reference departs from its own repeats, births shifted by a micrometre: the worst of all pairs, repeats: %1</source>
+        <translation>基准与自身重复计算（产生位置移动一微米）相差多少：所有配对中的最差值，重复次数：%1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::CalibrationChart</name>
+    <message>
+        <source>Frames per second against the number of bodies</source>
+        <translation>每秒帧数与刚体数的关系</translation>
+    </message>
+    <message>
+        <source>%1 points. Left and Right go from point to point.</source>
+        <translation>%1 个点。左右键在点之间移动。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::CalibrationPlot</name>
+    <message>
+        <source>bodies in the scene</source>
+        <translation>场景中的刚体数</translation>
+    </message>
+    <message>
+        <source>frames per second of wall clock</source>
+        <translation>每秒帧数（实际时间）</translation>
+    </message>
+    <message>
+        <source>target: %1 FPS</source>
+        <translation>目标：%1 FPS</translation>
+    </message>
+    <message>
+        <source>N max, typical: %1</source>
+        <translation>N 上限，典型：%1</translation>
+    </message>
+    <message>
+        <source>N max, worst: %1</source>
+        <translation>N 上限，最差：%1</translation>
+    </message>
+    <message>
+        <source>published (GTX 480)</source>
+        <translation>论文数据（GTX 480）</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::CalibrationView</name>
+    <message>
+        <source>Calibrate this machine</source>
+        <translation>标定本机</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Save table…</source>
+        <translation>保存表格…</translation>
+    </message>
+    <message>
+        <source>Save chart…</source>
+        <translation>保存图表…</translation>
+    </message>
+    <message>
+        <source>What this machine carries</source>
+        <translation>本机的承载能力</translation>
+    </message>
+    <message>
+        <source>Progress of the calibration</source>
+        <translation>标定进度</translation>
+    </message>
+    <message>
+        <source>Simulates and draws piles of several sizes, one after the other; takes some minutes. Let the machine rest meanwhile</source>
+        <translation>依次模拟并绘制多种规模的堆积体；需要几分钟。其间请让机器保持空闲</translation>
+    </message>
+    <message>
+        <source>Stop measuring; what was kept before stays</source>
+        <translation>停止测量；以前保留的内容不变</translation>
+    </message>
+    <message>
+        <source>The case allows as many bodies as a typical pile may have at the target rate; one step of undo</source>
+        <translation>案例允许的刚体数取典型堆积体在目标帧率下的数目；可一步撤销</translation>
+    </message>
+    <message>
+        <source>Save the measured points as CSV, with the columns of rubble-cli calibrate --csv</source>
+        <translation>将测得的点保存为 CSV，列与 rubble-cli calibrate --csv 相同</translation>
+    </message>
+    <message>
+        <source>Save the chart as SVG or PNG</source>
+        <translation>将图表保存为 SVG 或 PNG</translation>
+    </message>
+    <message>
+        <source>How many frames per second live mode reaches with so many bodies. Squares are the published points, measured on a GTX 480 in 2012.</source>
+        <translation>实时模式在如此多刚体下达到的每秒帧数。方块为论文数据点，2012 年在 GTX 480 上测得。</translation>
+    </message>
+    <message>
+        <source>%1; simulated on %2 threads, drawn by %3. A frame simulates 1/%4 s of the collapse and draws both views. Typical: the mean of a pile that comes to rest. Worst: the worst second of a heap of which nothing ever rests.</source>
+        <translation>%1；在 %2 个线程上模拟，由 %3 绘制。每帧模拟倒塌的 1/%4 s 并绘制两个视图。典型：趋于静止的堆积体的平均值。最差：始终不静止的堆积体的最差一秒。</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>This machine was not calibrated yet.</source>
+        <translation>本机尚未标定。</translation>
+    </message>
+    <message>
+        <source>Until then the bodies allowed are the published 4,500 at 24 FPS, and nothing is predicted of a collapse that was not compared.</source>
+        <translation>在此之前允许的刚体数取论文值 24 FPS 下 4,500 个，并且不预测尚未比较过的倒塌。</translation>
+    </message>
+    <message>
+        <source>Calibrate again</source>
+        <translation>重新标定</translation>
+    </message>
+    <message>
+        <source>%1: %2 bodies at %3 FPS</source>
+        <translation>%1：%3 FPS 下 %2 个刚体</translation>
+    </message>
+    <message>
+        <source>%1: not known, fewer than three points</source>
+        <translation>%1：未知，少于三个点</translation>
+    </message>
+    <message>
+        <source>Allow %1 bodies</source>
+        <translation>允许 %1 个刚体</translation>
+    </message>
+    <message>
+        <source>Measuring this machine</source>
+        <translation>正在测量本机</translation>
+    </message>
+    <message>
+        <source> · about %1 left</source>
+        <translation> · 约剩 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::CasePanel</name>
+    <message>
+        <source>%1 joined into %2</source>
+        <translation>%1 合并为 %2</translation>
+    </message>
+    <message>
+        <source>%1 renamed to %2</source>
+        <translation>%1 重命名为 %2</translation>
+    </message>
+    <message>
+        <source>%1 split by a box into %2</source>
+        <translation>%1 用盒分割为 %2</translation>
+    </message>
+    <message>
+        <source>%1 split by a plane into %2</source>
+        <translation>%1 用平面分割为 %2</translation>
+    </message>
+    <message>
+        <source>%1 split into what hangs together</source>
+        <translation>%1 按连通性分割</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>What was computed, and of what the structure is made.</source>
+        <translation>计算了什么，结构由什么组成。</translation>
+    </message>
+    <message>
+        <source>Back to the parts of the file</source>
+        <translation>恢复文件中的部件</translation>
+    </message>
+    <message>
+        <source>How the file is read</source>
+        <translation>文件的读取方式</translation>
+    </message>
+    <message>
+        <source>Assumed where nothing is known</source>
+        <translation>未知量的假定</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Open a case or an FE result, or drop one anywhere in the window. The sample is in the Case menu.</source>
+        <translation>打开案例或有限元结果，或将其拖放到窗口任意位置。示例在“案例”菜单中。</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>单元</translation>
+    </message>
+    <message>
+        <source>Deactivated</source>
+        <translation>失效</translation>
+    </message>
+    <message>
+        <source>Inactive at the last state and active before</source>
+        <translation>最后状态未激活而此前激活</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>节点</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>What the file was taken to count in; chosen below</source>
+        <translation>判定的文件单位；可在下方选择</translation>
+    </message>
+    <message>
+        <source>Active flag</source>
+        <translation>激活标志</translation>
+    </message>
+    <message>
+        <source>How the file says which elements are active</source>
+        <translation>文件如何说明哪些单元处于激活状态</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>地形</translation>
+    </message>
+    <message>
+        <source>What debris falls on; Terrain… in the Case menu chooses it</source>
+        <translation>承接堆积物的表面；由“案例”菜单中的“地形…”选择</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Nodal velocities; else differences of positions at active states</source>
+        <translation>节点速度；否则取激活状态下位置之差</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>构件</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>构件名</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>elem.</source>
+        <translation>单元数</translation>
+    </message>
+    <message>
+        <source>dead</source>
+        <translation>失效数</translation>
+    </message>
+    <message>
+        <source>kg/m³</source>
+        <translation>kg/m³</translation>
+    </message>
+    <message>
+        <source>Density; double-click to change, empty for what the file says</source>
+        <translation>密度；双击更改，留空则取文件中的值</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>%1
+%2 × %3 heights, %4 m apart, %5 to %6 m</source>
+        <translation>%1
+%2 × %3 个高程，间距 %4 m，%5 至 %6 m</translation>
+    </message>
+    <message>
+        <source>in the file</source>
+        <translation>在文件中</translation>
+    </message>
+    <message>
+        <source>from positions</source>
+        <translation>由位置计算</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>自定义</translation>
+    </message>
+    <message>
+        <source>%1, fits %2</source>
+        <translation>%1，相符的是 %2</translation>
+    </message>
+    <message>
+        <source>Taken: %1.
+What the file fits: %2.</source>
+        <translation>采用：%1。
+与文件相符：%2。</translation>
+    </message>
+    <message>
+        <source>%1: %2 t, %3 × %4 × %5 m</source>
+        <translation>%1：%2 t，%3 × %4 × %5 m</translation>
+    </message>
+    <message>
+        <source>“%1” is not a density from %2 to %3 kg/m³.</source>
+        <translation>“%1”不是 %2 至 %3 kg/m³ 之间的密度。</translation>
+    </message>
+    <message>
+        <source>The density of %1 stays as it was.</source>
+        <translation>%1 的密度保持不变。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ContactTable</name>
+    <message>
+        <source>All pairs</source>
+        <translation>全部材料对</translation>
+    </message>
+    <message>
+        <source>pair</source>
+        <translation>材料对</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>摩擦系数 μ</translation>
+    </message>
+    <message>
+        <source>restitution</source>
+        <translation>恢复系数 e</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Coulomb coefficient; an empty cell gives the default back</source>
+        <translation>库仑摩擦系数；清空单元格即恢复默认值</translation>
+    </message>
+    <message>
+        <source>Normal restitution of a hit; an empty cell gives the default back</source>
+        <translation>撞击的法向恢复系数；清空单元格即恢复默认值</translation>
+    </message>
+    <message>
+        <source>Where the defaults of friction and restitution come from: listed below</source>
+        <translation>摩擦和恢复系数默认值的来源：列于下方</translation>
+    </message>
+    <message>
+        <source>Friction and restitution of pairs of materials</source>
+        <translation>各材料对的摩擦和恢复系数</translation>
+    </message>
+    <message>
+        <source>Also the pairs of materials that this scene does not have</source>
+        <translation>包括此场景中没有的材料对</translation>
+    </message>
+    <message>
+        <source>Open a result first</source>
+        <translation>请先打开结果</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 对 %2</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>摩擦</translation>
+    </message>
+    <message>
+        <source>Restitution</source>
+        <translation>恢复系数</translation>
+    </message>
+    <message>
+        <source>One %1 is set for all pairs; give it back to automatic to use the table.</source>
+        <translation>已为所有材料对统一设置%1；恢复为自动即可使用此表。</translation>
+    </message>
+    <message>
+        <source>Set here. Default %1: Delete or the mark gives it back.</source>
+        <translation>已在此设置。默认值 %1：按 Delete 或点击标记可恢复。</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>已设</translation>
+    </message>
+    <message>
+        <source>set by you</source>
+        <translation>由您设置</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number from %2 to %3; %4 stays.</source>
+        <translation>“%1”不是 %2 至 %3 之间的数值；仍为 %4。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::EffectRow</name>
+    <message>
+        <source>below 0.001 ms</source>
+        <translation>小于 0.001 ms</translation>
+    </message>
+    <message>
+        <source>below 1 %</source>
+        <translation>小于 1 %</translation>
+    </message>
+    <message>
+        <source>88.88 ms per step</source>
+        <translation>每步 88.88 ms</translation>
+    </message>
+    <message>
+        <source>Hide the settings of %1</source>
+        <translation>隐藏“%1”的设置</translation>
+    </message>
+    <message>
+        <source>Show the settings of %1</source>
+        <translation>显示“%1”的设置</translation>
+    </message>
+    <message>
+        <source>not decided yet</source>
+        <translation>尚未判定</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>%1 (before the change)</source>
+        <translation>%1（更改之前）</translation>
+    </message>
+    <message>
+        <source>Measured %1, against a threshold of %2</source>
+        <translation>测得 %1，阈值 %2</translation>
+    </message>
+    <message>
+        <source>%1 per step</source>
+        <translation>每步 %1</translation>
+    </message>
+    <message>
+        <source>Measured in the last run: %1 per step, %2 of the step</source>
+        <translation>上次计算中测得：每步 %1，占一步的 %2</translation>
+    </message>
+    <message>
+        <source>Work on bodies: %1</source>
+        <translation>对刚体做功：%1</translation>
+    </message>
+    <message>
+        <source>Ties broken: %1</source>
+        <translation>断裂的拉结：%1</translation>
+    </message>
+    <message>
+        <source>Clusters broken up: %1</source>
+        <translation>破碎的聚类：%1</translation>
+    </message>
+    <message>
+        <source>Settings have changed since.</source>
+        <translation>此后设置已更改。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::EffectsPanel</name>
+    <message>
+        <source>Effects</source>
+        <translation>效应</translation>
+    </message>
+    <message>
+        <source>What acts on the fragments, why, and what it costs.</source>
+        <translation>什么作用于碎块，原因和代价。</translation>
+    </message>
+    <message>
+        <source>What all effects cost</source>
+        <translation>所有效应的代价</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Where materials meet</source>
+        <translation>材料接触面</translation>
+    </message>
+    <message>
+        <source>One number for all pairs, in place of the table:</source>
+        <translation>所有材料对统一取值，取代下表：</translation>
+    </message>
+    <message>
+        <source>Open a result: which effects its scene calls for appears here, with the reasons, before any run.</source>
+        <translation>打开结果：这里将列出该场景所需的效应及原因，无需先计算。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 take part in this scene. One that is off costs nothing.</source>
+        <translation>%2 个效应中有 %1 个参与此场景。关闭的效应没有任何代价。</translation>
+    </message>
+    <message>
+        <source>Settings have changed: decided anew when what runs is through.</source>
+        <translation>设置已更改：当前工作完成后重新判定。</translation>
+    </message>
+    <message>
+        <source>What each costs, in ms per step, is measured in a run.</source>
+        <translation>各效应的代价（每步毫秒）在计算中测量。</translation>
+    </message>
+    <message>
+        <source>Together &lt;b&gt;%1&lt;/b&gt; per step</source>
+        <translation>合计每步 &lt;b&gt;%1&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>, &lt;b&gt;%1&lt;/b&gt; of a step of %2; the rest is motion and bookkeeping.</source>
+        <translation>，在 %2 的一步中占 &lt;b&gt;%1&lt;/b&gt;；其余为运动与记录。</translation>
+    </message>
+    <message>
+        <source>Measured before the settings changed.</source>
+        <translation>在设置更改之前测得。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ErrorBar</name>
+    <message>
+        <source>Compute the reference</source>
+        <translation>计算基准</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Progress of the reference</source>
+        <translation>基准的进度</translation>
+    </message>
+    <message>
+        <source>Simulates the same collapse with a body for every fragment and keeps it; takes several times as long as the run</source>
+        <translation>以每个碎块一个刚体模拟同一倒塌并保留；耗时为此次计算的数倍</translation>
+    </message>
+    <message>
+        <source>Errors are not known: simulate first, then compare with a reference.</source>
+        <translation>误差未知：请先模拟，再与基准比较。</translation>
+    </message>
+    <message>
+        <source>Errors are not known: there is no reference of this run, in which every fragment is its own body.</source>
+        <translation>误差未知：此次计算没有基准（每个碎块各为一个刚体）。</translation>
+    </message>
+    <message>
+        <source>Computing the reference</source>
+        <translation>正在计算基准</translation>
+    </message>
+    <message>
+        <source>Coloured by the distance of each fragment from its place in the reference at the same time.</source>
+        <translation>按同一时刻每个碎块到其基准位置的距离着色。</translation>
+    </message>
+    <message>
+        <source>The reference could not be computed.</source>
+        <translation>无法计算基准。</translation>
+    </message>
+    <message>
+        <source>Computing the reference · about %1 left</source>
+        <translation>正在计算基准 · 约剩 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::FindingList</name>
+    <message>
+        <source>%1×: %2</source>
+        <translation>%1 次：%2</translation>
+    </message>
+    <message>
+        <source>first: %1</source>
+        <translation>首例：%1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::FragmentsPanel</name>
+    <message>
+        <source>Fragments</source>
+        <translation>碎块</translation>
+    </message>
+    <message>
+        <source>What became debris, when, and with which mass.</source>
+        <translation>什么成为堆积物，何时，质量多少。</translation>
+    </message>
+    <message>
+        <source>Debris</source>
+        <translation>堆积物</translation>
+    </message>
+    <message>
+        <source>Deactivated elements, each one rigid fragment</source>
+        <translation>失效单元，每个为一个刚性碎块</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>t</source>
+        <translation>t</translation>
+    </message>
+    <message>
+        <source>Mass, from to</source>
+        <translation>质量范围</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>kg</translation>
+    </message>
+    <message>
+        <source>Fastest at hand-over</source>
+        <translation>交接时最快</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>Births</source>
+        <translation>产生</translation>
+    </message>
+    <message>
+        <source>Birth times</source>
+        <translation>产生时刻数</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>首次</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>末次</translation>
+    </message>
+    <message>
+        <source>Most at once</source>
+        <translation>同时最多</translation>
+    </message>
+    <message>
+        <source>Most fragments with one birth time</source>
+        <translation>同一产生时刻的最多碎块数</translation>
+    </message>
+    <message>
+        <source>How elements become fragments</source>
+        <translation>单元如何变成碎块</translation>
+    </message>
+    <message>
+        <source>No element dies in this result: all %1 elements are active at the last state.</source>
+        <translation>此结果中没有单元失效：全部 %1 个单元在最后状态均为激活。</translation>
+    </message>
+    <message>
+        <source>Open a result: its deactivated elements appear here as fragments.</source>
+        <translation>打开结果：其失效单元将作为碎块显示在此。</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <translation>%2 s 时 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::GridPanel</name>
+    <message>
+        <source>Basic Grid</source>
+        <translation>基本网格</translation>
+    </message>
+    <message>
+        <source>Which fragments move together, and what that costs.</source>
+        <translation>哪些碎块一起运动，代价如何。</translation>
+    </message>
+    <message>
+        <source>Clusters</source>
+        <translation>聚类</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Allow as many bodies as this machine carries at the target rate</source>
+        <translation>允许本机在目标帧率下能承载的刚体数</translation>
+    </message>
+    <message>
+        <source>Calibrate this machine…</source>
+        <translation>标定本机…</translation>
+    </message>
+    <message>
+        <source>Measure how many bodies this machine carries, and see the curve</source>
+        <translation>测量本机能承载多少刚体，并查看曲线</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Multiple of mean distance</source>
+        <translation>平均间距的倍数</translation>
+    </message>
+    <message>
+        <source>Drag to set the multiple; clusters are counted and the grid is drawn anew while you drag.</source>
+        <translation>拖动以设置倍数；拖动时重新统计聚类并重绘网格。</translation>
+    </message>
+    <message>
+        <source>%1 times the mean distance</source>
+        <translation>平均间距的 %1 倍</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>d</source>
+        <translation>d</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>选定</translation>
+    </message>
+    <message>
+        <source>size/d</source>
+        <translation>尺寸/d</translation>
+    </message>
+    <message>
+        <source>fragment</source>
+        <translation>最大块</translation>
+    </message>
+    <message>
+        <source>comp.</source>
+        <translation>构件</translation>
+    </message>
+    <message>
+        <source>Axis of the model</source>
+        <translation>模型坐标轴</translation>
+    </message>
+    <message>
+        <source>Mean distance of adjacent fragments, m</source>
+        <translation>相邻碎块的平均间距，m</translation>
+    </message>
+    <message>
+        <source>Chosen size of the Basic Grid, m</source>
+        <translation>基本网格的选定尺寸，m</translation>
+    </message>
+    <message>
+        <source>Size over mean distance; the published method recommends two to three</source>
+        <translation>尺寸与平均间距之比；论文推荐二至三</translation>
+    </message>
+    <message>
+        <source>Largest fragment: the least sensible size, m</source>
+        <translation>最大碎块：合理的最小尺寸，m</translation>
+    </message>
+    <message>
+        <source>Smallest component, m: along axes the greatest sensible size</source>
+        <translation>最小构件，m：按轴分组时合理的最大尺寸</translation>
+    </message>
+    <message>
+        <source>Sizes of the Basic Grid and their bounds, m</source>
+        <translation>基本网格的尺寸及其界限，m</translation>
+    </message>
+    <message>
+        <source>metres; d is the mean distance of adjacent fragments</source>
+        <translation>单位米；d 为相邻碎块的平均间距</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Fragments</source>
+        <translation>碎块</translation>
+    </message>
+    <message>
+        <source>Rigid bodies that the engine moves, counted at these sizes</source>
+        <translation>引擎带动的刚体数，按此尺寸统计</translation>
+    </message>
+    <message>
+        <source>Fragments in a cluster, mean</source>
+        <translation>每个聚类的碎块数，平均</translation>
+    </message>
+    <message>
+        <source>Split by component, by velocity</source>
+        <translation>按构件、按速度分离</translation>
+    </message>
+    <message>
+        <source>Clusters added because none may span two components, or because a fragment moves otherwise</source>
+        <translation>因聚类不得跨越两个构件，或因某碎块运动不同而增加的聚类</translation>
+    </message>
+    <message>
+        <source>Against the published two to three</source>
+        <translation>与论文的二至三倍对照</translation>
+    </message>
+    <message>
+        <source>Clusters at %1 d</source>
+        <translation>%1 d 时的聚类</translation>
+    </message>
+    <message>
+        <source>Counted on these fragments; within their bounds or not</source>
+        <translation>按这些碎块统计；不论是否在界限之内</translation>
+    </message>
+    <message>
+        <source>As set</source>
+        <translation>当前设置</translation>
+    </message>
+    <message>
+        <source>Few fragments share a birth time in a result with many states: the same number of bodies may need a larger multiple than the two to three of the published method.</source>
+        <translation>状态较多的结果中，同一产生时刻的碎块很少：同样的刚体数可能需要比论文的二至三更大的倍数。</translation>
+    </message>
+    <message>
+        <source>This machine is not calibrated: 4,500 bodies at 24 FPS is the published figure.</source>
+        <translation>本机尚未标定：24 FPS 下 4,500 个刚体为论文数据。</translation>
+    </message>
+    <message>
+        <source>The calibration of this machine says nothing here: other programs worked meanwhile, or it has too few points.</source>
+        <translation>本机的标定在此不适用：标定时有其他程序运行，或点数太少。</translation>
+    </message>
+    <message>
+        <source>This machine carries %1 bodies at %2 FPS where some of them rest, %3 where none does.</source>
+        <translation>%2 FPS 下本机可承载 %1 个刚体（其中一部分静止）；若无一静止则为 %3 个。</translation>
+    </message>
+    <message>
+        <source>an unknown number</source>
+        <translation>未知数目</translation>
+    </message>
+    <message>
+        <source>Allow %1</source>
+        <translation>允许 %1</translation>
+    </message>
+    <message>
+        <source>Element %1</source>
+        <translation>单元 %1</translation>
+    </message>
+    <message>
+        <source>Open a result: the sizes that meet the live frame rate appear here.</source>
+        <translation>打开结果：满足实时帧率的尺寸将显示在此。</translation>
+    </message>
+    <message>
+        <source>%1 at %2 d</source>
+        <translation>%2 d 时 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::HealthList</name>
+    <message>
+        <source>at %1 s</source>
+        <translation>在 %1 s</translation>
+    </message>
+    <message>
+        <source>%1–%2 s</source>
+        <translation>%1–%2 s</translation>
+    </message>
+    <message>
+        <source>body %1 at x %2, y %3, z %4 m</source>
+        <translation>刚体 %1，位于 x %2，y %3，z %4 m</translation>
+    </message>
+    <message>
+        <source>%1 bodies at worst</source>
+        <translation>最差时 %1 个刚体</translation>
+    </message>
+    <message>
+        <source>no number</source>
+        <translation>非数值</translation>
+    </message>
+    <message>
+        <source> at %1 s</source>
+        <translation> 于 %1 s</translation>
+    </message>
+    <message>
+        <source>worst %1%2, limit %3</source>
+        <translation>最差 %1%2，限值 %3</translation>
+    </message>
+    <message>
+        <source>1 limit passed</source>
+        <translation>超过 1 项限值</translation>
+    </message>
+    <message>
+        <source>%1 limits passed</source>
+        <translation>超过 %1 项限值</translation>
+    </message>
+    <message>
+        <source>acknowledged</source>
+        <translation>已确认</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Who has looked at these breaches and vouches for the run</source>
+        <translation>谁查看了这些超限并为此次计算负责</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Why the run may be used all the same</source>
+        <translation>为何仍可使用此次计算</translation>
+    </message>
+    <message>
+        <source>Write name, note and time beside the run file; the run no longer counts as tainted</source>
+        <translation>将姓名、备注和时间写在计算文件旁；此次计算不再视为存疑</translation>
+    </message>
+    <message>
+        <source>Sound: no limit was passed.</source>
+        <translation>正常：未超过任何限值。</translation>
+    </message>
+    <message>
+        <source>%1: this run is tainted until someone acknowledges it.</source>
+        <translation>%1：在有人确认之前，此次计算存疑。</translation>
+    </message>
+    <message>
+        <source>Acknowledged by %1, %2</source>
+        <translation>由 %1 确认，%2</translation>
+    </message>
+    <message>
+        <source>Show %1 s</source>
+        <translation>显示 %1 s</translation>
+    </message>
+    <message>
+        <source>Go to this instant and point out the body</source>
+        <translation>转到此时刻并指出该刚体</translation>
+    </message>
+    <message>
+        <source>Go to this instant</source>
+        <translation>转到此时刻</translation>
+    </message>
+    <message>
+        <source>Show %1, %2</source>
+        <translation>显示 %1，%2</translation>
+    </message>
+    <message>
+        <source>A name is needed: who vouches for this run?</source>
+        <translation>需要姓名：由谁为此次计算负责？</translation>
+    </message>
+    <message>
+        <source>A note is needed: why may this run be used all the same?</source>
+        <translation>需要备注：为何仍可使用此次计算？</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::MaterialsTable</name>
+    <message>
+        <source>The components of a result appear here.</source>
+        <translation>结果的构件将显示在此。</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>构件</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>reinforced</source>
+        <translation>配筋</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1，共 %2</translation>
+    </message>
+    <message>
+        <source>Open a result first</source>
+        <translation>请先打开结果</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::Panel</name>
+    <message>
+        <source>Open a result first</source>
+        <translation>请先打开结果</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ParameterEditor</name>
+    <message>
+        <source>From %1 to %2 %3</source>
+        <translation>从 %1 到 %2 %3</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>Let Rubble choose this value</source>
+        <translation>由 Rubble 选择此值</translation>
+    </message>
+    <message>
+        <source>auto: %1</source>
+        <translation>自动：%1</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>“%1”不是数值。</translation>
+    </message>
+    <message>
+        <source>A whole number is needed.</source>
+        <translation>需要整数。</translation>
+    </message>
+    <message>
+        <source>Between %1 and %2, please.</source>
+        <translation>请输入 %1 至 %2 之间的值。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::PredictionBox</name>
+    <message>
+        <source>Said before the run, and measured</source>
+        <translation>计算前的预测与实测</translation>
+    </message>
+    <message>
+        <source>Predicted for this setting …</source>
+        <translation>此设置的预测 …</translation>
+    </message>
+    <message>
+        <source>Predicted for this setting</source>
+        <translation>此设置的预测</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>was not predicted</source>
+        <translation>未作预测</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>said: %1</source>
+        <translation>预测：%1</translation>
+    </message>
+    <message>
+        <source>said: %1 – held</source>
+        <translation>预测：%1 – 符合</translation>
+    </message>
+    <message>
+        <source>said: %1 – missed</source>
+        <translation>预测：%1 – 不符</translation>
+    </message>
+    <message>
+        <source>From the calibration of this machine alone: piles of other collapses.</source>
+        <translation>仅依据本机标定：其他倒塌的堆积体。</translation>
+    </message>
+    <message>
+        <source>From %1 earlier points of this collapse.</source>
+        <translation>依据此倒塌的 %1 个已有点。</translation>
+    </message>
+    <message>
+        <source>Four runs in five end in this interval.</source>
+        <translation>五次计算中有四次落在此区间。</translation>
+    </message>
+    <message>
+        <source>Not known: %1 (%2).</source>
+        <translation>未知：%1（%2）。</translation>
+    </message>
+    <message>
+        <source>How to find out</source>
+        <translation>如何得知</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>首选项</translation>
+    </message>
+    <message>
+        <source>In force at once, for all cases. None of this changes a result.</source>
+        <translation>立即生效，适用于所有案例。均不改变任何结果。</translation>
+    </message>
+    <message>
+        <source>As delivered</source>
+        <translation>恢复默认</translation>
+    </message>
+    <message>
+        <source>Give back all preferences as Rubble comes with them</source>
+        <translation>将所有首选项恢复为 Rubble 的默认值</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>外观</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>跟随系统</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Language of the window, with its numbers and dates; files stay the same in every language</source>
+        <translation>窗口的语言及其数值和日期格式；文件在任何语言下都相同</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Light or dark</source>
+        <translation>浅色或深色</translation>
+    </message>
+    <message>
+        <source>Vermilion on stone grey</source>
+        <translation>朱红碎块，石灰色结构</translation>
+    </message>
+    <message>
+        <source>Yellow on dark grey</source>
+        <translation>黄色碎块，深灰色结构</translation>
+    </message>
+    <message>
+        <source>Fragments and structure</source>
+        <translation>碎块与结构</translation>
+    </message>
+    <message>
+        <source>Colours of fragments on the active structure. Both pairs can be told apart by the colour-blind; yellow on dark grey also in print without colour</source>
+        <translation>激活结构上碎块的颜色。两组颜色色觉障碍者均可分辨；黄色配深灰色在无彩色打印时也可分辨</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>工作</translation>
+    </message>
+    <message>
+        <source>all (%1)</source>
+        <translation>全部（%1）</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>线程</translation>
+    </message>
+    <message>
+        <source>How many threads one piece of work may use, from 0 (all) to %1. No result depends on it, times do</source>
+        <translation>一项工作可使用的线程数，0（全部）至 %1。不影响任何结果，只影响耗时</translation>
+    </message>
+    <message>
+        <source>Memory for playback</source>
+        <translation>回放内存</translation>
+    </message>
+    <message>
+        <source>How much memory states of the FE result and frames of the run may take, from %1 to %2 MiB; what does not fit is read again. For results and runs opened from now on</source>
+        <translation>有限元结果的状态和计算的帧可占用的内存，%1 至 %2 MiB；放不下的会重新读取。适用于此后打开的结果和计算</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Autosave</source>
+        <translation>自动保存</translation>
+    </message>
+    <message>
+        <source>Seconds between two copies of a changed case that are kept for recovery, from 0 (none) to %1</source>
+        <translation>已更改的案例两次恢复副本之间的秒数，0（不保存）至 %1</translation>
+    </message>
+    <message>
+        <source>Keep copies of results</source>
+        <translation>保留结果副本</translation>
+    </message>
+    <message>
+        <source>Keep a compressed copy of every FE result that is read: it opens at once next time</source>
+        <translation>为读取的每个有限元结果保留压缩副本：下次可立即打开</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::RegroupForm</name>
+    <message>
+        <source>Merge…</source>
+        <translation>合并…</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>重命名…</translation>
+    </message>
+    <message>
+        <source>Split…</source>
+        <translation>分割…</translation>
+    </message>
+    <message>
+        <source>New name</source>
+        <translation>新名称</translation>
+    </message>
+    <message>
+        <source>by what hangs together</source>
+        <translation>按连通性</translation>
+    </message>
+    <message>
+        <source>by a plane</source>
+        <translation>用平面</translation>
+    </message>
+    <message>
+        <source>by a box</source>
+        <translation>用盒</translation>
+    </message>
+    <message>
+        <source>How to split</source>
+        <translation>分割方式</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>法向</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>%1, m</source>
+        <translation>%1，m</translation>
+    </message>
+    <message>
+        <source>Select components in the table first</source>
+        <translation>请先在表中选择构件</translation>
+    </message>
+    <message>
+        <source>Join the selected components into one</source>
+        <translation>将所选构件合并为一个</translation>
+    </message>
+    <message>
+        <source>Give the selected component another name</source>
+        <translation>为所选构件另取名称</translation>
+    </message>
+    <message>
+        <source>Split the selected component</source>
+        <translation>分割所选构件</translation>
+    </message>
+    <message>
+        <source>Join %1 into one component</source>
+        <translation>将 %1 合并为一个构件</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>重命名 %1</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>分割 %1</translation>
+    </message>
+    <message>
+        <source>%1 part</source>
+        <translation>%1 部分</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>Three numbers are needed in each row, in metres.</source>
+        <translation>每行需要三个数值，单位米。</translation>
+    </message>
+    <message>
+        <source>“To” must lie beyond “From” along every axis.</source>
+        <translation>“到”在每个轴上都必须大于“从”。</translation>
+    </message>
+    <message>
+        <source>The normal must not be zero.</source>
+        <translation>法向不能为零。</translation>
+    </message>
+    <message>
+        <source>A name is needed.</source>
+        <translation>需要名称。</translation>
+    </message>
+    <message>
+        <source>There is a component “%1” already.</source>
+        <translation>已有构件“%1”。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::RunPanel</name>
+    <message>
+        <source>mean %1 ms per step</source>
+        <translation>平均每步 %1 ms</translation>
+    </message>
+    <message>
+        <source>bulking of the pile %1</source>
+        <translation>堆积体松散系数 %1</translation>
+    </message>
+    <message>
+        <source>Solver: soft-step, %1 substeps or more, %2, %3</source>
+        <translation>求解器：软步法，至少 %1 个子步，%2，%3</translation>
+    </message>
+    <message>
+        <source>Solver: bullet, %1, %2</source>
+        <translation>求解器：Bullet，%1，%2</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>计算</translation>
+    </message>
+    <message>
+        <source>Where the fragments go.</source>
+        <translation>碎块去向何处。</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Simulate the whole collapse as fast as it goes (Ctrl+R)</source>
+        <translation>以最快速度模拟整个倒塌过程（Ctrl+R）</translation>
+    </message>
+    <message>
+        <source>Simulate at the pace of the collapse and watch: each frame simulates one frame time and draws both views</source>
+        <translation>按倒塌的实际速度模拟并观看：每帧模拟一帧的时间并绘制两个视图</translation>
+    </message>
+    <message>
+        <source>Stop the run (Esc); what is computed is kept</source>
+        <translation>停止计算（Esc）；已计算的内容保留</translation>
+    </message>
+    <message>
+        <source>Health of the run</source>
+        <translation>计算的健康状况</translation>
+    </message>
+    <message>
+        <source>Open a result first.</source>
+        <translation>请先打开结果。</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>引擎</translation>
+    </message>
+    <message>
+        <source>Rest and recording</source>
+        <translation>静止与记录</translation>
+    </message>
+    <message>
+        <source>Last run</source>
+        <translation>上次计算</translation>
+    </message>
+    <message>
+        <source>What the solver cost, and what it made of the pile: volume under its surface over volume of material. Broken rock has 1.3 to 1.7; below 1.15 the pile has squeezed into itself.</source>
+        <translation>求解器的耗时及形成的堆积体：表面以下体积与材料体积之比。碎石为 1.3 至 1.7；低于 1.15 表明堆积体自身压缩。</translation>
+    </message>
+    <message>
+        <source>Bodies at most</source>
+        <translation>刚体最多数</translation>
+    </message>
+    <message>
+        <source>Asleep at the end</source>
+        <translation>结束时休眠</translation>
+    </message>
+    <message>
+        <source>Share of the bodies</source>
+        <translation>占刚体的比例</translation>
+    </message>
+    <message>
+        <source>Still moving</source>
+        <translation>仍在运动</translation>
+    </message>
+    <message>
+        <source>bodies</source>
+        <translation>刚体</translation>
+    </message>
+    <message>
+        <source>The end</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>When 99 % of the bodies slept, or the settle time was over</source>
+        <translation>99 % 的刚体休眠时，或稳定时间用尽时</translation>
+    </message>
+    <message>
+        <source>Wall time</source>
+        <translation>实际耗时</translation>
+    </message>
+    <message>
+        <source>Step, mean and worst</source>
+        <translation>步耗时，平均与最差</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>From the first to the last birth</source>
+        <translation>从首次到末次产生</translation>
+    </message>
+    <message>
+        <source>Real-time factor</source>
+        <translation>实时系数</translation>
+    </message>
+    <message>
+        <source>Simulated over wall time, first to last birth, recording included</source>
+        <translation>模拟时间与实际耗时之比，从首次到末次产生，含记录</translation>
+    </message>
+    <message>
+        <source>Live rate, mean and worst second</source>
+        <translation>实时帧率，平均与最差一秒</translation>
+    </message>
+    <message>
+        <source>FPS</source>
+        <translation>FPS</translation>
+    </message>
+    <message>
+        <source>Measured in live mode</source>
+        <translation>在实时模式下测得</translation>
+    </message>
+    <message>
+        <source>Energy drift</source>
+        <translation>能量漂移</translation>
+    </message>
+    <message>
+        <source>Largest gain beyond gravity, births and pieces, over gravity&apos;s work</source>
+        <translation>除重力、产生和运动结构之外的最大增量与重力功之比</translation>
+    </message>
+    <message>
+        <source>Births in occupied space</source>
+        <translation>在被占空间中产生</translation>
+    </message>
+    <message>
+        <source>Bodies born inside older debris or pieces</source>
+        <translation>产生于已有堆积物或运动结构内部的刚体</translation>
+    </message>
+    <message>
+        <source>Work of resolving overlap</source>
+        <translation>消除重叠的功</translation>
+    </message>
+    <message>
+        <source>Deepest contact</source>
+        <translation>最深接触</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Released structure</source>
+        <translation>释放的结构</translation>
+    </message>
+    <message>
+        <source>Live islands without a path to a support that became rigid bodies when the FE result ended, apart from fragments</source>
+        <translation>有限元结果结束时没有路径通向支座而成为刚体的存活部分，不含碎块</translation>
+    </message>
+    <message>
+        <source>Live islands held</source>
+        <translation>固定的孤立部分</translation>
+    </message>
+    <message>
+        <source>Parts of the structure alive at the end without a path to a support</source>
+        <translation>结束时没有路径通向支座的存活结构部分</translation>
+    </message>
+    <message>
+        <source>Ledger, fragments</source>
+        <translation>守恒账目，碎块</translation>
+    </message>
+    <message>
+        <source>Largest relative error of mass, momentum, angular momentum against the FE result</source>
+        <translation>质量、动量、角动量相对有限元结果的最大相对误差</translation>
+    </message>
+    <message>
+        <source>Ledger, bodies</source>
+        <translation>守恒账目，刚体</translation>
+    </message>
+    <message>
+        <source>The same for the bodies, as read back from the engine</source>
+        <translation>刚体的同一误差，由引擎读回</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>轨迹</translation>
+    </message>
+    <message>
+        <source>Hash of every recorded frame: equal runs have equal hashes</source>
+        <translation>所有记录帧的哈希：相同的计算具有相同的哈希</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>%1 (%2 elements)</source>
+        <translation>%1（%2 个单元）</translation>
+    </message>
+    <message>
+        <source>%1 kg; %2 released inside debris or structure; %3 still move at the end</source>
+        <translation>%1 kg；%2 在堆积物或结构内部释放；%3 在结束时仍在运动</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::StageRail</name>
+    <message>
+        <source>not yet</source>
+        <translation>尚未</translation>
+    </message>
+    <message>
+        <source>running, %1</source>
+        <translation>运行中，%1</translation>
+    </message>
+    <message>
+        <source>up to date</source>
+        <translation>最新</translation>
+    </message>
+    <message>
+        <source>stale: settings have changed since</source>
+        <translation>过期：此后设置已更改</translation>
+    </message>
+    <message>
+        <source>findings: %1</source>
+        <translation>发现项：%1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::StatusLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Stop what runs (Esc); what is computed is kept</source>
+        <translation>停止正在运行的工作（Esc）；已计算的内容保留</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>Deaths over time and what is computed. Drag to scrub.</source>
+        <translation>失效随时间的变化以及已计算的部分。拖动以浏览。</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>已计算</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3 s</source>
+        <translation>%1，从 %2 到 %3 s</translation>
+    </message>
+    <message>
+        <source>Limits passed: %1</source>
+        <translation>超过限值：%1</translation>
+    </message>
+    <message>
+        <source>The timeline appears when a result is open.</source>
+        <translation>打开结果后显示时间轴。</translation>
+    </message>
+    <message>
+        <source>deaths</source>
+        <translation>失效</translation>
+    </message>
+    <message>
+        <source>health</source>
+        <translation>健康</translation>
+    </message>
+    <message>
+        <source>no element dies in this result</source>
+        <translation>此结果中没有单元失效</translation>
+    </message>
+    <message>
+        <source>%1 in one state</source>
+        <translation>一个状态内 %1</translation>
+    </message>
+    <message>
+        <source>FE ends</source>
+        <translation>有限元结束</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::Transport</name>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>First instant</source>
+        <translation>起始时刻</translation>
+    </message>
+    <message>
+        <source>To the first instant (Home)</source>
+        <translation>到起始时刻（Home）</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后退</translation>
+    </message>
+    <message>
+        <source>Back one state (←), ten with Shift</source>
+        <translation>后退一个状态（←），加 Shift 十个</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>前进</translation>
+    </message>
+    <message>
+        <source>Forward one state (→), ten with Shift</source>
+        <translation>前进一个状态（→），加 Shift 十个</translation>
+    </message>
+    <message>
+        <source>Last instant</source>
+        <translation>最后时刻</translation>
+    </message>
+    <message>
+        <source>To the last instant (End)</source>
+        <translation>到最后时刻（End）</translation>
+    </message>
+    <message>
+        <source>Playback rate: seconds of collapse per second</source>
+        <translation>回放速率：每秒播放的倒塌秒数</translation>
+    </message>
+    <message>
+        <source>Playback rate</source>
+        <translation>回放速率</translation>
+    </message>
+    <message>
+        <source>of %1 s</source>
+        <translation>共 %1 s</translation>
+    </message>
+    <message>
+        <source>FE ends at %1 s</source>
+        <translation>有限元在 %1 s 结束</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>暂停（空格）</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>播放（空格）</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ViewWidget</name>
+    <message>
+        <source>Views of the collapse</source>
+        <translation>视图：倒塌过程</translation>
+    </message>
+</context>
+</TS>

@@ -54,6 +54,7 @@ QString regroupText(const RegroupStep& step) {
 
 CasePanel::CasePanel(QWidget* parent)
     : Panel(tr("Case"), tr("What was computed, and of what the structure is made."), parent),
+      m_scenarios(new ScenarioList),
       m_table(new QTableWidget(0, ColumnCount)),
       m_regroup(new RegroupForm),
       m_steps(new QLabel),
@@ -61,6 +62,7 @@ CasePanel::CasePanel(QWidget* parent)
       m_findings(new FindingList) {
     buildFile();
     setTerrain(nullptr, {}, {});
+    addGroup(tr("Scenarios"))->addWide(m_scenarios);
     buildTable();
     addRemaining(Stage::Import, tr("How the file is read"));
     addRemaining(Stage::Components, tr("Assumed where nothing is known"));

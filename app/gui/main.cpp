@@ -7,9 +7,11 @@
 #include <cstdlib>
 
 #include "app/gui/accuracy_display.h"
+#include "app/gui/layout_memory.h"
 #include "app/gui/main_window.h"
 #include "app/gui/options.h"
 #include "app/gui/panel_deck.h"
+#include "app/gui/project_display.h"
 #include "app/gui/screenshot.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/theme.h"
@@ -73,10 +75,20 @@ int main(int argc, char** argv) {
     QCoreApplication::setApplicationName(QStringLiteral("rubble"));
     QApplication application(argc, argv);
     installTranslations(application);
+    const QString aside = rubble::setDamagedSettingsAside();
     rubble::widgets::applyTheme(rubble::widgets::systemTheme());
     rubble::MainWindow window;
     if (!options.theme.isEmpty()) {
         window.setTheme(options.theme);
+    }
+    if (options.screenshot.isEmpty()) {
+        window.project().restoreLayout();
+        window.project().begin();
+    }
+    if (!aside.isEmpty()) {
+        window.showFailure({QCoreApplication::translate("main", "The settings of the program could not be read."),
+                            QCoreApplication::translate("main", "They start anew; the file was set aside as %1.").arg(aside),
+                            "gui.settings"});
     }
     if (options.size.isValid()) {
         window.resize(options.size);

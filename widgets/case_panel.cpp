@@ -62,7 +62,8 @@ CasePanel::CasePanel(QWidget* parent)
       m_findings(new FindingList) {
     buildFile();
     setTerrain(nullptr, {}, {});
-    addGroup(tr("Scenarios"))->addWide(m_scenarios);
+    m_scenarioGroup = addGroup(tr("Scenarios"));
+    m_scenarioGroup->addWide(m_scenarios);
     buildTable();
     addRemaining(Stage::Import, tr("How the file is read"));
     addRemaining(Stage::Components, tr("Assumed where nothing is known"));
@@ -256,6 +257,11 @@ void CasePanel::setScenario(const Scenario& scenario) {
     m_steps->setText(steps.join(QLatin1Char('\n')));
     m_steps->setVisible(!steps.isEmpty());
     m_clear->setVisible(!steps.isEmpty());
+}
+
+void CasePanel::setEditable(bool editable) {
+    Panel::setEditable(editable);
+    m_scenarioGroup->setVisible(editable);
 }
 
 void CasePanel::densityTyped(int row, int column) {

@@ -27,6 +27,7 @@ public:
     /// The terrain and what was found when it was read, shown with the next content. @param terrain  null: there is none
     void setTerrain(const std::shared_ptr<const TerrainGrid>& terrain, const QString& path, const Findings& findings);
     void setScenario(const Scenario& scenario) override;
+    void setEditable(bool editable) override;
     QStringList selectedComponents() const;
     ScenarioList& scenarios() { return *m_scenarios; }
 
@@ -44,6 +45,7 @@ private:
     void densityTyped(int row, int column);
 
     ScenarioList* m_scenarios;
+    PanelGroup* m_scenarioGroup;
     QLabel* m_name;
     QLabel* m_format;
     QLabel* m_elements;

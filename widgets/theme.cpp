@@ -64,6 +64,7 @@ QMenu::separator { height: 1px; background: %hairline%; margin: 4px 0; }
 QToolBar { border: none; border-bottom: 1px solid %hairline%; padding: 4px 6px; spacing: 4px; }
 QToolBar::separator { background: %hairline%; width: 1px; margin: 5px 4px; }
 QToolButton, QPushButton { border: 1px solid %hairline%; border-radius: 4px; padding: 4px 8px; background: %field%; color: %text%; }
+#transportBar QToolButton { padding: 4px 5px; }
 QToolButton:hover, QPushButton:hover { border-color: %muted%; }
 QToolButton:focus, QPushButton:focus { border-color: %accent%; }
 QToolButton:checked { background: %accentTint%; border-color: %accent%; color: %accent%; }

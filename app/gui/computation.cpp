@@ -21,18 +21,30 @@ namespace {
 
 constexpr int growthsPerSecond = 25;
 
+const CaseScenario* activeOf(const Case& theCase) {
+    const CaseScenario* active = nullptr;
+    for (const CaseScenario& each : theCase.scenarios) {
+        active = active == nullptr || each.id == theCase.activeScenario ? &each : active;
+    }
+    return active;
+}
+
+/// The FE result that the scenario worked on stands on; null if the case names none.
+const CaseInput* feInputOf(const Case& theCase) {
+    const CaseScenario* active = activeOf(theCase);
+    const CaseInput* input = nullptr;
+    for (const CaseInput& each : theCase.inputs) {
+        input = active != nullptr && each.id == active->feInput ? &each : input;
+    }
+    return input;
+}
+
 /// Reads the FE result and the terrain of a case. An FE result that was recognised but cannot be read as it is set leaves the case,
 /// so that the settings can be changed.
 void readFe(Opened& opened, bool keepCopies, const Execution& execution) {
     try {
-        const CaseScenario* active = nullptr;
-        for (const CaseScenario& each : opened.theCase.scenarios) {
-            active = active == nullptr || each.id == opened.theCase.activeScenario ? &each : active;
-        }
-        const CaseInput* input = nullptr;
-        for (const CaseInput& each : opened.theCase.inputs) {
-            input = active != nullptr && each.id == active->feInput ? &each : input;
-        }
+        const CaseScenario* active = activeOf(opened.theCase);
+        const CaseInput* input = feInputOf(opened.theCase);
         if (input == nullptr) {
             throw ParseError({"gui.case_without_fe", "{0} names no FE result", {opened.base.toStdString()}},
                              {"gui.case_without_fe.remedy", "Open the FE result itself.", {}});
@@ -58,7 +70,7 @@ void findInputs(Opened& opened, const Execution& execution) {
     for (const CaseInput& input : opened.theCase.inputs) {
         const std::string place = io::inputPath(opened.base.toStdString(), input);
         std::string known;
-        if (input.role == InputRole::Fe && opened.fe != nullptr && place == opened.fe->contents().path) {
+        if (opened.fe != nullptr && &input == feInputOf(opened.theCase)) {
             known = opened.fe->contents().sha256;
         } else if (input.role == InputRole::Terrain && place == opened.terrain.path) {
             known = opened.terrain.sha256;
@@ -146,6 +158,9 @@ void Computation::startOpening(std::function<Opened(const Execution&)> read) {
                         if (const auto failure = failureOf(thrown)) {
                             fail(*failure);
                         } else if (thrown == nullptr) {
+                            // Also where what was open stays: the case may name files that are not there.
+                            m_found = result->found;
+                            emit inputsFound();
                             emit opened(*result);
                         }
                         emit stateChanged();

@@ -28,8 +28,7 @@ Sample sampleOf(const QFileInfo& file) {
         sample.name = QString::fromStdString(theCase.title);
         sample.words = theCase.scenarios.empty() ? QString() : QString::fromStdString(theCase.scenarios.front().note);
     } else {
-        sample.name = file.completeBaseName().replace(u'-', u' ');
-        sample.name[0] = sample.name[0].toUpper();
+        sample.name = file.fileName();
         sample.words = QCoreApplication::translate("samples", "An FE result as it comes from the analysis, without a case.");
     }
     return sample;

@@ -124,6 +124,7 @@ void MainWindow::buildMenus() {
 
 void MainWindow::buildToolBar() {
     auto* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("toolBar"));
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     bar->setIconSize({18, 18});

@@ -40,7 +40,7 @@ TEST(Manual, EveryActionIsInItWithItsKey) {
 
 TEST(Manual, EveryOptionOfTheCommandLineIsInIt) {
     const QString manual = wholeManual();
-    for (const char* name : {"--sample", "--simulate", "--accuracy", "--screenshot", "--time", "--size", "--theme"}) {
+    for (const char* name : {"--sample", "--simulate", "--accuracy", "--screenshot", "--time", "--size", "--theme", "--action"}) {
         EXPECT_TRUE(manual.contains(QLatin1String(name))) << name;
     }
 }

@@ -110,17 +110,22 @@ json caseJson(const Case& theCase) {
         entry["fe_input"] = scenario.feInput;
         scenarios.push_back(std::move(entry));
     }
+    json bookmarks = json::array();
+    for (const Bookmark& bookmark : theCase.bookmarks) {
+        bookmarks.push_back({{"time", bookmark.time}, {"note", bookmark.note}});
+    }
     return {{"format", formatName},
             {"version", caseVersion},
             {"title", theCase.title},
             {"frame", frameJson(theCase.frame)},
             {"inputs", std::move(inputs)},
             {"scenarios", std::move(scenarios)},
-            {"active_scenario", theCase.activeScenario}};
+            {"active_scenario", theCase.activeScenario},
+            {"bookmarks", std::move(bookmarks)}};
 }
 
 Case caseFromJson(const JsonCursor& top) {
-    top.allowOnly({"format", "version", "title", "frame", "inputs", "scenarios", "active_scenario"});
+    top.allowOnly({"format", "version", "title", "frame", "inputs", "scenarios", "active_scenario", "bookmarks"});
     Case theCase;
     theCase.title = top["title"].text();
     theCase.frame = frameFromJson(top["frame"]);
@@ -134,6 +139,10 @@ Case caseFromJson(const JsonCursor& top) {
             {entry["id"].text(), entry["name"].text(), entry["note"].text(), entry["fe_input"].text(), scenarioFromJson(entry)});
     }
     theCase.activeScenario = top["active_scenario"].text();
+    for (const JsonCursor& bookmark : top["bookmarks"].elements()) {
+        bookmark.allowOnly({"time", "note"});
+        theCase.bookmarks.push_back({bookmark["time"].number(), bookmark["note"].text()});
+    }
     return theCase;
 }
 

@@ -25,10 +25,14 @@ void fromVersionOne(nlohmann::json& document) {
     }
 }
 
+void fromVersionTwo(nlohmann::json& document) {
+    document.emplace("bookmarks", nlohmann::json::array());
+}
+
 }  // namespace
 
 std::span<const CaseMigration> caseMigrations() {
-    static constexpr CaseMigration steps[] = {{1, fromVersionOne}};
+    static constexpr CaseMigration steps[] = {{1, fromVersionOne}, {2, fromVersionTwo}};
     return steps;
 }
 

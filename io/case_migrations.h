@@ -11,7 +11,7 @@ struct CaseMigration {
     void (*step)(nlohmann::json&);
 };
 
-inline constexpr int caseVersion = 2;
+inline constexpr int caseVersion = 3;
 
 /// The known steps, one for each older version, oldest first.
 std::span<const CaseMigration> caseMigrations();

@@ -34,6 +34,20 @@ fs::path folderFrom(const char* variable) {
     return path.is_absolute() ? path : fs::path();
 }
 
+/// The first of: its own variable, "rubble" in the shared folder, "rubble" in that folder of the home.
+std::string folderOr(const char* own, const char* shared, const char* inHome, Message what, Message remedy) {
+    if (const fs::path folder = folderFrom(own); !folder.empty()) {
+        return folder.string();
+    }
+    if (const fs::path folder = folderFrom(shared); !folder.empty()) {
+        return (folder / "rubble").string();
+    }
+    if (const fs::path home = folderFrom("HOME"); !home.empty()) {
+        return (home / inHome / "rubble").string();
+    }
+    throw WorldError(std::move(what), std::move(remedy));
+}
+
 }  // namespace
 
 std::string machineText() {
@@ -44,20 +58,20 @@ std::string machineText() {
 }
 
 std::string cacheFolder() {
-    if (const fs::path own = folderFrom("RUBBLE_CACHE"); !own.empty()) {
-        return own.string();
-    }
-    if (const fs::path shared = folderFrom("XDG_CACHE_HOME"); !shared.empty()) {
-        return (shared / "rubble").string();
-    }
-    if (const fs::path home = folderFrom("HOME"); !home.empty()) {
-        return (home / ".cache" / "rubble").string();
-    }
-    throw WorldError({"io.no_cache",
-                      "There is no folder for what can be made again: neither RUBBLE_CACHE, XDG_CACHE_HOME nor HOME is an "
-                      "absolute path.",
-                      {}},
-                     {"io.no_cache.remedy", "Set RUBBLE_CACHE to a folder with room.", {}});
+    return folderOr("RUBBLE_CACHE", "XDG_CACHE_HOME", ".cache",
+                    {"io.no_cache",
+                     "There is no folder for what can be made again: neither RUBBLE_CACHE, XDG_CACHE_HOME nor HOME is an "
+                     "absolute path.",
+                     {}},
+                    {"io.no_cache.remedy", "Set RUBBLE_CACHE to a folder with room.", {}});
+}
+
+std::string stateFolder() {
+    return folderOr("RUBBLE_STATE", "XDG_STATE_HOME", ".local/state",
+                    {"io.no_state",
+                     "There is no folder for unsaved work: neither RUBBLE_STATE, XDG_STATE_HOME nor HOME is an absolute path.",
+                     {}},
+                    {"io.no_state.remedy", "Set RUBBLE_STATE to a folder with room.", {}});
 }
 
 }  // namespace rubble::io

@@ -11,4 +11,8 @@ std::string machineText();
 /// Throws WorldError if none of them is set to an absolute path.
 std::string cacheFolder();
 
+/// Folder for what a program leaves for its next start (unsaved work, small pictures): $RUBBLE_STATE, else $XDG_STATE_HOME/rubble,
+/// else $HOME/.local/state/rubble. Throws WorldError if none of them is set to an absolute path.
+std::string stateFolder();
+
 }  // namespace rubble::io

@@ -55,6 +55,7 @@ QString regroupText(const RegroupStep& step) {
 
 CasePanel::CasePanel(QWidget* parent)
     : Panel(tr("Case"), tr("What was computed, and of what the structure is made."), parent),
+      m_scenarios(new ScenarioList),
       m_table(new QTableWidget(0, ColumnCount)),
       m_regroup(new RegroupForm),
       m_steps(new QLabel),
@@ -62,6 +63,8 @@ CasePanel::CasePanel(QWidget* parent)
       m_findings(new FindingList) {
     buildFile();
     setTerrain(nullptr, {}, {});
+    m_scenarioGroup = addGroup(tr("Scenarios"));
+    m_scenarioGroup->addWide(m_scenarios);
     buildTable();
     addRemaining(Stage::Import, tr("How the file is read"));
     addRemaining(Stage::Components, tr("Assumed where nothing is known"));
@@ -255,6 +258,11 @@ void CasePanel::setScenario(const Scenario& scenario) {
     m_steps->setText(steps.join(QLatin1Char('\n')));
     m_steps->setVisible(!steps.isEmpty());
     m_clear->setVisible(!steps.isEmpty());
+}
+
+void CasePanel::setEditable(bool editable) {
+    Panel::setEditable(editable);
+    m_scenarioGroup->setVisible(editable);
 }
 
 void CasePanel::densityTyped(int row, int column) {

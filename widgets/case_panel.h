@@ -7,6 +7,7 @@
 #include "core/fe/terrain_grid.h"
 #include "widgets/panel.h"
 #include "widgets/regroup_form.h"
+#include "widgets/scenario_list.h"
 
 class QLabel;
 class QPushButton;
@@ -26,7 +27,9 @@ public:
     /// The terrain and what was found when it was read, shown with the next content. @param terrain  null: there is none
     void setTerrain(const std::shared_ptr<const TerrainGrid>& terrain, const QString& path, const Findings& findings);
     void setScenario(const Scenario& scenario) override;
+    void setEditable(bool editable) override;
     QStringList selectedComponents() const;
+    ScenarioList& scenarios() { return *m_scenarios; }
 
 signals:
     void regroupRequested(const rubble::RegroupStep& step);
@@ -41,6 +44,8 @@ private:
     void showComponents(const FeResult* fe, const Components* components);
     void densityTyped(int row, int column);
 
+    ScenarioList* m_scenarios;
+    PanelGroup* m_scenarioGroup;
     QLabel* m_name;
     QLabel* m_format;
     QLabel* m_elements;

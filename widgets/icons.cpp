@@ -74,6 +74,16 @@ bool drawTransport(QPainter& p, Glyph glyph) {
         case Glyph::Stop:
             fill(p, polygon({{6, 6}, {18, 6}, {18, 18}, {6, 18}}));
             return true;
+        case Glyph::PlayBack:
+            fill(p, polygon({{18, 4}, {5, 12}, {18, 20}}));
+            return true;
+        case Glyph::Loop:
+            p.drawRoundedRect(QRectF(3, 7, 18, 10), 5, 5);
+            fill(p, polygon({{10, 3.5}, {15, 7}, {10, 10.5}}));
+            return true;
+        case Glyph::Bookmark:
+            p.drawPolygon(polygon({{7, 3}, {17, 3}, {17, 21}, {12, 16}, {7, 21}}));
+            return true;
         default:
             return false;
     }

@@ -1,6 +1,7 @@
 #include "widgets/playback_clock.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubble::widgets {
 
@@ -36,12 +37,35 @@ void PlaybackClock::setRate(double rate) {
     }
 }
 
-void PlaybackClock::play() {
-    if (playing() || m_last <= m_first) {
+void PlaybackClock::setLoop(std::optional<std::pair<double, double>> range) {
+    if (range && !(range->second > range->first)) {
+        range.reset();
+    }
+    if (range != m_loop) {
+        m_loop = range;
+        emit loopChanged();
+    }
+}
+
+std::pair<double, double> PlaybackClock::round() const {
+    if (!m_loop) {
+        return {m_first, m_last};
+    }
+    const double from = std::clamp(m_loop->first, m_first, m_last);
+    return {from, std::clamp(m_loop->second, from, m_last)};
+}
+
+void PlaybackClock::play(bool backwards) {
+    if (m_last <= m_first || (playing() && backwards == m_backwards)) {
         return;
     }
-    if (m_time >= m_last && !m_newest) {
-        setTime(m_first);
+    m_backwards = backwards;
+    const auto [from, to] = round();
+    const bool outside = m_loop && (m_time < from || m_time > to);
+    if (!backwards && ((m_time >= to && !m_newest) || outside)) {
+        setTime(from);
+    } else if (backwards && (m_time <= from || outside)) {
+        setTime(to);
     }
     m_wall.start();
     m_timer.start();
@@ -61,12 +85,17 @@ void PlaybackClock::toggle() {
 
 void PlaybackClock::advance(double wallSeconds) {
     m_wall.start();
-    double next = m_time + m_rate * wallSeconds;
-    if (m_newest) {
-        next = std::max(m_time, std::min(next, *m_newest));
+    const auto [from, to] = round();
+    double next = m_time + (m_backwards ? -m_rate : m_rate) * wallSeconds;
+    if (m_loop && to > from && (next > to || next < from)) {
+        // What goes beyond one end comes in at the other.
+        next = m_backwards ? to - std::fmod(from - next, to - from) : from + std::fmod(next - from, to - from);
+    }
+    if (m_newest && !m_backwards) {
+        next = std::max(std::min(m_time, next), std::min(next, *m_newest));
     }
     setTime(next);
-    if (m_time >= m_last && !m_newest) {
+    if (!m_loop && ((m_backwards && m_time <= m_first) || (!m_backwards && m_time >= m_last && !m_newest))) {
         pause();
     }
 }

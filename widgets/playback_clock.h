@@ -4,10 +4,12 @@
 #include <QObject>
 #include <QTimer>
 #include <optional>
+#include <utility>
 
 namespace rubble::widgets {
 
-/// The one clock of the window: views and timeline follow it, none of them owns time. Plays between `first` and `last` at a rate.
+/// The one clock of the window: views and timeline follow it, none of them owns time. Plays between `first` and `last` at a rate,
+/// forwards or backwards, once or round a range.
 class PlaybackClock : public QObject {
     Q_OBJECT
 
@@ -19,6 +21,9 @@ public:
     double last() const { return m_last; }
     bool playing() const { return m_timer.isActive(); }
     double rate() const { return m_rate; }
+    bool backwards() const { return m_backwards; }
+    /// s; unset: playback ends where the range ends.
+    const std::optional<std::pair<double, double>>& loop() const { return m_loop; }
 
     /// Sets what may be shown [s]; the time is kept inside.
     void setRange(double first, double last);
@@ -26,7 +31,9 @@ public:
     void setNewest(std::optional<double> newest) { m_newest = newest; }
     void setTime(double time);
     void setRate(double rate);
-    void play();
+    /// Playback goes round in this range [s]; one without length is none.
+    void setLoop(std::optional<std::pair<double, double>> range);
+    void play(bool backwards = false);
     void pause();
     void toggle();
     /// Moves the time on by so many seconds of wall clock; what the timer does at every tick.
@@ -37,14 +44,20 @@ signals:
     void playingChanged(bool playing);
     void rateChanged(double rate);
     void rangeChanged(double first, double last);
+    void loopChanged();
 
 private:
+    /// Where playback turns over [s]: the loop inside what may be shown.
+    std::pair<double, double> round() const;
+
     QTimer m_timer;
     QElapsedTimer m_wall;
     double m_time = 0.0;
     double m_first = 0.0;
     double m_last = 0.0;
     double m_rate = 1.0;
+    bool m_backwards = false;
+    std::optional<std::pair<double, double>> m_loop;
     std::optional<double> m_newest;
 };
 

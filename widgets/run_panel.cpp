@@ -30,6 +30,7 @@ RunPanel::RunPanel(QWidget* parent)
       m_live(new QPushButton(tr("Live"))),
       m_cancel(new QPushButton(tr("Cancel"))),
       m_why(new QLabel),
+      m_runs(new RunList),
       m_findings(new FindingList) {
     auto* buttons = new QWidget;
     auto* row = new QHBoxLayout(buttons);
@@ -54,6 +55,7 @@ RunPanel::RunPanel(QWidget* parent)
     m_health = new HealthList;
     m_healthGroup->addWide(m_health);
     buildOutcome();
+    addGroup(tr("Runs of this case"))->addWide(m_runs);
     buildSettings();
     setReady(false, false, tr("Open a result first."));
     clearOutcome();

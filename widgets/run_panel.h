@@ -6,6 +6,7 @@
 #include "core/simulation/simulation.h"
 #include "widgets/health_list.h"
 #include "widgets/panel.h"
+#include "widgets/run_list.h"
 
 class QLabel;
 class QPushButton;
@@ -32,6 +33,7 @@ public:
     /// Nothing: no run to judge.
     void setHealth(const std::optional<HealthList::Content>& health);
     HealthList& health() { return *m_health; }
+    RunList& runs() { return *m_runs; }
     /// @param ready    there are clusters to simulate; @param why  else says what is missing
     /// @param running  shows Cancel in place of the buttons
     void setReady(bool ready, bool running, const QString& why = {});
@@ -52,6 +54,7 @@ private:
     QLabel* m_why;
     PanelGroup* m_healthGroup;
     HealthList* m_health;
+    RunList* m_runs;
     PanelGroup* m_outcome;
     QLabel* m_solver;
     QLabel* m_bodies;

@@ -64,6 +64,7 @@ QMenu::separator { height: 1px; background: %hairline%; margin: 4px 0; }
 QToolBar { border: none; border-bottom: 1px solid %hairline%; padding: 4px 6px; spacing: 4px; }
 QToolBar::separator { background: %hairline%; width: 1px; margin: 5px 4px; }
 QToolButton, QPushButton { border: 1px solid %hairline%; border-radius: 4px; padding: 4px 8px; background: %field%; color: %text%; }
+#transportBar QToolButton { padding: 4px 5px; }
 QToolButton:hover, QPushButton:hover { border-color: %muted%; }
 QToolButton:focus, QPushButton:focus { border-color: %accent%; }
 QToolButton:checked { background: %accentTint%; border-color: %accent%; color: %accent%; }
@@ -94,10 +95,21 @@ QComboBox QAbstractItemView { background: %field%; color: %text%; border: 1px so
 #notice { border: none; border-left: 3px solid %muted%; background: %window%; border-radius: 2px; }
 #notice[kind="finding"] { border-left-color: %finding%; background: %findingTint%; }
 #notice[kind="error"] { border-left-color: %error%; }
+#noticeBar { background: %findingTint%; border-bottom: 1px solid %hairline%; }
 #bottom { background: %panel%; border-top: 1px solid %hairline%; }
 #hairline { background: %hairline%; border: none; }
 #statusLine { border-top: 1px solid %hairline%; }
 #emptyState { background: %window%; }
+#tourCard { background: %panel%; border: 1px solid %hairline%; border-radius: 6px; }
+QListView { background: %panel%; border: none; color: %text%; outline: none; }
+QListView::item { padding: 3px 6px; border-radius: 3px; }
+QListView::item:selected { background: %accentTint%; color: %text%; }
+QPlainTextEdit { border: 1px solid %hairline%; border-radius: 4px; background: %field%; color: %text%;
+  selection-background-color: %accent%; selection-color: %accentText%; }
+QPlainTextEdit:focus { border-color: %accent%; }
+QDockWidget { color: %text%; }
+QDockWidget::title { background: %panel%; padding: 6px 10px; border-left: 1px solid %hairline%; border-bottom: 1px solid %hairline%; }
+QMainWindow::separator { background: %hairline%; width: 1px; height: 1px; }
 QTableView { background: %panel%; alternate-background-color: %panel%; border: none; gridline-color: %hairline%; color: %text%;
   selection-background-color: %accentTint%; selection-color: %text%; }
 QHeaderView::section { font-size: %small%pt; background: %panel%; color: %muted%; border: none; border-bottom: 1px solid %hairline%; padding: 2px 4px; }

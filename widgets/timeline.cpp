@@ -34,7 +34,8 @@ struct Timeline::Rows {
     double left, right;
     double deathsTop, deathsBottom;
     double barTop, barBottom;
-    double health;  // centre of the row of warning signs
+    double bookmarks;  // centre of the row of flags
+    double health;     // centre of the row of warning signs
     double axis;
 };
 
@@ -42,15 +43,16 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setCursor(Qt::PointingHandCursor);
     setAccessibleName(tr("Timeline"));
-    setToolTip(tr("Deaths over time and what is computed. Drag to scrub."));
+    setToolTip(tr("Deaths over time and what is computed. Drag to scrub; with Shift, drag the range that playback goes round."));
 }
 
 Timeline::Rows Timeline::rows() const {
-    const double label = fontMetrics().horizontalAdvance(tr("computed")) + 24.0;
+    const double label = fontMetrics().horizontalAdvance(m_bookmarks.empty() ? tr("computed") : tr("bookmarks")) + 24.0;
     const double axis = height() - fontMetrics().height() - 10.0;
     const double signs = m_marks.empty() ? 0.0 : 18.0;
-    const double bar = axis - 8.0 - signs;
-    return {label, width() - 24.0, 12.0, bar - 16.0, bar - 8.0, bar, axis - 10.0, axis};
+    const double flags = m_bookmarks.empty() ? 0.0 : bookmarkRow;
+    const double bar = axis - 8.0 - signs - flags;
+    return {label, width() - 24.0, 12.0, bar - 16.0, bar - 8.0, bar, axis - 9.0 - signs, axis - 10.0, axis};
 }
 
 void Timeline::setRange(double first, double last) {
@@ -159,6 +161,12 @@ QString Timeline::wordsOf(const std::vector<std::size_t>& marks) const {
 bool Timeline::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
+        if (const auto bookmark = bookmarkAt(help->pos())) {
+            const TimeMark& mark = m_bookmarks[*bookmark];
+            const QString note = mark.note.isEmpty() ? tr("Bookmark") : mark.note;
+            QToolTip::showText(help->globalPos(), tr("%1\n%2; double-click to change").arg(note, shownTime(mark.time)), this);
+            return true;
+        }
         if (const auto marks = marksAt(help->pos()); !marks.empty()) {
             QToolTip::showText(help->globalPos(), wordsOf(marks), this);
             return true;
@@ -180,18 +188,42 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
         emit markChosen(marks.front());
         return;
     }
+    if (const auto bookmark = bookmarkAt(event->position())) {
+        emit bookmarkChosen(*bookmark);
+        return;
+    }
+    if ((event->modifiers() & Qt::ShiftModifier) != 0) {
+        m_loopStart = toTime(event->position().x());
+        return;
+    }
     m_scrubbing = true;
     emit scrubbed(toTime(event->position().x()));
+}
+
+void Timeline::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (const auto bookmark = bookmarkAt(event->position()); bookmark && event->button() == Qt::LeftButton) {
+        emit bookmarkOpened(*bookmark);
+    } else {
+        mousePressEvent(event);
+    }
 }
 
 void Timeline::mouseMoveEvent(QMouseEvent* event) {
     if (m_scrubbing && (event->buttons() & Qt::LeftButton) != 0 && m_last > m_first) {
         emit scrubbed(toTime(event->position().x()));
+    } else if (m_loopStart && (event->buttons() & Qt::LeftButton) != 0) {
+        const double now = toTime(event->position().x());
+        emit loopDragged(std::min(*m_loopStart, now), std::max(*m_loopStart, now), false);
     }
 }
 
-void Timeline::mouseReleaseEvent(QMouseEvent*) {
+void Timeline::mouseReleaseEvent(QMouseEvent* event) {
     m_scrubbing = false;
+    if (m_loopStart) {
+        const double now = toTime(event->position().x());
+        emit loopDragged(std::min(*m_loopStart, now), std::max(*m_loopStart, now), true);
+        m_loopStart.reset();
+    }
 }
 
 void Timeline::paintEvent(QPaintEvent*) {
@@ -206,6 +238,8 @@ void Timeline::paintEvent(QPaintEvent*) {
     }
     painter.drawText(QPointF(12, r.deathsTop + painter.fontMetrics().ascent()), tr("deaths"));
     painter.drawText(QPointF(12, r.barBottom), tr("computed"));
+    paintLoop(painter, r);
+    painter.setPen(tints().muted);
     paintDeaths(painter, r);
     paintComputed(painter, r);
     paintAxis(painter, r);
@@ -214,6 +248,7 @@ void Timeline::paintEvent(QPaintEvent*) {
         painter.drawText(QPointF(12, r.health + painter.fontMetrics().ascent() / 2.0 - 1.0), tr("health"));
         paintHealth(painter, r);
     }
+    paintBookmarks(painter, r);
     paintMarks(painter, r);
 }
 
@@ -293,9 +328,9 @@ void Timeline::paintAxis(QPainter& painter, const Rows& r) const {
     const double step = roundStep(m_last - m_first, (r.right - r.left) / 56.0);
     const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
     painter.setPen(tints().muted);
-    const double start = std::ceil(m_first / step - 1e-9);
-    for (double k = start; k * step <= m_last * (1.0 + 1e-12); k += 1.0) {
-        const double x = toX(k * step);
+    const double start = std::ceil((m_first - m_origin) / step - 1e-9);
+    for (double k = start; k * step + m_origin <= m_last * (1.0 + 1e-12) + 1e-12; k += 1.0) {
+        const double x = toX(k * step + m_origin);
         painter.drawLine(QPointF(x, r.axis), QPointF(x, r.axis + 3));
         QString label = QLocale().toString(k * step, 'f', decimals);
         if (k == start) {
@@ -303,6 +338,85 @@ void Timeline::paintAxis(QPainter& painter, const Rows& r) const {
         }
         const double half = painter.fontMetrics().horizontalAdvance(label) / 2.0;
         painter.drawText(QPointF(x - half, r.axis + 5 + painter.fontMetrics().ascent()), label);
+    }
+}
+
+void Timeline::setBookmarks(std::vector<TimeMark> bookmarks) {
+    const bool rowChanges = bookmarks.empty() != m_bookmarks.empty();
+    m_bookmarks = std::move(bookmarks);
+    if (rowChanges) {
+        updateGeometry();
+        groupSigns();
+    }
+    update();
+}
+
+void Timeline::setLoop(const std::optional<std::pair<double, double>>& range) {
+    m_loop = range;
+    update();
+}
+
+void Timeline::setTimeOrigin(double origin) {
+    m_origin = origin;
+    update();
+}
+
+QString Timeline::shownTime(double time) const {
+    return tr("%1 s").arg(QLocale().toString(time - m_origin, 'f', 2));
+}
+
+QPointF Timeline::flagOf(std::size_t bookmark) const {
+    return {toX(m_bookmarks[bookmark].time), rows().bookmarks};
+}
+
+std::optional<std::size_t> Timeline::bookmarkAt(const QPointF& point) const {
+    // The later one lies on top.
+    for (std::size_t i = m_bookmarks.size(); i-- > 0;) {
+        const QPointF flag = flagOf(i);
+        if (point.x() >= flag.x() - 5.0 && point.x() <= flag.x() + 9.0 && std::abs(point.y() - flag.y()) <= bookmarkRow / 2.0) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+void Timeline::paintBookmarks(QPainter& painter, const Rows& r) const {
+    if (m_bookmarks.empty()) {
+        return;
+    }
+    painter.setPen(tints().muted);
+    painter.drawText(QPointF(12, r.bookmarks + painter.fontMetrics().ascent() / 2.0 - 1.0), tr("bookmarks"));
+    for (std::size_t i = 0; i < m_bookmarks.size(); ++i) {
+        const QPointF at = flagOf(i);
+        painter.setPen(QPen(tints().accent, 1.2));
+        painter.setBrush(tints().accent);
+        painter.drawLine(at + QPointF(0, -6), at + QPointF(0, 7));
+        painter.drawPolygon(QPolygonF({at + QPointF(0, -6), at + QPointF(8, -3), at + QPointF(0, 0)}));
+        painter.setBrush(Qt::NoBrush);
+        // The note stands beside its flag as far as the next one leaves room.
+        const double room = (i + 1 < m_bookmarks.size() ? toX(m_bookmarks[i + 1].time) : r.right) - at.x() - 18.0;
+        if (room > 24.0 && !m_bookmarks[i].note.isEmpty()) {
+            painter.setPen(tints().muted);
+            const QString note =
+                painter.fontMetrics().elidedText(m_bookmarks[i].note.simplified(), Qt::ElideRight, static_cast<int>(room));
+            painter.drawText(QPointF(at.x() + 12.0, at.y() + painter.fontMetrics().ascent() / 2.0 - 1.0), note);
+        }
+    }
+}
+
+void Timeline::paintLoop(QPainter& painter, const Rows& r) const {
+    if (!m_loop || m_loop->second <= m_first || m_loop->first >= m_last) {
+        return;
+    }
+    const double from = toX(std::max(m_loop->first, m_first));
+    const double to = toX(std::min(m_loop->second, m_last));
+    QColor wash = tints().accent;
+    wash.setAlphaF(0.12F);
+    painter.fillRect(QRectF(QPointF(from, 4), QPointF(to, r.axis)), wash);
+    // Brackets, so that the ends are seen without colour too.
+    painter.setPen(QPen(tints().accent, 1.4));
+    for (const auto& [x, inwards] : {std::pair(from, 4.0), std::pair(to, -4.0)}) {
+        painter.drawPolyline(QPolygonF({{x + inwards, 4}, {x, 4}, {x, r.axis}, {x + inwards, r.axis}}));
     }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace rubble::widgets {
@@ -14,9 +16,16 @@ struct HealthMark {
     bool acknowledged = false;
 };
 
+/// An instant that was marked, as the timeline shows it.
+struct TimeMark {
+    double time = 0.0;  ///< s
+    QString note;
+};
+
 /// Deaths over time as an area, what is computed as a bar that grows, breaches of health as intervals with a warning sign, the end
-/// of the FE result as a dashed line, one playhead. Emits scrubbed() while the mouse drags, markChosen() when a warning sign is
-/// clicked. Times in s.
+/// of the FE result as a dashed line, bookmarks as flags, the range that playback goes round as a band, one playhead. Emits
+/// scrubbed() while the mouse drags, loopDragged() with Shift, markChosen() when a warning sign is clicked. Times in s, on the
+/// file's clock.
 class Timeline : public QWidget {
     Q_OBJECT
 
@@ -34,7 +43,17 @@ public:
     /// Breaches of health in the order in which they began; the row goes when there are none.
     void setHealth(std::vector<HealthMark> marks);
 
+    /// Bookmarks in the order of their times; the row goes when there are none.
+    void setBookmarks(std::vector<TimeMark> bookmarks);
+    /// The range that playback goes round; unset: none.
+    void setLoop(const std::optional<std::pair<double, double>>& range);
+    /// Labels of the axis count from here.
+    void setTimeOrigin(double origin);
+
     double time() const { return m_time; }
+    /// Centre of the flag of a bookmark.
+    QPointF flagOf(std::size_t bookmark) const;
+    std::optional<std::size_t> bookmarkAt(const QPointF& point) const;
     /// Place of a time on the axis and back [px].
     double toX(double time) const;
     double toTime(double x) const;
@@ -42,12 +61,17 @@ public:
     std::vector<std::size_t> marksAt(const QPointF& point) const;
     /// Centre of the sign of a mark.
     QPointF signOf(std::size_t mark) const;
-    QSize sizeHint() const override { return {600, 116}; }
+    QSize sizeHint() const override { return {600, 116 + (m_bookmarks.empty() ? 0 : bookmarkRow)}; }
     QSize minimumSizeHint() const override { return {240, 96}; }
 
 signals:
     void scrubbed(double time);
     void markChosen(std::size_t mark);
+    void bookmarkChosen(std::size_t bookmark);
+    /// Double-clicked: its note is to be changed.
+    void bookmarkOpened(std::size_t bookmark);
+    /// Dragged with Shift held. @param done  the button was let go
+    void loopDragged(double from, double to, bool done);
 
 protected:
     bool event(QEvent* event) override;
@@ -56,8 +80,10 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
 
 private:
+    static constexpr int bookmarkRow = 16;  // px
     struct Rows;
     Rows rows() const;
     void paintDeaths(QPainter& painter, const Rows& rows) const;
@@ -65,6 +91,10 @@ private:
     void paintAxis(QPainter& painter, const Rows& rows) const;
     void paintMarks(QPainter& painter, const Rows& rows) const;
     void paintHealth(QPainter& painter, const Rows& rows) const;
+    void paintBookmarks(QPainter& painter, const Rows& rows) const;
+    void paintLoop(QPainter& painter, const Rows& rows) const;
+    /// A time as the axis counts it: "4.88 s".
+    QString shownTime(double time) const;
     void groupSigns();
     QString wordsOf(const std::vector<std::size_t>& marks) const;
 
@@ -83,7 +113,11 @@ private:
         std::size_t first, last;
     };
     std::vector<Sign> m_signs;
+    std::vector<TimeMark> m_bookmarks;
+    std::optional<std::pair<double, double>> m_loop;
+    double m_origin = 0.0;
     bool m_scrubbing = false;
+    std::optional<double> m_loopStart;  // where a drag with Shift began
 };
 
 /// A round step (1, 2 or 5 times a power of ten) that puts at most `count` marks over `span`.

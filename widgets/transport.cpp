@@ -29,7 +29,14 @@ QToolButton* button(Glyph glyph, const QString& name, const QString& tip) {
 }  // namespace
 
 Transport::Transport(QWidget* parent)
-    : QWidget(parent), m_time(new QLabel), m_span(new QLabel), m_play(button(Glyph::Play, tr("Play"), {})), m_rate(new QComboBox) {
+    : QWidget(parent),
+      m_time(new QLabel),
+      m_span(new QLabel),
+      m_play(button(Glyph::Play, tr("Play"), {})),
+      m_playBack(button(Glyph::PlayBack, tr("Play backwards"), {})),
+      m_loop(
+          button(Glyph::Loop, tr("Loop"), tr("Playback goes round: the range dragged with Shift in the timeline, or all of it"))),
+      m_rate(new QComboBox) {
     setObjectName(QStringLiteral("transportBar"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(14, 8, 8, 8);
@@ -51,7 +58,12 @@ Transport::Transport(QWidget* parent)
     QToolButton* forward = button(Glyph::Forward, tr("Forward"), tr("Forward one state (→), ten with Shift"));
     QToolButton* last = button(Glyph::Last, tr("Last instant"), tr("To the last instant (End)"));
     m_play->setObjectName(QStringLiteral("play"));
-    for (QToolButton* each : {first, back, m_play, forward, last}) {
+    QToolButton* bookmark = button(Glyph::Bookmark, tr("Bookmark"), tr("Mark this instant with a note (B)"));
+    bookmark->setObjectName(QStringLiteral("bookmark"));
+    m_playBack->setObjectName(QStringLiteral("playBack"));
+    m_loop->setObjectName(QStringLiteral("loop"));
+    m_loop->setCheckable(true);
+    for (QToolButton* each : {first, back, m_playBack, m_play, forward, last}) {
         buttons->addWidget(each);
     }
     for (const double rate : rates) {
@@ -61,6 +73,8 @@ Transport::Transport(QWidget* parent)
     m_rate->setAccessibleName(tr("Playback rate"));
     m_rate->setFocusPolicy(Qt::TabFocus);
     buttons->addWidget(m_rate);
+    buttons->addWidget(m_loop);
+    buttons->addWidget(bookmark);
     buttons->addStretch();
     column->addLayout(buttons);
     column->addStretch();
@@ -70,6 +84,9 @@ Transport::Transport(QWidget* parent)
     connect(back, &QToolButton::clicked, this, [this] { emit stepped(-1); });
     connect(forward, &QToolButton::clicked, this, [this] { emit stepped(1); });
     connect(m_play, &QToolButton::clicked, this, &Transport::playToggled);
+    connect(m_playBack, &QToolButton::clicked, this, &Transport::playBackToggled);
+    connect(m_loop, &QToolButton::clicked, this, &Transport::loopToggled);
+    connect(bookmark, &QToolButton::clicked, this, &Transport::bookmarkRequested);
     connect(m_rate, &QComboBox::activated, this, [this] { emit ratePicked(m_rate->currentData().toDouble()); });
     setRate(1.0);
     setPlaying(false);
@@ -77,19 +94,44 @@ Transport::Transport(QWidget* parent)
 }
 
 void Transport::setTime(double time) {
-    m_time->setText(QLocale().toString(time, 'f', 2) + QStringLiteral(" s"));
+    m_shown = time;
+    m_time->setText(QLocale().toString(time - m_origin, 'f', 2) + QStringLiteral(" s"));
 }
 
 void Transport::setSpan(double last, double feEnd) {
-    const QString end = tr("of %1 s").arg(QLocale().toString(last, 'f', 2));
-    m_span->setText(last > feEnd + 1e-9 ? end + QLatin1Char('\n') + tr("FE ends at %1 s").arg(QLocale().toString(feEnd, 'f', 2))
-                                        : end);
+    m_last = last;
+    m_feEnd = feEnd;
+    const QString end = tr("of %1 s").arg(QLocale().toString(last - m_origin, 'f', 2));
+    m_span->setText(last > feEnd + 1e-9
+                        ? end + QLatin1Char('\n') + tr("FE ends at %1 s").arg(QLocale().toString(feEnd - m_origin, 'f', 2))
+                        : end);
+}
+
+void Transport::setTimeOrigin(double origin) {
+    m_origin = origin;
+    setTime(m_shown);
+    setSpan(m_last, m_feEnd);
 }
 
 void Transport::setPlaying(bool playing) {
-    m_play->setIcon(glyphIcon(playing ? Glyph::Pause : Glyph::Play));
-    m_play->setToolTip(playing ? tr("Pause (Space)") : tr("Play (Space)"));
-    m_play->setAccessibleName(playing ? tr("Pause") : tr("Play"));
+    m_playing = playing;
+    const bool forwards = playing && !m_backwards;
+    const bool back = playing && m_backwards;
+    m_play->setIcon(glyphIcon(forwards ? Glyph::Pause : Glyph::Play));
+    m_play->setToolTip(forwards ? tr("Pause (Space)") : tr("Play (Space)"));
+    m_play->setAccessibleName(forwards ? tr("Pause") : tr("Play"));
+    m_playBack->setIcon(glyphIcon(back ? Glyph::Pause : Glyph::PlayBack));
+    m_playBack->setToolTip(back ? tr("Pause (Shift+Space)") : tr("Play backwards (Shift+Space)"));
+    m_playBack->setAccessibleName(back ? tr("Pause") : tr("Play backwards"));
+}
+
+void Transport::setBackwards(bool backwards) {
+    m_backwards = backwards;
+    setPlaying(m_playing);
+}
+
+void Transport::setLooping(bool looping) {
+    m_loop->setChecked(looping);
 }
 
 void Transport::setRate(double rate) {

@@ -22,6 +22,11 @@ public:
     void setPlaying(bool playing);
     void setRate(double rate);
     void setAvailable(bool available);
+    /// @param backwards  playback goes back in time
+    void setBackwards(bool backwards);
+    void setLooping(bool looping);
+    /// Times are shown counted from here [s].
+    void setTimeOrigin(double origin);
 
 signals:
     void playToggled();
@@ -29,12 +34,23 @@ signals:
     void jumpedToFirst();
     void jumpedToLast();
     void ratePicked(double rate);
+    void playBackToggled();
+    void loopToggled(bool loop);
+    void bookmarkRequested();
 
 private:
     QLabel* m_time;
     QLabel* m_span;
     QToolButton* m_play;
+    QToolButton* m_playBack;
+    QToolButton* m_loop;
     QComboBox* m_rate;
+    double m_origin = 0.0;
+    double m_shown = 0.0;
+    double m_last = 0.0;
+    double m_feEnd = 0.0;
+    bool m_playing = false;
+    bool m_backwards = false;
 };
 
 }  // namespace rubble::widgets

@@ -21,18 +21,30 @@ namespace {
 
 constexpr int growthsPerSecond = 25;
 
+const CaseScenario* activeOf(const Case& theCase) {
+    const CaseScenario* active = nullptr;
+    for (const CaseScenario& each : theCase.scenarios) {
+        active = active == nullptr || each.id == theCase.activeScenario ? &each : active;
+    }
+    return active;
+}
+
+/// The FE result that the scenario worked on stands on; null if the case names none.
+const CaseInput* feInputOf(const Case& theCase) {
+    const CaseScenario* active = activeOf(theCase);
+    const CaseInput* input = nullptr;
+    for (const CaseInput& each : theCase.inputs) {
+        input = active != nullptr && each.id == active->feInput ? &each : input;
+    }
+    return input;
+}
+
 /// Reads the FE result and the terrain of a case. An FE result that was recognised but cannot be read as it is set leaves the case,
 /// so that the settings can be changed.
 void readFe(Opened& opened, const Keeping& keeping, const Execution& execution) {
     try {
-        const CaseScenario* active = nullptr;
-        for (const CaseScenario& each : opened.theCase.scenarios) {
-            active = active == nullptr || each.id == opened.theCase.activeScenario ? &each : active;
-        }
-        const CaseInput* input = nullptr;
-        for (const CaseInput& each : opened.theCase.inputs) {
-            input = active != nullptr && each.id == active->feInput ? &each : input;
-        }
+        const CaseScenario* active = activeOf(opened.theCase);
+        const CaseInput* input = feInputOf(opened.theCase);
         if (input == nullptr) {
             throw ParseError({"gui.case_without_fe", "{0} names no FE result", {opened.base.toStdString()}},
                              {"gui.case_without_fe.remedy", "Open the FE result itself.", {}});
@@ -52,6 +64,49 @@ void readFe(Opened& opened, const Keeping& keeping, const Execution& execution) 
         opened.fe.reset();
         opened.failure = failureOf(std::current_exception());
     }
+}
+
+/// Looks where the case says that its inputs are; what was read already is not read again.
+void findInputs(Opened& opened, const Execution& execution) {
+    for (const CaseInput& input : opened.theCase.inputs) {
+        const std::string place = io::inputPath(opened.base.toStdString(), input);
+        std::string known;
+        if (opened.fe != nullptr && &input == feInputOf(opened.theCase)) {
+            known = opened.fe->contents().sha256;
+        } else if (input.role == InputRole::Terrain && place == opened.terrain.path) {
+            known = opened.terrain.sha256;
+        }
+        opened.found.push_back(io::findInput(opened.base.toStdString(), input, known, execution));
+    }
+}
+
+/// A run of this window's own goes with its file when another takes its place.
+void dropFile(const std::shared_ptr<RunRecord>& older, const std::shared_ptr<RunRecord>& newer) {
+    if (older != nullptr && older != newer && !older->kept) {
+        QFile::remove(older->path);
+    }
+}
+
+/// Reads a run that was kept. What it was made from comes from its own file, the components from its settings.
+void readKept(RunRecord& record, const Inputs& inputs, const Results& previous, const Execution& execution) {
+    record.reader = io::openRun(record.path.toStdString());
+    const io::RunOrigin& origin = record.reader->origin();
+    if (origin.feSha256 != inputs.fe->contents().sha256) {
+        throw UsageError(
+            {"gui.run_of_another", "{0} was made from another FE result than the one that is open", {record.path.toStdString()}},
+            {"gui.run_of_another.remedy", "Open the case that it belongs to.", {}});
+    }
+    record.scenario = origin.scenario;
+    record.results = run(inputs, origin.scenario, Stage::Clusters, previous, nullptr, execution);
+    if (record.reader->fragments() != nullptr && record.reader->clustering() != nullptr) {
+        record.results.fragments = record.reader->fragments();
+        record.results.clustering = record.reader->clustering();
+    }
+    record.outcome = record.reader->result();
+    record.results.simulation = record.outcome;
+    record.soFar.breaches = record.reader->breaches();
+    record.acknowledged = io::taintOf(*record.reader).acknowledgement;
+    record.newest = record.reader->frameCount() > 0 ? record.reader->frameTime(record.reader->frameCount() - 1) : 0.0;
 }
 
 /// Names what the effects are decided for. How often frames are recorded is no part of it: live mode has its own rate.
@@ -104,6 +159,9 @@ void Computation::startOpening(std::function<Opened(const Execution&)> read) {
                         if (const auto failure = failureOf(thrown)) {
                             fail(*failure);
                         } else if (thrown == nullptr) {
+                            // Also where what was open stays: the case may name files that are not there.
+                            m_found = result->found;
+                            emit inputsFound();
                             emit opened(*result);
                         }
                         emit stateChanged();
@@ -122,14 +180,16 @@ void Computation::open(const QString& path) {
             result.theCase = io::caseForFe(absolute.toStdString(), result.base.toStdString());
         }
         readFe(result, keep, execution);
+        findInputs(result, execution);
         return result;
     });
 }
 
-void Computation::reopen(const Case& theCase, const QString& path, const QString& base) {
-    startOpening([theCase, path, base, keep = m_keeping](const Execution& execution) {
-        Opened result{theCase, path, base, nullptr, std::nullopt, {}};
+void Computation::reopen(const Case& theCase, const QString& path, const QString& base, bool recovered) {
+    startOpening([theCase, path, base, recovered, keep = m_keeping](const Execution& execution) {
+        Opened result{theCase, path, base, nullptr, std::nullopt, {}, {}, recovered};
         readFe(result, keep, execution);
+        findInputs(result, execution);
         return result;
     });
 }
@@ -137,11 +197,13 @@ void Computation::reopen(const Case& theCase, const QString& path, const QString
 void Computation::take(const Opened& opened, const Scenario& scenario) {
     m_inputs = {opened.fe, opened.fe ? opened.fe->contents().frame : opened.theCase.frame, opened.terrain.grid};
     m_terrain = opened.terrain;
+    m_found = opened.found;
     m_import = scenario.import;
     m_results = {};
     m_decisions.reset();
     m_run.reset();
     m_failure.reset();
+    emit inputsFound();
     if (opened.failure) {
         fail(*opened.failure);
     }
@@ -155,6 +217,7 @@ void Computation::clear() {
     m_worker.cancel();
     m_inputs = {};
     m_terrain = {};
+    m_found.clear();
     m_results = {};
     m_decisions.reset();
     m_run.reset();
@@ -332,10 +395,34 @@ void Computation::began(const std::shared_ptr<RunRecord>& record, const std::sha
     record->newest = from.fragments != nullptr && !from.fragments->list.empty() ? from.fragments->list.front().handOverTime : 0.0;
     const std::shared_ptr<RunRecord> older = std::exchange(m_run, record);
     emit runBegun();
-    if (older != nullptr && older != record) {
-        QFile::remove(older->path);
-    }
+    dropFile(older, record);
     emit stateChanged();
+}
+
+void Computation::showRun(const QString& path, double wallSeconds) {
+    if (m_inputs.fe == nullptr || simulating()) {
+        return;
+    }
+    auto record = std::make_shared<RunRecord>();
+    record->path = path;
+    record->kept = true;
+    record->wallSeconds = wallSeconds;
+    m_worker.start({Worker::Kind::Write,
+                    [record, inputs = m_inputs, previous = m_results](const Execution& execution) {
+                        execution.report({"gui.opening_run", "Opening the run", {}}, 0.0);
+                        readKept(*record, inputs, previous, execution);
+                    },
+                    [this, record, fe = m_inputs.fe](const std::exception_ptr& thrown) {
+                        if (const auto failure = failureOf(thrown)) {
+                            fail(*failure);
+                        } else if (thrown == nullptr && fe == m_inputs.fe && !simulating()) {
+                            const std::shared_ptr<RunRecord> older = std::exchange(m_run, record);
+                            dropFile(older, record);
+                            m_pace.reset();
+                            emit runReopened();
+                        }
+                        emit stateChanged();
+                    }});
 }
 
 void Computation::committed(const std::shared_ptr<RunRecord>& record, double time) {

@@ -9,6 +9,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/scenario/case.h"
 #include "core/simulation/acknowledgement.h"
+#include "io/input_check.h"
 #include "io/run_file.h"
 #include "io/terrain_reader.h"
 #include "widgets/stage_rail.h"
@@ -22,12 +23,15 @@ struct Opened {
     QString base;  ///< what its inputs are relative to
     std::shared_ptr<const FeResult> fe;
     std::optional<Failure> failure;
-    io::TerrainInput terrain;  ///< its grid is null if the case has none
+    io::TerrainInput terrain;           ///< its grid is null if the case has none
+    std::vector<io::FoundInput> found;  ///< what lies where the case says that its inputs are
+    bool recovered = false;             ///< the case has changes that were never saved
 };
 
 /// A run as the window has it: its file, what it was made from, and its outcome.
 struct RunRecord {
     QString path;
+    bool kept = false;  ///< the file is the user's, and stays
     bool live = false;
     Scenario scenario;
     Results results;  ///< what it was made from; `simulation` once it is complete
@@ -64,7 +68,8 @@ public:
     /// Reads a case or an FE result; answers with opened().
     void open(const QString& path);
     /// Reads the FE result of an open case anew, with other import settings; answers with opened().
-    void reopen(const Case& theCase, const QString& path, const QString& base);
+    /// @param recovered  the case has changes that were never saved
+    void reopen(const Case& theCase, const QString& path, const QString& base, bool recovered = false);
     /// Takes what was opened and prepares it up to the clusters.
     void take(const Opened& opened, const Scenario& scenario);
     /// Whether FE results are opened through copies in the cache folder.
@@ -76,6 +81,9 @@ public:
     void update(const Scenario& scenario);
     /// Simulates; answers with runBegun(), runGrew() and runEnded().
     void simulate(const Scenario& scenario, const QString& scenarioName, bool live);
+    /// Shows a run that was kept in place of the last one; answers with runReopened() or failed().
+    /// @param wallSeconds  that it took, as far as that is known
+    void showRun(const QString& path, double wallSeconds);
     /// Long work that writes a file, with progress and cancel; `done` gets what it threw.
     void write(std::function<void(const Execution&)> work, std::function<void(std::exception_ptr)> done);
     void cancel();
@@ -91,6 +99,8 @@ public:
     const Inputs& inputs() const { return m_inputs; }
     /// The terrain of the case as it was read, with its findings; without grid if there is none.
     const io::TerrainInput& terrain() const { return m_terrain; }
+    /// What lay where the case says that its inputs are, when they were last read.
+    const std::vector<io::FoundInput>& foundInputs() const { return m_found; }
     const Results& results() const { return m_results; }
     const RunRecord* currentRun() const { return m_run.get(); }
     const std::shared_ptr<LivePace>& livePace() const { return m_pace; }
@@ -110,12 +120,16 @@ public:
 
 signals:
     void opened(const rubble::Opened& opened);
+    /// The inputs of the case were looked for; foundInputs() says what is there.
+    void inputsFound();
     /// Results before the simulation have changed.
     void prepared();
     void runBegun();
     /// A frame was committed; at most about 25 times a second, in live mode for every frame.
     void runGrew(double time);
     void runEnded(bool complete);
+    /// A kept run is the current one now.
+    void runReopened();
     /// Effects were decided.
     void decided();
     /// The last run was acknowledged, or could not be: what was said against it.
@@ -145,6 +159,7 @@ private:
     Keeping m_keeping;
     Inputs m_inputs;
     io::TerrainInput m_terrain;
+    std::vector<io::FoundInput> m_found;
     ImportSettings m_import;  // with which the FE result was read
     Results m_results;
     std::shared_ptr<const EffectDecisions> m_decisions;

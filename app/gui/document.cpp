@@ -1,8 +1,11 @@
 #include "app/gui/document.h"
 
-#include "app/gui/inputs_command.h"
+#include <QUndoCommand>
+#include <algorithm>
+
+#include "app/gui/moved_inputs.h"
 #include "app/gui/scenario_command.h"
-#include "widgets/wording.h"
+#include "app/gui/step_command.h"
 
 namespace rubble {
 
@@ -26,11 +29,14 @@ const Scenario& Document::scenario() const {
     return found != nullptr ? found->scenario : none;
 }
 
-void Document::replace(Case theCase, const QString& path, const QString& base) {
+void Document::replace(Case theCase, const QString& path, const QString& base, bool changed) {
     m_case = std::move(theCase);
     m_path = path;
     m_base = base;
     m_undo.clear();
+    if (changed) {
+        m_undo.resetClean();
+    }
     emit replaced();
     emit titleChanged();
 }
@@ -71,13 +77,124 @@ void Document::edit(const QString& what, const Scenario& after) {
 
 void Document::setInputs(std::vector<CaseInput> inputs, const QString& what) {
     if (!empty() && !(inputs == m_case.inputs)) {
-        m_undo.push(new InputsCommand(*this, std::move(inputs), what));
+        // Paths are relative to where the case lies now; it may lie elsewhere when this is undone.
+        const auto way = [this, base = m_base](std::vector<CaseInput> to) {
+            return [this, base, inputs = std::move(to)] { putInputs(inputs, base); };
+        };
+        m_undo.push(new StepCommand(what, way(std::move(inputs)), way(m_case.inputs)));
     }
 }
 
-void Document::putInputs(const std::vector<CaseInput>& inputs) {
-    m_case.inputs = inputs;
-    emit inputsChanged();
+void Document::putInputs(const std::vector<CaseInput>& inputs, const QString& base) {
+    std::vector<CaseInput> now = base == m_base ? inputs : movedInputs(inputs, base, m_base);
+    const bool sameFiles =
+        std::equal(now.begin(), now.end(), m_case.inputs.begin(), m_case.inputs.end(),
+                   [](const CaseInput& a, const CaseInput& b) { return a.id == b.id && a.role == b.role && a.path == b.path; });
+    m_case.inputs = std::move(now);
+    if (sameFiles) {
+        emit inputsAccepted();
+    } else {
+        emit inputsChanged();
+    }
+}
+
+const CaseScenario* Document::scenarioOf(const std::string& id) const {
+    const auto found =
+        std::find_if(m_case.scenarios.begin(), m_case.scenarios.end(), [&](const CaseScenario& each) { return each.id == id; });
+    return found != m_case.scenarios.end() ? &*found : nullptr;
+}
+
+void Document::changeScenarios(std::vector<CaseScenario> scenarios, const std::string& active, const QString& what) {
+    if (scenarios == m_case.scenarios && active == m_case.activeScenario) {
+        return;
+    }
+    const auto way = [this](std::vector<CaseScenario> to, std::string which) {
+        return [this, to = std::move(to), which = std::move(which)] { putScenarios(to, which); };
+    };
+    m_undo.push(new StepCommand(what, way(std::move(scenarios), active), way(m_case.scenarios, m_case.activeScenario)));
+}
+
+void Document::putScenarios(const std::vector<CaseScenario>& scenarios, const std::string& active) {
+    const CaseScenario before = this->active() != nullptr ? *this->active() : CaseScenario();
+    m_case.scenarios = scenarios;
+    m_case.activeScenario = active;
+    const CaseScenario& after = *this->active();
+    emit scenariosChanged();
+    emit titleChanged();
+    if (after.feInput != before.feInput) {
+        emit inputsChanged();
+    } else if (!(after.scenario == before.scenario)) {
+        emit scenarioChanged();
+    }
+}
+
+void Document::duplicateScenario(const std::string& id) {
+    const CaseScenario* of = scenarioOf(id);
+    if (of == nullptr) {
+        return;
+    }
+    const auto taken = [this](const auto& is) { return std::any_of(m_case.scenarios.begin(), m_case.scenarios.end(), is); };
+    CaseScenario copy = *of;
+    for (std::size_t n = m_case.scenarios.size() + 1; taken([&](const CaseScenario& each) { return each.id == copy.id; }); ++n) {
+        copy.id = "scenario-" + std::to_string(n);
+    }
+    const QString name = QString::fromStdString(of->name);
+    copy.name = tr("%1, copy").arg(name).toStdString();
+    for (int n = 2; taken([&](const CaseScenario& each) { return each.name == copy.name; }); ++n) {
+        copy.name = tr("%1, copy %2").arg(name).arg(n).toStdString();
+    }
+    std::vector<CaseScenario> all = m_case.scenarios;
+    all.insert(all.begin() + (of - m_case.scenarios.data()) + 1, copy);
+    changeScenarios(std::move(all), copy.id, tr("scenario “%1”").arg(QString::fromStdString(copy.name)));
+}
+
+void Document::renameScenario(const std::string& id, const QString& name) {
+    if (const CaseScenario* of = scenarioOf(id); of != nullptr && !name.trimmed().isEmpty()) {
+        std::vector<CaseScenario> all = m_case.scenarios;
+        all[static_cast<std::size_t>(of - m_case.scenarios.data())].name = name.trimmed().toStdString();
+        changeScenarios(std::move(all), m_case.activeScenario,
+                        tr("scenario “%1” renamed to “%2”").arg(QString::fromStdString(of->name), name.trimmed()));
+    }
+}
+
+void Document::setScenarioNote(const std::string& id, const QString& note) {
+    if (const CaseScenario* of = scenarioOf(id)) {
+        std::vector<CaseScenario> all = m_case.scenarios;
+        all[static_cast<std::size_t>(of - m_case.scenarios.data())].note = note.toStdString();
+        changeScenarios(std::move(all), m_case.activeScenario, tr("note on “%1”").arg(QString::fromStdString(of->name)));
+    }
+}
+
+void Document::removeScenario(const std::string& id) {
+    const CaseScenario* of = scenarioOf(id);
+    if (of == nullptr || m_case.scenarios.size() < 2) {
+        return;
+    }
+    const auto place = static_cast<std::size_t>(of - m_case.scenarios.data());
+    std::vector<CaseScenario> all = m_case.scenarios;
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(place));
+    const std::string next = id == this->active()->id ? all[std::min(place, all.size() - 1)].id : m_case.activeScenario;
+    changeScenarios(std::move(all), next, tr("scenario “%1” deleted").arg(QString::fromStdString(of->name)));
+}
+
+void Document::activateScenario(const std::string& id) {
+    if (const CaseScenario* of = scenarioOf(id); of != nullptr && of != active()) {
+        changeScenarios(m_case.scenarios, id, tr("to scenario “%1”").arg(QString::fromStdString(of->name)));
+    }
+}
+
+void Document::setBookmarks(std::vector<Bookmark> bookmarks, const QString& what) {
+    std::stable_sort(bookmarks.begin(), bookmarks.end(), [](const Bookmark& a, const Bookmark& b) { return a.time < b.time; });
+    if (empty() || bookmarks == m_case.bookmarks) {
+        return;
+    }
+    const auto way = [this](std::vector<Bookmark> to) {
+        return [this, to = std::move(to)] {
+            m_case.bookmarks = to;
+            emit bookmarksChanged();
+        };
+    };
+    m_undo.push(new StepCommand(what, way(std::move(bookmarks)), way(m_case.bookmarks)));
 }
 
 void Document::applyPreset(const QString& name) {

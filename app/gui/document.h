@@ -30,7 +30,8 @@ public:
 
     /// Takes another case; the undo stack starts anew.
     /// @param path  where it lies, empty for one that was never saved; @param base  what its inputs are relative to
-    void replace(Case theCase, const QString& path, const QString& base);
+    /// @param changed  it has changes that are not saved (recovered work)
+    void replace(Case theCase, const QString& path, const QString& base, bool changed = false);
     void close();
     /// What has been saved under this path; inputs were made relative to it.
     void saved(Case asSaved, const QString& path);
@@ -41,6 +42,16 @@ public:
     void edit(const QString& what, const Scenario& after);
     /// Another set of input files as one undoable command.
     void setInputs(std::vector<CaseInput> inputs, const QString& what);
+    /// A copy of a scenario under another name becomes the one that is worked on.
+    void duplicateScenario(const std::string& id);
+    void renameScenario(const std::string& id, const QString& name);
+    void setScenarioNote(const std::string& id, const QString& note);
+    /// The last one stays: a case without scenario cannot be simulated.
+    void removeScenario(const std::string& id);
+    /// Works on another scenario from here on.
+    void activateScenario(const std::string& id);
+    /// Bookmarks, put into the order of their times, as one undoable command.
+    void setBookmarks(std::vector<Bookmark> bookmarks, const QString& what);
     /// A preset is one command too.
     void applyPreset(const QString& name);
     /// Edits of one parameter between these two are one step of undo.
@@ -52,13 +63,20 @@ signals:
     void scenarioChanged();
     /// The case stands on other files now: they are to be read.
     void inputsChanged();
+    /// What is said of the files has changed, not which they are.
+    void inputsAccepted();
+    /// Their names, their notes, how many there are or which one is worked on.
+    void scenariosChanged();
+    void bookmarksChanged();
     void titleChanged();
 
 private:
     friend class ScenarioCommand;
-    friend class InputsCommand;
     void put(const Scenario& scenario);
-    void putInputs(const std::vector<CaseInput>& inputs);
+    void putInputs(const std::vector<CaseInput>& inputs, const QString& base);
+    void putScenarios(const std::vector<CaseScenario>& scenarios, const std::string& active);
+    void changeScenarios(std::vector<CaseScenario> scenarios, const std::string& active, const QString& what);
+    const CaseScenario* scenarioOf(const std::string& id) const;
 
     Case m_case;
     QString m_path;

@@ -10,6 +10,7 @@
 
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
+#include "app/gui/moved_inputs.h"
 #include "core/analysis/calibration_table.h"
 #include "core/analysis/sweep_table.h"
 #include "core/base/error.h"
@@ -21,15 +22,6 @@
 #include "widgets/file_chart.h"
 
 namespace rubble {
-
-Case movedCase(const Case& theCase, const QString& from, const QString& to) {
-    Case moved = theCase;
-    const QDir folder = QFileInfo(to).absoluteDir();
-    for (CaseInput& input : moved.inputs) {
-        input.path = folder.relativeFilePath(QString::fromStdString(io::inputPath(from.toStdString(), input))).toStdString();
-    }
-    return moved;
-}
 
 namespace {
 
@@ -153,7 +145,14 @@ void FileCommands::saveRun() {
         return;
     }
     const QString path = askForOutput(tr("Save run"), QStringLiteral(".run.h5"), tr("Runs (*.run.h5)"));
-    if (path.isEmpty()) {
+    if (!path.isEmpty()) {
+        saveRunTo(path);
+    }
+}
+
+void FileCommands::saveRunTo(const QString& path) {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || record->running) {
         return;
     }
     m_computation.write(
@@ -169,7 +168,13 @@ void FileCommands::saveRun() {
             });
             copyAcknowledgements(from, to);
         },
-        [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
+        [this, path, kept = record->path](std::exception_ptr thrown) {
+            reportWrite(path, thrown);
+            const RunRecord* shown = m_computation.currentRun();
+            if (thrown == nullptr && shown != nullptr && shown->path == kept) {
+                emit runSaved(QFileInfo(path).absoluteFilePath());
+            }
+        });
 }
 
 void FileCommands::exportFragments() {

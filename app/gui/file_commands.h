@@ -13,7 +13,6 @@ class QWidget;
 
 namespace rubble {
 
-struct Case;
 class Computation;
 struct AccuracyReport;
 struct Calibration;
@@ -41,6 +40,7 @@ public:
     /// Writes the case to a path; says what went wrong in a message through failed().
     bool saveTo(const QString& path);
     void saveRun();
+    void saveRunTo(const QString& path);
     void exportFragments();
     void exportSeries();
     void exportFigure(const render::View& view, const render::SceneData& data);
@@ -57,6 +57,8 @@ public:
 
 signals:
     void done(const QString& what);
+    /// The run that is shown was kept at this path.
+    void runSaved(const QString& path);
     void failed(const QString& what, const QString& remedy);
 
 private:
@@ -69,8 +71,5 @@ private:
     Computation& m_computation;
     QWidget& m_window;
 };
-
-/// The case with its inputs relative to another place, so that it can be saved there.
-Case movedCase(const Case& theCase, const QString& from, const QString& to);
 
 }  // namespace rubble

@@ -6,9 +6,11 @@
 #include <cstdlib>
 
 #include "app/gui/accuracy_display.h"
+#include "app/gui/layout_memory.h"
 #include "app/gui/main_window.h"
 #include "app/gui/options.h"
 #include "app/gui/panel_deck.h"
+#include "app/gui/project_display.h"
 #include "app/gui/screenshot.h"
 #include "app/gui/settings.h"
 #include "widgets/figures/figure_file.h"
@@ -59,12 +61,22 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     // Qt takes the system's locale over for C as well, but files are read and written with a point as decimal sign everywhere.
     std::setlocale(LC_NUMERIC, "C");
+    const QString aside = rubble::setDamagedSettingsAside();
     QSettings settings;
     rubble::widgets::speak(options.language.isEmpty() ? rubble::readPreferences(settings).language : options.language);
     rubble::widgets::applyTheme(rubble::widgets::systemTheme());
     rubble::MainWindow window;
     if (!options.theme.isEmpty()) {
         window.setTheme(options.theme);
+    }
+    if (options.screenshot.isEmpty()) {
+        window.project().restoreLayout();
+        window.project().begin();
+    }
+    if (!aside.isEmpty()) {
+        window.showFailure({QCoreApplication::translate("main", "The settings of the program could not be read."),
+                            QCoreApplication::translate("main", "They start anew; the file was set aside as %1.").arg(aside),
+                            "gui.settings"});
     }
     if (options.size.isValid()) {
         window.resize(options.size);

@@ -23,6 +23,8 @@
 #include "app/gui/help.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
+#include "app/gui/project_display.h"
+#include "app/gui/run_history.h"
 #include "app/gui/sample.h"
 #include "app/gui/settings.h"
 #include "app/gui/status_feed.h"
@@ -37,6 +39,19 @@
 #include "widgets/wording.h"
 
 namespace rubble {
+
+namespace {
+
+widgets::RunPanel::Outcome outcomeOf(const RunRecord& record) {
+    widgets::RunPanel::Outcome outcome;
+    outcome.result = record.outcome;
+    outcome.wallSeconds = record.wallSeconds;
+    outcome.settings = record.scenario.simulation;
+    outcome.fpsTarget = record.scenario.grid.fpsTarget;
+    return outcome;
+}
+
+}  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
@@ -71,6 +86,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectPlayback();
     connectAccuracy();
     connectCosts();
+    connectProject();
     qApp->installEventFilter(this);
     QSettings settings;
     QStringList complaints;
@@ -93,6 +109,7 @@ MainWindow::~MainWindow() {
     m_computation.cancel();
     m_document.undoStack().disconnect();
     m_document.disconnect();
+    delete m_project;
     delete m_feed;
     delete m_health;
     delete m_accuracy;
@@ -121,6 +138,15 @@ void MainWindow::openSample() {
                      "gui.sample"});
     } else {
         open(path, true);
+    }
+}
+
+void MainWindow::recover(const LeftWork& work) {
+    if (m_files->mayLeave()) {
+        m_simulateWhenReady = false;
+        m_area->setError({});
+        m_deck->clearFailures();
+        m_computation.reopen(work.theCase, work.path, work.base, true);
     }
 }
 
@@ -157,10 +183,11 @@ void MainWindow::showRefreshed(const FeResult& before, const render::View& view,
 
 void MainWindow::takeOpened(const Opened& opened) {
     const auto before = std::exchange(m_refreshed, nullptr);
-    const bool recognised =
-        opened.fe != nullptr || (opened.failure && (opened.failure->id.starts_with("exodus.") ||
-                                                    opened.failure->id.starts_with("terrain.") || !opened.path.isEmpty()));
-    const bool again = !m_document.empty() && opened.base == m_document.base() && opened.theCase == m_document.theCase();
+    const bool recognised = opened.fe != nullptr || opened.recovered ||
+                            (opened.failure && (opened.failure->id.starts_with("exodus.") ||
+                                                opened.failure->id.starts_with("terrain.") || !opened.path.isEmpty()));
+    const bool again =
+        !opened.recovered && !m_document.empty() && opened.base == m_document.base() && opened.theCase == m_document.theCase();
     const bool terrainFailed = opened.failure && opened.failure->id.starts_with("terrain.");
     if (!recognised || (again && opened.fe == nullptr && m_computation.inputs().fe != nullptr && !terrainFailed)) {
         // Not a result at all, or not with these settings: what was open stays.
@@ -169,7 +196,7 @@ void MainWindow::takeOpened(const Opened& opened) {
         return;
     }
     if (!again) {
-        m_document.replace(opened.theCase, opened.path, opened.base);
+        m_document.replace(opened.theCase, opened.path, opened.base, opened.recovered);
     }
     const bool refreshed = again && before != nullptr && before == m_computation.inputs().fe && opened.fe != nullptr;
     const render::View viewBefore = m_area->views().view();
@@ -182,7 +209,7 @@ void MainWindow::takeOpened(const Opened& opened) {
         view.colourBy = m_area->views().view().colourBy;
         setView(view);
     }
-    m_area->showViews(opened.fe != nullptr);
+    m_area->showViews(opened.fe != nullptr, true);
     m_health->refresh();
     m_playback->reset();
     if (opened.fe != nullptr && m_simulateWhenReady) {
@@ -261,6 +288,7 @@ void MainWindow::simulate(bool live) {
         return;
     }
     m_forecast->runBegins();
+    m_project->runs().begins();
     const CaseScenario* active = m_document.active();
     m_deck->clearFailures();
     m_deck->choose(PanelDeck::Run);
@@ -272,10 +300,7 @@ void MainWindow::runEnded(bool complete) {
     const RunRecord* record = m_computation.currentRun();
     widgets::RunPanel::Outcome outcome;
     if (record != nullptr && complete) {
-        outcome.result = record->outcome;
-        outcome.wallSeconds = record->wallSeconds;
-        outcome.settings = record->scenario.simulation;
-        outcome.fpsTarget = record->scenario.grid.fpsTarget;
+        outcome = outcomeOf(*record);
         if (record->live) {
             outcome.liveMean = m_feed->liveMean();
             outcome.liveWorst = m_feed->liveWorst();
@@ -299,6 +324,18 @@ void MainWindow::runEnded(bool complete) {
     }
 }
 
+void MainWindow::runReopened() {
+    const RunRecord& record = *m_computation.currentRun();
+    m_deck->showOutcome(outcomeOf(record));
+    m_errors->refresh();
+    m_health->refresh();
+    showScene();
+    m_area->views().update();
+    showState();
+    m_feed->refresh();
+    m_status->setMessage(tr("Shown: the run %1").arg(QFileInfo(record.path).fileName()));
+}
+
 void MainWindow::showFailure(const Failure& failure) {
     m_simulateWhenReady = false;
     m_deck->showFailure(failure.what, failure.remedy, failure.id);
@@ -314,8 +351,11 @@ void MainWindow::showState() {
     const bool costly = !costlyWork().isEmpty();
     const bool deaths = m_computation.results().fragments == nullptr || !m_computation.results().fragments->list.empty();
     m_deck->showState();
-    for (const char* id : {"play", "back", "forward", "back_ten", "forward_ten", "first", "last", "fit", "look_side", "look_front",
-                           "look_top", "stacked", "beside", "fe_only", "fragments_only", "link", "export_figure"}) {
+    for (const char* id : {"play",      "play_backwards",    "loop",          "loop_from",    "loop_to",
+                           "bookmark",  "previous_bookmark", "next_bookmark", "back",         "forward",
+                           "back_ten",  "forward_ten",       "first",         "last",         "fit",
+                           "look_side", "look_front",        "look_top",      "stacked",      "beside",
+                           "fe_only",   "fragments_only",    "link",          "export_figure"}) {
         m_actions[id].setEnabled(have);
     }
     m_actions["refresh"].setEnabled(have && !running);
@@ -432,6 +472,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
+    m_project->saveLayout();
     m_computation.cancel();
     m_accuracy->work().cancel();
     m_calibration->work().cancel();

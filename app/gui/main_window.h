@@ -9,6 +9,7 @@
 #include "widgets/render/scene_data.h"
 #include "widgets/render/view.h"
 
+class QBoxLayout;
 class QComboBox;
 class QLabel;
 class QSplitter;
@@ -26,6 +27,8 @@ class HealthDisplay;
 class Help;
 class PanelDeck;
 class Playback;
+class ProjectDisplay;
+struct LeftWork;
 class StatusFeed;
 class ViewArea;
 namespace widgets {
@@ -47,12 +50,15 @@ public:
     /// Opens a case or an FE result; with `simulate`, simulates it as soon as it is prepared.
     void open(const QString& path, bool simulate = false);
     void openSample();
+    /// Opens what an earlier session left unsaved.
+    void recover(const LeftWork& work);
     /// Reads the FE result again if files of it have grown or come; scenario, time and camera stay.
     void refreshResult();
     void simulate(bool live);
     /// "system", "light" or "dark".
     void setTheme(const QString& name);
     void showInstant(double time);
+    void showFailure(const Failure& failure);
 
     Document& document() { return m_document; }
     Computation& computation() { return m_computation; }
@@ -69,6 +75,7 @@ public:
     widgets::Timeline& timeline() { return *m_timeline; }
     widgets::StatusLine& statusLine() { return *m_status; }
     FileCommands& files() { return *m_files; }
+    ProjectDisplay& project() { return *m_project; }
     Actions& actions() { return m_actions; }
     Help& help() { return *m_help; }
     const widgets::Preferences& preferences() const { return m_preferences; }
@@ -88,6 +95,8 @@ private:
     void buildMenus();
     void buildToolBar();
     void connectFiles();
+    void connectProject();
+    void closeCase();
     void connectViews();
     void connectComputation();
     void connectPlayback();
@@ -102,10 +111,10 @@ private:
     void showScene();
     void showState();
     void showTitle();
-    void showFailure(const Failure& failure);
     void scenarioChanged();
     void prepared();
     void runEnded(bool complete);
+    void runReopened();
     void setLayoutOf(render::Layout layout);
     void setView(const render::View& view);
     void showPreferences();
@@ -133,10 +142,12 @@ private:
     ForecastDisplay* m_forecast;
     ErrorDisplay* m_errors;
     FileCommands* m_files;
+    ProjectDisplay* m_project = nullptr;
     QComboBox* m_colours;
     QLabel* m_title;
     QWidget* m_left = nullptr;
     QSplitter* m_splitter = nullptr;
+    QBoxLayout* m_notices = nullptr;
     QStackedWidget* m_centre = nullptr;
     Help* m_help;
     widgets::Preferences m_preferences;

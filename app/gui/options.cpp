@@ -3,8 +3,10 @@
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QRegularExpression>
+#include <algorithm>
 #include <cmath>
 
+#include "app/gui/actions.h"
 #include "core/base/build.h"
 #include "widgets/language.h"
 
@@ -81,6 +83,9 @@ Options parseOptions(const QStringList& arguments) {
          {QStringLiteral("panel"),
           QCoreApplication::translate("options", "Show this panel: case, fragments, grid, effects, run or accuracy."),
           QStringLiteral("panel")},
+         {QStringLiteral("action"),
+          QCoreApplication::translate("options", "Trigger these actions before the picture is taken, by their ids."),
+          QStringLiteral("id,id")},
          {QStringLiteral("language"), QCoreApplication::translate("options", "Language: en, zh_CN or system."),
           QStringLiteral("language")},
          {QStringLiteral("theme"), QCoreApplication::translate("options", "Colours: light, dark or system."),
@@ -107,6 +112,17 @@ Options parseOptions(const QStringList& arguments) {
     options.sample = parser.isSet(QStringLiteral("sample"));
     options.simulate = parser.isSet(QStringLiteral("simulate"));
     options.accuracy = parser.isSet(QStringLiteral("accuracy"));
+    options.actions = parser.value(QStringLiteral("action")).split(u',', Qt::SkipEmptyParts);
+    for (const QString& id : std::as_const(options.actions)) {
+        const auto table = actionTable();
+        if (!options.wrong &&
+            std::none_of(table.begin(), table.end(), [&](const ActionRow& row) { return row.id == id.toStdString(); })) {
+            options.text = QCoreApplication::translate(
+                               "options", "--action knows no “%1”; the manual lists the actions in the order of the menus.")
+                               .arg(id);
+            options.wrong = true;
+        }
+    }
     options.screenshot = parser.value(QStringLiteral("screenshot"));
     options.path = parser.positionalArguments().value(0);
     return options;

@@ -18,6 +18,7 @@ struct Options {
     QString theme;
     QString language;          ///< en, zh_CN or system; empty: as in the preferences
     std::optional<int> panel;  ///< in the order of the rail
+    QStringList actions;       ///< ids of the table of actions, triggered before a picture is taken
     QSize size;
     QString text;        ///< for --help and --version, or why the arguments are wrong
     bool wrong = false;  ///< text is a complaint

@@ -29,6 +29,7 @@ public:
     PanelDeck(Document& document, Computation& computation, QObject* parent = nullptr);
 
     widgets::StageRail& rail() { return *m_rail; }
+    widgets::CasePanel& casePanel() { return *m_case; }
     widgets::GridPanel& grid() { return *m_grid; }
     widgets::EffectsPanel& effects() { return *m_effects; }
     widgets::RunPanel& run() { return *m_run; }

@@ -17,8 +17,14 @@ Playback::Playback(Computation& computation, widgets::ViewWidget& view, widgets:
         m_timeline.setTime(time);
         m_transport.setTime(time);
     });
-    connect(&m_clock, &widgets::PlaybackClock::playingChanged, this,
-            [this](bool playing) { m_transport.setPlaying(playing || m_following); });
+    connect(&m_clock, &widgets::PlaybackClock::playingChanged, this, [this](bool playing) {
+        m_transport.setBackwards(m_clock.backwards());
+        m_transport.setPlaying(playing || m_following);
+    });
+    connect(&m_clock, &widgets::PlaybackClock::rangeChanged, this, &Playback::showLoop);
+    connect(&m_transport, &widgets::Transport::playBackToggled, this, &Playback::toggleBackwards);
+    connect(&m_transport, &widgets::Transport::loopToggled, this, &Playback::setLooping);
+    connect(&m_timeline, &widgets::Timeline::loopDragged, this, [this](double from, double to, bool) { setLoopRange(from, to); });
     connect(&m_clock, &widgets::PlaybackClock::rateChanged, &m_transport, &widgets::Transport::setRate);
     connect(&m_timeline, &widgets::Timeline::scrubbed, this, &Playback::scrub);
     connect(&m_transport, &widgets::Transport::playToggled, this, &Playback::toggle);
@@ -36,7 +42,10 @@ void Playback::reset() {
     m_following = false;
     m_clock.pause();
     m_clock.setNewest({});
+    m_loopRange.reset();
     refresh(false);
+    setFromZero(m_fromZero);
+    showLoop();
     const auto& fe = m_computation.inputs().fe;
     m_clock.setTime(fe != nullptr && fe->stateCount() > 0 ? fe->times().front() : 0.0);
     m_timeline.setTime(m_clock.time());
@@ -191,6 +200,8 @@ void Playback::jumpToLast() {
 void Playback::toggle() {
     if (m_following) {
         leaveLive();
+    } else if (m_clock.playing() && m_clock.backwards()) {
+        m_clock.play();
     } else {
         m_clock.toggle();
     }
@@ -198,7 +209,58 @@ void Playback::toggle() {
 
 void Playback::scrub(double time) {
     leaveLive();
+    const std::vector<double> times = m_snapping ? stops() : std::vector<double>();
+    if (!times.empty()) {
+        const auto after = std::lower_bound(times.begin(), times.end(), time);
+        const bool before = after == times.end() || (after != times.begin() && time - *(after - 1) < *after - time);
+        time = before ? *(after - 1) : *after;
+    }
     m_clock.setTime(time);
+}
+
+void Playback::toggleBackwards() {
+    leaveLive();
+    if (m_clock.playing() && m_clock.backwards()) {
+        m_clock.pause();
+    } else {
+        m_clock.play(true);
+    }
+}
+
+void Playback::setLooping(bool loop) {
+    m_looping = loop;
+    showLoop();
+}
+
+void Playback::setLoopRange(double from, double to) {
+    m_loopRange = to > from ? std::optional(std::pair(from, to)) : std::nullopt;
+    m_looping = m_loopRange.has_value();
+    showLoop();
+}
+
+void Playback::showLoop() {
+    std::optional<std::pair<double, double>> range;
+    if (m_looping) {
+        range = m_loopRange.value_or(std::pair(m_clock.first(), m_clock.last()));
+    }
+    m_clock.setLoop(range);
+    m_timeline.setLoop(m_clock.loop());
+    m_transport.setLooping(m_looping);
+    emit loopChanged();
+}
+
+double Playback::timeOrigin() const {
+    const auto& fe = m_computation.inputs().fe;
+    return m_fromZero && fe != nullptr && fe->stateCount() > 0 ? fe->times().front() : 0.0;
+}
+
+void Playback::setFromZero(bool fromZero) {
+    m_fromZero = fromZero;
+    m_transport.setTimeOrigin(timeOrigin());
+    m_timeline.setTimeOrigin(timeOrigin());
+    render::View view = m_view.view();
+    view.timeOrigin = timeOrigin();
+    m_view.setView(view);
 }
 
 }  // namespace rubble

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "widgets/playback_clock.h"
@@ -32,12 +34,27 @@ public:
     void jumpToLast();
     void toggle();
     void scrub(double time);
+    /// Backwards from here on, or stops that.
+    void toggleBackwards();
+    /// Playback goes round: the range that was set, else all there is.
+    void setLooping(bool loop);
+    bool looping() const { return m_looping; }
+    /// The range that playback goes round [s]; one without length is all there is.
+    void setLoopRange(double from, double to);
+    const std::optional<std::pair<double, double>>& loopRange() const { return m_loopRange; }
+    /// Scrubbing stops at the nearest state or frame.
+    void setSnapping(bool snap) { m_snapping = snap; }
+    /// Times are shown counted from the first state rather than as the file has them.
+    void setFromZero(bool fromZero);
+    /// s, on the file's clock: what shown times count from.
+    double timeOrigin() const;
     /// Live mode: the views show the newest frame as it comes.
     bool following() const { return m_following; }
 
 signals:
     /// A frame was shown while playing (by its name: playback) or following a live run.
     void frameShown(bool live);
+    void loopChanged();
 
 private:
     void runBegun();
@@ -46,6 +63,7 @@ private:
     void shown(double time);
     void leaveLive();
     std::vector<double> stops() const;
+    void showLoop();
 
     Computation& m_computation;
     widgets::ViewWidget& m_view;
@@ -54,6 +72,10 @@ private:
     widgets::PlaybackClock m_clock;
     bool m_following = false;
     bool m_runStale = false;
+    bool m_looping = false;
+    std::optional<std::pair<double, double>> m_loopRange;
+    bool m_snapping = false;
+    bool m_fromZero = false;
 };
 
 }  // namespace rubble

@@ -1,13 +1,43 @@
 #include "app/gui/sample.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "io/case_file.h"
 
 namespace rubble {
 
+namespace {
+
+QStringList sampleFolders() {
+    return {QCoreApplication::applicationDirPath() + QStringLiteral("/../share/rubble/samples"),
+            QStringLiteral(RUBBLE_RESOURCE_DIR "/samples")};
+}
+
+/// The case with its own title and note; a bare result by its name.
+Sample sampleOf(const QFileInfo& file) {
+    Sample sample;
+    sample.path = file.canonicalFilePath();
+    const QString picture = file.path() + u'/' + file.completeBaseName() + QStringLiteral(".png");
+    sample.picture = QFileInfo::exists(picture) ? picture : QString();
+    if (file.suffix() == QLatin1String("rubble")) {
+        const Case theCase = io::loadCase(sample.path.toStdString());
+        sample.name = QString::fromStdString(theCase.title);
+        sample.words = theCase.scenarios.empty() ? QString() : QString::fromStdString(theCase.scenarios.front().note);
+    } else {
+        sample.name = file.fileName();
+        sample.words = QCoreApplication::translate("samples", "An FE result as it comes from the analysis, without a case.");
+    }
+    return sample;
+}
+
+}  // namespace
+
 QString samplePath() {
-    const QString beside = QCoreApplication::applicationDirPath() + QStringLiteral("/../share/rubble/samples");
-    for (const QString& folder : {beside, QStringLiteral(RUBBLE_RESOURCE_DIR "/samples")}) {
+    for (const QString& folder : sampleFolders()) {
         for (const char* name : {"/stone-arch.rubble", "/stone-arch.exo"}) {
             if (const QFileInfo file(folder + QLatin1String(name)); file.exists()) {
                 return file.canonicalFilePath();
@@ -15,6 +45,30 @@ QString samplePath() {
         }
     }
     return {};
+}
+
+std::vector<Sample> samples() {
+    std::vector<Sample> found;
+    const QString first = samplePath();
+    if (first.isEmpty()) {
+        return found;
+    }
+    const QDir folder = QFileInfo(first).dir();
+    for (const QFileInfo& file :
+         folder.entryInfoList({QStringLiteral("*.rubble"), QStringLiteral("*.exo")}, QDir::Files, QDir::Name)) {
+        // A result with a case of its name is opened through that.
+        if (file.suffix() == QLatin1String("exo") && folder.exists(file.completeBaseName() + QStringLiteral(".rubble"))) {
+            continue;
+        }
+        try {
+            found.push_back(sampleOf(file));
+        } catch (const Error&) {
+            continue;
+        }
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [&](const Sample& a, const Sample& b) { return (a.path == first) > (b.path == first); });
+    return found;
 }
 
 }  // namespace rubble

@@ -1,10 +1,22 @@
 #pragma once
 
 #include <QString>
+#include <vector>
 
 namespace rubble {
 
-/// Path of the embedded sample: the sample case if there is one, else its FE result; empty if neither is installed.
+/// A case or result that comes with the program.
+struct Sample {
+    QString path;
+    QString name;
+    QString words;    ///< what it shows
+    QString picture;  ///< a small picture of it; empty if there is none
+};
+
+/// Path of the sample that the program opens first, empty if it is not installed.
 QString samplePath();
+
+/// All that are installed, the first one first; a file that cannot be read is left out.
+std::vector<Sample> samples();
 
 }  // namespace rubble

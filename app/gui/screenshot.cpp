@@ -1,6 +1,6 @@
 #include "app/gui/screenshot.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QPainter>
 #include <QPixmap>
 #include <cstdio>
@@ -28,11 +28,12 @@ void Screenshot::look() {
         QCoreApplication::exit(1);
         return;
     }
-    const bool prepared = computation.results().clustering != nullptr;
+    const bool nothing = m_options.path.isEmpty() && !m_options.sample;
+    const bool prepared = nothing || computation.results().clustering != nullptr;
     const RunRecord* record = computation.currentRun();
     const bool simulated = record != nullptr && record->outcome != nullptr;
     const bool comparing = m_window.accuracy().waiting() || m_window.accuracy().work().running();
-    if (computation.busy() || comparing || !prepared || ((m_options.simulate || m_options.sample) && !simulated)) {
+    if (computation.busy() || comparing || !prepared || (!nothing && (m_options.simulate || m_options.sample) && !simulated)) {
         return;
     }
     m_timer.stop();
@@ -41,6 +42,9 @@ void Screenshot::look() {
         m_window.deck().choose(static_cast<PanelDeck::Entry>(*m_options.panel));
     }
     m_window.playback().scrub(m_options.time.value_or(m_window.playback().clock().last()));
+    for (const QString& id : std::as_const(m_options.actions)) {
+        m_window.actions()[id.toStdString()].trigger();
+    }
     // The views draw once more before the picture is taken.
     QTimer::singleShot(1000, this, &Screenshot::take);
 }
@@ -53,6 +57,13 @@ void Screenshot::take() {
         if (views.isVisible()) {
             QPainter painter(&picture);
             painter.drawImage(QRect(views.mapTo(&m_window, QPoint(0, 0)), views.size()), views.grabFramebuffer());
+        }
+        // Windows of their own lie over it, as they do on the screen.
+        for (QWidget* other : QApplication::topLevelWidgets()) {
+            if (other != &m_window && other->isVisible()) {
+                QPainter painter(&picture);
+                painter.drawPixmap(other->pos() - m_window.pos(), other->grab());
+            }
         }
         figures::writePng(m_options.screenshot.toStdString(), picture);
         QCoreApplication::exit(0);

@@ -9,9 +9,10 @@ namespace rubble {
 
 namespace widgets {
 class ErrorBar;
-}
+class StartPage;
+}  // namespace widgets
 
-/// The centre of the window: the views, or what would be here and how to get it.
+/// The centre of the window: the views, the start page while nothing is open, or why there is nothing to view.
 class ViewArea : public QStackedWidget {
     Q_OBJECT
 
@@ -21,19 +22,18 @@ public:
     widgets::ViewWidget& views() { return *m_views; }
     /// Stands above the views while fragments are coloured by their error.
     widgets::ErrorBar& errorBar() { return *m_errorBar; }
-    void showViews(bool show);
+    widgets::StartPage& startPage() { return *m_start; }
+    /// @param open  a case is open; without views the centre says why there are none
+    void showViews(bool show, bool open = false);
     /// An error in place of the views; an empty text removes it.
     void setError(const QString& what, const QString& remedy = {});
     /// "Opening ..." while a file is read.
     void setActivity(const QString& what);
 
-signals:
-    void openRequested();
-    void sampleRequested();
-
 private:
     QWidget* buildEmpty();
 
+    widgets::StartPage* m_start;
     widgets::ViewWidget* m_views;
     widgets::ErrorBar* m_errorBar;
     widgets::Notice* m_error;

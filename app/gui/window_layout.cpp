@@ -24,14 +24,19 @@
 #include "app/gui/mnemonics.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
+#include "app/gui/project_display.h"
+#include "app/gui/run_history.h"
 #include "app/gui/settings.h"
+#include "app/gui/timeline_display.h"
 #include "app/gui/view_area.h"
 #include "widgets/accuracy_chart.h"
 #include "widgets/accuracy_page.h"
 #include "widgets/calibration_chart.h"
 #include "widgets/calibration_view.h"
+#include "widgets/start_page.h"
 #include "widgets/status_line.h"
 #include "widgets/timeline.h"
+#include "widgets/tour.h"
 #include "widgets/transport.h"
 
 namespace rubble {
@@ -69,7 +74,14 @@ void MainWindow::buildLayout() {
     m_centre = new QStackedWidget;
     m_centre->addWidget(m_area);
     m_centre->addWidget(m_accuracyPage);
-    m_splitter->addWidget(m_centre);
+    auto* middle = new QWidget;
+    auto* stacked = new QVBoxLayout(middle);
+    stacked->setContentsMargins(0, 0, 0, 0);
+    stacked->setSpacing(0);
+    m_notices = new QVBoxLayout;
+    stacked->addLayout(m_notices);
+    stacked->addWidget(m_centre, 1);
+    m_splitter->addWidget(middle);
     m_splitter->setStretchFactor(1, 1);
     m_splitter->setSizes({panelWidth, 1000});
     upper->addWidget(&m_deck->rail());
@@ -118,6 +130,7 @@ void MainWindow::buildMenus() {
 
 void MainWindow::buildToolBar() {
     auto* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("toolBar"));
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     bar->setIconSize({18, 18});
@@ -188,13 +201,7 @@ void MainWindow::connectFiles() {
     on("export_figure", [this] { m_files->exportFigure(m_area->views().view(), sceneData()); });
     on("close", [this] {
         if (m_files->mayLeave()) {
-            m_computation.clear();
-            m_document.close();
-            m_area->showViews(false);
-            m_playback->reset();
-            m_health->refresh();
-            m_deck->showOutcome({});
-            m_deck->choose(PanelDeck::Case);
+            closeCase();
         }
     });
     on("quit", [this] { close(); });
@@ -209,8 +216,7 @@ void MainWindow::connectFiles() {
     connect(m_files, &FileCommands::done, m_status, &widgets::StatusLine::setMessage);
     connect(m_files, &FileCommands::failed, this,
             [this](const QString& what, const QString& remedy) { showFailure({what, remedy, "gui.write"}); });
-    connect(m_area, &ViewArea::openRequested, &m_actions["open"], &QAction::trigger);
-    connect(m_area, &ViewArea::sampleRequested, this, &MainWindow::openSample);
+    connect(&m_area->startPage(), &widgets::StartPage::openRequested, &m_actions["open"], &QAction::trigger);
 
     QUndoStack& stack = m_document.undoStack();
     const auto name = [this, &stack] {
@@ -231,6 +237,47 @@ void MainWindow::connectFiles() {
         m_deck->showScenario();
         showState();
     });
+}
+
+void MainWindow::closeCase() {
+    m_computation.clear();
+    m_document.close();
+    m_area->showViews(false);
+    m_area->setError({});
+    m_playback->reset();
+    m_health->refresh();
+    m_deck->showOutcome({});
+    m_deck->clearFailures();
+    m_deck->choose(PanelDeck::Case);
+}
+
+void MainWindow::connectProject() {
+    m_project = new ProjectDisplay(m_document, m_computation, *m_deck, *m_area, m_actions, *m_notices, *m_splitter, *this);
+    m_project->setTourStops(
+        {{&m_deck->rail(), tr("The way of the work"),
+          tr("From the file to the debris, top to bottom. Each entry shows its state: up to date, stale after a change, running, "
+             "or "
+             "with a finding.")},
+         {&m_deck->stack(), tr("The panel of a stage"),
+          tr("One question per panel, its settings, and what they cost. Every change can be undone with Ctrl+Z.")},
+         {m_centre, tr("The views"),
+          tr("The conventional FE result and the fragments, from the same camera. Left button orbits, Shift and left pans, the "
+             "wheel "
+             "zooms. Keys 1 to 4 choose the layout.")},
+         {findChild<QToolButton*>(QStringLiteral("primary")), tr("Simulate"),
+          tr("Computes where the fragments go (Ctrl+R); the views play what is computed meanwhile. Live runs at the pace of the "
+             "collapse.")},
+         {m_timeline, tr("The timeline"),
+          tr("Deaths over time and how far the run has got. Drag to scrub, Space plays, the arrow keys go from state to state.")}});
+    new TimelineDisplay(m_document, *m_playback, *m_timeline, *m_transport, m_actions, m_project);
+    connect(m_project, &ProjectDisplay::openRequested, this, [this](const QString& path) { open(path); });
+    connect(m_project, &ProjectDisplay::sampleRequested, this, [this](const QString& path) { open(path, true); });
+    connect(m_project, &ProjectDisplay::recoverRequested, this, &MainWindow::recover);
+    connect(m_project, &ProjectDisplay::told, m_status, &widgets::StatusLine::setMessage);
+    connect(m_project, &ProjectDisplay::failed, this,
+            [this](const QString& what, const QString& remedy) { showFailure({what, remedy, "gui.project"}); });
+    connect(m_files, &FileCommands::runSaved, &m_project->runs(), &RunHistory::keptAt);
+    connect(&m_document, &Document::scenariosChanged, this, &MainWindow::showState);
 }
 
 void MainWindow::connectViews() {
@@ -294,6 +341,7 @@ void MainWindow::connectComputation() {
     });
     connect(&m_computation, &Computation::runGrew, this, [this] { m_area->views().update(); });
     connect(&m_computation, &Computation::runEnded, this, &MainWindow::runEnded);
+    connect(&m_computation, &Computation::runReopened, this, &MainWindow::runReopened);
     connect(&m_computation, &Computation::progressed, this,
             [this](const QString& what) { m_area->setActivity(what.isEmpty() ? QString() : what + QStringLiteral(" …")); });
 }

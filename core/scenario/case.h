@@ -29,13 +29,21 @@ struct CaseScenario {
     friend bool operator==(const CaseScenario&, const CaseScenario&) = default;
 };
 
+/// An instant that somebody marked, and why.
+struct Bookmark {
+    double time = 0.0;  ///< s, as in the FE result
+    std::string note;
+    friend bool operator==(const Bookmark&, const Bookmark&) = default;
+};
+
 /// What a case file (*.rubble) holds.
 struct Case {
     std::string title;
     Frame frame;
     std::vector<CaseInput> inputs;
     std::vector<CaseScenario> scenarios;
-    std::string activeScenario;  ///< id
+    std::string activeScenario;       ///< id
+    std::vector<Bookmark> bookmarks;  ///< in the order of their times
     friend bool operator==(const Case&, const Case&) = default;
 };
 

@@ -103,6 +103,7 @@ Case randomCase(std::mt19937& engine, double share) {
             {"scenario-" + std::to_string(i), "Name", "note", i == 1 ? "fe-2" : "fe-1", randomScenario(engine, share)});
     }
     theCase.activeScenario = "scenario-2";
+    theCase.bookmarks = {{-0.25, "before \"it\" began"}, {4.75, "crown \xC3\xA4"}};
     return theCase;
 }
 
@@ -132,7 +133,7 @@ TEST(CaseFile, KeepsOnlyWhatDiffersFromTheDefaults) {
     theCase.scenarios[0].scenario.simulation.friction = 0.7;
     const json text = json::parse(caseText(theCase));
     EXPECT_EQ(text["scenarios"][0]["settings"], (json{{"friction", 0.7}}));
-    EXPECT_EQ(text["version"], 2);
+    EXPECT_EQ(text["version"], 3);
     EXPECT_EQ(text["inputs"][0]["path"], "bridge.exo");
 }
 
@@ -239,6 +240,15 @@ TEST(CaseMigration, GoesOneStepAtATime) {
         json old;
         EXPECT_TRUE(migrateCase(old, version, version + 1, caseMigrations())) << version;
     }
+}
+
+TEST(CaseMigration, VersionTwoHadNoBookmarks) {
+    const Case theCase = caseForFe("/x/bridge.exo", "/x/bridge.rubble");
+    json old = json::parse(caseText(theCase));
+    old.erase("bookmarks");
+    EXPECT_THAT(errorOf(old.dump()), testing::HasSubstr("bookmarks"));
+    old["version"] = 2;
+    EXPECT_EQ(caseFromText(old.dump(), "test"), theCase);
 }
 
 TEST(CaseMigration, TheGroundOfVersionOneWasASwitch) {

@@ -297,7 +297,9 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
     Overlay overlay;
     const render::PaneStatus& status = scene.status(pane.content);
     if (view.captions) {
-        overlay.caption = captionText(pane.content, status);
+        render::PaneStatus counted = status;
+        counted.time -= view.timeOrigin;
+        overlay.caption = captionText(pane.content, counted);
     }
     if (view.legends && status.states > 0) {
         const Palette& p = palette(view.theme);

@@ -35,6 +35,7 @@ struct View {
     std::array<Camera, 2> cameras;  ///< of the FE pane and the fragments pane
     bool camerasLinked = true;      ///< both panes use cameras[0]
     double time = 0.0;              ///< s, on the file's clock
+    double timeOrigin = 0.0;        ///< s, on the file's clock: captions count from here
     ColourBy colourBy = ColourBy::Highlight;
     Theme theme = Theme::Light;
     bool ground = true;

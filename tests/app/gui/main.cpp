@@ -2,15 +2,25 @@
 
 #include <QApplication>
 #include <QLocale>
+#include <QSettings>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 
-// Runs under an X server (xvfb-run): the views need GLX. Settings go to a place of their own.
+#include "tests/app/gui/left_session.h"
+
+// Runs under an X server (xvfb-run): the views need GLX. Settings and state go to places of their own.
 int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "xcb");
     QStandardPaths::setTestModeEnabled(true);
     QCoreApplication::setOrganizationName(QStringLiteral("rubble-tests"));
     QApplication application(argc, argv);
     QLocale::setDefault(QLocale(QLocale::English));
+    if (const QStringList words = QCoreApplication::arguments(); words.value(1) == rubble::leftSessionWord) {
+        return rubble::leaveSession(words.mid(2));
+    }
+    const QTemporaryDir state;
+    qputenv("RUBBLE_STATE", state.path().toUtf8());
+    QSettings().clear();
     testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();
 }

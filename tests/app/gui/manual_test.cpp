@@ -40,7 +40,8 @@ TEST(Manual, EveryActionIsInItWithItsKey) {
 
 TEST(Manual, EveryOptionOfTheCommandLineIsInIt) {
     const QString manual = wholeManual();
-    for (const char* name : {"--sample", "--simulate", "--accuracy", "--screenshot", "--time", "--size", "--theme", "--language"}) {
+    for (const char* name :
+         {"--sample", "--simulate", "--accuracy", "--screenshot", "--time", "--size", "--theme", "--language", "--action"}) {
         EXPECT_TRUE(manual.contains(QLatin1String(name))) << name;
     }
 }

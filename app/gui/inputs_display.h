@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QHash>
+#include <QObject>
+#include <QString>
+#include <string>
+#include <vector>
+
+#include "core/scenario/case.h"
+
+class QBoxLayout;
+class QWidget;
+
+namespace rubble {
+
+class Computation;
+class Document;
+namespace widgets {
+class NoticeBar;
+}
+
+/// Says above the centre which inputs of the case are missing or no longer what they were, and mends it: by another place, or by
+/// taking them as they are.
+class InputsDisplay : public QObject {
+    Q_OBJECT
+
+public:
+    InputsDisplay(Document& document, Computation& computation, QBoxLayout& notices, QWidget& window);
+
+    void refresh();
+    /// Takes a file for an input: silently if it is the one the case was made with, after a question in place if it is another.
+    void locate(const std::string& id, const QString& path);
+    /// Takes an input as it lies there now, as one undoable command.
+    void accept(const std::string& id);
+    /// What stands in the bars.
+    QStringList texts() const;
+
+signals:
+    void told(const QString& what);
+    void failed(const QString& what, const QString& remedy);
+
+private:
+    /// A file that was chosen although it is another.
+    struct Candidate {
+        QString path;
+        std::string sha256;
+    };
+    void choose(const std::string& id, const QString& what);
+    void put(const std::string& id, const QString& path, const std::string& sha256, const QString& what);
+    void show(const CaseInput& input);
+    widgets::NoticeBar& bar(const std::string& id);
+    const CaseInput* inputOf(const std::string& id) const;
+
+    Document& m_document;
+    Computation& m_computation;
+    QBoxLayout& m_notices;
+    QWidget& m_window;
+    QHash<QString, widgets::NoticeBar*> m_bars;
+    QHash<QString, Candidate> m_candidates;
+};
+
+}  // namespace rubble

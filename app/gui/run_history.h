@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QObject>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/pipeline/run_entry.h"
+#include "core/scenario/case.h"
+
+namespace rubble {
+
+class Computation;
+class Document;
+
+/// The runs of the open case, kept beside it (io/run_history.h); in the state folder for a case that was never saved or lies where
+/// nothing can be written.
+class RunHistory : public QObject {
+    Q_OBJECT
+
+public:
+    /// @param folder  in the state folder; empty: nothing is kept there
+    RunHistory(Document& document, Computation& computation, const QString& folder, QObject* parent = nullptr);
+
+    const std::vector<RunEntry>& runs() const { return m_runs; }
+    /// The run that is shown, if it is in the list.
+    std::optional<std::size_t> shown() const { return m_shown; }
+    /// The newest complete run of a scenario; null if none is known.
+    const RunEntry* newestOf(const std::string& scenarioId) const;
+    /// A run of the scenario that is worked on is about to begin.
+    void begins();
+    /// The file of the run that is shown was kept here.
+    void keptAt(const QString& path);
+    /// Shows a kept run again; answers through Computation::runReopened() or failed().
+    void show(std::size_t place);
+
+signals:
+    void changed();
+    void failed(const QString& what, const QString& remedy);
+
+private:
+    void load();
+    void ended();
+    void store();
+    std::vector<RunEntry> read(const QString& file);
+    QString sidecar() const;
+    QString stateFile() const;
+
+    Document& m_document;
+    Computation& m_computation;
+    QString m_folder;
+    std::vector<RunEntry> m_runs;
+    std::optional<std::size_t> m_shown;
+    std::optional<std::size_t> m_asked;
+    std::optional<CaseScenario> m_starting;
+    bool m_began = false;
+    QString m_loadedFor;
+};
+
+}  // namespace rubble

@@ -1,0 +1,112 @@
+#include "app/gui/start_display.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+#include <QTimer>
+
+#include "app/gui/computation.h"
+#include "app/gui/document.h"
+#include "app/gui/sample.h"
+#include "app/gui/view_area.h"
+#include "widgets/start_page.h"
+
+namespace rubble {
+
+namespace {
+
+// The views have drawn by then, and the first seconds belong to the user.
+constexpr int pictureDelay = 2500;  // ms
+
+QString shownDate(const QDateTime& when) {
+    if (!when.isValid()) {
+        return {};
+    }
+    const QDateTime local = when.toLocalTime();
+    return local.date() == QDate::currentDate()
+               ? StartDisplay::tr("today, %1").arg(QLocale().toString(local.time(), QLocale::ShortFormat))
+               : QLocale().toString(local.date(), QLocale::ShortFormat);
+}
+
+}  // namespace
+
+StartDisplay::StartDisplay(Document& document, Computation& computation, ViewArea& area, const QString& folder, QObject* parent)
+    : QObject(parent), m_document(document), m_computation(computation), m_area(area), m_recent(folder) {
+    widgets::StartPage& page = area.startPage();
+    connect(&page, &widgets::StartPage::recentChosen, this, &StartDisplay::openRequested);
+    connect(&page, &widgets::StartPage::sampleChosen, this, &StartDisplay::sampleRequested);
+    connect(&page, &widgets::StartPage::tourRequested, this, &StartDisplay::tourRequested);
+    connect(&page, &widgets::StartPage::forgetRequested, this, [this](const QString& path) {
+        m_recent.forget(path);
+        refresh();
+    });
+    connect(&page, &widgets::StartPage::locateRequested, this, [this](const QString& path) {
+        const QString to = QFileDialog::getOpenFileName(&m_area, tr("Locate %1").arg(QFileInfo(path).fileName()),
+                                                        QFileInfo(path).absolutePath(), tr("Cases and FE results (*)"));
+        if (!to.isEmpty()) {
+            locate(path, to);
+        }
+    });
+    refresh();
+}
+
+void StartDisplay::locate(const QString& from, const QString& to) {
+    m_recent.move(from, to);
+    refresh();
+    emit openRequested(to);
+}
+
+void StartDisplay::refresh() {
+    std::vector<widgets::StartCase> recent;
+    for (const RecentCase& each : m_recent.list()) {
+        recent.push_back({each.path, each.name, each.path, shownDate(each.when), m_recent.picture(each.path), each.missing});
+    }
+    m_area.startPage().setRecent(recent);
+    std::vector<widgets::StartCase> shipped;
+    for (const Sample& each : samples()) {
+        const QImage own = m_recent.picture(each.path);
+        shipped.push_back({each.path, each.name, each.words, {}, !each.picture.isEmpty() ? QImage(each.picture) : own, false});
+    }
+    m_area.startPage().setSamples(shipped);
+}
+
+void StartDisplay::remember() {
+    if (m_remembers) {
+        return;
+    }
+    m_remembers = true;
+    connect(&m_document, &Document::replaced, this, &StartDisplay::noteOpened);
+    connect(&m_document, &Document::titleChanged, this, [this] {
+        if (!m_document.empty() && (m_recent.list().empty() || m_recent.list().front().path != openPath())) {
+            noteOpened();
+        }
+    });
+    connect(&m_computation, &Computation::opened, this,
+            [this] { QTimer::singleShot(pictureDelay, this, &StartDisplay::takePicture); });
+    connect(&m_computation, &Computation::runEnded, this, &StartDisplay::takePicture);
+}
+
+QString StartDisplay::openPath() const {
+    if (m_document.empty() || !m_document.path().isEmpty()) {
+        return m_document.path();
+    }
+    // A result without a case lies where its case would, less the ending.
+    QString path = m_document.base();
+    path.chop(static_cast<qsizetype>(QStringLiteral(".rubble").size()));
+    return path;
+}
+
+void StartDisplay::noteOpened() {
+    if (!m_document.empty()) {
+        m_recent.add(openPath(), QString::fromStdString(m_document.theCase().title));
+    }
+    refresh();
+}
+
+void StartDisplay::takePicture() {
+    if (!m_document.empty() && m_computation.inputs().fe != nullptr && m_area.views().isVisible()) {
+        m_recent.setPicture(openPath(), m_area.views().grabFramebuffer());
+    }
+}
+
+}  // namespace rubble

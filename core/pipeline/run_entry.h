@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "core/base/hash.h"
+
+namespace rubble {
+
+/// One run of a case as its history keeps it: what was run, when, and what came of it.
+struct RunEntry {
+    std::string when;        ///< UTC of its end, "2024-05-31T08:15:30Z"
+    std::string scenarioId;  ///< of the case
+    std::string scenarioName;
+    Digest fingerprint;  ///< of inputs, settings and build
+    std::string feSha256;
+    std::string build;
+    bool live = false;      ///< at the pace of the collapse
+    bool complete = false;  ///< false: cancelled or failed; figures below are then those known
+    double wallSeconds = 0.0;
+    std::int64_t fragments = 0;
+    std::int64_t bodies = 0;   ///< most at one time
+    double endTime = 0.0;      ///< s, of the collapse
+    double asleepAtEnd = 0.0;  ///< share of the bodies
+    double msPerStep = 0.0;    ///< mean
+    double maxSpeed = 0.0;     ///< m/s
+    double bulkingFactor = std::numeric_limits<double>::quiet_NaN();
+    double energyDrift = 0.0;   ///< share of the work of gravity
+    std::int64_t breaches = 0;  ///< of health
+    Digest trajectoryHash;      ///< of a complete run
+    std::string file;           ///< where its run file was kept, absolute; empty if it was not
+
+    friend bool operator==(const RunEntry&, const RunEntry&) = default;
+};
+
+}  // namespace rubble

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/pipeline/run_entry.h"
+
+namespace rubble::io {
+
+/// Where the history of a case is kept: CASE.rubble.runs.json beside it. The case itself does not change when it is run.
+std::string runHistoryPath(const std::string& casePath);
+
+/// All runs of a history file in the order in which they ended; empty if there is none. Throws WorldError, ParseError naming file
+/// and place.
+std::vector<RunEntry> readRunHistory(const std::string& file);
+
+/// Writes it atomically. Throws WorldError; the old file is then unchanged.
+void writeRunHistory(const std::string& file, const std::vector<RunEntry>& runs);
+
+}  // namespace rubble::io

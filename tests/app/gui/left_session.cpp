@@ -1,0 +1,23 @@
+#include "tests/app/gui/left_session.h"
+
+#include <QApplication>
+
+#include "app/gui/computation.h"
+#include "app/gui/main_window.h"
+#include "app/gui/project_display.h"
+
+namespace rubble {
+
+int leaveSession(const QStringList& words) {
+    MainWindow window;
+    window.show();
+    window.project().autosave().setInterval(1);
+    QObject::connect(&window.computation(), &Computation::opened, &window, [&] {
+        const QString setting = words.value(1);
+        window.document().setParameter(setting.section(u'=', 0, 0), setting.section(u'=', 1).toDouble());
+    });
+    window.open(words.value(0));
+    return QApplication::exec();
+}
+
+}  // namespace rubble

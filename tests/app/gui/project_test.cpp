@@ -1,0 +1,400 @@
+#include "app/gui/project_display.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QSplitter>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUndoView>
+#include <fstream>
+
+#include "app/gui/file_commands.h"
+#include "app/gui/inputs_display.h"
+#include "app/gui/layout_memory.h"
+#include "app/gui/playback.h"
+#include "app/gui/run_history.h"
+#include "app/gui/sample.h"
+#include "app/gui/scenarios_display.h"
+#include "app/gui/start_display.h"
+#include "app/gui/view_area.h"
+#include "io/case_file.h"
+#include "io/run_history.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/app/gui/workbench.h"
+#include "widgets/case_card.h"
+#include "widgets/case_panel.h"
+#include "widgets/notice_bar.h"
+#include "widgets/scenario_comparison.h"
+#include "widgets/start_page.h"
+#include "widgets/tour.h"
+
+namespace rubble {
+
+namespace {
+
+/// A window on the small collapse, saved as a case in a folder of its own.
+class Project : public Workbench {
+protected:
+    void SetUp() override {
+        Workbench::SetUp();
+        QSettings().clear();
+        fe = QString::fromStdString(cli::writeSmallCollapse(folder.filePath(QStringLiteral("small.exo")).toStdString()));
+    }
+    void openIt(const QString& path) {
+        window->open(path);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    }
+    void openCase() {
+        openIt(fe);
+        ASSERT_TRUE(window->files().saveTo(caseFile()));
+        openIt(caseFile());
+        ASSERT_EQ(window->document().path(), caseFile());
+    }
+    void simulateIt() {
+        window->simulate(false);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().simulating(); }, patience));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+    }
+    QString caseFile() const { return folder.filePath(QStringLiteral("small.rubble")); }
+    /// A small collapse that is another file: its deaths are the same, its times are not.
+    QString writeOther(const QString& path) {
+        io::ExodusBuilder other = cli::smallCollapse();
+        other.times.back() += 0.05;
+        other.write(path.toStdString());
+        return path;
+    }
+    /// The button of the bar that is shown, by its object name.
+    QPushButton* barButton(const QString& name) {
+        for (widgets::NoticeBar* bar : window->findChildren<widgets::NoticeBar*>()) {
+            for (QPushButton* button : bar->findChildren<QPushButton*>(name)) {
+                if (button->isVisible()) {
+                    return button;
+                }
+            }
+        }
+        return nullptr;
+    }
+    QStringList bars() { return window->project().inputs().texts(); }
+
+    QTemporaryDir folder;
+    QString fe;
+};
+
+}  // namespace
+
+TEST_F(Project, AMissingResultIsFoundAgainByItsHash) {
+    openCase();
+    const QString moved = folder.filePath(QStringLiteral("elsewhere.exo"));
+    ASSERT_TRUE(QFile::rename(fe, moved));
+    window->open(caseFile());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy() && !bars().isEmpty(); }, patience));
+    EXPECT_TRUE(bars().front().contains(QStringLiteral("small.exo is missing"))) << bars().front().toStdString();
+    EXPECT_EQ(window->area().currentIndex(), 2) << "the case is open, its result is not";
+    QPushButton* locate = barButton(QStringLiteral("primary"));
+    ASSERT_NE(locate, nullptr);
+    // The dialog of the user: types the path, presses Enter.
+    QTimer::singleShot(300, window.get(), [&] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        ASSERT_NE(dialog, nullptr);
+        auto* edit = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        edit->setText(moved);
+        QTest::keyClick(edit, Qt::Key_Return);
+    });
+    QTest::mouseClick(locate, Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    EXPECT_TRUE(bars().isEmpty()) << "the same file by its hash: nothing is asked";
+    EXPECT_EQ(window->document().theCase().inputs[0].path, "elsewhere.exo");
+    EXPECT_TRUE(window->document().modified());
+    window->document().undoStack().undo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy() && bars().size() == 1; }, patience));
+    EXPECT_TRUE(bars().front().contains(QStringLiteral("missing")));
+    window->document().undoStack().redo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && bars().isEmpty(); }, patience));
+}
+
+TEST_F(Project, AnotherFileIsAskedAbout) {
+    openCase();
+    const std::string before = window->document().theCase().inputs[0].sha256;
+    const QString other = writeOther(folder.filePath(QStringLiteral("other.exo")));
+    window->project().inputs().locate("fe-1", other);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy() && bars().size() == 1; }, patience));
+    EXPECT_TRUE(bars().front().contains(QStringLiteral("other.exo is another file"))) << bars().front().toStdString();
+    EXPECT_EQ(window->document().theCase().inputs[0].path, "small.exo") << "nothing is taken before the answer";
+    QTest::mouseClick(barButton(QStringLiteral("primary")), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && bars().isEmpty(); }, patience));
+    EXPECT_EQ(window->document().theCase().inputs[0].path, "other.exo");
+    EXPECT_NE(window->document().theCase().inputs[0].sha256, before);
+    window->project().inputs().locate("fe-1", folder.filePath(QStringLiteral("nowhere.exo")));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+    EXPECT_EQ(window->document().theCase().inputs[0].path, "other.exo");
+}
+
+TEST_F(Project, AChangedResultIsAcceptedAndThatIsUndone) {
+    openCase();
+    const std::string before = window->document().theCase().inputs[0].sha256;
+    writeOther(fe);
+    openIt(caseFile());
+    ASSERT_EQ(bars().size(), 1);
+    EXPECT_TRUE(bars().front().contains(QStringLiteral("has changed since the case was saved"))) << bars().front().toStdString();
+    EXPECT_NE(window->computation().inputs().fe, nullptr) << "it is shown all the same";
+    QTest::mouseClick(barButton(QStringLiteral("primary")), Qt::LeftButton);
+    EXPECT_TRUE(bars().isEmpty());
+    EXPECT_FALSE(window->computation().busy()) << "the file that is open is not read again";
+    EXPECT_NE(window->document().theCase().inputs[0].sha256, before);
+    EXPECT_TRUE(window->document().undoStack().undoText().contains(QStringLiteral("small.exo")));
+    ASSERT_TRUE(window->files().save());
+    EXPECT_EQ(io::loadCase(caseFile().toStdString()).inputs[0].sha256, window->computation().inputs().fe->contents().sha256);
+    window->document().undoStack().undo();
+    EXPECT_EQ(window->document().theCase().inputs[0].sha256, before);
+    EXPECT_EQ(bars().size(), 1);
+}
+
+TEST_F(Project, ScenariosAreDuplicatedNamedSwitchedAndDeleted) {
+    openCase();
+    widgets::ScenarioList& list = window->deck().casePanel().scenarios();
+    auto* rows = list.findChild<QListWidget*>();
+    const auto press = [&](const QString& text) {
+        for (QPushButton* button : list.findChildren<QPushButton*>()) {
+            if (button->text() == text) {
+                QTest::mouseClick(button, Qt::LeftButton);
+            }
+        }
+    };
+    ASSERT_EQ(rows->count(), 1);
+    window->document().setParameter(QStringLiteral("friction"), 0.4);
+    press(QStringLiteral("Duplicate"));
+    ASSERT_EQ(rows->count(), 2);
+    EXPECT_EQ(rows->currentRow(), 1);
+    window->document().setParameter(QStringLiteral("friction"), 0.8);
+    EXPECT_EQ(window->document().theCase().scenarios[0].scenario.simulation.friction, 0.4);
+
+    rows->setFocus();
+    QTest::keyClick(rows, Qt::Key_F2);
+    auto* name = rows->findChild<QLineEdit*>();
+    ASSERT_NE(name, nullptr);
+    name->selectAll();
+    QTest::keyClicks(name, QStringLiteral("Rough"));
+    QTest::keyClick(name, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().theCase().scenarios[1].name == "Rough"; }, patience));
+    auto* note = list.findChild<QPlainTextEdit*>();
+    note->setFocus();
+    QTest::keyClicks(note, QStringLiteral("as if wet"));
+    rows->setFocus();
+    EXPECT_EQ(window->document().theCase().scenarios[1].note, "as if wet");
+
+    QTest::keyClick(rows, Qt::Key_Up);
+    EXPECT_EQ(window->document().theCase().activeScenario, "scenario-1");
+    EXPECT_EQ(window->document().scenario().simulation.friction, 0.4);
+    EXPECT_EQ(note->toPlainText(), QString());
+    press(QStringLiteral("Delete"));
+    EXPECT_EQ(rows->count(), 1);
+    EXPECT_EQ(window->document().scenario().simulation.friction, 0.8);
+
+    // All the way back and forth again.
+    const Case after = window->document().theCase();
+    while (window->document().undoStack().canUndo()) {
+        window->document().undoStack().undo();
+    }
+    EXPECT_EQ(window->document().theCase().scenarios.size(), 1U);
+    EXPECT_FALSE(window->document().scenario().simulation.friction.has_value());
+    EXPECT_FALSE(window->document().modified());
+    while (window->document().undoStack().canRedo()) {
+        window->document().undoStack().redo();
+    }
+    EXPECT_EQ(window->document().theCase(), after);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    ASSERT_TRUE(window->files().save());
+    EXPECT_EQ(io::loadCase(caseFile().toStdString()), after);
+}
+
+TEST_F(Project, TwoScenariosAreComparedWithTheirRuns) {
+    openCase();
+    simulateIt();
+    window->actions()["duplicate_scenario"].trigger();
+    window->document().setParameter(QStringLiteral("friction"), 0.25);
+    window->document().setParameter(QStringLiteral("component[block_1].density"), 1800.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    window->actions()["compare_scenarios"].trigger();
+    widgets::ScenarioComparison& comparison = *window->project().scenarios().comparison();
+    ASSERT_TRUE(comparison.isVisible());
+    ASSERT_EQ(comparison.settings().rowCount(), 2);
+    QStringList seen;
+    for (int row = 0; row < 2; ++row) {
+        seen << comparison.settings().item(row, 1)->text() + u'|' + comparison.settings().item(row, 2)->text();
+    }
+    EXPECT_TRUE(seen.contains(QStringLiteral("auto|0.25"))) << seen.join(u' ').toStdString();
+    ASSERT_GT(comparison.results().rowCount(), 5);
+    EXPECT_EQ(comparison.results().item(1, 1)->text(), QString::number(cli::smallDead)) << "fragments of the run";
+    EXPECT_EQ(comparison.results().item(1, 2)->text(), QString(QChar(0x2013))) << "the copy has no run";
+    simulateIt();
+    EXPECT_EQ(comparison.results().item(1, 2)->text(), QString::number(cli::smallDead));
+}
+
+TEST_F(Project, RunsAreListedKeptAndShownAgain) {
+    openCase();
+    simulateIt();
+    const QString kept = folder.filePath(QStringLiteral("first.run.h5"));
+    window->files().saveRunTo(kept);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+    const Digest first = window->computation().currentRun()->outcome->trajectoryHash;
+    window->document().setParameter(QStringLiteral("friction"), 0.1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    simulateIt();
+    EXPECT_NE(window->computation().currentRun()->outcome->trajectoryHash, first);
+    ASSERT_EQ(window->project().runs().runs().size(), 2U);
+    EXPECT_EQ(window->project().runs().shown(), 1U);
+
+    auto* list = window->deck().run().runs().findChild<QListWidget*>();
+    ASSERT_EQ(list->count(), 2);
+    list->setCurrentRow(1);
+    auto* show = window->deck().run().runs().findChild<QPushButton*>(QStringLiteral("showRun"));
+    ASSERT_TRUE(show->isEnabled());
+    QTest::mouseClick(show, Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->project().runs().shown() == 0U; }, patience));
+    EXPECT_EQ(window->computation().currentRun()->outcome->trajectoryHash, first);
+    EXPECT_NE(window->sceneData().trajectory, nullptr);
+    EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::Stale) << "it was made with other settings";
+    simulateIt();
+    EXPECT_TRUE(QFile::exists(kept)) << "a kept run is the user's";
+
+    // The history lies beside the case, and comes back with it.
+    const std::string sidecar = io::runHistoryPath(caseFile().toStdString());
+    EXPECT_EQ(io::readRunHistory(sidecar).size(), 3U);
+    ASSERT_TRUE(window->files().save());
+    window->actions()["close"].trigger();
+    EXPECT_TRUE(window->project().runs().runs().empty());
+    openIt(caseFile());
+    ASSERT_EQ(window->project().runs().runs().size(), 3U);
+    EXPECT_EQ(window->project().runs().runs()[0].file, kept.toStdString());
+    EXPECT_EQ(window->project().runs().runs()[0].trajectoryHash, first);
+    EXPECT_TRUE(window->project().runs().runs()[0].complete);
+    EXPECT_GT(window->project().runs().runs()[0].bodies, 0);
+    ASSERT_TRUE(QFile::remove(kept));
+    window->project().runs().show(0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().failure().has_value(); }, patience)) << "told, not crashed";
+}
+
+TEST_F(Project, ADamagedHistoryIsSetAside) {
+    openCase();
+    const QString sidecar = QString::fromStdString(io::runHistoryPath(caseFile().toStdString()));
+    std::ofstream(sidecar.toStdString()) << R"({"format": "rubble-run-history", "version": 1, "runs": [{"when": 3}]})";
+    QStringList told;
+    QObject::connect(&window->project().runs(), &RunHistory::failed, window.get(), [&](const QString& what) { told << what; });
+    openIt(caseFile());
+    ASSERT_EQ(told.size(), 1);
+    EXPECT_TRUE(told[0].contains(QStringLiteral("small.rubble.runs.json"))) << told[0].toStdString();
+    EXPECT_FALSE(QFile::exists(sidecar));
+    EXPECT_EQ(QDir(folder.path()).entryList({QStringLiteral("*.damaged-*")}).size(), 1);
+    simulateIt();
+    EXPECT_EQ(window->project().runs().runs().size(), 1U);
+}
+
+TEST_F(Project, TheHistoryListGoesWhereItIsClicked) {
+    openCase();
+    for (int i = 1; i <= 4; ++i) {
+        window->document().setParameter(QStringLiteral("friction"), 0.1 * i);
+    }
+    QTest::keyClick(window.get(), Qt::Key_H, Qt::ControlModifier);
+    ASSERT_TRUE(window->project().historyDock().isVisible());
+    auto* list = window->project().historyDock().findChild<QUndoView*>();
+    EXPECT_EQ(list->model()->rowCount(), 5);
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(2, 0)).center());
+    EXPECT_EQ(window->document().scenario().simulation.friction, 0.2);
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
+    EXPECT_FALSE(window->document().scenario().simulation.friction.has_value());
+    window->project().historyDock().close();
+    EXPECT_FALSE(window->actions()["history"].isChecked());
+}
+
+TEST_F(Project, TheLayoutComesBackAndIsReset) {
+    window->project().restoreLayout();
+    auto* splitter = window->findChild<QSplitter*>();
+    const int first = splitter->sizes().front();
+    window->actions()["history"].trigger();
+    splitter->setSizes({first + 90, 400});
+    const int wide = splitter->sizes().front();
+    ASSERT_TRUE(window->close());
+    window = std::make_unique<MainWindow>();
+    window->project().restoreLayout();
+    window->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), patience));
+    splitter = window->findChild<QSplitter*>();
+    EXPECT_NEAR(splitter->sizes().front(), wide, 2);
+    EXPECT_TRUE(window->project().historyDock().isVisible());
+    EXPECT_TRUE(window->actions()["history"].isChecked());
+    window->actions()["reset_layout"].trigger();
+    EXPECT_FALSE(window->project().historyDock().isVisible());
+    EXPECT_LT(splitter->sizes().front(), wide - 40);
+    QSettings().setValue(QStringLiteral("layout/docks"), QByteArray("no layout"));
+    QSettings().setValue(QStringLiteral("layout/window"), 17);
+    window->project().restoreLayout();
+}
+
+TEST_F(Project, TheStartPageOpensSamplesAndRecentCases) {
+    window->project().begin();
+    ASSERT_FALSE(samples().empty());
+    const auto cards = [&] { return window->area().startPage().findChildren<widgets::CaseCard*>(); };
+    EXPECT_EQ(cards().size(), static_cast<qsizetype>(samples().size())) << "nothing was opened yet";
+    openCase();
+    window->actions()["close"].trigger();
+    EXPECT_EQ(window->area().currentIndex(), 0);
+    ASSERT_EQ(window->project().start().recent().list().size(), 2U) << "the result and the case";
+    const auto card = [&](const QString& words) -> widgets::CaseCard* {
+        for (widgets::CaseCard* each : cards()) {
+            if (each->content().words == words && each->isVisible()) {
+                return each;
+            }
+        }
+        return nullptr;
+    };
+    ASSERT_NE(card(caseFile()), nullptr);
+    QTest::mouseClick(card(caseFile()), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    EXPECT_EQ(window->document().path(), caseFile());
+    window->actions()["close"].trigger();
+    const QString moved = folder.filePath(QStringLiteral("moved.rubble"));
+    ASSERT_TRUE(QFile::rename(caseFile(), moved));
+    window->project().start().refresh();
+    QTest::qWait(10);
+    ASSERT_NE(card(caseFile()), nullptr);
+    EXPECT_FALSE(card(caseFile())->isEnabled());
+    window->project().start().locate(caseFile(), moved);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    EXPECT_EQ(window->document().path(), moved);
+    window->actions()["close"].trigger();
+    const std::size_t before = window->project().start().recent().list().size();
+    QTest::qWait(10);
+    for (QPushButton* forget : window->area().startPage().findChildren<QPushButton*>(QStringLiteral("forget"))) {
+        if (forget->isVisible()) {
+            QTest::mouseClick(forget, Qt::LeftButton);
+            break;
+        }
+    }
+    EXPECT_EQ(window->project().start().recent().list().size(), before - 1);
+}
+
+TEST_F(Project, TheTourLeadsThroughTheWindowByKeys) {
+    window->actions()["tour"].trigger();
+    auto* tour = window->findChild<widgets::Tour*>();
+    ASSERT_TRUE(tour->isVisible());
+    for (int stop = 0; stop < 5; ++stop) {
+        EXPECT_EQ(tour->current(), stop);
+        QTest::keyClick(tour, Qt::Key_Right);
+    }
+    EXPECT_FALSE(tour->isVisible());
+    window->actions()["tour"].trigger();
+    QTest::keyClick(tour, Qt::Key_Escape);
+    EXPECT_FALSE(tour->isVisible());
+}
+
+}  // namespace rubble

@@ -416,9 +416,9 @@ TEST_F(Languages, PagesInChineseHaveTheHeadingsOfTheEnglishOnes) {
         EXPECT_EQ(headingsOf(page.text).size(), page.headings.size()) << qPrintable(page.name);
     }
     EXPECT_GT(own, 5u);
-    ManualWindow window;
-    window.showPlace(QStringLiteral("Basic Grid"), QStringLiteral("This machine"), {});
-    EXPECT_TRUE(window.findChild<QTextBrowser*>()->textCursor().block().text() == QStringLiteral("本机"));
+    ManualWindow manual;
+    manual.showPlace(QStringLiteral("Basic Grid"), QStringLiteral("This machine"), {});
+    EXPECT_TRUE(manual.findChild<QTextBrowser*>()->textCursor().block().text() == QStringLiteral("本机"));
 }
 
 TEST(Manual, FindsWordsWithTheHeadingTheyStandUnder) {

@@ -2,105 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
-    <name>accuracy</name>
-    <message>
-        <source>mass map</source>
-        <translation>质量图</translation>
-    </message>
-    <message>
-        <source>difference of the mass map</source>
-        <translation>质量图差异</translation>
-    </message>
-    <message>
-        <source>Share of the mass that lies in other cells of 2 m than in the reference: 0 is the same</source>
-        <translation>与基准相比，落在不同 2 m 单元格中的质量所占比例：0 表示完全相同</translation>
-    </message>
-    <message>
-        <source>core overlap</source>
-        <translation>核心区重合度</translation>
-    </message>
-    <message>
-        <source>core overlap with the reference (IoU)</source>
-        <translation>与基准的核心区重合度（IoU）</translation>
-    </message>
-    <message>
-        <source>Cells in both cores, which hold 95 % of the mass, over cells in either: 1 is the same</source>
-        <translation>同属两者核心区（含 95 % 质量）的单元格数与任一核心区单元格数之比：1 表示完全相同</translation>
-    </message>
-    <message>
-        <source>footprint overlap</source>
-        <translation>覆盖范围重合度</translation>
-    </message>
-    <message>
-        <source>footprint overlap with the reference (IoU)</source>
-        <translation>与基准的覆盖范围重合度（IoU）</translation>
-    </message>
-    <message>
-        <source>Cells of 1 m in both footprints over cells in either: 1 is the same</source>
-        <translation>同属两者覆盖范围的 1 m 单元格数与任一覆盖范围单元格数之比：1 表示完全相同</translation>
-    </message>
-    <message>
-        <source>run-out</source>
-        <translation>散落距离</translation>
-    </message>
-    <message>
-        <source>error of the 95 % run-out, m</source>
-        <translation>95 % 散落距离误差，m</translation>
-    </message>
-    <message>
-        <source>How far the distance within which 95 % of the mass lies differs from the reference</source>
-        <translation>包含 95 % 质量的距离与基准相差多少</translation>
-    </message>
-    <message>
-        <source>height map</source>
-        <translation>高度图</translation>
-    </message>
-    <message>
-        <source>height map, root mean square error, m</source>
-        <translation>高度图均方根误差，m</translation>
-    </message>
-    <message>
-        <source>Root of the mean square difference of the heights of the pile over both footprints</source>
-        <translation>在两者覆盖范围内，堆积高度之差的均方根</translation>
-    </message>
-    <message>
-        <source>mean height</source>
-        <translation>平均高度</translation>
-    </message>
-    <message>
-        <source>error of the mean height of the mass, m</source>
-        <translation>质量平均高度误差，m</translation>
-    </message>
-    <message>
-        <source>How far the mean height of the mass above ground differs from the reference</source>
-        <translation>质量距地面的平均高度与基准相差多少</translation>
-    </message>
-    <message>
-        <source>centroid</source>
-        <translation>质心</translation>
-    </message>
-    <message>
-        <source>shift of the centroid, m</source>
-        <translation>质心偏移，m</translation>
-    </message>
-    <message>
-        <source>Distance between the centroids of the mass</source>
-        <translation>两个质量质心之间的距离</translation>
-    </message>
-    <message>
-        <source>fragment error</source>
-        <translation>碎块误差</translation>
-    </message>
-    <message>
-        <source>median error of the fragments, m</source>
-        <translation>碎块误差中位数，m</translation>
-    </message>
-    <message>
-        <source>Median over the fragments of the distance from their place in the reference</source>
-        <translation>各碎块到其基准位置的距离的中位数</translation>
-    </message>
-</context>
-<context>
     <name>actions</name>
     <message>
         <source>Open…</source>
@@ -4951,6 +4852,22 @@
         <source>mixed</source>
         <translation>混合</translation>
     </message>
+    <message>
+        <source>{0}, {1} is active ({2})</source>
+        <translation>{0}，{1} 为激活（{2}）</translation>
+    </message>
+    <message>
+        <source>{0}, {1} is active</source>
+        <translation>{0}，{1} 为激活</translation>
+    </message>
+    <message>
+        <source>{0} ({1}), up is {2} ({3})</source>
+        <translation>{0}（{1}），竖直轴为 {2}（{3}）</translation>
+    </message>
+    <message>
+        <source>{0} of {1} active at the first state</source>
+        <translation>初始状态 {1} 个中 {0} 个激活</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -6555,6 +6472,102 @@
         <source>Set by hand.</source>
         <translation>手动设置。</translation>
     </message>
+    <message>
+        <source>mass map</source>
+        <translation>质量图</translation>
+    </message>
+    <message>
+        <source>difference of the mass map</source>
+        <translation>质量图差异</translation>
+    </message>
+    <message>
+        <source>Share of the mass that lies in other cells of 2 m than in the reference: 0 is the same</source>
+        <translation>与基准相比，落在不同 2 m 单元格中的质量所占比例：0 表示完全相同</translation>
+    </message>
+    <message>
+        <source>core overlap</source>
+        <translation>核心区重合度</translation>
+    </message>
+    <message>
+        <source>core overlap with the reference (IoU)</source>
+        <translation>与基准的核心区重合度（IoU）</translation>
+    </message>
+    <message>
+        <source>Cells in both cores, which hold 95 % of the mass, over cells in either: 1 is the same</source>
+        <translation>同属两者核心区（含 95 % 质量）的单元格数与任一核心区单元格数之比：1 表示完全相同</translation>
+    </message>
+    <message>
+        <source>footprint overlap</source>
+        <translation>覆盖范围重合度</translation>
+    </message>
+    <message>
+        <source>footprint overlap with the reference (IoU)</source>
+        <translation>与基准的覆盖范围重合度（IoU）</translation>
+    </message>
+    <message>
+        <source>Cells of 1 m in both footprints over cells in either: 1 is the same</source>
+        <translation>同属两者覆盖范围的 1 m 单元格数与任一覆盖范围单元格数之比：1 表示完全相同</translation>
+    </message>
+    <message>
+        <source>run-out</source>
+        <translation>散落距离</translation>
+    </message>
+    <message>
+        <source>error of the 95 % run-out, m</source>
+        <translation>95 % 散落距离误差，m</translation>
+    </message>
+    <message>
+        <source>How far the distance within which 95 % of the mass lies differs from the reference</source>
+        <translation>包含 95 % 质量的距离与基准相差多少</translation>
+    </message>
+    <message>
+        <source>height map</source>
+        <translation>高度图</translation>
+    </message>
+    <message>
+        <source>height map, root mean square error, m</source>
+        <translation>高度图均方根误差，m</translation>
+    </message>
+    <message>
+        <source>Root of the mean square difference of the heights of the pile over both footprints</source>
+        <translation>在两者覆盖范围内，堆积高度之差的均方根</translation>
+    </message>
+    <message>
+        <source>mean height</source>
+        <translation>平均高度</translation>
+    </message>
+    <message>
+        <source>error of the mean height of the mass, m</source>
+        <translation>质量平均高度误差，m</translation>
+    </message>
+    <message>
+        <source>How far the mean height of the mass above ground differs from the reference</source>
+        <translation>质量距地面的平均高度与基准相差多少</translation>
+    </message>
+    <message>
+        <source>centroid</source>
+        <translation>质心</translation>
+    </message>
+    <message>
+        <source>shift of the centroid, m</source>
+        <translation>质心偏移，m</translation>
+    </message>
+    <message>
+        <source>Distance between the centroids of the mass</source>
+        <translation>两个质量质心之间的距离</translation>
+    </message>
+    <message>
+        <source>fragment error</source>
+        <translation>碎块误差</translation>
+    </message>
+    <message>
+        <source>median error of the fragments, m</source>
+        <translation>碎块误差中位数，m</translation>
+    </message>
+    <message>
+        <source>Median over the fragments of the distance from their place in the reference</source>
+        <translation>各碎块到其基准位置的距离的中位数</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::AccuracyChart</name>
@@ -7377,7 +7390,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Materials</source>
-        <translation>材料</translation>
+        <translation>材料设置</translation>
     </message>
     <message>
         <source>Where materials meet</source>
@@ -7855,11 +7868,11 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>material</source>
-        <translation>材料</translation>
+        <translation>材料类别</translation>
     </message>
     <message>
         <source>reinforced</source>
-        <translation>配筋</translation>
+        <translation>有配筋</translation>
     </message>
     <message>
         <source>%1 of %2</source>

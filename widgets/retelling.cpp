@@ -22,11 +22,28 @@ const QRegularExpression& valuePlace() {
     return place;
 }
 
-/// What parts a text that is put together: tags, line ends, dots between figures, arrows, sentences of a list.
-const QRegularExpression& joint() {
-    static const QRegularExpression between(QStringLiteral("<[^>]*>|\\n| · | → |&nbsp;|; "));
+/// What parts a text that is put together: first tags and line ends, then, where a piece is no text itself, dots between figures,
+/// arrows and semicolons.
+const QRegularExpression& outerJoint() {
+    static const QRegularExpression between(QStringLiteral("<[^>]*>|\\n|&nbsp;"));
     return between;
 }
+const QRegularExpression& innerJoint() {
+    static const QRegularExpression between(QStringLiteral(" · | → |; |, "));
+    return between;
+}
+
+/// How much a text says: letters of Latin script count one, signs of Chinese three.
+int weightOf(const QString& own) {
+    int weight = 0;
+    for (const QChar c : own) {
+        weight += c.unicode() > 0x2E80 ? 3 : c.isLetter() ? 1 : 0;
+    }
+    return weight;
+}
+
+/// From here on a pattern has words enough of its own to be tried on texts of other classes than its own.
+constexpr int tellingWeight = 6;
 
 /// Classes of an object and of what it lies in, innermost first.
 QByteArrayList contextsOf(const QObject& object) {
@@ -40,13 +57,26 @@ QByteArrayList contextsOf(const QObject& object) {
             contexts << name;
         }
     }
+    // Free functions speak in the name of their namespace.
+    for (const QByteArray& type : QByteArrayList(contexts)) {
+        if (const qsizetype end = type.lastIndexOf("::"); end > 0 && !contexts.contains(type.left(end))) {
+            contexts << type.left(end);
+        }
+    }
     return contexts;
 }
 
 /// Properties that hold words, of any widget.
-constexpr std::array wordProperties = {
-    "text",       "title", "toolTip", "statusTip", "whatsThis", "accessibleName", "accessibleDescription", "placeholderText",
-    "windowTitle"};
+constexpr std::array wordProperties = {"text",
+                                       "title",
+                                       "toolTip",
+                                       "statusTip",
+                                       "whatsThis",
+                                       "accessibleName",
+                                       "accessibleDescription",
+                                       "placeholderText",
+                                       "windowTitle",
+                                       "specialValueText"};
 
 /// A field that the user types into holds the user's words.
 bool holdsWordsOfTheUser(const QObject& object, const char* property) {
@@ -72,7 +102,7 @@ Retelling::Retelling(const Catalogue& from, const Catalogue& to) {
 
 void Retelling::learn(const SourceText& source, const QString& from, const QString& to) {
     m_words[from] << Words{source.context, to};
-    Pattern pattern{source.context, {}, {}, {}, to};
+    Pattern pattern{source.context, {}, weightOf(QString(from).remove(valuePlace())), {}, {}, to};
     QString form = QStringLiteral("^");
     qsizetype at = 0;
     auto places = valuePlace().globalMatch(from);
@@ -112,7 +142,8 @@ QString Retelling::whole(const QString& text, const QByteArrayList& contexts) co
 
 QString Retelling::filled(const QString& text, const QByteArrayList& contexts) const {
     for (const Pattern& pattern : m_patterns) {
-        if (!text.contains(pattern.longest)) {
+        const bool own = contexts.contains(pattern.context);
+        if (!text.contains(pattern.longest) || (!own && pattern.weight < tellingWeight)) {
             continue;
         }
         const QRegularExpressionMatch match = pattern.form.match(text);
@@ -137,51 +168,58 @@ QString Retelling::filled(const QString& text, const QByteArrayList& contexts) c
     return {};
 }
 
+QString Retelling::known(const QString& text, const QByteArrayList& contexts) const {
+    const QString core = text.trimmed();
+    for (const QString& form : {text, core, core + u' ', u' ' + core, u' ' + core + u' '}) {
+        if (const QString words = whole(form, contexts); !words.isEmpty()) {
+            // White space around the words stays as it was, unless it is part of them.
+            const qsizetype start = text.indexOf(core);
+            return form == core ? text.left(start) + words + text.mid(start + core.size()) : words;
+        }
+    }
+    return filled(text, contexts);
+}
+
 QString Retelling::piece(const QString& text, const QByteArrayList& contexts) const {
     const auto letter = [](QChar c) { return c.isLetter(); };
     if (std::none_of(text.begin(), text.end(), letter)) {
         return text;
     }
-    for (const QString& form : {text, text.trimmed(), text.trimmed() + u' ', QStringLiteral(" ") + text.trimmed() + u' '}) {
-        if (const QString words = whole(form, contexts); !words.isEmpty()) {
-            // White space around the words stays as it was.
-            const qsizetype start = form.size() >= text.size() ? 0 : text.indexOf(form);
-            return form.size() >= text.size() ? words : text.left(start) + words + text.mid(start + form.size());
-        }
-    }
-    if (const QString words = filled(text, contexts); !words.isEmpty()) {
+    if (const QString words = known(text, contexts); !words.isEmpty()) {
         return words;
     }
+    if (text.contains(innerJoint())) {
+        return byParts(text, innerJoint(), contexts);
+    }
     // A name and its value: "Unit: m".
-    const qsizetype colon = text.indexOf(QStringLiteral(": "));
-    if (colon > 0) {
-        return piece(text.left(colon), contexts) + QStringLiteral(": ") + piece(text.mid(colon + 2), contexts);
+    for (const QString& colon : {QStringLiteral(": "), QStringLiteral("：")}) {
+        if (const qsizetype at = text.indexOf(colon); at > 0) {
+            return piece(text.left(at), contexts) + colon + piece(text.mid(at + colon.size()), contexts);
+        }
     }
     return text;
 }
 
-QString Retelling::retold(const QString& text, const QByteArrayList& contexts) const {
-    if (text.isEmpty()) {
-        return text;
-    }
-    if (const QString words = whole(text, contexts); !words.isEmpty()) {
-        return words;
-    }
-    if (!text.contains(joint())) {
-        return piece(text, contexts);
-    }
-    if (const QString words = filled(text, contexts); !words.isEmpty()) {
-        return words;
-    }
+QString Retelling::byParts(const QString& text, const QRegularExpression& joint, const QByteArrayList& contexts) const {
     QString result;
     qsizetype at = 0;
-    auto joints = joint().globalMatch(text);
+    auto joints = joint.globalMatch(text);
     while (joints.hasNext()) {
         const QRegularExpressionMatch match = joints.next();
         result += piece(text.mid(at, match.capturedStart() - at), contexts) + match.captured();
         at = match.capturedEnd();
     }
     return result + piece(text.mid(at), contexts);
+}
+
+QString Retelling::retold(const QString& text, const QByteArrayList& contexts) const {
+    if (text.isEmpty()) {
+        return text;
+    }
+    if (const QString words = known(text, contexts); !words.isEmpty()) {
+        return words;
+    }
+    return text.contains(outerJoint()) ? byParts(text, outerJoint(), contexts) : piece(text, contexts);
 }
 
 void Retelling::apply(QWidget& window) const {
@@ -223,6 +261,8 @@ void Retelling::applyTo(QObject& object) const {
     }
     if (auto* view = qobject_cast<QAbstractItemView*>(widget);
         view != nullptr && view->model() != nullptr && !widget->inherits("QHeaderView")) {
+        // What a cell says is changed here, not edited by the user.
+        const QSignalBlocker quiet(view);
         applyTo(*view->model(), contexts);
     }
     widget->updateGeometry();

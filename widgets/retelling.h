@@ -34,6 +34,7 @@ private:
     struct Pattern {
         QByteArray context;
         QString longest;  ///< its longest piece between two values: what a text must hold to be tried
+        int weight;       ///< how much it says besides its values
         QRegularExpression form;
         std::vector<int> places;  ///< which value each capture is
         QString to;
@@ -42,7 +43,10 @@ private:
     void learn(const SourceText& source, const QString& from, const QString& to);
     QString whole(const QString& text, const QByteArrayList& contexts) const;
     QString filled(const QString& text, const QByteArrayList& contexts) const;
+    /// A text that is in the catalogue, as it stands or with values; nothing otherwise.
+    QString known(const QString& text, const QByteArrayList& contexts) const;
     QString piece(const QString& text, const QByteArrayList& contexts) const;
+    QString byParts(const QString& text, const QRegularExpression& joint, const QByteArrayList& contexts) const;
     void applyTo(QObject& object) const;
     void applyTo(QAction& action, const QByteArrayList& contexts) const;
     void applyTo(QAbstractItemModel& model, const QByteArrayList& contexts) const;

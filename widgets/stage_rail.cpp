@@ -79,20 +79,20 @@ private:
         QString state;
         switch (m_state) {
             case StageState::NotYet:
-                state = tr("not yet");
+                state = StageRail::tr("not yet");
                 break;
             case StageState::Running:
-                state = tr("running, %1").arg(shownShare(m_fraction, 0));
+                state = StageRail::tr("running, %1").arg(shownShare(m_fraction, 0));
                 break;
             case StageState::UpToDate:
-                state = tr("up to date");
+                state = StageRail::tr("up to date");
                 break;
             case StageState::Stale:
-                state = tr("stale: settings have changed since");
+                state = StageRail::tr("stale: settings have changed since");
                 break;
         }
         if (m_findings > 0) {
-            state += QStringLiteral("; ") + tr("findings: %1").arg(shownCount(m_findings));
+            state += QStringLiteral("; ") + StageRail::tr("findings: %1").arg(shownCount(m_findings));
         }
         setToolTip(QStringLiteral("<b>%1</b><br/>%2<br/>%3").arg(m_entry.title, m_entry.question, state));
         setAccessibleDescription(state);

@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QLabel>
+#include <QLocale>
 #include <QMenu>
 #include <array>
 #include <utility>
@@ -46,8 +47,22 @@ HelpTopic topicFrom(const QString& place) {
 /// The words of the sources that a text on screen says.
 QString sourceOf(const QString& said) {
     for (const widgets::SourceText& text : widgets::Catalogue::spoken()) {
-        if (QCoreApplication::translate(text.context.constData(), text.text.constData()) == said) {
-            return QString::fromUtf8(text.text);
+        const QString source = QString::fromUtf8(text.text);
+        const QString words = QCoreApplication::translate(text.context.constData(), text.text.constData());
+        if (words == said) {
+            return source;
+        }
+        // A name with a value in it: the manual has what stands before the value.
+        const qsizetype place = words.indexOf(QStringLiteral("%1"));
+        if (place >= 0 && words.size() > 4 && source.indexOf(u'%') > 3) {
+            const QString rest = words.mid(place + 2);
+            bool number = false;
+            if (said.startsWith(words.left(place)) && said.endsWith(rest) && said.size() > place + rest.size()) {
+                QLocale().toDouble(said.mid(place, said.size() - place - rest.size()), &number);
+            }
+            if (number) {
+                return source.left(source.indexOf(u'%')).trimmed();
+            }
         }
     }
     return said;

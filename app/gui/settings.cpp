@@ -1,6 +1,6 @@
 #include "app/gui/settings.h"
 
-#include <array>
+#include <QFileInfo>
 
 #include "widgets/language.h"
 
@@ -58,7 +58,9 @@ private:
 widgets::Preferences readPreferences(QSettings& settings, QStringList* complaints) {
     const widgets::Preferences delivered;
     settings.sync();
-    if (settings.status() != QSettings::NoError) {
+    // A file that holds something but no key is no settings file.
+    const bool senseless = settings.allKeys().isEmpty() && QFileInfo(settings.fileName()).size() > 0;
+    if (settings.status() != QSettings::NoError || senseless) {
         if (complaints != nullptr) {
             *complaints << settings.fileName();
         }

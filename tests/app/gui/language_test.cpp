@@ -15,6 +15,7 @@
 #include <QTest>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -98,7 +99,7 @@ const std::set<QString>& sameEverywhere() {
             "NAVFAC DM ACI Wyllie Asteriou Tsiambaos Baltay Gjelsvik Rabbat Russell Avallone Baumeister STATUS "
             "accuracy calibrate csv pair inspect frame status none EPYC AMD Intel CPU GHz Core Xeon Processor Platinum x86 Mesa "
             "LLVM bits llvmpipe "
-            "exo tif tiff asc bil img hgt dt xyz grd zh CN xf");
+            "NAME Left Right Up Down Pa exo tif tiff asc bil img hgt dt xyz grd zh CN xf");
         for (const QString& word : plain.split(u' ')) {
             list.insert(word);
         }
@@ -122,7 +123,7 @@ const std::set<QString>& sameEverywhere() {
 
 /// English words in a text, but for names of the file and what is the same everywhere.
 QStringList strangeWords(QString text, const QStringList& names) {
-    static const QRegularExpression tag(QStringLiteral("<[^>]*>|\\S*/\\S*/\\S*"));
+    static const QRegularExpression tag(QStringLiteral("<[^>]*>|\\S*/\\S*/\\S*|\\b[0-9a-f]{8,}\\b"));
     static const QRegularExpression word(QStringLiteral("[A-Za-z]{2,}"));
     for (const QString& name : names) {
         text.remove(name, Qt::CaseInsensitive);
@@ -156,12 +157,14 @@ protected:
         QTest::qWait(50);
     }
     QStringList namesOfTheFile() const {
-        QStringList names{QStringLiteral("rc-arch.exo"), QStringLiteral("rc-arch")};
+        QStringList names{QStringLiteral("rc-arch.exo"), QStringLiteral("rc-arch"), QStringLiteral("As computed")};
         if (const auto& fe = window->computation().inputs().fe) {
             for (const Part& part : fe->mesh().parts) {
                 names << QString::fromStdString(part.name);
             }
         }
+        // "deck slab under trucks" before "deck slab".
+        std::sort(names.begin(), names.end(), [](const QString& a, const QString& b) { return a.size() > b.size(); });
         return names;
     }
     void chooseAll() {
@@ -241,6 +244,7 @@ TEST_F(Languages, AWindowThatSwitchedSaysWhatOneSaysThatBeganInIt) {
         EXPECT_TRUE(strangeWords(text, names).isEmpty()) << qPrintable(place) << ": " << qPrintable(text);
     }
     speak("en");
+    window->document().undoStack().clear();
     chooseAll();
     static const QRegularExpression chinese(QStringLiteral("[\\x{4e00}-\\x{9fff}]"));
     std::size_t compared = 0;
@@ -250,11 +254,13 @@ TEST_F(Languages, AWindowThatSwitchedSaysWhatOneSaysThatBeganInIt) {
         // Figures that go on (memory, times) and what the history says of steps taken since are others now.
         const bool lives = place.contains(QLatin1String("StatusLine")) || place.contains(QLatin1String("redo")) ||
                            place.contains(QLatin1String("undo")) || place.contains(QLatin1String("Transport")) ||
-                           place.contains(QLatin1String("PredictionBox")) || place.contains(QLatin1String("QTimer"));
+                           place.contains(QLatin1String("PredictionBox")) || text.startsWith(QLatin1String("Redo")) ||
+                           text.startsWith(QLatin1String("Undo"));
         const auto before = english.find(place);
         if (!lives && before != english.end()) {
             ++compared;
-            EXPECT_EQ(QString(text).remove(u'&'), QString(before->second).remove(u'&')) << qPrintable(place);
+            EXPECT_EQ(QString(text).remove(u'&').toStdString(), QString(before->second).remove(u'&').toStdString())
+                << qPrintable(place);
         }
     }
     EXPECT_GT(compared, 500u);
@@ -317,6 +323,7 @@ TEST_F(Languages, PreferencesAreInForceAtOnceAndKept) {
     auto* language = dialog->findChild<QComboBox*>(QStringLiteral("language"));
     language->setFocus();
     QTest::keyClick(language, Qt::Key_End);
+    QTest::qWait(50);
     EXPECT_EQ(widgets::currentLanguage(), QStringLiteral("zh_CN"));
     EXPECT_EQ(dialog->windowTitle(), QStringLiteral("首选项"));
     for (const auto& [place, text] : textsOf(*dialog)) {

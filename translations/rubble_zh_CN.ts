@@ -351,6 +351,110 @@
         <source>Help</source>
         <translation>帮助</translation>
     </message>
+    <message>
+        <source>Duplicate scenario</source>
+        <translation>复制方案</translation>
+    </message>
+    <message>
+        <source>Go on with a copy of the scenario; the Case panel lists all of them</source>
+        <translation>以方案的副本继续；“案例”面板列出全部方案</translation>
+    </message>
+    <message>
+        <source>Compare scenarios…</source>
+        <translation>比较方案…</translation>
+    </message>
+    <message>
+        <source>Show in which settings and results two scenarios differ</source>
+        <translation>显示两个方案在哪些设置和结果上不同</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>List every edit since the case was opened; a click goes there</source>
+        <translation>列出打开案例以来的每次编辑；单击可转到该处</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>重置布局</translation>
+    </message>
+    <message>
+        <source>Put panels, docks and bars back where they were at the first start</source>
+        <translation>将面板、停靠窗和工具栏恢复到首次启动时的位置</translation>
+    </message>
+    <message>
+        <source>Play backwards</source>
+        <translation>倒放</translation>
+    </message>
+    <message>
+        <source>Play backwards or pause</source>
+        <translation>倒放或暂停</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>Playback goes round the range dragged with Shift in the timeline, or round all of it</source>
+        <translation>回放在时间轴上按住 Shift 拖出的区间内循环，或整体循环</translation>
+    </message>
+    <message>
+        <source>Loop from here</source>
+        <translation>循环起点</translation>
+    </message>
+    <message>
+        <source>The range that playback goes round begins at this instant</source>
+        <translation>循环回放的区间从此时刻开始</translation>
+    </message>
+    <message>
+        <source>Loop to here</source>
+        <translation>循环终点</translation>
+    </message>
+    <message>
+        <source>The range that playback goes round ends at this instant</source>
+        <translation>循环回放的区间在此时刻结束</translation>
+    </message>
+    <message>
+        <source>Bookmark…</source>
+        <translation>书签…</translation>
+    </message>
+    <message>
+        <source>Mark this instant with a note; kept in the case</source>
+        <translation>以备注标记此时刻；保存在案例中</translation>
+    </message>
+    <message>
+        <source>To the bookmark before</source>
+        <translation>到前一个书签</translation>
+    </message>
+    <message>
+        <source>To the next bookmark</source>
+        <translation>到后一个书签</translation>
+    </message>
+    <message>
+        <source>Snap to states</source>
+        <translation>对准状态</translation>
+    </message>
+    <message>
+        <source>Scrubbing stops at true states and recorded frames only, so that nothing is interpolated</source>
+        <translation>浏览只停在真实状态和已记录的帧，不作插值</translation>
+    </message>
+    <message>
+        <source>Time from zero</source>
+        <translation>从零计时</translation>
+    </message>
+    <message>
+        <source>Count times from the first state instead of as the FE result has them</source>
+        <translation>时间从首个状态算起，而不按有限元结果的时间</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>导览</translation>
+    </message>
+    <message>
+        <source>What the parts of this window are for, in five steps</source>
+        <translation>分五步介绍窗口各部分的用途</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -549,6 +653,17 @@
     <message>
         <source>z</source>
         <translation>z</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>The settings of the program could not be read.</source>
+        <translation>无法读取程序的设置。</translation>
+    </message>
+    <message>
+        <source>They start anew; the file was set aside as %1.</source>
+        <translation>设置重新开始；该文件已另存为 %1。</translation>
     </message>
 </context>
 <context>
@@ -4490,7 +4605,7 @@
     </message>
     <message>
         <source>{0} of the bodies lay more than 5 % of their smallest side inside another for over 0.5 s, {1} at most; {2} worst</source>
-        <translation>{0} 的刚体有超过最小边 5 % 的部分侵入其他刚体超过 0.5 s，至多 {1}；最差为 {2}</translation>
+        <translation>{0} 个刚体有超过最小边 5 % 的部分侵入其他刚体超过 0.5 s，至多 {1}；最差为 {2}</translation>
     </message>
     <message>
         <source>{0} of time are {1}</source>
@@ -4868,6 +4983,30 @@
         <source>{0} of {1} active at the first state</source>
         <translation>初始状态 {1} 个中 {0} 个激活</translation>
     </message>
+    <message>
+        <source>Cannot read the history of runs {0}</source>
+        <translation>无法读取计算历史 {0}</translation>
+    </message>
+    <message>
+        <source>Cannot read the unsaved work in {0}</source>
+        <translation>无法读取 {0} 中未保存的工作</translation>
+    </message>
+    <message>
+        <source>Comparing with what the case was made with</source>
+        <translation>正在与案例建立时的文件核对</translation>
+    </message>
+    <message>
+        <source>Open the case that it belongs to.</source>
+        <translation>请打开其所属的案例。</translation>
+    </message>
+    <message>
+        <source>Opening the run</source>
+        <translation>正在打开计算</translation>
+    </message>
+    <message>
+        <source>{0} was made from another FE result than the one that is open</source>
+        <translation>{0} 来自与当前打开的不同的有限元结果</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -4938,6 +5077,14 @@
     <message>
         <source>One file at a time, please.</source>
         <translation>一次只能打开一个文件。</translation>
+    </message>
+    <message>
+        <source>Trigger these actions before the picture is taken, by their ids.</source>
+        <translation>在截图前依次触发这些操作（按标识）。</translation>
+    </message>
+    <message>
+        <source>--action knows no “%1”; the manual lists the actions in the order of the menus.</source>
+        <translation>--action 没有“%1”；手册按菜单次序列出了各操作。</translation>
     </message>
 </context>
 <context>
@@ -5645,6 +5792,21 @@
     </message>
 </context>
 <context>
+    <name>rubble::Autosave</name>
+    <message>
+        <source>Changes cannot be autosaved in %1</source>
+        <translation>无法在 %1 自动保存更改</translation>
+    </message>
+    <message>
+        <source>Make room there or allow writing, or save the case yourself.</source>
+        <translation>请在该处腾出空间或允许写入，或自行保存案例。</translation>
+    </message>
+    <message>
+        <source>Changes cannot be autosaved. %1</source>
+        <translation>无法自动保存更改。%1</translation>
+    </message>
+</context>
+<context>
     <name>rubble::CalibrationDisplay</name>
     <message>
         <source>This machine</source>
@@ -5671,6 +5833,34 @@
     <message>
         <source>preset %1</source>
         <translation>预设 %1</translation>
+    </message>
+    <message>
+        <source>%1, copy</source>
+        <translation>%1，副本</translation>
+    </message>
+    <message>
+        <source>%1, copy %2</source>
+        <translation>%1，副本 %2</translation>
+    </message>
+    <message>
+        <source>scenario “%1”</source>
+        <translation>方案“%1”</translation>
+    </message>
+    <message>
+        <source>scenario “%1” renamed to “%2”</source>
+        <translation>方案“%1”重命名为“%2”</translation>
+    </message>
+    <message>
+        <source>note on “%1”</source>
+        <translation>“%1”的备注</translation>
+    </message>
+    <message>
+        <source>scenario “%1” deleted</source>
+        <translation>方案“%1”已删除</translation>
+    </message>
+    <message>
+        <source>to scenario “%1”</source>
+        <translation>转到方案“%1”</translation>
     </message>
 </context>
 <context>
@@ -5788,6 +5978,97 @@
     <message>
         <source>Copy</source>
         <translation>复制</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::InputsDisplay</name>
+    <message>
+        <source>The FE result</source>
+        <translation>有限元结果</translation>
+    </message>
+    <message>
+        <source>The terrain</source>
+        <translation>地形</translation>
+    </message>
+    <message>
+        <source>The photograph</source>
+        <translation>照片</translation>
+    </message>
+    <message>
+        <source>The survey</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Locate…</source>
+        <translation>定位…</translation>
+    </message>
+    <message>
+        <source>Choose where this file lies now</source>
+        <translation>选择此文件现在的位置</translation>
+    </message>
+    <message>
+        <source>%1 is another file than the case was made with.</source>
+        <translation>%1 与建立案例时的文件不同。</translation>
+    </message>
+    <message>
+        <source>SHA-256 %1 instead of %2: results may differ from before.</source>
+        <translation>SHA-256 为 %1，而不是 %2：结果可能与以前不同。</translation>
+    </message>
+    <message>
+        <source>Use it all the same</source>
+        <translation>仍然使用</translation>
+    </message>
+    <message>
+        <source>Take this file for the one that the case names; can be undone</source>
+        <translation>以此文件作为案例所指的文件；可撤销</translation>
+    </message>
+    <message>
+        <source>Leave it</source>
+        <translation>保持不变</translation>
+    </message>
+    <message>
+        <source>Keep the case as it is</source>
+        <translation>案例保持原样</translation>
+    </message>
+    <message>
+        <source>%1 %2 is missing.</source>
+        <translation>%1 %2 缺失。</translation>
+    </message>
+    <message>
+        <source>It should lie in %1.</source>
+        <translation>它应位于 %1。</translation>
+    </message>
+    <message>
+        <source>%1 %2 has changed since the case was saved.</source>
+        <translation>%1 %2 在案例保存后已更改。</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>接受</translation>
+    </message>
+    <message>
+        <source>Take the file as it is now; the case records it, and it can be undone</source>
+        <translation>采用文件现在的内容；案例会记录，且可撤销</translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation>定位 %1</translation>
+    </message>
+    <message>
+        <source>%1 used instead</source>
+        <translation>改用 %1</translation>
+    </message>
+    <message>
+        <source>%1 located</source>
+        <translation>已定位 %1</translation>
+    </message>
+    <message>
+        <source>%1 was found; the case names its place</source>
+        <translation>已找到 %1；案例已记下其位置</translation>
+    </message>
+    <message>
+        <source>changed %1 accepted</source>
+        <translation>接受已更改的 %1</translation>
     </message>
 </context>
 <context>
@@ -5924,6 +6205,50 @@
         <source>Preferences that could not be read are as delivered: %1</source>
         <translation>无法读取的首选项采用默认值：%1</translation>
     </message>
+    <message>
+        <source>Shown: the run %1</source>
+        <translation>显示的是计算 %1</translation>
+    </message>
+    <message>
+        <source>The way of the work</source>
+        <translation>工作次序</translation>
+    </message>
+    <message>
+        <source>From the file to the debris, top to bottom. Each entry shows its state: up to date, stale after a change, running, or with a finding.</source>
+        <translation>自上而下，从文件到堆积物。每一项显示其状态：最新、更改后过期、正在运行或有发现项。</translation>
+    </message>
+    <message>
+        <source>The panel of a stage</source>
+        <translation>各阶段的面板</translation>
+    </message>
+    <message>
+        <source>One question per panel, its settings, and what they cost. Every change can be undone with Ctrl+Z.</source>
+        <translation>每个面板回答一个问题，给出其设置及代价。每次更改都可用 Ctrl+Z 撤销。</translation>
+    </message>
+    <message>
+        <source>The views</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>The conventional FE result and the fragments, from the same camera. Left button orbits, Shift and left pans, the wheel zooms. Keys 1 to 4 choose the layout.</source>
+        <translation>常规有限元结果和碎块，使用同一相机。左键旋转，Shift 加左键平移，滚轮缩放。数字键 1 至 4 选择布局。</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>Computes where the fragments go (Ctrl+R); the views play what is computed meanwhile. Live runs at the pace of the collapse.</source>
+        <translation>计算碎块的去向（Ctrl+R）；其间视图播放已计算的部分。“实时”按倒塌的实际速度运行。</translation>
+    </message>
+    <message>
+        <source>The timeline</source>
+        <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>Deaths over time and how far the run has got. Drag to scrub, Space plays, the arrow keys go from state to state.</source>
+        <translation>失效随时间的变化以及计算的进度。拖动可浏览，空格播放，方向键逐个状态移动。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::ManualWindow</name>
@@ -6036,6 +6361,121 @@
     </message>
 </context>
 <context>
+    <name>rubble::ProjectDisplay</name>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>Unsaved work of an earlier session cannot be read. %1</source>
+        <translation>无法读取先前会话中未保存的工作。%1</translation>
+    </message>
+    <message>
+        <source>It was set aside as %1.</source>
+        <translation>它已另存为 %1。</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>打开时</translation>
+    </message>
+    <message>
+        <source>History of edits</source>
+        <translation>编辑历史</translation>
+    </message>
+    <message>
+        <source>Every edit since the case was opened; a click goes back or forward to it</source>
+        <translation>打开案例以来的每次编辑；单击可前后转到该处</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::Recovery</name>
+    <message>
+        <source>The case was never saved.</source>
+        <translation>该案例从未保存。</translation>
+    </message>
+    <message>
+        <source>They are not in %1.</source>
+        <translation>它们不在 %1 中。</translation>
+    </message>
+    <message>
+        <source>Others follow: %1.</source>
+        <translation>其后还有：%1。</translation>
+    </message>
+    <message>
+        <source>Rubble ended before changes of “%1” were saved. They were kept at %2.</source>
+        <translation>Rubble 在“%1”的更改保存之前退出。这些更改于 %2 保留。</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Open the case with these changes; they can be saved then</source>
+        <translation>打开带有这些更改的案例；随后可保存</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>丢弃</translation>
+    </message>
+    <message>
+        <source>Remove these changes for good</source>
+        <translation>永久删除这些更改</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>稍后</translation>
+    </message>
+    <message>
+        <source>Ask again at the next start</source>
+        <translation>下次启动时再询问</translation>
+    </message>
+    <message>
+        <source>Changes of “%1” were discarded</source>
+        <translation>“%1”的更改已丢弃</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::RunHistory</name>
+    <message>
+        <source>It was set aside as %1; a new history begins.</source>
+        <translation>它已另存为 %1；历史重新开始。</translation>
+    </message>
+    <message>
+        <source>The history of runs cannot be kept. %1</source>
+        <translation>无法保留计算历史。%1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::ScenariosDisplay</name>
+    <message>
+        <source>No complete run yet</source>
+        <translation>尚无完整的计算</translation>
+    </message>
+    <message>
+        <source>Last run: %1 bodies</source>
+        <translation>上次计算：%1 个刚体</translation>
+    </message>
+    <message>
+        <source>Scenarios compared</source>
+        <translation>方案比较</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::StartDisplay</name>
+    <message>
+        <source>today, %1</source>
+        <translation>今天，%1</translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation>定位 %1</translation>
+    </message>
+    <message>
+        <source>Cases and FE results (*)</source>
+        <translation>案例和有限元结果 (*)</translation>
+    </message>
+</context>
+<context>
     <name>rubble::StatusFeed</name>
     <message>
         <source> · about %1 left</source>
@@ -6115,30 +6555,37 @@
     </message>
 </context>
 <context>
+    <name>rubble::TimelineDisplay</name>
+    <message>
+        <source>bookmark at %1 s</source>
+        <translation>%1 s 处的书签</translation>
+    </message>
+    <message>
+        <source>Bookmark at %1 s</source>
+        <translation>位于 %1 s 的书签</translation>
+    </message>
+    <message>
+        <source>bookmark “%1”</source>
+        <translation>书签“%1”</translation>
+    </message>
+    <message>
+        <source>bookmark removed</source>
+        <translation>书签已删除</translation>
+    </message>
+    <message>
+        <source>bookmark “%1” removed</source>
+        <translation>书签“%1”已删除</translation>
+    </message>
+</context>
+<context>
     <name>rubble::ViewArea</name>
     <message>
-        <source>Where do the fragments go?</source>
-        <translation>碎块去向何处？</translation>
+        <source>Nothing to view yet</source>
+        <translation>尚无可查看的内容</translation>
     </message>
     <message>
-        <source>Two views appear here: the conventional FE result, in which deactivated elements vanish, and the same collapse with every deactivated element as a fragment that falls, hits and comes to rest. Drop an FE result or a case anywhere in this window.</source>
-        <translation>这里将出现两个视图：失效单元直接消失的常规有限元结果，以及同一倒塌过程中每个失效单元都作为碎块下落、碰撞直至静止的画面。将有限元结果或案例拖放到窗口任意位置即可。</translation>
-    </message>
-    <message>
-        <source>Open the sample</source>
-        <translation>打开示例</translation>
-    </message>
-    <message>
-        <source>The collapse of a stone arch bridge: opens and starts to simulate</source>
-        <translation>石拱桥倒塌示例：打开并开始模拟</translation>
-    </message>
-    <message>
-        <source>Open…</source>
-        <translation>打开…</translation>
-    </message>
-    <message>
-        <source>Open a case (*.rubble) or an FE result</source>
-        <translation>打开案例（*.rubble）或有限元结果</translation>
+        <source>The case is open, but its FE result is not. What is wrong is said here and in the Case panel; what can be mended is offered above.</source>
+        <translation>案例已打开，但其有限元结果未打开。此处和“案例”面板说明了问题；可修复之处列于上方。</translation>
     </message>
 </context>
 <context>
@@ -6909,6 +7356,41 @@
     </message>
 </context>
 <context>
+    <name>rubble::widgets::BookmarkEditor</name>
+    <message>
+        <source>Bookmark</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>Note: what is to be seen here</source>
+        <translation>备注：此处可见什么</translation>
+    </message>
+    <message>
+        <source>Note of the bookmark</source>
+        <translation>书签备注</translation>
+    </message>
+    <message>
+        <source>What is to be seen at this instant; saved with the case</source>
+        <translation>此时刻可见什么；随案例保存</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Remove this bookmark; can be undone</source>
+        <translation>删除此书签；可撤销</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Keep the bookmark with this note (Enter)</source>
+        <translation>以此备注保留书签（回车）</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::CalibrationChart</name>
     <message>
         <source>Frames per second against the number of bodies</source>
@@ -7035,6 +7517,17 @@
     <message>
         <source> · about %1 left</source>
         <translation> · 约剩 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::CaseCard</name>
+    <message>
+        <source>%1, missing</source>
+        <translation>%1，缺失</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺失</translation>
     </message>
 </context>
 <context>
@@ -7226,6 +7719,10 @@ What the file fits: %2.</source>
     <message>
         <source>The density of %1 stays as it was.</source>
         <translation>%1 的密度保持不变。</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>方案</translation>
     </message>
 </context>
 <context>
@@ -8223,6 +8720,89 @@ What the file fits: %2.</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::RunList</name>
+    <message>
+        <source>cancelled at %1 s</source>
+        <translation>在 %1 s 取消</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>1 limit passed</source>
+        <translation>超过 1 项限值</translation>
+    </message>
+    <message>
+        <source>%1 limits passed</source>
+        <translation>超过 %1 项限值</translation>
+    </message>
+    <message>
+        <source>Every run of this case is listed here: when, what with, and what came of it.</source>
+        <translation>此案例的每次计算列于此处：时间、所用设置和结果。</translation>
+    </message>
+    <message>
+        <source>Show this run</source>
+        <translation>显示此计算</translation>
+    </message>
+    <message>
+        <source>Runs of this case</source>
+        <translation>此案例的计算</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 bodies · %2 · %3</source>
+        <translation>%1 个刚体 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>正在显示</translation>
+    </message>
+    <message>
+        <source>Fingerprint %1</source>
+        <translation>指纹 %1</translation>
+    </message>
+    <message>
+        <source>trajectory %1</source>
+        <translation>轨迹 %1</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>as fast as it went</source>
+        <translation>以最快速度</translation>
+    </message>
+    <message>
+        <source>Fingerprint of inputs, settings and program: %1
+Trajectory of every recorded frame: %2
+Program: %3</source>
+        <translation>输入、设置和程序的指纹：%1
+所有记录帧的轨迹：%2
+程序：%3</translation>
+    </message>
+    <message>
+        <source>It is the run in the views</source>
+        <translation>即视图中的计算</translation>
+    </message>
+    <message>
+        <source>Its file was not kept: “Save run as…” in the Case menu keeps one</source>
+        <translation>其文件未保留：“案例”菜单的“计算另存为…”可保留</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more</source>
+        <translation>%1 已不存在</translation>
+    </message>
+    <message>
+        <source>Open %1 and show it in the views</source>
+        <translation>打开 %1 并在视图中显示</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::RunPanel</name>
     <message>
         <source>mean %1 ms per step</source>
@@ -8444,6 +9024,204 @@ What the file fits: %2.</source>
         <source>%1 kg; %2 released inside debris or structure; %3 still move at the end</source>
         <translation>%1 kg；%2 在堆积物或结构内部释放；%3 在结束时仍在运动</translation>
     </message>
+    <message>
+        <source>Runs of this case</source>
+        <translation>此案例的计算</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ScenarioComparison</name>
+    <message>
+        <source>unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Settings that differ</source>
+        <translation>不同的设置</translation>
+    </message>
+    <message>
+        <source>setting</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>结果项</translation>
+    </message>
+    <message>
+        <source>First scenario</source>
+        <translation>第一个方案</translation>
+    </message>
+    <message>
+        <source>The scenario in the first column</source>
+        <translation>第一列的方案</translation>
+    </message>
+    <message>
+        <source>Second scenario</source>
+        <translation>第二个方案</translation>
+    </message>
+    <message>
+        <source>The scenario in the second column</source>
+        <translation>第二列的方案</translation>
+    </message>
+    <message>
+        <source>against</source>
+        <translation>对比</translation>
+    </message>
+    <message>
+        <source>SETTINGS THAT DIFFER</source>
+        <translation>设置差异</translation>
+    </message>
+    <message>
+        <source>RESULTS OF THE NEWEST COMPLETE RUNS</source>
+        <translation>最近完整计算的结果</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 个步骤</translation>
+    </message>
+    <message>
+        <source>Regrouping of components</source>
+        <translation>构件重新分组</translation>
+    </message>
+    <message>
+        <source>Which parts of the file are joined, split or renamed; the Case panel lists the steps</source>
+        <translation>文件的哪些部件被合并、分割或重命名；“案例”面板列出各步骤</translation>
+    </message>
+    <message>
+        <source>None: all settings are the same.</source>
+        <translation>无：所有设置相同。</translation>
+    </message>
+    <message>
+        <source>%1 has no complete run.</source>
+        <translation>%1 没有完整的计算。</translation>
+    </message>
+    <message>
+        <source>The run of %1 is stale: settings, inputs or the program have changed since.</source>
+        <translation>%1 的计算已过期：此后设置、输入或程序已更改。</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Fragments</source>
+        <translation>碎块</translation>
+    </message>
+    <message>
+        <source>Bodies at most</source>
+        <translation>刚体最多数</translation>
+    </message>
+    <message>
+        <source>Wall time</source>
+        <translation>实际耗时</translation>
+    </message>
+    <message>
+        <source>Step, mean</source>
+        <translation>步，平均</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>The end</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Asleep at the end</source>
+        <translation>结束时休眠</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>最高速度</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>Bulking of the pile</source>
+        <translation>堆积体松散系数</translation>
+    </message>
+    <message>
+        <source>Energy drift</source>
+        <translation>能量漂移</translation>
+    </message>
+    <message>
+        <source>Limits of health passed</source>
+        <translation>超过的健康限值</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ScenarioList</name>
+    <message>
+        <source>Duplicate</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>比较…</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>方案</translation>
+    </message>
+    <message>
+        <source>The chosen scenario is the one that is worked on; F2 renames it</source>
+        <translation>所选方案即正在使用的方案；F2 重命名</translation>
+    </message>
+    <message>
+        <source>Note: what this scenario stands for</source>
+        <translation>备注：此方案代表什么</translation>
+    </message>
+    <message>
+        <source>Note on the scenario</source>
+        <translation>方案备注</translation>
+    </message>
+    <message>
+        <source>What the chosen scenario stands for; saved with the case</source>
+        <translation>所选方案代表什么；随案例保存</translation>
+    </message>
+    <message>
+        <source>A copy of the chosen scenario, with all its settings, becomes the one that is worked on</source>
+        <translation>所选方案的副本（含全部设置）成为正在使用的方案</translation>
+    </message>
+    <message>
+        <source>Give the chosen scenario another name (F2)</source>
+        <translation>为所选方案另取名称（F2）</translation>
+    </message>
+    <message>
+        <source>Delete the chosen scenario; can be undone. The last one stays</source>
+        <translation>删除所选方案；可撤销。最后一个保留</translation>
+    </message>
+    <message>
+        <source>Show side by side in which settings and results two scenarios differ</source>
+        <translation>并列显示两个方案在哪些设置和结果上不同</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::StageRail</name>
@@ -8469,6 +9247,57 @@ What the file fits: %2.</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::StartPage</name>
+    <message>
+        <source>RECENT</source>
+        <translation>最近</translation>
+    </message>
+    <message>
+        <source>Where do the fragments go?</source>
+        <translation>碎块去向何处？</translation>
+    </message>
+    <message>
+        <source>Open the finished result of a collapse analysis: every deactivated element becomes a fragment that falls, hits and comes to rest, beside the conventional view in which it vanishes. A case or a result can be dropped anywhere in this window.</source>
+        <translation>打开已完成的倒塌分析结果：每个失效单元都成为下落、碰撞直至静止的碎块，与其直接消失的常规视图并列。案例或结果可拖放到窗口任意位置。</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>Open a case (*.rubble) or an FE result (Ctrl+O)</source>
+        <translation>打开案例（*.rubble）或有限元结果（Ctrl+O）</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>开始导览</translation>
+    </message>
+    <message>
+        <source>What the parts of this window are for, in five steps</source>
+        <translation>分五步介绍窗口各部分的用途</translation>
+    </message>
+    <message>
+        <source>SAMPLES</source>
+        <translation>示例</translation>
+    </message>
+    <message>
+        <source>Locate…</source>
+        <translation>定位…</translation>
+    </message>
+    <message>
+        <source>Choose where %1 lies now</source>
+        <translation>选择 %1 现在的位置</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Take %1 off this list; the file itself stays</source>
+        <translation>从列表中移除 %1；文件本身保留</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::StatusLine</name>
     <message>
         <source>Cancel</source>
@@ -8488,10 +9317,6 @@ What the file fits: %2.</source>
     <message>
         <source>Timeline</source>
         <translation>时间轴</translation>
-    </message>
-    <message>
-        <source>Deaths over time and what is computed. Drag to scrub.</source>
-        <translation>失效随时间的变化以及已计算的部分。拖动以浏览。</translation>
     </message>
     <message>
         <source>computed</source>
@@ -8528,6 +9353,67 @@ What the file fits: %2.</source>
     <message>
         <source>FE ends</source>
         <translation>有限元结束</translation>
+    </message>
+    <message>
+        <source>Deaths over time and what is computed. Drag to scrub; with Shift, drag the range that playback goes round.</source>
+        <translation>失效随时间的变化以及已计算的部分。拖动可浏览；按住 Shift 拖出循环回放的区间。</translation>
+    </message>
+    <message>
+        <source>bookmarks</source>
+        <translation>书签轨</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>%1
+%2; double-click to change</source>
+        <translation>%1
+%2；双击可更改</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>后退</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Tour of the window</source>
+        <translation>窗口导览</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>End the tour (Esc); the Help menu has it again</source>
+        <translation>结束导览（Esc）；“帮助”菜单中可再次打开</translation>
+    </message>
+    <message>
+        <source>The stop before (←)</source>
+        <translation>上一站（←）</translation>
+    </message>
+    <message>
+        <source>The next stop (→)</source>
+        <translation>下一站（→）</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1，共 %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
     </message>
 </context>
 <context>
@@ -8596,12 +9482,47 @@ What the file fits: %2.</source>
         <source>Pause</source>
         <translation>暂停</translation>
     </message>
+    <message>
+        <source>Play backwards</source>
+        <translation>倒放</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>Playback goes round: the range dragged with Shift in the timeline, or all of it</source>
+        <translation>循环回放：在时间轴上按住 Shift 拖出的区间，或整体</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>Mark this instant with a note (B)</source>
+        <translation>以备注标记此时刻（B）</translation>
+    </message>
+    <message>
+        <source>Pause (Shift+Space)</source>
+        <translation>暂停（Shift+空格）</translation>
+    </message>
+    <message>
+        <source>Play backwards (Shift+Space)</source>
+        <translation>倒放（Shift+空格）</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::ViewWidget</name>
     <message>
         <source>Views of the collapse</source>
         <translation>视图：倒塌过程</translation>
+    </message>
+</context>
+<context>
+    <name>samples</name>
+    <message>
+        <source>An FE result as it comes from the analysis, without a case.</source>
+        <translation>直接来自分析的有限元结果，没有案例。</translation>
     </message>
 </context>
 </TS>

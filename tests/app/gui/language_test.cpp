@@ -99,7 +99,7 @@ const std::set<QString>& sameEverywhere() {
             "NAVFAC DM ACI Wyllie Asteriou Tsiambaos Baltay Gjelsvik Rabbat Russell Avallone Baumeister STATUS "
             "accuracy calibrate csv pair inspect frame status none EPYC AMD Intel CPU GHz Core Xeon Processor Platinum x86 Mesa "
             "LLVM bits llvmpipe "
-            "NAME Left Right Up Down Pa exo tif tiff asc bil img hgt dt xyz grd zh CN xf");
+            "NAME true false Left Right Up Down Pa exo tif tiff asc bil img hgt dt xyz grd zh CN xf");
         for (const QString& word : plain.split(u' ')) {
             list.insert(word);
         }

@@ -18,10 +18,10 @@ struct Preferences {
     QString language = QStringLiteral("system");  ///< "system" or one of languageCodes()
     QString theme = QStringLiteral("system");     ///< "system", "light" or "dark"
     figures::ColourSet colours = figures::ColourSet::Vermilion;
-    int threads = 0;            ///< that one piece of work may use; 0: all of the machine
-    int memoryMib = 1024;       ///< MiB that states and frames may take, so that they need not be read again
-    int autosaveSeconds = 120;  ///< s between two autosaves; 0: none
-    bool keepCopies = false;    ///< of FE results that are read
+    int threads = 0;           ///< that one piece of work may use; 0: all of the machine
+    int memoryMib = 1024;      ///< MiB that states and frames may take, so that they need not be read again
+    int autosaveSeconds = 60;  ///< s between two autosaves; 0: none
+    bool keepCopies = false;   ///< of FE results that are read
 
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };

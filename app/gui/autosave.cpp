@@ -41,7 +41,7 @@ QString setFileAside(const QString& path) {
 
 int Autosave::chosenInterval() {
     bool ok = false;
-    const int seconds = QSettings().value(QStringLiteral("autosave_interval"), defaultInterval).toInt(&ok);
+    const int seconds = QSettings().value(QStringLiteral("autosave_seconds"), defaultInterval).toInt(&ok);
     return ok ? std::clamp(seconds, 0, 3600) : defaultInterval;
 }
 

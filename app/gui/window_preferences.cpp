@@ -5,6 +5,7 @@
 #include <QTimer>
 
 #include "app/gui/accuracy_display.h"
+#include "app/gui/autosave.h"
 #include "app/gui/calibration_display.h"
 #include "app/gui/error_display.h"
 #include "app/gui/health_display.h"
@@ -12,6 +13,7 @@
 #include "app/gui/mnemonics.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
+#include "app/gui/project_display.h"
 #include "app/gui/settings.h"
 #include "app/gui/status_feed.h"
 #include "app/gui/view_area.h"
@@ -49,6 +51,9 @@ void MainWindow::applyPreferences(const widgets::Preferences& preferences) {
     Worker::useThreads(preferences.threads);
     m_computation.keepCopies(preferences.keepCopies);
     m_computation.useMemory(static_cast<std::size_t>(preferences.memoryMib) << 20);
+    if (m_project != nullptr) {
+        m_project->autosave().setInterval(preferences.autosaveSeconds);
+    }
     m_actions["keep_copies"].setChecked(preferences.keepCopies);
     setTheme(preferences.theme);
     m_area->views().update();

@@ -81,6 +81,8 @@ void Tour::go(int stop) {
     show();
     raise();
     place();
+    // Words have their final size once the card has been shown.
+    QMetaObject::invokeMethod(this, &Tour::place, Qt::QueuedConnection);
     m_next->setFocus();
     setAccessibleDescription(at.title + QStringLiteral(". ") + at.words);
     update();
@@ -95,7 +97,11 @@ QRect Tour::partRect() const {
 }
 
 void Tour::place() {
+    if (m_current < 0) {
+        return;
+    }
     setGeometry(parentWidget()->rect());
+    m_card->layout()->invalidate();
     m_card->setFixedHeight(m_card->layout()->heightForWidth(cardWidth));
     const QRect part = partRect();
     const QRect room = rect().adjusted(margin, margin, -margin, -margin);

@@ -47,6 +47,8 @@ void LayoutMemory::reset() {
 
 QString setDamagedSettingsAside() {
     const QSettings settings;
+    // A section is read when something of it is asked for.
+    settings.allKeys();
     if (settings.status() != QSettings::FormatError) {
         return {};
     }

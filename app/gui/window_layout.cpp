@@ -254,7 +254,7 @@ void MainWindow::closeCase() {
 void MainWindow::connectProject() {
     m_project = new ProjectDisplay(m_document, m_computation, *m_deck, *m_area, m_actions, *m_notices, *m_splitter, *this);
     m_project->setTourStops(
-        {{&m_deck->rail(), tr("The way of the work"),
+        {{&m_deck->rail(), tr("The order of work"),
           tr("From the file to the debris, top to bottom. Each entry shows its state: up to date, stale after a change, running, "
              "or "
              "with a finding.")},

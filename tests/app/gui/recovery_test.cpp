@@ -175,7 +175,7 @@ TEST_F(Workbench, WorkOfAKilledSessionComesBack) {
         << window->project().recovery().text().toStdString();
     auto* bar = window->findChild<widgets::NoticeBar*>();
     auto* recover = bar->findChild<QPushButton*>(QStringLiteral("primary"));
-    ASSERT_TRUE(recover->isVisible());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return recover->isVisible(); }, patience));
     QTest::mouseClick(recover, Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     EXPECT_EQ(window->document().scenario().simulation.friction, 0.37);

@@ -115,8 +115,8 @@ void MainWindow::buildMenus() {
             menu = menuBar()->addMenu(title);
             menu->menuAction()->setProperty("source", QString::fromUtf8(row.menu));
         }
-        for (const char* first : {"save", "close", "preset_default", "preferences", "link", "look_side", "parallel", "clip",
-                                  "presentation", "map_standard", "components", "theme_system", "hide", "play"}) {
+        for (const char* first : {"save", "close", "preset_default", "preferences", "clip", "components", "look_side", "parallel",
+                                  "turn_left", "map_standard", "theme_system", "hide", "play"}) {
             if (row.id == first) {
                 menu->addSeparator();
             }

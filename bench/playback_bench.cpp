@@ -5,6 +5,7 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -97,10 +98,19 @@ private:
 Playback* playback = nullptr;
 
 enum Motion { Still, Moving, Collapse };
+enum Look { Plain, Cut, Presentation, Shaded };
+constexpr std::array lookNames{"", ", cut", ", presentation style", ", shaded edges"};
 
-/// @param state  range 0: hidden faces drawn too; range 1: what moves
+/// @param state  range 0: hidden faces drawn too; range 1: what moves; range 2: how it looks
 void playBothViews(benchmark::State& state) {
     playback->scene().setAllFaces(state.range(0) != 0);
+    const render::View plain = playback->view();
+    render::View& view = playback->view();
+    if (state.range(2) == Cut) {
+        view.clip = render::ClipPlane{playback->scene().bounds().center(), Vec3::UnitY()};
+    }
+    view.style = state.range(2) == Presentation ? render::Style::Presentation : render::Style::Analysis;
+    view.shading = state.range(2) == Shaded;
     const double end = playback->end();
     const auto timeOf = [&](std::int64_t frame) {
         switch (state.range(1)) {
@@ -122,22 +132,26 @@ void playBothViews(benchmark::State& state) {
         playback->view().cameras[0] = render::orbit(home, 0.002 * static_cast<double>(frame % 50), 0.0);
         playback->draw();
     }
-    playback->view().cameras[0] = home;
+    playback->view() = plain;
     state.counters["frames_per_s"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
     state.counters["triangles"] = static_cast<double>(playback->scene().status(render::PaneContent::Fe).faces +
                                                       playback->scene().status(render::PaneContent::Fragments).faces);
-    state.SetLabel(std::string(state.range(0) ? "every face" : "visible faces") + (state.range(1) == Still ? ", static points"
-                                                                                   : state.range(1) == Moving
-                                                                                       ? ", new points every frame"
-                                                                                       : ", playing from mid-collapse"));
+    state.SetLabel(std::string(state.range(0) ? "every face" : "visible faces") +
+                   (state.range(1) == Still    ? ", static points"
+                    : state.range(1) == Moving ? ", new points every frame"
+                                               : ", playing from mid-collapse") +
+                   lookNames[static_cast<std::size_t>(state.range(2))]);
 }
 
 BENCHMARK(playBothViews)
-    ->Args({0, Still})
-    ->Args({0, Moving})
-    ->Args({0, Collapse})
-    ->Args({1, Still})
-    ->Args({1, Moving})
+    ->Args({0, Still, Plain})
+    ->Args({0, Moving, Plain})
+    ->Args({0, Collapse, Plain})
+    ->Args({1, Still, Plain})
+    ->Args({1, Moving, Plain})
+    ->Args({0, Collapse, Cut})
+    ->Args({0, Collapse, Presentation})
+    ->Args({0, Collapse, Shaded})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "core/base/execution.h"
@@ -13,6 +14,9 @@ namespace rubble::io {
 /// up, with the origin of the case added. Of a run that was stopped, what is not known (impact speeds, fragments not yet born) is
 /// left empty. Atomic; a sidecar NAME.provenance.json says from what it was made. Throws WorldError, ParseError, Cancelled.
 void exportFragments(const std::string& path, const RunReader& run, const Execution& execution);
+
+/// The same of some fragments, ascending, in that order.
+void exportFragments(const std::string& path, const RunReader& run, std::span<const FragmentId> chosen, const Execution& execution);
 
 /// Writes D.pvd and a folder D/ of VTU files: fragments (solids with fragment_id, element_id, component, cluster_id, speed m/s) as
 /// part 0 and active structure as part 1, at every FE state that the run reached and, after the last, at frames about as far apart;

@@ -84,6 +84,15 @@ struct Row {
 }  // namespace
 
 void exportFragments(const std::string& path, const RunReader& run, const Execution& execution) {
+    std::vector<FragmentId> all(FragmentPlaces(run).fragments().size());
+    for (std::size_t f = 0; f < all.size(); ++f) {
+        all[f] = idAt<FragmentId>(f);
+    }
+    exportFragments(path, run, all, execution);
+}
+
+void exportFragments(const std::string& path, const RunReader& run, std::span<const FragmentId> chosen,
+                     const Execution& execution) {
     const auto fragments = FragmentPlaces(run).fragments().list;
     const std::vector<std::string> components = run.componentNames();
     const std::vector<std::int64_t> elementIds = run.elementIds();
@@ -96,10 +105,11 @@ void exportFragments(const std::string& path, const RunReader& run, const Execut
         out << "fragment_id,element_id,component,cluster_id,birth_time_s,birth_x_m,birth_y_m,birth_z_m,final_x_m,final_y_m,final_z_"
                "m,"
                "birth_speed_m_s,impact_speed_m_s,mass_kg\n";
-        for (std::size_t f = 0; f < fragments.size(); ++f) {
-            if (f % 4096 == 0) {
+        for (std::size_t row = 0; row < chosen.size(); ++row) {
+            const std::size_t f = at(chosen[row]);
+            if (row % 4096 == 0) {
                 execution.report(Message{"io.export.fragments", "Writing {0}", {path}},
-                                 static_cast<double>(f) / static_cast<double>(fragments.size()));
+                                 static_cast<double>(row) / static_cast<double>(chosen.size()));
             }
             const FragmentOutcome& outcome = outcomes[f];
             const std::size_t component = at(fragments[f].component);

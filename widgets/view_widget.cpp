@@ -4,10 +4,13 @@
 #include <vtkNew.h>
 #include <vtkOpenGLState.h>
 
+#include <QApplication>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QRubberBand>
 #include <QSurfaceFormat>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/figures/draw.h"
@@ -129,9 +132,16 @@ void ViewWidget::setData(const render::SceneData& scene) {
 }
 
 void ViewWidget::setView(const render::View& view) {
-    if (!(view == m_view)) {
-        m_view = view;
-        update();
+    if (view == m_view) {
+        return;
+    }
+    const bool reselected = view.selection != m_view.selection;
+    // A length that was begun lives here alone.
+    m_measuring = m_measuring && view.measurements == m_view.measurements;
+    m_view = view;
+    update();
+    if (reselected) {
+        emit selectionChanged();
     }
 }
 
@@ -146,8 +156,9 @@ const render::PaneStatus& ViewWidget::status(render::PaneContent content) const 
     return m_scene.status(content);
 }
 
-std::size_t ViewWidget::cameraOf(render::PaneContent content) const {
-    return m_view.camerasLinked || content == render::PaneContent::Fe ? 0 : 1;
+std::vector<ElementIndex> ViewWidget::elementsWhere(const std::function<bool(const Vec3&)>& inside) const {
+    const bool feOnly = m_view.layout == render::Layout::FeOnly;
+    return m_scene.elementsWhere(feOnly ? render::PaneContent::Fe : render::PaneContent::Fragments, inside);
 }
 
 void ViewWidget::setCamera(std::size_t index, const render::Camera& camera) {
@@ -159,9 +170,9 @@ void ViewWidget::setCamera(std::size_t index, const render::Camera& camera) {
 
 void ViewWidget::fit() {
     const QSize size = devicePixels();
-    std::array<render::Camera, 2> cameras = m_view.cameras;
+    Cameras cameras = m_view.cameras;
     for (const render::Pane& pane : render::panesOf(m_view.layout, size.width(), size.height())) {
-        const std::size_t index = cameraOf(pane.content);
+        const std::size_t index = render::cameraIndex(m_view, pane.content);
         cameras[index] = render::refit(m_view.cameras[index], m_scene.bounds(), pane.aspect());
     }
     flyTo(cameras);
@@ -169,22 +180,81 @@ void ViewWidget::fit() {
 
 void ViewWidget::look(render::Preset preset) {
     const QSize size = devicePixels();
-    std::array<render::Camera, 2> cameras = m_view.cameras;
+    Cameras cameras = m_view.cameras;
     for (const render::Pane& pane : render::panesOf(m_view.layout, size.width(), size.height())) {
-        cameras[cameraOf(pane.content)] = render::fitCamera(m_scene.bounds(), pane.aspect(), preset);
+        if (pane.content != render::PaneContent::Plan) {
+            render::Camera& camera = cameras[render::cameraIndex(m_view, pane.content)];
+            const bool parallel = camera.parallel;
+            camera = render::withProjection(render::fitCamera(m_scene.bounds(), pane.aspect(), preset), parallel);
+            camera = render::refit(camera, m_scene.bounds(), pane.aspect());
+        }
     }
     flyTo(cameras);
 }
 
 void ViewWidget::centreOn(const Vec3& point) {
-    std::array<render::Camera, 2> cameras = m_view.cameras;
+    Cameras cameras = m_view.cameras;
     for (render::Camera& camera : cameras) {
         camera = render::centreOn(camera, point);
     }
     flyTo(cameras);
 }
 
-void ViewWidget::flyTo(const std::array<render::Camera, 2>& cameras) {
+void ViewWidget::centreNow(const Vec3& point) {
+    m_flight.stop();
+    for (render::Camera& camera : m_view.cameras) {
+        camera = render::centreOn(camera, point);
+    }
+    update();
+    emit viewChanged(m_view);
+}
+
+void ViewWidget::setParallel(bool parallel) {
+    m_flight.stop();
+    const std::size_t plan = static_cast<std::size_t>(render::PaneContent::Plan);
+    for (std::size_t i = 0; i < m_view.cameras.size(); ++i) {
+        m_view.cameras[i] = i == plan ? m_view.cameras[i] : render::withProjection(m_view.cameras[i], parallel);
+    }
+    update();
+    emit viewChanged(m_view);
+}
+
+void ViewWidget::turn(double yaw, double pitch) {
+    Cameras cameras = m_view.cameras;
+    const std::size_t plan = static_cast<std::size_t>(render::PaneContent::Plan);
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        cameras[i] = i == plan ? cameras[i] : render::orbit(cameras[i], yaw, pitch);
+    }
+    flyTo(cameras);
+}
+
+void ViewWidget::zoomBy(double factor) {
+    Cameras cameras = m_view.cameras;
+    for (render::Camera& camera : cameras) {
+        camera = render::zoom(camera, factor, 0.5, 0.5, 1.0);
+    }
+    flyTo(cameras);
+}
+
+void ViewWidget::setTool(Tool tool) {
+    dropMeasurement();
+    m_tool = tool;
+    setCursor(tool == Tool::Select ? Qt::ArrowCursor : Qt::CrossCursor);
+    setMouseTracking(tool != Tool::Select);
+}
+
+bool ViewWidget::dropMeasurement() {
+    if (!m_measuring) {
+        return false;
+    }
+    m_measuring = false;
+    m_view.measurements.pop_back();
+    update();
+    emit measured();
+    return true;
+}
+
+void ViewWidget::flyTo(const Cameras& cameras) {
     m_flightFrom = m_view.cameras;
     m_flightTo = cameras;
     m_flightClock.start();
@@ -199,7 +269,7 @@ void ViewWidget::flyTo(const std::array<render::Camera, 2>& cameras) {
 
 void ViewWidget::stepFlight() {
     const double t = std::min(1.0, static_cast<double>(m_flightClock.elapsed()) / 200.0);
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < m_view.cameras.size(); ++i) {
         m_view.cameras[i] = t < 1.0 ? render::between(m_flightFrom[i], m_flightTo[i], t) : m_flightTo[i];
     }
     if (t >= 1.0) {
@@ -222,18 +292,29 @@ std::optional<ViewWidget::Cursor> ViewWidget::cursorAt(const QPointF& position) 
 }
 
 void ViewWidget::mousePressEvent(QMouseEvent* event) {
-    m_grabbed = event->position();
+    m_pressed = m_grabbed = event->position();
+    m_dragged = false;
     const auto cursor = cursorAt(m_grabbed);
     m_pane = cursor ? std::optional(cursor->pane) : std::nullopt;
 }
 
 void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
-    if (!m_pane) {
+    if (event->buttons() == Qt::NoButton) {
+        stretchMeasurement(event->position());
+        return;
+    }
+    // A hand trembles by some pixels while it clicks.
+    m_dragged = m_dragged || (event->position() - m_pressed).manhattanLength() > QApplication::startDragDistance();
+    if (!m_pane || !m_dragged) {
+        return;
+    }
+    if ((event->buttons() & Qt::LeftButton) != 0 && (event->modifiers() & Qt::ControlModifier) != 0) {
+        band(QRectF(m_pressed, event->position()).normalized().toRect());
         return;
     }
     const QPointF moved = event->position() - m_grabbed;
     m_grabbed = event->position();
-    const std::size_t index = cameraOf(m_pane->content);
+    const std::size_t index = render::cameraIndex(m_view, m_pane->content);
     const render::Camera& camera = m_view.cameras[index];
     const double scale = devicePixelRatioF();
     const bool left = (event->buttons() & Qt::LeftButton) != 0;
@@ -246,21 +327,122 @@ void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
     }
 }
 
-void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
-    const auto cursor = cursorAt(event->position());
-    if (!cursor || event->button() != Qt::LeftButton) {
+void ViewWidget::band(const QRect& rectangle) {
+    if (m_band == nullptr) {
+        m_band = new QRubberBand(QRubberBand::Rectangle, this);
+    }
+    m_band->setGeometry(rectangle);
+    m_band->show();
+}
+
+void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
+    if (m_band != nullptr && m_band->isVisible()) {
+        m_band->hide();
+        if (m_pane) {
+            const double scale = devicePixelRatioF();
+            const QRectF area = m_band->geometry();
+            const auto inside =
+                m_scene.elementsIn(*m_pane, static_cast<int>(area.left() * scale), static_cast<int>(area.top() * scale),
+                                   static_cast<int>(area.right() * scale), static_cast<int>(area.bottom() * scale));
+            std::vector<ElementIndex> all = m_view.selection;
+            all.insert(all.end(), inside.begin(), inside.end());
+            std::sort(all.begin(), all.end());
+            all.erase(std::unique(all.begin(), all.end()), all.end());
+            setSelection(std::move(all));
+        }
+    } else if (event->button() == Qt::LeftButton && !m_dragged) {
+        click(event->position(), (event->modifiers() & Qt::ControlModifier) != 0);
+    }
+    m_pane.reset();
+}
+
+std::optional<Vec3> ViewWidget::pointAt(const QPointF& position) const {
+    const double scale = devicePixelRatioF();
+    const int x = static_cast<int>(position.x() * scale);
+    const int y = static_cast<int>(position.y() * scale);
+    const auto hit = m_scene.pick(x, y);
+    return hit ? std::optional(hit->position) : m_scene.groundAt(x, y);
+}
+
+void ViewWidget::click(const QPointF& position, bool adds) {
+    if (m_tool != Tool::Select) {
+        if (const auto point = pointAt(position)) {
+            measure(*point);
+        }
         return;
     }
     const double scale = devicePixelRatioF();
-    const int x = static_cast<int>(event->position().x() * scale);
-    const int y = static_cast<int>(event->position().y() * scale);
-    const auto hit = m_scene.pick(x, y);
-    const auto point = hit ? std::optional(hit->position) : m_scene.groundAt(x, y);
-    if (point) {
-        std::array<render::Camera, 2> cameras = m_view.cameras;
-        const std::size_t index = cameraOf(cursor->pane.content);
+    const auto hit = m_scene.pick(static_cast<int>(position.x() * scale), static_cast<int>(position.y() * scale));
+    if (!adds) {
+        setSelection(hit ? std::vector{hit->element} : std::vector<ElementIndex>());
+    } else if (hit) {
+        std::vector<ElementIndex> selection = m_view.selection;
+        const auto there = std::find(selection.begin(), selection.end(), hit->element);
+        if (there != selection.end()) {
+            selection.erase(there);
+        } else {
+            selection.push_back(hit->element);
+        }
+        setSelection(std::move(selection));
+    }
+}
+
+void ViewWidget::setSelection(std::vector<ElementIndex> selection) {
+    if (selection != m_view.selection) {
+        m_view.selection = std::move(selection);
+        update();
+        emit selectionChanged();
+        emit viewChanged(m_view);
+    }
+}
+
+void ViewWidget::measure(const Vec3& point) {
+    if (m_measuring) {
+        m_view.measurements.back().to = point;
+    } else {
+        m_view.measurements.push_back({point, point, m_tool == Tool::Height});
+    }
+    m_measuring = !m_measuring;
+    update();
+    emit measured();
+    emit viewChanged(m_view);
+}
+
+void ViewWidget::stretchMeasurement(const QPointF& position) {
+    if (!m_measuring) {
+        return;
+    }
+    if (const auto point = pointAt(position)) {
+        m_view.measurements.back().to = *point;
+        update();
+    }
+}
+
+void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+    const auto cursor = cursorAt(event->position());
+    // The second press of two clicks while measuring is a click of its own.
+    if (m_tool != Tool::Select) {
+        mousePressEvent(event);
+        return;
+    }
+    if (!cursor || event->button() != Qt::LeftButton) {
+        return;
+    }
+    m_dragged = true;  // its release is no click
+    if (const auto point = pointAt(event->position())) {
+        Cameras cameras = m_view.cameras;
+        const std::size_t index = render::cameraIndex(m_view, cursor->pane.content);
         cameras[index] = render::centreOn(cameras[index], *point);
         flyTo(cameras);
+    }
+}
+
+void ViewWidget::keyPressEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Escape || m_tool == Tool::Select) {
+        QOpenGLWidget::keyPressEvent(event);
+    } else if (!dropMeasurement()) {
+        setTool(Tool::Select);
+        emit measured();
     }
 }
 
@@ -269,7 +451,7 @@ void ViewWidget::wheelEvent(QWheelEvent* event) {
     if (!cursor) {
         return;
     }
-    const std::size_t index = cameraOf(cursor->pane.content);
+    const std::size_t index = render::cameraIndex(m_view, cursor->pane.content);
     const double factor = std::pow(1.2, event->angleDelta().y() / 120.0);
     setCamera(index, render::zoom(m_view.cameras[index], factor, cursor->u, cursor->v, cursor->pane.aspect()));
     event->accept();

@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -10,18 +11,27 @@
 #include "widgets/render/scene.h"
 #include "widgets/render/view.h"
 
+class QRubberBand;
+
 namespace rubble::widgets {
 
-/// All panes of a view as one OpenGL widget. Shows what it is given; moves the cameras by mouse and says so. Left orbits, middle or
-/// Shift-left pans, the wheel zooms to the cursor, a double-click sets the centre.
+/// All panes of a view as one OpenGL widget. Shows what it is given; moves the cameras and selects by mouse and says so. Left
+/// orbits, middle or Shift-left pans, the wheel zooms to the cursor, a double-click sets the centre, a click selects, Ctrl-click
+/// adds or takes away, dragging with Ctrl adds what lies in a rectangle.
 class ViewWidget : public QOpenGLWidget {
     Q_OBJECT
 
 public:
+    /// What a click does.
+    enum class Tool : std::uint8_t { Select, Distance, Height };
+
     explicit ViewWidget(QWidget* parent = nullptr);
     ~ViewWidget() override;
 
     void setData(const render::SceneData& scene);
+    const render::SceneData& data() const { return m_scene.data(); }
+    /// As Scene::bounds().
+    Aabb bounds() const { return m_scene.bounds(); }
     const render::View& view() const { return m_view; }
     void setView(const render::View& view);
     void setTime(double time);
@@ -31,17 +41,36 @@ public:
     void look(render::Preset preset);
     /// Moves the cameras so that a point [m] lies in the middle, at the distance and in the direction they have.
     void centreOn(const Vec3& point);
+    /// The same at once: for following what moves.
+    void centreNow(const Vec3& point);
+    /// Perspective or parallel projection in all panes but the plan; what lies in the middle keeps its size.
+    void setParallel(bool parallel);
+    /// Turns the cameras about their centres, rad.
+    void turn(double yaw, double pitch);
+    /// Nears (factor > 1) to the middle of every pane.
+    void zoomBy(double factor);
+    /// Measuring takes two clicks a length; a length that was begun is dropped when the tool changes.
+    void setTool(Tool tool);
+    Tool tool() const { return m_tool; }
+    /// Drops a length that was begun; false if none was.
+    bool dropMeasurement();
     /// Camera moves are animated (200 ms) unless the user asks for reduced motion.
     void setAnimated(bool animated) { m_animated = animated; }
 
     /// What the panes showed when they were last drawn.
     const render::PaneStatus& status(render::PaneContent content) const;
+    /// As Scene::elementsWhere(), in the pane with fragments where there is one.
+    std::vector<ElementIndex> elementsWhere(const std::function<bool(const Vec3&)>& inside) const;
     /// Wall time of the last draw, s.
     double drawSeconds() const { return m_drawSeconds; }
 
 signals:
     /// The user moved a camera.
     void viewChanged(const rubble::render::View& view);
+    /// What is selected has become something else, by mouse or by setView().
+    void selectionChanged();
+    /// A length was measured, or begun, or dropped.
+    void measured();
     /// A frame with this view time was drawn and shown.
     void shown(double time);
 
@@ -50,8 +79,10 @@ protected:
     void paintGL() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     class Target;
@@ -62,9 +93,15 @@ private:
     };
     std::optional<Cursor> cursorAt(const QPointF& position) const;
     QSize devicePixels() const;
-    std::size_t cameraOf(render::PaneContent content) const;
+    std::optional<Vec3> pointAt(const QPointF& position) const;
+    void click(const QPointF& position, bool adds);
+    void measure(const Vec3& point);
+    void stretchMeasurement(const QPointF& position);
+    void band(const QRect& rectangle);
+    void setSelection(std::vector<ElementIndex> selection);
     void setCamera(std::size_t index, const render::Camera& camera);
-    void flyTo(const std::array<render::Camera, 2>& cameras);
+    using Cameras = std::array<render::Camera, render::paneContents>;
+    void flyTo(const Cameras& cameras);
     void stepFlight();
     void releaseGraphics();
 
@@ -74,12 +111,17 @@ private:
     bool m_ready = false;
     bool m_animated = true;
     double m_drawSeconds = 0.0;
+    QPointF m_pressed;
     QPointF m_grabbed;
+    bool m_dragged = false;
+    Tool m_tool = Tool::Select;
+    bool m_measuring = false;  ///< the last measurement of the view has one end yet
+    QRubberBand* m_band = nullptr;
     std::optional<render::Pane> m_pane;
     QTimer m_flight;
     QElapsedTimer m_flightClock;
-    std::array<render::Camera, 2> m_flightFrom;
-    std::array<render::Camera, 2> m_flightTo;
+    Cameras m_flightFrom;
+    Cameras m_flightTo;
 };
 
 }  // namespace rubble::widgets

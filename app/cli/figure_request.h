@@ -7,11 +7,13 @@
 #include "app/cli/arguments.h"
 #include "core/pipeline/pipeline.h"
 #include "io/run_file.h"
+#include "widgets/render/camera.h"
 #include "widgets/figures/figure_file.h"
 
 namespace rubble::cli {
 
-/// What a figure of a run is to show, as given by --pane, --time, --state, --colour and --size.
+/// What a figure of a run is to show, as given by --view, --pane, --time, --state, --colour, --scale, --style, --look, --cut, --hide
+/// and --size.
 class FigureRequest {
 public:
     /// Options that every command with figures has.
@@ -25,12 +27,29 @@ public:
     void write(const std::string& path, const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs) const;
 
 private:
+    void readLook(const Arguments& arguments);
+    render::View viewOf(const render::SceneData& data) const;
     double timeIn(const io::RunReader& run, const FeResult& fe) const;
 
+    /// One half of the model that is left out.
+    struct Cut {
+        int axis = 0;
+        double place = 0.0;  ///< m, as exported tables give it
+        bool below = false;  ///< what lies below is cut away, else what lies beyond
+    };
+
+    std::optional<render::View> m_view;      ///< that everything not said otherwise comes from
     std::optional<render::Layout> m_layout;  ///< unset: both panes, as the model's proportions suggest
+    bool m_bothPanes = false;                ///< said in so many words
+    std::optional<render::Preset> m_look;
+    std::optional<render::ColourMap> m_map;
+    std::optional<render::Style> m_surfaces;
+    std::optional<Cut> m_cut;
+    std::vector<std::string> m_hidden;
     std::optional<double> m_time;            ///< s; unset: the end
+    bool m_atEnd = false;
     std::optional<std::size_t> m_state;      ///< FE state that takes the place of the time
-    render::ColourBy m_colourBy = render::ColourBy::Highlight;
+    std::optional<render::ColourBy> m_colourBy;
     figures::FigureStyle m_style;
 };
 

@@ -19,6 +19,7 @@
 #include "io/exports.h"
 #include "io/files.h"
 #include "widgets/figures/figure_file.h"
+#include "widgets/figures/view_json.h"
 #include "widgets/file_chart.h"
 
 namespace rubble {
@@ -187,6 +188,45 @@ void FileCommands::exportFragments() {
         m_computation.write(
             [path, run = record->reader](const Execution& execution) { io::exportFragments(path.toStdString(), *run, execution); },
             [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
+    }
+}
+
+void FileCommands::exportSelection(const std::vector<FragmentId>& fragments) {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || record->reader == nullptr || record->running || fragments.empty()) {
+        return;
+    }
+    const QString path = askForOutput(tr("Table of selected fragments"), QStringLiteral("-selection.csv"), tr("Tables (*.csv)"));
+    if (!path.isEmpty()) {
+        exportSelectionTo(path, fragments);
+    }
+}
+
+void FileCommands::exportSelectionTo(const QString& path, const std::vector<FragmentId>& fragments) {
+    m_computation.write([path, fragments, run = m_computation.currentRun()->reader](
+                            const Execution& execution) { io::exportFragments(path.toStdString(), *run, fragments, execution); },
+                        [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
+}
+
+void FileCommands::exportView(const render::View& view) {
+    const QString path = askForOutput(tr("View"), QStringLiteral("-view.json"), tr("Views (*.json)"));
+    if (!path.isEmpty()) {
+        writeTable(path, [&](std::ostream& out) { out << figures::toJson(view); });
+    }
+}
+
+std::optional<render::View> FileCommands::importView() {
+    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open a view"), QFileInfo(m_document.base()).absolutePath(),
+                                                      tr("Views (*.json);;All files (*)"));
+    if (path.isEmpty()) {
+        return std::nullopt;
+    }
+    try {
+        return figures::viewFromFile(path.toStdString());
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        emit failed(failure->what, failure->remedy);
+        return std::nullopt;
     }
 }
 

@@ -42,6 +42,12 @@ public:
     void saveRun();
     void saveRunTo(const QString& path);
     void exportFragments();
+    /// Only these fragments.
+    void exportSelection(const std::vector<FragmentId>& fragments);
+    void exportSelectionTo(const QString& path, const std::vector<FragmentId>& fragments);
+    void exportView(const render::View& view);
+    /// A view that the user chooses; nothing if he does not, or if it cannot be read.
+    std::optional<render::View> importView();
     void exportSeries();
     void exportFigure(const render::View& view, const render::SceneData& data);
     void saveSweep(const std::shared_ptr<const AccuracyReport>& report);

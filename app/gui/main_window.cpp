@@ -21,14 +21,17 @@
 #include "app/gui/grid_display.h"
 #include "app/gui/health_display.h"
 #include "app/gui/help.h"
+#include "app/gui/inspection.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
 #include "app/gui/project_display.h"
 #include "app/gui/run_history.h"
 #include "app/gui/sample.h"
+#include "app/gui/selection_display.h"
 #include "app/gui/settings.h"
 #include "app/gui/status_feed.h"
 #include "app/gui/view_area.h"
+#include "app/gui/view_tools.h"
 #include "core/base/build.h"
 #include "io/fe_reader.h"
 #include "widgets/accuracy_page.h"
@@ -70,6 +73,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_calibration(new CalibrationDisplay(m_document, *m_deck, *this, this)),
       m_forecast(new ForecastDisplay(m_document, m_computation, *m_grid, m_calibration->work(), *m_deck, this)),
       m_errors(new ErrorDisplay(m_computation, *m_area, this)),
+      m_inspection(new Inspection(m_document, m_computation, *m_playback, *m_area, m_actions, this)),
       m_files(new FileCommands(m_document, m_computation, *this)),
       m_colours(new QComboBox),
       m_title(new QLabel),
@@ -116,6 +120,7 @@ MainWindow::~MainWindow() {
     delete m_forecast;
     delete m_calibration;
     delete m_grid;
+    delete m_inspection;
     delete m_errors;
     delete m_playback;
     delete m_deck;
@@ -206,8 +211,14 @@ void MainWindow::takeOpened(const Opened& opened) {
     if (opened.fe != nullptr && !refreshed) {
         render::View view = render::defaultView(m_shown, m_area->views().width(), m_area->views().height());
         view.theme = widgets::currentTheme();
-        view.colourBy = m_area->views().view().colourBy;
+        view.colourBy = viewBefore.colourBy;
+        view.colourMap = viewBefore.colourMap;
+        view.style = viewBefore.style;
+        view.axes = viewBefore.axes;
+        view.groundGrid = viewBefore.groundGrid;
+        view.shading = viewBefore.shading;
         setView(view);
+        m_inspection->refresh();
     }
     m_area->showViews(opened.fe != nullptr, true);
     m_health->refresh();
@@ -278,6 +289,7 @@ void MainWindow::showScene() {
     if (!(scene == m_shown)) {
         m_shown = scene;
         m_area->views().setData(scene);
+        m_inspection->refresh();
     }
 }
 
@@ -351,11 +363,11 @@ void MainWindow::showState() {
     const bool costly = !costlyWork().isEmpty();
     const bool deaths = m_computation.results().fragments == nullptr || !m_computation.results().fragments->list.empty();
     m_deck->showState();
-    for (const char* id : {"play",      "play_backwards",    "loop",          "loop_from",    "loop_to",
-                           "bookmark",  "previous_bookmark", "next_bookmark", "back",         "forward",
-                           "back_ten",  "forward_ten",       "first",         "last",         "fit",
-                           "look_side", "look_front",        "look_top",      "stacked",      "beside",
-                           "fe_only",   "fragments_only",    "link",          "export_figure"}) {
+    for (const char* id :
+         {"play",          "play_backwards", "loop",        "loop_from",  "loop_to",     "bookmark", "previous_bookmark",
+          "next_bookmark", "back",           "forward",     "back_ten",   "forward_ten", "first",    "last",
+          "fit",           "stacked",        "beside",      "overlay",    "four",        "fe_only",  "fragments_only",
+          "link",          "export_figure",  "export_view", "import_view"}) {
         m_actions[id].setEnabled(have);
     }
     m_actions["refresh"].setEnabled(have && !running);
@@ -365,6 +377,7 @@ void MainWindow::showState() {
     m_actions["save_run"].setEnabled(record != nullptr && !record->running);
     m_actions["export_fragments"].setEnabled(finished);
     m_actions["export_series"].setEnabled(finished);
+    m_actions["export_selection"].setEnabled(finished && !m_inspection->selection().fragments().empty());
     for (const char* id : {"save", "save_as", "close", "preset_default", "preset_paper", "terrain"}) {
         m_actions[id].setEnabled(!m_document.empty());
     }
@@ -401,11 +414,12 @@ void MainWindow::showTitle() {
 
 void MainWindow::setView(const render::View& view) {
     m_area->views().setView(view);
-    const std::array<const char*, 4> layouts = {"beside", "stacked", "fe_only", "fragments_only"};
+    const std::array<const char*, 6> layouts = {"beside", "stacked", "fe_only", "fragments_only", "overlay", "four"};
     m_actions[layouts[static_cast<std::size_t>(view.layout)]].setChecked(true);
     m_actions["link"].setChecked(view.camerasLinked);
     m_colours->setCurrentIndex(m_colours->findData(static_cast<int>(view.colourBy)));
     m_errors->setShown(view.colourBy == render::ColourBy::Error);
+    m_inspection->tools().refresh();
 }
 
 QString MainWindow::costlyWork() const {
@@ -446,11 +460,20 @@ void MainWindow::setTheme(const QString& name) {
     render::View view = m_area->views().view();
     view.theme = widgets::currentTheme();
     m_area->views().setView(view);
+    m_inspection->refresh();
     m_deck->showResults();
     m_accuracy->refresh();
     m_calibration->refresh();
     m_feed->refresh();
     showTitle();
+}
+
+void MainWindow::showView(render::View view) {
+    view.theme = widgets::currentTheme();
+    m_playback->clock().pause();
+    setView(view);
+    m_playback->scrub(view.time);
+    m_inspection->refresh();
 }
 
 void MainWindow::showInstant(double time) {

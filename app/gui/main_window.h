@@ -25,6 +25,7 @@ class ForecastDisplay;
 class GridDisplay;
 class HealthDisplay;
 class Help;
+class Inspection;
 class PanelDeck;
 class Playback;
 class ProjectDisplay;
@@ -59,6 +60,8 @@ public:
     void setTheme(const QString& name);
     void showInstant(double time);
     void showFailure(const Failure& failure);
+    /// Looks at the model as a saved view does; the theme stays.
+    void showView(render::View view);
 
     Document& document() { return m_document; }
     Computation& computation() { return m_computation; }
@@ -71,6 +74,7 @@ public:
     CalibrationDisplay& calibration() { return *m_calibration; }
     ForecastDisplay& forecast() { return *m_forecast; }
     ErrorDisplay& errors() { return *m_errors; }
+    Inspection& inspection() { return *m_inspection; }
     widgets::AccuracyPage& accuracyPage() { return *m_accuracyPage; }
     widgets::Timeline& timeline() { return *m_timeline; }
     widgets::StatusLine& statusLine() { return *m_status; }
@@ -141,6 +145,7 @@ private:
     CalibrationDisplay* m_calibration;
     ForecastDisplay* m_forecast;
     ErrorDisplay* m_errors;
+    Inspection* m_inspection;
     FileCommands* m_files;
     ProjectDisplay* m_project = nullptr;
     QComboBox* m_colours;

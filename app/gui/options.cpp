@@ -59,6 +59,7 @@ bool readValues(const QCommandLineParser& parser, Options& options) {
         }
         options.panel = static_cast<int>(place);
     }
+    options.view = parser.value(QStringLiteral("view"));
     return true;
 }
 
@@ -86,6 +87,7 @@ Options parseOptions(const QStringList& arguments) {
          {QStringLiteral("action"),
           QCoreApplication::translate("options", "Trigger these actions before the picture is taken, by their ids."),
           QStringLiteral("id,id")},
+         {QStringLiteral("view"), QCoreApplication::translate("options", "Look as a saved view does."), QStringLiteral("json")},
          {QStringLiteral("language"), QCoreApplication::translate("options", "Language: en, zh_CN or system."),
           QStringLiteral("language")},
          {QStringLiteral("theme"), QCoreApplication::translate("options", "Colours: light, dark or system."),

@@ -19,6 +19,7 @@ struct Options {
     QString language;          ///< en, zh_CN or system; empty: as in the preferences
     std::optional<int> panel;  ///< in the order of the rail
     QStringList actions;       ///< ids of the table of actions, triggered before a picture is taken
+    QString view;              ///< file of a view to look as
     QSize size;
     QString text;        ///< for --help and --version, or why the arguments are wrong
     bool wrong = false;  ///< text is a complaint

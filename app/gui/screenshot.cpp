@@ -11,6 +11,7 @@
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
 #include "widgets/figures/figure_file.h"
+#include "widgets/figures/view_json.h"
 
 namespace rubble {
 
@@ -37,16 +38,34 @@ void Screenshot::look() {
         return;
     }
     m_timer.stop();
+    try {
+        prepare();
+    } catch (...) {
+        fail(std::current_exception());
+        return;
+    }
+    // The views draw once more before the picture is taken.
+    QTimer::singleShot(1000, this, &Screenshot::take);
+}
+
+void Screenshot::fail(const std::exception_ptr& thrown) {
+    const auto failure = failureOf(thrown);
+    std::fprintf(stderr, "rubble: %s %s\n", qPrintable(failure->what), qPrintable(failure->remedy));
+    QCoreApplication::exit(1);
+}
+
+void Screenshot::prepare() {
     m_window.playback().clock().pause();
     if (m_options.panel) {
         m_window.deck().choose(static_cast<PanelDeck::Entry>(*m_options.panel));
     }
     m_window.playback().scrub(m_options.time.value_or(m_window.playback().clock().last()));
+    if (!m_options.view.isEmpty()) {
+        m_window.showView(figures::viewFromFile(m_options.view.toStdString()));
+    }
     for (const QString& id : std::as_const(m_options.actions)) {
         m_window.actions()[id.toStdString()].trigger();
     }
-    // The views draw once more before the picture is taken.
-    QTimer::singleShot(1000, this, &Screenshot::take);
 }
 
 void Screenshot::take() {
@@ -68,9 +87,7 @@ void Screenshot::take() {
         figures::writePng(m_options.screenshot.toStdString(), picture);
         QCoreApplication::exit(0);
     } catch (...) {
-        const auto failure = failureOf(std::current_exception());
-        std::fprintf(stderr, "rubble: %s %s\n", qPrintable(failure->what), qPrintable(failure->remedy));
-        QCoreApplication::exit(1);
+        fail(std::current_exception());
     }
 }
 

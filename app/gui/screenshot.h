@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <exception>
 
 #include "app/gui/options.h"
 
@@ -20,6 +21,8 @@ public:
 
 private:
     void look();
+    void prepare();
+    void fail(const std::exception_ptr& thrown);
     void take();
 
     MainWindow& m_window;

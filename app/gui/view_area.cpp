@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "widgets/clip_bar.h"
 #include "widgets/error_bar.h"
 #include "widgets/start_page.h"
 #include "widgets/theme.h"
@@ -14,6 +15,7 @@ ViewArea::ViewArea(QWidget* parent)
       m_start(new widgets::StartPage),
       m_views(new widgets::ViewWidget),
       m_errorBar(new widgets::ErrorBar),
+      m_clipBar(new widgets::ClipBar),
       m_error(new widgets::Notice),
       m_activity(new QLabel) {
     addWidget(m_start);
@@ -24,6 +26,8 @@ ViewArea::ViewArea(QWidget* parent)
     m_errorBar->hide();
     column->addWidget(m_errorBar);
     column->addWidget(m_views, 1);
+    m_clipBar->hide();
+    column->addWidget(m_clipBar);
     addWidget(page);
     addWidget(buildEmpty());
 }

@@ -8,6 +8,7 @@
 namespace rubble {
 
 namespace widgets {
+class ClipBar;
 class ErrorBar;
 class StartPage;
 }  // namespace widgets
@@ -23,6 +24,8 @@ public:
     /// Stands above the views while fragments are coloured by their error.
     widgets::ErrorBar& errorBar() { return *m_errorBar; }
     widgets::StartPage& startPage() { return *m_start; }
+    /// Stands below the views while they are cut.
+    widgets::ClipBar& clipBar() { return *m_clipBar; }
     /// @param open  a case is open; without views the centre says why there are none
     void showViews(bool show, bool open = false);
     /// An error in place of the views; an empty text removes it.
@@ -36,6 +39,7 @@ private:
     widgets::StartPage* m_start;
     widgets::ViewWidget* m_views;
     widgets::ErrorBar* m_errorBar;
+    widgets::ClipBar* m_clipBar;
     widgets::Notice* m_error;
     QLabel* m_activity;
 };

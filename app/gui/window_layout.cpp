@@ -14,18 +14,21 @@
 
 #include "app/gui/accuracy_display.h"
 #include "app/gui/calibration_display.h"
+#include "app/gui/dock_area.h"
 #include "app/gui/error_display.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/forecast_display.h"
 #include "app/gui/grid_display.h"
 #include "app/gui/health_display.h"
 #include "app/gui/help.h"
+#include "app/gui/inspection.h"
 #include "app/gui/main_window.h"
 #include "app/gui/mnemonics.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
 #include "app/gui/project_display.h"
 #include "app/gui/run_history.h"
+#include "app/gui/selection_display.h"
 #include "app/gui/settings.h"
 #include "app/gui/timeline_display.h"
 #include "app/gui/view_area.h"
@@ -35,6 +38,7 @@
 #include "widgets/calibration_view.h"
 #include "widgets/start_page.h"
 #include "widgets/status_line.h"
+
 #include "widgets/timeline.h"
 #include "widgets/tour.h"
 #include "widgets/transport.h"
@@ -81,7 +85,8 @@ void MainWindow::buildLayout() {
     m_notices = new QVBoxLayout;
     stacked->addLayout(m_notices);
     stacked->addWidget(m_centre, 1);
-    m_splitter->addWidget(middle);
+    m_inspection->docks().setCentralWidget(middle);
+    m_splitter->addWidget(&m_inspection->docks());
     m_splitter->setStretchFactor(1, 1);
     m_splitter->setSizes({panelWidth, 1000});
     upper->addWidget(&m_deck->rail());
@@ -110,7 +115,8 @@ void MainWindow::buildMenus() {
             menu = menuBar()->addMenu(title);
             menu->menuAction()->setProperty("source", QString::fromUtf8(row.menu));
         }
-        for (const char* first : {"save", "close", "preset_default", "preferences", "link", "theme_system", "play"}) {
+        for (const char* first : {"save", "close", "preset_default", "preferences", "clip", "components", "look_side", "parallel",
+                                  "turn_left", "map_standard", "theme_system", "hide", "play"}) {
             if (row.id == first) {
                 menu->addSeparator();
             }
@@ -119,7 +125,8 @@ void MainWindow::buildMenus() {
     }
     menuBar()->setCornerWidget(m_title);
     giveMnemonics(*menuBar());
-    for (const auto& ids : {std::vector<const char*>{"stacked", "beside", "fe_only", "fragments_only"},
+    for (const auto& ids : {std::vector<const char*>{"stacked", "beside", "overlay", "four", "fe_only", "fragments_only"},
+                            std::vector<const char*>{"map_standard", "map_viridis", "map_cividis", "map_grey"},
                             std::vector<const char*>{"theme_system", "theme_light", "theme_dark"}}) {
         auto* group = new QActionGroup(this);
         for (const char* id : ids) {
@@ -146,12 +153,13 @@ void MainWindow::buildToolBar() {
     add("undo", Qt::ToolButtonIconOnly);
     add("redo", Qt::ToolButtonIconOnly);
     bar->addSeparator();
-    for (const char* id : {"stacked", "beside", "fe_only", "fragments_only"}) {
+    for (const char* id : {"stacked", "beside", "overlay", "four"}) {
         add(id, Qt::ToolButtonTextOnly);
     }
     bar->addSeparator();
-    add("link", Qt::ToolButtonTextOnly);
-    add("fit", Qt::ToolButtonTextOnly);
+    for (const char* id : {"link", "fit", "measure_distance", "clip", "components"}) {
+        add(id, Qt::ToolButtonTextOnly);
+    }
     bar->addSeparator();
     auto* label = new QLabel(tr(" Colour by "));
     label->setObjectName(QStringLiteral("muted"));
@@ -198,6 +206,13 @@ void MainWindow::connectFiles() {
     on("save_run", [this] { m_files->saveRun(); });
     on("export_fragments", [this] { m_files->exportFragments(); });
     on("export_series", [this] { m_files->exportSeries(); });
+    on("export_selection", [this] { m_files->exportSelection(m_inspection->selection().fragments()); });
+    on("export_view", [this] { m_files->exportView(m_area->views().view()); });
+    on("import_view", [this] {
+        if (const auto view = m_files->importView()) {
+            showView(*view);
+        }
+    });
     on("export_figure", [this] { m_files->exportFigure(m_area->views().view(), sceneData()); });
     on("close", [this] {
         if (m_files->mayLeave()) {
@@ -240,8 +255,10 @@ void MainWindow::connectFiles() {
 }
 
 void MainWindow::closeCase() {
+    m_inspection->selection().clear();
     m_computation.clear();
     m_document.close();
+    showScene();
     m_area->showViews(false);
     m_area->setError({});
     m_playback->reset();
@@ -284,19 +301,18 @@ void MainWindow::connectViews() {
     const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
     on("stacked", [this] { setLayoutOf(render::Layout::Stacked); });
     on("beside", [this] { setLayoutOf(render::Layout::Beside); });
+    on("overlay", [this] { setLayoutOf(render::Layout::OverlayOnly); });
+    on("four", [this] { setLayoutOf(render::Layout::Four); });
     on("fe_only", [this] { setLayoutOf(render::Layout::FeOnly); });
     on("fragments_only", [this] { setLayoutOf(render::Layout::FragmentsOnly); });
     on("link", [this](bool linked) {
         render::View view = m_area->views().view();
         // Unlinked, the fragments start from where both looked; linked, both look as the FE view does.
-        view.cameras[1] = view.cameras[0];
+        view.cameras[1] = view.cameras[2] = view.cameras[0];
         view.camerasLinked = linked;
         setView(view);
     });
     on("fit", [this] { m_area->views().fit(); });
-    on("look_side", [this] { m_area->views().look(render::Preset::Side); });
-    on("look_front", [this] { m_area->views().look(render::Preset::Front); });
-    on("look_top", [this] { m_area->views().look(render::Preset::Top); });
     for (const char* theme : {"system", "light", "dark"}) {
         on(("theme_" + std::string(theme)).c_str(), [this, theme] {
             widgets::Preferences preferences = m_preferences;
@@ -304,6 +320,7 @@ void MainWindow::connectViews() {
             setPreferences(preferences);
         });
     }
+    connect(&m_inspection->selection(), &SelectionDisplay::changed, this, &MainWindow::showState);
     connect(m_colours, &QComboBox::activated, this, [this] {
         render::View view = m_area->views().view();
         view.colourBy = static_cast<render::ColourBy>(m_colours->currentData().toInt());

@@ -71,7 +71,7 @@ Frame frameFor(render::Layout layout, const FigureStyle& style) {
     frame.small = pixelsOf(provenancePoints, style.dpi);
     frame.captionHeight = static_cast<int>(std::lround(2.2 * frame.text));
     frame.provenanceHeight = style.provenance.empty() ? 0 : static_cast<int>(std::lround(2.0 * frame.small));
-    const int rows = layout == render::Layout::Stacked ? 2 : 1;
+    const int rows = layout == render::Layout::Stacked || layout == render::Layout::Four ? 2 : 1;
     const int height = style.pixels.height() - rows * frame.captionHeight - frame.provenanceHeight;
     frame.panes = {style.pixels.width(), std::max(height, 16)};
     return frame;
@@ -129,7 +129,7 @@ struct Studio::Impl {
         const Palette& colours = palette(view.theme);
         std::size_t index = 0;
         for (const render::Pane& pane : render::panesOf(view.layout, frame.panes.width(), frame.panes.height())) {
-            const int down = view.layout == render::Layout::Stacked ? static_cast<int>(index) * frame.captionHeight : 0;
+            const int down = pane.y > 0 ? frame.captionHeight : 0;
             painter.drawImage(QPoint(pane.x, pane.y + down), panes, QRect(pane.x, pane.y, pane.width, pane.height));
             if (captions) {
                 painter.setFont(fontOf(frame.text, true));

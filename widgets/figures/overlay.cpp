@@ -30,8 +30,8 @@ QColor colourOf(const render::Rgb& c) {
 }
 
 /// One line for each component that has most fragments, the rest in one.
-void addComponents(std::vector<LegendEntry>& legend, const render::Scene& scene, const render::PaneStatus& status,
-                   const render::SceneColours& colours) {
+void addComponents(std::vector<LegendEntry>& legend, const render::View& view, const render::Scene& scene,
+                   const render::PaneStatus& status, const render::SceneColours& colours) {
     const auto& components = scene.data().components;
     if (!components || status.bornByComponent.size() != components->list.size()) {
         return;
@@ -49,12 +49,28 @@ void addComponents(std::vector<LegendEntry>& legend, const render::Scene& scene,
             rest += status.bornByComponent[c];
             continue;
         }
+        const auto chosen = view.componentColours.find(components->list[c].name);
         legend.push_back(
-            {colourOf(render::colour_choice::category(colours, c)),
+            {colourOf(chosen != view.componentColours.end() ? chosen->second : render::colour_choice::category(colours, c)),
              QString::fromStdString(components->list[c].name) + QStringLiteral(" · ") + countText(status.bornByComponent[c])});
     }
     if (rest > 0) {
         legend.push_back({QColor(), tr("%1 more components · %2").arg(order.size() - shown).arg(countText(rest))});
+    }
+}
+
+/// One entry for each material that a component has.
+void addMaterials(std::vector<LegendEntry>& legend, const render::Scene& scene, const render::SceneColours& colours) {
+    std::array<bool, materialCount> present{};
+    for (std::size_t c = 0; scene.data().components && c < scene.data().components->list.size(); ++c) {
+        present[static_cast<std::size_t>(scene.data().components->list[c].material)] = true;
+    }
+    const std::array<QString, materialCount> names{tr("stone"),   tr("concrete"), tr("steel"),
+                                                   tr("masonry"), tr("soil"),     tr("water bed")};
+    for (std::size_t m = 0; m < materialCount; ++m) {
+        if (present[m]) {
+            legend.push_back({colourOf(colours.materials[m]), names[m]});
+        }
     }
 }
 
@@ -84,10 +100,11 @@ void addFragments(Overlay& overlay, const render::View& view, const render::Scen
     const QString count = countText(status.fragments);
     switch (view.colourBy) {
         case render::ColourBy::Highlight:
-            overlay.legend.push_back({p.fragment, tr("fragments %1").arg(count)});
+            overlay.legend.push_back(
+                {view.style == render::Style::Presentation ? QColor() : p.fragment, tr("fragments %1").arg(count)});
             break;
         case render::ColourBy::Component:
-            addComponents(overlay.legend, scene, status, colours);
+            addComponents(overlay.legend, view, scene, status, colours);
             if (overlay.legend.empty()) {
                 overlay.legend.push_back({p.fragment, tr("fragments %1").arg(count)});
             }
@@ -98,7 +115,7 @@ void addFragments(Overlay& overlay, const render::View& view, const render::Scen
         case render::ColourBy::BirthTime: {
             const auto [first, last] = scene.birthSpan();
             overlay.legend.push_back({QColor(), tr("fragments %1").arg(count)});
-            overlay.bars.push_back({true, timeText(first), timeText(last), tr("birth time")});
+            overlay.bars.push_back({true, timeText(first), timeText(last), tr("birth time"), view.colourMap});
             break;
         }
         case render::ColourBy::Error:
@@ -106,7 +123,8 @@ void addFragments(Overlay& overlay, const render::View& view, const render::Scen
             break;
         case render::ColourBy::Speed:
             overlay.legend.push_back({QColor(), tr("fragments %1").arg(count)});
-            overlay.bars.push_back({false, tr("0 m/s"), tr("%1 m/s").arg(numberText(scene.speedTop())), tr("speed")});
+            overlay.bars.push_back(
+                {false, tr("0 m/s"), tr("%1 m/s").arg(numberText(scene.speedTop())), tr("speed"), view.colourMap});
             break;
     }
 }
@@ -190,7 +208,7 @@ void paintBar(QPainter& painter, const Look& look, const ColourBar& bar, double 
     put(bar.low);
     QLinearGradient ramp(x, 0.0, x + 30.0 * look.unit, 0.0);
     for (int i = 0; i <= 16; ++i) {
-        ramp.setColorAt(i / 16.0, bar.birthTime ? birthColour(i / 16.0) : speedColour(i / 16.0));
+        ramp.setColorAt(i / 16.0, bar.birthTime ? birthColour(i / 16.0, bar.map) : speedColour(i / 16.0, bar.map));
     }
     painter.setPen(QPen(look.palette.muted, 0.0));
     painter.setBrush(ramp);
@@ -273,7 +291,10 @@ double roundLength(double metresPerPixel, double maxPixels) {
 
 QString captionText(render::PaneContent content, const render::PaneStatus& status) {
     const bool fe = content == render::PaneContent::Fe;
-    const QString name = fe ? tr("Conventional FE result") : tr("Fragments");
+    const QString name = fe                                        ? tr("Conventional FE result")
+                         : content == render::PaneContent::Overlay ? tr("Fragments and intact outline")
+                         : content == render::PaneContent::Plan    ? tr("Fragments in plan")
+                                                                   : tr("Fragments");
     if (status.states == 0) {
         return name;
     }
@@ -303,15 +324,29 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
     }
     if (view.legends && status.states > 0) {
         const Palette& p = palette(view.theme);
-        if (pane.content == render::PaneContent::Fragments && scene.data().fragments) {
-            addFragments(overlay, view, scene, status, sceneColours(view.theme));
-            overlay.legend.push_back({p.structure, tr("active structure %1").arg(countText(status.active))});
+        if (pane.content != render::PaneContent::Fe && scene.data().fragments) {
+            addFragments(overlay, view, scene, status, sceneColours(view.theme, view.colourMap));
+            if (view.style == render::Style::Presentation) {
+                overlay.legend.push_back({QColor(), tr("active structure %1").arg(countText(status.active))});
+                addMaterials(overlay.legend, scene, sceneColours(view.theme));
+            } else {
+                overlay.legend.push_back({p.structure, tr("active structure %1").arg(countText(status.active))});
+            }
+            if (pane.content == render::PaneContent::Overlay) {
+                overlay.legend.push_back({p.outline, tr("intact structure"), true});
+            }
             if (status.released > 0) {
                 overlay.legend.push_back({p.released, tr("released structure %1").arg(countText(status.released))});
             }
         } else {
             overlay.legend.push_back(
                 {p.structure, tr("active %1 of %2 elements").arg(countText(status.active), countText(status.elements))});
+        }
+        if (view.clip) {
+            overlay.legend.push_back({QColor(), tr("cut open")});
+        }
+        if (status.hidden > 0) {
+            overlay.legend.push_back({QColor(), tr("hidden %1").arg(countText(status.hidden))});
         }
         if (!view.selection.empty()) {
             overlay.legend.push_back({p.accent, tr("selected %1").arg(countText(view.selection.size())), true});

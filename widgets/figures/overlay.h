@@ -24,6 +24,7 @@ struct ColourBar {
     bool birthTime = true;  ///< else speed
     QString low, high;      ///< with unit
     QString title;
+    render::ColourMap map = render::ColourMap::Standard;
 };
 
 /// What stands over one pane, apart from its place: made from the scene's status, painted by paintOverlay().

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace rubble::figures {
 namespace {
@@ -38,13 +39,16 @@ Palette light() {
     p.ground = QColor("#cdcdc6");
     p.groundGrid = QColor("#bdbdb5");
     p.water = QColor("#5f8fae");
+    p.outline = QColor("#4d5a66");
+    p.materials = {QColor("#b8aa90"), QColor("#a7a8a4"), QColor("#76828f"),
+                   QColor("#a96b52"), QColor("#8b7556"), QColor("#66848b")};
     p.structureGreys = {QColor("#a89d8e"), QColor("#9a9ba1"), QColor("#b7a98f"), QColor("#8f877c"), QColor("#a5a89f")};
     p.categories = okabeIto;
     return p;
 }
 
 Palette dark() {
-    Palette p;
+    Palette p = light();
     p.window = QColor("#2a2d31");
     p.panel = QColor("#2a2d31");
     p.field = QColor("#212428");
@@ -69,6 +73,7 @@ Palette dark() {
     p.ground = QColor("#383b3d");
     p.groundGrid = QColor("#484b4d");
     p.water = QColor("#3f7396");
+    p.outline = QColor("#aeb6bd");
     p.structureGreys = {QColor("#b3a897"), QColor("#a4a6ad"), QColor("#c1b398"), QColor("#9a9286"), QColor("#b0b3a9")};
     p.categories = okabeIto;
     p.categories[0] = p.fragment;
@@ -151,7 +156,50 @@ ColourSet colourSet() {
     return chosenSet();
 }
 
-QColor birthColour(double place) {
+namespace {
+
+/// Scales that the colour-blind can read, after the values published with them; nothing for the standard one.
+std::optional<QColor> sharedColour(double place, render::ColourMap map) {
+    static const std::array<Stop, 10> viridis{{{0.0, QColor("#440154")},
+                                               {1.0 / 9, QColor("#482878")},
+                                               {2.0 / 9, QColor("#3e4989")},
+                                               {3.0 / 9, QColor("#31688e")},
+                                               {4.0 / 9, QColor("#26828e")},
+                                               {5.0 / 9, QColor("#1f9e89")},
+                                               {6.0 / 9, QColor("#35b779")},
+                                               {7.0 / 9, QColor("#6ece58")},
+                                               {8.0 / 9, QColor("#b5de2b")},
+                                               {1.0, QColor("#fde725")}}};
+    static const std::array<Stop, 10> cividis{{{0.0, QColor("#00224e")},
+                                               {1.0 / 9, QColor("#123570")},
+                                               {2.0 / 9, QColor("#3b496c")},
+                                               {3.0 / 9, QColor("#575d6d")},
+                                               {4.0 / 9, QColor("#707173")},
+                                               {5.0 / 9, QColor("#8a8678")},
+                                               {6.0 / 9, QColor("#a59c74")},
+                                               {7.0 / 9, QColor("#c3b369")},
+                                               {8.0 / 9, QColor("#e1cc55")},
+                                               {1.0, QColor("#fee838")}}};
+    static const std::array<Stop, 2> grey{{{0.0, QColor("#1c1c1c")}, {1.0, QColor("#f4f4f4")}}};
+    switch (map) {
+        case render::ColourMap::Viridis:
+            return onStops(viridis, place);
+        case render::ColourMap::Cividis:
+            return onStops(cividis, place);
+        case render::ColourMap::Grey:
+            return onStops(grey, place);
+        case render::ColourMap::Standard:
+            break;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+QColor birthColour(double place, render::ColourMap map) {
+    if (const auto shared = sharedColour(place, map)) {
+        return *shared;
+    }
     static const std::array<Stop, 5> stops{{{0.0, QColor("#3a1247")},
                                             {0.25, QColor("#8c2450")},
                                             {0.55, QColor("#d55e00")},
@@ -160,7 +208,10 @@ QColor birthColour(double place) {
     return onStops(stops, place);
 }
 
-QColor speedColour(double place) {
+QColor speedColour(double place, render::ColourMap map) {
+    if (const auto shared = sharedColour(place, map)) {
+        return *shared;
+    }
     static const std::array<Stop, 5> stops{{{0.0, QColor("#14304f")},
                                             {0.25, QColor("#0b6a9c")},
                                             {0.55, QColor("#33a7b5")},
@@ -178,7 +229,7 @@ QColor errorColour(double place) {
     return onStops(stops, place);
 }
 
-render::SceneColours sceneColours(render::Theme theme) {
+render::SceneColours sceneColours(render::Theme theme, render::ColourMap map) {
     const Palette& p = palette(theme);
     render::SceneColours c;
     c.skyTop = rgb(p.skyTop);
@@ -191,11 +242,15 @@ render::SceneColours sceneColours(render::Theme theme) {
     c.selection = rgb(p.accent);
     c.released = rgb(p.released);
     c.unknown = rgb(p.muted);
+    c.outline = rgb(p.outline);
+    for (std::size_t i = 0; i < c.materials.size(); ++i) {
+        c.materials[i] = rgb(p.materials[i]);
+    }
     c.structure = rgbs(p.structureGreys);
     c.categories = rgbs(p.categories);
     for (std::size_t i = 0; i < c.birthRamp.size(); ++i) {
-        c.birthRamp[i] = rgb(birthColour(static_cast<double>(i) / 255.0));
-        c.speedRamp[i] = rgb(speedColour(static_cast<double>(i) / 255.0));
+        c.birthRamp[i] = rgb(birthColour(static_cast<double>(i) / 255.0, map));
+        c.speedRamp[i] = rgb(speedColour(static_cast<double>(i) / 255.0, map));
         c.errorRamp[i] = rgb(errorColour(static_cast<double>(i) / 255.0));
     }
     c.ambient = theme == render::Theme::Dark ? 0.42 : 0.48;

@@ -33,8 +33,10 @@ struct Palette {
     QColor chipText;
     QColor skyTop, skyHorizon, ground, groundGrid;  ///< background of views
     QColor water;
-    std::vector<QColor> structureGreys;  ///< by component, in turn
-    std::vector<QColor> categories;      ///< Okabe-Ito family, in turn
+    QColor outline;                               ///< of the intact structure
+    std::array<QColor, materialCount> materials;  ///< by Material, in the presentation style
+    std::vector<QColor> structureGreys;           ///< by component, in turn
+    std::vector<QColor> categories;               ///< Okabe-Ito family, in turn
 };
 
 const Palette& palette(render::Theme theme);
@@ -49,12 +51,12 @@ void chooseColours(ColourSet set);
 ColourSet colourSet();
 
 /// Colour of the birth-time and the speed scale at a place in [0, 1]; lightness rises all the way, so they read in grey too.
-QColor birthColour(double place);
-QColor speedColour(double place);
+QColor birthColour(double place, render::ColourMap map = render::ColourMap::Standard);
+QColor speedColour(double place, render::ColourMap map = render::ColourMap::Standard);
 /// Colour of the error scale at a place in [0, 1]; lightness falls all the way.
 QColor errorColour(double place);
 
 /// What the scene draws with, from the palette.
-render::SceneColours sceneColours(render::Theme theme);
+render::SceneColours sceneColours(render::Theme theme, render::ColourMap map = render::ColourMap::Standard);
 
 }  // namespace rubble::figures

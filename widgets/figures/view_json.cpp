@@ -1,5 +1,6 @@
 #include "widgets/figures/view_json.h"
 
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -21,10 +22,18 @@ struct Named {
     const char* name;
 };
 
-constexpr std::array<Named<render::Layout>, 4> layouts{{{render::Layout::Beside, "beside"},
+constexpr std::array<Named<render::Layout>, 6> layouts{{{render::Layout::Beside, "beside"},
                                                         {render::Layout::Stacked, "stacked"},
                                                         {render::Layout::FeOnly, "fe_only"},
-                                                        {render::Layout::FragmentsOnly, "fragments_only"}}};
+                                                        {render::Layout::FragmentsOnly, "fragments_only"},
+                                                        {render::Layout::OverlayOnly, "overlay_only"},
+                                                        {render::Layout::Four, "four"}}};
+constexpr std::array<Named<render::ColourMap>, 4> colourMaps{{{render::ColourMap::Standard, "standard"},
+                                                              {render::ColourMap::Viridis, "viridis"},
+                                                              {render::ColourMap::Cividis, "cividis"},
+                                                              {render::ColourMap::Grey, "grey"}}};
+constexpr std::array<Named<render::Style>, 2> styles{
+    {{render::Style::Analysis, "analysis"}, {render::Style::Presentation, "presentation"}}};
 constexpr std::array<Named<render::ColourBy>, 6> colourings{{{render::ColourBy::Highlight, "highlight"},
                                                              {render::ColourBy::Component, "component"},
                                                              {render::ColourBy::BirthTime, "birth_time"},
@@ -180,25 +189,167 @@ void readErrorSteps(const QJsonValue& value, std::string_view source, render::Vi
     view.errorSteps = std::move(steps);
 }
 
-void readSelection(const QJsonValue& value, std::string_view source, render::View& view) {
+void readElements(const QJsonObject& object, const std::string& key, std::string_view source, std::vector<ElementIndex>& elements) {
+    const QJsonValue value = object.value(QLatin1String(key.c_str()));
     if (!value.isUndefined() && !value.isArray()) {
-        refuse(source, "selection is not a list", "a list of element indices");
+        refuse(source, key + " is not a list", "a list of element indices");
     }
     for (const QJsonValue& entry : value.toArray()) {
         const double index = entry.toDouble(-1.0);
         if (index < 0.0 || index > 4294967295.0 || index != std::floor(index)) {
-            refuse(source, "selection holds something that is no element index", "whole numbers from 0");
+            refuse(source, key + " holds something that is no element index", "whole numbers from 0");
         }
-        view.selection.push_back(idAt<ElementIndex>(static_cast<std::size_t>(index)));
+        elements.push_back(idAt<ElementIndex>(static_cast<std::size_t>(index)));
+    }
+}
+
+void readHiddenComponents(const QJsonValue& value, std::string_view source, render::View& view) {
+    if (!value.isUndefined() && !value.isArray()) {
+        refuse(source, "hidden_components is not a list", "a list of names of components");
+    }
+    for (const QJsonValue& entry : value.toArray()) {
+        if (!entry.isString()) {
+            refuse(source, "hidden_components holds something that is no name", "names of components");
+        }
+        view.hiddenComponents.push_back(entry.toString().toStdString());
+    }
+}
+
+/// "#rrggbb" by name of a component.
+void readComponentColours(const QJsonValue& value, std::string_view source, render::View& view) {
+    if (!value.isUndefined() && !value.isObject()) {
+        refuse(source, "component_colours is not an object", "an object of colours such as \"#d55e00\" by name of a component");
+    }
+    const QJsonObject object = value.toObject();
+    for (auto entry = object.begin(); entry != object.end(); ++entry) {
+        const QString text = entry.value().toString();
+        bool ok = false;
+        const uint rgb = text.mid(1).toUInt(&ok, 16);
+        if (!ok || text.size() != 7 || text[0] != QLatin1Char('#')) {
+            refuse(source, "component_colours." + entry.key().toStdString() + " is no colour", "a colour such as \"#d55e00\"");
+        }
+        view.componentColours[entry.key().toStdString()] = {static_cast<std::uint8_t>(rgb >> 16),
+                                                            static_cast<std::uint8_t>(rgb >> 8), static_cast<std::uint8_t>(rgb)};
+    }
+}
+
+void readClip(const QJsonValue& value, std::string_view source, render::View& view) {
+    if (value.isUndefined() || value.isNull()) {
+        return;
+    }
+    if (!value.isObject()) {
+        refuse(source, "clip is not an object", "an object with point and normal, or null");
+    }
+    const Reader reader(value.toObject(), source, "clip.");
+    render::ClipPlane plane;
+    reader.read("point", plane.point);
+    reader.read("normal", plane.normal);
+    if (!(plane.normal.norm() > 0.0)) {
+        refuse(source, "clip.normal has no length", "a direction of some length");
+    }
+    // Left as it stands if it is a direction already: it must read back to the same bits.
+    if (std::abs(plane.normal.norm() - 1.0) > 1e-12) {
+        plane.normal.normalize();
+    }
+    view.clip = plane;
+}
+
+void readMeasurements(const QJsonValue& value, std::string_view source, render::View& view) {
+    if (!value.isUndefined() && !value.isArray()) {
+        refuse(source, "measurements is not a list", "a list of objects with from, to and height");
+    }
+    std::size_t number = 0;
+    for (const QJsonValue& entry : value.toArray()) {
+        const std::string place = "measurements[" + std::to_string(number++) + "]";
+        if (!entry.isObject()) {
+            refuse(source, place + " is not an object", "an object with from, to and height");
+        }
+        const Reader reader(entry.toObject(), source, place + ".");
+        render::Measurement measured;
+        reader.read("from", measured.from);
+        reader.read("to", measured.to);
+        reader.read("height", measured.height);
+        view.measurements.push_back(measured);
+    }
+}
+
+void readPath(const QJsonValue& value, std::string_view source, render::View& view) {
+    if (!value.isUndefined() && !value.isArray()) {
+        refuse(source, "path is not a list", "a list of points");
+    }
+    for (const QJsonValue& entry : value.toArray()) {
+        Vec3 point = Vec3::Zero();
+        Reader(QJsonObject{{"point", entry}}, source, "path.").read("point", point);
+        view.path.push_back(point);
+    }
+}
+
+QJsonArray listOf(const std::vector<ElementIndex>& elements) {
+    QJsonArray list;
+    for (const ElementIndex e : elements) {
+        list.append(static_cast<qint64>(at(e)));
+    }
+    return list;
+}
+
+QJsonArray listOf(const std::vector<render::Measurement>& measurements) {
+    QJsonArray list;
+    for (const render::Measurement& measured : measurements) {
+        list.append(QJsonObject{{"from", pointOf(measured.from)}, {"to", pointOf(measured.to)}, {"height", measured.height}});
+    }
+    return list;
+}
+
+/// What a view hides, cuts and marks.
+void addMarks(QJsonObject& object, const render::View& view) {
+    QJsonArray hidden;
+    for (const std::string& name : view.hiddenComponents) {
+        hidden.append(QString::fromStdString(name));
+    }
+    QJsonObject colours;
+    for (const auto& [name, c] : view.componentColours) {
+        colours.insert(QString::fromStdString(name),
+                       QStringLiteral("#%1").arg((static_cast<uint>(c.r) << 16) | (static_cast<uint>(c.g) << 8) | c.b, 6, 16,
+                                                 QLatin1Char('0')));
+    }
+    QJsonArray path;
+    for (const Vec3& point : view.path) {
+        path.append(pointOf(point));
+    }
+    object.insert("selection", listOf(view.selection));
+    object.insert("hidden", listOf(view.hidden));
+    object.insert("hidden_components", hidden);
+    object.insert("component_colours", colours);
+    object.insert("clip",
+                  view.clip ? QJsonValue(QJsonObject{{"point", pointOf(view.clip->point)}, {"normal", pointOf(view.clip->normal)}})
+                            : QJsonValue(QJsonValue::Null));
+    object.insert("measurements", listOf(view.measurements));
+    object.insert("path", path);
+}
+
+void readCameras(const QJsonValue& value, std::string_view source, render::View& view) {
+    if (value.isUndefined()) {
+        return;
+    }
+    const QJsonArray list = value.toArray();
+    if (list.size() != 2 && list.size() != static_cast<qsizetype>(render::paneContents)) {
+        refuse(source, "cameras are not four", "a list of four cameras: FE, fragments, overlay, plan");
+    }
+    for (qsizetype i = 0; i < list.size(); ++i) {
+        view.cameras[static_cast<std::size_t>(i)] = cameraFrom(list[i], source, "cameras[" + std::to_string(i) + "]");
+    }
+    if (list.size() == 2) {
+        // Views of the time when there were two.
+        view.cameras[2] = view.cameras[3] = view.cameras[0];
     }
 }
 
 }  // namespace
 
 std::string toJson(const render::View& view) {
-    QJsonArray selection;
-    for (const ElementIndex e : view.selection) {
-        selection.append(static_cast<qint64>(at(e)));
+    QJsonArray cameras;
+    for (const render::Camera& camera : view.cameras) {
+        cameras.append(objectOf(camera));
     }
     QJsonValue grid(QJsonValue::Null);
     if (view.basicGrid) {
@@ -208,20 +359,26 @@ std::string toJson(const render::View& view) {
     for (const double step : view.errorSteps) {
         steps.append(step);
     }
-    const QJsonObject object{{"rubble_view", version},
-                             {"layout", nameOf(layouts, view.layout)},
-                             {"cameras", QJsonArray{objectOf(view.cameras[0]), objectOf(view.cameras[1])}},
-                             {"cameras_linked", view.camerasLinked},
-                             {"time", view.time},
-                             {"colour_by", nameOf(colourings, view.colourBy)},
-                             {"theme", nameOf(themes, view.theme)},
-                             {"ground", view.ground},
-                             {"captions", view.captions},
-                             {"legends", view.legends},
-                             {"scale_bar", view.scaleBar},
-                             {"basic_grid", grid},
-                             {"error_steps", steps},
-                             {"selection", selection}};
+    QJsonObject object{{"rubble_view", version},
+                       {"layout", nameOf(layouts, view.layout)},
+                       {"cameras", cameras},
+                       {"cameras_linked", view.camerasLinked},
+                       {"time", view.time},
+                       {"time_origin", view.timeOrigin},
+                       {"colour_by", nameOf(colourings, view.colourBy)},
+                       {"colour_map", nameOf(colourMaps, view.colourMap)},
+                       {"style", nameOf(styles, view.style)},
+                       {"theme", nameOf(themes, view.theme)},
+                       {"ground", view.ground},
+                       {"ground_grid", view.groundGrid},
+                       {"shading", view.shading},
+                       {"axes", view.axes},
+                       {"captions", view.captions},
+                       {"legends", view.legends},
+                       {"scale_bar", view.scaleBar},
+                       {"basic_grid", grid},
+                       {"error_steps", steps}};
+    addMarks(object, view);
     return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
 }
 
@@ -244,25 +401,38 @@ render::View viewFromJson(std::string_view json, std::string_view source) {
     reader.read("layout", view.layout, layouts);
     reader.read("cameras_linked", view.camerasLinked);
     reader.read("time", view.time);
+    reader.read("time_origin", view.timeOrigin);
     reader.read("colour_by", view.colourBy, colourings);
+    reader.read("colour_map", view.colourMap, colourMaps);
+    reader.read("style", view.style, styles);
     reader.read("theme", view.theme, themes);
     reader.read("ground", view.ground);
+    reader.read("ground_grid", view.groundGrid);
+    reader.read("shading", view.shading);
+    reader.read("axes", view.axes);
     reader.read("captions", view.captions);
     reader.read("legends", view.legends);
     reader.read("scale_bar", view.scaleBar);
-    if (const QJsonValue cameras = reader.object().value("cameras"); !cameras.isUndefined()) {
-        if (cameras.toArray().size() != 2) {
-            refuse(source, "cameras are not two", "a list of two cameras");
-        }
-        for (int i = 0; i < 2; ++i) {
-            view.cameras[static_cast<std::size_t>(i)] =
-                cameraFrom(cameras.toArray()[i], source, "cameras[" + std::to_string(i) + "]");
-        }
-    }
+    readCameras(reader.object().value("cameras"), source, view);
     readGrid(reader.object().value("basic_grid"), source, view);
     readErrorSteps(reader.object().value("error_steps"), source, view);
-    readSelection(reader.object().value("selection"), source, view);
+    readElements(reader.object(), "selection", source, view.selection);
+    readElements(reader.object(), "hidden", source, view.hidden);
+    readHiddenComponents(reader.object().value("hidden_components"), source, view);
+    readComponentColours(reader.object().value("component_colours"), source, view);
+    readClip(reader.object().value("clip"), source, view);
+    readMeasurements(reader.object().value("measurements"), source, view);
+    readPath(reader.object().value("path"), source, view);
     return view;
+}
+
+render::View viewFromFile(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    if (!file.open(QIODevice::ReadOnly)) {
+        throw WorldError({"view.open", "{0} cannot be read: {1}", {path, file.errorString().toStdString()}},
+                         {"view.open.remedy", "Check the name and the permissions.", {}});
+    }
+    return viewFromJson(file.readAll().toStdString(), path);
 }
 
 }  // namespace rubble::figures

@@ -15,4 +15,7 @@ std::string toJson(const render::View& view);
 /// Throws ParseError naming source, key and remedy.
 render::View viewFromJson(std::string_view json, std::string_view source);
 
+/// The same from a file. Throws WorldError if it cannot be read.
+render::View viewFromFile(const std::string& path);
+
 }  // namespace rubble::figures

@@ -80,7 +80,7 @@ Camera refit(const Camera& start, const Aabb& bounds, double aspect) {
 Camera fitCamera(const Aabb& bounds, double aspect, Preset preset) {
     Camera camera;
     camera.focalPoint = Vec3::Zero();
-    camera.up = preset == Preset::Top ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitZ());
+    camera.up = preset == Preset::Top || preset == Preset::Bottom ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitZ());
     switch (preset) {
         case Preset::Side:
             camera.position = Vec3(0, -std::cos(sideElevation), std::sin(sideElevation));
@@ -88,8 +88,23 @@ Camera fitCamera(const Aabb& bounds, double aspect, Preset preset) {
         case Preset::Front:
             camera.position = -Vec3::UnitY();
             break;
+        case Preset::Back:
+            camera.position = Vec3::UnitY();
+            break;
+        case Preset::Left:
+            camera.position = -Vec3::UnitX();
+            break;
+        case Preset::Right:
+            camera.position = Vec3::UnitX();
+            break;
         case Preset::Top:
             camera.position = Vec3::UnitZ();
+            break;
+        case Preset::Bottom:
+            camera.position = -Vec3::UnitZ();
+            break;
+        case Preset::Corner:
+            camera.position = Vec3(-1.0, -1.6, 0.9).normalized();
             break;
     }
     if (bounds.isEmpty()) {
@@ -111,6 +126,30 @@ Ray rayThrough(const Camera& camera, double u, double v, double aspect) {
     }
     const double t = tangent(camera);
     return {camera.position, (axes.forward + t * (x * axes.right + y * axes.up)).normalized()};
+}
+
+std::optional<Projected> project(const Camera& camera, const Vec3& point, double aspect) {
+    const Axes axes = axesOf(camera);
+    const Vec3 offset = point - camera.position;
+    const double depth = offset.dot(axes.forward);
+    const double half = camera.parallel ? camera.parallelScale : tangent(camera) * depth;
+    if (!(half > 0.0) || !(aspect > 0.0) || (!camera.parallel && !(depth > smallestDistance))) {
+        return std::nullopt;
+    }
+    return Projected{0.5 * (1.0 + offset.dot(axes.right) / (half * aspect)), 0.5 * (1.0 - offset.dot(axes.up) / half)};
+}
+
+Camera withProjection(const Camera& camera, bool parallel) {
+    if (camera.parallel == parallel) {
+        return camera;
+    }
+    Camera other = camera;
+    other.parallel = parallel;
+    other.parallelScale = std::max(halfHeight(camera), smallestDistance);
+    if (!parallel) {
+        other.position = other.focalPoint - axesOf(camera).forward * (camera.parallelScale / tangent(camera));
+    }
+    return other;
 }
 
 Camera orbit(const Camera& camera, double yaw, double pitch) {

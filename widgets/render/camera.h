@@ -1,12 +1,15 @@
 #pragma once
 
+#include <optional>
+
 #include "core/base/geometry.h"
 #include "widgets/render/view.h"
 
 namespace rubble::render {
 
-/// Standard directions of view: from the side along +y and slightly from above, straight along +y, straight down.
-enum class Preset : std::uint8_t { Side, Front, Top };
+/// Standard directions of view: from the side along +y and slightly from above; straight along +y, -y, +x and -x; straight down and
+/// up; from a corner above.
+enum class Preset : std::uint8_t { Side, Front, Back, Left, Right, Top, Bottom, Corner };
 
 /// A camera that shows a box whole, with a small margin.
 /// @param bounds  m; an empty box gives the default camera
@@ -22,6 +25,17 @@ struct Ray {
 };
 /// @param u, v  place in the pane, from its left and top edge, in [0, 1]
 Ray rayThrough(const Camera& camera, double u, double v, double aspect);
+
+/// Where a point lies in the picture of a pane.
+struct Projected {
+    double u = 0.0;  ///< from the left edge, 0 to 1 within the pane
+    double v = 0.0;  ///< from the top edge
+};
+/// The inverse of rayThrough(); nothing for a point at or behind the eye.
+std::optional<Projected> project(const Camera& camera, const Vec3& point, double aspect);
+
+/// The same picture in parallel or perspective projection: what lies in the plane of the focal point keeps its size.
+Camera withProjection(const Camera& camera, bool parallel);
 
 /// Turns about the focal point: yaw about z, then pitch about the camera's right; stops short of straight up and down. Radians.
 Camera orbit(const Camera& camera, double yaw, double pitch);

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/fe/material.h"
+
 namespace rubble::render {
 
 struct Rgb {
@@ -19,17 +21,19 @@ struct SceneColours {
     Rgb skyTop, skyHorizon;
     Rgb ground, grid;
     Rgb water;
-    Rgb divider;                       ///< between panes
-    Rgb fragment;                      ///< plain highlight
-    Rgb selection;                     ///< accent
-    Rgb released;                      ///< islands of live structure after their release
-    std::vector<Rgb> structure;        ///< stone greys, taken in turn by component
-    std::vector<Rgb> categories;       ///< by component or cluster, taken in turn
-    std::array<Rgb, 256> birthRamp{};  ///< first birth .. last birth
-    std::array<Rgb, 256> speedRamp{};  ///< 0 .. Scene::speedTop()
-    std::array<Rgb, 256> errorRamp{};  ///< the smallest error .. the largest
-    Rgb unknown;                       ///< a fragment that the reference does not have at this time
-    double ambient = 0.4;              ///< share of light that comes from everywhere
+    Rgb divider;                                 ///< between panes
+    Rgb fragment;                                ///< plain highlight
+    Rgb selection;                               ///< accent
+    Rgb outline;                                 ///< of the intact structure
+    Rgb released;                                ///< islands of live structure after their release
+    std::vector<Rgb> structure;                  ///< stone greys, taken in turn by component
+    std::vector<Rgb> categories;                 ///< by component or cluster, taken in turn
+    std::array<Rgb, 256> birthRamp{};            ///< first birth .. last birth
+    std::array<Rgb, 256> speedRamp{};            ///< 0 .. Scene::speedTop()
+    std::array<Rgb, 256> errorRamp{};            ///< the smallest error .. the largest
+    std::array<Rgb, materialCount> materials{};  ///< by Material, of the presentation style
+    Rgb unknown;                                 ///< a fragment that the reference does not have at this time
+    double ambient = 0.4;                        ///< share of light that comes from everywhere
 
     friend bool operator==(const SceneColours&, const SceneColours&) = default;
 };

@@ -15,6 +15,7 @@ using Key = std::array<std::uint32_t, 4>;
 struct Corner {
     Vec3 place;
     FragmentId fragment;
+    std::uint32_t corner = 0;    ///< of its solid
     std::uint32_t place_id = 0;  ///< equal for corners at the same place
     std::uint32_t vertex = 0;    ///< equal for corners that are drawn as one
 };
@@ -87,7 +88,8 @@ void dropInner(std::vector<OpenFace>& faces) {
 
 }  // namespace
 
-DebrisGeometry::DebrisGeometry(const FragmentSet& fragments, const Clustering* clusters, bool hideInner)
+DebrisGeometry::DebrisGeometry(const FragmentSet& fragments, const Clustering* clusters, bool hideInner,
+                               std::span<const std::uint8_t> hidden)
     : m_fragments(fragments), m_clusters(clusters), m_hideInner(hideInner) {
     std::vector<std::vector<FragmentId>> members;
     if (clusters) {
@@ -99,6 +101,9 @@ DebrisGeometry::DebrisGeometry(const FragmentSet& fragments, const Clustering* c
         for (std::size_t f = 0; f < fragments.size(); ++f) {
             members.push_back({idAt<FragmentId>(f)});
         }
+    }
+    for (auto& group : members) {
+        std::erase_if(group, [&](FragmentId f) { return !hidden.empty() && hidden[at(f)] != 0; });
     }
     build(members);
 }
@@ -114,6 +119,16 @@ void DebrisGeometry::build(const std::vector<std::vector<FragmentId>>& members) 
         addGroup(group);
     }
     m_rides.assign(m_groups.size(), {});
+    noteGroups();
+}
+
+void DebrisGeometry::noteGroups() {
+    m_groupOf.assign(m_fragments.size(), none);
+    for (std::size_t g = 0; g < m_members.size(); ++g) {
+        for (const FragmentId f : m_members[g]) {
+            m_groupOf[at(f)] = static_cast<std::uint32_t>(g);
+        }
+    }
 }
 
 void DebrisGeometry::addGroup(std::span<const FragmentId> members) {
@@ -123,8 +138,9 @@ void DebrisGeometry::addGroup(std::span<const FragmentId> members) {
     std::vector<Corner> corners;
     for (const FragmentId f : members) {
         group.centre += m_fragments.list[at(f)].centre / static_cast<double>(members.size());
+        std::uint32_t corner = 0;
         for (const Vec3& p : m_fragments.verticesOf(f)) {
-            corners.push_back({p, f});
+            corners.push_back({p, f, corner++});
         }
     }
     // Corners at bit-equal places are one place; those of one look (same birth, same component) are one vertex.
@@ -186,7 +202,8 @@ void DebrisGeometry::addGroup(std::span<const FragmentId> members) {
             }
             if (kept[vertex] == none) {
                 kept[vertex] = static_cast<std::uint32_t>(m_vertices.size());
-                m_vertices.push_back({(corners[vertex].place - group.centre).cast<float>(), corners[vertex].fragment});
+                m_vertices.push_back(
+                    {(corners[vertex].place - group.centre).cast<float>(), corners[vertex].fragment, corners[vertex].corner});
             }
             vertex = kept[vertex];
         }
@@ -269,6 +286,26 @@ void DebrisGeometry::place(const TrajectoryFrame& frame, double time, std::size_
             target += shift;
         }
     }
+}
+
+std::optional<Vec3> DebrisGeometry::centreOf(FragmentId fragment, const TrajectoryFrame& frame, double time) const {
+    const std::uint32_t group = m_groupOf[at(fragment)];
+    if (group == none) {
+        return std::nullopt;
+    }
+    const Vec3 centre = m_fragments.list[at(fragment)].centre;
+    const Ride* ride = rideAt(group, time);
+    if (!ride) {
+        return centre;
+    }
+    if (gone(frame, ride->body, ride->to, time)) {
+        return std::nullopt;
+    }
+    if (ride->body >= frame.bodies()) {
+        return centre;
+    }
+    return frame.positions[ride->body].cast<double>() +
+           frame.orientations[ride->body].cast<double>() * (ride->handOverToBody * centre);
 }
 
 std::vector<float> DebrisGeometry::speeds(const TrajectoryFrame& frame, double time, std::size_t count) const {

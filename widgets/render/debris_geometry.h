@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,8 +20,9 @@ public:
     static constexpr std::uint32_t none = 0xffffffffu;
 
     struct Vertex {
-        Eigen::Vector3f local;  ///< m, from the group's centre, at hand-over
-        FragmentId fragment{};  ///< whose colour it takes
+        Eigen::Vector3f local;     ///< m, from the group's centre, at hand-over
+        FragmentId fragment{};     ///< whose colour it takes
+        std::uint32_t corner = 0;  ///< of that fragment's solid
     };
     /// Triangle (fourth `none`) or quadrilateral seen from outside.
     struct Face {
@@ -36,7 +38,9 @@ public:
 
     /// @param clusters   may be null: every fragment is its own group then
     /// @param hideInner  false keeps the faces inside groups
-    DebrisGeometry(const FragmentSet& fragments, const Clustering* clusters, bool hideInner = true);
+    /// @param hidden     [fragments], 1 for those that are left out, or empty; their neighbours show the faces towards them
+    DebrisGeometry(const FragmentSet& fragments, const Clustering* clusters, bool hideInner = true,
+                   std::span<const std::uint8_t> hidden = {});
 
     /// Learns which body carries which fragment when; to be called again with the whole list when it has grown. Groups whose
     /// fragments part company are split.
@@ -53,6 +57,8 @@ public:
     /// frame yet, stand where they were handed over; groups whose last body has left shrink to a point.
     /// @param out  room for 3 floats a vertex of these groups
     void place(const TrajectoryFrame& frame, double time, std::size_t count, float* out) const;
+    /// Where a fragment's centre of mass lies at a time, m; nothing if its last body has left, or if it is hidden.
+    std::optional<Vec3> centreOf(FragmentId fragment, const TrajectoryFrame& frame, double time) const;
     /// Speed of each of the first `count` groups in a frame, m/s; 0 without a body.
     std::vector<float> speeds(const TrajectoryFrame& frame, double time, std::size_t count) const;
 
@@ -64,6 +70,7 @@ private:
         Pose handOverToBody;
     };
     const Ride* rideAt(std::size_t group, double time) const;
+    void noteGroups();
     void build(const std::vector<std::vector<FragmentId>>& members);
     void addGroup(std::span<const FragmentId> members);
 
@@ -75,6 +82,7 @@ private:
     std::vector<Group> m_groups;
     std::vector<std::vector<FragmentId>> m_members;
     std::vector<std::vector<Ride>> m_rides;  ///< by group
+    std::vector<std::uint32_t> m_groupOf;    ///< by fragment; `none` of hidden ones
 };
 
 }  // namespace rubble::render

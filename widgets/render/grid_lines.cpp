@@ -52,8 +52,7 @@ void GridLines::set(const std::vector<Eigen::Vector3f>& ends) {
     m_lines->SetLines(lines);
 }
 
-void GridLines::setColours(const SceneColours& colours) {
-    const Rgb& c = colours.selection;
+void GridLines::setColour(const Rgb& c) {
     m_actor->GetProperty()->SetColor(c.r / 255.0, c.g / 255.0, c.b / 255.0);
 }
 

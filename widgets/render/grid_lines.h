@@ -13,7 +13,7 @@ class vtkRenderer;
 
 namespace rubble::render {
 
-/// Straight lines over a model, in the accent colour.
+/// Straight lines over a model, in one colour.
 class GridLines {
 public:
     GridLines();
@@ -22,7 +22,7 @@ public:
     void addTo(vtkRenderer& renderer);
     /// @param ends  two for each line [m]; none: nothing is drawn
     void set(const std::vector<Eigen::Vector3f>& ends);
-    void setColours(const SceneColours& colours);
+    void setColour(const Rgb& colour);
     void setVisible(bool visible);
 
 private:

@@ -85,10 +85,10 @@ void Ground::addTo(vtkRenderer& renderer) {
     renderer.AddActor(m_gridActor);
 }
 
-void Ground::setVisible(bool visible) {
+void Ground::setVisible(bool visible, bool grid) {
     m_skyActor->SetVisibility(visible);
     m_planeActor->SetVisibility(visible);
-    m_gridActor->SetVisibility(visible);
+    m_gridActor->SetVisibility(visible && grid);
 }
 
 double Ground::spacing(const Aabb& bounds) {

@@ -23,7 +23,7 @@ public:
     /// @param bounds  of the model, m
     /// @param ground  level, or a terrain: a surface shaded by its slope
     void set(const Aabb& bounds, const SiteSurface& ground, const SceneColours& colours);
-    void setVisible(bool visible);
+    void setVisible(bool visible, bool grid);
     /// How far the ground reaches from the model's centre, m.
     double reach() const { return m_reach; }
     /// Distance of grid lines, m.

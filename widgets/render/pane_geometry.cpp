@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "core/analysis/debris_measures.h"
@@ -37,6 +36,20 @@ std::size_t slotAt(const std::vector<double>& events, double time) {
     return static_cast<std::size_t>(std::upper_bound(events.begin(), events.end(), time) - events.begin());
 }
 
+/// The times of the elements that are not hidden; the others have none.
+ShowTimes without(const ShowTimes& times, const std::vector<std::uint8_t>& hidden) {
+    ShowTimes left;
+    left.offsets.push_back(0);
+    for (std::size_t e = 0; e + 1 < times.offsets.size(); ++e) {
+        if (hidden[e] == 0) {
+            const auto own = times.of(idAt<ElementIndex>(e));
+            left.spans.insert(left.spans.end(), own.begin(), own.end());
+        }
+        left.offsets.push_back(static_cast<std::uint32_t>(left.spans.size()));
+    }
+    return left;
+}
+
 }  // namespace
 
 PaneGeometry::PaneGeometry(PaneContent content, const SceneData& data, bool allFaces)
@@ -46,9 +59,6 @@ PaneGeometry::PaneGeometry(PaneContent content, const SceneData& data, bool allF
         m_data.clustering = nullptr;
         m_data.trajectory = nullptr;
     }
-    if (m_data.fragments) {
-        m_debris = std::make_unique<DebrisGeometry>(*m_data.fragments, m_data.clustering.get(), !allFaces);
-    }
     m_status.states = static_cast<std::uint32_t>(data.fe->stateCount());
     m_status.elements = data.fe->mesh().elementCount();
     makeFaces(m_data.fragments && m_data.trajectory && m_data.trajectory->frameCount() > 0);
@@ -56,8 +66,18 @@ PaneGeometry::PaneGeometry(PaneContent content, const SceneData& data, bool allF
 
 void PaneGeometry::makeFaces(bool carried) {
     m_carried = carried;
+    const bool hideInner = !m_allFaces && !m_clip;
     m_showTimes = m_data.fragments ? showTimes(*m_data.fe, *m_data.fragments, carried) : showTimes(*m_data.fe);
-    m_structure = std::make_unique<StructureFaces>(m_data.fe->mesh(), m_showTimes, !m_allFaces);
+    m_structure = std::make_unique<StructureFaces>(m_data.fe->mesh(),
+                                                   m_hidden.empty() ? m_showTimes : without(m_showTimes, m_hidden), hideInner);
+    if (m_data.fragments) {
+        std::vector<std::uint8_t> left(m_hidden.empty() ? 0 : m_data.fragments->size(), 0);
+        for (std::size_t f = 0; f < left.size(); ++f) {
+            left[f] = m_hidden[at(m_data.fragments->list[f].element)];
+        }
+        m_debris = std::make_unique<DebrisGeometry>(*m_data.fragments, m_data.clustering.get(), hideInner, left);
+        m_boundBodies = 0;
+    }
     std::set<double> events;
     if (m_data.fragments) {
         for (const Fragment& f : m_data.fragments->list) {
@@ -67,6 +87,21 @@ void PaneGeometry::makeFaces(bool carried) {
     m_debrisEvents.assign(events.begin(), events.end());
     m_structureSlot = m_debrisSlot = ~std::uint64_t{0};
     m_placed = false;
+}
+
+void PaneGeometry::setHidden(std::vector<std::uint8_t> hidden) {
+    if (hidden != m_hidden) {
+        m_hidden = std::move(hidden);
+        makeFaces(m_carried);
+    }
+}
+
+void PaneGeometry::setClip(const std::optional<ClipPlane>& clip) {
+    const bool opened = clip.has_value() != m_clip.has_value();
+    m_clip = clip;
+    if (opened && !m_allFaces) {
+        makeFaces(m_carried);
+    }
 }
 
 void PaneGeometry::followTrajectory() {
@@ -131,9 +166,10 @@ void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& sca
     m_status.interpolated = m_carried ? m_frame.kind == FrameKind::Interpolated : m_motion.interpolated();
     m_status.kind = m_carried ? m_frame.kind : (m_motion.interpolated() ? FrameKind::Interpolated : FrameKind::Fe);
 
+    const bool otherLooks = settleLooks(scale);
     const std::size_t structureSlot = m_structure->slotAt(shown);
     const std::size_t debrisSlot = slotAt(m_debrisEvents, shown);
-    const bool changed = structureSlot != m_structureSlot || debrisSlot != m_debrisSlot;
+    const bool changed = otherLooks || structureSlot != m_structureSlot || debrisSlot != m_debrisSlot;
     if (changed) {
         m_structureSlot = structureSlot;
         m_debrisSlot = debrisSlot;
@@ -154,6 +190,42 @@ void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& sca
     if (changed || selection != m_selection) {
         select(selection);
     }
+}
+
+/// Which components look alike while they are active: by grey, by a colour of their own, or by material. True if that has changed.
+bool PaneGeometry::settleLooks(const ColourScale& scale) {
+    const std::size_t components = m_data.components ? m_data.components->list.size() : m_data.fe->mesh().parts.size();
+    std::vector<std::uint32_t> lookOf(components, 0);
+    std::vector<Rgb> custom(components);
+    std::vector<std::uint8_t> hasCustom(components, 0);
+    m_looks.clear();
+    if (scale.style == Style::Presentation) {
+        m_looks.assign(scale.colours.materials.begin(), scale.colours.materials.end());
+        for (std::size_t c = 0; c < components && m_data.components; ++c) {
+            lookOf[c] = static_cast<std::uint32_t>(m_data.components->list[c].material);
+        }
+    } else {
+        for (std::uint32_t grey = 0; grey < colour_choice::greys; ++grey) {
+            m_looks.push_back(colour_choice::structure(scale.colours, grey));
+        }
+        for (std::size_t c = 0; c < components; ++c) {
+            lookOf[c] = static_cast<std::uint32_t>(c) % colour_choice::greys;
+            const auto chosen =
+                m_data.components ? scale.componentColours.find(m_data.components->list[c].name) : scale.componentColours.end();
+            if (chosen != scale.componentColours.end()) {
+                lookOf[c] = static_cast<std::uint32_t>(m_looks.size());
+                m_looks.push_back(chosen->second);
+                custom[c] = chosen->second;
+                hasCustom[c] = 1;
+            }
+        }
+    }
+    const bool changed = lookOf != m_lookOf || custom != m_customColours || hasCustom != m_hasCustom || scale.style != m_style;
+    m_lookOf = std::move(lookOf);
+    m_customColours = std::move(custom);
+    m_hasCustom = std::move(hasCustom);
+    m_style = scale.style;
+    return changed;
 }
 
 std::uint32_t PaneGeometry::componentOf(ElementIndex element) const {
@@ -215,25 +287,25 @@ void PaneGeometry::addDebris(double time) {
 }
 
 void PaneGeometry::addStructure(double time) {
-    // One point for each node and grey, so that components keep crisp borders.
-    constexpr std::uint32_t greys = colour_choice::greys;
+    // One point for each node and look, so that components keep crisp borders.
+    const std::size_t looks = m_looks.size();
     const bool afloat = released(time);
-    std::vector<std::int32_t> pointOf(m_data.fe->mesh().nodeCount() * greys, -1);
-    const auto pointFor = [&](std::uint32_t node, std::uint32_t grey) {
-        std::int32_t& point = pointOf[std::size_t{node} * greys + grey];
+    std::vector<std::int32_t> pointOf(m_data.fe->mesh().nodeCount() * looks, -1);
+    const auto pointFor = [&](std::uint32_t node, std::uint32_t look) {
+        std::int32_t& point = pointOf[std::size_t{node} * looks + look];
         if (point < 0) {
             point = static_cast<std::int32_t>(m_debrisPoints + m_structurePoints.size());
-            m_structurePoints.push_back({node, grey, afloat ? m_islands.of(node) : IslandMotion::none});
+            m_structurePoints.push_back({node, look, afloat ? m_islands.of(node) : IslandMotion::none});
         }
         return point;
     };
     for (const std::uint32_t index : m_structure->visible(m_structureSlot)) {
         const StructureFaces::Face& face = m_structure->faces()[index];
-        const std::uint32_t grey = componentOf(face.element) % greys;
+        const std::uint32_t look = m_lookOf[componentOf(face.element)];
         std::array<std::int32_t, 4> p{};
         std::size_t n = 0;
         for (; n < 4 && face.nodes[n] != StructureFaces::none; ++n) {
-            p[n] = pointFor(face.nodes[n], grey);
+            p[n] = pointFor(face.nodes[n], look);
         }
         if (n == 2) {
             m_lines.insert(m_lines.end(), {p[0], p[1]});
@@ -270,12 +342,13 @@ void PaneGeometry::place(double time) {
 Rgb PaneGeometry::debrisColour(FragmentId fragment, std::size_t group, const std::vector<float>& speeds, ColourBy colourBy,
                                const ColourScale& scale) const {
     const Fragment& f = m_data.fragments->list[at(fragment)];
-    if (!m_born[at(fragment)]) {
-        return colour_choice::structure(scale.colours, static_cast<std::uint32_t>(f.component));
+    if (!m_born[at(fragment)] || (scale.style == Style::Presentation && colourBy == ColourBy::Highlight)) {
+        return m_looks[m_lookOf[at(f.component)]];
     }
     switch (colourBy) {
         case ColourBy::Component:
-            return colour_choice::category(scale.colours, at(f.component));
+            return m_hasCustom[at(f.component)] ? m_customColours[at(f.component)]
+                                                : colour_choice::category(scale.colours, at(f.component));
         case ColourBy::Cluster:
             return m_data.clustering ? colour_choice::clusterColour(scale.colours, m_data.clustering->of[at(fragment)])
                                      : scale.colours.fragment;
@@ -360,17 +433,50 @@ void PaneGeometry::colour(ColourBy colourBy, const ColourScale& scale) {
         put(debrisColour(m_debris->vertices()[i].fragment, m_groupOfPoint[i], speeds, colourBy, scale));
     }
     for (const StructurePoint& point : m_structurePoints) {
-        put(point.island == IslandMotion::none ? colour_choice::structure(scale.colours, point.grey) : scale.colours.released);
+        const bool plain = point.island == IslandMotion::none || scale.style == Style::Presentation;
+        put(plain ? m_looks[point.look] : scale.colours.released);
     }
+    takeGrain();
     ++m_coloursVersion;
+}
+
+/// Structure and debris take the grain of the place at rest, so that an element looks the same before and after its death.
+void PaneGeometry::takeGrain() {
+    m_grain.clear();
+    if (m_style != Style::Presentation) {
+        return;
+    }
+    // Rough to smooth, by Material: stone, concrete, steel, masonry, soil, water bed.
+    constexpr std::array<float, materialCount> roughness{1.0f, 0.55f, 0.2f, 0.85f, 0.8f, 0.3f};
+    const Mesh& mesh = m_data.fe->mesh();
+    m_grain.reserve(4 * (m_debrisPoints + m_structurePoints.size()));
+    const auto put = [&](std::uint32_t node, std::uint32_t look) {
+        const Vec3& p = mesh.nodes[node];
+        m_grain.insert(m_grain.end(), {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()),
+                                       roughness[std::min<std::size_t>(look, materialCount - 1)]});
+    };
+    for (std::size_t i = 0; i < m_debrisPoints; ++i) {
+        const DebrisGeometry::Vertex& vertex = m_debris->vertices()[i];
+        const Fragment& f = m_data.fragments->list[at(vertex.fragment)];
+        const auto corners = mesh.cornersOf(f.element);
+        put(corners[vertex.corner % corners.size()], m_lookOf[at(f.component)]);
+    }
+    for (const StructurePoint& point : m_structurePoints) {
+        put(point.node, point.look);
+    }
 }
 
 void PaneGeometry::select(const std::vector<ElementIndex>& selection) {
     m_selection = selection;
     m_selected.clear();
-    const std::set<ElementIndex> wanted(selection.begin(), selection.end());
+    std::vector<std::uint8_t> wanted(selection.empty() ? 0 : m_status.elements, 0);
+    for (const ElementIndex element : selection) {
+        if (at(element) < wanted.size()) {
+            wanted[at(element)] = 1;
+        }
+    }
     for (std::size_t i = 0; !wanted.empty() && i < m_owners.size(); ++i) {
-        if (wanted.contains(m_owners[i].element)) {
+        if (wanted[at(m_owners[i].element)] != 0) {
             m_selected.insert(m_selected.end(), m_triangles.begin() + static_cast<std::ptrdiff_t>(3 * i),
                               m_triangles.begin() + static_cast<std::ptrdiff_t>(3 * i + 3));
         }
@@ -383,6 +489,7 @@ void PaneGeometry::countShown(double time) {
     m_status.released = released(time) ? m_islands.elements() : 0;
     m_status.bornByComponent.clear();
     m_status.faces = m_triangles.size() / 3;
+    m_status.hidden = static_cast<std::size_t>(std::count(m_hidden.begin(), m_hidden.end(), 1));
     for (std::size_t e = 0; e < m_status.elements; ++e) {
         for (const TimeSpan& span : m_showTimes.of(idAt<ElementIndex>(e))) {
             m_status.active += span.from <= time && time < span.to;
@@ -410,47 +517,6 @@ void PaneGeometry::countShown(double time) {
         }
     }
     m_status.clusters = static_cast<std::size_t>(std::count(clusterBorn.begin(), clusterBorn.end(), 1));
-}
-
-std::optional<Pick> PaneGeometry::cast(const Ray& ray) const {
-    const Eigen::Vector3f origin = ray.origin.cast<float>();
-    const Eigen::Vector3f direction = ray.direction.cast<float>();
-    const auto point = [this](std::size_t i) { return Eigen::Map<const Eigen::Vector3f>(m_points.data() + 3 * m_triangles[i]); };
-    float nearest = std::numeric_limits<float>::infinity();
-    std::size_t hit = m_owners.size();
-    for (std::size_t i = 0; i < m_owners.size(); ++i) {
-        const Eigen::Vector3f a = point(3 * i);
-        const Eigen::Vector3f ab = point(3 * i + 1) - a;
-        const Eigen::Vector3f ac = point(3 * i + 2) - a;
-        const Eigen::Vector3f cross = direction.cross(ac);
-        const float det = ab.dot(cross);
-        if (!(det > 0.0f)) {
-            continue;  // edge on, or seen from behind and not drawn
-        }
-        const Eigen::Vector3f to = origin - a;
-        const float u = to.dot(cross);
-        const Eigen::Vector3f q = to.cross(ab);
-        const float v = direction.dot(q);
-        if (u < 0.0f || v < 0.0f || u + v > det) {
-            continue;
-        }
-        const float distance = ac.dot(q) / det;
-        if (distance > 0.0f && distance < nearest) {
-            nearest = distance;
-            hit = i;
-        }
-    }
-    if (hit == m_owners.size()) {
-        return std::nullopt;
-    }
-    Pick pick;
-    pick.pane = m_content;
-    pick.element = m_owners[hit].element;
-    if (m_owners[hit].fragment != none && m_born[m_owners[hit].fragment]) {
-        pick.fragment = idAt<FragmentId>(m_owners[hit].fragment);
-    }
-    pick.position = ray.origin + static_cast<double>(nearest) * ray.direction;
-    return pick;
 }
 
 }  // namespace rubble::render

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "widgets/render/camera.h"
@@ -23,6 +26,8 @@ struct ColourScale {
     double lastBirth = 0.0;          ///< s
     double speedTop = 1.0;           ///< m/s
     std::vector<double> errorSteps;  ///< m, ascending
+    Style style = Style::Analysis;
+    std::map<std::string, Rgb> componentColours;  ///< that the user chose, by component
 };
 
 /// The triangles of one pane at one instant, free of any graphics library: points, colours, triangles and who owns them.
@@ -36,9 +41,18 @@ public:
     /// Moves to a time on the file's clock, s. Throws what reading a state or a frame throws; the picture before then stays.
     void update(double time, ColourBy colourBy, const ColourScale& scale, const std::vector<ElementIndex>& selection);
 
+    /// Leaves elements and their fragments out; what they covered is drawn instead.
+    /// @param hidden  [elements], 1 for those, or empty: none
+    void setHidden(std::vector<std::uint8_t> hidden);
+    /// A plane that opens the model needs the faces inside it too. What draws the triangles cuts them.
+    void setClip(const std::optional<ClipPlane>& clip);
+
     const PaneStatus& status() const { return m_status; }
-    const std::vector<float>& points() const { return m_points; }               ///< xyz
-    const std::vector<std::uint8_t>& colours() const { return m_colours; }      ///< rgba by point
+    const std::vector<float>& points() const { return m_points; }           ///< xyz
+    const std::vector<std::uint8_t>& colours() const { return m_colours; }  ///< rgba by point
+    /// Place at rest [m] and roughness of the material, four by point, in the presentation style; else empty. Changes with the
+    /// colours.
+    const std::vector<float>& grain() const { return m_grain; }
     const std::vector<std::int32_t>& triangles() const { return m_triangles; }  ///< three points each
     const std::vector<std::int32_t>& lines() const { return m_lines; }          ///< two points each (beams)
     const std::vector<std::int32_t>& selected() const { return m_selected; }    ///< triangles of the selection, three points each
@@ -49,6 +63,8 @@ public:
 
     /// The nearest element or fragment that a ray meets from outside.
     std::optional<Pick> cast(const Ray& ray) const;
+    /// The elements shown, active or as fragments, whose centre passes a test, ascending.
+    std::vector<ElementIndex> elementsWhere(const std::function<bool(const Vec3&)>& inside) const;
 
 private:
     struct Owner {
@@ -57,7 +73,7 @@ private:
     };
     struct StructurePoint {
         std::uint32_t node = 0;
-        std::uint32_t grey = 0;
+        std::uint32_t look = 0;
         std::uint32_t island = IslandMotion::none;  ///< released, and carried by a body
     };
 
@@ -75,6 +91,11 @@ private:
     Rgb errorColour(FragmentId fragment, const ColourScale& scale) const;
     Rgb debrisColour(FragmentId fragment, std::size_t group, const std::vector<float>& speeds, ColourBy colourBy,
                      const ColourScale& scale) const;
+    bool settleLooks(const ColourScale& scale);
+    void takeGrain();
+    std::optional<Vec3> centreOf(ElementIndex element) const;
+    bool hidden(ElementIndex element) const { return !m_hidden.empty() && m_hidden[at(element)] != 0; }
+    bool cutAway(const Vec3& point) const { return m_clip && (point - m_clip->point).dot(m_clip->normal) > 0.0; }
     void select(const std::vector<ElementIndex>& selection);
     void countShown(double time);
     std::uint32_t componentOf(ElementIndex element) const;
@@ -83,6 +104,13 @@ private:
     PaneContent m_content;
     SceneData m_data;
     bool m_allFaces;
+    std::vector<std::uint8_t> m_hidden;  ///< by element, or empty
+    std::optional<ClipPlane> m_clip;
+    std::vector<std::uint32_t> m_lookOf;  ///< by component: which of the looks its active structure has
+    std::vector<Rgb> m_looks;
+    std::vector<Rgb> m_customColours;       ///< by component
+    std::vector<std::uint8_t> m_hasCustom;  ///< by component
+    Style m_style = Style::Analysis;
     bool m_carried = false;  ///< bodies carry fragments from their hand-over
     NodeMotion m_motion;
     ShowTimes m_showTimes;
@@ -114,6 +142,7 @@ private:
     PaneStatus m_status;
     std::vector<float> m_points;
     std::vector<std::uint8_t> m_colours;
+    std::vector<float> m_grain;
     std::vector<std::int32_t> m_triangles;
     std::vector<std::int32_t> m_lines;
     std::vector<std::int32_t> m_selected;

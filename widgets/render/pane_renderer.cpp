@@ -2,24 +2,37 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCameraPass.h>
 #include <vtkCellArray.h>
 #include <vtkCullerCollection.h>
+#include <vtkDataObject.h>
+#include <vtkEDLShading.h>
 #include <vtkFloatArray.h>
 #include <vtkLight.h>
+#include <vtkLightsPass.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpaquePass.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkRenderPass.h>
+#include <vtkRenderPassCollection.h>
 #include <vtkRenderer.h>
+#include <vtkSequencePass.h>
+#include <vtkShaderProperty.h>
+#include <vtkTranslucentPass.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "widgets/render/grain_shader.h"
 
 namespace rubble::render {
 namespace {
@@ -90,13 +103,16 @@ PaneRenderer::PaneRenderer()
       m_coordinates(vtkSmartPointer<vtkFloatArray>::New()),
       m_rgba(vtkSmartPointer<vtkUnsignedCharArray>::New()),
       m_model(vtkSmartPointer<vtkPolyData>::New()),
-      m_selection(vtkSmartPointer<vtkPolyData>::New()) {
+      m_selection(vtkSmartPointer<vtkPolyData>::New()),
+      m_clipPlane(vtkSmartPointer<vtkPlane>::New()),
+      m_grain(vtkSmartPointer<vtkFloatArray>::New()) {
     makeActors();
     m_renderer->AddActor(m_modelActor);
     m_renderer->AddActor(m_selectionActor);
     m_ground.addTo(*m_renderer);  // last: what the model covers is not shaded again
     m_water.addTo(*m_renderer);
     m_grid.addTo(*m_renderer);
+    m_outline.addTo(*m_renderer);
     m_renderer->GetCullers()->RemoveAllItems();  // they ask every frame for the bounds of all points
     m_renderer->AutomaticLightCreationOff();
     // One lamp behind the viewer's left shoulder shows the three faces of a block in three tones.
@@ -113,6 +129,8 @@ PaneRenderer::~PaneRenderer() = default;
 void PaneRenderer::makeActors() {
     m_coordinates->SetNumberOfComponents(3);
     m_rgba->SetNumberOfComponents(4);
+    m_grain->SetNumberOfComponents(4);
+    m_grain->SetName("grain");
     m_points->SetData(m_coordinates);
     m_model->SetPoints(m_points);
     m_model->GetPointData()->SetScalars(m_rgba);
@@ -133,7 +151,8 @@ void PaneRenderer::setColours(const SceneColours& colours, const Aabb& bounds, c
         actor->GetProperty()->SetAmbient(colours.ambient);
         actor->GetProperty()->SetDiffuse(1.0 - colours.ambient);
     }
-    m_grid.setColours(colours);
+    m_grid.setColour(colours.selection);
+    m_outline.setColour(colours.outline);
     m_selectionActor->GetProperty()->SetColor(channel(colours.selection.r), channel(colours.selection.g),
                                               channel(colours.selection.b));
     if (!bounds.isEmpty()) {
@@ -142,9 +161,86 @@ void PaneRenderer::setColours(const SceneColours& colours, const Aabb& bounds, c
     }
 }
 
-void PaneRenderer::setGround(bool visible) {
-    m_ground.setVisible(visible);
+void PaneRenderer::setGround(bool visible, bool grid) {
+    m_ground.setVisible(visible, grid);
     m_water.setVisible(visible);
+}
+
+void PaneRenderer::setClip(const std::optional<ClipPlane>& clip) {
+    if (clip) {
+        // VTK keeps what lies on the side of its plane's normal.
+        const Vec3 kept = -clip->normal;
+        m_clipPlane->SetOrigin(clip->point.data());
+        m_clipPlane->SetNormal(kept.data());
+    }
+    if (clip.has_value() == m_clipped) {
+        return;
+    }
+    m_clipped = clip.has_value();
+    for (vtkActor* actor : {m_modelActor.Get(), m_selectionActor.Get()}) {
+        actor->GetMapper()->RemoveAllClippingPlanes();
+        if (m_clipped) {
+            actor->GetMapper()->AddClippingPlane(m_clipPlane);
+        }
+    }
+}
+
+void PaneRenderer::setShading(bool shaded) {
+    if (shaded == m_shaded) {
+        return;
+    }
+    m_shaded = shaded;
+    if (!shaded) {
+        m_renderer->GetPass()->ReleaseGraphicsResources(m_renderer->GetVTKWindow());
+        m_renderer->SetPass(nullptr);
+        return;
+    }
+    vtkNew<vtkLightsPass> lights;
+    vtkNew<vtkOpaquePass> opaque;
+    vtkNew<vtkTranslucentPass> translucent;
+    vtkNew<vtkRenderPassCollection> passes;
+    passes->AddItem(lights);
+    passes->AddItem(opaque);
+    passes->AddItem(translucent);
+    vtkNew<vtkSequencePass> sequence;
+    sequence->SetPasses(passes);
+    vtkNew<vtkCameraPass> camera;
+    camera->SetDelegatePass(sequence);
+    vtkNew<vtkEDLShading> edges;
+    edges->SetDelegatePass(camera);
+    m_renderer->SetPass(edges);
+}
+
+void PaneRenderer::setOutline(const std::vector<Eigen::Vector3f>& ends) {
+    m_outline.set(ends);
+    m_outline.setVisible(true);
+}
+
+/// The grain of the presentation style: noise over the place at rest, which each point carries along.
+void PaneRenderer::setGrain(const std::vector<float>& grain) {
+    auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(m_modelActor->GetMapper());
+    vtkShaderProperty* shader = m_modelActor->GetShaderProperty();
+    if (!grain.empty()) {
+        // VTK only reads these arrays; its interface has no const.
+        m_grain->SetArray(const_cast<float*>(grain.data()), static_cast<vtkIdType>(grain.size()), 1);
+        m_grain->Modified();
+        m_model->GetPointData()->AddArray(m_grain);
+    }
+    if (grain.empty() == !m_grained) {
+        return;
+    }
+    m_grained = !grain.empty();
+    if (!m_grained) {
+        mapper->RemoveVertexAttributeMapping("grainMC");
+        shader->ClearAllShaderReplacements();
+        m_model->GetPointData()->RemoveArray(m_grain->GetName());
+        return;
+    }
+    mapper->MapDataArrayToVertexAttribute("grainMC", m_grain->GetName(), vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    shader->AddVertexShaderReplacement("//VTK::Color::Dec", true, grain_shader::vertexDeclaration, false);
+    shader->AddVertexShaderReplacement("//VTK::Color::Impl", true, grain_shader::vertex, false);
+    shader->AddFragmentShaderReplacement("//VTK::Color::Dec", true, grain_shader::fragmentDeclaration, false);
+    shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, grain_shader::fragment, false);
 }
 
 void PaneRenderer::setGrid(const std::vector<Eigen::Vector3f>& ends) {
@@ -180,6 +276,7 @@ void PaneRenderer::show(const PaneGeometry* geometry) {
         m_rgba->SetArray(const_cast<std::uint8_t*>(geometry->colours().data()), static_cast<vtkIdType>(geometry->colours().size()),
                          1);
         m_rgba->Modified();
+        setGrain(geometry->grain());
         m_model->Modified();
     }
     if (other || geometry->trianglesVersion() != m_trianglesVersion) {

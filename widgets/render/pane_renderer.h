@@ -13,6 +13,7 @@
 
 class vtkActor;
 class vtkFloatArray;
+class vtkPlane;
 class vtkPoints;
 class vtkPolyData;
 class vtkRenderer;
@@ -32,7 +33,12 @@ public:
     void show(const PaneGeometry* geometry);
     /// @param waterLevel  m; unset: no water
     void setColours(const SceneColours& colours, const Aabb& bounds, const SiteSurface& ground, std::optional<double> waterLevel);
-    void setGround(bool visible);
+    void setGround(bool visible, bool grid);
+    void setClip(const std::optional<ClipPlane>& clip);
+    /// Darkens edges and hollows after the depth of the picture.
+    void setShading(bool shaded);
+    /// Edges of the intact structure, two ends each [m]; none: nothing is drawn.
+    void setOutline(const std::vector<Eigen::Vector3f>& ends);
     /// Lines over the model, two ends each [m]; none: nothing is drawn.
     void setGrid(const std::vector<Eigen::Vector3f>& ends);
     /// @param pane  place in a window of width x height device pixels
@@ -42,6 +48,7 @@ public:
 private:
     void makeActors();
     void setTriangles(const PaneGeometry& geometry);
+    void setGrain(const std::vector<float>& grain);
 
     vtkSmartPointer<vtkRenderer> m_renderer;
     vtkSmartPointer<vtkPoints> m_points;
@@ -54,6 +61,12 @@ private:
     Ground m_ground;
     WaterSurface m_water;
     GridLines m_grid;
+    GridLines m_outline;
+    vtkSmartPointer<vtkPlane> m_clipPlane;
+    bool m_clipped = false;
+    bool m_shaded = false;
+    vtkSmartPointer<vtkFloatArray> m_grain;
+    bool m_grained = false;
     const PaneGeometry* m_shown = nullptr;
     std::uint64_t m_pointsVersion = 0;
     std::uint64_t m_coloursVersion = 0;

@@ -14,6 +14,18 @@ std::vector<Pane> panesOf(Layout layout, int width, int height, int gap) {
             return {{PaneContent::Fe, 0, 0, width, height}};
         case Layout::FragmentsOnly:
             return {{PaneContent::Fragments, 0, 0, width, height}};
+        case Layout::OverlayOnly:
+            return {{PaneContent::Overlay, 0, 0, width, height}};
+        case Layout::Four: {
+            const int left = std::max((width - gap) / 2, 1);
+            const int top = std::max((height - gap) / 2, 1);
+            const int right = std::max(width - gap - left, 1);
+            const int bottom = std::max(height - gap - top, 1);
+            return {{PaneContent::Fe, 0, 0, left, top},
+                    {PaneContent::Fragments, left + gap, 0, right, top},
+                    {PaneContent::Overlay, 0, top + gap, left, bottom},
+                    {PaneContent::Plan, left + gap, top + gap, right, bottom}};
+        }
         case Layout::Stacked: {
             const int first = std::max((height - gap) / 2, 1);
             return {{PaneContent::Fe, 0, 0, width, first},

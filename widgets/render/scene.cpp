@@ -10,6 +10,7 @@
 
 #include "core/clusters/grid_outline.h"
 #include "widgets/render/camera.h"
+#include "widgets/render/intact_outline.h"
 #include "widgets/render/pane_geometry.h"
 #include "widgets/render/pane_renderer.h"
 #include "widgets/render/relief.h"
@@ -19,8 +20,13 @@ namespace {
 
 constexpr double standardGravity = 9.80665;
 
+/// Which of the two geometries a pane shows.
 std::size_t indexOf(PaneContent content) {
     return content == PaneContent::Fe ? 0 : 1;
+}
+
+std::size_t rendererOf(PaneContent content) {
+    return static_cast<std::size_t>(content);
 }
 
 SiteSurface groundOf(const SceneData& data) {
@@ -38,20 +44,6 @@ double lowestBelow(const SceneData& data, const Aabb& bounds) {
         lowest = std::min(lowest, ground.height(p.x(), p.y()));
     }
     return lowest;
-}
-
-Aabb boundsOf(const SceneData& data) {
-    Aabb bounds;
-    if (!data.fe) {
-        return bounds;
-    }
-    for (const Vec3& node : data.fe->mesh().nodes) {
-        bounds.extend(node);
-    }
-    if (!bounds.isEmpty()) {
-        bounds.min().z() = std::min(bounds.min().z(), lowestBelow(data, bounds));
-    }
-    return bounds;
 }
 
 /// The next of a row of round numbers, at least the value.
@@ -72,6 +64,20 @@ bool sameStructure(const SceneData& a, const SceneData& b) {
 
 }  // namespace
 
+Aabb boundsOf(const SceneData& data) {
+    Aabb bounds;
+    if (!data.fe) {
+        return bounds;
+    }
+    for (const Vec3& node : data.fe->mesh().nodes) {
+        bounds.extend(node);
+    }
+    if (!bounds.isEmpty()) {
+        bounds.min().z() = std::min(bounds.min().z(), lowestBelow(data, bounds));
+    }
+    return bounds;
+}
+
 struct Scene::Impl {
     SceneData data;
     bool allFaces = false;
@@ -79,11 +85,15 @@ struct Scene::Impl {
     ColourScale scale;
     bool coloursChanged = true;
     vtkRenderWindow* window = nullptr;
-    vtkSmartPointer<vtkRenderer> backdrop;  ///< colours what lies between the panes
-    std::array<PaneRenderer, 2> renderers;
+    vtkSmartPointer<vtkRenderer> backdrop;             ///< colours what lies between the panes
+    std::array<PaneRenderer, paneContents> renderers;  ///< by content
     std::array<std::unique_ptr<PaneGeometry>, 2> geometries;
     std::array<PaneStatus, 2> statuses;
     std::optional<std::array<double, 3>> gridShown;
+    std::vector<std::uint8_t> hidden;  ///< by element, or empty
+    std::vector<std::string> hiddenComponents;
+    std::vector<ElementIndex> hiddenElements;
+    bool outlined = false;  ///< the intact structure's outline is made
     View view;
     int width = 1;
     int height = 1;
@@ -104,7 +114,7 @@ struct Scene::Impl {
 
     void applyColours() {
         for (std::size_t i = 0; i < renderers.size(); ++i) {
-            const bool fragments = i == indexOf(PaneContent::Fragments);
+            const bool fragments = i != rendererOf(PaneContent::Fe);
             renderers[i].setColours(scale.colours, bounds, groundOf(data), fragments ? data.waterLevel : std::nullopt);
         }
         const Rgb& c = scale.colours.divider;
@@ -126,15 +136,58 @@ struct Scene::Impl {
         return meetTerrain(*data.terrain, ray, reach).value_or(std::numeric_limits<double>::infinity());
     }
 
-    void drop(std::size_t pane) {
-        renderers[pane].show(nullptr);
-        geometries[pane].reset();
-        statuses[pane] = {};
+    void drop(std::size_t geometry) {
+        for (std::size_t i = 0; i < renderers.size(); ++i) {
+            if (indexOf(static_cast<PaneContent>(i)) == geometry) {
+                renderers[i].show(nullptr);
+            }
+        }
+        geometries[geometry].reset();
+        statuses[geometry] = {};
+    }
+
+    /// Settles which elements are left out; resolving names takes place only when they have changed.
+    void settleHidden() {
+        if (view.hiddenComponents == hiddenComponents && view.hidden == hiddenElements) {
+            return;
+        }
+        hiddenComponents = view.hiddenComponents;
+        hiddenElements = view.hidden;
+        resolveHidden();
+        outlined = false;
+    }
+
+    void resolveHidden() {
+        hidden.clear();
+        if (!data.fe || (hiddenComponents.empty() && hiddenElements.empty())) {
+            return;
+        }
+        hidden.assign(data.fe->mesh().elementCount(), 0);
+        for (const ElementIndex element : hiddenElements) {
+            if (at(element) < hidden.size()) {
+                hidden[at(element)] = 1;
+            }
+        }
+        for (std::size_t c = 0; data.components && c < data.components->list.size(); ++c) {
+            const Component& component = data.components->list[c];
+            if (std::find(hiddenComponents.begin(), hiddenComponents.end(), component.name) != hiddenComponents.end()) {
+                for (const ElementIndex element : component.elements) {
+                    hidden[at(element)] = 1;
+                }
+            }
+        }
+    }
+
+    void showOutline() {
+        if (!outlined && data.fe) {
+            renderers[rendererOf(PaneContent::Overlay)].setOutline(intactOutline(*data.fe, hidden));
+            outlined = true;
+        }
     }
 
     /// The Basic Grid over the fragments, made anew only when it is another.
     void showGrid() {
-        PaneRenderer& renderer = renderers[indexOf(PaneContent::Fragments)];
+        PaneRenderer& renderer = renderers[rendererOf(PaneContent::Fragments)];
         if (view.basicGrid != gridShown) {
             gridShown = view.basicGrid;
             const bool drawn = gridShown && data.fragments;
@@ -145,7 +198,12 @@ struct Scene::Impl {
     PaneGeometry* geometryFor(PaneContent content) {
         auto& geometry = geometries[indexOf(content)];
         if (!geometry && data.fe) {
-            geometry = std::make_unique<PaneGeometry>(content, data, allFaces);
+            geometry =
+                std::make_unique<PaneGeometry>(indexOf(content) == 0 ? PaneContent::Fe : PaneContent::Fragments, data, allFaces);
+        }
+        if (geometry) {
+            geometry->setHidden(hidden);
+            geometry->setClip(view.clip);
         }
         return geometry.get();
     }
@@ -194,8 +252,11 @@ void Scene::setData(const SceneData& data) {
     }
     m_impl->drop(1);
     m_impl->gridShown.reset();
-    m_impl->renderers[1].setGrid({});
+    m_impl->renderers[rendererOf(PaneContent::Fragments)].setGrid({});
+    m_impl->renderers[rendererOf(PaneContent::Overlay)].setOutline({});
+    m_impl->outlined = false;
     m_impl->data = data;
+    m_impl->resolveHidden();
     m_impl->settleScale();
     m_impl->coloursChanged = true;
 }
@@ -227,13 +288,16 @@ void Scene::update(const View& view, int width, int height) {
         m_impl->applyColours();
     }
     m_impl->scale.errorSteps = view.errorSteps;
+    m_impl->scale.style = view.style;
+    m_impl->scale.componentColours = view.componentColours;
+    m_impl->settleHidden();
     m_impl->showGrid();
     for (PaneRenderer& renderer : m_impl->renderers) {
         renderer.renderer().DrawOff();
     }
     for (const Pane& pane : panesOf(view.layout, width, height)) {
         const std::size_t i = indexOf(pane.content);
-        PaneRenderer& renderer = m_impl->renderers[i];
+        PaneRenderer& renderer = m_impl->renderers[rendererOf(pane.content)];
         PaneGeometry* geometry = m_impl->geometryFor(pane.content);
         if (geometry) {
             geometry->update(view.time, view.colourBy, m_impl->scale, view.selection);
@@ -241,7 +305,12 @@ void Scene::update(const View& view, int width, int height) {
         }
         renderer.renderer().DrawOn();
         renderer.show(geometry);
-        renderer.setGround(view.ground && geometry);
+        if (pane.content == PaneContent::Overlay) {
+            m_impl->showOutline();
+        }
+        renderer.setClip(view.clip);
+        renderer.setShading(view.shading);
+        renderer.setGround(view.ground && geometry, view.groundGrid);
         renderer.place(pane, width, height);
         renderer.look(cameraOf(view, pane.content), m_impl->bounds);
     }
@@ -257,13 +326,32 @@ std::optional<Pick> Scene::pick(int x, int y) const {
         return std::nullopt;
     }
     const Ray ray = m_impl->rayAt(*pane, x, y);
-    const auto hit = m_impl->geometries[indexOf(pane->content)]->cast(ray);
+    auto hit = m_impl->geometries[indexOf(pane->content)]->cast(ray);
     // Seen from above, the ground hides what lies below it.
     const double ground = m_impl->groundDistance(ray);
     if (hit && m_impl->view.ground && ray.direction.z() < 0 && ground > 0 && (hit->position - ray.origin).norm() > ground) {
         return std::nullopt;
     }
+    if (hit) {
+        hit->pane = pane->content;
+    }
     return hit;
+}
+
+std::vector<ElementIndex> Scene::elementsIn(const Pane& pane, int left, int top, int right, int bottom) const {
+    const Camera& camera = cameraOf(m_impl->view, pane.content);
+    return elementsWhere(pane.content, [&](const Vec3& centre) {
+        const auto place = project(camera, centre, pane.aspect());
+        const double x = place ? pane.x + place->u * pane.width : -1.0;
+        const double y = place ? pane.y + place->v * pane.height : -1.0;
+        return place && pane.contains(static_cast<int>(x), static_cast<int>(y)) && left <= x && x <= right && top <= y &&
+               y <= bottom;
+    });
+}
+
+std::vector<ElementIndex> Scene::elementsWhere(PaneContent content, const std::function<bool(const Vec3&)>& inside) const {
+    const auto& geometry = m_impl->geometries[indexOf(content)];
+    return geometry ? geometry->elementsWhere(inside) : std::vector<ElementIndex>();
 }
 
 std::optional<Vec3> Scene::groundAt(int x, int y) const {
@@ -297,6 +385,8 @@ View defaultView(const SceneData& data, int width, int height, std::optional<Lay
     view.layout = layout ? *layout : suggestLayout(bounds, width, height);
     const Pane pane = panesOf(view.layout, width, height).front();
     view.cameras.fill(fitCamera(bounds, pane.aspect()));
+    cameraOf(view, PaneContent::Plan) =
+        refit(withProjection(fitCamera(bounds, pane.aspect(), Preset::Top), true), bounds, pane.aspect());
     view.time = data.fe ? data.fe->times().front() : 0.0;
     return view;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -33,6 +34,7 @@ struct PaneStatus {
     std::vector<std::size_t> errors;           ///< fragments shown as born, by the steps of the error; empty: not coloured by it
     std::size_t errorsUnknown = 0;             ///< of them, those that the reference does not have at this time
     std::size_t faces = 0;                     ///< drawn
+    std::size_t hidden = 0;                    ///< elements left out of the picture; the counts above hold them all the same
 };
 
 /// What lies under a pixel.
@@ -43,7 +45,7 @@ struct Pick {
     Vec3 position = Vec3::Zero();        ///< m, where the ray meets it
 };
 
-/// Two views of a collapse as renderers in one VTK window that the caller owns: a vtkGenericOpenGLRenderWindow inside a widget, or
+/// Views of a collapse as renderers in one VTK window that the caller owns: a vtkGenericOpenGLRenderWindow inside a widget, or
 /// an off-screen window. One polydata per view; only faces that can be seen are made. To be used from one thread.
 class Scene {
 public:
@@ -72,6 +74,11 @@ public:
     const PaneStatus& status(PaneContent content) const;
     /// The element or fragment under a pixel (y downwards) as of the last update(); nothing where there is only ground or sky.
     std::optional<Pick> pick(int x, int y) const;
+    /// The elements shown in a pane, active or as fragments, whose centres lie in a rectangle of pixels, seen or covered,
+    /// ascending.
+    std::vector<ElementIndex> elementsIn(const Pane& pane, int left, int top, int right, int bottom) const;
+    /// The elements shown in a pane, active or as fragments, whose centres [m] pass a test, ascending; as of the last update().
+    std::vector<ElementIndex> elementsWhere(PaneContent content, const std::function<bool(const Vec3&)>& inside) const;
     /// The point of the ground under a pixel, as of the last update().
     std::optional<Vec3> groundAt(int x, int y) const;
 
@@ -86,6 +93,9 @@ private:
     struct Impl;
     std::unique_ptr<Impl> m_impl;
 };
+
+/// Box of a model at rest, down to the ground; empty without data.
+Aabb boundsOf(const SceneData& data);
 
 /// A sensible view of data that was just opened: both cameras fitted, time at the first state.
 /// @param layout  of the panes; nothing: by the model's proportions

@@ -1,21 +1,30 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
+#include "widgets/render/colours.h"
 
 namespace rubble::render {
 
-/// What a pane shows: the conventional FE result, or the fragments with the active structure.
-enum class PaneContent : std::uint8_t { Fe, Fragments };
-enum class Layout : std::uint8_t { Beside, Stacked, FeOnly, FragmentsOnly };
+/// What a pane shows: the conventional FE result; the fragments with the active structure; the same with the outline of the intact
+/// structure over it; the same seen from above.
+enum class PaneContent : std::uint8_t { Fe, Fragments, Overlay, Plan };
+inline constexpr std::size_t paneContents = 4;
+enum class Layout : std::uint8_t { Beside, Stacked, FeOnly, FragmentsOnly, OverlayOnly, Four };
 enum class ColourBy : std::uint8_t { Highlight, Component, BirthTime, Speed, Cluster, Error };
 enum class Theme : std::uint8_t { Light, Dark, Print };
+/// Scale of colours of birth time and speed; all of them rise in lightness.
+enum class ColourMap : std::uint8_t { Standard, Viridis, Cividis, Grey };
+/// How surfaces look: plain greys with fragments picked out, or every element in the look of its material, dead or alive.
+enum class Style : std::uint8_t { Analysis, Presentation };
 
 /// Camera in the case's local frame.
 struct Camera {
@@ -29,26 +38,58 @@ struct Camera {
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
+/// A plane that opens the model: what lies on the side to which the normal points is not drawn.
+struct ClipPlane {
+    Vec3 point = Vec3::Zero();    ///< m
+    Vec3 normal = Vec3::UnitX();  ///< unit length
+
+    friend bool operator==(const ClipPlane&, const ClipPlane&) = default;
+};
+
+/// A length drawn into the view, with its label in m.
+struct Measurement {
+    Vec3 from = Vec3::Zero();  ///< m
+    Vec3 to = Vec3::Zero();    ///< m
+    bool height = false;       ///< the vertical part of it
+
+    /// m
+    double length() const { return height ? std::abs(to.z() - from.z()) : (to - from).norm(); }
+    friend bool operator==(const Measurement&, const Measurement&) = default;
+};
+
 /// Everything that decides a picture apart from the data: a value that window, command line and movie share.
 struct View {
     Layout layout = Layout::Beside;
-    std::array<Camera, 2> cameras;  ///< of the FE pane and the fragments pane
-    bool camerasLinked = true;      ///< both panes use cameras[0]
-    double time = 0.0;              ///< s, on the file's clock
-    double timeOrigin = 0.0;        ///< s, on the file's clock: captions count from here
+    std::array<Camera, paneContents> cameras;  ///< by content of the pane
+    bool camerasLinked = true;                 ///< all panes but the plan use cameras[0]
+    double time = 0.0;                         ///< s, on the file's clock
+    double timeOrigin = 0.0;                   ///< s, on the file's clock: captions count from here
     ColourBy colourBy = ColourBy::Highlight;
+    ColourMap colourMap = ColourMap::Standard;
+    Style style = Style::Analysis;
     Theme theme = Theme::Light;
     bool ground = true;
+    bool groundGrid = true;
+    bool shading = false;  ///< edges and hollows darker, after the depth of the picture
+    bool axes = true;
     bool captions = true;
     bool legends = true;
     bool scaleBar = true;
     std::optional<std::array<double, 3>> basicGrid;           ///< m, l w h of boxes drawn over the fragments; unset: none
     std::vector<double> errorSteps{0.1, 0.2, 0.3, 1.0, 3.0};  ///< m, ascending: where the colours of an error change
-    std::vector<ElementIndex> selection;                      ///< drawn in the accent colour in both panes, active or fragment
+    std::vector<ElementIndex> selection;                      ///< drawn in the accent colour in all panes, active or fragment
+    std::vector<std::string> hiddenComponents;                ///< by name; not drawn, active or fragment
+    std::vector<ElementIndex> hidden;                         ///< not drawn, active or fragment
+    std::map<std::string, Rgb> componentColours;              ///< that take the place of the component's own
+    std::optional<ClipPlane> clip;
+    std::vector<Measurement> measurements;
+    std::vector<Vec3> path;  ///< m, way of a fragment, drawn as a line where fragments are
 
     friend bool operator==(const View&, const View&) = default;
 };
 
+/// Where the camera of a pane stands in View::cameras.
+std::size_t cameraIndex(const View& view, PaneContent content);
 /// The camera that a pane of this view uses.
 const Camera& cameraOf(const View& view, PaneContent content);
 Camera& cameraOf(View& view, PaneContent content);

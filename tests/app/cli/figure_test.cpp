@@ -3,6 +3,8 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
+#include <set>
 
 #include "tests/app/cli/command_run.h"
 #include "tests/app/cli/small_collapse.h"
@@ -63,6 +65,33 @@ TEST_F(Figure, FollowsTheTime) {
     ASSERT_EQ(figure({"--time", "0.1", "--out", m_folder / "early.png"}).exitCode, 0);
     ASSERT_EQ(figure({"--time", "0.5", "--out", m_folder / "late.png"}).exitCode, 0);
     EXPECT_NE(textOf(m_folder / "early.png"), textOf(m_folder / "late.png"));
+}
+
+TEST_F(Figure, ShowsWhatAViewSays) {
+    const auto drawn = [this](const std::string& name, std::vector<std::string> more) {
+        more.insert(more.end(), {"--time", "0.3", "--size", "640x400", "--out", m_folder / (name + ".png")});
+        const Outcome outcome = figure(more);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return textOf(m_folder / (name + ".png"));
+    };
+    const std::string plain = drawn("plain", {});
+    const std::vector<std::vector<std::string>> ways{{"--pane", "overlay"},        {"--pane", "four"},  {"--look", "top"},
+                                                     {"--style", "presentation"}, {"--cut", "x=0.5"}, {"--cut", "-z=0.5"}};
+    std::set<std::string> pictures{plain};
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        pictures.insert(drawn("way" + std::to_string(i), ways[i]));
+    }
+    EXPECT_EQ(pictures.size(), ways.size() + 1) << "each shows something else";
+    std::ofstream(m_folder / "view.json") << R"({"layout": "overlay_only", "time": 0.3, "cameras": []})";
+    EXPECT_EQ(figure({"--view", m_folder / "view.json", "--out", m_folder / "a.png"}).exitCode, 1) << "four cameras are wanted";
+    EXPECT_EQ(figure({"--view", m_folder / "none.json", "--out", m_folder / "a.png"}).exitCode, 1);
+    const Outcome unknown = figure({"--hide", "no such part", "--out", m_folder / "a.png"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("no such part"));
+    for (const char* wrong : {"0.5", "w=1", "x=far"}) {
+        EXPECT_EQ(figure({"--cut", wrong, "--out", m_folder / "a.png"}).exitCode, 2) << wrong;
+    }
+    EXPECT_FALSE(std::filesystem::exists(m_folder / "a.png"));
 }
 
 TEST_F(Figure, IsAnExportToo) {

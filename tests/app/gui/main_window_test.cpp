@@ -51,7 +51,7 @@ TEST_F(Workbench, OpensAnFeResultPlaysAndSteps) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return clock.time() > times.front(); }, patience));
     QTest::keyClick(window.get(), Qt::Key_Space);
     EXPECT_FALSE(clock.playing());
-    QTest::keyClick(window.get(), Qt::Key_3);
+    QTest::keyClick(window.get(), Qt::Key_5);
     EXPECT_EQ(window->area().views().view().layout, render::Layout::FeOnly);
 }
 

@@ -79,6 +79,12 @@ TEST(Palette, ScalesRiseInLightness) {
         EXPECT_GT(luminance(birthColour(i / 100.0)), luminance(birthColour((i - 1) / 100.0)));
         EXPECT_GT(luminance(speedColour(i / 100.0)), luminance(speedColour((i - 1) / 100.0)));
     }
+    for (const auto map : {render::ColourMap::Viridis, render::ColourMap::Cividis, render::ColourMap::Grey}) {
+        for (int i = 1; i <= 100; ++i) {
+            EXPECT_GT(luminance(birthColour(i / 100.0, map)), luminance(birthColour((i - 1) / 100.0, map)));
+        }
+        EXPECT_EQ(birthColour(0.4, map), speedColour(0.4, map)) << "a shared scale is the same for both";
+    }
     for (int i = 1; i <= 100; ++i) {
         EXPECT_LT(luminance(errorColour(i / 100.0)), luminance(errorColour((i - 1) / 100.0)));
     }

@@ -15,7 +15,7 @@ render::View randomView(std::mt19937& engine) {
     std::normal_distribution<double> n(0.0, 100.0);
     const auto pick = [&](int count) { return std::uniform_int_distribution<int>(0, count - 1)(engine); };
     render::View view;
-    view.layout = static_cast<render::Layout>(pick(4));
+    view.layout = static_cast<render::Layout>(pick(6));
     for (render::Camera& camera : view.cameras) {
         camera.position = Vec3(n(engine), n(engine), n(engine));
         camera.focalPoint = Vec3(n(engine), n(engine), n(engine));
@@ -26,9 +26,15 @@ render::View randomView(std::mt19937& engine) {
     }
     view.camerasLinked = pick(2) == 1;
     view.time = n(engine);
+    view.timeOrigin = n(engine);
     view.colourBy = static_cast<render::ColourBy>(pick(6));
     view.theme = static_cast<render::Theme>(pick(3));
+    view.colourMap = static_cast<render::ColourMap>(pick(4));
+    view.style = static_cast<render::Style>(pick(2));
     view.ground = pick(2) == 1;
+    view.groundGrid = pick(2) == 1;
+    view.shading = pick(2) == 1;
+    view.axes = pick(2) == 1;
     view.captions = pick(2) == 1;
     view.legends = pick(2) == 1;
     view.scaleBar = pick(2) == 1;
@@ -41,6 +47,17 @@ render::View randomView(std::mt19937& engine) {
     }
     for (int i = pick(4); i > 0; --i) {
         view.selection.push_back(idAt<ElementIndex>(static_cast<std::size_t>(pick(1000000))));
+    }
+    const auto point = [&] { return Vec3(n(engine), n(engine), n(engine)); };
+    for (int i = pick(3); i > 0; --i) {
+        view.hidden.push_back(idAt<ElementIndex>(static_cast<std::size_t>(pick(1000000))));
+        view.hiddenComponents.push_back("deck, \"" + std::to_string(i) + "\"");
+        view.componentColours["pier " + std::to_string(pick(9))] = {static_cast<std::uint8_t>(pick(256)), 7, 0};
+        view.measurements.push_back({point(), point(), pick(2) == 1});
+        view.path.push_back(point());
+    }
+    if (pick(2) == 1) {
+        view.clip = render::ClipPlane{point(), point().normalized()};
     }
     return view;
 }
@@ -80,6 +97,14 @@ TEST(ViewJson, RefusesWhatItCannotReadAndSaysWhere) {
                                       {R"({"colour_by": 3})", "colour_by"},
                                       {R"({"ground": 1})", "ground"},
                                       {R"({"cameras": [{}]})", "cameras"},
+                                      {R"({"colour_map": "rainbow"})", "colour_map"},
+                                      {R"({"clip": {"normal": [0, 0, 0]}})", "clip.normal"},
+                                      {R"({"clip": 3})", "clip"},
+                                      {R"({"hidden": [1.5]})", "hidden"},
+                                      {R"({"hidden_components": [3]})", "hidden_components"},
+                                      {R"({"component_colours": {"deck": "blue"}})", "component_colours.deck"},
+                                      {R"({"measurements": [{}, {"from": [1]}]})", "measurements[1].from"},
+                                      {R"({"path": [[1, 2]]})", "path.point"},
                                       {R"({"cameras": [{}, {"view_angle": 0}]})", "cameras[1].view_angle"},
                                       {R"({"cameras": [{"position": [1, 2]}, {}]})", "cameras[0].position"},
                                       {R"({"cameras": [{"position": [0, 0, 0]}, {}]})", "cameras[0]"},

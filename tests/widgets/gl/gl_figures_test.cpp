@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "core/base/error.h"
 #include "tests/scenes/fe_scenes.h"
@@ -49,7 +50,7 @@ protected:
         m_view = render::defaultView(m_data, 640, 400);
         m_view.layout = render::Layout::Beside;
         m_view.cameras[0] = render::refit(m_view.cameras[0], Aabb(Vec3(-1, -1, 0), Vec3(5, 2, 6)), 0.8);
-        m_view.captions = m_view.legends = m_view.scaleBar = false;
+        m_view.captions = m_view.legends = m_view.scaleBar = m_view.axes = false;
         m_view.time = 0.5;
         m_window.pixels = {640, 400};
         m_window.framed = false;
@@ -160,6 +161,114 @@ TEST_F(GlFigures, PickFindsWhatThePictureShows) {
     }
     EXPECT_GT(asked, 1000);
     EXPECT_EQ(agreed, asked);
+}
+
+TEST_F(GlFigures, LeavingOutFacesChangesNoPictureWithHiddenElementsToo) {
+    m_view.hidden = {idAt<ElementIndex>(1), idAt<ElementIndex>(6), idAt<ElementIndex>(9)};
+    for (const double time : {0.0, 0.25, 0.5, 0.9}) {
+        m_view.time = time;
+        Studio lean(m_data), full(m_data);
+        full.setAllFaces(true);
+        EXPECT_LT(differentPixels(lean.picture(m_view, m_window), full.picture(m_view, m_window)), 0.002) << time;
+        EXPECT_EQ(lean.status(render::PaneContent::Fe).hidden, 3u);
+    }
+}
+
+TEST_F(GlFigures, HidingAComponentTakesItOutOfBothPanes) {
+    m_view.time = 0.9;
+    Studio studio(m_data);
+    EXPECT_GT(vermilion(studio.picture(m_view, m_window), QRect(321, 0, 319, 400)), 0.01);
+    m_view.hiddenComponents = {"wall"};
+    EXPECT_EQ(vermilion(studio.picture(m_view, m_window), QRect(0, 0, 640, 400)), 0.0);
+    m_view.hiddenComponents = {"no such component"};
+    EXPECT_GT(vermilion(studio.picture(m_view, m_window), QRect(321, 0, 319, 400)), 0.01);
+}
+
+TEST_F(GlFigures, ACutTakesAwayItsSideAndPicksAgree) {
+    Studio studio(m_data);
+    m_view.clip = render::ClipPlane{Vec3(2.5, 0, 0), Vec3::UnitX()};
+    const QImage picture = studio.picture(m_view, m_window);
+    const auto pane = render::panesOf(m_view.layout, 640, 400)[1];
+    int asked = 0, agreed = 0;
+    for (int y = 4; y < 398; y += 7) {
+        for (int x = 324; x < 638; x += 7) {
+            const double share = vermilion(picture, QRect(x - 1, y - 1, 3, 3));
+            const auto pick = studio.scene().pick(x, y);
+            if (share == 1.0 || share == 0.0) {
+                ++asked;
+                agreed += (share == 1.0) == (pick && pick->fragment);
+            }
+            EXPECT_TRUE(!pick || pick->position.x() <= 2.5 + 1e-6);
+        }
+    }
+    EXPECT_GT(asked, 1500);
+    // The plane cuts single pixels of triangles that a ray through their middle just misses.
+    EXPECT_GE(agreed, asked - 2);
+    const auto cut = studio.scene().elementsIn(pane, 320, 0, 640, 400);
+    m_view.clip.reset();
+    studio.picture(m_view, m_window);
+    EXPECT_GT(studio.scene().elementsIn(pane, 320, 0, 640, 400).size(), cut.size());
+}
+
+TEST_F(GlFigures, PresentationShowsNoVermilionAndGrainOnSurfaces) {
+    Studio studio(m_data);
+    m_view.time = 0.9;
+    const QImage plain = studio.picture(m_view, m_window);
+    m_view.style = render::Style::Presentation;
+    const QImage shown = studio.picture(m_view, m_window);
+    EXPECT_EQ(vermilion(shown, QRect(0, 0, 640, 400)), 0.0);
+    EXPECT_GT(differentPixels(plain, shown), 0.01);
+    m_view.time = 0.0;
+    std::set<QRgb> tones;
+    const QImage standing = studio.picture(m_view, m_window);
+    // One face of a block in plain grey has one tone; with its grain it has many.
+    for (int y = 180; y < 230; ++y) {
+        for (int x = 120; x < 200; ++x) {
+            tones.insert(standing.pixel(x, y));
+        }
+    }
+    EXPECT_GT(tones.size(), 40u);
+    m_view.style = render::Style::Analysis;
+    m_view.time = 0.9;
+    EXPECT_EQ(studio.picture(m_view, m_window), plain) << "and back again to the bit";
+}
+
+TEST_F(GlFigures, ShadingDarkensAndLeavesNothingBehind) {
+    Studio studio(m_data);
+    const QImage plain = studio.picture(m_view, m_window);
+    m_view.shading = true;
+    const QImage shaded = studio.picture(m_view, m_window);
+    EXPECT_GT(differentPixels(plain, shaded), 0.002);
+    m_view.shading = false;
+    EXPECT_EQ(studio.picture(m_view, m_window), plain);
+}
+
+TEST_F(GlFigures, FourPanesShowFourThings) {
+    Studio studio(m_data);
+    m_view.layout = render::Layout::Four;
+    const QImage four = studio.picture(m_view, m_window);
+    EXPECT_EQ(vermilion(four, QRect(0, 0, 319, 199)), 0.0) << "FE";
+    for (const QRect& pane : {QRect(321, 0, 319, 199), QRect(0, 201, 319, 199), QRect(321, 201, 319, 199)}) {
+        EXPECT_GT(vermilion(four, pane), 0.002);
+    }
+    const QImage fragments = four.copy(321, 0, 319, 199);
+    const QImage overlay = four.copy(0, 201, 319, 199);
+    EXPECT_GT(differentPixels(fragments, overlay), 0.003) << "the outline of the intact structure";
+}
+
+TEST_F(GlFigures, AMeasuredLengthIsDrawnInEveryPane) {
+    Studio studio(m_data);
+    const QImage bare = studio.picture(m_view, m_window);
+    m_view.measurements = {{Vec3(0, 0, 0), Vec3(4, 0, 3), false}};
+    const QImage marked = studio.picture(m_view, m_window);
+    for (const QRect& pane : {QRect(0, 0, 319, 400), QRect(321, 0, 319, 400)}) {
+        EXPECT_GT(differentPixels(bare.copy(pane), marked.copy(pane)), 0.004);
+    }
+    m_view.measurements.clear();
+    m_view.path = {Vec3(0, 0, 5), Vec3(2, 0, 4), Vec3(3, 0, 0)};
+    const QImage way = studio.picture(m_view, m_window);
+    EXPECT_EQ(way.copy(0, 0, 319, 400), bare.copy(0, 0, 319, 400)) << "no way in the FE view";
+    EXPECT_GT(differentPixels(bare.copy(321, 0, 319, 400), way.copy(321, 0, 319, 400)), 0.002);
 }
 
 TEST_F(GlFigures, SelectionIsDrawnInTheAccent) {

@@ -10,7 +10,7 @@ namespace rubble::render {
 namespace {
 
 /// Place of a point in the pane, [0, 1] from left and top: the inverse of rayThrough(), written independently of it.
-Eigen::Vector2d project(const Camera& camera, const Vec3& p, double aspect) {
+Eigen::Vector2d placeOf(const Camera& camera, const Vec3& p, double aspect) {
     const Vec3 forward = (camera.focalPoint - camera.position).normalized();
     const Vec3 right = forward.cross(camera.up).normalized();
     const Vec3 up = right.cross(forward);
@@ -55,7 +55,7 @@ TEST_F(CameraFit, ShowsEveryCornerAndFillsThePane) {
         }
         double widest = 0.0;
         for (int k = 0; k < 8; ++k) {
-            const Eigen::Vector2d p = project(c, box.corner(static_cast<Aabb::CornerType>(k)), aspect);
+            const Eigen::Vector2d p = placeOf(c, box.corner(static_cast<Aabb::CornerType>(k)), aspect);
             EXPECT_GE(p.minCoeff(), -1e-9);
             EXPECT_LE(p.maxCoeff(), 1.0 + 1e-9);
             widest = std::max({widest, std::abs(p.x() - 0.5), std::abs(p.y() - 0.5)});
@@ -79,7 +79,7 @@ TEST_F(CameraMoves, RayRunsThroughThePlaceItCameFrom) {
         const double u = number(0, 1), v = number(0, 1), aspect = number(0.5, 3);
         const Ray ray = rayThrough(c, u, v, aspect);
         EXPECT_NEAR(ray.direction.norm(), 1.0, 1e-12);
-        const Eigen::Vector2d back = project(c, ray.origin + number(1, 100) * ray.direction, aspect);
+        const Eigen::Vector2d back = placeOf(c, ray.origin + number(1, 100) * ray.direction, aspect);
         EXPECT_NEAR(back.x(), u, 1e-9);
         EXPECT_NEAR(back.y(), v, 1e-9);
     }
@@ -93,7 +93,7 @@ TEST_F(CameraMoves, ZoomKeepsThePointUnderTheCursor) {
         const Vec3 forward = (c.focalPoint - c.position).normalized();
         const Vec3 under = ray.origin + ray.direction * ((c.focalPoint - ray.origin).dot(forward) / ray.direction.dot(forward));
         const Camera z = zoom(c, factor, u, v, aspect);
-        const Eigen::Vector2d p = project(z, under, aspect);
+        const Eigen::Vector2d p = placeOf(z, under, aspect);
         EXPECT_NEAR(p.x(), u, 1e-9);
         EXPECT_NEAR(p.y(), v, 1e-9);
         EXPECT_NEAR(metresPerPixel(z, 400) * factor, metresPerPixel(c, 400), 1e-9 * metresPerPixel(c, 400) * factor);
@@ -108,7 +108,7 @@ TEST_F(CameraMoves, PanMovesTheFocalPlaneWithTheMouse) {
         const Camera c = camera();
         const double aspect = 1.6, height = 500;
         const Camera moved = pan(c, 80, -30, height);
-        const Eigen::Vector2d p = project(moved, c.focalPoint, aspect);
+        const Eigen::Vector2d p = placeOf(moved, c.focalPoint, aspect);
         EXPECT_NEAR(p.x(), 0.5 + 80 / (height * aspect), 1e-9);
         EXPECT_NEAR(p.y(), 0.5 - 30 / height, 1e-9);
     }
@@ -147,6 +147,36 @@ TEST_F(CameraMoves, BetweenStartsAndEndsAtItsCameras) {
         const double d = (between(a, b, 0.5).position - between(a, b, 0.5).focalPoint).norm();
         EXPECT_NEAR(d, 0.5 * ((a.position - a.focalPoint).norm() + (b.position - b.focalPoint).norm()), 1e-9 * d);
     }
+}
+
+TEST(Camera, ProjectingUndoesTheRayThroughAPixel) {
+    std::mt19937 engine(3);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    for (int i = 0; i < 200; ++i) {
+        Camera camera = fitCamera(Aabb(Vec3(-20, -5, 0), Vec3(30, 8, 12)), 1.6, static_cast<Preset>(i % 8));
+        camera = withProjection(orbit(camera, share(engine), 0.3 * share(engine)), i % 2 == 1);
+        const double u = share(engine), v = share(engine);
+        const Ray ray = rayThrough(camera, u, v, 1.6);
+        const auto place = project(camera, ray.origin + (5.0 + 100.0 * share(engine)) * ray.direction, 1.6);
+        ASSERT_TRUE(place);
+        EXPECT_NEAR(place->u, u, 1e-9);
+        EXPECT_NEAR(place->v, v, 1e-9);
+    }
+    const Camera camera = fitCamera(Aabb(Vec3(-20, -5, 0), Vec3(30, 8, 12)), 1.6);
+    EXPECT_FALSE(project(camera, 2.0 * camera.position - camera.focalPoint, 1.6)) << "behind the eye";
+}
+
+TEST(Camera, ParallelAndBackIsTheSamePicture) {
+    const Camera camera = orbit(fitCamera(Aabb(Vec3(-20, -5, 0), Vec3(30, 8, 12)), 1.6), 0.4, 0.2);
+    const Camera parallel = withProjection(camera, true);
+    EXPECT_TRUE(parallel.parallel);
+    EXPECT_NEAR(metresPerPixel(parallel, 700), metresPerPixel(camera, 700), 1e-12) << "the middle keeps its size";
+    const Camera back = withProjection(parallel, false);
+    EXPECT_NEAR((back.position - camera.position).norm(), 0.0, 1e-9);
+    EXPECT_EQ(back.viewAngle, camera.viewAngle);
+    // What was zoomed meanwhile stays as large.
+    const Camera nearer = withProjection(zoom(parallel, 2.0, 0.5, 0.5, 1.6), false);
+    EXPECT_NEAR(metresPerPixel(nearer, 700), 0.5 * metresPerPixel(camera, 700), 1e-12);
 }
 
 }  // namespace

@@ -289,5 +289,130 @@ TEST_F(PaneContents, SelectionTakesTheTrianglesOfItsElements) {
     EXPECT_TRUE(pane.selected().empty());
 }
 
+TEST_F(PaneContents, WhatAHiddenNeighbourCoveredIsDrawn) {
+    for (const PaneContent content : {PaneContent::Fe, PaneContent::Fragments}) {
+        PaneGeometry pane(content, scenes::ballisticRun(m_fe, 1.0), false);
+        pane.update(0.0, ColourBy::Highlight, m_scale, m_nothing);
+        // The middle of the wall: element 6 has neighbours left, right and above; below it stands another.
+        const double whole = area(pane);
+        std::vector<std::uint8_t> hidden(m_fe->mesh().elementCount(), 0);
+        hidden[6] = 1;
+        pane.setHidden(hidden);
+        pane.update(0.0, ColourBy::Highlight, m_scale, m_nothing);
+        EXPECT_NEAR(area(pane), whole - 2.0 + 4.0, 1e-4) << "its two outer faces go, four of its neighbours appear";
+        EXPECT_EQ(pane.status().active, 16u) << "counts hold what is hidden";
+        EXPECT_EQ(pane.status().hidden, 1u);
+        const auto behind = pane.cast({Vec3(2.5, -50, 1.5), Vec3::UnitY()});
+        EXPECT_FALSE(behind && behind->element == idAt<ElementIndex>(6));
+        pane.setHidden({});
+        pane.update(0.0, ColourBy::Highlight, m_scale, m_nothing);
+        EXPECT_NEAR(area(pane), whole, 1e-4);
+    }
+}
+
+TEST_F(PaneContents, HiddenFragmentsOpenTheirClusters) {
+    SceneData data = scenes::ballisticRun(m_fe, 1.0);
+    ASSERT_GE(data.clustering->list.front().memberCount, 1u);
+    PaneGeometry all(PaneContent::Fragments, data, true);
+    PaneGeometry pane(PaneContent::Fragments, data, false);
+    for (const double time : {0.3, 0.45, 0.8}) {
+        std::vector<std::uint8_t> hidden(m_fe->mesh().elementCount(), 0);
+        for (std::size_t e = 0; e < hidden.size(); ++e) {
+            hidden[e] = e % 3 == 0;
+        }
+        all.setHidden(hidden);
+        all.update(time, ColourBy::Highlight, m_scale, m_nothing);
+        // Of sixteen unit cubes, six are hidden; each other one has its six faces once.
+        EXPECT_NEAR(area(all), 10 * 6.0, 1e-3) << time;
+        pane.setHidden(hidden);
+        pane.update(time, ColourBy::Highlight, m_scale, m_nothing);
+        EXPECT_LE(area(pane), area(all));
+        std::set<ElementIndex> left;
+        for (const ElementIndex e : pane.elementsWhere([](const Vec3&) { return true; })) {
+            left.insert(e);
+        }
+        EXPECT_EQ(left.size(), 10u) << time;
+        EXPECT_FALSE(left.contains(idAt<ElementIndex>(3)));
+    }
+}
+
+TEST_F(PaneContents, ACutShowsTheFacesInside) {
+    PaneGeometry pane(PaneContent::Fe, scenes::withoutRun(m_fe), false);
+    pane.update(0.0, ColourBy::Highlight, m_scale, m_nothing);
+    EXPECT_LT(area(pane), 16 * 6.0 - 1.0);
+    pane.setClip(ClipPlane{Vec3(2.2, 0, 0), Vec3::UnitX()});
+    pane.update(0.0, ColourBy::Highlight, m_scale, m_nothing);
+    EXPECT_NEAR(area(pane), 16 * 6.0, 1e-3) << "all of them are there for the plane to cut";
+    // From the east along -x at the height of the middle row: the near half is gone, so the ray meets what lies behind the plane.
+    const auto hit = pane.cast({Vec3(50, 0.5, 1.5), -Vec3::UnitX()});
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(hit->position.x(), 2.0, 1e-4);
+    for (const ElementIndex e : pane.elementsWhere([](const Vec3&) { return true; })) {
+        double x = 0.0;
+        for (const std::uint32_t node : m_fe->mesh().cornersOf(e)) {
+            x += m_fe->mesh().nodes[node].x() / 8.0;
+        }
+        EXPECT_LE(x, 2.2);
+    }
+    pane.setClip(std::nullopt);
+    pane.update(0.0, ColourBy::Highlight, m_scale, m_nothing);
+    EXPECT_LT(area(pane), 16 * 6.0 - 1.0);
+}
+
+TEST_F(PaneContents, InThePresentationStyleAnElementLooksTheSameDeadOrAlive) {
+    for (std::size_t m = 0; m < materialCount; ++m) {
+        m_scale.colours.materials[m] = {static_cast<std::uint8_t>(10 + m), 5, 5};
+    }
+    SceneData data = scenes::ballisticRun(m_fe, 1.0);
+    auto components = std::make_shared<Components>(*data.components);
+    components->list[0].material = Material::Stone;
+    components->list[1].material = Material::Steel;
+    data.components = components;
+    m_scale.style = Style::Presentation;
+    PaneGeometry pane(PaneContent::Fragments, data, false);
+    for (const double time : {0.0, 0.5, 0.9}) {
+        pane.update(time, ColourBy::Highlight, m_scale, m_nothing);
+        const std::size_t stone = pointsOfColour(pane, {10, 5, 5});
+        const std::size_t steel = pointsOfColour(pane, {12, 5, 5});
+        EXPECT_GT(stone, 0u);
+        EXPECT_GT(steel, 0u);
+        EXPECT_EQ(stone + steel, pane.points().size() / 3) << time;
+        EXPECT_EQ(pane.grain().size(), 4 * (pane.points().size() / 3)) << time;
+    }
+    // At the hand-over the wall has not moved: each point carries the place at which it is.
+    pane.update(0.1, ColourBy::Highlight, m_scale, m_nothing);
+    const std::vector<std::int32_t>& corners = pane.triangles();
+    std::size_t compared = 0;
+    for (const std::int32_t corner : corners) {
+        const auto i = static_cast<std::size_t>(corner);
+        if (pane.grain()[4 * i + 3] == 1.0f) {  // stone
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                EXPECT_NEAR(pane.grain()[4 * i + axis], pane.points()[3 * i + axis], 1e-4);
+            }
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 50u);
+    pane.update(0.5, ColourBy::BirthTime, m_scale, m_nothing);
+    EXPECT_GT(pane.points().size() / 3, pointsOfColour(pane, {10, 5, 5}) + pointsOfColour(pane, {12, 5, 5})) << "scales still tell";
+    m_scale.style = Style::Analysis;
+    pane.update(0.5, ColourBy::Highlight, m_scale, m_nothing);
+    EXPECT_TRUE(pane.grain().empty());
+    EXPECT_GT(pointsOfColour(pane, m_scale.colours.fragment), 0u);
+}
+
+TEST_F(PaneContents, AChosenColourTakesThePlaceOfAComponentsOwn) {
+    const SceneData data = scenes::ballisticRun(m_fe, 1.0);
+    PaneGeometry pane(PaneContent::Fragments, data, false);
+    m_scale.componentColours[data.components->list[0].name] = {77, 8, 8};
+    pane.update(0.0, ColourBy::Component, m_scale, m_nothing);
+    EXPECT_GT(pointsOfColour(pane, {77, 8, 8}), 0u) << "active";
+    pane.update(0.5, ColourBy::Component, m_scale, m_nothing);
+    EXPECT_GT(pointsOfColour(pane, {77, 8, 8}), 0u) << "as fragments";
+    m_scale.componentColours.clear();
+    pane.update(0.5, ColourBy::Component, m_scale, m_nothing);
+    EXPECT_EQ(pointsOfColour(pane, {77, 8, 8}), 0u);
+}
+
 }  // namespace
 }  // namespace rubble::render

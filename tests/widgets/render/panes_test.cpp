@@ -6,7 +6,7 @@ namespace rubble::render {
 namespace {
 
 TEST(Panes, TileTheWindowWithOneHairline) {
-    for (const Layout layout : {Layout::Beside, Layout::Stacked, Layout::FeOnly, Layout::FragmentsOnly}) {
+    for (const Layout layout : {Layout::Beside, Layout::Stacked, Layout::FeOnly, Layout::FragmentsOnly, Layout::OverlayOnly, Layout::Four}) {
         for (const auto& [width, height] : {std::pair{1280, 800}, {1279, 801}, {40, 30}}) {
             const auto panes = panesOf(layout, width, height);
             int pixels = 0;
@@ -14,8 +14,12 @@ TEST(Panes, TileTheWindowWithOneHairline) {
                 pixels += pane.width * pane.height;
             }
             const bool two = layout == Layout::Beside || layout == Layout::Stacked;
-            ASSERT_EQ(panes.size(), two ? 2u : 1u);
-            EXPECT_EQ(pixels, width * height - (layout == Layout::Beside ? height : layout == Layout::Stacked ? width : 0));
+            ASSERT_EQ(panes.size(), layout == Layout::Four ? 4u : two ? 2u : 1u);
+            const int lines = layout == Layout::Beside    ? height
+                              : layout == Layout::Stacked ? width
+                              : layout == Layout::Four    ? width + height - 1
+                                                          : 0;
+            EXPECT_EQ(pixels, width * height - lines);
             int covered = 0;
             for (int y = 0; y < height; ++y) {
                 for (int x = 0; x < width; ++x) {

@@ -1,0 +1,94 @@
+#include "core/evidence/fragment_path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/simulation/simulation.h"
+
+namespace rubble {
+namespace {
+
+constexpr double g = 9.80665;
+
+/// One fragment that one body carries along a path of places, at 50 frames a second.
+struct Flight {
+    FragmentSet fragments;
+    MemoryTrajectory trajectory;
+
+    template <class Place>
+    Flight(double end, Place place, double leaves = std::numeric_limits<double>::infinity()) {
+        Fragment fragment;
+        fragment.mass = 10.0;
+        fragment.centre = place(0.0);
+        fragment.endTime = std::numeric_limits<double>::infinity();
+        fragments.list.push_back(fragment);
+        trajectory.begin({});
+        BodyRecord body;
+        body.atBirth.position = fragment.centre;
+        const Carrier carrier{
+            FragmentId{0}, BodyId{0}, 0.0, std::numeric_limits<double>::infinity(), {-fragment.centre, Quat::Identity()}};
+        trajectory.addBodies(std::span(&body, 1), std::span(&carrier, 1));
+        for (int k = 0; 0.02 * k <= end + 1e-9; ++k) {
+            TrajectoryFrame frame;
+            frame.time = 0.02 * k;
+            frame.positions = {place(frame.time).template cast<float>()};
+            frame.orientations = {Eigen::Quaternionf::Identity()};
+            frame.speeds = {0.0f};
+            frame.states = {frame.time < leaves ? BodyState::Awake : BodyState::Removed};
+            trajectory.commit(frame);
+        }
+        trajectory.finish({});
+    }
+    FragmentPath path() const { return fragmentPath(fragments, trajectory, FragmentId{0}, g, Execution()); }
+};
+
+/// Falls from 10 m, bounces off the ground at 0.3 of its speed once, then lies.
+Vec3 bouncing(double t) {
+    const double first = std::sqrt(20.0 / g);
+    const double up = 0.3 * g * first;
+    const double flight = t - first;
+    const double z = flight < 0.0 ? 10.0 - 0.5 * g * t * t : up * flight - 0.5 * g * flight * flight;
+    return {2.0, 3.0, std::max(0.0, z)};
+}
+
+TEST(FragmentPath, FallBounceAndRestAreFound) {
+    const Flight flight(4.0, bouncing);
+    const FragmentPath path = flight.path();
+    ASSERT_EQ(path.points.size(), 201U);
+    EXPECT_NEAR(path.points[50].place.z(), 10.0 - 0.5 * g, 1e-5);
+    ASSERT_EQ(path.impacts.size(), 2U);
+    // A frame lasts 0.02 s: the time is known to it, the speed to what gravity adds in it.
+    EXPECT_NEAR(path.impacts[0].time, std::sqrt(20.0 / g), 0.021);
+    EXPECT_NEAR(path.impacts[0].speed, std::sqrt(20.0 * g), 0.02 * g * 1.5);
+    EXPECT_NEAR(path.impacts[0].energy, 10.0 * g * 10.0, 10.0 * g * 10.0 * 0.04);
+    EXPECT_NEAR(path.impacts[1].speed, 0.3 * std::sqrt(20.0 * g), 0.02 * g * 1.5);
+    EXPECT_NEAR(path.restTime, std::sqrt(20.0 / g) * 1.6, 0.05);
+    EXPECT_FALSE(path.removed);
+}
+
+TEST(FragmentPath, FreeFallIsNoImpact) {
+    const Flight flight(1.2, [](double t) { return Vec3(4.0 * t, 0.0, 20.0 - 0.5 * g * t * t); });
+    EXPECT_TRUE(flight.path().impacts.empty());
+    EXPECT_NEAR(flight.path().points.back().speed, std::hypot(4.0, g * 1.19), 0.02);
+}
+
+TEST(FragmentPath, ABodyThatLeftEndsIt) {
+    const Flight flight(2.0, [](double t) { return Vec3(t, 0.0, 0.0); }, 1.0);
+    const FragmentPath path = flight.path();
+    EXPECT_TRUE(path.removed);
+    EXPECT_LT(path.points.back().time, 1.0);
+    EXPECT_FALSE(fragmentPlace(flight.fragments, flight.trajectory, FragmentId{0}, 1.5));
+    EXPECT_NEAR(fragmentPlace(flight.fragments, flight.trajectory, FragmentId{0}, 0.51)->x(), 0.51, 1e-6);
+}
+
+TEST(FragmentPath, CanBeCancelled) {
+    const Flight flight(1.0, bouncing);
+    Execution execution;
+    execution.cancel();
+    EXPECT_THROW(fragmentPath(flight.fragments, flight.trajectory, FragmentId{0}, g, execution), Cancelled);
+}
+
+}  // namespace
+}  // namespace rubble

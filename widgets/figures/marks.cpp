@@ -1,0 +1,168 @@
+#include "widgets/figures/marks.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "widgets/figures/palette.h"
+#include "widgets/render/camera.h"
+
+namespace rubble::figures {
+namespace {
+
+/// Metrics and colours of the marks of one pane.
+struct Pen {
+    const render::View& view;
+    const render::Pane& pane;
+    const Palette& colours;
+    QFont font;
+    double unit;  ///< 4 px of a 13 px font
+};
+
+std::optional<QPointF> pixelOf(const Pen& pen, const Vec3& point) {
+    const auto place = render::project(render::cameraOf(pen.view, pen.pane.content), point, pen.pane.aspect());
+    if (!place) {
+        return std::nullopt;
+    }
+    return QPointF(pen.pane.x + place->u * pen.pane.width, pen.pane.y + place->v * pen.pane.height);
+}
+
+/// A line that is seen on any background.
+void stroke(QPainter& painter, const Pen& pen, const QPainterPath& line, const QColor& colour) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(pen.colours.chip, 1.1 * pen.unit, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(line);
+    painter.setPen(QPen(colour, 0.5 * pen.unit, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(line);
+}
+
+void label(QPainter& painter, const Pen& pen, const QPointF& middle, const QString& text) {
+    const QFontMetricsF metrics(pen.font);
+    const QSizeF size(metrics.horizontalAdvance(text) + 3.0 * pen.unit, metrics.height() + pen.unit);
+    const QRectF box(middle - QPointF(0.5 * size.width(), 0.5 * size.height()), size);
+    painter.setPen(QPen(pen.colours.accent, 0.25 * pen.unit));
+    painter.setBrush(pen.colours.chip);
+    painter.drawRoundedRect(box, 0.75 * pen.unit, 0.75 * pen.unit);
+    painter.setPen(pen.colours.chipText);
+    painter.drawText(box, Qt::AlignCenter | Qt::TextSingleLine, text);
+}
+
+void paintMeasurement(QPainter& painter, const Pen& pen, const render::Measurement& measured) {
+    // A height is measured along the plumb line below or above its first end.
+    const Vec3 corner(measured.from.x(), measured.from.y(), measured.to.z());
+    const auto from = pixelOf(pen, measured.from);
+    const auto to = pixelOf(pen, measured.to);
+    const auto foot = pixelOf(pen, measured.height ? corner : measured.to);
+    if (!from || !to || !foot) {
+        return;
+    }
+    if (measured.height) {
+        painter.setPen(QPen(pen.colours.accent, 0.25 * pen.unit, Qt::DashLine));
+        painter.drawLine(*foot, *to);
+    }
+    QPainterPath line(*from);
+    line.lineTo(*foot);
+    stroke(painter, pen, line, pen.colours.accent);
+    for (const QPointF& end : {*from, *to}) {
+        painter.setPen(QPen(pen.colours.accent, 0.5 * pen.unit));
+        painter.setBrush(pen.colours.chip);
+        painter.drawEllipse(end, pen.unit, pen.unit);
+    }
+    const QString text = measured.height ? QCoreApplication::translate("figures", "%1 high").arg(measuredText(measured.length()))
+                                         : measuredText(measured.length());
+    const double shift = QFontMetricsF(pen.font).height() + pen.unit;
+    label(painter, pen, 0.5 * (*from + *foot) - QPointF(0.0, shift), text);
+}
+
+/// From a ring at the birth to a disc where the fragment ends.
+void paintPath(QPainter& painter, const Pen& pen) {
+    QPainterPath line;
+    std::optional<QPointF> before, first, last;
+    for (const Vec3& point : pen.view.path) {
+        const auto pixel = pixelOf(pen, point);
+        if (pixel && before) {
+            line.lineTo(*pixel);
+        } else if (pixel) {
+            line.moveTo(*pixel);
+        }
+        before = pixel;
+        first = first ? first : pixel;
+        last = pixel ? pixel : last;
+    }
+    if (!first) {
+        return;
+    }
+    stroke(painter, pen, line, pen.colours.accent);
+    painter.setPen(QPen(pen.colours.accent, 0.5 * pen.unit));
+    painter.setBrush(pen.colours.chip);
+    painter.drawEllipse(*first, 1.25 * pen.unit, 1.25 * pen.unit);
+    painter.setBrush(pen.colours.accent);
+    painter.drawEllipse(*last, 1.0 * pen.unit, 1.0 * pen.unit);
+}
+
+/// The directions of x, y and z as the camera sees them, in the upper right corner.
+void paintAxes(QPainter& painter, const Pen& pen) {
+    const render::Camera& camera = render::cameraOf(pen.view, pen.pane.content);
+    const Vec3 forward = (camera.focalPoint - camera.position).normalized();
+    const Vec3 right = forward.cross(camera.up).normalized();
+    const Vec3 up = right.cross(forward);
+    if (!right.allFinite() || pen.pane.width < 60.0 * pen.unit || pen.pane.height < 40.0 * pen.unit) {
+        return;
+    }
+    const QPointF origin(pen.pane.x + pen.pane.width - 11.0 * pen.unit, pen.pane.y + 11.0 * pen.unit);
+    const double length = 6.5 * pen.unit;
+    struct Arm {
+        char name;
+        Vec3 direction;
+    };
+    std::array<Arm, 3> arms{{{'x', Vec3::UnitX()}, {'y', Vec3::UnitY()}, {'z', Vec3::UnitZ()}}};
+    // Those that point away are drawn first.
+    std::sort(arms.begin(), arms.end(),
+              [&](const Arm& a, const Arm& b) { return a.direction.dot(forward) > b.direction.dot(forward); });
+    for (const Arm& arm : arms) {
+        const QPointF tip = origin + length * QPointF(arm.direction.dot(right), -arm.direction.dot(up));
+        QPainterPath line(origin);
+        line.lineTo(tip);
+        stroke(painter, pen, line, pen.colours.chipText);
+        const QPointF out = tip - origin;
+        const double norm = std::hypot(out.x(), out.y());
+        const QPointF beyond =
+            norm > pen.unit ? tip + out * (2.2 * pen.unit / norm) : tip + QPointF(2.0 * pen.unit, 2.0 * pen.unit);
+        painter.setPen(pen.colours.chipText);
+        painter.drawText(QRectF(beyond.x() - 2.5 * pen.unit, beyond.y() - 2.5 * pen.unit, 5.0 * pen.unit, 5.0 * pen.unit),
+                         Qt::AlignCenter | Qt::TextSingleLine, QString(QLatin1Char(arm.name)));
+    }
+}
+
+}  // namespace
+
+QString measuredText(double length) {
+    return QCoreApplication::translate("figures", "%1 m").arg(QLocale().toString(length, 'f', length < 100.0 ? 2 : 1));
+}
+
+void paintMarks(QPainter& painter, const render::View& view, const render::Pane& pane, double textHeight) {
+    Pen pen{view, pane, palette(view.theme), {}, 4.0 * textHeight / 13.0};
+    pen.font.setPixelSize(std::max(6, static_cast<int>(std::lround(textHeight))));
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(pen.font);
+    painter.setClipRect(QRectF(pane.x, pane.y, pane.width, pane.height));
+    if (!view.path.empty() && pane.content != render::PaneContent::Fe) {
+        paintPath(painter, pen);
+    }
+    for (const render::Measurement& measured : view.measurements) {
+        paintMeasurement(painter, pen, measured);
+    }
+    if (view.axes) {
+        paintAxes(painter, pen);
+    }
+    painter.restore();
+}
+
+}  // namespace rubble::figures

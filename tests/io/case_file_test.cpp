@@ -221,8 +221,8 @@ TEST(CaseFile, NamesThePlaceOfWhatItDoesNotUnderstand) {
 }
 
 TEST(CaseFile, LooksAtTheVersionBeforeAnythingElse) {
-    EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": 3, "unheard": []})"),
-                testing::HasSubstr("newer Rubble: case version 3"));
+    EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": 4, "unheard": []})"),
+                testing::HasSubstr("newer Rubble: case version 4"));
     EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": 0})"), testing::HasSubstr("/version"));
     EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": "1"})"), testing::HasSubstr("/version"));
     EXPECT_THAT(errorOf(R"({"format": "rubble-case"})"), testing::HasSubstr("\"version\" is missing"));

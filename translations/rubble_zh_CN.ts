@@ -9177,7 +9177,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>moved with cluster</source>
-        <translation>所属聚类</translation>
+        <translation>随聚类运动</translation>
     </message>
     <message>
         <source>%1 (%2)</source>

@@ -455,6 +455,326 @@
         <source>What the parts of this window are for, in five steps</source>
         <translation>分五步介绍窗口各部分的用途</translation>
     </message>
+    <message>
+        <source>Overlay</source>
+        <translation>叠加</translation>
+    </message>
+    <message>
+        <source>Fragments and active structure with the outline of the intact structure over them</source>
+        <translation>碎块和激活结构，叠加完好结构的轮廓</translation>
+    </message>
+    <message>
+        <source>Four</source>
+        <translation>四视图</translation>
+    </message>
+    <message>
+        <source>FE view, fragments, overlay, and the fragments in plan</source>
+        <translation>有限元视图、碎块、叠加视图和碎块平面图</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剖切</translation>
+    </message>
+    <message>
+        <source>Open the model with a plane that can be moved</source>
+        <translation>用可移动的平面剖开模型</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Measure distances: two clicks each</source>
+        <translation>测量距离：每次单击两点</translation>
+    </message>
+    <message>
+        <source>Measure heights</source>
+        <translation>测量高差</translation>
+    </message>
+    <message>
+        <source>Measure differences of height: two clicks each</source>
+        <translation>测量高度之差：每次单击两点</translation>
+    </message>
+    <message>
+        <source>Clear measurements</source>
+        <translation>清除测量</translation>
+    </message>
+    <message>
+        <source>Take all measured lengths away</source>
+        <translation>移除所有测得的长度</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>构件列表</translation>
+    </message>
+    <message>
+        <source>The component tree: what is shown, and of what it is made</source>
+        <translation>构件树：显示什么，由什么组成</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>检查器</translation>
+    </message>
+    <message>
+        <source>What is known of what is selected</source>
+        <translation>所选内容的已知信息</translation>
+    </message>
+    <message>
+        <source>Along −y</source>
+        <translation>沿 −y 轴</translation>
+    </message>
+    <message>
+        <source>Look straight against y</source>
+        <translation>逆着 y 轴方向观察</translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation>沿 x 轴</translation>
+    </message>
+    <message>
+        <source>Look straight along x</source>
+        <translation>正对 x 轴方向观察</translation>
+    </message>
+    <message>
+        <source>Along −x</source>
+        <translation>沿 −x 轴</translation>
+    </message>
+    <message>
+        <source>Look straight against x</source>
+        <translation>逆着 x 轴方向观察</translation>
+    </message>
+    <message>
+        <source>From below</source>
+        <translation>仰视</translation>
+    </message>
+    <message>
+        <source>Look straight up</source>
+        <translation>垂直向上观察</translation>
+    </message>
+    <message>
+        <source>From a corner</source>
+        <translation>角部视角</translation>
+    </message>
+    <message>
+        <source>Look from a corner above</source>
+        <translation>从上方角部观察</translation>
+    </message>
+    <message>
+        <source>Parallel projection</source>
+        <translation>平行投影</translation>
+    </message>
+    <message>
+        <source>What is far away is drawn as large as what is near</source>
+        <translation>远处与近处按同样大小绘制</translation>
+    </message>
+    <message>
+        <source>Nearer</source>
+        <translation>靠近</translation>
+    </message>
+    <message>
+        <source>Go nearer to the middle of the views</source>
+        <translation>向视图中心靠近</translation>
+    </message>
+    <message>
+        <source>Farther</source>
+        <translation>远离</translation>
+    </message>
+    <message>
+        <source>Go away from the middle of the views</source>
+        <translation>从视图中心远离</translation>
+    </message>
+    <message>
+        <source>Turn left</source>
+        <translation>左转</translation>
+    </message>
+    <message>
+        <source>Turn the views by 15 degrees</source>
+        <translation>将视图转动 15 度</translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation>右转</translation>
+    </message>
+    <message>
+        <source>Turn up</source>
+        <translation>上转</translation>
+    </message>
+    <message>
+        <source>Look from 15 degrees higher</source>
+        <translation>从高 15 度处观察</translation>
+    </message>
+    <message>
+        <source>Turn down</source>
+        <translation>下转</translation>
+    </message>
+    <message>
+        <source>Look from 15 degrees lower</source>
+        <translation>从低 15 度处观察</translation>
+    </message>
+    <message>
+        <source>Presentation style</source>
+        <translation>展示样式</translation>
+    </message>
+    <message>
+        <source>Every element in the look of its material, alive or fragment</source>
+        <translation>每个单元按其材料外观显示，不论存活还是碎块</translation>
+    </message>
+    <message>
+        <source>Shade edges</source>
+        <translation>边缘阴影</translation>
+    </message>
+    <message>
+        <source>Darken edges and hollows; takes time on machines without a graphics card</source>
+        <translation>加深边缘和凹处；在没有显卡的机器上较慢</translation>
+    </message>
+    <message>
+        <source>Ground grid</source>
+        <translation>地面网格</translation>
+    </message>
+    <message>
+        <source>Lines on the ground</source>
+        <translation>地面上的线</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>坐标轴</translation>
+    </message>
+    <message>
+        <source>Directions of x, y and z in every view</source>
+        <translation>在每个视图中显示 x、y 和 z 的方向</translation>
+    </message>
+    <message>
+        <source>Standard colour scales</source>
+        <translation>标准色标</translation>
+    </message>
+    <message>
+        <source>Birth time and speed in the program&apos;s own scales</source>
+        <translation>产生时刻和速度采用程序自身的色标</translation>
+    </message>
+    <message>
+        <source>Colour scale viridis</source>
+        <translation>色标 viridis</translation>
+    </message>
+    <message>
+        <source>Birth time and speed in viridis</source>
+        <translation>产生时刻和速度采用 viridis</translation>
+    </message>
+    <message>
+        <source>Colour scale cividis</source>
+        <translation>色标 cividis</translation>
+    </message>
+    <message>
+        <source>Birth time and speed in cividis</source>
+        <translation>产生时刻和速度采用 cividis</translation>
+    </message>
+    <message>
+        <source>Colour scale grey</source>
+        <translation>灰度色标</translation>
+    </message>
+    <message>
+        <source>Birth time and speed in greys</source>
+        <translation>产生时刻和速度采用灰度</translation>
+    </message>
+    <message>
+        <source>Select by…</source>
+        <translation>按条件选择…</translation>
+    </message>
+    <message>
+        <source>Select by component, birth time, cluster or region</source>
+        <translation>按构件、产生时刻、聚类或区域选择</translation>
+    </message>
+    <message>
+        <source>Whole clusters</source>
+        <translation>整个聚类</translation>
+    </message>
+    <message>
+        <source>Select all fragments that move with those selected</source>
+        <translation>选择与所选碎块一起运动的全部碎块</translation>
+    </message>
+    <message>
+        <source>Whole components</source>
+        <translation>整个构件</translation>
+    </message>
+    <message>
+        <source>Select all elements of the components of those selected</source>
+        <translation>选择所选单元所属构件的全部单元</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>全不选</translation>
+    </message>
+    <message>
+        <source>Select nothing</source>
+        <translation>不选择任何内容</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Leave what is selected out of the views; what it covered appears</source>
+        <translation>在视图中略去所选内容；其遮挡的部分将显现</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>隔离</translation>
+    </message>
+    <message>
+        <source>Hide everything that is not selected</source>
+        <translation>隐藏未选择的全部内容</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Show every component and element again</source>
+        <translation>重新显示所有构件和单元</translation>
+    </message>
+    <message>
+        <source>Go to its birth</source>
+        <translation>转到其产生时刻</translation>
+    </message>
+    <message>
+        <source>Show the last state at which the selected element is active, with it in the middle</source>
+        <translation>显示所选单元最后激活的状态，并置于中央</translation>
+    </message>
+    <message>
+        <source>Table of selected fragments…</source>
+        <translation>所选碎块表…</translation>
+    </message>
+    <message>
+        <source>Save where the selected fragments went, as CSV</source>
+        <translation>将所选碎块的去向保存为 CSV</translation>
+    </message>
+    <message>
+        <source>View…</source>
+        <translation>视图…</translation>
+    </message>
+    <message>
+        <source>Save what the views show and how, for rubble-cli figure --view and for later</source>
+        <translation>保存视图所示内容和方式，供 rubble-cli figure --view 和以后使用</translation>
+    </message>
+    <message>
+        <source>Open a view…</source>
+        <translation>打开视图…</translation>
+    </message>
+    <message>
+        <source>Look at the model as a saved view did</source>
+        <translation>按已保存的视图观察模型</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>外观</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>选择</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -653,6 +973,17 @@
     <message>
         <source>z</source>
         <translation>z</translation>
+    </message>
+</context>
+<context>
+    <name>figures</name>
+    <message>
+        <source>%1 high</source>
+        <translation>高 %1</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
     </message>
 </context>
 <context>
@@ -5007,6 +5338,22 @@
         <source>{0} was made from another FE result than the one that is open</source>
         <translation>{0} 来自与当前打开的不同的有限元结果</translation>
     </message>
+    <message>
+        <source>Check the name and the permissions.</source>
+        <translation>请检查名称和权限。</translation>
+    </message>
+    <message>
+        <source>Following a fragment</source>
+        <translation>正在跟随碎块</translation>
+    </message>
+    <message>
+        <source>Views (*.json)</source>
+        <translation>视图 (*.json)</translation>
+    </message>
+    <message>
+        <source>a direction of some length</source>
+        <translation>具有一定长度的方向</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -5085,6 +5432,10 @@
     <message>
         <source>--action knows no “%1”; the manual lists the actions in the order of the menus.</source>
         <translation>--action 没有“%1”；手册按菜单次序列出了各操作。</translation>
+    </message>
+    <message>
+        <source>Look as a saved view does.</source>
+        <translation>采用已保存视图的视角。</translation>
     </message>
 </context>
 <context>
@@ -5968,6 +6319,26 @@
         <source>Drawings (*.svg);;Images (*.png)</source>
         <translation>矢量图 (*.svg);;图片 (*.png)</translation>
     </message>
+    <message>
+        <source>Table of selected fragments</source>
+        <translation>所选碎块表</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Views (*.json)</source>
+        <translation>视图 (*.json)</translation>
+    </message>
+    <message>
+        <source>Open a view</source>
+        <translation>打开视图</translation>
+    </message>
+    <message>
+        <source>Views (*.json);;All files (*)</source>
+        <translation>视图 (*.json);;所有文件 (*)</translation>
+    </message>
 </context>
 <context>
     <name>rubble::Help</name>
@@ -6069,6 +6440,21 @@
     <message>
         <source>changed %1 accepted</source>
         <translation>接受已更改的 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::Inspection</name>
+    <message>
+        <source>Components</source>
+        <translation>构件列表</translation>
+    </message>
+    <message>
+        <source>Select by</source>
+        <translation>选择条件</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>检查器</translation>
     </message>
 </context>
 <context>
@@ -6210,10 +6596,6 @@
         <translation>显示的是计算 %1</translation>
     </message>
     <message>
-        <source>The way of the work</source>
-        <translation>工作次序</translation>
-    </message>
-    <message>
         <source>From the file to the debris, top to bottom. Each entry shows its state: up to date, stale after a change, running, or with a finding.</source>
         <translation>自上而下，从文件到堆积物。每一项显示其状态：最新、更改后过期、正在运行或有发现项。</translation>
     </message>
@@ -6248,6 +6630,10 @@
     <message>
         <source>Deaths over time and how far the run has got. Drag to scrub, Space plays, the arrow keys go from state to state.</source>
         <translation>失效随时间的变化以及计算的进度。拖动可浏览，空格播放，方向键逐个状态移动。</translation>
+    </message>
+    <message>
+        <source>The order of work</source>
+        <translation>工作的次序</translation>
     </message>
 </context>
 <context>
@@ -6708,6 +7094,50 @@
     <message>
         <source>selected %1</source>
         <translation>选中 %1</translation>
+    </message>
+    <message>
+        <source>stone</source>
+        <translation>石材</translation>
+    </message>
+    <message>
+        <source>concrete</source>
+        <translation>混凝土</translation>
+    </message>
+    <message>
+        <source>steel</source>
+        <translation>钢</translation>
+    </message>
+    <message>
+        <source>masonry</source>
+        <translation>砌体</translation>
+    </message>
+    <message>
+        <source>soil</source>
+        <translation>土</translation>
+    </message>
+    <message>
+        <source>water bed</source>
+        <translation>水底</translation>
+    </message>
+    <message>
+        <source>Fragments and intact outline</source>
+        <translation>碎块与完好结构轮廓</translation>
+    </message>
+    <message>
+        <source>Fragments in plan</source>
+        <translation>碎块平面图</translation>
+    </message>
+    <message>
+        <source>intact structure</source>
+        <translation>完好结构</translation>
+    </message>
+    <message>
+        <source>cut open</source>
+        <translation>已剖开</translation>
+    </message>
+    <message>
+        <source>hidden %1</source>
+        <translation>已隐藏 %1</translation>
     </message>
 </context>
 <context>
@@ -7650,7 +8080,7 @@
     </message>
     <message>
         <source>Components</source>
-        <translation>构件</translation>
+        <translation>构件列表</translation>
     </message>
     <message>
         <source>name</source>
@@ -7723,6 +8153,160 @@ What the file fits: %2.</source>
     <message>
         <source>Scenarios</source>
         <translation>方案</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ClipBar</name>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剖切</translation>
+    </message>
+    <message>
+        <source>Cut across</source>
+        <translation>剖切方向轴</translation>
+    </message>
+    <message>
+        <source>line of sight</source>
+        <translation>视线方向</translation>
+    </message>
+    <message>
+        <source>Direction of the cut</source>
+        <translation>剖切方向</translation>
+    </message>
+    <message>
+        <source>The plane stands across this axis, or across the direction in which the views look now</source>
+        <translation>平面垂直于此轴，或垂直于视图当前的视线方向</translation>
+    </message>
+    <message>
+        <source>Place of the cut</source>
+        <translation>剖切位置</translation>
+    </message>
+    <message>
+        <source>Moves the plane through the model</source>
+        <translation>在模型中移动平面</translation>
+    </message>
+    <message>
+        <source>Place of the cut in m</source>
+        <translation>剖切位置，m</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>另一侧</translation>
+    </message>
+    <message>
+        <source>Keep what was cut away, and cut away what was kept</source>
+        <translation>保留已剖去的部分，剖去已保留的部分</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Show the model whole again</source>
+        <translation>重新显示完整模型</translation>
+    </message>
+    <message>
+        <source>Where the plane stands, m; the model reaches from %1 to %2</source>
+        <translation>平面的位置，m；模型范围为 %1 至 %2</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ComponentTree</name>
+    <message>
+        <source>Solids</source>
+        <translation>实体</translation>
+    </message>
+    <message>
+        <source>Shells</source>
+        <translation>壳</translation>
+    </message>
+    <message>
+        <source>Beams</source>
+        <translation>梁</translation>
+    </message>
+    <message>
+        <source>Mixed</source>
+        <translation>混合</translation>
+    </message>
+    <message>
+        <source>The components of a result appear here.</source>
+        <translation>结果的构件将显示在此。</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>隔离</translation>
+    </message>
+    <message>
+        <source>Hide all other components</source>
+        <translation>隐藏其他所有构件</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Show every component and element again</source>
+        <translation>重新显示所有构件和单元</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>选择</translation>
+    </message>
+    <message>
+        <source>Select all elements of the components chosen</source>
+        <translation>选择所选构件的全部单元</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>颜色…</translation>
+    </message>
+    <message>
+        <source>Choose the colour of the components chosen; their own again with a second click</source>
+        <translation>为所选构件选择颜色；再次单击恢复原色</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>构件</translation>
+    </message>
+    <message>
+        <source>alive</source>
+        <translation>存活</translation>
+    </message>
+    <message>
+        <source>dead</source>
+        <translation>失效数</translation>
+    </message>
+    <message>
+        <source>Elements active in the FE result at the time shown</source>
+        <translation>所示时刻在有限元结果中激活的单元</translation>
+    </message>
+    <message>
+        <source>Elements deactivated in the FE result by the time shown</source>
+        <translation>到所示时刻在有限元结果中已失效的单元</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>构件列表</translation>
+    </message>
+    <message>
+        <source>Tick what the views show; choose rows to isolate, select or set them</source>
+        <translation>勾选视图显示的内容；选择各行可隔离、选择或设置</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation>%1 的颜色</translation>
+    </message>
+    <message>
+        <source>Open a result first</source>
+        <translation>请先打开结果</translation>
     </message>
 </context>
 <context>
@@ -8351,6 +8935,345 @@ What the file fits: %2.</source>
     <message>
         <source>A note is needed: why may this run be used all the same?</source>
         <translation>需要备注：为何仍可使用此次计算？</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::Inspector</name>
+    <message>
+        <source>Go to birth</source>
+        <translation>转到产生时刻</translation>
+    </message>
+    <message>
+        <source>Show the FE view at the last state at which it is active, with it in the middle</source>
+        <translation>在有限元视图中显示其最后激活的状态，并置于中央</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>跟随</translation>
+    </message>
+    <message>
+        <source>Keep the fragment in the middle of the views while time goes on</source>
+        <translation>时间推进时将碎块保持在视图中央</translation>
+    </message>
+    <message>
+        <source>Cluster</source>
+        <translation>所属聚类</translation>
+    </message>
+    <message>
+        <source>Select all fragments that move with it</source>
+        <translation>选择与其一起运动的全部碎块</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>隔离</translation>
+    </message>
+    <message>
+        <source>Hide everything that is not selected</source>
+        <translation>隐藏未选择的全部内容</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Leave what is selected out of the views; what it covered appears</source>
+        <translation>在视图中略去所选内容；其遮挡的部分将显现</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Select nothing</source>
+        <translation>不选择任何内容</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>检查器</translation>
+    </message>
+    <message>
+        <source>Nothing selected</source>
+        <translation>未选择任何内容</translation>
+    </message>
+    <message>
+        <source>Click an element or a fragment in a view. Ctrl-click adds; dragging with Ctrl adds all in a rectangle.</source>
+        <translation>在视图中单击单元或碎块。Ctrl 加单击可添加；按住 Ctrl 拖动可添加矩形内的全部。</translation>
+    </message>
+    <message>
+        <source>Fragment %1</source>
+        <translation>碎块 %1</translation>
+    </message>
+    <message>
+        <source>%1 · element %2</source>
+        <translation>%1 · 单元 %2</translation>
+    </message>
+    <message>
+        <source>Element %1</source>
+        <translation>单元 %1</translation>
+    </message>
+    <message>
+        <source>Element</source>
+        <translation>有限单元</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>kg</translation>
+    </message>
+    <message>
+        <source>Volume at rest times the density of its component</source>
+        <translation>静止体积乘以其构件的密度</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>m³</source>
+        <translation>m³</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>静止时</translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>Shape of the finite element</source>
+        <translation>有限单元的形状</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>材料类别</translation>
+    </message>
+    <message>
+        <source>Of its component; set in the component tree or the Case panel</source>
+        <translation>取自其构件；在构件树或“案例”面板设置</translation>
+    </message>
+    <message>
+        <source>Death</source>
+        <translation>失效</translation>
+    </message>
+    <message>
+        <source>Never active.</source>
+        <translation>从未激活。</translation>
+    </message>
+    <message>
+        <source>It stays active to the end of the FE result.</source>
+        <translation>它在有限元结果结束时仍为激活。</translation>
+    </message>
+    <message>
+        <source>last active</source>
+        <translation>最后激活</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>The last state at which the file has it active</source>
+        <translation>文件中最后为激活的状态</translation>
+    </message>
+    <message>
+        <source>inactive from</source>
+        <translation>自此未激活</translation>
+    </message>
+    <message>
+        <source>The first state that reports it inactive: it died in between</source>
+        <translation>首个报告其未激活的状态：它在两者之间失效</translation>
+    </message>
+    <message>
+        <source>died at</source>
+        <translation>失效时刻</translation>
+    </message>
+    <message>
+        <source>The exact time that the file gives</source>
+        <translation>文件给出的精确时刻</translation>
+    </message>
+    <message>
+        <source>The file gives no cause.</source>
+        <translation>文件未给出原因。</translation>
+    </message>
+    <message>
+        <source>Reported by %1; the file gives no cause.</source>
+        <translation>由 %1 报告；文件未给出原因。</translation>
+    </message>
+    <message>
+        <source>Journey</source>
+        <translation>历程</translation>
+    </message>
+    <message>
+        <source>born at</source>
+        <translation>产生于</translation>
+    </message>
+    <message>
+        <source>When it is shown and reported as a fragment</source>
+        <translation>作为碎块显示和报告的时刻</translation>
+    </message>
+    <message>
+        <source>speed then</source>
+        <translation>当时速度</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>Of its centre of mass</source>
+        <translation>其质心的速度</translation>
+    </message>
+    <message>
+        <source>birth x, y, z</source>
+        <translation>产生位置 x、y、z</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Centre of mass, as exported tables give it</source>
+        <translation>质心，与导出表格一致</translation>
+    </message>
+    <message>
+        <source>Simulate to see where it goes.</source>
+        <translation>模拟后可查看其去向。</translation>
+    </message>
+    <message>
+        <source>final x, y, z</source>
+        <translation>最终位置 x、y、z</translation>
+    </message>
+    <message>
+        <source>Centre of mass at %1 s</source>
+        <translation>%1 s 时的质心</translation>
+    </message>
+    <message>
+        <source>moved in plan</source>
+        <translation>平面移动</translation>
+    </message>
+    <message>
+        <source>Level distance from birth to the end</source>
+        <translation>从产生到结束的水平距离</translation>
+    </message>
+    <message>
+        <source>fell</source>
+        <translation>下落</translation>
+    </message>
+    <message>
+        <source>Height of its birth above its end</source>
+        <translation>产生位置高出最终位置的高度</translation>
+    </message>
+    <message>
+        <source>at rest from</source>
+        <translation>自此静止</translation>
+    </message>
+    <message>
+        <source>Since then it has stayed within 5 cm of its last place</source>
+        <translation>此后它与最后位置相距不超过 5 cm</translation>
+    </message>
+    <message>
+        <source>moved with cluster</source>
+        <translation>随聚类运动</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Number of the cluster, and of its fragments</source>
+        <translation>聚类的编号及其碎块数</translation>
+    </message>
+    <message>
+        <source>Its way is being read …</source>
+        <translation>正在读取其轨迹 …</translation>
+    </message>
+    <message>
+        <source>Against the reference</source>
+        <translation>与基准相比</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>Distance from where the reference has it at %1 s</source>
+        <translation>%1 s 时与基准位置的距离</translation>
+    </message>
+    <message>
+        <source>Impacts</source>
+        <translation>撞击</translation>
+    </message>
+    <message>
+        <source>Nothing has changed its velocity by more than 1 m/s at once.</source>
+        <translation>没有撞击使其速度一次改变超过 1 m/s。</translation>
+    </message>
+    <message>
+        <source>%1 s   %2 m/s   %3</source>
+        <translation>%1 s   %2 m/s   %3</translation>
+    </message>
+    <message>
+        <source>Go to this hit: its time, the speed just before, the kinetic energy of the centre just before; the velocity changed by %1 m/s</source>
+        <translation>转到此次撞击：其时刻、撞击前的速度、撞击前质心的动能；速度改变 %1 m/s</translation>
+    </message>
+    <message>
+        <source>and %1 weaker ones</source>
+        <translation>以及 %1 次较弱的撞击</translation>
+    </message>
+    <message>
+        <source>%1 elements</source>
+        <translation>%1 个单元</translation>
+    </message>
+    <message>
+        <source>selected</source>
+        <translation>所选</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>合计</translation>
+    </message>
+    <message>
+        <source>t</source>
+        <translation>t</translation>
+    </message>
+    <message>
+        <source>dead now</source>
+        <translation>现已失效</translation>
+    </message>
+    <message>
+        <source>Inactive in the FE result at the time shown</source>
+        <translation>所示时刻在有限元结果中未激活</translation>
+    </message>
+    <message>
+        <source>fragments</source>
+        <translation>碎块数</translation>
+    </message>
+    <message>
+        <source>Elements that die in the course of the collapse</source>
+        <translation>倒塌过程中失效的单元</translation>
+    </message>
+    <message>
+        <source>born</source>
+        <translation>产生时段</translation>
+    </message>
+    <message>
+        <source>First and last birth time</source>
+        <translation>首次和末次产生时刻</translation>
+    </message>
+    <message>
+        <source>By component</source>
+        <translation>按构件</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>单元</translation>
+    </message>
+    <message>
+        <source>and %1 more components</source>
+        <translation>另有 %1 个构件</translation>
     </message>
 </context>
 <context>
@@ -9221,6 +10144,125 @@ Program: %3</source>
     <message>
         <source>Show side by side in which settings and results two scenarios differ</source>
         <translation>并列显示两个方案在哪些设置和结果上不同</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::SelectForm</name>
+    <message>
+        <source>empty: no bound</source>
+        <translation>留空：不限</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>所属构件</translation>
+    </message>
+    <message>
+        <source>Elements of this component</source>
+        <translation>此构件的单元</translation>
+    </message>
+    <message>
+        <source>Born from</source>
+        <translation>产生起于</translation>
+    </message>
+    <message>
+        <source>Fragments born at or after this time, s; %1</source>
+        <translation>在此时刻或之后产生的碎块，s；%1</translation>
+    </message>
+    <message>
+        <source>Born to</source>
+        <translation>产生止于</translation>
+    </message>
+    <message>
+        <source>Fragments born at or before this time, s; %1</source>
+        <translation>在此时刻或之前产生的碎块，s；%1</translation>
+    </message>
+    <message>
+        <source>Cluster</source>
+        <translation>所属聚类</translation>
+    </message>
+    <message>
+        <source>Fragments of the cluster with this number; empty: any</source>
+        <translation>此编号聚类的碎块；留空：任意</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>构件</translation>
+    </message>
+    <message>
+        <source>born</source>
+        <translation>产生时段</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>cluster</source>
+        <translation>聚类</translation>
+    </message>
+    <message>
+        <source>Centres with %1 within these bounds at the time shown, m, as exported tables give them; %2</source>
+        <translation>所示时刻中心的 %1 在此范围内，m，与导出表格一致；%2</translation>
+    </message>
+    <message>
+        <source>%1 from</source>
+        <translation>%1 起于</translation>
+    </message>
+    <message>
+        <source>%1 to</source>
+        <translation>%1 止于</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>选择</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Take out</source>
+        <translation>去除</translation>
+    </message>
+    <message>
+        <source>Select what fits, and nothing else</source>
+        <translation>仅选择符合条件的内容</translation>
+    </message>
+    <message>
+        <source>Add what fits to the selection</source>
+        <translation>将符合条件的内容加入选择</translation>
+    </message>
+    <message>
+        <source>Take what fits out of the selection</source>
+        <translation>将符合条件的内容移出选择</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>Nothing fits.</source>
+        <translation>没有符合条件的内容。</translation>
+    </message>
+    <message>
+        <source>%1 elements fit.</source>
+        <translation>%1 个单元符合条件。</translation>
+    </message>
+    <message>
+        <source>%1: “%2” is no number.</source>
+        <translation>%1：“%2”不是数值。</translation>
+    </message>
+    <message>
+        <source>A cluster has a whole number from 0.</source>
+        <translation>聚类编号为从 0 起的整数。</translation>
+    </message>
+    <message>
+        <source>Give at least one of these.</source>
+        <translation>至少给出其中一项。</translation>
     </message>
 </context>
 <context>

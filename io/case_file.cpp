@@ -13,6 +13,7 @@
 #include "io/fe_reader.h"
 #include "io/files.h"
 #include "io/json_cursor.h"
+#include "io/photograph_json.h"
 #include "io/scenario_json.h"
 
 namespace rubble::io {
@@ -90,6 +91,17 @@ Flaw flawOf(const Case& theCase) {
             return {place + "/fe_input", "there is no FE input \"" + scenario.feInput + "\""};
         }
     }
+    std::set<std::string> photographs;
+    for (std::size_t i = 0; i < theCase.photographs.size(); ++i) {
+        const std::string& input = theCase.photographs[i].input;
+        const bool isFile = std::any_of(theCase.inputs.begin(), theCase.inputs.end(), [&](const CaseInput& each) {
+            return each.id == input && each.role == InputRole::Photograph;
+        });
+        if (!isFile || !photographs.insert(input).second) {
+            return {"/photographs/" + std::to_string(i) + "/input",
+                    "it must name a photograph among the inputs that no other names"};
+        }
+    }
     if (!theCase.activeScenario.empty() && !scenarios.contains(theCase.activeScenario)) {
         return {"/active_scenario", "there is no scenario \"" + theCase.activeScenario + "\""};
     }
@@ -121,11 +133,12 @@ json caseJson(const Case& theCase) {
             {"inputs", std::move(inputs)},
             {"scenarios", std::move(scenarios)},
             {"active_scenario", theCase.activeScenario},
-            {"bookmarks", std::move(bookmarks)}};
+            {"bookmarks", std::move(bookmarks)},
+            {"photographs", photographsJson(theCase.photographs)}};
 }
 
 Case caseFromJson(const JsonCursor& top) {
-    top.allowOnly({"format", "version", "title", "frame", "inputs", "scenarios", "active_scenario", "bookmarks"});
+    top.allowOnly({"format", "version", "title", "frame", "inputs", "scenarios", "active_scenario", "bookmarks", "photographs"});
     Case theCase;
     theCase.title = top["title"].text();
     theCase.frame = frameFromJson(top["frame"]);
@@ -143,6 +156,7 @@ Case caseFromJson(const JsonCursor& top) {
         bookmark.allowOnly({"time", "note"});
         theCase.bookmarks.push_back({bookmark["time"].number(), bookmark["note"].text()});
     }
+    theCase.photographs = photographsFromJson(top["photographs"]);
     return theCase;
 }
 

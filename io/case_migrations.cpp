@@ -25,8 +25,10 @@ void fromVersionOne(nlohmann::json& document) {
     }
 }
 
+/// Cases had no bookmarks, and of photographs only the files.
 void fromVersionTwo(nlohmann::json& document) {
     document.emplace("bookmarks", nlohmann::json::array());
+    document.emplace("photographs", nlohmann::json::array());
 }
 
 }  // namespace

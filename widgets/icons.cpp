@@ -203,6 +203,11 @@ void drawDocumentSign(QPainter& p, Glyph glyph) {
             p.drawEllipse(QPointF(12, 9.5), 1.4, 1.4);
             p.drawEllipse(QPointF(18, 6.5), 1.4, 1.4);
             break;
+        case Glyph::Evidence:
+            // A camera.
+            p.drawPolygon(polygon({{3, 8}, {7.5, 8}, {9, 5}, {15, 5}, {16.5, 8}, {21, 8}, {21, 19}, {3, 19}}));
+            p.drawEllipse(QPointF(12, 13), 3.6, 3.6);
+            break;
         case Glyph::Open:
             p.drawPolygon(polygon({{3, 19}, {3, 5}, {9, 5}, {11, 8}, {20, 8}, {20, 19}}));
             p.drawLine(QPointF(3, 12), QPointF(20, 12));

@@ -13,6 +13,7 @@ enum class Glyph {
     Effects,
     Run,
     Accuracy,
+    Evidence,
     Open,
     Save,
     Undo,

@@ -142,6 +142,20 @@ ParameterEditor* PanelGroup::addParameter(const Parameter& parameter, const std:
     return editor;
 }
 
+void PanelGroup::addField(const QString& label, QWidget* field, const QString& unit, const QString& tip) {
+    const int row = m_grid->rowCount();
+    auto* name = new QLabel(label);
+    name->setWordWrap(true);
+    name->setToolTip(tip);
+    name->setBuddy(field);
+    field->setToolTip(tip);
+    auto* of = new QLabel(unit);
+    of->setObjectName(QStringLiteral("unit"));
+    m_grid->addWidget(name, row, 0);
+    m_grid->addWidget(field, row, 1);
+    m_grid->addWidget(of, row, 2);
+}
+
 void PanelGroup::addWide(QWidget* widget) {
     m_grid->addWidget(widget, m_grid->rowCount(), 0, 1, 3);
 }

@@ -54,6 +54,8 @@ public:
     /// A row whose value is shown, right-aligned, in tabular figures; returns the label that shows it.
     QLabel* addValue(const QString& label, const QString& unit = {}, const QString& tip = {});
     ParameterEditor* addParameter(const Parameter& row, const std::string& subject = {});
+    /// A row with an editor of its own, which takes the tip.
+    void addField(const QString& label, QWidget* field, const QString& unit, const QString& tip);
     /// A widget over the full width.
     void addWide(QWidget* widget);
     /// A note in the muted colour over the full width.

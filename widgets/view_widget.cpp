@@ -291,6 +291,29 @@ std::optional<ViewWidget::Cursor> ViewWidget::cursorAt(const QPointF& position) 
     return Cursor{*pane, (x - pane->x) / std::max(1, pane->width), (y - pane->y) / std::max(1, pane->height)};
 }
 
+std::optional<ViewWidget::Hit> ViewWidget::hitAt(const QPointF& place) const {
+    constexpr double nodeWithin = 10.0;  // px of the screen
+    const auto cursor = cursorAt(place);
+    if (!cursor) {
+        return std::nullopt;
+    }
+    const double scale = devicePixelRatioF();
+    const int x = static_cast<int>(place.x() * scale);
+    const int y = static_cast<int>(place.y() * scale);
+    const auto pick = m_scene.pick(x, y);
+    if (!pick) {
+        const auto ground = m_scene.groundAt(x, y);
+        return ground ? std::optional(Hit{*ground, false, std::nullopt}) : std::nullopt;
+    }
+    // Seen under as many pixels at the distance of the click.
+    render::Camera there = render::cameraOf(m_view, cursor->pane.content);
+    const Vec3 ahead = (there.focalPoint - there.position).normalized();
+    there.focalPoint = there.position + ahead * std::max(1e-3, ahead.dot(pick->position - there.position));
+    const double reach = nodeWithin * scale * render::metresPerPixel(there, cursor->pane.height);
+    const bool node = (pick->corner - pick->position).norm() < reach;
+    return Hit{node ? pick->corner : pick->position, node, pick};
+}
+
 void ViewWidget::mousePressEvent(QMouseEvent* event) {
     m_pressed = m_grabbed = event->position();
     m_dragged = false;

@@ -57,6 +57,14 @@ public:
     /// Camera moves are animated (200 ms) unless the user asks for reduced motion.
     void setAnimated(bool animated) { m_animated = animated; }
 
+    /// The point of the model or the ground under a place in this widget, drawn onto a node of the model if one is near.
+    struct Hit {
+        Vec3 point = Vec3::Zero();  ///< m
+        bool node = false;
+        std::optional<render::Pick> pick;  ///< unset: the ground
+    };
+    std::optional<Hit> hitAt(const QPointF& place) const;
+
     /// What the panes showed when they were last drawn.
     const render::PaneStatus& status(render::PaneContent content) const;
     /// As Scene::elementsWhere(), in the pane with fragments where there is one.

@@ -20,6 +20,7 @@ Command exportCommand();
 Command figureCommand();
 Command mapCommand();
 Command cameraCommand();
+Command photoCommand();
 Command verifyCommand();
 Command acknowledgeCommand();
 Command selfTestCommand();

@@ -96,7 +96,10 @@ std::string findFeOfRun(const std::string& runPath, const io::RunOrigin& origin,
 }
 
 Inputs openInputsOfRun(const io::RunOrigin& origin, const Arguments& arguments, Session& session) {
-    const std::string& runPath = arguments.operand();
+    return openInputsOfRun(arguments.operand(), origin, arguments, session);
+}
+
+Inputs openInputsOfRun(const std::string& runPath, const io::RunOrigin& origin, const Arguments& arguments, Session& session) {
     Inputs inputs;
     inputs.fe = io::openFe(findFeOfRun(runPath, origin, arguments.value("--fe")), origin.scenario.import, origin.frame,
                            session.execution());

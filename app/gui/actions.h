@@ -13,7 +13,7 @@ namespace rubble {
 /// One row of the table of actions: feeds menus, tool bar, keys and manual.
 struct ActionRow {
     std::string_view id;
-    const char* menu;  ///< "Case", "Edit", "View", "Camera", "Look", "Select", "Simulation", "Export", "Help"
+    const char* menu;  ///< "Case", "Edit", "View", "Camera", "Look", "Select", "Simulation", "Evidence", "Export", "Help"
     const char* text;
     const char* tip;
     const char* key;  ///< portable text; "" for none

@@ -60,6 +60,15 @@ void Document::put(const Scenario& scenario) {
     }
 }
 
+bool Document::standsOn(const Case& theCase) const {
+    const auto bare = [](Case of) {
+        of.photographs.clear();
+        std::erase_if(of.inputs, [](const CaseInput& input) { return input.role == InputRole::Photograph; });
+        return of;
+    };
+    return bare(theCase) == bare(m_case);
+}
+
 void Document::setParameter(const QString& key, const ParameterValue& value) {
     Scenario after = scenario();
     rubble::setParameter(after, key.toStdString(), value);
@@ -195,6 +204,20 @@ void Document::setBookmarks(std::vector<Bookmark> bookmarks, const QString& what
         };
     };
     m_undo.push(new StepCommand(what, way(std::move(bookmarks)), way(m_case.bookmarks)));
+}
+
+void Document::setPhotographs(std::vector<Photograph> photographs, std::vector<CaseInput> inputs, const QString& what) {
+    if (empty() || (photographs == m_case.photographs && inputs == m_case.inputs)) {
+        return;
+    }
+    const auto way = [this](std::vector<Photograph> to, std::vector<CaseInput> files) {
+        return [this, to = std::move(to), files = std::move(files), base = m_base] {
+            m_case.photographs = to;
+            m_case.inputs = base == m_base ? files : movedInputs(files, base, m_base);
+            emit photographsChanged();
+        };
+    };
+    m_undo.push(new StepCommand(what, way(std::move(photographs), std::move(inputs)), way(m_case.photographs, m_case.inputs)));
 }
 
 void Document::applyPreset(const QString& name) {

@@ -25,6 +25,8 @@ public:
     const QString& path() const { return m_path; }
     /// The file that inputs are relative to: where the case lies or would lie.
     const QString& base() const { return m_base; }
+    /// Whether a case is this one, photographs apart: they may be edited while its files are read.
+    bool standsOn(const Case& theCase) const;
     bool modified() const { return !empty() && !m_undo.isClean(); }
     QUndoStack& undoStack() { return m_undo; }
 
@@ -52,6 +54,8 @@ public:
     void activateScenario(const std::string& id);
     /// Bookmarks, put into the order of their times, as one undoable command.
     void setBookmarks(std::vector<Bookmark> bookmarks, const QString& what);
+    /// Other photographs, and the files that they are, as one undoable command; no result depends on them.
+    void setPhotographs(std::vector<Photograph> photographs, std::vector<CaseInput> inputs, const QString& what);
     /// A preset is one command too.
     void applyPreset(const QString& name);
     /// Edits of one parameter between these two are one step of undo.
@@ -68,6 +72,7 @@ signals:
     /// Their names, their notes, how many there are or which one is worked on.
     void scenariosChanged();
     void bookmarksChanged();
+    void photographsChanged();
     void titleChanged();
 
 private:

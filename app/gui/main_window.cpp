@@ -16,6 +16,7 @@
 #include "app/gui/accuracy_display.h"
 #include "app/gui/calibration_display.h"
 #include "app/gui/error_display.h"
+#include "app/gui/evidence_display.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/forecast_display.h"
 #include "app/gui/grid_display.h"
@@ -35,6 +36,7 @@
 #include "core/base/build.h"
 #include "io/fe_reader.h"
 #include "widgets/accuracy_page.h"
+#include "widgets/evidence_page.h"
 #include "widgets/status_line.h"
 #include "widgets/theme.h"
 #include "widgets/timeline.h"
@@ -62,6 +64,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_deck(new PanelDeck(m_document, m_computation, this)),
       m_area(new ViewArea),
       m_accuracyPage(new widgets::AccuracyPage),
+      m_evidencePage(new widgets::EvidencePage),
       m_timeline(new widgets::Timeline),
       m_transport(new widgets::Transport),
       m_status(new widgets::StatusLine),
@@ -74,6 +77,8 @@ MainWindow::MainWindow(QWidget* parent)
       m_forecast(new ForecastDisplay(m_document, m_computation, *m_grid, m_calibration->work(), *m_deck, this)),
       m_errors(new ErrorDisplay(m_computation, *m_area, this)),
       m_inspection(new Inspection(m_document, m_computation, *m_playback, *m_area, m_actions, this)),
+      m_evidence(new EvidenceDisplay(
+          m_document, m_computation, *m_deck, *m_evidencePage, *m_playback, [this] { return sceneData(); }, this)),
       m_files(new FileCommands(m_document, m_computation, *this)),
       m_colours(new QComboBox),
       m_title(new QLabel),
@@ -91,6 +96,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectAccuracy();
     connectCosts();
     connectProject();
+    connectEvidence();
     qApp->installEventFilter(this);
     QSettings settings;
     QStringList complaints;
@@ -121,6 +127,7 @@ MainWindow::~MainWindow() {
     delete m_calibration;
     delete m_grid;
     delete m_inspection;
+    delete m_evidence;
     delete m_errors;
     delete m_playback;
     delete m_deck;
@@ -192,7 +199,7 @@ void MainWindow::takeOpened(const Opened& opened) {
                             (opened.failure && (opened.failure->id.starts_with("exodus.") ||
                                                 opened.failure->id.starts_with("terrain.") || !opened.path.isEmpty()));
     const bool again =
-        !opened.recovered && !m_document.empty() && opened.base == m_document.base() && opened.theCase == m_document.theCase();
+        !opened.recovered && !m_document.empty() && opened.base == m_document.base() && m_document.standsOn(opened.theCase);
     const bool terrainFailed = opened.failure && opened.failure->id.starts_with("terrain.");
     if (!recognised || (again && opened.fe == nullptr && m_computation.inputs().fe != nullptr && !terrainFailed)) {
         // Not a result at all, or not with these settings: what was open stays.
@@ -290,6 +297,7 @@ void MainWindow::showScene() {
         m_shown = scene;
         m_area->views().setData(scene);
         m_inspection->refresh();
+        m_evidence->refresh();
     }
 }
 
@@ -464,6 +472,7 @@ void MainWindow::setTheme(const QString& name) {
     m_deck->showResults();
     m_accuracy->refresh();
     m_calibration->refresh();
+    m_evidence->refresh();
     m_feed->refresh();
     showTitle();
 }
@@ -500,6 +509,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     m_accuracy->work().cancel();
     m_calibration->work().cancel();
     m_errors->work().cancel();
+    m_evidence->work().cancel();
     event->accept();
 }
 
@@ -513,7 +523,15 @@ void MainWindow::dropEvent(QDropEvent* event) {
     const QList<QUrl> urls = event->mimeData()->urls();
     if (!urls.isEmpty() && urls.front().isLocalFile()) {
         event->acceptProposedAction();
-        open(urls.front().toLocalFile());
+        QStringList paths;
+        for (const QUrl& url : urls) {
+            paths << url.toLocalFile();
+        }
+        if (m_evidence->takes(paths)) {
+            m_evidence->add(paths);
+        } else {
+            open(paths.front());
+        }
     }
 }
 

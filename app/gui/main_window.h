@@ -20,6 +20,7 @@ namespace rubble {
 class AccuracyDisplay;
 class CalibrationDisplay;
 class ErrorDisplay;
+class EvidenceDisplay;
 class FileCommands;
 class ForecastDisplay;
 class GridDisplay;
@@ -34,6 +35,7 @@ class StatusFeed;
 class ViewArea;
 namespace widgets {
 class AccuracyPage;
+class EvidencePage;
 class StatusLine;
 class Timeline;
 class Transport;
@@ -75,6 +77,8 @@ public:
     ForecastDisplay& forecast() { return *m_forecast; }
     ErrorDisplay& errors() { return *m_errors; }
     Inspection& inspection() { return *m_inspection; }
+    EvidenceDisplay& evidence() { return *m_evidence; }
+    widgets::EvidencePage& evidencePage() { return *m_evidencePage; }
     widgets::AccuracyPage& accuracyPage() { return *m_accuracyPage; }
     widgets::Timeline& timeline() { return *m_timeline; }
     widgets::StatusLine& statusLine() { return *m_status; }
@@ -106,6 +110,7 @@ private:
     void connectPlayback();
     void connectAccuracy();
     void connectCosts();
+    void connectEvidence();
     /// What would spoil the times of other work, in words; empty: nothing runs that would.
     QString costlyWork() const;
     void showBusy();
@@ -134,6 +139,7 @@ private:
     PanelDeck* m_deck;
     ViewArea* m_area;
     widgets::AccuracyPage* m_accuracyPage;
+    widgets::EvidencePage* m_evidencePage;
     widgets::Timeline* m_timeline;
     widgets::Transport* m_transport;
     widgets::StatusLine* m_status;
@@ -146,6 +152,7 @@ private:
     ForecastDisplay* m_forecast;
     ErrorDisplay* m_errors;
     Inspection* m_inspection;
+    EvidenceDisplay* m_evidence;
     FileCommands* m_files;
     ProjectDisplay* m_project = nullptr;
     QComboBox* m_colours;

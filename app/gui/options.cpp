@@ -50,7 +50,8 @@ bool readValues(const QCommandLineParser& parser, Options& options) {
     }
     if (parser.isSet(QStringLiteral("panel"))) {
         static const QStringList names{QStringLiteral("case"),    QStringLiteral("fragments"), QStringLiteral("grid"),
-                                       QStringLiteral("effects"), QStringLiteral("run"),       QStringLiteral("accuracy")};
+                                       QStringLiteral("effects"), QStringLiteral("run"),       QStringLiteral("accuracy"),
+                                       QStringLiteral("evidence")};
         const auto place = names.indexOf(parser.value(QStringLiteral("panel")));
         if (place < 0) {
             options.text = QCoreApplication::translate("options", "--panel is one of %1, not “%2”.")
@@ -60,6 +61,17 @@ bool readValues(const QCommandLineParser& parser, Options& options) {
         options.panel = static_cast<int>(place);
     }
     options.view = parser.value(QStringLiteral("view"));
+    if (parser.isSet(QStringLiteral("photo"))) {
+        static const QStringList names{QStringLiteral("alone"), QStringLiteral("swipe"), QStringLiteral("blend"),
+                                       QStringLiteral("blink"), QStringLiteral("outline")};
+        const auto place = names.indexOf(parser.value(QStringLiteral("photo")));
+        if (place < 0) {
+            options.text = QCoreApplication::translate("options", "--photo is one of %1, not “%2”.")
+                               .arg(names.join(QStringLiteral(", ")), parser.value(QStringLiteral("photo")));
+            return false;
+        }
+        options.photo = static_cast<int>(place);
+    }
     return true;
 }
 
@@ -82,8 +94,12 @@ Options parseOptions(const QStringList& arguments) {
          {QStringLiteral("time"), QCoreApplication::translate("options", "Show this instant, in seconds."), QStringLiteral("s")},
          {QStringLiteral("size"), QCoreApplication::translate("options", "Size of the window."), QStringLiteral("WxH")},
          {QStringLiteral("panel"),
-          QCoreApplication::translate("options", "Show this panel: case, fragments, grid, effects, run or accuracy."),
+          QCoreApplication::translate("options", "Show this panel: case, fragments, grid, effects, run, accuracy or evidence."),
           QStringLiteral("panel")},
+         {QStringLiteral("photo"),
+          QCoreApplication::translate("options",
+                                      "How the simulation lies over the photograph: alone, swipe, blend, blink or outline."),
+          QStringLiteral("mode")},
          {QStringLiteral("action"),
           QCoreApplication::translate("options", "Trigger these actions before the picture is taken, by their ids."),
           QStringLiteral("id,id")},

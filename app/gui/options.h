@@ -20,6 +20,7 @@ struct Options {
     std::optional<int> panel;  ///< in the order of the rail
     QStringList actions;       ///< ids of the table of actions, triggered before a picture is taken
     QString view;              ///< file of a view to look as
+    std::optional<int> photo;  ///< how the simulation lies over the photograph, as PhotoView::Show
     QSize size;
     QString text;        ///< for --help and --version, or why the arguments are wrong
     bool wrong = false;  ///< text is a complaint

@@ -5,6 +5,7 @@
 #include "app/gui/regrouping_edit.h"
 #include "widgets/case_panel.h"
 #include "widgets/effects_panel.h"
+#include "widgets/evidence_panel.h"
 #include "widgets/fragments_panel.h"
 #include "widgets/parameter_editor.h"
 #include "widgets/wording.h"
@@ -52,7 +53,8 @@ PanelDeck::PanelDeck(Document& document, Computation& computation, QObject* pare
       m_grid(new widgets::GridPanel),
       m_effects(new widgets::EffectsPanel),
       m_run(new widgets::RunPanel),
-      m_accuracy(new widgets::AccuracyPanel) {
+      m_accuracy(new widgets::AccuracyPanel),
+      m_evidence(new widgets::EvidencePanel) {
     m_stack->setObjectName(QStringLiteral("panelStack"));
     for (widgets::Panel* panel : panels()) {
         m_stack->addWidget(panel);
@@ -80,7 +82,8 @@ std::vector<widgets::RailEntry> PanelDeck::entries() {
             {tr("Basic Grid"), tr("Which fragments move together, and what that costs."), widgets::Glyph::Grid},
             {tr("Effects"), tr("What acts on the fragments, why, and what it costs."), widgets::Glyph::Effects},
             {tr("Run"), tr("Where the fragments go."), widgets::Glyph::Run},
-            {tr("Accuracy"), tr("What accuracy costs in time, and which differences mean something."), widgets::Glyph::Accuracy}};
+            {tr("Accuracy"), tr("What accuracy costs in time, and which differences mean something."), widgets::Glyph::Accuracy},
+            {tr("Evidence"), tr("What photographs show, and how far the simulated debris agrees."), widgets::Glyph::Evidence}};
 }
 
 void PanelDeck::retell() {
@@ -92,7 +95,7 @@ void PanelDeck::retell() {
 }
 
 std::vector<widgets::Panel*> PanelDeck::panels() const {
-    return {m_case, m_fragments, m_grid, m_effects, m_run, m_accuracy};
+    return {m_case, m_fragments, m_grid, m_effects, m_run, m_accuracy, m_evidence};
 }
 
 void PanelDeck::choose(Entry entry) {

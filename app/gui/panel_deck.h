@@ -16,6 +16,7 @@ class Document;
 namespace widgets {
 class CasePanel;
 class EffectsPanel;
+class EvidencePanel;
 class FragmentsPanel;
 }  // namespace widgets
 
@@ -24,7 +25,7 @@ class PanelDeck : public QObject {
     Q_OBJECT
 
 public:
-    enum Entry { Case, Fragments, Grid, Effects, Run, Accuracy };
+    enum Entry { Case, Fragments, Grid, Effects, Run, Accuracy, Evidence };
 
     PanelDeck(Document& document, Computation& computation, QObject* parent = nullptr);
 
@@ -34,6 +35,7 @@ public:
     widgets::EffectsPanel& effects() { return *m_effects; }
     widgets::RunPanel& run() { return *m_run; }
     widgets::AccuracyPanel& accuracy() { return *m_accuracy; }
+    widgets::EvidencePanel& evidence() { return *m_evidence; }
     QStackedWidget& stack() { return *m_stack; }
     std::vector<widgets::Panel*> panels() const;
     void choose(Entry entry);
@@ -77,6 +79,7 @@ private:
     widgets::RunPanel* m_run;
     widgets::AccuracyPanel* m_accuracy;
     widgets::RunPanel::Outcome m_outcome;
+    widgets::EvidencePanel* m_evidence;
 };
 
 }  // namespace rubble

@@ -6,10 +6,12 @@
 #include <cstdio>
 
 #include "app/gui/accuracy_display.h"
+#include "app/gui/evidence_display.h"
 #include "app/gui/main_window.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
+#include "widgets/evidence_page.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/view_json.h"
 
@@ -37,13 +39,20 @@ void Screenshot::look() {
     if (computation.busy() || comparing || !prepared || (!nothing && (m_options.simulate || m_options.sample) && !simulated)) {
         return;
     }
-    m_timer.stop();
     try {
-        prepare();
+        if (!m_prepared) {
+            prepare();
+        }
     } catch (...) {
+        m_timer.stop();
         fail(std::current_exception());
         return;
     }
+    // What the photographs show is made in the background.
+    if (!m_window.evidence().settled()) {
+        return;
+    }
+    m_timer.stop();
     // The views draw once more before the picture is taken.
     QTimer::singleShot(1000, this, &Screenshot::take);
 }
@@ -55,6 +64,7 @@ void Screenshot::fail(const std::exception_ptr& thrown) {
 }
 
 void Screenshot::prepare() {
+    m_prepared = true;
     m_window.playback().clock().pause();
     if (m_options.panel) {
         m_window.deck().choose(static_cast<PanelDeck::Entry>(*m_options.panel));
@@ -66,16 +76,21 @@ void Screenshot::prepare() {
     for (const QString& id : std::as_const(m_options.actions)) {
         m_window.actions()[id.toStdString()].trigger();
     }
+    if (m_options.photo) {
+        m_window.evidencePage().setShow(static_cast<widgets::PhotoView::Show>(*m_options.photo));
+        m_window.evidence().compare();
+    }
 }
 
 void Screenshot::take() {
     try {
         QImage picture = m_window.grab().toImage();
         // A widget that is grabbed paints its captions elsewhere: the views are taken from their own frame buffer.
-        widgets::ViewWidget& views = m_window.area().views();
-        if (views.isVisible()) {
-            QPainter painter(&picture);
-            painter.drawImage(QRect(views.mapTo(&m_window, QPoint(0, 0)), views.size()), views.grabFramebuffer());
+        for (widgets::ViewWidget* views : {&m_window.area().views(), &m_window.evidencePage().model()}) {
+            if (views->isVisible()) {
+                QPainter painter(&picture);
+                painter.drawImage(QRect(views->mapTo(&m_window, QPoint(0, 0)), views->size()), views->grabFramebuffer());
+            }
         }
         // Windows of their own lie over it, as they do on the screen.
         for (QWidget* other : QApplication::topLevelWidgets()) {

@@ -28,6 +28,7 @@ private:
     MainWindow& m_window;
     const Options m_options;
     QTimer m_timer;
+    bool m_prepared = false;
 };
 
 }  // namespace rubble

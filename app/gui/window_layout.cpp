@@ -16,6 +16,7 @@
 #include "app/gui/calibration_display.h"
 #include "app/gui/dock_area.h"
 #include "app/gui/error_display.h"
+#include "app/gui/evidence_display.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/forecast_display.h"
 #include "app/gui/grid_display.h"
@@ -36,6 +37,7 @@
 #include "widgets/accuracy_page.h"
 #include "widgets/calibration_chart.h"
 #include "widgets/calibration_view.h"
+#include "widgets/evidence_page.h"
 #include "widgets/start_page.h"
 #include "widgets/status_line.h"
 
@@ -78,6 +80,7 @@ void MainWindow::buildLayout() {
     m_centre = new QStackedWidget;
     m_centre->addWidget(m_area);
     m_centre->addWidget(m_accuracyPage);
+    m_centre->addWidget(m_evidencePage);
     auto* middle = new QWidget;
     auto* stacked = new QVBoxLayout(middle);
     stacked->setContentsMargins(0, 0, 0, 0);
@@ -375,8 +378,9 @@ void MainWindow::connectPlayback() {
 }
 
 void MainWindow::connectAccuracy() {
-    connect(&m_deck->stack(), &QStackedWidget::currentChanged, this,
-            [this](int entry) { m_centre->setCurrentIndex(entry == PanelDeck::Accuracy ? 1 : 0); });
+    connect(&m_deck->stack(), &QStackedWidget::currentChanged, this, [this](int entry) {
+        m_centre->setCurrentIndex(entry == PanelDeck::Accuracy ? 1 : entry == PanelDeck::Evidence ? 2 : 0);
+    });
     connect(m_accuracy, &AccuracyDisplay::changed, this, &MainWindow::showState);
     connect(m_accuracy, &AccuracyDisplay::told, m_status, &widgets::StatusLine::setMessage);
     connect(m_accuracyPage, &widgets::AccuracyPage::saveTableRequested, this,
@@ -405,6 +409,47 @@ void MainWindow::connectCosts() {
     connect(m_errors, &ErrorDisplay::changed, this, [this] {
         showScene();
         showState();
+    });
+}
+
+void MainWindow::connectEvidence() {
+    const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
+    on("add_photographs", [this] { m_evidence->chooseFiles(); });
+    using widgets::PhotoView;
+    const std::array<std::pair<const char*, PhotoView::Show>, 5> shows{{{"photo_alone", PhotoView::Show::Photograph},
+                                                                        {"photo_swipe", PhotoView::Show::Swipe},
+                                                                        {"photo_blend", PhotoView::Show::Blend},
+                                                                        {"photo_blink", PhotoView::Show::Blink},
+                                                                        {"photo_outline", PhotoView::Show::Outline}}};
+    for (const auto& [id, show] : shows) {
+        on(id, [this, show] {
+            m_deck->choose(PanelDeck::Evidence);
+            m_evidencePage->setShow(m_evidence->match() ? show : PhotoView::Show::Photograph);
+        });
+    }
+    on("photo_beside", [this] {
+        m_deck->choose(PanelDeck::Evidence);
+        m_evidencePage->setBeside(!m_evidencePage->beside());
+    });
+    on("add_point", [this] {
+        if (m_evidence->chosen() >= 0) {
+            m_deck->choose(PanelDeck::Evidence);
+            m_evidencePage->setTool(PhotoView::Tool::Point);
+        }
+    });
+    on("compare_photo", [this] {
+        m_deck->choose(PanelDeck::Evidence);
+        m_evidence->compare();
+    });
+    on("look_through", [this] { m_evidence->lookThrough(); });
+    connect(m_evidence, &EvidenceDisplay::told, m_status, &widgets::StatusLine::setMessage);
+    connect(m_evidence, &EvidenceDisplay::lookThroughRequested, this, [this](const render::Camera& camera) {
+        render::View view = m_area->views().view();
+        view.layout = render::Layout::FragmentsOnly;
+        view.camerasLinked = false;
+        view.cameras[1] = camera;
+        setView(view);
+        m_deck->choose(PanelDeck::Run);
     });
 }
 

@@ -3,33 +3,14 @@
 #include <Eigen/Dense>
 
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "core/base/execution.h"
 #include "core/base/message.h"
 #include "core/evidence/camera_model.h"
+#include "core/scenario/photograph.h"
 
 namespace rubble {
-
-/// A point of the model, the terrain or a survey, and where the picture shows it.
-struct PointPair {
-    std::string name;
-    Eigen::Vector2d picture = Eigen::Vector2d::Zero();  ///< px, from the upper left corner
-    Vec3 model = Vec3::Zero();                          ///< m
-};
-
-/// What is known of the camera.
-struct CameraKnowledge {
-    int width = 0;  ///< px, of the picture
-    int height = 0;
-    std::optional<double> focal;               ///< px; unset: to be found
-    std::optional<Eigen::Vector2d> principal;  ///< px; unset: the middle of the picture
-    bool freePrincipal = false;                ///< it is to be found, from there
-    int radialTerms = 0;                       ///< to be found, 0 to 2
-    Eigen::Vector2d radial{0.0, 0.0};          ///< known terms, or where the search begins
-};
 
 /// How a match came out.
 enum class MatchVerdict : std::uint8_t { Good, Usable, Poor };

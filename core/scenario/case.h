@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/fe/frame.h"
+#include "core/scenario/photograph.h"
 #include "core/scenario/scenario.h"
 
 namespace rubble {
@@ -44,6 +45,7 @@ struct Case {
     std::vector<CaseScenario> scenarios;
     std::string activeScenario;       ///< id
     std::vector<Bookmark> bookmarks;  ///< in the order of their times
+    std::vector<Photograph> photographs;
     friend bool operator==(const Case&, const Case&) = default;
 };
 

@@ -86,6 +86,39 @@ Scenario randomScenario(std::mt19937& engine, double share) {
     return scenario;
 }
 
+Photograph randomPhotograph(std::mt19937& engine) {
+    std::normal_distribution<double> normal;
+    Photograph photograph;
+    photograph.input = "p";
+    photograph.note =
+        "from the \xC3\xBC"
+        "bank";
+    photograph.facts.width = photograph.camera.width = 4000;
+    photograph.facts.height = photograph.camera.height = 3000;
+    photograph.facts.orientation = 6;
+    if (engine() % 2 == 0) {
+        photograph.facts.recorded = {6000, 4000};
+        photograph.facts.focalLength = 24.0;
+        photograph.facts.focalLength35 = 36.1;
+        photograph.facts.position = {51.5, -0.1};
+        photograph.facts.altitude = -3.0;
+        photograph.camera.focal = 4123.4;
+        photograph.camera.principal = Eigen::Vector2d(2010.0, 1490.0);
+        photograph.time = 5.76;
+        photograph.timeUncertainty = 0.1;
+    }
+    photograph.facts.taken = "2026:03:14 17:05:12";
+    photograph.camera.radialTerms = static_cast<int>(engine() % 3);
+    for (std::size_t i = engine() % 5; i > 0; --i) {
+        photograph.pairs.push_back(
+            {"pier " + std::to_string(i), {100.0 * normal(engine), normal(engine)}, {normal(engine), 1e-9 * normal(engine), 3.0}});
+    }
+    for (const MaskClass kind : maskClasses) {
+        photograph.masks.push_back({kind, {{0.0, 0.0}, {100.5, normal(engine)}, {50.0, 80.0}}});
+    }
+    return photograph;
+}
+
 Case randomCase(std::mt19937& engine, double share) {
     Case theCase;
     theCase.title = "Bridge \xC3\xBC\n\"2\"";
@@ -104,6 +137,7 @@ Case randomCase(std::mt19937& engine, double share) {
     }
     theCase.activeScenario = "scenario-2";
     theCase.bookmarks = {{-0.25, "before \"it\" began"}, {4.75, "crown \xC3\xA4"}};
+    theCase.photographs = {randomPhotograph(engine)};
     return theCase;
 }
 
@@ -126,6 +160,32 @@ TEST(CaseFile, GivesBackRandomScenariosOverAllParameters) {
         EXPECT_EQ(after, before);
         EXPECT_EQ(caseText(after), text);
     }
+}
+
+TEST(CaseFile, AComplaintAboutAPhotographNamesItsPlace) {
+    std::mt19937 engine(5);
+    const json good = json::parse(caseText(randomCase(engine, 0.0)));
+    const auto complaint = [&](const char* place, const json& value) {
+        json wrong = good;
+        wrong[json::json_pointer(place)] = value;
+        return errorOf(wrong.dump());
+    };
+    using testing::HasSubstr;
+    EXPECT_THAT(complaint("/photographs/0/input", "fe-1"), HasSubstr("/photographs/0/input"));
+    EXPECT_THAT(complaint("/photographs/0/masks/1/class", "seen"), HasSubstr("/photographs/0/masks/1/class"));
+    EXPECT_THAT(complaint("/photographs/0/masks/0/corners_px", json::array({json::array({1, 2})})), HasSubstr("three corners"));
+    EXPECT_THAT(complaint("/photographs/0/facts/width_px", 0), HasSubstr("/photographs/0/facts/width_px"));
+    EXPECT_THAT(complaint("/photographs/0/camera/radial_terms", 3), HasSubstr("from 0 to 2"));
+    EXPECT_THAT(complaint("/photographs/0/camera/focal_px", -1.0), HasSubstr("above zero"));
+    EXPECT_THAT(complaint("/photographs/0/time_uncertainty_s", -1.0), HasSubstr("not below zero"));
+    EXPECT_THAT(complaint("/photographs/0/unheard", 1), HasSubstr("unheard"));
+}
+
+TEST(CaseFile, ACaseOfVersionTwoHasNoPhotographs) {
+    json old = json::parse(caseText(caseForFe("/x/bridge.exo", "/x/bridge.rubble")));
+    old["version"] = 2;
+    old.erase("photographs");
+    EXPECT_TRUE(caseFromText(old.dump(), "old").photographs.empty());
 }
 
 TEST(CaseFile, KeepsOnlyWhatDiffersFromTheDefaults) {

@@ -86,6 +86,13 @@ std::optional<Pick> PaneGeometry::cast(const Ray& ray) const {
         pick.fragment = idAt<FragmentId>(m_owners[hit].fragment);
     }
     pick.position = ray.origin + static_cast<double>(nearest) * ray.direction;
+    pick.corner = point(3 * hit).cast<double>();
+    for (std::size_t k = 1; k < 3; ++k) {
+        const Vec3 corner = point(3 * hit + k).cast<double>();
+        if ((corner - pick.position).squaredNorm() < (pick.corner - pick.position).squaredNorm()) {
+            pick.corner = corner;
+        }
+    }
     return pick;
 }
 

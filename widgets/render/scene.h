@@ -43,6 +43,7 @@ struct Pick {
     ElementIndex element{};
     std::optional<FragmentId> fragment;  ///< set when the element is shown as a fragment
     Vec3 position = Vec3::Zero();        ///< m, where the ray meets it
+    Vec3 corner = Vec3::Zero();          ///< m, the nearest node of it there, as drawn
 };
 
 /// Views of a collapse as renderers in one VTK window that the caller owns: a vtkGenericOpenGLRenderWindow inside a widget, or

@@ -40,14 +40,14 @@ TEST(Manual, EveryActionIsInItWithItsKey) {
 
 TEST(Manual, EveryOptionOfTheCommandLineIsInIt) {
     const QString manual = wholeManual();
-    for (const char* name :
-         {"--sample", "--simulate", "--accuracy", "--screenshot", "--time", "--size", "--theme", "--language", "--action"}) {
+    for (const char* name : {"--sample", "--simulate", "--accuracy", "--screenshot", "--time", "--size", "--theme", "--language",
+                             "--action", "--photo"}) {
         EXPECT_TRUE(manual.contains(QLatin1String(name))) << name;
     }
 }
 
 TEST(Manual, HasAPageForEveryEntryOfTheRail) {
-    for (const char* title : {"Case", "Fragments", "Basic Grid", "Effects", "Run", "Accuracy"}) {
+    for (const char* title : {"Case", "Fragments", "Basic Grid", "Effects", "Run", "Accuracy", "Photographs"}) {
         ManualWindow window;
         window.showPage(QLatin1String(title));
         EXPECT_TRUE(window.findChild<QTextBrowser*>()->toPlainText().startsWith(QLatin1String(title))) << title;

@@ -33,9 +33,9 @@ TEST(Options, AllTogether) {
 }
 
 TEST(Options, WrongOnesSayWhy) {
-    for (const QStringList& wrong :
-         {QStringList{"--time", "soon"}, QStringList{"--time", "nan"}, QStringList{"--size", "12"}, QStringList{"--theme", "pink"},
-          QStringList{"--panel", "dials"}, QStringList{"--colour"}, QStringList{"a.exo", "b.exo"}}) {
+    for (const QStringList& wrong : {QStringList{"--time", "soon"}, QStringList{"--time", "nan"}, QStringList{"--size", "12"},
+                                     QStringList{"--theme", "pink"}, QStringList{"--panel", "dials"},
+                                     QStringList{"--photo", "upside"}, QStringList{"--colour"}, QStringList{"a.exo", "b.exo"}}) {
         const Options options = parse(wrong);
         EXPECT_TRUE(options.wrong) << wrong.join(u' ').toStdString();
         EXPECT_FALSE(options.text.isEmpty()) << wrong.join(u' ').toStdString();
@@ -45,7 +45,7 @@ TEST(Options, WrongOnesSayWhy) {
 TEST(Options, HelpNamesEveryOption) {
     const Options options = parse({"--help"});
     EXPECT_FALSE(options.wrong);
-    for (const char* name : {"--sample", "--simulate", "--screenshot", "--time", "--size", "--theme", "--panel"}) {
+    for (const char* name : {"--sample", "--simulate", "--screenshot", "--time", "--size", "--theme", "--panel", "--photo"}) {
         EXPECT_TRUE(options.text.contains(QLatin1String(name))) << name;
     }
 }

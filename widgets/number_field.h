@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QLineEdit>
+#include <limits>
+#include <optional>
+
+namespace rubble::widgets {
+
+/// A number that is typed, in the locale's or the plain way; may be left empty where that means something. What is no number or out
+/// of range is marked and not told.
+class NumberField : public QLineEdit {
+    Q_OBJECT
+
+public:
+    explicit NumberField(const QString& name, QWidget* parent = nullptr);
+
+    /// @param low, high  what is accepted
+    void setRange(double low, double high);
+    /// Nothing typed is an answer, shown as this.
+    void setEmptyMeans(const QString& words);
+    void setNumber(std::optional<double> number);
+    std::optional<double> number() const { return m_number; }
+
+signals:
+    /// The user has set another number, or emptied the field.
+    void edited(std::optional<double> number);
+
+private:
+    void take();
+
+    double m_low = -std::numeric_limits<double>::infinity();
+    double m_high = std::numeric_limits<double>::infinity();
+    bool m_mayBeEmpty = false;
+    std::optional<double> m_number;
+};
+
+}  // namespace rubble::widgets

@@ -775,6 +775,90 @@
         <source>Select</source>
         <translation>选择</translation>
     </message>
+    <message>
+        <source>Add photographs…</source>
+        <translation>添加照片…</translation>
+    </message>
+    <message>
+        <source>Add photographs of the site to the case</source>
+        <translation>向案例添加现场照片</translation>
+    </message>
+    <message>
+        <source>Add point</source>
+        <translation>添加点</translation>
+    </message>
+    <message>
+        <source>Click a point in the photograph, then the same point in the model</source>
+        <translation>单击照片中的一点，然后单击模型中的同一点</translation>
+    </message>
+    <message>
+        <source>Photograph</source>
+        <translation>照片</translation>
+    </message>
+    <message>
+        <source>Show the photograph alone</source>
+        <translation>仅显示照片</translation>
+    </message>
+    <message>
+        <source>Swipe</source>
+        <translation>划分</translation>
+    </message>
+    <message>
+        <source>Show photograph and simulation to both sides of a line</source>
+        <translation>在一条线两侧显示照片和模拟</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>叠合</translation>
+    </message>
+    <message>
+        <source>Lay the simulation over the photograph</source>
+        <translation>将模拟叠加在照片上</translation>
+    </message>
+    <message>
+        <source>Blink</source>
+        <translation>交替</translation>
+    </message>
+    <message>
+        <source>Show photograph and simulation in turn</source>
+        <translation>轮流显示照片和模拟</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>Draw the outline of the simulated debris on the photograph</source>
+        <translation>在照片上画出模拟堆积物的轮廓</translation>
+    </message>
+    <message>
+        <source>Model beside the photograph</source>
+        <translation>照片旁的模型</translation>
+    </message>
+    <message>
+        <source>Show or hide the model beside the photograph</source>
+        <translation>显示或隐藏照片旁的模型</translation>
+    </message>
+    <message>
+        <source>Compare debris</source>
+        <translation>比较堆积物</translation>
+    </message>
+    <message>
+        <source>Hold the silhouette of the simulated debris against the outline drawn on the photograph</source>
+        <translation>将模拟堆积物的剪影与照片上画出的轮廓对照</translation>
+    </message>
+    <message>
+        <source>Look through the camera</source>
+        <translation>从相机看</translation>
+    </message>
+    <message>
+        <source>Let the fragment view look as the matched camera does</source>
+        <translation>使碎块视图采用匹配所得相机的视角</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>证据</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -5354,6 +5438,146 @@
         <source>a direction of some length</source>
         <translation>具有一定长度的方向</translation>
     </message>
+    <message>
+        <source>A part of it may be missing; copy it anew from where it came.</source>
+        <translation>可能缺少一部分；请从来源处重新复制。</translation>
+    </message>
+    <message>
+        <source>Check that the file is there and that you may read it.</source>
+        <translation>请检查文件是否存在以及您是否有读取权限。</translation>
+    </message>
+    <message>
+        <source>Copy the photograph anew from where it came, or save it again as JPEG.</source>
+        <translation>请从来源处重新复制照片，或另存为 JPEG。</translation>
+    </message>
+    <message>
+        <source>Correct the time of the photograph, or simulate on to it.</source>
+        <translation>请更正照片的时刻，或继续模拟到该时刻。</translation>
+    </message>
+    <message>
+        <source>Draw around the debris that the photograph shows.</source>
+        <translation>请沿照片所示堆积物画出轮廓。</translation>
+    </message>
+    <message>
+        <source>Draw less of it as hidden or moved, or check the outline.</source>
+        <translation>请减少画为遮挡或已移动的部分，或检查轮廓。</translation>
+    </message>
+    <message>
+        <source>Give a JPEG, PNG or TIFF file, copied anew from where it came.</source>
+        <translation>请给出从来源处重新复制的 JPEG、PNG 或 TIFF 文件。</translation>
+    </message>
+    <message>
+        <source>Give a picture of 16 to 100,000 pixels on each side.</source>
+        <translation>请给出每边 16 至 100,000 像素的图片。</translation>
+    </message>
+    <message>
+        <source>Let the principal point be found, or take the photograph as it came from the camera.</source>
+        <translation>请由程序求主点，或采用相机原始照片。</translation>
+    </message>
+    <message>
+        <source>Neither drawn nor simulated debris lies in what counts of this photograph.</source>
+        <translation>此照片有效范围内既没有画出的也没有模拟的堆积物。</translation>
+    </message>
+    <message>
+        <source>No outline of the debris is drawn on the photograph.</source>
+        <translation>照片上未画出堆积物的轮廓。</translation>
+    </message>
+    <message>
+        <source>Nothing is simulated yet, so there is no debris to see.</source>
+        <translation>尚未模拟，因此看不到堆积物。</translation>
+    </message>
+    <message>
+        <source>Put the file back, or add it as another photograph.</source>
+        <translation>请放回该文件，或将其添加为另一张照片。</translation>
+    </message>
+    <message>
+        <source>Simulate the case first.</source>
+        <translation>请先模拟该案例。</translation>
+    </message>
+    <message>
+        <source>The focal length is found from the point pairs; set the time by hand.</source>
+        <translation>焦距由点对求得；请手动设置时刻。</translation>
+    </message>
+    <message>
+        <source>The photograph as it came from the camera shows more.</source>
+        <translation>相机原始照片显示得更多。</translation>
+    </message>
+    <message>
+        <source>The photograph has {0} x {1} pixels, the camera recorded {2} x {3}: it is cropped.</source>
+        <translation>照片为 {0} x {1} 像素，相机记录为 {2} x {3}：已被裁剪。</translation>
+    </message>
+    <message>
+        <source>The photograph has {0} x {1} pixels, the camera recorded {2} x {3}: it was made smaller or larger.</source>
+        <translation>照片为 {0} x {1} 像素，相机记录为 {2} x {3}：已被缩放。</translation>
+    </message>
+    <message>
+        <source>The photograph is damaged: {0}</source>
+        <translation>照片已损坏：{0}</translation>
+    </message>
+    <message>
+        <source>The photograph is of {0}, but the run goes from {1} to {2}.</source>
+        <translation>照片的时刻为 {0}，但计算范围为 {1} 至 {2}。</translation>
+    </message>
+    <message>
+        <source>The photograph says nothing of its camera, time and place.</source>
+        <translation>照片没有相机、时间和位置的信息。</translation>
+    </message>
+    <message>
+        <source>The photograph {0} cannot be read</source>
+        <translation>无法读取照片 {0}</translation>
+    </message>
+    <message>
+        <source>The photograph {0} is another file than the case names.</source>
+        <translation>照片 {0} 与案例所指的文件不同。</translation>
+    </message>
+    <message>
+        <source>The pixels of {0} cannot be read: {1}</source>
+        <translation>无法读取 {0} 的像素：{1}</translation>
+    </message>
+    <message>
+        <source>The silhouettes overlap by {0} ± {1}; their edges are {2} ± {3} apart in the mean, {4} from the camera.</source>
+        <translation>剪影重合度为 {0} ± {1}；其边缘平均相距 {2} ± {3}（距相机 {4} 处）。</translation>
+    </message>
+    <message>
+        <source>The silhouettes overlap by {0} ± {1}; there are no two edges to compare.</source>
+        <translation>剪影重合度为 {0} ± {1}；没有可比较的两条边缘。</translation>
+    </message>
+    <message>
+        <source>a focal length above zero</source>
+        <translation>大于零的焦距</translation>
+    </message>
+    <message>
+        <source>a number of seconds, not below zero</source>
+        <translation>不小于零的秒数</translation>
+    </message>
+    <message>
+        <source>debris, moved, hidden or not_debris</source>
+        <translation>debris、moved、hidden 或 not_debris</translation>
+    </message>
+    <message>
+        <source>it must name a photograph among the inputs that no other names</source>
+        <translation>必须指向输入中未被其他项使用的照片</translation>
+    </message>
+    <message>
+        <source>three corners or more</source>
+        <translation>三个或更多角点</translation>
+    </message>
+    <message>
+        <source>two numbers</source>
+        <translation>两个数值</translation>
+    </message>
+    <message>
+        <source>width and height</source>
+        <translation>宽度和高度</translation>
+    </message>
+    <message>
+        <source>{0} has {1} x {2} pixels, which is no photograph that could be matched</source>
+        <translation>{0} 为 {1} x {2} 像素，不是可以匹配的照片</translation>
+    </message>
+    <message>
+        <source>{0} is no photograph that can be read: {1}</source>
+        <translation>{0} 不是可读取的照片：{1}</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -5410,10 +5634,6 @@
         <translation>窗口大小。</translation>
     </message>
     <message>
-        <source>Show this panel: case, fragments, grid, effects, run or accuracy.</source>
-        <translation>显示该面板：case、fragments、grid、effects、run 或 accuracy。</translation>
-    </message>
-    <message>
         <source>Language: en, zh_CN or system.</source>
         <translation>语言：en、zh_CN 或 system。</translation>
     </message>
@@ -5436,6 +5656,18 @@
     <message>
         <source>Look as a saved view does.</source>
         <translation>采用已保存视图的视角。</translation>
+    </message>
+    <message>
+        <source>--photo is one of %1, not “%2”.</source>
+        <translation>--photo 为 %1 之一，而不是“%2”。</translation>
+    </message>
+    <message>
+        <source>Show this panel: case, fragments, grid, effects, run, accuracy or evidence.</source>
+        <translation>显示该面板：case、fragments、grid、effects、run、accuracy 或 evidence。</translation>
+    </message>
+    <message>
+        <source>How the simulation lies over the photograph: alone, swipe, blend, blink or outline.</source>
+        <translation>模拟如何叠加在照片上：alone、swipe、blend、blink 或 outline。</translation>
     </message>
 </context>
 <context>
@@ -6020,6 +6252,29 @@
         <source>z of the still surface. Automatic: there is no water.</source>
         <translation>静水面的 z 坐标。自动：没有水。</translation>
     </message>
+    <message>
+        <source>How long after its birth a body is brought out of what it was born in; what is left then stays, so that the pile can come to rest. Longer: looser piles that rest later.</source>
+        <translation>刚体产生后在多长时间内从其产生处的重叠中移出；剩余的重叠保留，使堆积能够静止。时间越长：堆积越松散，静止越晚。</translation>
+    </message>
+    <message>
+        <source>Overlap resolved for</source>
+        <translation>重叠消除时长</translation>
+    </message>
+</context>
+<context>
+    <name>photographs</name>
+    <message>
+        <source>photograph %1 added</source>
+        <translation>照片 %1 已添加</translation>
+    </message>
+    <message>
+        <source>%1 photographs added</source>
+        <translation>已添加 %1 张照片</translation>
+    </message>
+    <message>
+        <source>photograph removed</source>
+        <translation>照片已移除</translation>
+    </message>
 </context>
 <context>
     <name>prediction</name>
@@ -6173,6 +6428,13 @@
     </message>
 </context>
 <context>
+    <name>rubble::CameraOverlay</name>
+    <message>
+        <source>simulation, %1 s</source>
+        <translation>模拟，%1 s</translation>
+    </message>
+</context>
+<context>
     <name>rubble::Computation</name>
     <message>
         <source>Opening</source>
@@ -6223,6 +6485,113 @@
     <message>
         <source>It can be computed when the run is through.</source>
         <translation>计算完成后可以计算基准。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::EvidenceDisplay</name>
+    <message>
+        <source>point %1 moved</source>
+        <translation>点 %1 已移动</translation>
+    </message>
+    <message>
+        <source>%1 drawn</source>
+        <translation>已画出%1</translation>
+    </message>
+    <message>
+        <source>There is nothing of the model there: click on the structure, a fragment or the ground.</source>
+        <translation>该处没有模型：请单击结构、碎块或地面。</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>%1, node</source>
+        <translation>%1，节点</translation>
+    </message>
+    <message>
+        <source>Add photographs</source>
+        <translation>添加照片</translation>
+    </message>
+    <message>
+        <source>Photographs (*.jpg *.jpeg *.png *.tif *.tiff *.JPG *.JPEG *.PNG *.TIF *.TIFF);;All files (*)</source>
+        <translation>照片 (*.jpg *.jpeg *.png *.tif *.tiff *.JPG *.JPEG *.PNG *.TIF *.TIFF);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>%1: among the photographs already</source>
+        <translation>%1：已在照片之中</translation>
+    </message>
+    <message>
+        <source>Point pairs</source>
+        <translation>点对</translation>
+    </message>
+    <message>
+        <source>Tables of point pairs (*.csv);;All files (*)</source>
+        <translation>点对表 (*.csv);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>%1 points from %2</source>
+        <translation>来自 %2 的 %1 个点</translation>
+    </message>
+    <message>
+        <source>point %1 added</source>
+        <translation>点 %1 已添加</translation>
+    </message>
+    <message>
+        <source>Now click the same point in the model, at the right; nodes are caught. Esc ends.</source>
+        <translation>现在单击右侧模型中的同一点；会捕捉节点。Esc 结束。</translation>
+    </message>
+    <message>
+        <source>Now click the same point in the photograph.</source>
+        <translation>现在单击照片中的同一点。</translation>
+    </message>
+    <message>
+        <source>Click a point in the photograph, then the same point in the model; or the other way round.</source>
+        <translation>单击照片中的一点，然后单击模型中的同一点；或相反。</translation>
+    </message>
+    <message>
+        <source>Click the corners around it; a double click or Enter closes, Backspace takes one back, Esc ends.</source>
+        <translation>沿其周围单击角点；双击或回车闭合，退格键撤回一个，Esc 结束。</translation>
+    </message>
+    <message>
+        <source>The view looks as the camera does; its distortion and principal point are left out here.</source>
+        <translation>视图采用相机的视角；此处不计其畸变和主点。</translation>
+    </message>
+    <message>
+        <source>The camera is to be found first.</source>
+        <translation>须先求得相机。</translation>
+    </message>
+    <message>
+        <source>Draw the outline of the debris on the photograph first.</source>
+        <translation>请先在照片上画出堆积物的轮廓。</translation>
+    </message>
+    <message>
+        <source>Simulate first: there is no debris yet.</source>
+        <translation>请先模拟：尚无堆积物。</translation>
+    </message>
+    <message>
+        <source>reading the file</source>
+        <translation>正在读取文件</translation>
+    </message>
+    <message>
+        <source>unchanged since it was added</source>
+        <translation>添加后未变</translation>
+    </message>
+    <message>
+        <source>the file cannot be shown</source>
+        <translation>无法显示该文件</translation>
+    </message>
+    <message>
+        <source>changed since it was added</source>
+        <translation>添加后已更改</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在读取 %1</translation>
+    </message>
+    <message>
+        <source>Click points that the photograph and the model both show; once the camera is found, the simulation is seen from there.</source>
+        <translation>单击照片和模型都能看到的点；求得相机后即可从该处看模拟。</translation>
     </message>
 </context>
 <context>
@@ -6744,6 +7113,14 @@
     <message>
         <source>The sizes are counted anew when the simulation is through.</source>
         <translation>模拟完成后将重新统计尺寸。</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>证据</translation>
+    </message>
+    <message>
+        <source>What photographs show, and how far the simulated debris agrees.</source>
+        <translation>照片显示了什么，模拟堆积物与之符合到何种程度。</translation>
     </message>
 </context>
 <context>
@@ -8554,6 +8931,500 @@ What the file fits: %2.</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::EvidencePage</name>
+    <message>
+        <source>Model beside the photograph</source>
+        <translation>照片旁的模型</translation>
+    </message>
+    <message>
+        <source>Photograph</source>
+        <translation>照片</translation>
+    </message>
+    <message>
+        <source>The photograph alone (Ctrl+1)</source>
+        <translation>仅照片（Ctrl+1）</translation>
+    </message>
+    <message>
+        <source>Swipe</source>
+        <translation>划分</translation>
+    </message>
+    <message>
+        <source>Photograph left of a line, simulation right of it: drag the line (Ctrl+2)</source>
+        <translation>线左为照片，线右为模拟：可拖动该线（Ctrl+2）</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>叠合</translation>
+    </message>
+    <message>
+        <source>The simulation over the photograph, as strong as the slider says (Ctrl+3)</source>
+        <translation>模拟叠加在照片上，强度由滑块决定（Ctrl+3）</translation>
+    </message>
+    <message>
+        <source>Blink</source>
+        <translation>交替</translation>
+    </message>
+    <message>
+        <source>Photograph and simulation in turn (Ctrl+4)</source>
+        <translation>照片和模拟轮流显示（Ctrl+4）</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>The outline of the simulated debris on the photograph (Ctrl+5)</source>
+        <translation>照片上的模拟堆积物轮廓（Ctrl+5）</translation>
+    </message>
+    <message>
+        <source>Beside</source>
+        <translation>左右排列</translation>
+    </message>
+    <message>
+        <source>The model beside the photograph (Ctrl+6)</source>
+        <translation>照片旁的模型（Ctrl+6）</translation>
+    </message>
+    <message>
+        <source>Share of the simulation</source>
+        <translation>模拟所占比例</translation>
+    </message>
+    <message>
+        <source>Add point</source>
+        <translation>添加点</translation>
+    </message>
+    <message>
+        <source>Click a point in the photograph, then the same point in the model (Shift+A)</source>
+        <translation>单击照片中的一点，然后单击模型中的同一点 (Shift+A)</translation>
+    </message>
+    <message>
+        <source>What is drawn</source>
+        <translation>所画内容</translation>
+    </message>
+    <message>
+        <source>What the outline that is drawn encloses: debris, what rescuers moved, what is hidden, what is no debris</source>
+        <translation>所画轮廓围住的是：堆积物、救援移走的部分、被遮挡的部分、非堆积物</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>Draw around it: click the corners, double-click or Enter closes, Backspace takes one back</source>
+        <translation>沿其周围绘制：单击角点，双击或回车闭合，退格键撤回一个</translation>
+    </message>
+    <message>
+        <source>Where the line stands, 0 to 100 %</source>
+        <translation>线的位置，0 至 100 %</translation>
+    </message>
+    <message>
+        <source>How strong the simulation is, 0 to 100 %</source>
+        <translation>模拟的强度，0 至 100 %</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::EvidencePanel</name>
+    <message>
+        <source>%1 × %2 px</source>
+        <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>turned upright</source>
+        <translation>已转正</translation>
+    </message>
+    <message>
+        <source>focal length %1 mm (%2 mm on 36 × 24 mm)</source>
+        <translation>焦距 %1 mm（等效 36 × 24 mm 为 %2 mm）</translation>
+    </message>
+    <message>
+        <source>focal length %1 mm</source>
+        <translation>焦距 %1 mm</translation>
+    </message>
+    <message>
+        <source>focal length %1 mm on 36 × 24 mm</source>
+        <translation>焦距 %1 mm（等效 36 × 24 mm）</translation>
+    </message>
+    <message>
+        <source>taken %1 by its clock</source>
+        <translation>按相机时钟摄于 %1</translation>
+    </message>
+    <message>
+        <source>%1° N, %2° E</source>
+        <translation>%1° N，%2° E</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>证据</translation>
+    </message>
+    <message>
+        <source>What photographs show, and how far the simulated debris agrees.</source>
+        <translation>照片显示了什么，模拟堆积物与之符合到何种程度。</translation>
+    </message>
+    <message>
+        <source>Add photographs…</source>
+        <translation>添加照片…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>when all lay at rest</source>
+        <translation>全部静止时</translation>
+    </message>
+    <message>
+        <source>Time of the photograph</source>
+        <translation>照片的时刻</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the time</source>
+        <translation>时刻的不确定度</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>焦距</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Fallen structure counts as debris</source>
+        <translation>坠落结构计为堆积物</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translation>照片列表</translation>
+    </message>
+    <message>
+        <source>The photograph that is shown</source>
+        <translation>显示的照片</translation>
+    </message>
+    <message>
+        <source>Add photographs to the case: JPEG, PNG or TIFF. Their files are only read, never changed</source>
+        <translation>向案例添加照片：JPEG、PNG 或 TIFF。文件只读取，从不更改</translation>
+    </message>
+    <message>
+        <source>Take the photograph out of the case, with its points and masks; the file stays</source>
+        <translation>从案例中移除照片及其点和蒙版；文件保留</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>The photograph shows the debris after all has come to rest: it is held against the end of the run</source>
+        <translation>照片显示全部静止之后的堆积物：与计算结束时对照</translation>
+    </message>
+    <message>
+        <source>taken at</source>
+        <translation>拍摄时刻</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>When the photograph was taken, seconds on the clock of the FE result</source>
+        <translation>照片的拍摄时刻，按有限元结果的时钟，秒</translation>
+    </message>
+    <message>
+        <source>give or take</source>
+        <translation>误差范围</translation>
+    </message>
+    <message>
+        <source>How far the time may be off, seconds, as much before as after. From 0 to 1,000,000 s</source>
+        <translation>时刻可能偏差多少，秒，前后相同。0 至 1,000,000 s</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>note: who took it, from where</source>
+        <translation>备注：谁拍摄，从何处</translation>
+    </message>
+    <message>
+        <source>A note on the photograph, kept in the case</source>
+        <translation>照片的备注，保存在案例中</translation>
+    </message>
+    <message>
+        <source>time of the photograph</source>
+        <translation>照片时刻</translation>
+    </message>
+    <message>
+        <source>uncertainty of the time</source>
+        <translation>时刻不确定度</translation>
+    </message>
+    <message>
+        <source>note on the photograph</source>
+        <translation>照片备注</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>to be found</source>
+        <translation>待求</translation>
+    </message>
+    <message>
+        <source>focal length</source>
+        <translation>焦距值</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>In pixels, if it is known: in millimetres times the width in pixels over that of the sensor in millimetres. Left empty it is found from the points. From 1 to 10,000,000 px</source>
+        <translation>以像素计（若已知）：毫米焦距乘以像素宽度再除以传感器毫米宽度。留空则由点求得。1 至 10,000,000 px</translation>
+    </message>
+    <message>
+        <source>the middle</source>
+        <translation>中心</translation>
+    </message>
+    <message>
+        <source>Principal point</source>
+        <translation>主点</translation>
+    </message>
+    <message>
+        <source>principal point</source>
+        <translation>主点位置</translation>
+    </message>
+    <message>
+        <source>Where the axis of the lens meets the picture: the middle unless the photograph was cropped, px</source>
+        <translation>镜头轴线与照片的交点：除非照片被裁剪，否则为中心，px</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>one term</source>
+        <translation>一项</translation>
+    </message>
+    <message>
+        <source>two terms</source>
+        <translation>两项</translation>
+    </message>
+    <message>
+        <source>Distortion</source>
+        <translation>畸变</translation>
+    </message>
+    <message>
+        <source>distortion</source>
+        <translation>畸变项数</translation>
+    </message>
+    <message>
+        <source>Terms of radial distortion that are found from the points, 0 to 2</source>
+        <translation>由点求得的径向畸变项数，0 至 2</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Where the camera stood: x, y, z in the frame of the case, metres</source>
+        <translation>相机位置：案例坐标框架中的 x、y、z，米</translation>
+    </message>
+    <message>
+        <source>within (95 %)</source>
+        <translation>误差（95 %）</translation>
+    </message>
+    <message>
+        <source>With 95 % confidence the camera stood within this of the position, metres</source>
+        <translation>在 95 % 置信度下，相机距所求位置在此范围内，米</translation>
+    </message>
+    <message>
+        <source>direction within</source>
+        <translation>方向误差</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>With 95 % confidence the camera looked within this of the direction found, degrees</source>
+        <translation>在 95 % 置信度下，相机方向与所求方向相差在此范围内，度</translation>
+    </message>
+    <message>
+        <source>With its standard deviation where it was found, pixels</source>
+        <translation>若为求得，附标准差，像素</translation>
+    </message>
+    <message>
+        <source>fit, RMS</source>
+        <translation>拟合，RMS</translation>
+    </message>
+    <message>
+        <source>Root of the mean square of the residuals of the points that agree, pixels</source>
+        <translation>相符各点残差的均方根，像素</translation>
+    </message>
+    <message>
+        <source>focal length of the camera</source>
+        <translation>相机焦距</translation>
+    </message>
+    <message>
+        <source>principal point of the camera</source>
+        <translation>相机主点</translation>
+    </message>
+    <message>
+        <source>distortion of the camera</source>
+        <translation>相机畸变</translation>
+    </message>
+    <message>
+        <source>Drawn on it</source>
+        <translation>照片上所画</translation>
+    </message>
+    <message>
+        <source>Outlines and masks</source>
+        <translation>轮廓和蒙版</translation>
+    </message>
+    <message>
+        <source>Delete the chosen outline or mask</source>
+        <translation>删除所选轮廓或蒙版</translation>
+    </message>
+    <message>
+        <source>%1 deleted</source>
+        <translation>%1 已删除</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>符合程度</translation>
+    </message>
+    <message>
+        <source>Live elements that moved farther than 1 m are debris; else they only hide what lies behind them</source>
+        <translation>移动超过 1 m 的未失效单元为堆积物；否则只遮挡其后的内容</translation>
+    </message>
+    <message>
+        <source>Hold the silhouette of the simulated debris against the outline drawn, with 64 cameras that the match allows</source>
+        <translation>以匹配所允许的 64 个相机，将模拟堆积物的剪影与所画轮廓对照</translation>
+    </message>
+    <message>
+        <source>Stop comparing</source>
+        <translation>停止比较</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>重合度</translation>
+    </message>
+    <message>
+        <source>Area in both silhouettes over area in either, with the camera as found; 1: the same</source>
+        <translation>两个剪影的交集面积与并集面积之比，按所求相机；1：相同</translation>
+    </message>
+    <message>
+        <source>as the camera allows</source>
+        <translation>按相机允许范围</translation>
+    </message>
+    <message>
+        <source>Mean and standard deviation of the overlap over the cameras that the match allows</source>
+        <translation>匹配所允许的各相机下重合度的平均值和标准差</translation>
+    </message>
+    <message>
+        <source>edges apart</source>
+        <translation>边缘间距</translation>
+    </message>
+    <message>
+        <source>Mean distance of the edges of the silhouettes at the distance of the debris, metres</source>
+        <translation>两剪影边缘在堆积物距离处的平均间距，米</translation>
+    </message>
+    <message>
+        <source>The same in pixels of the photograph</source>
+        <translation>同上，以照片像素计</translation>
+    </message>
+    <message>
+        <source>over its time</source>
+        <translation>按其时刻范围</translation>
+    </message>
+    <message>
+        <source>Least and greatest overlap from the earliest to the latest time of the photograph</source>
+        <translation>照片最早至最晚时刻之间的最小和最大重合度</translation>
+    </message>
+    <message>
+        <source>A photograph of the site shows what the debris really did. Add one, click points that the model has too, and the camera is found; then the simulation is seen from there.</source>
+        <translation>现场照片显示堆积物的真实情况。添加一张，单击模型中也有的点，即可求得相机；随后可从该处看模拟。</translation>
+    </message>
+    <message>
+        <source>Open a result first.</source>
+        <translation>请先打开结果。</translation>
+    </message>
+    <message>
+        <source>found; file: %1</source>
+        <translation>已求得；文件：%1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1，共 %2</translation>
+    </message>
+    <message>
+        <source>An edge %1 m away is certain to about %2 m.</source>
+        <translation>%1 m 远处的边缘可确定到约 %2 m。</translation>
+    </message>
+    <message>
+        <source>Good match.</source>
+        <translation>匹配良好。</translation>
+    </message>
+    <message>
+        <source>Usable match.</source>
+        <translation>匹配可用。</translation>
+    </message>
+    <message>
+        <source>More points, spread in depth and to the corners, make it better.</source>
+        <translation>增加在深度上分散并靠近角落的点可改善匹配。</translation>
+    </message>
+    <message>
+        <source>Poor match: do not rest a conclusion on it.</source>
+        <translation>匹配较差：不要据此下结论。</translation>
+    </message>
+    <message>
+        <source>Add points, spread in depth and to the corners of the picture.</source>
+        <translation>请增加在深度上分散并靠近照片角落的点。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n corners</source>
+        <translation>%1，%n 个角点</translation>
+    </message>
+    <message>
+        <source>Comparing…</source>
+        <translation>正在比较…</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Something has changed since: compare again.</source>
+        <translation>此后有更改：请重新比较。</translation>
+    </message>
+    <message>
+        <source>Debris at %1 s, %2.</source>
+        <translation>%1 s 时的堆积物，%2。</translation>
+    </message>
+    <message>
+        <source>fallen structure with it</source>
+        <translation>含坠落结构</translation>
+    </message>
+    <message>
+        <source>fallen structure apart</source>
+        <translation>坠落结构另计</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::FindingList</name>
     <message>
         <source>%1×: %2</source>
@@ -9355,6 +10226,160 @@ What the file fits: %2.</source>
     <message>
         <source>Between %1 and %2, please.</source>
         <translation>请输入 %1 至 %2 之间的值。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::PhotoPairs</name>
+    <message>
+        <source>behind</source>
+        <translation>在后方</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>有误</translation>
+    </message>
+    <message>
+        <source>Add point</source>
+        <translation>添加点</translation>
+    </message>
+    <message>
+        <source>From table…</source>
+        <translation>从表格…</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Point pairs</source>
+        <translation>点对</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>residual, px</source>
+        <translation>残差，px</translation>
+    </message>
+    <message>
+        <source>How far the point that was clicked lies from where the camera sees it, pixels</source>
+        <translation>所单击的点与相机所见位置的距离，像素</translation>
+    </message>
+    <message>
+        <source>Click a point in the photograph, then the same point in the model beside it (Shift+A)</source>
+        <translation>单击照片中的一点，然后单击旁边模型中的同一点 (Shift+A)</translation>
+    </message>
+    <message>
+        <source>Read pairs from a table with the columns of rubble-cli camera, for surveyed points</source>
+        <translation>从具有 rubble-cli camera 各列的表格读取点对，用于测量点</translation>
+    </message>
+    <message>
+        <source>Delete the chosen pair (Delete)</source>
+        <translation>删除所选点对（Delete）</translation>
+    </message>
+    <message>
+        <source>Name of the point</source>
+        <translation>点名</translation>
+    </message>
+    <message>
+        <source>Name of the point: pier 1, top west corner</source>
+        <translation>点名：1 号墩西上角</translation>
+    </message>
+    <message>
+        <source>picture x</source>
+        <translation>照片 x</translation>
+    </message>
+    <message>
+        <source>picture y</source>
+        <translation>照片 y</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>%1: where the photograph shows the point, pixels from the upper left corner</source>
+        <translation>%1：该点在照片中的位置，自左上角起的像素</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>%1 of the point of the model or survey, metres in the frame of the case</source>
+        <translation>模型或测量点的 %1，案例坐标框架，米</translation>
+    </message>
+    <message>
+        <source>name of point %1</source>
+        <translation>点 %1 的名称</translation>
+    </message>
+    <message>
+        <source>%1 (%2 px)</source>
+        <translation>%1（%2 px）</translation>
+    </message>
+    <message>
+        <source>%1 (behind the camera)</source>
+        <translation>%1（相机后方）</translation>
+    </message>
+    <message>
+        <source>Point %1 disagrees with the other %2 and takes no part.</source>
+        <translation>点 %1 与其余 %2 个不符，不参与计算。</translation>
+    </message>
+    <message>
+        <source>Points %1 disagree with the other %2 and take no part.</source>
+        <translation>点 %1 与其余 %2 个不符，不参与计算。</translation>
+    </message>
+    <message>
+        <source>Move them on the photograph, click their counterparts anew, or delete them.</source>
+        <translation>请在照片上移动它们，重新单击其对应点，或将其删除。</translation>
+    </message>
+    <message>
+        <source>place of point %1</source>
+        <translation>点 %1 的位置</translation>
+    </message>
+    <message>
+        <source>point %1 deleted</source>
+        <translation>点 %1 已删除</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::PhotoView</name>
+    <message>
+        <source>debris outline</source>
+        <translation>堆积物轮廓</translation>
+    </message>
+    <message>
+        <source>moved by rescuers</source>
+        <translation>被救援移走</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>被遮挡</translation>
+    </message>
+    <message>
+        <source>not debris</source>
+        <translation>非堆积物</translation>
+    </message>
+    <message>
+        <source>Photograph</source>
+        <translation>照片</translation>
+    </message>
+    <message>
+        <source>Photographs of the site appear here: drop them on the window, or add them at the left.</source>
+        <translation>现场照片显示在此：拖放到窗口，或在左侧添加。</translation>
     </message>
 </context>
 <context>

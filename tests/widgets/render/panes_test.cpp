@@ -6,7 +6,8 @@ namespace rubble::render {
 namespace {
 
 TEST(Panes, TileTheWindowWithOneHairline) {
-    for (const Layout layout : {Layout::Beside, Layout::Stacked, Layout::FeOnly, Layout::FragmentsOnly, Layout::OverlayOnly, Layout::Four}) {
+    for (const Layout layout :
+         {Layout::Beside, Layout::Stacked, Layout::FeOnly, Layout::FragmentsOnly, Layout::OverlayOnly, Layout::Four}) {
         for (const auto& [width, height] : {std::pair{1280, 800}, {1279, 801}, {40, 30}}) {
             const auto panes = panesOf(layout, width, height);
             int pixels = 0;

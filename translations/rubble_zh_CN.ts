@@ -9397,7 +9397,9 @@ What the file fits: %2.</source>
     </message>
     <message numerus="yes">
         <source>%1, %n corners</source>
-        <translation>%1，%n 个角点</translation>
+        <translation>
+            <numerusform>%1，%n 个角点</numerusform>
+        </translation>
     </message>
     <message>
         <source>Comparing…</source>

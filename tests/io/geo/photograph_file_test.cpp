@@ -259,7 +259,7 @@ TEST_F(Photo, DamagedOrNoPhotographIsRefusedOrSaid) {
     const std::string path = write(1);
     const Bytes whole = bytesOf(path);
     EXPECT_THROW(readPhotograph(m_folder / "none.jpg"), WorldError);
-    EXPECT_THROW(readPhotograph(m_folder.path().string()), WorldError);
+    EXPECT_THROW(readPhotograph(m_folder.path()), WorldError);
     const std::string text = m_folder / "text.jpg";
     std::ofstream(text) << "this is no photograph";
     EXPECT_THROW(readPhotograph(text), ParseError);

@@ -753,7 +753,7 @@
     </message>
     <message>
         <source>Save what the views show and how, for rubble-cli figure --view and for later</source>
-        <translation>保存视图所示内容和方式，供 rubble-cli figure --view 和以后使用</translation>
+        <translation>保存视图所示内容和方式，供命令行和以后使用</translation>
     </message>
     <message>
         <source>Open a view…</source>
@@ -6918,7 +6918,7 @@
     </message>
     <message>
         <source>birth time</source>
-        <translation>产生时刻</translation>
+        <translation>按产生时刻</translation>
     </message>
     <message>
         <source>speed</source>
@@ -7402,7 +7402,7 @@
     </message>
     <message>
         <source>birth time</source>
-        <translation>产生时刻</translation>
+        <translation>产生的时刻</translation>
     </message>
     <message>
         <source>0 m/s</source>
@@ -9065,7 +9065,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Remove</source>
-        <translation>删除</translation>
+        <translation>移除</translation>
     </message>
     <message>
         <source>when all lay at rest</source>
@@ -9395,11 +9395,9 @@ What the file fits: %2.</source>
         <source>Add points, spread in depth and to the corners of the picture.</source>
         <translation>请增加在深度上分散并靠近照片角落的点。</translation>
     </message>
-    <message numerus="yes">
-        <source>%1, %n corners</source>
-        <translation>
-            <numerusform>%1，%n 个角点</numerusform>
-        </translation>
+    <message>
+        <source>%1, corners: %2</source>
+        <translation>%1，角点数：%2</translation>
     </message>
     <message>
         <source>Comparing…</source>
@@ -10274,7 +10272,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Read pairs from a table with the columns of rubble-cli camera, for surveyed points</source>
-        <translation>从具有 rubble-cli camera 各列的表格读取点对，用于测量点</translation>
+        <translation>从具有命令行相机匹配各列的表格读取点对，用于测量点</translation>
     </message>
     <message>
         <source>Delete the chosen pair (Delete)</source>
@@ -10342,7 +10340,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Points %1 disagree with the other %2 and take no part.</source>
-        <translation>点 %1 与其余 %2 个不符，不参与计算。</translation>
+        <translation>这些点（%1）与其余 %2 个不符，不参与计算。</translation>
     </message>
     <message>
         <source>Move them on the photograph, click their counterparts anew, or delete them.</source>
@@ -11592,6 +11590,22 @@ Program: %3</source>
     <message>
         <source>An FE result as it comes from the analysis, without a case.</source>
         <translation>直接来自分析的有限元结果，没有案例。</translation>
+    </message>
+    <message>
+        <source>Stone arch bridge, four spans</source>
+        <translation>四跨石拱桥</translation>
+    </message>
+    <message>
+        <source>The strips whose loss of strength starts the collapse belong to their arch rings.</source>
+        <translation>因强度丧失而引发倒塌的条带归入各自的拱圈。</translation>
+    </message>
+    <message>
+        <source>Reinforced concrete arch above a river</source>
+        <translation>跨河钢筋混凝土拱桥</translation>
+    </message>
+    <message>
+        <source>All concrete is reinforced; the river flows north at 1 m/s with its surface half a metre below the valley floor.</source>
+        <translation>所有混凝土均配筋；河水以 1 m/s 向北流动，水面低于谷底半米。</translation>
     </message>
 </context>
 </TS>

@@ -383,8 +383,7 @@ void EvidencePanel::showMasks() {
     m_masks->clear();
     for (const PhotoMask& mask : m_content.photograph.masks) {
         auto* item =
-            new QListWidgetItem(QIcon(swatch(mask.kind)),
-                                tr("%1, %n corners", nullptr, static_cast<int>(mask.corners.size())).arg(maskWords(mask.kind)));
+            new QListWidgetItem(QIcon(swatch(mask.kind)), tr("%1, corners: %2").arg(maskWords(mask.kind)).arg(mask.corners.size()));
         m_masks->addItem(item);
     }
     m_masks->setCurrentRow(m_content.chosenMask);

@@ -87,6 +87,12 @@ void ProjectDisplay::buildHistory(Document& document) {
     connect(m_history->toggleViewAction(), &QAction::toggled, &shown, &QAction::setChecked);
 }
 
+void ProjectDisplay::retell() {
+    static_cast<QUndoView*>(m_history->widget())->setEmptyLabel(tr("As opened"));
+    emit m_runs->changed();
+    m_start->refresh();
+}
+
 void ProjectDisplay::connectActions(Document& document) {
     const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
     on("duplicate_scenario", [&document] {

@@ -43,6 +43,8 @@ public:
     void restoreLayout();
     /// The window closes.
     void saveLayout() const;
+    /// Says in the language of the window what it had said in another.
+    void retell();
     void setTourStops(const std::vector<widgets::TourStop>& stops);
 
     Autosave& autosave() { return *m_autosave; }

@@ -1,5 +1,6 @@
 #include "app/gui/scenario_command.h"
 
+#include "widgets/language.h"
 #include "widgets/wording.h"
 
 namespace rubble {
@@ -14,7 +15,7 @@ ScenarioCommand::ScenarioCommand(Document& document, const Scenario& before, con
 
 void ScenarioCommand::name() {
     const auto [row, subject] = findParameter(m_key.toStdString());
-    QString label = QString::fromUtf8(row->label.data(), static_cast<qsizetype>(row->label.size()));
+    QString label = widgets::said("parameters", row->label);
     if (!subject.empty()) {
         label += QStringLiteral(" ") + QString::fromStdString(subject);
     }

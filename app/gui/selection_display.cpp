@@ -139,8 +139,8 @@ void SelectionDisplay::show() {
     indexFragments();
     readWay();
     const auto& selected = selection();
-    const bool there = !selected.empty() && data().components != nullptr &&
-                       data().components->of.size() == data().fe->mesh().elementCount();
+    const bool there =
+        !selected.empty() && data().components != nullptr && data().components->of.size() == data().fe->mesh().elementCount();
     if (!there) {
         m_inspector.showNothing();
     } else if (selected.size() == 1) {

@@ -1,9 +1,11 @@
 #include "app/gui/start_display.h"
 
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
 #include <QTimer>
+#include <array>
 
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
@@ -56,6 +58,23 @@ void StartDisplay::locate(const QString& from, const QString& to) {
     emit openRequested(to);
 }
 
+namespace {
+
+/// Names and notes of the cases that come with the program; those cases are files and speak English.
+[[maybe_unused]] constexpr std::array sampleTexts = {
+    QT_TRANSLATE_NOOP("samples", "Stone arch bridge, four spans"),
+    QT_TRANSLATE_NOOP("samples", "The strips whose loss of strength starts the collapse belong to their arch rings."),
+    QT_TRANSLATE_NOOP("samples", "Reinforced concrete arch above a river"),
+    QT_TRANSLATE_NOOP("samples",
+                      "All concrete is reinforced; the river flows north at 1 m/s with its surface half a metre below "
+                      "the valley floor.")};
+
+QString saidOfSample(const QString& text) {
+    return QCoreApplication::translate("samples", text.toUtf8().constData());
+}
+
+}  // namespace
+
 void StartDisplay::refresh() {
     std::vector<widgets::StartCase> recent;
     for (const RecentCase& each : m_recent.list()) {
@@ -65,7 +84,12 @@ void StartDisplay::refresh() {
     std::vector<widgets::StartCase> shipped;
     for (const Sample& each : samples()) {
         const QImage own = m_recent.picture(each.path);
-        shipped.push_back({each.path, each.name, each.words, {}, !each.picture.isEmpty() ? QImage(each.picture) : own, false});
+        shipped.push_back({each.path,
+                           saidOfSample(each.name),
+                           saidOfSample(each.words),
+                           {},
+                           !each.picture.isEmpty() ? QImage(each.picture) : own,
+                           false});
     }
     m_area.startPage().setSamples(shipped);
 }

@@ -73,6 +73,7 @@ void MainWindow::buildLayout() {
     auto* upper = new QHBoxLayout;
     upper->setSpacing(0);
     m_splitter = new QSplitter(Qt::Horizontal);
+    m_splitter->setObjectName(QStringLiteral("mainSplitter"));
     m_splitter->setHandleWidth(1);
     m_splitter->setChildrenCollapsible(false);
     m_deck->stack().setMinimumWidth(240);

@@ -68,6 +68,9 @@ void MainWindow::retell() {
     m_errors->refresh();
     m_health->refresh();
     m_feed->refresh();
+    if (m_project != nullptr) {
+        m_project->retell();
+    }
     m_document.undoStack().indexChanged(m_document.undoStack().index());
     showTitle();
     showState();

@@ -12,11 +12,11 @@ namespace rubble::widgets {
 
 namespace {
 
-/// Knows one sentence, by its id.
+/// Knows one sentence, by its pattern.
 class OneSentence : public QTranslator {
 public:
     QString translate(const char*, const char* source, const char*, int) const override {
-        return QLatin1String(source) == QLatin1String("test.sentence") ? QStringLiteral("{1} von {0}") : QString();
+        return QLatin1String(source) == QLatin1String("{0} has {1}") ? QStringLiteral("{1} von {0}") : QString();
     }
     bool isEmpty() const override { return false; }
 };
@@ -30,7 +30,7 @@ TEST(Wording, EnglishIsThePatternWithItsArguments) {
     EXPECT_EQ(worded(Message{"x", "{0} and {9} {", {Argument("a")}}), QStringLiteral("a and {9} {"));
 }
 
-TEST(Wording, ATranslationIsFoundByTheIdOfTheMessage) {
+TEST(Wording, ATranslationIsFoundByThePatternOfTheMessage) {
     OneSentence translator;
     QCoreApplication::installTranslator(&translator);
     EXPECT_EQ(worded(sentence), QStringLiteral("1,234,567 von pier 2"));

@@ -186,7 +186,7 @@ TEST_F(Run, WrongRequestsAreRefusedBeforeTheWork) {
     refused({"--export", "fragments"}, 2, "no \"=\"");
     refused({"--export", "fragments=" + (m_folder / "no/f.csv")}, 1, "does not exist");
     refused({"--out", m_path}, 2, "is read by this command");
-    refused({"--pane", "left"}, 2, "fe, fragments or both");
+    refused({"--pane", "left"}, 2, "fe, fragments, both");
     refused({"--size", "3x4"}, 2, "WIDTHxHEIGHT");
     refused({"--time", "soon"}, 2, "seconds");
     std::ofstream(m_folder / "diary.txt") << "not a run";

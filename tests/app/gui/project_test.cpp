@@ -321,7 +321,7 @@ TEST_F(Project, TheHistoryListGoesWhereItIsClicked) {
 
 TEST_F(Project, TheLayoutComesBackAndIsReset) {
     window->project().restoreLayout();
-    auto* splitter = window->findChild<QSplitter*>();
+    auto* splitter = window->findChild<QSplitter*>(QStringLiteral("mainSplitter"));
     const int first = splitter->sizes().front();
     window->actions()["history"].trigger();
     splitter->setSizes({first + 90, 400});
@@ -331,7 +331,7 @@ TEST_F(Project, TheLayoutComesBackAndIsReset) {
     window->project().restoreLayout();
     window->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), patience));
-    splitter = window->findChild<QSplitter*>();
+    splitter = window->findChild<QSplitter*>(QStringLiteral("mainSplitter"));
     EXPECT_NEAR(splitter->sizes().front(), wide, 2);
     EXPECT_TRUE(window->project().historyDock().isVisible());
     EXPECT_TRUE(window->actions()["history"].isChecked());

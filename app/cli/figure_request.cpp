@@ -43,10 +43,10 @@ std::optional<Value> choiceOf(const Arguments& arguments, const char* option, co
 }
 
 constexpr std::array<Choice<render::ColourBy>, 5> colourNames{{{"highlight", render::ColourBy::Highlight},
-                                                 {"component", render::ColourBy::Component},
-                                                 {"birth_time", render::ColourBy::BirthTime},
-                                                 {"speed", render::ColourBy::Speed},
-                                                 {"cluster", render::ColourBy::Cluster}}};
+                                                               {"component", render::ColourBy::Component},
+                                                               {"birth_time", render::ColourBy::BirthTime},
+                                                               {"speed", render::ColourBy::Speed},
+                                                               {"cluster", render::ColourBy::Cluster}}};
 constexpr std::array<Choice<std::optional<render::Layout>>, 5> paneNames{{{"both", std::nullopt},
                                                                           {"fe", render::Layout::FeOnly},
                                                                           {"fragments", render::Layout::FragmentsOnly},
@@ -142,7 +142,8 @@ render::View FigureRequest::viewOf(const render::SceneData& data) const {
     }
     if (m_look) {
         const double aspect = render::panesOf(view.layout, width, height).front().aspect();
-        for (const render::PaneContent pane : {render::PaneContent::Fe, render::PaneContent::Fragments, render::PaneContent::Overlay}) {
+        for (const render::PaneContent pane :
+             {render::PaneContent::Fe, render::PaneContent::Fragments, render::PaneContent::Overlay}) {
             render::cameraOf(view, pane) = render::fitCamera(render::boundsOf(data), aspect, *m_look);
         }
     }

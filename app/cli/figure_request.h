@@ -7,13 +7,13 @@
 #include "app/cli/arguments.h"
 #include "core/pipeline/pipeline.h"
 #include "io/run_file.h"
-#include "widgets/render/camera.h"
 #include "widgets/figures/figure_file.h"
+#include "widgets/render/camera.h"
 
 namespace rubble::cli {
 
-/// What a figure of a run is to show, as given by --view, --pane, --time, --state, --colour, --scale, --style, --look, --cut, --hide
-/// and --size.
+/// What a figure of a run is to show, as given by --view, --pane, --time, --state, --colour, --scale, --style, --look, --cut,
+/// --hide and --size.
 class FigureRequest {
 public:
     /// Options that every command with figures has.
@@ -46,9 +46,9 @@ private:
     std::optional<render::Style> m_surfaces;
     std::optional<Cut> m_cut;
     std::vector<std::string> m_hidden;
-    std::optional<double> m_time;            ///< s; unset: the end
+    std::optional<double> m_time;  ///< s; unset: the end
     bool m_atEnd = false;
-    std::optional<std::size_t> m_state;      ///< FE state that takes the place of the time
+    std::optional<std::size_t> m_state;  ///< FE state that takes the place of the time
     std::optional<render::ColourBy> m_colourBy;
     figures::FigureStyle m_style;
 };

@@ -16,8 +16,9 @@ RunEntry someRun(int i) {
     RunEntry run;
     run.when = "2024-05-31T08:15:3" + std::to_string(i) + "Z";
     run.scenarioId = "scenario-1";
-    run.scenarioName = "Br\xC3\xBC"
-                       "cke \"1\"";
+    run.scenarioName =
+        "Br\xC3\xBC"
+        "cke \"1\"";
     run.fingerprint.bytes[3] = static_cast<std::uint8_t>(i + 1);
     run.feSha256 = std::string(64, 'a');
     run.build = "text of the build";

@@ -75,7 +75,7 @@ TEST_F(Figure, ShowsWhatAViewSays) {
         return textOf(m_folder / (name + ".png"));
     };
     const std::string plain = drawn("plain", {});
-    const std::vector<std::vector<std::string>> ways{{"--pane", "overlay"},        {"--pane", "four"},  {"--look", "top"},
+    const std::vector<std::vector<std::string>> ways{{"--pane", "overlay"},       {"--pane", "four"}, {"--look", "top"},
                                                      {"--style", "presentation"}, {"--cut", "x=0.5"}, {"--cut", "-z=0.5"}};
     std::set<std::string> pictures{plain};
     for (std::size_t i = 0; i < ways.size(); ++i) {

@@ -321,6 +321,9 @@ TEST_F(Project, TheHistoryListGoesWhereItIsClicked) {
 
 TEST_F(Project, TheLayoutComesBackAndIsReset) {
     window->project().restoreLayout();
+    // Room for the panel to be as wide as it is pulled, beside views and history.
+    window->resize(1800, 900);
+    QTest::qWait(50);
     auto* splitter = window->findChild<QSplitter*>(QStringLiteral("mainSplitter"));
     const int first = splitter->sizes().front();
     window->actions()["history"].trigger();

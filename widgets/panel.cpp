@@ -101,6 +101,7 @@ PanelGroup::PanelGroup(const QString& heading, QWidget* parent)
     m_grid->setVerticalSpacing(4);
     m_grid->setColumnStretch(0, 5);
     m_grid->setColumnStretch(1, 4);
+    m_grid->setColumnMinimumWidth(0, 80);
     m_grid->setColumnMinimumWidth(2, 28);
 }
 
@@ -115,6 +116,8 @@ QLabel* PanelGroup::addValue(const QString& label, const QString& unit, const QS
     name->setToolTip(tip);
     auto* value = new QLabel(QString(QChar(0x2013)));
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    // A long one takes further lines, never the room of the names.
+    value->setWordWrap(true);
     value->setObjectName(QStringLiteral("value"));
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     value->setToolTip(tip);

@@ -26,8 +26,7 @@ const std::string fixtures = RUBBLE_BINARY_DIR "/tests/fe/";
 /// A result, and how ours and VTK's reader read it.
 struct Subject {
     std::string path;
-    FeResult::Contents (*ours)(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                               const Execution& execution);
+    FeResult::Contents (*ours)(const std::string& path, const ImportSettings& settings, const Execution& execution);
     std::function<void(const std::string& file)> vtk;  ///< reads all states of one file
 };
 
@@ -97,7 +96,7 @@ void readBytes(benchmark::State& state, Subject (*make)()) {
 void indexResult(benchmark::State& state, Subject (*make)()) {
     const Subject subject = make();
     for (auto _ : state) {
-        benchmark::DoNotOptimize(subject.ours(subject.path, {}, {}, Execution{}));
+        benchmark::DoNotOptimize(subject.ours(subject.path, {}, Execution{}));
     }
     state.SetBytesProcessed(state.iterations() * bytesOf(gridsOf(subject)));
 }
@@ -116,7 +115,7 @@ void indexByVtk(benchmark::State& state, Subject (*make)()) {
 // Any state without the others.
 void readState(benchmark::State& state, Subject (*make)()) {
     const Subject subject = make();
-    const FeResult::Contents contents = subject.ours(subject.path, {}, {}, Execution{});
+    const FeResult::Contents contents = subject.ours(subject.path, {}, Execution{});
     std::size_t k = 0;
     for (auto _ : state) {
         benchmark::DoNotOptimize(contents.source->read((k += 7) % contents.times.size()));

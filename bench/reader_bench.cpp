@@ -100,7 +100,7 @@ double residentMegabytes() {
 
 void indexProjectile(benchmark::State& state) {
     for (auto _ : state) {
-        benchmark::DoNotOptimize(io::readD3plot(projectile, {}, {}, Execution{}));
+        benchmark::DoNotOptimize(io::readD3plot(projectile, {}, Execution{}));
     }
     state.SetBytesProcessed(state.iterations() *
                             static_cast<std::int64_t>(io::openFe(projectile, {}, {}, Execution{})->contents().bytes));
@@ -126,7 +126,7 @@ void readProjectileBytes(benchmark::State& state) {
 BENCHMARK(readProjectileBytes)->Unit(benchmark::kMillisecond);
 
 void readProjectileState(benchmark::State& state) {
-    const FeResult::Contents contents = io::readD3plot(projectile, {}, {}, Execution{});
+    const FeResult::Contents contents = io::readD3plot(projectile, {}, Execution{});
     std::size_t k = 0;
     for (auto _ : state) {
         benchmark::DoNotOptimize(contents.source->read(k++ % contents.times.size()));
@@ -165,7 +165,7 @@ void scrubTwentyGigabytes(benchmark::State& state) {
     const SparseFamily family;
     const double before = residentMegabytes();
     const auto begun = std::chrono::steady_clock::now();
-    auto contents = io::readD3plot(family.root(), {}, {}, Execution{});
+    auto contents = io::readD3plot(family.root(), {}, Execution{});
     const double index = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     contents.format = "LS-DYNA d3plot";
     const FeResult fe(std::move(contents));

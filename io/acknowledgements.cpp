@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 
 #include "core/base/error.h"
 #include "io/files.h"
+#include "io/json_document.h"
 #include "io/run_json.h"
 
 namespace rubble::io {
@@ -15,41 +15,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* formatName = "rubble-acknowledgements";
-constexpr std::int64_t formatVersion = 1;
 // A sidecar of thousands of entries is far smaller.
-constexpr std::uintmax_t bytesMax = std::uintmax_t{16} << 20;
-
-std::string contentOf(const std::string& path) {
-    std::error_code failed;
-    if (fs::is_regular_file(path, failed) && fs::file_size(path, failed) > bytesMax) {
-        throw ParseError({"io.acknowledged.too_large", "{0} is too large to hold acknowledgements", {path}},
-                         {"io.acknowledged.damaged.remedy", "Move it away and acknowledge the run again.", {}});
-    }
-    std::ifstream in;
-    if (!failed && fs::is_regular_file(path, failed)) {
-        in.open(path, std::ios::binary);
-    }
-    if (!in.is_open()) {
-        throw WorldError({"io.acknowledged.unreadable", "Cannot read the acknowledgements {0}", {path}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
-    }
-    return {std::istreambuf_iterator<char>(in), {}};
-}
+constexpr JsonKind kind{"rubble-acknowledgements", 1, std::uintmax_t{16} << 20};
 
 std::vector<Acknowledgement> listFrom(const std::string& path) {
-    const nlohmann::json document = parseJson(contentOf(path), path);
+    const nlohmann::json document = readJsonDocument(path, kind);
     const JsonCursor top(document, path);
-    if (top["format"].text() != formatName) {
-        top["format"].fail(std::string("\"") + formatName + "\"");
-    }
-    if (top["version"].integer() != formatVersion) {
-        throw ParseError(
-            {"io.acknowledged.version",
-             "{0} is of version {1}; this program reads version {2}",
-             {path, top["version"].integer(), formatVersion}},
-            {"io.acknowledged.version.remedy", "Use the Rubble that wrote it, or move it away and acknowledge the run again.", {}});
-    }
     std::vector<Acknowledgement> list;
     for (const JsonCursor& entry : top["acknowledgements"].elements()) {
         list.push_back({entry["by"].text(), entry["when"].text(), entry["note"].text(), digestFromJson(entry["breaches"])});
@@ -101,8 +72,8 @@ void acknowledge(const std::string& runPath, Acknowledgement acknowledgement) {
     }
     std::vector<Acknowledgement> list = acknowledgements(runPath);
     list.push_back(std::move(acknowledgement));
-    nlohmann::json document = {{"format", formatName},
-                               {"version", formatVersion},
+    nlohmann::json document = {{"format", kind.format},
+                               {"version", kind.version},
                                {"run", fs::path(runPath).filename().string()},
                                {"acknowledgements", nlohmann::json::array()}};
     for (const Acknowledgement& entry : list) {

@@ -1,12 +1,11 @@
 #include "io/autosave_file.h"
 
 #include <filesystem>
-#include <fstream>
 
-#include "core/base/error.h"
 #include "io/case_file.h"
 #include "io/files.h"
 #include "io/json_cursor.h"
+#include "io/json_document.h"
 
 namespace rubble::io {
 
@@ -14,10 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* formatName = "rubble-autosave";
-constexpr std::int64_t formatVersion = 1;
-// As for a case.
-constexpr std::uintmax_t bytesMax = std::uintmax_t{64} << 20;
+// As large as a case.
+constexpr JsonKind kind{"rubble-autosave", 1, std::uintmax_t{64} << 20};
 
 }  // namespace
 
@@ -25,7 +22,7 @@ void writeAutosave(const std::string& file, const AutosavedCase& autosaved) {
     std::error_code failed;
     fs::create_directories(fs::path(file).parent_path(), failed);
     // Whatever is wrong with the folder is told by the writing.
-    const nlohmann::json document = {{"format", formatName},          {"version", formatVersion},
+    const nlohmann::json document = {{"format", kind.format},         {"version", kind.version},
                                      {"path", autosaved.path},        {"base", autosaved.base},
                                      {"saved_at", autosaved.savedAt}, {"case", parseJson(caseText(autosaved.theCase), file)}};
     const std::string text = document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -33,24 +30,8 @@ void writeAutosave(const std::string& file, const AutosavedCase& autosaved) {
 }
 
 AutosavedCase readAutosave(const std::string& file) {
-    std::error_code failed;
-    const std::uintmax_t size = fs::file_size(file, failed);
-    std::ifstream in;
-    if (!failed && size <= bytesMax) {
-        in.open(file, std::ios::binary);
-    }
-    if (!in.is_open()) {
-        throw WorldError({"io.autosave.unreadable", "Cannot read the unsaved work in {0}", {file}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
-    }
-    const nlohmann::json document = parseJson(std::string(std::istreambuf_iterator<char>(in), {}), file);
+    const nlohmann::json document = readJsonDocument(file, kind);
     const JsonCursor top(document, file);
-    if (top["format"].text() != formatName) {
-        top["format"].fail(std::string("\"") + formatName + "\"");
-    }
-    if (top["version"].integer() != formatVersion) {
-        top["version"].fail(std::to_string(formatVersion));
-    }
     return {top["path"].text(), top["base"].text(), top["saved_at"].text(), caseFromText(top["case"].value().dump(), file)};
 }
 

@@ -10,11 +10,14 @@
 
 #include "core/base/error.h"
 #include "io/case_migrations.h"
+#include "io/ensemble_json.h"
 #include "io/fe_reader.h"
 #include "io/files.h"
+#include "io/journal.h"
 #include "io/json_cursor.h"
 #include "io/photograph_json.h"
 #include "io/scenario_json.h"
+#include "io/site_json.h"
 
 namespace rubble::io {
 
@@ -27,11 +30,13 @@ constexpr std::string_view formatName = "rubble-case";
 // No case comes near this; a larger file is something else and is not read into memory.
 constexpr std::uintmax_t sizeLimit = std::uintmax_t{64} << 20;
 
-constexpr std::array<std::pair<InputRole, std::string_view>, 4> roleNames{{
+constexpr std::array<std::pair<InputRole, std::string_view>, 6> roleNames{{
     {InputRole::Fe, "fe"},
     {InputRole::Terrain, "terrain"},
     {InputRole::Photograph, "photograph"},
     {InputRole::Survey, "survey"},
+    {InputRole::Orthophoto, "orthophoto"},
+    {InputRole::Surroundings, "surroundings"},
 }};
 
 std::string roleName(InputRole role) {
@@ -46,7 +51,7 @@ InputRole roleFrom(const JsonCursor& cursor) {
             return role;
         }
     }
-    cursor.fail("fe, terrain, photograph or survey");
+    cursor.fail("fe, terrain, photograph, survey, orthophoto or surroundings");
 }
 
 bool isSha256(const std::string& text) {
@@ -126,19 +131,26 @@ json caseJson(const Case& theCase) {
     for (const Bookmark& bookmark : theCase.bookmarks) {
         bookmarks.push_back({{"time", bookmark.time}, {"note", bookmark.note}});
     }
-    return {{"format", formatName},
-            {"version", caseVersion},
-            {"title", theCase.title},
-            {"frame", frameJson(theCase.frame)},
-            {"inputs", std::move(inputs)},
-            {"scenarios", std::move(scenarios)},
-            {"active_scenario", theCase.activeScenario},
-            {"bookmarks", std::move(bookmarks)},
-            {"photographs", photographsJson(theCase.photographs)}};
+    json object{{"format", formatName},
+                {"version", caseVersion},
+                {"title", theCase.title},
+                {"frame", frameJson(theCase.frame)},
+                {"inputs", std::move(inputs)},
+                {"scenarios", std::move(scenarios)},
+                {"active_scenario", theCase.activeScenario},
+                {"bookmarks", std::move(bookmarks)},
+                {"photographs", photographsJson(theCase.photographs)},
+                {"ensemble", ensembleJson(theCase.ensemble)},
+                {"journal", journalJson(theCase.journal)}};
+    if (!(theCase.site == Site())) {
+        object["site"] = siteJson(theCase.site);
+    }
+    return object;
 }
 
 Case caseFromJson(const JsonCursor& top) {
-    top.allowOnly({"format", "version", "title", "frame", "inputs", "scenarios", "active_scenario", "bookmarks", "photographs"});
+    top.allowOnly({"format", "version", "title", "frame", "inputs", "scenarios", "active_scenario", "bookmarks", "photographs",
+                   "site", "ensemble", "journal"});
     Case theCase;
     theCase.title = top["title"].text();
     theCase.frame = frameFromJson(top["frame"]);
@@ -157,6 +169,11 @@ Case caseFromJson(const JsonCursor& top) {
         theCase.bookmarks.push_back({bookmark["time"].number(), bookmark["note"].text()});
     }
     theCase.photographs = photographsFromJson(top["photographs"]);
+    if (top.has("site")) {
+        theCase.site = siteFromJson(top["site"]);
+    }
+    theCase.ensemble = ensembleFromJson(top["ensemble"]);
+    theCase.journal = journalFromJson(top["journal"]);
     return theCase;
 }
 
@@ -248,10 +265,12 @@ Case loadCase(const std::string& path) {
     if (!in || in.bad()) {
         failRead(path);
     }
-    return caseFromText(text.str(), path);
+    Case theCase = caseFromText(text.str(), path);
+    noteOutsideChanges(theCase.journal, parseJson(text.str(), path));
+    return theCase;
 }
 
-void saveCase(const std::string& path, const Case& theCase) {
+Case saveCase(const std::string& path, const Case& theCase) {
     Case complete = theCase;
     for (CaseInput& input : complete.inputs) {
         std::error_code ignored;
@@ -260,8 +279,12 @@ void saveCase(const std::string& path, const Case& theCase) {
             input.sha256 = input.role == InputRole::Fe ? sha256OfFe(file) : sha256OfFile(file);
         }
     }
+    // What cannot be saved is refused before anything is written of it.
+    caseText(complete);
+    continueJournal(complete.journal, caseJson(complete));
     const std::string text = caseText(complete);
     writeAtomically(path, [&text](std::ostream& out) { out << text; });
+    return complete;
 }
 
 Case caseForFe(const std::string& fePath, const std::string& casePath) {

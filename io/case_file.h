@@ -13,9 +13,9 @@ bool isCaseFile(const std::string& path);
 /// Throws WorldError, ParseError.
 Case loadCase(const std::string& path);
 
-/// Writes a case atomically: sorted JSON, locale-free, only settings that differ from the defaults. Throws WorldError; the old file
-/// is then unchanged.
-void saveCase(const std::string& path, const Case& theCase);
+/// Writes a case atomically: sorted JSON, locale-free, only settings that differ from the defaults. What has changed since it was
+/// last saved is added to its journal. Returns the case as it was written. Throws WorldError; the old file is then unchanged.
+Case saveCase(const std::string& path, const Case& theCase);
 
 /// A case around a single FE result: one input, one scenario named "As computed". `casePath` settles what paths are relative to.
 Case caseForFe(const std::string& fePath, const std::string& casePath);

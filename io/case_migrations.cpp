@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "io/ensemble_json.h"
+
 namespace rubble::io {
 
 namespace {
@@ -31,10 +33,21 @@ void fromVersionTwo(nlohmann::json& document) {
     document.emplace("photographs", nlohmann::json::array());
 }
 
+/// Nothing was written of how a case came to be.
+void fromVersionThree(nlohmann::json& document) {
+    document.emplace("journal", nlohmann::json::array());
+}
+
+/// Cases had no ensemble.
+void fromVersionFour(nlohmann::json& document) {
+    document.emplace("ensemble", ensembleJson(EnsembleSettings{usualVariations()}));
+}
+
 }  // namespace
 
 std::span<const CaseMigration> caseMigrations() {
-    static constexpr CaseMigration steps[] = {{1, fromVersionOne}, {2, fromVersionTwo}};
+    static constexpr CaseMigration steps[] = {
+        {1, fromVersionOne}, {2, fromVersionTwo}, {3, fromVersionThree}, {4, fromVersionFour}};
     return steps;
 }
 

@@ -11,7 +11,7 @@ struct CaseMigration {
     void (*step)(nlohmann::json&);
 };
 
-inline constexpr int caseVersion = 3;
+inline constexpr int caseVersion = 5;
 
 /// The known steps, one for each older version, oldest first.
 std::span<const CaseMigration> caseMigrations();

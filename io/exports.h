@@ -26,7 +26,21 @@ void exportFragments(const std::string& path, const RunReader& run, std::span<co
 /// Throws WorldError, ParseError, UsageError (not the FE file of the run), Cancelled.
 void exportSeries(const std::string& path, const RunReader& run, const FeResult& fe, const Execution& execution);
 
+/// Writes the fragments as glTF 2.0 with their motion in one binary file (.glb), as Blender and web viewers open it: a node for
+/// each body with the solids it carries, its places as keys (within 1 mm and 0.1 degrees of what was recorded), scale 0 before its
+/// first fragment is born and after it left. Metres, y up; local coordinates, because single precision holds no map coordinates:
+/// the origin stands in asset.extras. Colours by component. Live structure is not in it. Atomic; with NAME.provenance.json. Throws
+/// WorldError, ParseError, UsageError (no fragments; larger than 4 GB), Cancelled.
+void exportGltf(const std::string& path, const RunReader& run, const Execution& execution);
+
+/// Writes an XDMF file that names places, orientations, speeds and states of the bodies frame by frame inside the run file itself,
+/// so that ParaView, VisIt and others show them as points without a copy. The path of the run is written relative to the XDMF file.
+/// Coordinates are local. Throws WorldError, ParseError, UsageError (no frames), Cancelled.
+void exportBodies(const std::string& path, const RunReader& run, const Execution& execution);
+
 /// Provenance of a run as JSON text: inputs with SHA-256, scenario, build, settings.
 std::string provenanceText(const RunReader& run);
+/// The same of what was simulated or is to be. @param run  null: nothing was
+std::string provenanceText(const RunOrigin& origin, const RunReader* run);
 
 }  // namespace rubble::io

@@ -19,7 +19,10 @@ nlohmann::json healthText(const RunReader& run) {
 }  // namespace
 
 std::string provenanceText(const RunReader& run) {
-    const RunOrigin& origin = run.origin();
+    return provenanceText(run.origin(), &run);
+}
+
+std::string provenanceText(const RunOrigin& origin, const RunReader* run) {
     nlohmann::json text = originJson(origin);
     text.erase("fe_path");
     text.erase("fe_sha256");
@@ -29,12 +32,17 @@ std::string provenanceText(const RunReader& run) {
     if (!origin.terrainPath.empty()) {
         text["inputs"].push_back({{"role", "terrain"}, {"path", origin.terrainPath}, {"sha256", origin.terrainSha256}});
     }
+    for (const RecordedInput& mesh : origin.surroundings) {
+        text["inputs"].push_back({{"role", "surroundings"}, {"path", mesh.path}, {"sha256", mesh.sha256}});
+    }
     text["coordinates"] = "metres, z up, origin of the frame added";
-    text["run_complete"] = run.complete();
-    text["frames"] = run.frameCount();
-    if (const auto result = run.result()) {
-        text["trajectory_hash"] = result->trajectoryHash.hex();
-        text["health"] = healthText(run);
+    if (run != nullptr) {
+        text["run_complete"] = run->complete();
+        text["frames"] = run->frameCount();
+        if (const auto result = run->result()) {
+            text["trajectory_hash"] = result->trajectoryHash.hex();
+            text["health"] = healthText(*run);
+        }
     }
     return jsonText(text);
 }

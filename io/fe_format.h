@@ -8,7 +8,6 @@
 
 #include "core/base/execution.h"
 #include "core/fe/fe_result.h"
-#include "core/fe/frame.h"
 #include "core/scenario/scenario.h"
 
 namespace rubble::io {
@@ -37,8 +36,7 @@ struct FeFormat {
     /// Reads mesh, times, activity and findings, and makes the source of nodal fields. `format`, `path`, `files`, `bytes`,
     /// `sha256` and `fingerprint` of what it gives are filled in by openFe(). @param path  the first of the members.
     /// Throws as openFe().
-    FeResult::Contents (*read)(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                               const Execution& execution);
+    FeResult::Contents (*read)(const std::string& path, const ImportSettings& settings, const Execution& execution);
 };
 
 /// All formats that can be read. The order is that of recognition, and of preference where a folder holds several.

@@ -11,6 +11,7 @@
 #include "io/fe_format.h"
 #include "io/marc/marc_reader.h"
 #include "io/radioss/anim_reader.h"
+#include "io/series/byte_window.h"
 #include "io/vtk/vtk_reader.h"
 #include "io/vtk/vtkhdf_reader.h"
 #include "io/xdmf/xdmf_reader.h"
@@ -50,6 +51,13 @@ bool recognisesCollapseLog(const FileHead& head) {
            line.find_first_of("0123456789") == 0;
 }
 
+// Of Abaqus, CalculiX, LS-DYNA or OpenRadioss: text that begins with a keyword or a comment of theirs.
+bool recognisesDeck(const FileHead& head) {
+    const std::string line = upperCase(head.bytes.substr(0, head.bytes.find_first_of("\r\n")));
+    return line.starts_with("**") || line.starts_with("*HEADING") || line.starts_with("*KEYWORD") || line.starts_with("*NODE") ||
+           line.starts_with("*INCLUDE") || line.starts_with("#RADIOSS") || line.starts_with("/VERS/") || line.starts_with("/RUN/");
+}
+
 // A row a format. Files of HDF5 that nobody else claims are taken for Exodus II, whose reader says what they lack.
 constexpr std::array formats{
     FeFormat{"OpenRadioss animation", "RUNA001, RUNA002, ..., also .gz", 1, recognisesAnim, animMembers, readAnim},
@@ -76,6 +84,8 @@ constexpr std::array foreign{
     ForeignFormat{
         "an OpenSees mpco file", recognisesMpco,
         "OpenSees recorders other than pvd are out of scope: record the analysis with \"recorder pvd\" and give the .pvd file."},
+    ForeignFormat{"an input deck", recognisesDeck,
+                  "Give the result that the analysis has written from it; a deck that lies beside the result is read with it."},
     ForeignFormat{
         "a collapse log of OpenSees", recognisesCollapseLog,
         "OpenSees recorders other than pvd are out of scope: record the analysis with \"recorder pvd\" and give the .pvd file."},

@@ -32,7 +32,7 @@ void requireTimes(const std::string& path, const std::vector<double>& times) {
 FeResult::Contents readFound(const FoundFe& found, const ImportSettings& settings, const Frame& frame, const Execution& execution) {
     const std::string& path = found.files.front();
     try {
-        FeResult::Contents contents = found.format->read(path, settings, Frame{}, execution);
+        FeResult::Contents contents = found.format->read(path, settings, execution);
         requireTimes(path, contents.times);
         bringIntoFrame(contents, settings, frame, execution);
         // Tiny times may fall together in another unit.

@@ -12,6 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t textHead = 64;  // bytes that tell a text
+
 const ForeignFormat* foreignOf(const FileHead& head) {
     for (const ForeignFormat& foreign : foreignFormats()) {
         if (foreign.recognises(head)) {
@@ -34,17 +36,19 @@ const FeFormat* formatOf(const FileHead& head) {
     return nullptr;
 }
 
+bool isText(const FileHead& head) {
+    const std::string bytes = head.bytes.substr(0, textHead);
+    return std::all_of(bytes.begin(), bytes.end(),
+                       [](char c) { return static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\r' || c == '\t'; });
+}
+
 // What a user may have given instead, said in words.
 std::string kindOf(const FileHead& head) {
     if (const ForeignFormat* foreign = foreignOf(head)) {
         return std::string(foreign->name);
     }
-    bool text = true;
-    const std::string bytes = head.bytes.substr(0, 64);
-    for (const char c : bytes) {
-        text &= static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\r' || c == '\t';
-    }
-    if (!text) {
+    const std::string bytes = head.bytes.substr(0, textHead);
+    if (!isText(head)) {
         return "a binary file of another format";
     }
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
@@ -68,8 +72,21 @@ std::string knownFormats() {
     return list;
 }
 
+// d3plot of d3plot07: the states of a family do not say what they are. Empty: the name has no number.
+std::string rootOfFamily(const std::string& path) {
+    const std::string name = fs::path(path).filename().string();
+    const std::size_t last = name.find_last_not_of("0123456789");
+    return last == std::string::npos || name.size() - last < 3 ? "" : name.substr(0, last + 1);
+}
+
 [[noreturn]] void failUnknown(const FileHead& head) {
     Message remedy{"fe.unknown_format.remedy", "Formats that can be read: {0}.", {knownFormats()}};
+    if (const std::string root = rootOfFamily(head.path); !root.empty() && !isText(head) && !foreignOf(head)) {
+        remedy = {"fe.unknown_format.family",
+                  "If it holds states of a d3plot family, put the first file of the family, {0}, beside it. Formats that can be "
+                  "read: {1}.",
+                  {root, knownFormats()}};
+    }
     if (const ForeignFormat* foreign = foreignOf(head)) {
         remedy = {"fe.out_of_scope.remedy", "{0}", {std::string(foreign->remedy)}};
     }

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "core/base/error.h"
-#include "io/frame_transform.h"
+#include "core/fe/frame_transform.h"
 
 namespace rubble::io {
 

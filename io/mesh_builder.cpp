@@ -138,7 +138,7 @@ void turn(ElementShape shape, std::vector<std::uint32_t>::iterator corner) {
 
 }  // namespace
 
-MeshBuilder::MeshBuilder(std::string path, const FrameTransform& frame) : m_path(std::move(path)), m_frame(frame) {
+MeshBuilder::MeshBuilder(std::string path) : m_path(std::move(path)) {
     m_mesh.offsets.push_back(0);
 }
 
@@ -236,13 +236,6 @@ Mesh MeshBuilder::finish(Findings& findings) {
     }
     requirePlaces(m_findings);
     turnReversed(m_findings);
-    const double metres = m_frame.metresPerUnit();
-    for (std::size_t e = 0; e < m_mesh.elementCount(); ++e) {
-        m_mesh.section[e] *= isShell(m_mesh.shapes[e]) ? metres : metres * metres;
-        if (std::isfinite(m_mesh.density[e])) {
-            m_mesh.density[e] = densityInSi(m_mesh.density[e], metres, m_findings, m_mesh.parts[m_mesh.part[e]].name);
-        }
-    }
     dropEmptyParts();
     findings.append(m_findings);
     return std::move(m_mesh);
@@ -254,11 +247,10 @@ void MeshBuilder::requirePlaces(Findings& findings) {
     for (const std::uint32_t node : m_mesh.corners) {
         used[node] = true;
     }
-    const Vec3 harmless = m_frame.point(m_mesh.nodes[m_mesh.corners.front()]);
+    const Vec3 harmless = m_mesh.nodes[m_mesh.corners.front()];
     for (std::size_t n = 0; n < nodeCount(); ++n) {
         Vec3& node = m_mesh.nodes[n];
         if (usablePlace(node)) {
-            node = m_frame.point(node);
             continue;
         }
         const std::string name = "node " + englishInteger(m_mesh.nodeIds[n]);

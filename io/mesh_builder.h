@@ -8,7 +8,6 @@
 
 #include "core/base/finding.h"
 #include "core/fe/mesh.h"
-#include "io/frame_transform.h"
 
 namespace rubble::io {
 
@@ -17,7 +16,7 @@ namespace rubble::io {
 class MeshBuilder {
 public:
     /// @param path  named in errors
-    MeshBuilder(std::string path, const FrameTransform& frame);
+    explicit MeshBuilder(std::string path);
 
     /// Nodes with their user's numbers, both [nodes]. Called once, before any element.
     void setNodes(std::vector<std::int64_t> ids, std::vector<Vec3> places);
@@ -47,7 +46,7 @@ public:
     /// Places of an element's corners, in the file's unit.
     std::vector<Vec3> cornersOf(std::size_t element) const;
 
-    /// Takes places into the local frame, turns solids that are numbered inside out and counts them, and leaves out parts without
+    /// Turns solids that are numbered inside out and counts them, and leaves out parts without
     /// elements. Throws ParseError for a mesh without elements and for elements at nodes without a finite place.
     Mesh finish(Findings& findings);
 
@@ -57,7 +56,6 @@ private:
     void dropEmptyParts();
 
     std::string m_path;
-    FrameTransform m_frame;
     Mesh m_mesh;
     std::set<std::string> m_names;
     Findings m_findings;

@@ -9,12 +9,11 @@
 namespace rubble::io {
 
 FieldSource::FieldSource(std::string path, std::shared_ptr<const Mesh> mesh, Activity activity, std::vector<double> times,
-                         const FrameTransform& frame, Read read)
+                         Read read)
     : m_path(std::move(path)),
       m_mesh(std::move(mesh)),
       m_activity(std::move(activity)),
       m_times(std::move(times)),
-      m_frame(frame),
       m_read(std::move(read)) {}
 
 FeState FieldSource::read(std::size_t k) const {
@@ -27,13 +26,7 @@ FeState FieldSource::read(std::size_t k) const {
     FeState state;
     state.time = m_times[k];
     state.positions = std::move(fields.positions);
-    for (Vec3& position : state.positions) {
-        position = m_frame.point(position);
-    }
     state.velocities = std::move(fields.velocities);
-    for (Vec3& velocity : state.velocities) {
-        velocity = m_frame.vector(velocity);
-    }
     return state;
 }
 
@@ -64,7 +57,7 @@ void FieldSource::mend(std::size_t k, const char* what, std::vector<Vec3>& value
                  "before it.",
                  {}});
         }
-        values[n] = places ? m_frame.pointInFile(m_mesh->nodes[n]) : Vec3(Vec3::Zero());
+        values[n] = places ? m_mesh->nodes[n] : Vec3(Vec3::Zero());
     }
 }
 

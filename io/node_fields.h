@@ -7,7 +7,6 @@
 
 #include "core/fe/activity.h"
 #include "core/fe/fe_result.h"
-#include "io/frame_transform.h"
 
 namespace rubble::io {
 
@@ -24,8 +23,7 @@ public:
     using Read = std::function<NodeFields(std::size_t)>;
 
     /// @param path  named in errors  @param read  thread-safe; throws ParseError, WorldError
-    FieldSource(std::string path, std::shared_ptr<const Mesh> mesh, Activity activity, std::vector<double> times,
-                const FrameTransform& frame, Read read);
+    FieldSource(std::string path, std::shared_ptr<const Mesh> mesh, Activity activity, std::vector<double> times, Read read);
 
     FeState read(std::size_t k) const override;
 
@@ -36,7 +34,6 @@ private:
     std::shared_ptr<const Mesh> m_mesh;
     Activity m_activity;
     std::vector<double> m_times;
-    FrameTransform m_frame;
     Read m_read;
 };
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/fe/frame_transform.h"
 #include "core/fe/unit_evidence.h"
 #include "io/mesh_builder.h"
@@ -66,15 +67,12 @@ FileUnits unitsOf(const Frame& frame) {
 /// Settles units and axis of one result.
 class Decider {
 public:
-    Decider(const FeResult::Contents& contents, const ImportSettings& settings, const Frame& frame, const Execution& execution)
-        : m_settings(settings) {
+    Decider(const UnitEvidence& evidence, const ImportSettings& settings, const Frame& frame)
+        : m_settings(settings), m_evidence(evidence) {
         m_decision.frame = frame;
         m_decision.units = unitsOf(frame);
         m_decision.unitsWhy = "by the frame of the case";
         m_decision.axisWhy = "by the frame of the case";
-        if (decidedBy(settings.units) == Decided::ByEvidence || decidedBy(settings.upAxis) == Decided::ByEvidence) {
-            m_evidence = evidenceOf(contents, true, execution);
-        }
     }
 
     Decision decide(Findings& findings) {
@@ -92,7 +90,7 @@ private:
         }
         m_decision.unitsWhy = "by the setting units";
         if (decidedBy(m_settings.units) == Decided::ByEvidence) {
-            const Proposal proposal = proposeUnits(*m_evidence);
+            const Proposal proposal = proposeUnits(m_evidence);
             if (proposal.choice.empty()) {
                 findings.add({"fe.units_open", "The units of the file cannot be told: {0}", {englishText(proposal.reason)}},
                              {"fe.units_open.remedy",
@@ -117,7 +115,7 @@ private:
         std::string axis(upAxisChoices()[m_settings.upAxis]);
         m_decision.axisWhy = "by the setting up_axis";
         if (decidedBy(m_settings.upAxis) == Decided::ByEvidence) {
-            const Proposal proposal = proposeUpAxis(*m_evidence);
+            const Proposal proposal = proposeUpAxis(m_evidence);
             if (proposal.choice.empty()) {
                 findings.add({"fe.up_axis_open", "The up axis of the file cannot be told: {0}", {englishText(proposal.reason)}},
                              {"fe.up_axis_open.remedy", "Set up_axis; the frame of the case holds until then.", {}});
@@ -130,7 +128,7 @@ private:
     }
 
     const ImportSettings& m_settings;
-    std::optional<UnitEvidence> m_evidence;
+    const UnitEvidence& m_evidence;
     Decision m_decision;
 };
 
@@ -171,6 +169,57 @@ std::shared_ptr<const Mesh> framedMesh(const Mesh& inFile, const FileUnits& unit
     return mesh;
 }
 
+// At opening, gravity is looked for where reading a few states costs little, or where somebody asks.
+constexpr std::size_t mostNodesAtOnce = 100'000;
+
+bool looksForFall(const FeResult::Contents& contents, const ImportSettings& settings) {
+    return decidedBy(settings.units) == Decided::ByEvidence || decidedBy(settings.upAxis) == Decided::ByEvidence ||
+           contents.mesh->nodeCount() <= mostNodesAtOnce;
+}
+
+UnitEvidence evidenceInMotion(const FeResult::Contents& contents, const ImportSettings& settings, const Execution& execution) {
+    UnitEvidence evidence = evidenceOf(contents);
+    if (looksForFall(contents, settings)) {
+        try {
+            addSeenFall(evidence, contents, execution);
+        } catch (const ParseError&) {
+            // A state that cannot be read is an error once somebody asks for it.
+        } catch (const WorldError&) {
+        }
+    }
+    return evidence;
+}
+
+// Gravity as the file shows it, against what was taken; it changes nothing by itself.
+void noteFall(const FeResult::Contents& contents, const UnitEvidence& inFile, Findings& findings) {
+    if (!fallsByGravity(inFile)) {
+        return;
+    }
+    constexpr double gravity = 9.80665;
+    const double times = inFile.fall->norm() * contents.units.acceleration() / gravity;
+    const bool isGravity = times > 0.5 && times < 2.0;
+    const Proposal up = proposeUpAxis(inFile);
+    if (isGravity && !up.choice.empty() && up.choice != contents.frame.upAxis) {
+        findings.add({"fe.up_axis_fall", "Up was taken to be {0}, but {1}", {contents.frame.upAxis, englishText(up.reason)}},
+                     {"fe.up_axis_fall.remedy", "Set up_axis={0} unless something else drives them.", {up.choice}});
+    }
+    const Proposal units = proposeUnits(inFile);
+    const UnitSystem* const taken = systemOf(contents.units);
+    if (!isGravity && !units.choice.empty() && taken != nullptr && taken->id != units.choice) {
+        findings.add({"fe.units_fall", "Things would fall at {0}", {{times * gravity, "m/s2"}}},
+                     {"fe.units_fit.remedy", "Set units={0}. {1}.", {units.choice, englishText(units.reason)}});
+    }
+}
+
+std::string fallInWords(const UnitEvidence& inFile, const FileUnits& units) {
+    if (!fallsByGravity(inFile)) {
+        return {};
+    }
+    const double fall = inFile.fall->norm();
+    return std::string(inFile.freely ? "; free nodes fall at " : "; what comes down gathers speed at ") + englishNumber(fall) +
+           " in the file, " + englishNumber(fall * units.acceleration()) + " m/s2";
+}
+
 void notePlausibility(const FeResult::Contents& contents, const UnitEvidence& inFile, Findings& findings) {
     const std::optional<Message> size = implausibleSize(inFile.size * contents.units.metres);
     if (size) {
@@ -193,8 +242,8 @@ void notePlausibility(const FeResult::Contents& contents, const UnitEvidence& in
 }  // namespace
 
 void bringIntoFrame(FeResult::Contents& contents, const ImportSettings& settings, const Frame& frame, const Execution& execution) {
-    const UnitEvidence inFile = evidenceOf(contents, false, execution);
-    Decision decision = Decider(contents, settings, frame, execution).decide(contents.findings);
+    const UnitEvidence inFile = evidenceInMotion(contents, settings, execution);
+    Decision decision = Decider(inFile, settings, frame).decide(contents.findings);
     if (decision.frame.origin.isZero()) {
         if (const auto origin = farOrigin(*contents.mesh, decision.units.metres)) {
             decision.frame.origin = *origin;
@@ -207,8 +256,9 @@ void bringIntoFrame(FeResult::Contents& contents, const ImportSettings& settings
     contents.frame = decision.frame;
     contents.units = decision.units;
     contents.unitsFrom = englishUnits(decision.units) + " (" + decision.unitsWhy + "), up is " + decision.frame.upAxis + " (" +
-                         decision.axisWhy + ")";
+                         decision.axisWhy + fallInWords(inFile, decision.units) + ")";
     notePlausibility(contents, inFile, contents.findings);
+    noteFall(contents, inFile, contents.findings);
     const FrameTransform transform(decision.frame);
     Frame plain;
     plain.crs = decision.frame.crs;

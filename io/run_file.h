@@ -9,12 +9,20 @@
 
 namespace rubble::io {
 
+/// A file that a run was made from.
+struct RecordedInput {
+    std::string path;  ///< absolute
+    std::string sha256;
+};
+
 /// Where a run came from, kept inside the run file so that it can be verified and exported later.
 struct RunOrigin {
     std::string fePath;  ///< absolute
     std::string feSha256;
     std::string terrainPath;  ///< absolute; empty if the run had none
     std::string terrainSha256;
+    Site site;                                ///< how it was brought to the local frame
+    std::vector<RecordedInput> surroundings;  ///< that debris fell on as well
     Frame frame;
     Scenario scenario;
     std::string scenarioName;

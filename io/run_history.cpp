@@ -1,10 +1,10 @@
 #include "io/run_history.h"
 
 #include <filesystem>
-#include <fstream>
 
 #include "core/base/error.h"
 #include "io/files.h"
+#include "io/json_document.h"
 #include "io/run_json.h"
 
 namespace rubble::io {
@@ -13,10 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* formatName = "rubble-run-history";
-constexpr std::int64_t formatVersion = 1;
 // A hundred thousand runs are smaller.
-constexpr std::uintmax_t bytesMax = std::uintmax_t{128} << 20;
+constexpr JsonKind kind{"rubble-run-history", 1, std::uintmax_t{128} << 20};
 
 nlohmann::json entryJson(const RunEntry& run) {
     return {{"when", run.when},
@@ -77,23 +75,8 @@ std::vector<RunEntry> readRunHistory(const std::string& file) {
     if (!fs::exists(fs::symlink_status(file, failed))) {
         return {};
     }
-    const std::uintmax_t size = fs::file_size(file, failed);
-    std::ifstream in;
-    if (!failed && size <= bytesMax) {
-        in.open(file, std::ios::binary);
-    }
-    if (!in.is_open()) {
-        throw WorldError({"io.run_history.unreadable", "Cannot read the history of runs {0}", {file}},
-                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
-    }
-    const nlohmann::json document = parseJson(std::string(std::istreambuf_iterator<char>(in), {}), file);
+    const nlohmann::json document = readJsonDocument(file, kind);
     const JsonCursor top(document, file);
-    if (top["format"].text() != formatName) {
-        top["format"].fail(std::string("\"") + formatName + "\"");
-    }
-    if (top["version"].integer() != formatVersion) {
-        top["version"].fail(std::to_string(formatVersion));
-    }
     std::vector<RunEntry> runs;
     for (const JsonCursor& entry : top["runs"].elements()) {
         runs.push_back(entryFrom(entry));
@@ -102,7 +85,7 @@ std::vector<RunEntry> readRunHistory(const std::string& file) {
 }
 
 void writeRunHistory(const std::string& file, const std::vector<RunEntry>& runs) {
-    nlohmann::json document = {{"format", formatName}, {"version", formatVersion}, {"runs", nlohmann::json::array()}};
+    nlohmann::json document = {{"format", kind.format}, {"version", kind.version}, {"runs", nlohmann::json::array()}};
     for (const RunEntry& run : runs) {
         document["runs"].push_back(entryJson(run));
     }

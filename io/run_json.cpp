@@ -6,6 +6,7 @@
 
 #include "io/run_members.h"
 #include "io/scenario_json.h"
+#include "io/site_json.h"
 
 namespace rubble::io {
 
@@ -219,6 +220,12 @@ json originJson(const RunOrigin& origin) {
         object["terrain_path"] = origin.terrainPath;
         object["terrain_sha256"] = origin.terrainSha256;
     }
+    if (!(origin.site == Site())) {
+        object["site"] = siteJson(origin.site);
+    }
+    for (const RecordedInput& mesh : origin.surroundings) {
+        object["surroundings"].push_back({{"path", mesh.path}, {"sha256", mesh.sha256}});
+    }
     object["frame"] = frameJson(origin.frame);
     object["scenario_name"] = origin.scenarioName;
     object["build"] = origin.build;
@@ -235,19 +242,19 @@ RunOrigin originFromJson(const JsonCursor& object) {
         origin.terrainPath = object["terrain_path"].text();
         origin.terrainSha256 = object["terrain_sha256"].text();
     }
+    if (object.has("site")) {
+        origin.site = siteFromJson(object["site"]);
+    }
+    if (object.has("surroundings")) {
+        for (const JsonCursor& mesh : object["surroundings"].elements()) {
+            origin.surroundings.push_back({mesh["path"].text(), mesh["sha256"].text()});
+        }
+    }
     origin.frame = frameFromJson(object["frame"]);
     origin.scenarioName = object["scenario_name"].text();
     origin.build = object["build"].text();
     origin.fingerprint = digestFromJson(object["fingerprint"]);
     return origin;
-}
-
-std::string jsonText(const json& value) {
-    return value.dump(1, ' ', false, json::error_handler_t::replace);
-}
-
-std::string jsonLine(const json& value) {
-    return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 }  // namespace rubble::io

@@ -6,6 +6,7 @@
 #include "core/scenario/case.h"
 #include "io/findings_json.h"
 #include "io/json_cursor.h"
+#include "io/json_text.h"
 #include "io/run_file.h"
 
 namespace rubble::io {
@@ -31,10 +32,5 @@ Digest digestFromJson(const JsonCursor& cursor);
 
 nlohmann::json originJson(const RunOrigin& origin);
 RunOrigin originFromJson(const JsonCursor& object);
-
-/// JSON as text for the file: sorted; bytes that are not UTF-8 (names of files may hold any) are replaced.
-std::string jsonText(const nlohmann::json& value);
-/// The same on one line.
-std::string jsonLine(const nlohmann::json& value);
 
 }  // namespace rubble::io

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/analysis/study_tasks.h"
 #include "core/base/error.h"
 #include "core/scenario/parameters.h"
 #include "io/files.h"
@@ -57,15 +58,11 @@ void addDamaged(Findings& findings, const Error& error) {
 }
 
 Digest digestFrom(const JsonCursor& cursor) {
-    const std::string hex = cursor.text();
-    Digest digest;
-    if (hex.size() != 2 * digest.bytes.size() || hex.find_first_not_of("0123456789abcdef") != std::string::npos) {
+    const std::optional<Digest> digest = digestFromHex(cursor.text());
+    if (!digest) {
         cursor.fail("32 lower-case hexadecimal digits");
     }
-    for (std::size_t i = 0; i < digest.bytes.size(); ++i) {
-        digest.bytes[i] = static_cast<std::uint8_t>(std::stoi(hex.substr(2 * i, 2), nullptr, 16));
-    }
-    return digest;
+    return *digest;
 }
 
 json costJson(const WorldOrigin& origin, const SettingCost& cost) {

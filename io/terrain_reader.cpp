@@ -7,22 +7,17 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/fe/frame_transform.h"
 #include "io/case_file.h"
+#include "io/exodus/trial.h"
 #include "io/files.h"
-#include "io/frame_transform.h"
-#include "io/terrain/height_raster.h"
-#include "io/terrain/raster_file.h"
+#include "io/native_lock.h"
+#include "io/terrain/height_reading.h"
+#include "io/terrain/site_place.h"
 
 namespace rubble::io {
 
 namespace {
-
-/// Heights of the structure around it that fragments may reach.
-constexpr double windowHeights = 10.0;
-/// Nodes of a terrain at most: 64 MB of heights.
-constexpr double nodesMax = 8e6;
-/// m. Nothing on land is as far from the sea's level; what is, is a mark for no data that the file does not name as such.
-constexpr double heightMax = 9000.0;
 
 void checkFile(const std::string& path) {
     std::error_code error;
@@ -41,48 +36,21 @@ void checkFile(const std::string& path) {
     }
 }
 
-/// Pixels along one axis.
-struct Range {
-    std::size_t first = 0;
-    std::size_t count = 0;
-};
-
-/// One axis of the raster in the local frame.
-struct Axis {
-    double origin;  ///< m, first pixel
-    double step;    ///< m, with its sign
-    std::size_t pixels;
-
-    double low() const { return std::min(origin, origin + step * static_cast<double>(pixels - 1)); }
-    double high() const { return std::max(origin, origin + step * static_cast<double>(pixels - 1)); }
-    /// Pixels that span an interval, one beyond each end where there is one, two at least.
-    Range around(double from, double to) const {
-        const double last = static_cast<double>(pixels - 1);
-        const double a = std::clamp((from - origin) / step, 0.0, last);
-        const double b = std::clamp((to - origin) / step, 0.0, last);
-        auto first = static_cast<std::size_t>(std::floor(std::min(a, b)));
-        auto end = static_cast<std::size_t>(std::ceil(std::max(a, b)));
-        if (first == end) {
-            first > 0 ? --first : ++end;
-        }
-        return {first, end - first + 1};
-    }
-};
-
-/// Turns one file into a terrain.
+/// Turns the heights of one file into a terrain.
 class TerrainReading {
 public:
-    TerrainReading(const std::string& path, const Frame& frame, const Aabb& around, const Execution& execution)
-        : m_path(path), m_frame(frame), m_around(around), m_execution(execution), m_file(path) {}
+    TerrainReading(const std::string& path, const Aabb& around, HeightReading heights)
+        : m_path(path), m_around(around), m_raster(std::move(heights.raster)) {
+        m_result.crs = std::move(heights.crs);
+        m_result.verticalDatum = std::move(heights.verticalDatum);
+        m_result.findings = std::move(heights.findings);
+    }
 
     TerrainInput read();
 
 private:
-    void checkCrs();
-    void placeAxes();
-    void checkOverlap();
-    HeightRaster readWindow();
-    void closeGaps(HeightRaster& raster);
+    void takeOutSpikes();
+    void closeGaps();
     void checkSite(const TerrainGrid& grid);
     void find(std::string id, std::string_view pattern, std::vector<Argument> arguments, std::string_view remedy,
               std::int64_t count = 1) {
@@ -90,157 +58,42 @@ private:
         m_result.findings.add({std::move(id), std::string(pattern), std::move(arguments)},
                               {std::move(remedyId), std::string(remedy), {}}, m_path, count);
     }
-    [[noreturn]] void refuse(std::string id, std::string_view pattern, std::vector<Argument> arguments, std::string_view remedy) {
-        std::string remedyId = id + ".remedy";
-        arguments.insert(arguments.begin(), m_path);
-        throw ParseError({std::move(id), std::string(pattern), std::move(arguments)},
-                         {std::move(remedyId), std::string(remedy), {}});
-    }
 
     const std::string& m_path;
-    const Frame& m_frame;
     const Aabb& m_around;
-    const Execution& m_execution;
-    RasterFile m_file;
-    Axis m_x{};
-    Axis m_y{};
-    double m_heightOffset = 0.0;  ///< m
+    HeightRaster m_raster;
     TerrainInput m_result;
 };
 
-void TerrainReading::checkCrs() {
-    m_result.crs = m_file.crsName();
-    if (m_file.geographic()) {
-        refuse("terrain.degrees", "{0} lies in degrees ({1}), not in metres", {m_file.crsName()},
-               "Project it first, as with gdalwarp -t_srs EPSG:NUMBER -r bilinear, to the system of the FE model.");
-    }
-    const RasterFile::SameCrs same = m_file.sameCrs(m_frame.crs);
-    if (same == RasterFile::SameCrs::No) {
-        refuse("terrain.other_crs", "{0} is in \"{1}\", the case in \"{2}\"", {m_file.crsName(), m_frame.crs},
-               "Project it with gdalwarp -t_srs, or correct the coordinate system of the case's frame.");
-    }
-    if (same == RasterFile::SameCrs::Unknown && !m_frame.crs.empty()) {
-        find("terrain.crs_unknown", "the coordinate system of the terrain could not be held against that of the case", {},
-             "make sure that both are in the same one");
-    }
-    if (m_file.bands() > 1) {
-        find("terrain.bands", "the terrain has {0} bands; the first is taken as heights", {m_file.bands()},
-             "give a raster with one band if that is not right");
-    }
-    if (m_file.metresPerHeightUnit() == 0.0) {
-        if (m_file.heightUnit().empty()) {
-            find("terrain.height_unit", "the terrain does not say in which unit its heights are; they are taken as metres", {},
-                 "convert them first if they are feet");
-        } else {
-            find("terrain.height_unit_unknown", "the terrain gives its heights in \"{0}\"; they are taken as metres",
-                 {m_file.heightUnit()}, "convert them first if they are not");
-        }
+void TerrainReading::takeOutSpikes() {
+    const std::vector<HeightSpike> spikes = removeSpikes(m_raster);
+    if (!spikes.empty()) {
+        const HeightSpike& first = spikes.front();
+        const double x = m_raster.x0 + m_raster.dx * static_cast<double>(first.node % m_raster.nx);
+        const double y = m_raster.y0 + m_raster.dy * static_cast<double>(first.node / m_raster.nx);
+        find("terrain.spikes",
+             "{0} heights stand out from all around them, such as {1} at x = {2}, y = {3}, and were taken as gaps",
+             {spikes.size(), {first.height, "m"}, {x, "m"}, {y, "m"}},
+             "look at these places; make the raster without poles, birds and marks of no data",
+             static_cast<std::int64_t>(spikes.size()));
     }
 }
 
-void TerrainReading::placeAxes() {
-    const RasterPlace& place = m_file.place();
-    const Vec3 shift = FrameTransform(m_frame).point(Vec3::Zero());
-    const double unit = m_file.metresPerUnit();
-    m_x = {unit * place.x0 + shift.x(), unit * place.dx, place.columns};
-    m_y = {unit * place.y0 + shift.y(), unit * place.dy, place.rows};
-    m_heightOffset = shift.z();
-    if (place.columns < 2 || place.rows < 2) {
-        refuse("terrain.too_few", "{0} has {1} columns and {2} rows; a surface takes two of each", {place.columns, place.rows},
-               "Give a raster that covers the site.");
-    }
-}
-
-void TerrainReading::checkOverlap() {
-    if (m_around.isEmpty()) {
-        return;
-    }
-    const Vec3 low = m_around.min();
-    const Vec3 high = m_around.max();
-    if (m_x.high() < low.x() || m_x.low() > high.x() || m_y.high() < low.y() || m_y.low() > high.y()) {
-        refuse(
-            "terrain.elsewhere",
-            "{0} covers x = {1} to {2}, y = {3} to {4} of the local frame; the structure stands at x = {5} to {6}, y = {7} to {8}",
-            {m_x.low(), {m_x.high(), "m"}, m_y.low(), {m_y.high(), "m"}, low.x(), {high.x(), "m"}, low.y(), {high.y(), "m"}},
-            "Set the origin of the case's frame, in whole metres, to where the FE model's zero lies, or give the right raster.");
-    }
-    const double missing = std::max({m_x.low() - low.x(), high.x() - m_x.high(), m_y.low() - low.y(), high.y() - m_y.high()});
-    if (missing > 0.0) {
-        find("terrain.short", "the terrain ends {0} short of the outline of the structure and goes on level from there",
-             {{missing, "m"}}, "give a raster that covers the whole site");
-    }
-}
-
-HeightRaster TerrainReading::readWindow() {
-    Range columns{0, m_x.pixels};
-    Range rows{0, m_y.pixels};
-    if (!m_around.isEmpty()) {
-        const Vec3 size = m_around.sizes();
-        const double margin = std::max({windowHeights * size.z(), size.x(), size.y()});
-        columns = m_x.around(m_around.min().x() - margin, m_around.max().x() + margin);
-        rows = m_y.around(m_around.min().y() - margin, m_around.max().y() + margin);
-    }
-    HeightRaster raster;
-    raster.dx = std::abs(m_x.step);
-    raster.dy = std::abs(m_y.step);
-    raster.nx = columns.count;
-    raster.ny = rows.count;
-    const double nodes = std::max(squareNodeCount(raster.dx, raster.dy, raster.nx, raster.ny),
-                                  static_cast<double>(raster.nx) * static_cast<double>(raster.ny));
-    if (nodes > nodesMax) {
-        const double cell = std::min(raster.dx, raster.dy) * std::sqrt(nodes / nodesMax);
-        throw ParseError({"terrain.too_many",
-                          "{0} has {1} heights around the structure; at most {2} can be used",
-                          {m_path, static_cast<std::int64_t>(nodes), static_cast<std::int64_t>(nodesMax)}},
-                         {"terrain.too_many.remedy",
-                          "Make it coarser, as with gdalwarp -r average -tr SIZE SIZE and cells of {0} or more.",
-                          {{cell, "m"}}});
-    }
-    raster.heights = m_file.values(columns.first, rows.first, columns.count, rows.count, m_execution);
-    const auto lowest = [](const Axis& axis, const Range& range) {
-        const std::size_t pixel = axis.step > 0.0 ? range.first : range.first + range.count - 1;
-        return axis.origin + axis.step * static_cast<double>(pixel);
-    };
-    raster.x0 = lowest(m_x, columns);
-    raster.y0 = lowest(m_y, rows);
-    if (m_x.step < 0.0) {
-        flipColumns(raster);
-    }
-    if (m_y.step < 0.0) {
-        flipRows(raster);
-    }
-    return raster;
-}
-
-void TerrainReading::closeGaps(HeightRaster& raster) {
-    const double unit = m_file.metresPerHeightUnit() > 0.0 ? m_file.metresPerHeightUnit() : 1.0;
-    std::int64_t unmarked = 0;
-    double example = 0.0;
-    for (double& height : raster.heights) {
-        height *= unit;
-        if (std::abs(height) > heightMax) {
-            example = unmarked == 0 ? height : example;
-            ++unmarked;
-            height = std::numeric_limits<double>::quiet_NaN();
-        }
-        height += m_heightOffset;
-    }
-    const std::int64_t gaps = countGaps(raster);
-    const auto all = static_cast<std::int64_t>(raster.heights.size());
+void TerrainReading::closeGaps() {
+    const std::int64_t gaps = countGaps(m_raster);
+    const auto all = static_cast<std::int64_t>(m_raster.heights.size());
     if (2 * gaps > all) {
-        refuse("terrain.gaps",
-               gaps == all ? "{0} has no height at all around the structure ({1} of {2} have none)"
-                           : "{0} has no height for {1} of {2} places around the structure",
-               {gaps, all}, "Give a raster that covers the site, or fill its gaps with gdal_fillnodata.py.");
-    }
-    if (unmarked > 0) {
-        find("terrain.no_land", "{0} heights such as {1} cannot be heights of land and were taken as gaps",
-             {unmarked, {example, "m"}}, "name the value for no data with gdal_translate -a_nodata", unmarked);
+        throw ParseError(
+            {"terrain.gaps",
+             gaps == all ? "{0} has no height at all around the structure ({1} of {2} have none)"
+                         : "{0} has no height for {1} of {2} places around the structure",
+             {m_path, gaps, all}},
+            {"terrain.gaps.remedy", "Give a raster that covers the site, or fill its gaps with gdal_fillnodata.py.", {}});
     }
     if (gaps > 0) {
         find("terrain.filled", "{0} of {1} places of the terrain had no height and were filled from their neighbours", {gaps, all},
              "look at the terrain where the debris lies, or give a raster without gaps", gaps);
-        fillGaps(raster);
+        fillGaps(m_raster);
     }
 }
 
@@ -270,14 +123,11 @@ void TerrainReading::checkSite(const TerrainGrid& grid) {
 }
 
 TerrainInput TerrainReading::read() {
-    checkCrs();
-    placeAxes();
-    checkOverlap();
-    HeightRaster raster = readWindow();
-    closeGaps(raster);
-    const double dx = raster.dx;
-    const double dy = raster.dy;
-    raster = withSquareCells(std::move(raster));
+    takeOutSpikes();
+    closeGaps();
+    const double dx = m_raster.dx;
+    const double dy = m_raster.dy;
+    HeightRaster raster = withSquareCells(std::move(m_raster));
     if (raster.dx != dx || (raster.dy != dy && std::abs(dx - dy) > 1e-3 * dx)) {
         find("terrain.not_square", "cells of {0} by {1} were resampled to {2}", {{dx, "m"}, {dy, "m"}, {raster.dx, "m"}},
              "none is needed; heights between nodes are interpolated");
@@ -290,26 +140,49 @@ TerrainInput TerrainReading::read() {
     return std::move(m_result);
 }
 
+// GDAL may crash on a damaged file: all of it is read in a child process first.
+void tryTerrain(const std::string& path, const Frame& frame, const Site& site, const Aabb& around) {
+    const std::scoped_lock lock(nativeLibraries());
+    const auto readAll = [&] { readHeights(path, frame, site, around, Execution{}); };
+    if (!survivesTrial(readAll)) {
+        throw ParseError({"terrain.crash", "{0} is damaged so that the library that reads rasters fails on it", {path}},
+                         {"terrain.empty.remedy", "Copy it again from where it came.", {}});
+    }
+}
+
+/// The first input of a role; counts them.
+const CaseInput* firstOf(const Case& theCase, InputRole role, std::int64_t& count) {
+    const CaseInput* first = nullptr;
+    count = 0;
+    for (const CaseInput& input : theCase.inputs) {
+        if (input.role == role) {
+            first = ++count == 1 ? &input : first;
+        }
+    }
+    return first;
+}
+
 }  // namespace
 
-TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb& around, const Execution& execution) {
+TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb& around, const Execution& execution,
+                         const Site& site) {
     checkFile(path);
     execution.check();
-    return TerrainReading(path, frame, around, execution).read();
+    tryTerrain(path, frame, site, around);
+    TerrainInput terrain = TerrainReading(path, around, readHeights(path, frame, site, around, execution)).read();
+    terrain.fit = SitePlace(frame, site).fit();
+    return terrain;
 }
 
 TerrainInput openTerrainOfCase(const Case& theCase, const std::string& casePath, const Mesh& fe, const Execution& execution) {
-    const CaseInput* first = nullptr;
     std::int64_t terrains = 0;
-    for (const CaseInput& input : theCase.inputs) {
-        if (input.role == InputRole::Terrain) {
-            first = ++terrains == 1 ? &input : first;
-        }
-    }
+    const CaseInput* first = firstOf(theCase, InputRole::Terrain, terrains);
     if (first == nullptr) {
-        return {};
+        TerrainInput none;
+        none.fit = SitePlace(theCase.frame, theCase.site).fit();
+        return none;
     }
-    TerrainInput terrain = openTerrain(inputPath(casePath, *first), theCase.frame, boundsAtRest(fe), execution);
+    TerrainInput terrain = openTerrain(inputPath(casePath, *first), theCase.frame, boundsAtRest(fe), execution, theCase.site);
     if (terrains > 1) {
         terrain.findings.add({"case.terrains", "the case has {0} terrains; the first is used", {terrains}},
                              {"case.terrains.remedy", "keep one, or merge them into one raster", {}}, terrain.path, terrains);

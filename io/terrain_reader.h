@@ -1,34 +1,53 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/base/execution.h"
 #include "core/base/finding.h"
 #include "core/fe/frame.h"
 #include "core/fe/mesh.h"
+#include "core/fe/orthophoto.h"
+#include "core/fe/site_mesh.h"
 #include "core/fe/terrain_grid.h"
 #include "core/scenario/case.h"
 
 namespace rubble::io {
 
-/// A terrain as it was read, and where it came from.
+/// A file of the surroundings of a case as it was read.
+struct SiteFile {
+    std::string input;  ///< id in the case
+    std::string path;
+    std::string sha256;
+};
+
+/// A terrain as it was read, where it came from, and what stands on it.
 struct TerrainInput {
     std::shared_ptr<const TerrainGrid> grid;  ///< null: none was given
     std::string path;
-    std::string sha256;  ///< of the file, hex
-    std::string crs;     ///< name of its coordinate reference system, empty if it states none
+    std::string sha256;          ///< of the file, hex
+    std::string crs;             ///< name of its coordinate reference system, empty if it states none
+    std::string verticalDatum;   ///< that its heights count from, empty if it states none
+    std::optional<SiteFit> fit;  ///< of the control points of the case; unset: the origin of the frame places everything
+    std::shared_ptr<const Orthophoto> orthophoto;               ///< null: none
+    std::shared_ptr<const std::vector<SiteMesh>> surroundings;  ///< null: none
+    bool collided = false;                                      ///< the grid is raised by the surroundings
+    std::string orthophotoInput;                                ///< its id in the case
+    std::vector<SiteFile> files;                                ///< of orthophoto and surroundings
     Findings findings;
 };
 
 /// Reads a raster of heights (one band; GeoTIFF, ESRI ASCII grid and other single-file formats) into the local frame of a case:
-/// easting, northing and height become x, y and z in metres, less the origin of the frame. Only a window around the structure is
-/// read: ten times its height or its own length to each side, whichever is more. Cells that are not square are resampled, rows and
-/// columns turned to run north and east, gaps filled from their rims; every such liberty is a counted finding.
+/// easting, northing and height become x, y and z in metres, less the origin of the frame, or by its control points. Only a window
+/// around the structure is read: ten times its height or its own length to each side, whichever is more. Another projection,
+/// degrees and turned rasters are resampled, too many heights averaged, spikes and gaps filled from their rims; every such liberty
+/// is a counted finding.
 /// @param around  m, local, of the structure at rest; empty: the whole raster is read
-/// Throws WorldError (cannot be read), ParseError (no terrain, too few or too many heights, elsewhere than the structure, another
-/// coordinate system than the frame's), Cancelled; each names file, place and remedy.
-TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb& around, const Execution& execution);
+/// Throws WorldError (cannot be read), ParseError (no terrain, too few heights, elsewhere than the structure, degrees in a case
+/// without a coordinate system), UsageError (control points in one place), Cancelled; each names file, place and remedy.
+TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb& around, const Execution& execution,
+                         const Site& site = Site());
 
 /// The terrain of a case: its first input of that role, around its FE result. Without grid if it has none. A second terrain and a
 /// file with another SHA-256 than the case keeps are findings. Throws as openTerrain().

@@ -276,10 +276,6 @@
         <translation>当前时刻的图…</translation>
     </message>
     <message>
-        <source>Save both views as a figure for print</source>
-        <translation>将两个视图保存为印刷用图</translation>
-    </message>
-    <message>
         <source>Table of fragments…</source>
         <translation>碎块表…</translation>
     </message>
@@ -859,6 +855,130 @@
         <source>Evidence</source>
         <translation>证据</translation>
     </message>
+    <message>
+        <source>New case…</source>
+        <translation>新建案例…</translation>
+    </message>
+    <message>
+        <source>Make a case from an FE result step by step: units, ground, components, deaths</source>
+        <translation>由有限元结果逐步建立案例：单位、地面、构件、失效</translation>
+    </message>
+    <message>
+        <source>Save the views, or the arrangement of a published figure, for print: PNG, SVG or PDF</source>
+        <translation>保存视图或已发表插图的排版，用于印刷：PNG、SVG 或 PDF</translation>
+    </message>
+    <message>
+        <source>Movie…</source>
+        <translation>动画…</translation>
+    </message>
+    <message>
+        <source>Save the collapse as a movie: MP4 or numbered pictures</source>
+        <translation>把倒塌过程保存为动画：MP4 或编号图片</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>报告…</translation>
+    </message>
+    <message>
+        <source>Write a report of the run as PDF and HTML</source>
+        <translation>把计算写成 PDF 和 HTML 报告</translation>
+    </message>
+    <message>
+        <source>Fragments as glTF…</source>
+        <translation>glTF 格式的碎块…</translation>
+    </message>
+    <message>
+        <source>Save the fragments with their motion for Blender and web viewers, as glTF</source>
+        <translation>将碎块及其运动保存为 glTF，供 Blender 和网页查看器使用</translation>
+    </message>
+    <message>
+        <source>Another scenario</source>
+        <translation>另一方案</translation>
+    </message>
+    <message>
+        <source>Fragments of this scenario left, those of another one right, seen from the same place</source>
+        <translation>左侧为本方案的碎块，右侧为另一方案的碎块，视点相同</translation>
+    </message>
+    <message>
+        <source>Orthophoto…</source>
+        <translation>正射影像…</translation>
+    </message>
+    <message>
+        <source>Drape a picture from above over the ground</source>
+        <translation>将俯视影像铺在地面上</translation>
+    </message>
+    <message>
+        <source>Surroundings…</source>
+        <translation>周围环境…</translation>
+    </message>
+    <message>
+        <source>Show meshes of what stands around: OBJ, PLY, glTF</source>
+        <translation>显示周围物体的网格：OBJ、PLY、glTF</translation>
+    </message>
+    <message>
+        <source>Without surroundings</source>
+        <translation>不用周围环境</translation>
+    </message>
+    <message>
+        <source>Leave orthophoto and meshes out</source>
+        <translation>撤除正射影像和网格</translation>
+    </message>
+    <message>
+        <source>Site…</source>
+        <translation>场地…</translation>
+    </message>
+    <message>
+        <source>Coordinate system, control points, heights, collision</source>
+        <translation>坐标系、控制点、高程、碰撞</translation>
+    </message>
+    <message>
+        <source>Add survey…</source>
+        <translation>添加测量…</translation>
+    </message>
+    <message>
+        <source>Add a surveyed height model or outline of the real debris to the case</source>
+        <translation>将实际堆积物的测量高程模型或轮廓加入案例</translation>
+    </message>
+    <message>
+        <source>Compare with survey</source>
+        <translation>与测量比较</translation>
+    </message>
+    <message>
+        <source>Hold the debris at rest against the survey that is chosen</source>
+        <translation>将静止的堆积物与所选测量对照</translation>
+    </message>
+    <message>
+        <source>Ensemble</source>
+        <translation>系综</translation>
+    </message>
+    <message>
+        <source>Show how sure it is where debris lies, with what is not known drawn anew</source>
+        <translation>显示在未知量重新抽取时堆积物位置有多确定</translation>
+    </message>
+    <message>
+        <source>Simulate members</source>
+        <translation>模拟成员</translation>
+    </message>
+    <message>
+        <source>Simulate the members of the ensemble; those of an earlier start are taken from the cache</source>
+        <translation>模拟系综的成员；先前已完成的从缓存中取用</translation>
+    </message>
+    <message>
+        <source>Which cause</source>
+        <translation>哪个原因</translation>
+    </message>
+    <message>
+        <source>Show which of several supposed causes explains what was found</source>
+        <translation>显示若干假定原因中哪一个能解释现场所见</translation>
+    </message>
+    <message>
+        <source>Compare causes</source>
+        <translation>比较原因</translation>
+    </message>
+    <message>
+        <source>Simulate the ensembles of the causes that are ticked and hold them against what was found</source>
+        <translation>模拟所勾选原因的系综，并与现场所见对照</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -1064,10 +1184,6 @@
     <message>
         <source>%1 high</source>
         <translation>高 %1</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
     </message>
 </context>
 <context>
@@ -1391,10 +1507,6 @@
         <translation>无法建立文件夹 {0}：{1}</translation>
     </message>
     <message>
-        <source>Cannot read the acknowledgements {0}</source>
-        <translation>无法读取确认记录 {0}</translation>
-    </message>
-    <message>
         <source>Cannot read the case {0}</source>
         <translation>无法读取案例 {0}</translation>
     </message>
@@ -1517,10 +1629,6 @@
     <message>
         <source>Check which point belongs to which, the size of the picture and the focal length; more good pairs show which ones are wrong.</source>
         <translation>请检查点的对应关系、照片尺寸和焦距；更多正确的点对可显示哪些有误。</translation>
-    </message>
-    <message>
-        <source>Checking the files of the series</source>
-        <translation>正在检查序列文件</translation>
     </message>
     <message>
         <source>Checking {0}</source>
@@ -1688,7 +1796,7 @@
     </message>
     <message>
         <source>Elements that never carry stress are taken for dead as well. Let UACTIVE take them off the post file (mode -1), or put a list of deaths (element,time) beside it.</source>
-        <translation>从不受力的单元也被视为失效。请用 UACTIVE 将其从后处理文件移除（模式 -1），或在旁边放置失效清单（单元,时刻）。</translation>
+        <translation>从不受力的单元也被视为失效。请用 UACTIVE 将其从后处理文件移除（模式 -1），或在旁边放置失效清单（单元，时刻）。</translation>
     </message>
     <message>
         <source>Elements that {0} calls dead at every state were taken for rigid ones that stand</source>
@@ -1903,10 +2011,6 @@
         <translation>请给出结果文件。可读取的格式：{0}。</translation>
     </message>
     <message>
-        <source>Give the result of the FE analysis as Exodus II (.exo, .e, .ex2).</source>
-        <translation>请以 Exodus II（.exo、.e、.ex2）给出有限元分析结果。</translation>
-    </message>
-    <message>
         <source>Give the results of the collapse, not of its vibration modes.</source>
         <translation>请给出倒塌的结果，而不是振型。</translation>
     </message>
@@ -1949,10 +2053,6 @@
     <message>
         <source>If the flag is the other way round: --set active_value={0}.</source>
         <translation>若标志方向相反：--set active_value={0}。</translation>
-    </message>
-    <message>
-        <source>Images (*.png)</source>
-        <translation>图片 (*.png)</translation>
     </message>
     <message>
         <source>Impact energy</source>
@@ -2063,10 +2163,6 @@
         <translation>MSC Marc 后处理文件</translation>
     </message>
     <message>
-        <source>Make it coarser, as with gdalwarp -r average -tr SIZE SIZE and cells of {0} or more.</source>
-        <translation>请将其变粗，例如 gdalwarp -r average -tr SIZE SIZE，单元格取 {0} 或更大。</translation>
-    </message>
-    <message>
         <source>Make room for the cache (rubble-cli cache clear), or name another folder.</source>
         <translation>请为缓存腾出空间（rubble-cli cache clear），或指定其他文件夹。</translation>
     </message>
@@ -2101,10 +2197,6 @@
     <message>
         <source>Most elements are inactive at the first state: {0}</source>
         <translation>多数单元在初始状态未激活：{0}</translation>
-    </message>
-    <message>
-        <source>Move it away and acknowledge the run again.</source>
-        <translation>请将其移走并重新确认该计算。</translation>
     </message>
     <message>
         <source>NAVFAC DM 7.02 (1986): concrete or masonry on gravel and coarse sand 0.55-0.60</source>
@@ -2144,7 +2236,7 @@
     </message>
     <message>
         <source>Name the flag: --set status_variable=NAME (there are {0}), or put a list of deaths (element,time) beside it as {1}.</source>
-        <translation>请指定标志：--set status_variable=NAME（有 {0}），或在旁边放置失效清单（单元,时刻）{1}。</translation>
+        <translation>请指定标志：--set status_variable=NAME（有 {0}），或在旁边放置失效清单（单元，时刻）{1}。</translation>
     </message>
     <message>
         <source>Names that come near: {0}. `rubble-cli inspect` lists all.</source>
@@ -2331,20 +2423,12 @@
         <translation>同一单元的各点对其是否激活不一致；视为激活</translation>
     </message>
     <message>
-        <source>Project it first, as with gdalwarp -t_srs EPSG:NUMBER -r bilinear, to the system of the FE model.</source>
-        <translation>请先投影到有限元模型的坐标系，例如 gdalwarp -t_srs EPSG:NUMBER -r bilinear。</translation>
-    </message>
-    <message>
-        <source>Project it with gdalwarp -t_srs, or correct the coordinate system of the case&apos;s frame.</source>
-        <translation>请用 gdalwarp -t_srs 投影，或更正案例坐标框架的坐标系。</translation>
-    </message>
-    <message>
         <source>Put a list of deaths (element,time) beside it as {0}, or let the analysis write the status of its elements.</source>
-        <translation>请在旁边放置失效清单（单元,时刻）{0}，或让分析程序写出单元状态。</translation>
+        <translation>请在旁边放置失效清单（单元，时刻）{0}，或让分析程序写出单元状态。</translation>
     </message>
     <message>
         <source>Put a list of deaths (element,time) beside the file.</source>
-        <translation>请在文件旁放置失效清单（单元,时刻）。</translation>
+        <translation>请在文件旁放置失效清单（单元，时刻）。</translation>
     </message>
     <message>
         <source>RC arch (published)</source>
@@ -2771,10 +2855,6 @@
         <translation>结果文件在该处已损坏，或其求解器发散：堆积物缺少其质量。</translation>
     </message>
     <message>
-        <source>The rows of {0} do not run along east and north</source>
-        <translation>{0} 的行列不沿东向和北向</translation>
-    </message>
-    <message>
         <source>The run is not complete, so it does not say how hard fragments hit: there is no impact energy.</source>
         <translation>计算不完整，未说明碎块撞击的强度：没有冲击能。</translation>
     </message>
@@ -2923,10 +3003,6 @@
         <translation>删除时刻不在单元失效的区间内；已略去</translation>
     </message>
     <message>
-        <source>Turn it upright with gdalwarp -r bilinear.</source>
-        <translation>请用 gdalwarp -r bilinear 将其转正。</translation>
-    </message>
-    <message>
         <source>Two cameras see these points alike: one {0} from the other.</source>
         <translation>两个相机所见各点相同：两者相距 {0}。</translation>
     </message>
@@ -2935,24 +3011,12 @@
         <translation>请使用更新版本的 Rubble，或重新生成副本。</translation>
     </message>
     <message>
-        <source>Use the Rubble that wrote it, or move it away and acknowledge the run again.</source>
-        <translation>请使用写出它的 Rubble，或将其移走并重新确认该计算。</translation>
-    </message>
-    <message>
         <source>Use the run as it is, or name the run that you mean.</source>
         <translation>请按现状使用该计算，或指明所要的计算。</translation>
     </message>
     <message>
-        <source>VTK gives no reason</source>
-        <translation>VTK 未给出原因</translation>
-    </message>
-    <message>
         <source>VTK legacy</source>
         <translation>VTK 旧格式</translation>
-    </message>
-    <message>
-        <source>VTK&apos;s reader fails on it</source>
-        <translation>VTK 读取器读取失败</translation>
     </message>
     <message>
         <source>Volume per area</source>
@@ -3379,10 +3443,6 @@
         <translation>快于重力所能</translation>
     </message>
     <message>
-        <source>fe, terrain, photograph or survey</source>
-        <translation>fe、terrain、photograph 或 survey</translation>
-    </message>
-    <message>
         <source>find the file with the SHA-256 of the case, or save the case anew</source>
         <translation>请找到与案例 SHA-256 相符的文件，或重新保存案例</translation>
     </message>
@@ -3401,10 +3461,6 @@
     <message>
         <source>fluid materials</source>
         <translation>流体材料</translation>
-    </message>
-    <message>
-        <source>free nodes fall along ({0}, {1}, {2}), which is no axis of the file</source>
-        <translation>自由节点沿 ({0}, {1}, {2}) 下落，不是文件的坐标轴</translation>
     </message>
     <message>
         <source>free nodes fall along {0}</source>
@@ -3761,10 +3817,6 @@
     <message>
         <source>no more is known</source>
         <translation>没有更多信息</translation>
-    </message>
-    <message>
-        <source>no node was seen to fall freely</source>
-        <translation>未见自由下落的节点</translation>
     </message>
     <message>
         <source>no reinforced component falls in two or more clusters</source>
@@ -4799,10 +4851,6 @@
         <translation>{0} 为 {1} 维；只有空间中的实体、壳和梁生成碎块</translation>
     </message>
     <message>
-        <source>{0} has {1} heights around the structure; at most {2} can be used</source>
-        <translation>{0} 在结构周围有 {1} 个高程；至多可用 {2} 个</translation>
-    </message>
-    <message>
         <source>{0} has {1} nodes and {2} velocities; expected: {3} and {4}</source>
         <translation>{0} 有 {1} 个节点和 {2} 个速度；应为 {3} 和 {4}</translation>
     </message>
@@ -4895,10 +4943,6 @@
         <translation>{0} 为空</translation>
     </message>
     <message>
-        <source>{0} is in &quot;{1}&quot;, the case in &quot;{2}&quot;</source>
-        <translation>{0} 采用“{1}”，案例采用“{2}”</translation>
-    </message>
-    <message>
         <source>{0} is no Exodus II file: {1}</source>
         <translation>{0} 不是 Exodus II 文件：{1}</translation>
     </message>
@@ -4975,10 +5019,6 @@
         <translation>{0} 作为点对表过大</translation>
     </message>
     <message>
-        <source>{0} is too large to hold acknowledgements</source>
-        <translation>{0} 作为确认记录过大</translation>
-    </message>
-    <message>
         <source>{0} islands of live structure are released at the end of the FE result and can fall on what stands (by {1})</source>
         <translation>{0} 个未失效的孤立部分在有限元结果结束时释放，可能落在站立的结构上（到 {1} 为止）</translation>
     </message>
@@ -5001,10 +5041,6 @@
     <message>
         <source>{0} lie on one line: any camera around it would see them alike.</source>
         <translation>{0}位于一条直线上：其周围的任何相机所见相同。</translation>
-    </message>
-    <message>
-        <source>{0} lies in degrees ({1}), not in metres</source>
-        <translation>{0} 以度（{1}）为单位，而不是米</translation>
     </message>
     <message>
         <source>{0} loose pieces of the structure ({1} elements) are alive at the end and are held where they are</source>
@@ -5176,7 +5212,7 @@
     </message>
     <message>
         <source>{0}: line {1} is not &quot;element,time&quot;: {2}</source>
-        <translation>{0}：第 {1} 行不是“单元,时刻”：{2}</translation>
+        <translation>{0}：第 {1} 行不是“单元，时刻”：{2}</translation>
     </message>
     <message>
         <source>{0}: not a view in JSON, at character {1}: {2}</source>
@@ -5399,14 +5435,6 @@
         <translation>初始状态 {1} 个中 {0} 个激活</translation>
     </message>
     <message>
-        <source>Cannot read the history of runs {0}</source>
-        <translation>无法读取计算历史 {0}</translation>
-    </message>
-    <message>
-        <source>Cannot read the unsaved work in {0}</source>
-        <translation>无法读取 {0} 中未保存的工作</translation>
-    </message>
-    <message>
         <source>Comparing with what the case was made with</source>
         <translation>正在与案例建立时的文件核对</translation>
     </message>
@@ -5578,6 +5606,1258 @@
         <source>{0} is no photograph that can be read: {1}</source>
         <translation>{0} 不是可读取的照片：{1}</translation>
     </message>
+    <message>
+        <source>Move it away, or put a good copy in its place.</source>
+        <translation>请将其移走，或换上完好的副本。</translation>
+    </message>
+    <message>
+        <source>Use the Rubble that wrote it, or move it away.</source>
+        <translation>请使用写出它的 Rubble 版本，或将其移走。</translation>
+    </message>
+    <message>
+        <source>{0} has {1} bytes; a file of format {2} has {3} at most</source>
+        <translation>{0} 有 {1} 字节；格式 {2} 的文件最多 {3} 字节</translation>
+    </message>
+    <message>
+        <source>free nodes fall at {0} in the file, {1} m/s2</source>
+        <translation>自由节点在文件中以 {0} 下落，即 {1} m/s2</translation>
+    </message>
+    <message>
+        <source>what comes down gathers speed at {0} in the file, {1} m/s2</source>
+        <translation>坍落部分在文件中以 {0} 加速，即 {1} m/s2</translation>
+    </message>
+    <message>
+        <source>what comes down gathers speed at {0}, which is {1}</source>
+        <translation>坍落部分以 {0} 加速，即 {1}</translation>
+    </message>
+    <message>
+        <source>what comes down gathers speed along {0}</source>
+        <translation>坍落部分沿 {0} 加速</translation>
+    </message>
+    <message>
+        <source>A member could not be kept for a second start.</source>
+        <translation>一个成员未能保留以备再次启动。</translation>
+    </message>
+    <message>
+        <source>A member of the ensemble could not be simulated.</source>
+        <translation>系综的一个成员无法模拟。</translation>
+    </message>
+    <message>
+        <source>A movie from {0} to {1} with {2} pictures per second at {3} times the pace of the collapse cannot be made</source>
+        <translation>无法制作从 {0} 到 {1}、每秒 {2} 张图片、为倒塌速度 {3} 倍的动画</translation>
+    </message>
+    <message>
+        <source>A setting of the survey comparison is no size</source>
+        <translation>测量比较的某项设置不是有效尺寸</translation>
+    </message>
+    <message>
+        <source>Accounting for every death</source>
+        <translation>正在清点每次失效</translation>
+    </message>
+    <message>
+        <source>Add points, three or more so that a wrong one shows.</source>
+        <translation>请添加控制点，三个或更多才能看出错误的点。</translation>
+    </message>
+    <message>
+        <source>An MP4 needs the program ffmpeg, which is not installed</source>
+        <translation>MP4 需要程序 ffmpeg,但它未安装</translation>
+    </message>
+    <message>
+        <source>An ensemble of {0} members with seed {1} cannot be made.</source>
+        <translation>无法建立含 {0} 个成员、种子为 {1} 的系综。</translation>
+    </message>
+    <message>
+        <source>An outline has no heights that could be laid on the ground</source>
+        <translation>轮廓没有可与地面配准的高程</translation>
+    </message>
+    <message>
+        <source>Ask for 1 to 120 pictures per second, a pace from 0.001 to 1000 and at most {0} pictures in all.</source>
+        <translation>请要求每秒 1 至 120 张图片、速度 0.001 至 1000,总共最多 {0} 张图片。</translation>
+    </message>
+    <message>
+        <source>Binary glTF (*.glb)</source>
+        <translation>二进制 glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>Both sides are taken to hold fallen live structure: simulated, what moved farther than {0}.</source>
+        <translation>双方均计入坠落的存活结构：模拟侧为位移超过 {0} 的部分。</translation>
+    </message>
+    <message>
+        <source>Bring it over with gdalwarp -t_srs.</source>
+        <translation>请用 gdalwarp -t_srs 转换。</translation>
+    </message>
+    <message>
+        <source>Bring it over with ogr2ogr -t_srs.</source>
+        <translation>请用 ogr2ogr -t_srs 转换。</translation>
+    </message>
+    <message>
+        <source>CONNECTIVITY should follow OFFSETS</source>
+        <translation>OFFSETS 之后应为 CONNECTIVITY</translation>
+    </message>
+    <message>
+        <source>Cells of {0} are no size</source>
+        <translation>{0} 不是有效的单元尺寸</translation>
+    </message>
+    <message>
+        <source>Check its coordinate system and that of the case, or choose larger cells.</source>
+        <translation>请检查其坐标系与案例的坐标系，或选用更大的单元格。</translation>
+    </message>
+    <message>
+        <source>Check the coordinate system and the origin of the case.</source>
+        <translation>请检查案例的坐标系和原点。</translation>
+    </message>
+    <message>
+        <source>Check the coordinate system, the origin of the case and the control points.</source>
+        <translation>请检查坐标系、案例原点和控制点。</translation>
+    </message>
+    <message>
+        <source>Check the coordinate systems of survey and case, the origin of the frame and the control points.</source>
+        <translation>请检查测量与案例的坐标系、坐标框架原点以及控制点。</translation>
+    </message>
+    <message>
+        <source>Check the coordinate systems of the outline and of the case.</source>
+        <translation>请检查轮廓和案例的坐标系。</translation>
+    </message>
+    <message>
+        <source>Check the path, or copy the file again.</source>
+        <translation>请检查路径，或重新复制文件。</translation>
+    </message>
+    <message>
+        <source>Check the path, or leave the mesh out.</source>
+        <translation>请检查路径，或不使用该网格。</translation>
+    </message>
+    <message>
+        <source>Check the path, or leave the orthophoto out.</source>
+        <translation>请检查路径，或不使用正射影像。</translation>
+    </message>
+    <message>
+        <source>Check their coordinate system and that of the case, or choose smaller cells.</source>
+        <translation>请检查其坐标系与案例的坐标系，或选用更小的单元格。</translation>
+    </message>
+    <message>
+        <source>Check what its heights are measured from: height= is above the ground, surface= in the heights of the case.</source>
+        <translation>请检查其高度的起算面：height= 为地面以上，surface= 为案例的高程。</translation>
+    </message>
+    <message>
+        <source>Checking that nothing is stale</source>
+        <translation>正在检查有无过时内容</translation>
+    </message>
+    <message>
+        <source>Choose a folder that you may write to.</source>
+        <translation>请选择可以写入的文件夹。</translation>
+    </message>
+    <message>
+        <source>Choose a run in which elements were deactivated.</source>
+        <translation>请选择有单元失效的计算。</translation>
+    </message>
+    <message>
+        <source>Choose an empty folder, or a new one.</source>
+        <translation>请选择空文件夹或新文件夹。</translation>
+    </message>
+    <message>
+        <source>Choose cells of 0.05 m or more.</source>
+        <translation>请选择 0.05 m 或更大的单元。</translation>
+    </message>
+    <message>
+        <source>Choose larger cells, or cut the survey to the site.</source>
+        <translation>请选择更大的单元，或将测量数据裁剪到场地范围。</translation>
+    </message>
+    <message>
+        <source>Choose points as far apart as the site allows.</source>
+        <translation>请在场地允许的范围内选择相距尽可能远的点。</translation>
+    </message>
+    <message>
+        <source>Cut it to the site with gdal_translate -projwin, or make it coarser with -tr.</source>
+        <translation>请用 gdal_translate -projwin 裁剪到现场，或用 -tr 降低分辨率。</translation>
+    </message>
+    <message>
+        <source>Drawing the figure</source>
+        <translation>正在绘制插图</translation>
+    </message>
+    <message>
+        <source>Drawing the figures</source>
+        <translation>正在绘制各图</translation>
+    </message>
+    <message>
+        <source>Drawing the movie: picture {0} of {1}</source>
+        <translation>正在绘制动画：第 {0} 张，共 {1} 张</translation>
+    </message>
+    <message>
+        <source>ESRI Shapefile</source>
+        <translation>ESRI Shapefile</translation>
+    </message>
+    <message>
+        <source>Endings: .png, .svg, .pdf.</source>
+        <translation>扩展名：.png、.svg、.pdf。</translation>
+    </message>
+    <message>
+        <source>FE result of the case</source>
+        <translation>案例的有限元结果</translation>
+    </message>
+    <message>
+        <source>Fallen live structure is left out of the simulated side; a survey that shows it holds more.</source>
+        <translation>模拟侧未计入坠落的存活结构；若测量包含它，则测量值偏大。</translation>
+    </message>
+    <message>
+        <source>Figures (*.png *.svg *.pdf)</source>
+        <translation>插图 (*.png *.svg *.pdf)</translation>
+    </message>
+    <message>
+        <source>Finding the case of the figure</source>
+        <translation>正在查找该图的案例</translation>
+    </message>
+    <message>
+        <source>Give a footprint, a height model, or photographs with an outline.</source>
+        <translation>请给出覆盖范围、高程模型或带轮廓的照片。</translation>
+    </message>
+    <message>
+        <source>Give a mesh in one of these formats.</source>
+        <translation>请提供其中一种格式的网格。</translation>
+    </message>
+    <message>
+        <source>Give a picture of the ground with its place: GeoTIFF, JPEG 2000, or JPEG or PNG with a world file.</source>
+        <translation>请提供带位置的地面影像：GeoTIFF、JPEG 2000，或带坐标文件的 JPEG 或 PNG。</translation>
+    </message>
+    <message>
+        <source>Give a raster with finer cells, or one that covers more of the site.</source>
+        <translation>请提供单元更细或覆盖更多场地的栅格。</translation>
+    </message>
+    <message>
+        <source>Give an OBJ, PLY or glTF file of triangles, exported anew.</source>
+        <translation>请重新导出三角形的 OBJ、PLY 或 glTF 文件。</translation>
+    </message>
+    <message>
+        <source>Give an orthophoto: three bands, or one of bytes.</source>
+        <translation>请提供正射影像：三个波段，或一个字节型波段。</translation>
+    </message>
+    <message>
+        <source>Give it a place with gdal_translate -a_ullr, or turn it upright with gdalwarp.</source>
+        <translation>请用 gdal_translate -a_ullr 给出位置，或用 gdalwarp 转正。</translation>
+    </message>
+    <message>
+        <source>Give it a place with gdal_translate -a_ullr.</source>
+        <translation>请用 gdal_translate -a_ullr 指定其位置。</translation>
+    </message>
+    <message>
+        <source>Give it coordinates in metres, or remove it.</source>
+        <translation>请以米为单位给出坐标，或删除该点。</translation>
+    </message>
+    <message>
+        <source>Give lengths in metres, not below zero, and 1 to 360 sectors.</source>
+        <translation>长度以米为单位且不小于零，扇区为 1 到 360 个。</translation>
+    </message>
+    <message>
+        <source>Give polygons (GeoPackage, GeoJSON, Shapefile) or a raster of heights.</source>
+        <translation>请给出多边形（GeoPackage、GeoJSON、Shapefile）或高程栅格。</translation>
+    </message>
+    <message>
+        <source>Give the case a projected system in metres, such as EPSG:25832.</source>
+        <translation>请为案例指定以米为单位的投影坐标系，如 EPSG:25832。</translation>
+    </message>
+    <message>
+        <source>Give the case the coordinate system of its site, such as EPSG:25832.</source>
+        <translation>请为案例指定场地坐标系，如 EPSG:25832。</translation>
+    </message>
+    <message>
+        <source>Give the case the coordinate system of its site, such as EPSG:25832: the raster is then projected to it.</source>
+        <translation>请为案例指定场地坐标系，如 EPSG:25832：栅格将投影到该坐标系。</translation>
+    </message>
+    <message>
+        <source>Give the outline of the debris as one or more polygons.</source>
+        <translation>请以一个或多个多边形给出残骸轮廓。</translation>
+    </message>
+    <message>
+        <source>Give the outline of the debris as polygons.</source>
+        <translation>请以多边形给出碎块轮廓。</translation>
+    </message>
+    <message>
+        <source>Give three, such as 0.25, 0.5 and 1 m.</source>
+        <translation>请给出三个，例如 0.25、0.5 和 1 m。</translation>
+    </message>
+    <message>
+        <source>Height, median</source>
+        <translation>高度，中位数</translation>
+    </message>
+    <message>
+        <source>Heights that a map has the probability of must be ascending, and none below zero.</source>
+        <translation>概率图的各高度必须递增，且不得小于零。</translation>
+    </message>
+    <message>
+        <source>Highest cell</source>
+        <translation>最高单元格</translation>
+    </message>
+    <message>
+        <source>Install the package ffmpeg, or name a folder instead of an MP4: it gets the pictures, numbered.</source>
+        <translation>请安装软件包 ffmpeg,或指定文件夹代替 MP4:其中将写入编号图片。</translation>
+    </message>
+    <message>
+        <source>Leave one of the two out.</source>
+        <translation>请去掉其中一个。</translation>
+    </message>
+    <message>
+        <source>Lower the least height, or compare without registration.</source>
+        <translation>请降低最小高度，或不经配准直接比较。</translation>
+    </message>
+    <message>
+        <source>Make a scenario for each and vary scenario.</source>
+        <translation>请为每种情况建立一个方案，并让 scenario 变化。</translation>
+    </message>
+    <message>
+        <source>Make both with the same cells, instant and counting of fallen structure.</source>
+        <translation>请用相同的单元格、时刻以及倒塌结构的计入方式建立两者。</translation>
+    </message>
+    <message>
+        <source>Make it simpler, to 5,000,000 triangles or fewer.</source>
+        <translation>请简化到 5,000,000 个三角形或更少。</translation>
+    </message>
+    <message>
+        <source>Make room, choose another folder, or write a folder of pictures instead of an MP4.</source>
+        <translation>请腾出空间、换一个文件夹，或写成图片文件夹而不是 MP4。</translation>
+    </message>
+    <message>
+        <source>Make the mesh simpler, or cut it to the site.</source>
+        <translation>请简化网格，或裁剪到场地范围。</translation>
+    </message>
+    <message>
+        <source>Mass per area, 5 % quantile</source>
+        <translation>单位面积质量，5 % 分位数</translation>
+    </message>
+    <message>
+        <source>Mass per area, 95 % quantile</source>
+        <translation>单位面积质量，95 % 分位数</translation>
+    </message>
+    <message>
+        <source>Mass per area, median</source>
+        <translation>单位面积质量，中位数</translation>
+    </message>
+    <message>
+        <source>Mass that fell</source>
+        <translation>落下的质量</translation>
+    </message>
+    <message>
+        <source>Mean height of fragments</source>
+        <translation>碎块平均高度</translation>
+    </message>
+    <message>
+        <source>Measuring the debris</source>
+        <translation>正在量测碎块堆</translation>
+    </message>
+    <message>
+        <source>Members go from 1 to 10,000, seeds from 0 to 4,294,967,295.</source>
+        <translation>成员数为 1 至 10,000，种子为 0 至 4,294,967,295。</translation>
+    </message>
+    <message>
+        <source>Movies (*.mp4)</source>
+        <translation>动画 (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Name as many, in seconds on the file&apos;s clock.</source>
+        <translation>请按该数目给出时刻，单位为秒，按文件的时钟。</translation>
+    </message>
+    <message>
+        <source>Name one of its scenarios.</source>
+        <translation>请指明其中一个方案。</translation>
+    </message>
+    <message>
+        <source>Name scenarios of the case by their ids.</source>
+        <translation>请用案例中方案的标识来指明。</translation>
+    </message>
+    <message>
+        <source>Neither the survey nor the simulation has debris to fit to</source>
+        <translation>测量和模拟都没有可供配准的残骸</translation>
+    </message>
+    <message>
+        <source>No hypothesis has a member that can be held against the evidence.</source>
+        <translation>没有任何假设的成员可与证据比较。</translation>
+    </message>
+    <message>
+        <source>No member of the ensemble is there: there is nothing to map.</source>
+        <translation>系综还没有任何成员：无图可绘。</translation>
+    </message>
+    <message>
+        <source>No report is made of {0}, which is stale: {1}</source>
+        <translation>{0} 已过时，不生成报告：{1}</translation>
+    </message>
+    <message>
+        <source>Open the case itself.</source>
+        <translation>请直接打开案例。</translation>
+    </message>
+    <message>
+        <source>Points, three numbers each,</source>
+        <translation>每个点三个数的 Points</translation>
+    </message>
+    <message>
+        <source>Probability above the first height</source>
+        <translation>高于第一高度的概率</translation>
+    </message>
+    <message>
+        <source>Probability above the second height</source>
+        <translation>高于第二高度的概率</translation>
+    </message>
+    <message>
+        <source>Probability above the third height</source>
+        <translation>高于第三高度的概率</translation>
+    </message>
+    <message>
+        <source>Probability of debris</source>
+        <translation>碎块出现概率</translation>
+    </message>
+    <message>
+        <source>Probability of debris higher than {0}</source>
+        <translation>碎块高于 {0} 的概率</translation>
+    </message>
+    <message>
+        <source>Project the outline to the system of the case first.</source>
+        <translation>请先将轮廓投影到案例坐标系。</translation>
+    </message>
+    <message>
+        <source>Put the figure beside its case, or open the case first.</source>
+        <translation>请把图放在其案例旁边，或先打开案例。</translation>
+    </message>
+    <message>
+        <source>Register it to the debris, or not at all.</source>
+        <translation>请配准到残骸，或不配准。</translation>
+    </message>
+    <message>
+        <source>Rename the run file, or put the XDMF file beside it.</source>
+        <translation>请重命名计算文件，或将 XDMF 文件放在其旁边。</translation>
+    </message>
+    <message>
+        <source>Resample it to square cells with gdalwarp.</source>
+        <translation>请用 gdalwarp 重采样为方形单元。</translation>
+    </message>
+    <message>
+        <source>Run-out of 95 % of the mass</source>
+        <translation>95 % 质量的散落距离</translation>
+    </message>
+    <message>
+        <source>Set up_axis={0} unless something else drives them.</source>
+        <translation>若没有别的作用推动它们，请设置 up_axis={0}。</translation>
+    </message>
+    <message>
+        <source>Simplify the outline.</source>
+        <translation>请简化轮廓。</translation>
+    </message>
+    <message>
+        <source>Simulate again with the settings and inputs of now, or report the case as it was.</source>
+        <translation>请用现在的设置和输入重新模拟，或按当时的案例报告。</translation>
+    </message>
+    <message>
+        <source>Simulate the ensemble first.</source>
+        <translation>请先模拟系综。</translation>
+    </message>
+    <message>
+        <source>Simulate their ensembles, and give evidence.</source>
+        <translation>请模拟各假设的系综，并给出证据。</translation>
+    </message>
+    <message>
+        <source>Simulating the run again, and its repeats</source>
+        <translation>正在重新模拟该计算及其重复计算</translation>
+    </message>
+    <message>
+        <source>Speaks for {0} (above 0) or for {1} (below 0)</source>
+        <translation>支持 {0}（大于 0）或 {1}（小于 0）</translation>
+    </message>
+    <message>
+        <source>Standard error of the probability</source>
+        <translation>概率的标准误差</translation>
+    </message>
+    <message>
+        <source>Survey and debris take {0} by {1} cells of {2}</source>
+        <translation>测量与残骸需要 {0} × {1} 个 {2} 的单元</translation>
+    </message>
+    <message>
+        <source>Take a survey with ground around the debris, or compare without registration.</source>
+        <translation>请使用包含残骸周围地面的测量，或不经配准直接比较。</translation>
+    </message>
+    <message>
+        <source>Take the file as it was exported, or export it again.</source>
+        <translation>请使用导出时的原文件，或重新导出。</translation>
+    </message>
+    <message>
+        <source>Testing this machine</source>
+        <translation>正在测试本机</translation>
+    </message>
+    <message>
+        <source>The case has no scenario &quot;{0}&quot;</source>
+        <translation>案例中没有方案“{0}”</translation>
+    </message>
+    <message>
+        <source>The case of {0} was not found: neither {1} nor a case beside it stands on the FE result {2} with the SHA-256 {3}.</source>
+        <translation>未找到 {0} 的案例：{1} 以及旁边的案例都不基于 SHA-256 为 {3} 的有限元结果 {2}。</translation>
+    </message>
+    <message>
+        <source>The control point &quot;{0}&quot; has a coordinate that is no number</source>
+        <translation>控制点“{0}”有一个坐标不是数值</translation>
+    </message>
+    <message>
+        <source>The control points lie in one place in plan</source>
+        <translation>控制点在平面上位于同一处</translation>
+    </message>
+    <message>
+        <source>The ensembles of {0} and {1} are not mapped alike.</source>
+        <translation>{0} 与 {1} 的系综制图方式不同。</translation>
+    </message>
+    <message>
+        <source>The evidence lies farther from every member of the closest hypothesis than these lie from each other: perhaps none of the hypotheses is the cause.</source>
+        <translation>证据与最接近假设的每个成员的差异都大于这些成员彼此之间的差异：也许这些假设都不是原因。</translation>
+    </message>
+    <message>
+        <source>The folder {0} cannot be made</source>
+        <translation>无法创建文件夹 {0}</translation>
+    </message>
+    <message>
+        <source>The pixels of {0} have no size</source>
+        <translation>{0} 的像素没有尺寸</translation>
+    </message>
+    <message>
+        <source>The polygons of {0} cover no cell of {1}, or lie too far from the site</source>
+        <translation>{0} 的多边形未覆盖任何 {1} 的单元格，或离现场太远</translation>
+    </message>
+    <message>
+        <source>The raster has no place at the site in the system of the case</source>
+        <translation>栅格在案例坐标系的场地处没有位置</translation>
+    </message>
+    <message>
+        <source>The survey covers no cell of the site</source>
+        <translation>测量数据未覆盖场地的任何单元</translation>
+    </message>
+    <message>
+        <source>The survey shows only {0} cells of ground beside the debris</source>
+        <translation>测量在残骸旁仅有 {0} 个地面单元</translation>
+    </message>
+    <message>
+        <source>There is no evidence to hold the hypotheses against.</source>
+        <translation>没有可用来检验假设的证据。</translation>
+    </message>
+    <message>
+        <source>There is no mesh of surroundings {0} that may be read</source>
+        <translation>没有可读取的周边网格 {0}</translation>
+    </message>
+    <message>
+        <source>There is no orthophoto {0}</source>
+        <translation>没有正射影像 {0}</translation>
+    </message>
+    <message>
+        <source>There is no scenario &quot;{0}&quot; to vary.</source>
+        <translation>没有可供变化的方案“{0}”。</translation>
+    </message>
+    <message>
+        <source>There is no survey {0}, or it is empty</source>
+        <translation>没有测量 {0}，或文件为空</translation>
+    </message>
+    <message>
+        <source>There is no way from the system &quot;{0}&quot; of {1} to &quot;{2}&quot; of the case</source>
+        <translation>无法从 {1} 的坐标系“{0}”转换到案例的“{2}”</translation>
+    </message>
+    <message>
+        <source>There is no way from the system of {0} to that of the case</source>
+        <translation>无法从 {0} 的坐标系转换到案例坐标系</translation>
+    </message>
+    <message>
+        <source>There is only {0}: nothing to tell it from.</source>
+        <translation>只有 {0}：没有可与之区分的假设。</translation>
+    </message>
+    <message>
+        <source>Things would fall at {0}</source>
+        <translation>下落的加速度将是 {0}</translation>
+    </message>
+    <message>
+        <source>This arrangement shows {0} instants, not {1}</source>
+        <translation>此排版显示 {0} 个时刻，而不是 {1} 个</translation>
+    </message>
+    <message>
+        <source>This evidence cannot tell {0} from {1}: {0} is closest, but not surely.</source>
+        <translation>该证据无法区分 {0} 与 {1}：{0} 最接近，但并不确定。</translation>
+    </message>
+    <message>
+        <source>Up was taken to be {0}, but {1}</source>
+        <translation>朝上的轴取为 {0}，但{1}</translation>
+    </message>
+    <message>
+        <source>Use clusters (multiple), or export the series for ParaView.</source>
+        <translation>请使用聚类（multiple），或导出供 ParaView 使用的序列。</translation>
+    </message>
+    <message>
+        <source>Vary more of what is not known, look for other causes, and check the place of the evidence.</source>
+        <translation>请让更多未知量变化，寻找其他原因，并检查证据的位置。</translation>
+    </message>
+    <message>
+        <source>Volume of the pile</source>
+        <translation>堆积体体积</translation>
+    </message>
+    <message>
+        <source>Weighing what speaks for the units</source>
+        <translation>正在权衡单位的依据</translation>
+    </message>
+    <message>
+        <source>What tells the causes apart</source>
+        <translation>区分各原因之处</translation>
+    </message>
+    <message>
+        <source>Write the map with the layer height.</source>
+        <translation>请在写出地图时包含 height 图层。</translation>
+    </message>
+    <message>
+        <source>a mean and a standard deviation above zero</source>
+        <translation>一个平均值和一个大于零的标准差</translation>
+    </message>
+    <message>
+        <source>a table of colours</source>
+        <translation>颜色表</translation>
+    </message>
+    <message>
+        <source>above 0 the cell speaks for the first hypothesis, below 0 for the second: logarithm of the ratio of their probabilities</source>
+        <translation>大于 0 支持第一个假设，小于 0 支持第二个：两者概率之比的对数</translation>
+    </message>
+    <message>
+        <source>add a terrain; a level one will do</source>
+        <translation>请添加地形；水平的也可以</translation>
+    </message>
+    <message>
+        <source>another parameter: every member has a seed of its own</source>
+        <translation>另一个参数：每个成员都有自己的种子</translation>
+    </message>
+    <message>
+        <source>application/json</source>
+        <translation>application/json</translation>
+    </message>
+    <message>
+        <source>became shorter while it was read</source>
+        <translation>在读取时变短了</translation>
+    </message>
+    <message>
+        <source>coordinates as large as {0} are kept to {1} only</source>
+        <translation>大至 {0} 的坐标仅保留到 {1}</translation>
+    </message>
+    <message>
+        <source>corners of cells</source>
+        <translation>单元角点数</translation>
+    </message>
+    <message>
+        <source>cut the raster to the site if finer heights are needed there</source>
+        <translation>若需要更细的高程，请将栅格裁剪到场地范围</translation>
+    </message>
+    <message>
+        <source>debris cannot fall on the surroundings: the case has no terrain that they could be part of</source>
+        <translation>残骸无法落在周边上：案例没有可纳入它们的地形</translation>
+    </message>
+    <message>
+        <source>export the mesh about an origin near the site, with that of the case</source>
+        <translation>请以场地附近的原点导出网格，并与案例一致</translation>
+    </message>
+    <message>
+        <source>fe, terrain, photograph, survey, orthophoto or surroundings</source>
+        <translation>fe、terrain、photograph、survey、orthophoto 或 surroundings</translation>
+    </message>
+    <message>
+        <source>find the file with the SHA-256 of the case, or accept it as it is</source>
+        <translation>请找到 SHA-256 与案例一致的文件，或接受现有文件</translation>
+    </message>
+    <message>
+        <source>four numbers</source>
+        <translation>四个数</translation>
+    </message>
+    <message>
+        <source>has blocks that are longer than the file</source>
+        <translation>含有比文件还长的数据块</translation>
+    </message>
+    <message>
+        <source>height that 5 % of the members stay below, 0 where they have no debris</source>
+        <translation>5 % 的成员低于此高度，无碎块处计为 0</translation>
+    </message>
+    <message>
+        <source>height that 95 % of the members stay below, 0 where they have no debris</source>
+        <translation>95 % 的成员低于此高度，无碎块处计为 0</translation>
+    </message>
+    <message>
+        <source>height that half of the members stay below, 0 where they have no debris</source>
+        <translation>半数成员低于此高度，无碎块处计为 0</translation>
+    </message>
+    <message>
+        <source>heights of the terrain count from &quot;{0}&quot;, those of the case from &quot;{1}&quot;; they were not converted</source>
+        <translation>地形高程基准为“{0}”，案例为“{1}”；未做换算</translation>
+    </message>
+    <message>
+        <source>how far the probability may be off because the members are so few, by Agresti and Coull</source>
+        <translation>因成员数有限，概率可能的偏差（Agresti 与 Coull）</translation>
+    </message>
+    <message>
+        <source>is no base64</source>
+        <translation>不是 base64</translation>
+    </message>
+    <message>
+        <source>it became shorter while it was read</source>
+        <translation>文件在读取时变短了</translation>
+    </message>
+    <message>
+        <source>it has no piece</source>
+        <translation>文件中没有 Piece</translation>
+    </message>
+    <message>
+        <source>it is no VTK XML</source>
+        <translation>它不是 VTK XML</translation>
+    </message>
+    <message>
+        <source>it should say ASCII or BINARY</source>
+        <translation>应注明 ASCII 或 BINARY</translation>
+    </message>
+    <message>
+        <source>it should say DATASET UNSTRUCTURED_GRID</source>
+        <translation>应注明 DATASET UNSTRUCTURED_GRID</translation>
+    </message>
+    <message>
+        <source>its appended data do not begin</source>
+        <translation>其附加数据没有开头</translation>
+    </message>
+    <message>
+        <source>larger than a GLB file can be</source>
+        <translation>超出 GLB 文件的大小上限</translation>
+    </message>
+    <message>
+        <source>look at the place of the survey, or allow a longer shift</source>
+        <translation>请检查测量的位置，或允许更大的平移</translation>
+    </message>
+    <message>
+        <source>look at these places; make the raster without poles, birds and marks of no data</source>
+        <translation>请检查这些位置；栅格应去除杆件、飞鸟和无数据标记</translation>
+    </message>
+    <message>
+        <source>make sure that the survey lies in the right place in plan</source>
+        <translation>请确认测量在平面上的位置正确</translation>
+    </message>
+    <message>
+        <source>mass per area that 5 % of the members stay below</source>
+        <translation>5 % 的成员低于此单位面积质量</translation>
+    </message>
+    <message>
+        <source>mass per area that 95 % of the members stay below</source>
+        <translation>95 % 的成员低于此单位面积质量</translation>
+    </message>
+    <message>
+        <source>mass per area that half of the members stay below</source>
+        <translation>半数成员低于此单位面积质量</translation>
+    </message>
+    <message>
+        <source>none is needed; heights are interpolated between those of the file</source>
+        <translation>无需处理；高程由文件中的高程插值得到</translation>
+    </message>
+    <message>
+        <source>nothing was seen to fall</source>
+        <translation>没有看到任何东西下落</translation>
+    </message>
+    <message>
+        <source>numbers with a point as decimal sign, such as uniform:0.4:0.8</source>
+        <translation>以点作小数点的数，例如 uniform:0.4:0.8</translation>
+    </message>
+    <message>
+        <source>remove the attribute &quot;of&quot; where they belong to the debris</source>
+        <translation>若属于残骸，请删除属性“of”</translation>
+    </message>
+    <message>
+        <source>says no place of its values</source>
+        <translation>没有说明数值的位置</translation>
+    </message>
+    <message>
+        <source>set the height shift of the site to the difference there, or use control points</source>
+        <translation>请将场地的高程平移设为当地差值，或使用控制点</translation>
+    </message>
+    <message>
+        <source>share of the members of the ensemble whose debris reaches into the cell</source>
+        <translation>碎块触及该单元格的系综成员所占比例</translation>
+    </message>
+    <message>
+        <source>share of the members whose debris is higher there than the first height</source>
+        <translation>该处碎块高于第一高度的成员比例</translation>
+    </message>
+    <message>
+        <source>share of the members whose debris is higher there than the second height</source>
+        <translation>该处碎块高于第二高度的成员比例</translation>
+    </message>
+    <message>
+        <source>share of the members whose debris is higher there than the third height</source>
+        <translation>该处碎块高于第三高度的成员比例</translation>
+    </message>
+    <message>
+        <source>simulated less surveyed</source>
+        <translation>模拟减去测量</translation>
+    </message>
+    <message>
+        <source>simulated, at rest</source>
+        <translation>模拟，静止时</translation>
+    </message>
+    <message>
+        <source>simulated, at the end of the FE result</source>
+        <translation>模拟，有限元结果结束时</translation>
+    </message>
+    <message>
+        <source>simulating {0} members of the ensemble</source>
+        <translation>正在模拟系综的 {0} 个成员</translation>
+    </message>
+    <message>
+        <source>take a survey of the whole site if that is not meant</source>
+        <translation>若非有意，请使用覆盖整个场地的测量</translation>
+    </message>
+    <message>
+        <source>the arrays of a field</source>
+        <translation>场的数组</translation>
+    </message>
+    <message>
+        <source>the best shift of the survey is as far as was looked: {0}</source>
+        <translation>测量的最佳平移已达搜索上限：{0}</translation>
+    </message>
+    <message>
+        <source>the case has {0} orthophotos; the first is used</source>
+        <translation>案例有 {0} 幅正射影像；使用第一幅</translation>
+    </message>
+    <message>
+        <source>the case regroups its components in another way than the run</source>
+        <translation>案例对构件的重新分组与计算不同</translation>
+    </message>
+    <message>
+        <source>the corners of cells</source>
+        <translation>单元的角点</translation>
+    </message>
+    <message>
+        <source>the file is not the one the case was saved with</source>
+        <translation>该文件不是案例保存时的文件</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>无法创建文件夹</translation>
+    </message>
+    <message>
+        <source>the ground beside the debris is too level to find a shift in plan; only heights were moved</source>
+        <translation>残骸旁的地面过于平坦，无法确定平面平移；仅调整了高程</translation>
+    </message>
+    <message>
+        <source>the ids of scenarios of the case: choice:scenario-1:scenario-2</source>
+        <translation>案例中方案的标识：choice:scenario-1:scenario-2</translation>
+    </message>
+    <message>
+        <source>the index of an element</source>
+        <translation>单元的序号</translation>
+    </message>
+    <message>
+        <source>the islands of this world</source>
+        <translation>此世界的孤立部分</translation>
+    </message>
+    <message>
+        <source>the offsets of cells</source>
+        <translation>单元的偏移</translation>
+    </message>
+    <message>
+        <source>the run has {0}, the case {1}</source>
+        <translation>计算中为 {0},案例中为 {1}</translation>
+    </message>
+    <message>
+        <source>the run is not complete: it ends after {0} frames</source>
+        <translation>计算未完成：在 {0} 帧后结束</translation>
+    </message>
+    <message>
+        <source>the run&apos;s fingerprint is {0}, its inputs and settings now give {1}</source>
+        <translation>计算的指纹为 {0},其输入和设置现在得出 {1}</translation>
+    </message>
+    <message>
+        <source>the terrain was projected from &quot;{0}&quot; to the system of the case</source>
+        <translation>地形已从“{0}”投影到案例坐标系</translation>
+    </message>
+    <message>
+        <source>the types of cells</source>
+        <translation>单元的类型</translation>
+    </message>
+    <message>
+        <source>the values to choose from: choice:A:B</source>
+        <translation>可供选择的值：choice:A:B</translation>
+    </message>
+    <message>
+        <source>the {0} {1} has the SHA-256 {2} now, the run was made from {3}</source>
+        <translation>{0} {1} 现在的 SHA-256 为 {2},而计算基于 {3}</translation>
+    </message>
+    <message>
+        <source>there is a second section CELLS</source>
+        <translation>有第二个 CELLS 段</translation>
+    </message>
+    <message>
+        <source>there is a second section POINTS</source>
+        <translation>有第二个 POINTS 段</translation>
+    </message>
+    <message>
+        <source>things fall along ({0}, {1}, {2}), which is no axis of the file</source>
+        <translation>下落沿 ({0}, {1}, {2})，不是文件的坐标轴</translation>
+    </message>
+    <message>
+        <source>two numbers, the lesser first</source>
+        <translation>两个数，较小者在前</translation>
+    </message>
+    <message>
+        <source>uniform:LEAST:GREATEST, normal:MEAN:DEVIATION or choice:A:B</source>
+        <translation>uniform:最小:最大、normal:平均:偏差 或 choice:A:B</translation>
+    </message>
+    <message>
+        <source>{0} cannot be brought from its coordinate system into that of the case: {1}</source>
+        <translation>{0} 无法从其坐标系转换到案例的坐标系：{1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read as a VTK grid: before byte {1} {2}</source>
+        <translation>无法把 {0} 作为 VTK 网格读取：在字节 {1} 之前，{2}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read as evidence: {1}</source>
+        <translation>{0} 不能作为证据读取：{1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be varied as &quot;{1}&quot;.</source>
+        <translation>{0} 不能按“{1}”变化。</translation>
+    </message>
+    <message>
+        <source>{0} control points are used; a similarity takes two</source>
+        <translation>使用了 {0} 个控制点；相似变换需要两个</translation>
+    </message>
+    <message>
+        <source>{0} does not end in .obj, .ply, .gltf or .glb</source>
+        <translation>{0} 的扩展名不是 .obj、.ply、.gltf 或 .glb</translation>
+    </message>
+    <message>
+        <source>{0} does not say by its ending what kind of figure it is to be</source>
+        <translation>{0} 的扩展名没有说明是哪种插图</translation>
+    </message>
+    <message>
+        <source>{0} does not say what it was made from</source>
+        <translation>{0} 没有说明其来源</translation>
+    </message>
+    <message>
+        <source>{0} does not say where its pixels lie, or is turned</source>
+        <translation>{0} 没有说明像素的位置，或是被旋转过</translation>
+    </message>
+    <message>
+        <source>{0} does not show the site</source>
+        <translation>{0} 未显示该场地</translation>
+    </message>
+    <message>
+        <source>{0} explains the evidence best: one of its members is closer than one of {1} in {2} % of the pairs, at least {3} % with 95 % confidence.</source>
+        <translation>{0} 对证据的解释最好：在 {2} % 的成对比较中，其成员比 {1} 的成员更接近证据，95 % 置信下至少为 {3} %。</translation>
+    </message>
+    <message>
+        <source>{0} has a corner without a place in the system of the case</source>
+        <translation>{0} 有一个角点在案例坐标系中没有位置</translation>
+    </message>
+    <message>
+        <source>{0} has cells of {1}, larger than what it shares with the site</source>
+        <translation>{0} 的单元为 {1}，大于其与场地的重叠范围</translation>
+    </message>
+    <message>
+        <source>{0} has more than {1} corners</source>
+        <translation>{0} 的角点超过 {1} 个</translation>
+    </message>
+    <message>
+        <source>{0} has more than {1} triangles</source>
+        <translation>{0} 的三角形超过 {1} 个</translation>
+    </message>
+    <message>
+        <source>{0} has no layer of heights</source>
+        <translation>{0} 没有高度图层</translation>
+    </message>
+    <message>
+        <source>{0} has no layer of polygons</source>
+        <translation>{0} 没有多边形图层</translation>
+    </message>
+    <message>
+        <source>{0} has {1} x {2} pixels, more than can be compared</source>
+        <translation>{0} 有 {1} x {2} 个像素，超出可比较的数量</translation>
+    </message>
+    <message>
+        <source>{0} heights around the structure are more than can be used: cells of {1} were averaged to {2}</source>
+        <translation>结构周围的 {0} 个高程超出上限：{1} 的单元已平均为 {2}</translation>
+    </message>
+    <message>
+        <source>{0} heights stand out from all around them, such as {1} at x = {2}, y = {3}, and were taken as gaps</source>
+        <translation>{0} 个高程明显突出于周围，例如 x = {2}、y = {3} 处的 {1}，已按空缺处理</translation>
+    </message>
+    <message>
+        <source>{0} holds no colours</source>
+        <translation>{0} 不含颜色</translation>
+    </message>
+    <message>
+        <source>{0} holds no polygon</source>
+        <translation>{0} 不含多边形</translation>
+    </message>
+    <message>
+        <source>{0} holds something else than pictures of a movie: {1}</source>
+        <translation>{0} 中有动画图片以外的内容：{1}</translation>
+    </message>
+    <message>
+        <source>{0} is damaged so that the library that reads rasters fails on it</source>
+        <translation>{0} 已损坏，读取栅格的库无法处理它</translation>
+    </message>
+    <message>
+        <source>{0} is in another coordinate system than the case, {1}</source>
+        <translation>{0} 的坐标系与案例的坐标系 {1} 不同</translation>
+    </message>
+    <message>
+        <source>{0} is no mesh that can be read</source>
+        <translation>{0} 不是可读取的网格</translation>
+    </message>
+    <message>
+        <source>{0} is no orthophoto that can be read: {1}</source>
+        <translation>{0} 不是可读取的正射影像：{1}</translation>
+    </message>
+    <message>
+        <source>{0} is too large for a mesh of surroundings</source>
+        <translation>{0} 作为周边网格过大</translation>
+    </message>
+    <message>
+        <source>{0} is too long and narrow around the structure to be made coarser</source>
+        <translation>{0} 在结构周围过于狭长，无法降低分辨率</translation>
+    </message>
+    <message>
+        <source>{0} is varied twice.</source>
+        <translation>{0} 被变化了两次。</translation>
+    </message>
+    <message>
+        <source>{0} lies in degrees ({1}), and the case does not say where on Earth it is</source>
+        <translation>{0} 采用经纬度（{1}），而案例未说明其地理位置</translation>
+    </message>
+    <message>
+        <source>{0} lies in degrees ({1}); &quot;{2}&quot; of the case is no system it could be projected to</source>
+        <translation>{0} 采用经纬度（{1}）；案例的“{2}”不是可投影到的坐标系</translation>
+    </message>
+    <message>
+        <source>{0} lies in degrees, and the case does not say where on Earth it is</source>
+        <translation>{0} 采用经纬度，而案例未说明其地理位置</translation>
+    </message>
+    <message>
+        <source>{0} lies too far from the site to be compared on cells of {1}</source>
+        <translation>{0} 离现场太远，无法在 {1} 的单元格上比较</translation>
+    </message>
+    <message>
+        <source>{0} of simulated debris lies where nothing was surveyed and is left out</source>
+        <translation>{0} 的模拟残骸位于未测量区域，未计入</translation>
+    </message>
+    <message>
+        <source>{0} outlines of live structure in the file were left out</source>
+        <translation>文件中 {0} 个存活结构的轮廓未计入</translation>
+    </message>
+    <message>
+        <source>{0} promises more heights than it can hold</source>
+        <translation>{0} 声明的高程数多于文件所能容纳的数量</translation>
+    </message>
+    <message>
+        <source>{0} says how the FE file is read and cannot be varied.</source>
+        <translation>{0} 说明如何读取有限元文件，不能变化。</translation>
+    </message>
+    <message>
+        <source>{0} shows no debris: no cell of {1} is higher than the ground</source>
+        <translation>{0} 没有显示碎块：没有 {1} 的单元格高于地面</translation>
+    </message>
+    <message>
+        <source>{0}: XDMF cannot name a run file with a colon in its path: {1}</source>
+        <translation>{0}：XDMF 无法引用路径中含冒号的计算文件：{1}</translation>
+    </message>
+    <message>
+        <source>{0}: its provenance names no FE result</source>
+        <translation>{0}:其来源信息没有指明有限元结果</translation>
+    </message>
+    <message>
+        <source>{0}: the array {1} {2}</source>
+        <translation>{0}：数组 {1} {2}</translation>
+    </message>
+    <message>
+        <source>{0}: the movie cannot be written: {1}</source>
+        <translation>{0}:无法写入动画：{1}</translation>
+    </message>
+    <message>
+        <source>{0}: the run has no fragments that could be written as glTF</source>
+        <translation>{0}：该计算没有可写成 glTF 的碎块</translation>
+    </message>
+    <message>
+        <source>{0}: the run has no frame with a body</source>
+        <translation>{0}：该计算没有含刚体的帧</translation>
+    </message>
+    <message>
+        <source>{0}: the run is too large for one glTF file: {1} GB</source>
+        <translation>{0}：该计算对单个 glTF 文件而言过大：{1} GB</translation>
+    </message>
+    <message>
+        <source>A list of deaths lies beside a result that says itself what is dead: it was not used</source>
+        <translation>结果本身已说明哪些单元失效，其旁的失效清单未被采用</translation>
+    </message>
+    <message>
+        <source>A photograph is left out: no outline is drawn on it, or it was not taken at rest.</source>
+        <translation>一张照片被略去：其上没有绘制轮廓，或不是静止后拍摄的。</translation>
+    </message>
+    <message>
+        <source>A world could not be kept for a second start.</source>
+        <translation>有一个模拟无法保留供再次启动时使用。</translation>
+    </message>
+    <message>
+        <source>Add the FE result to the case.</source>
+        <translation>请把该有限元结果加入案例。</translation>
+    </message>
+    <message>
+        <source>Ask sinfo whether the cluster answers and has nodes for it; --sbatch gives sbatch more options.</source>
+        <translation>请用 sinfo 查看集群是否应答、是否有合适的节点；--sbatch 可为 sbatch 添加选项。</translation>
+    </message>
+    <message>
+        <source>Ask sinfo whether the cluster is up, and start the same command again.</source>
+        <translation>请用 sinfo 查看集群是否在运行，然后再次启动同一命令。</translation>
+    </message>
+    <message>
+        <source>Check its rights and how much memory is free.</source>
+        <translation>请检查其权限以及空闲内存。</translation>
+    </message>
+    <message>
+        <source>Check the rights of the folder and whether its disk is full.</source>
+        <translation>请检查文件夹的权限以及磁盘是否已满。</translation>
+    </message>
+    <message>
+        <source>Covered area</source>
+        <translation>覆盖面积</translation>
+    </message>
+    <message>
+        <source>Find the file with the SHA-256 of the case, or accept it as it is</source>
+        <translation>请找到与案例中 SHA-256 相符的文件，或按原样接受它</translation>
+    </message>
+    <message>
+        <source>Find the file with the SHA-256 of the case, or save the case anew.</source>
+        <translation>请找到与案例 SHA-256 相符的文件，或重新保存案例。</translation>
+    </message>
+    <message>
+        <source>GeoTIFF (*.tif);;Images (*.png)</source>
+        <translation>GeoTIFF (*.tif);;图像 (*.png)</translation>
+    </message>
+    <message>
+        <source>GeoTIFF (*.tif);;Tables (*.csv);;Images (*.png)</source>
+        <translation>GeoTIFF (*.tif);;表格 (*.csv);;图像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Give both cases the same frame: they must be of one site.</source>
+        <translation>请让两个案例使用同一坐标框架：它们必须属于同一现场。</translation>
+    </message>
+    <message>
+        <source>Give the result of the FE analysis as Exodus II (.exo, .e, .ex2). Tables that an .xdmf names are opened through it.</source>
+        <translation>请给出 Exodus II 格式的有限元分析结果（.exo、.e、.ex2）。.xdmf 所引用的数据表经由该 .xdmf 打开。</translation>
+    </message>
+    <message>
+        <source>Give the result that the analysis has written from it; a deck that lies beside the result is read with it.</source>
+        <translation>请给出由它计算得到的结果；结果旁的输入文件会一并读取。</translation>
+    </message>
+    <message>
+        <source>If it holds states of a d3plot family, put the first file of the family, {0}, beside it. Formats that can be read: {1}.</source>
+        <translation>若它是某 d3plot 系列的状态文件，请将该系列的首个文件 {0} 放在其旁。可读取的格式：{1}。</translation>
+    </message>
+    <message>
+        <source>Install Slurm&apos;s client programs (Debian: slurm-client) and its slurm.conf, or use --executor commands.</source>
+        <translation>请安装 Slurm 的客户端程序（Debian：slurm-client）及其 slurm.conf，或使用 --executor commands。</translation>
+    </message>
+    <message>
+        <source>Members keep their debris at rest; draw around the debris on photographs of it.</source>
+        <translation>成员只保留静止后的堆积物；请在静止后的照片上圈出堆积物。</translation>
+    </message>
+    <message>
+        <source>Opening {0}</source>
+        <translation>正在打开 {0}</translation>
+    </message>
+    <message>
+        <source>See which there are: rubble-cli jobs list.</source>
+        <translation>查看现有作业：rubble-cli jobs list。</translation>
+    </message>
+    <message>
+        <source>Slurm did not take this: {0}: {1}</source>
+        <translation>Slurm 未接受：{0}：{1}</translation>
+    </message>
+    <message>
+        <source>Slurm does not answer.</source>
+        <translation>Slurm 没有应答。</translation>
+    </message>
+    <message>
+        <source>Slurm is not installed here: there is no program {0}.</source>
+        <translation>此处未安装 Slurm：没有程序 {0}。</translation>
+    </message>
+    <message>
+        <source>Take it away, or check which of the two is right.</source>
+        <translation>请移走该清单，或核对两者哪个正确。</translation>
+    </message>
+    <message>
+        <source>The FE file is not the one the case was saved with.</source>
+        <translation>有限元文件不是保存案例时的那个文件。</translation>
+    </message>
+    <message>
+        <source>The program {0} cannot be started: {1}</source>
+        <translation>无法启动程序 {0}：{1}</translation>
+    </message>
+    <message>
+        <source>The survey is not the one the case was saved with</source>
+        <translation>该测量不是案例保存时所用的测量</translation>
+    </message>
+    <message>
+        <source>There is no job {0} in {1}.</source>
+        <translation>{1} 中没有作业 {0}。</translation>
+    </message>
+    <message>
+        <source>This study has no world {0}: its inputs, settings or the build of Rubble are not those that the list was made with.</source>
+        <translation>此研究中没有模拟 {0}：其输入、设置或 Rubble 的版本与生成列表时不同。</translation>
+    </message>
+    <message>
+        <source>Use one build of Rubble on processors of one kind, leave the inputs as they are, or have the list made anew.</source>
+        <translation>请在同类处理器上使用同一版本的 Rubble 并保持输入不变，或重新生成列表。</translation>
+    </message>
+    <message>
+        <source>an input deck</source>
+        <translation>输入文件</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>保持现状</translation>
+    </message>
+    <message>
+        <source>islands</source>
+        <translation>孤立部分</translation>
+    </message>
+    <message>
+        <source>lost with its node</source>
+        <translation>随节点一同丢失</translation>
+    </message>
+    <message>
+        <source>not told apart</source>
+        <translation>不可区分</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>timed out</source>
+        <translation>超时</translation>
+    </message>
+    <message>
+        <source>told apart</source>
+        <translation>可区分</translation>
+    </message>
+    <message>
+        <source>{0} cannot be written.</source>
+        <translation>无法写入 {0}。</translation>
+    </message>
+    <message>
+        <source>{0} has another origin, axes or coordinate system than {1}.</source>
+        <translation>{0} 的原点、坐标轴或坐标系与 {1} 不同。</translation>
+    </message>
+    <message>
+        <source>{0} has no scenario &quot;{1}&quot;.</source>
+        <translation>{0} 没有方案“{1}”。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} worlds are made on the cluster; {2} run, {3} wait</source>
+        <translation>集群上已完成 {0}/{1} 个模拟；{2} 个在运行，{3} 个在等待</translation>
+    </message>
+    <message>
+        <source>{0} of {1} worlds are made; the cluster does not answer</source>
+        <translation>已完成 {0}/{1} 个模拟；集群没有应答</translation>
+    </message>
+    <message>
+        <source>{0}: the scenario &quot;{1}&quot; stands on no FE result.</source>
+        <translation>{0}：方案“{1}”没有对应的有限元结果。</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -5662,12 +6942,52 @@
         <translation>--photo 为 %1 之一，而不是“%2”。</translation>
     </message>
     <message>
-        <source>Show this panel: case, fragments, grid, effects, run, accuracy or evidence.</source>
-        <translation>显示该面板：case、fragments、grid、effects、run、accuracy 或 evidence。</translation>
-    </message>
-    <message>
         <source>How the simulation lies over the photograph: alone, swipe, blend, blink or outline.</source>
         <translation>模拟如何叠加在照片上：alone、swipe、blend、blink 或 outline。</translation>
+    </message>
+    <message>
+        <source>Compare settings, save the chart of what accuracy costs and leave.</source>
+        <translation>比较各设置，保存精度代价图后退出。</translation>
+    </message>
+    <message>
+        <source>--new-case is one of %1, not “%2”.</source>
+        <translation>--new-case 为 %1 之一，而不是“%2”。</translation>
+    </message>
+    <message>
+        <source>Make a new case from the file, from this step on: units, ground, components, deaths or case.</source>
+        <translation>由文件新建案例，从这一步开始：units、ground、components、deaths 或 case。</translation>
+    </message>
+    <message>
+        <source>Print the page for man and leave.</source>
+        <translation>输出 man 手册页后退出。</translation>
+    </message>
+    <message>
+        <source>Print the completion for bash and leave.</source>
+        <translation>输出 bash 补全脚本后退出。</translation>
+    </message>
+    <message>
+        <source>--against needs footprint, height or surface and a file, not “%1”.</source>
+        <translation>--against 需要 footprint、height 或 surface 和一个文件，而不是“%1”。</translation>
+    </message>
+    <message>
+        <source>Open the file, measure how fast window and scrubbing are, print JSON and leave.</source>
+        <translation>打开文件，测量窗口和浏览的速度，打印 JSON 并退出。</translation>
+    </message>
+    <message>
+        <source>Show this panel: case, fragments, grid, effects, run, accuracy, evidence, report, ensemble or causes.</source>
+        <translation>显示此面板：case、fragments、grid、effects、run、accuracy、evidence、report、ensemble 或 causes。</translation>
+    </message>
+    <message>
+        <source>Another case or FE result to compare causes with; may be repeated.</source>
+        <translation>用于比较原因的另一个案例或有限元结果；可重复。</translation>
+    </message>
+    <message>
+        <source>What was found, to compare causes with: footprint, height or surface; may be repeated.</source>
+        <translation>用于比较原因的现场所见：footprint、height 或 surface；可重复。</translation>
+    </message>
+    <message>
+        <source>--measure needs a file to open.</source>
+        <translation>--measure 需要一个要打开的文件。</translation>
     </message>
 </context>
 <context>
@@ -6435,6 +7755,117 @@
     </message>
 </context>
 <context>
+    <name>rubble::CausesDisplay</name>
+    <message>
+        <source>No outline of the debris is drawn on it.</source>
+        <translation>其上没有绘制堆积物的轮廓。</translation>
+    </message>
+    <message>
+        <source>It was not taken at rest: members keep their debris at rest.</source>
+        <translation>它不是静止后拍摄的：成员只保留静止后的堆积物。</translation>
+    </message>
+    <message>
+        <source>Its camera is not matched.</source>
+        <translation>它的相机尚未匹配。</translation>
+    </message>
+    <message>
+        <source>footprint</source>
+        <translation>覆盖范围</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>Cases of the same site</source>
+        <translation>同一现场的案例</translation>
+    </message>
+    <message>
+        <source>Cases and FE results (*);;Cases (*.rubble)</source>
+        <translation>案例和有限元结果 (*);;案例 (*.rubble)</translation>
+    </message>
+    <message>
+        <source>Footprint of the debris</source>
+        <translation>堆积物的覆盖范围</translation>
+    </message>
+    <message>
+        <source>Heights that were surveyed</source>
+        <translation>测量的高度</translation>
+    </message>
+    <message>
+        <source>Polygons (*.gpkg *.geojson *.json *.shp);;All files (*)</source>
+        <translation>多边形 (*.gpkg *.geojson *.json *.shp);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Rasters (*.tif *.tiff *.asc *.vrt);;All files (*)</source>
+        <translation>栅格 (*.tif *.tiff *.asc *.vrt);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Open a result first.</source>
+        <translation>请先打开结果。</translation>
+    </message>
+    <message>
+        <source>Tick two causes at least: scenarios of this case, or other cases of the site.</source>
+        <translation>请至少勾选两个原因：本案例的方案，或同一现场的其他案例。</translation>
+    </message>
+    <message>
+        <source>A run is being simulated: wait for it or cancel it.</source>
+        <translation>正在模拟一次计算：请等待或取消。</translation>
+    </message>
+    <message>
+        <source>An ensemble is being simulated: wait for it or cancel it.</source>
+        <translation>正在模拟系综：请等待或取消。</translation>
+    </message>
+    <message>
+        <source>Preparing</source>
+        <translation>准备中</translation>
+    </message>
+    <message>
+        <source>Causes compared</source>
+        <translation>原因已比较</translation>
+    </message>
+    <message>
+        <source>A scenario of this case</source>
+        <translation>本案例的一个方案</translation>
+    </message>
+    <message>
+        <source>photograph: %1</source>
+        <translation>照片：%1</translation>
+    </message>
+    <message>
+        <source>A photograph of this case, taken at rest</source>
+        <translation>本案例的一张照片，静止后拍摄</translation>
+    </message>
+    <message>
+        <source>Each gets %1 members with what is varied under Ensemble.</source>
+        <translation>每个原因得到 %1 个成员，变动内容见“系综”。</translation>
+    </message>
+    <message>
+        <source>Ranking of the causes</source>
+        <translation>原因的排序</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>Map of what tells causes apart</source>
+        <translation>区分原因的图</translation>
+    </message>
+    <message>
+        <source>GeoTIFF (*.tif);;Tables (*.csv);;Images (*.png)</source>
+        <translation>GeoTIFF (*.tif);;表格 (*.csv);;图像 (*.png)</translation>
+    </message>
+</context>
+<context>
     <name>rubble::Computation</name>
     <message>
         <source>Opening</source>
@@ -6474,6 +7905,57 @@
     <message>
         <source>to scenario “%1”</source>
         <translation>转到方案“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::EnsembleDisplay</name>
+    <message>
+        <source>Preparing</source>
+        <translation>准备中</translation>
+    </message>
+    <message>
+        <source>Ensemble simulated</source>
+        <translation>系综已模拟</translation>
+    </message>
+    <message>
+        <source>The ensemble is not complete; what is done is kept, and simulating again goes on</source>
+        <translation>系综未完成；已完成的予以保留，再次模拟时继续</translation>
+    </message>
+    <message>
+        <source>Open a result first.</source>
+        <translation>请先打开结果。</translation>
+    </message>
+    <message>
+        <source>No element dies in this result, so there is nothing to simulate.</source>
+        <translation>此结果中没有单元失效，因此没有可模拟的内容。</translation>
+    </message>
+    <message>
+        <source>A run is being simulated: wait for it or cancel it.</source>
+        <translation>正在模拟一次计算：请等待或取消。</translation>
+    </message>
+    <message>
+        <source>Causes are being compared: wait for that or cancel it.</source>
+        <translation>正在比较原因：请等待或取消。</translation>
+    </message>
+    <message>
+        <source>Map of the ensemble</source>
+        <translation>系综的图</translation>
+    </message>
+    <message>
+        <source>GeoTIFF (*.tif);;Tables (*.csv);;Images (*.png)</source>
+        <translation>GeoTIFF (*.tif);;表格 (*.csv);;图像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>Members of the ensemble</source>
+        <translation>系综的成员</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -6595,14 +8077,21 @@
     </message>
 </context>
 <context>
+    <name>rubble::FigureReturn</name>
+    <message>
+        <source>Shown as in %1</source>
+        <translation>显示方式同 %1</translation>
+    </message>
+    <message>
+        <source>The view of %1; its run is not kept here, so simulate to see its fragments</source>
+        <translation>%1 的视图；其计算未保存在此处，请模拟后查看碎块</translation>
+    </message>
+</context>
+<context>
     <name>rubble::FileCommands</name>
     <message>
         <source>Open</source>
         <translation>打开</translation>
-    </message>
-    <message>
-        <source>Cases and FE results (*);;Cases (*.rubble)</source>
-        <translation>案例和有限元结果 (*);;案例 (*.rubble)</translation>
     </message>
     <message>
         <source>Terrain</source>
@@ -6665,14 +8154,6 @@
         <translation>序列 (*.pvd)</translation>
     </message>
     <message>
-        <source>Figure</source>
-        <translation>图</translation>
-    </message>
-    <message>
-        <source>Images (*.png)</source>
-        <translation>图片 (*.png)</translation>
-    </message>
-    <message>
         <source>Settings compared</source>
         <translation>设置比较完成</translation>
     </message>
@@ -6707,6 +8188,50 @@
     <message>
         <source>Views (*.json);;All files (*)</source>
         <translation>视图 (*.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Cases, FE results and figures of them (*);;Cases (*.rubble)</source>
+        <translation>案例、有限元结果及其图片 (*);;案例 (*.rubble)</translation>
+    </message>
+    <message>
+        <source>Fragments as glTF</source>
+        <translation>glTF 格式的碎块</translation>
+    </message>
+    <message>
+        <source>Binary glTF (*.glb)</source>
+        <translation>二进制 glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>Orthophoto</source>
+        <translation>正射影像</translation>
+    </message>
+    <message>
+        <source>Pictures of the ground (*.tif *.tiff *.jp2 *.jpg *.jpeg *.png *.img);;All files (*)</source>
+        <translation>地面影像 (*.tif *.tiff *.jp2 *.jpg *.jpeg *.png *.img);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>orthophoto %1</source>
+        <translation>正射影像 %1</translation>
+    </message>
+    <message>
+        <source>Surroundings</source>
+        <translation>周围环境</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.ply *.gltf *.glb);;All files (*)</source>
+        <translation>网格 (*.obj *.ply *.gltf *.glb);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>surroundings %1</source>
+        <translation>周围环境 %1</translation>
+    </message>
+    <message>
+        <source>orthophoto and surroundings left out</source>
+        <translation>已撤除正射影像和周围环境</translation>
+    </message>
+    <message>
+        <source>site</source>
+        <translation>场地</translation>
     </message>
 </context>
 <context>
@@ -6809,6 +8334,14 @@
     <message>
         <source>changed %1 accepted</source>
         <translation>接受已更改的 %1</translation>
+    </message>
+    <message>
+        <source>The orthophoto</source>
+        <translation>正射影像</translation>
+    </message>
+    <message>
+        <source>The mesh of surroundings</source>
+        <translation>周边网格</translation>
     </message>
 </context>
 <context>
@@ -7004,6 +8537,18 @@
         <source>The order of work</source>
         <translation>工作的次序</translation>
     </message>
+    <message>
+        <source>FE result of the new case</source>
+        <translation>新建案例的有限元结果</translation>
+    </message>
+    <message>
+        <source>FE results (*)</source>
+        <translation>有限元结果 (*)</translation>
+    </message>
+    <message>
+        <source>Members of an ensemble are being simulated.</source>
+        <translation>正在模拟系综的成员。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::ManualWindow</name>
@@ -7042,6 +8587,77 @@
     <message>
         <source>This page is in English.</source>
         <translation>此页为英文。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::NewCase</name>
+    <message>
+        <source>regrouping dropped</source>
+        <translation>撤除重新分组</translation>
+    </message>
+    <message>
+        <source>%1 is a case already.</source>
+        <translation>%1 已经是案例。</translation>
+    </message>
+    <message>
+        <source>Open it with Open…, or choose an FE result.</source>
+        <translation>请用“打开…”打开它，或选择有限元结果。</translation>
+    </message>
+    <message>
+        <source>As computed</source>
+        <translation>按计算值</translation>
+    </message>
+    <message>
+        <source>FE result</source>
+        <translation>有限元结果</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>自定义</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>向上</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>level, z = %1</source>
+        <translation>水平，z = %1</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>构件列表</translation>
+    </message>
+    <message>
+        <source>Steps of regrouping</source>
+        <translation>重新分组步骤</translation>
+    </message>
+    <message>
+        <source>Fragments</source>
+        <translation>碎块</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>地形</translation>
+    </message>
+    <message>
+        <source>Rasters of heights (*.tif *.tiff *.asc *.bil *.img *.hgt *.dt0 *.dt1 *.dt2 *.xyz *.grd);;All files (*)</source>
+        <translation>高程栅格 (*.tif *.tiff *.asc *.bil *.img *.hgt *.dt0 *.dt1 *.dt2 *.xyz *.grd);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>terrain left out</source>
+        <translation>不用地形</translation>
+    </message>
+    <message>
+        <source>terrain %1</source>
+        <translation>地形 %1</translation>
     </message>
 </context>
 <context>
@@ -7122,6 +8738,65 @@
         <source>What photographs show, and how far the simulated debris agrees.</source>
         <translation>照片显示了什么，模拟堆积物与之符合到何种程度。</translation>
     </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>What was asked, what was found, and how sure that is.</source>
+        <translation>问了什么，发现了什么，有多大把握。</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translation>照片列表</translation>
+    </message>
+    <message>
+        <source>Ensemble</source>
+        <translation>系综</translation>
+    </message>
+    <message>
+        <source>How sure it is where debris lies, with what is not known drawn anew.</source>
+        <translation>在未知量重新抽取时，堆积物的位置有多确定。</translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Which of several supposed causes explains what was found.</source>
+        <translation>若干假定原因中哪一个能解释现场所见。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::PictureExport</name>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing half-made is left</source>
+        <translation>已取消；不留下半成品</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>图</translation>
+    </message>
+    <message>
+        <source>Figures (*.png *.svg *.pdf)</source>
+        <translation>插图 (*.png *.svg *.pdf)</translation>
+    </message>
+    <message>
+        <source>Movie</source>
+        <translation>动画</translation>
+    </message>
+    <message>
+        <source>Movies (*.mp4)</source>
+        <translation>动画 (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures of the movie</source>
+        <translation>动画图片的文件夹</translation>
+    </message>
 </context>
 <context>
     <name>rubble::ProjectDisplay</name>
@@ -7198,6 +8873,33 @@
     </message>
 </context>
 <context>
+    <name>rubble::ReportWork</name>
+    <message>
+        <source>Open a result first.</source>
+        <translation>请先打开结果。</translation>
+    </message>
+    <message>
+        <source>Simulate first: a report is about a run that is complete.</source>
+        <translation>请先模拟：报告针对已完成的计算。</translation>
+    </message>
+    <message>
+        <source>Settings have changed since this run. Simulate again, or undo the changes: a stale run is not reported.</source>
+        <translation>该次计算之后设置已更改。请重新模拟或撤销更改：过时的计算不予报告。</translation>
+    </message>
+    <message>
+        <source>Folder for the report</source>
+        <translation>报告的文件夹</translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation>报告已写入 %1</translation>
+    </message>
+    <message>
+        <source>The report was cancelled</source>
+        <translation>报告已取消</translation>
+    </message>
+</context>
+<context>
     <name>rubble::RunHistory</name>
     <message>
         <source>It was set aside as %1; a new history begins.</source>
@@ -7206,6 +8908,17 @@
     <message>
         <source>The history of runs cannot be kept. %1</source>
         <translation>无法保留计算历史。%1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::ScenarioPane</name>
+    <message>
+        <source>Open a kept run</source>
+        <translation>打开保留的计算</translation>
+    </message>
+    <message>
+        <source>Runs (*.run.h5);;All files (*)</source>
+        <translation>计算 (*.run.h5);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -7318,6 +9031,56 @@
     </message>
 </context>
 <context>
+    <name>rubble::StudyWork</name>
+    <message>
+        <source>cause %1 of %2: %3</source>
+        <translation>原因 %1/%2：%3</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::SurveyDisplay</name>
+    <message>
+        <source>Add a survey</source>
+        <translation>添加测量</translation>
+    </message>
+    <message>
+        <source>Height models and outlines (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.gpkg *.geojson *.json *.shp *.fgb *.kml);;All files (*)</source>
+        <translation>高程模型和轮廓 (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.gpkg *.geojson *.json *.shp *.fgb *.kml);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>survey %1 added</source>
+        <translation>已添加测量 %1</translation>
+    </message>
+    <message>
+        <source>survey removed</source>
+        <translation>已移除测量</translation>
+    </message>
+    <message>
+        <source>Simulate first: there is no debris yet.</source>
+        <translation>请先模拟：还没有堆积物。</translation>
+    </message>
+    <message>
+        <source>Difference map</source>
+        <translation>差异图</translation>
+    </message>
+    <message>
+        <source>GeoTIFF (*.tif);;Images (*.png)</source>
+        <translation>GeoTIFF (*.tif);;图像 (*.png)</translation>
+    </message>
+    <message>
+        <source>The comparison is of another run or other settings.</source>
+        <translation>该比较属于另一次计算或其他设置。</translation>
+    </message>
+    <message>
+        <source>Compare again, then save.</source>
+        <translation>请重新比较后再保存。</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+</context>
+<context>
     <name>rubble::TimelineDisplay</name>
     <message>
         <source>bookmark at %1 s</source>
@@ -7381,14 +9144,6 @@
         <translation>与基准的误差：</translation>
     </message>
     <message>
-        <source>over %1 m</source>
-        <translation>超过 %1 m</translation>
-    </message>
-    <message>
-        <source>≤ %1 m</source>
-        <translation>≤ %1 m</translation>
-    </message>
-    <message>
         <source>not in the reference · %1</source>
         <translation>基准中没有 · %1</translation>
     </message>
@@ -7403,14 +9158,6 @@
     <message>
         <source>birth time</source>
         <translation>产生的时刻</translation>
-    </message>
-    <message>
-        <source>0 m/s</source>
-        <translation>0 m/s</translation>
-    </message>
-    <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
     </message>
     <message>
         <source>speed</source>
@@ -7516,6 +9263,967 @@
         <source>hidden %1</source>
         <translation>已隐藏 %1</translation>
     </message>
+    <message>
+        <source>Fragments of another scenario</source>
+        <translation>另一方案的碎块</translation>
+    </message>
+    <message>
+        <source>Debris and surroundings</source>
+        <translation>碎块与周边环境</translation>
+    </message>
+    <message>
+        <source>Original</source>
+        <translation>原始状态</translation>
+    </message>
+    <message>
+        <source>Early stage</source>
+        <translation>初期</translation>
+    </message>
+    <message>
+        <source>Intermediate stage</source>
+        <translation>中期</translation>
+    </message>
+    <message>
+        <source>Final stage</source>
+        <translation>最终阶段</translation>
+    </message>
+    <message>
+        <source>between two states</source>
+        <translation>两个状态之间</translation>
+    </message>
+    <message>
+        <source>last state</source>
+        <translation>最后状态</translation>
+    </message>
+    <message>
+        <source>not simulated</source>
+        <translation>未模拟</translation>
+    </message>
+    <message>
+        <source>%1 times slower</source>
+        <translation>慢 %1 倍</translation>
+    </message>
+    <message>
+        <source>%1 times faster</source>
+        <translation>快 %1 倍</translation>
+    </message>
+    <message>
+        <source>over %1</source>
+        <translation>超过 %1</translation>
+    </message>
+    <message>
+        <source>≤ %1</source>
+        <translation>≤ %1</translation>
+    </message>
+    <message>
+        <source>No run of another scenario is chosen</source>
+        <translation>未选择另一方案的计算</translation>
+    </message>
+    <message>
+        <source>Scenario %1 · %2</source>
+        <translation>方案 %1 · %2</translation>
+    </message>
+    <message>
+        <source>fragments</source>
+        <translation>碎块数</translation>
+    </message>
+    <message>
+        <source>active structure</source>
+        <translation>未失效结构</translation>
+    </message>
+    <message>
+        <source>released structure</source>
+        <translation>已释放结构</translation>
+    </message>
+    <message>
+        <source>Where the debris of the collapse went: simulation report</source>
+        <translation>倒塌碎块的去向：模拟报告</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>第 %1 页，共 %2 页</translation>
+    </message>
+    <message>
+        <source>Figure %1</source>
+        <translation>图 %1</translation>
+    </message>
+    <message>
+        <source>Table %1</source>
+        <translation>表 %1</translation>
+    </message>
+    <message>
+        <source>%1 · run %2</source>
+        <translation>%1 · 计算 %2</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>编制者</translation>
+    </message>
+    <message>
+        <source>Made on (UTC)</source>
+        <translation>编制时间 (UTC)</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>方案</translation>
+    </message>
+    <message>
+        <source>FE result</source>
+        <translation>有限元结果</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the FE result</source>
+        <translation>有限元结果的 SHA-256</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>计算</translation>
+    </message>
+    <message>
+        <source>Trajectory hash</source>
+        <translation>轨迹哈希</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机器</translation>
+    </message>
+    <message>
+        <source>a file has the name of the folder</source>
+        <translation>有一个文件与该文件夹同名</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::figures::EncodedMovie</name>
+    <message>
+        <source>ffmpeg ended before the movie did</source>
+        <translation>ffmpeg 在动画完成前已结束</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::figures::PictureSequence</name>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>无法创建文件夹</translation>
+    </message>
+    <message>
+        <source>%1 is there already, and not of this movie</source>
+        <translation>%1 已存在，且不属于此影片</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::figures::ReportSections</name>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>A finite-element analysis of a collapse deactivates the elements that fail; from then on they are not part of it. Each deactivated element is turned into a rigid fragment with the place, shape and velocity it had when it was last active. A physics engine carries the fragments from there until they lie at rest. The procedure follows Xu, Lu, Guan and Ren, Automation in Construction 35 (2013) 471–481, with the departures that are named below.</source>
+        <translation>倒塌的有限元分析会停用失效的单元；此后它们不再属于分析。每个停用的单元被转化为刚性碎块，其位置、形状和速度取自最后一次有效时。物理引擎从那里开始推动碎块，直到静止。过程遵循 Xu、Lu、Guan 和 Ren,Automation in Construction 35 (2013) 471–481,不同之处在下文说明。</translation>
+    </message>
+    <message>
+        <source>Fragments</source>
+        <translation>碎块</translation>
+    </message>
+    <message>
+        <source>The mass of a fragment is the volume of its element at rest times the density of its component. Its velocity and its angular velocity conserve the momenta of the nodal velocity field over the last active shape of the element:</source>
+        <translation>碎块的质量是其单元静止时的体积乘以构件的密度。其速度和角速度保持单元最后有效形状上节点速度场的动量：</translation>
+    </message>
+    <message>
+        <source>mass times velocity is the integral of density times nodal velocity; inertia times angular velocity is the integral of its moment</source>
+        <translation>质量乘速度等于密度乘节点速度的积分；惯量乘角速度等于其矩的积分</translation>
+    </message>
+    <message>
+        <source>with the mass &lt;i&gt;m&lt;/i&gt;, the inertia tensor &lt;i&gt;I&lt;/i&gt; about the centre of mass &lt;b&gt;c&lt;/b&gt;, the place &lt;b&gt;x&lt;/b&gt;, the interpolated nodal velocity &lt;b&gt;u&lt;/b&gt; and the density &lt;i&gt;ρ&lt;/i&gt;, scaled so that its integral over the shape is &lt;i&gt;m&lt;/i&gt;.</source>
+        <translation>其中 &lt;i&gt;m&lt;/i&gt; 为质量，&lt;i&gt;I&lt;/i&gt; 为对质心 &lt;b&gt;c&lt;/b&gt; 的惯性张量，&lt;b&gt;x&lt;/b&gt; 为位置，&lt;b&gt;u&lt;/b&gt; 为插值的节点速度，&lt;i&gt;ρ&lt;/i&gt; 为密度，其缩放使形状上的积分等于 &lt;i&gt;m&lt;/i&gt;。</translation>
+    </message>
+    <message>
+        <source>Clusters</source>
+        <translation>聚类</translation>
+    </message>
+    <message>
+        <source>Fragments born together that move alike are carried by one rigid body, a cluster, so that the number of bodies stays within what a machine can simulate. The Basic Grid limits how far a cluster reaches along each axis. Between the mean distance &lt;i&gt;d&lt;/i&gt; of fragments that are neighbours in their order along an axis and the grid size &lt;i&gt;h&lt;/i&gt; stand</source>
+        <translation>同时产生且运动相近的碎块由一个刚体(聚类)携带，使刚体数目保持在机器可模拟的范围内。基本网格限制聚类沿各轴的伸展。沿一轴排序相邻碎块的平均间距 &lt;i&gt;d&lt;/i&gt; 与网格尺寸 &lt;i&gt;h&lt;/i&gt; 之间有</translation>
+    </message>
+    <message>
+        <source>mean distance of adjacent fragments, the least grid size for efficiency, the least grid size for accuracy</source>
+        <translation>相邻碎块的平均间距、按效率的最小网格尺寸、按精度的最小网格尺寸</translation>
+    </message>
+    <message>
+        <source>with the number of fragments &lt;i&gt;N&lt;sub&gt;f&lt;/sub&gt;&lt;/i&gt; and the largest number of bodies &lt;i&gt;N&lt;sub&gt;A&lt;/sub&gt;&lt;/i&gt;; the smallest dimension of a structural component is the upper bound.</source>
+        <translation>其中 &lt;i&gt;N&lt;sub&gt;f&lt;/sub&gt;&lt;/i&gt; 为碎块数，&lt;i&gt;N&lt;sub&gt;A&lt;/sub&gt;&lt;/i&gt; 为最大刚体数；结构构件的最小尺寸为上限。</translation>
+    </message>
+    <message>
+        <source>In this run every fragment is a body of its own.</source>
+        <translation>本次计算中每个碎块各为一个刚体。</translation>
+    </message>
+    <message>
+        <source>In this run clusters are made by nested cuts: the fragments of each component and birth are cut in two where that leaves the least spread, until every part is as compact as a full box of the grid.</source>
+        <translation>本次计算的聚类由嵌套切割得到：每个构件、每次产生的碎块在使离散最小处一分为二，直到每部分与网格的满格一样紧凑。</translation>
+    </message>
+    <message>
+        <source>In this run clusters are the product of groups along the three axes, as in the published method.</source>
+        <translation>本次计算的聚类是沿三个轴分组的乘积，与已发表的方法相同。</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>Bodies move by the equations of Newton and Euler under gravity, the contacts with each other, the ground and the structure that still stands, and the effects listed below:</source>
+        <translation>刚体在重力、相互间以及与地面和仍然站立的结构的接触，以及下列效应作用下，按牛顿和欧拉方程运动：</translation>
+    </message>
+    <message>
+        <source>mass times acceleration is weight plus contact forces; the change of angular momentum is the sum of their moments</source>
+        <translation>质量乘加速度等于重量加接触力；角动量的变化等于其力矩之和</translation>
+    </message>
+    <message>
+        <source>with the contact forces &lt;b&gt;f&lt;/b&gt;&lt;sub&gt;&lt;i&gt;k&lt;/i&gt;&lt;/sub&gt; at the arms &lt;b&gt;r&lt;/b&gt;&lt;sub&gt;&lt;i&gt;k&lt;/i&gt;&lt;/sub&gt;. Tangential forces stay within Coulomb&apos;s cone with the friction of the pair of materials. The active structure follows the FE result and is not moved by the debris.</source>
+        <translation>其中 &lt;b&gt;f&lt;/b&gt;&lt;sub&gt;&lt;i&gt;k&lt;/i&gt;&lt;/sub&gt; 为作用在力臂 &lt;b&gt;r&lt;/b&gt;&lt;sub&gt;&lt;i&gt;k&lt;/i&gt;&lt;/sub&gt; 上的接触力。切向力保持在以材料对摩擦系数决定的库仑锥内。未失效结构按有限元结果运动，不受碎块推动。</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>比较度量</translation>
+    </message>
+    <message>
+        <source>Two fields of debris are compared by how their mass lies on the ground, by their outlines and by the way of each fragment:</source>
+        <translation>两个碎块堆按质量在地面的分布、轮廓和每个碎块的路径比较：</translation>
+    </message>
+    <message>
+        <source>mass-map difference, intersection over union of the footprints, accuracy rate</source>
+        <translation>质量图差异、覆盖范围的交并比、准确率</translation>
+    </message>
+    <message>
+        <source>with the mass &lt;i&gt;m&lt;sub&gt;c&lt;/sub&gt;&lt;/i&gt; in cell &lt;i&gt;c&lt;/i&gt;, the total mass &lt;i&gt;M&lt;/i&gt;, the footprints &lt;i&gt;A&lt;/i&gt;, and the number &lt;i&gt;N&lt;/i&gt;&lt;sup&gt;*&lt;/sup&gt; of fragments that lie within a tolerance of their place in the reference, in which every fragment is its own body.</source>
+        <translation>其中 &lt;i&gt;m&lt;sub&gt;c&lt;/sub&gt;&lt;/i&gt; 为格 &lt;i&gt;c&lt;/i&gt; 中的质量，&lt;i&gt;M&lt;/i&gt; 为总质量，&lt;i&gt;A&lt;/i&gt; 为覆盖范围，&lt;i&gt;N&lt;/i&gt;&lt;sup&gt;*&lt;/sup&gt; 为与基准中位置相距在容差内的碎块数；基准中每个碎块各为一个刚体。</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>The collapse at three instants: the conventional FE result, and the fragments with the structure that still stands, from the same camera</source>
+        <translation>三个时刻的倒塌：常规有限元结果，以及碎块与仍然站立的结构，同一相机</translation>
+    </message>
+    <message>
+        <source>The conventional FE result and the fragments at the end</source>
+        <translation>结束时的常规有限元结果与碎块</translation>
+    </message>
+    <message>
+        <source>Mass of the debris per area at the end</source>
+        <translation>结束时单位面积的碎块质量</translation>
+    </message>
+    <message>
+        <source>Four stages of the collapse, fragments in red</source>
+        <translation>倒塌的四个阶段，碎块为红色</translation>
+    </message>
+    <message>
+        <source>Debris at rest, with the least and the largest over the run and its %1 repeats, and at the end of the FE result</source>
+        <translation>静止时的碎块堆(本次计算及其 %1 次重复计算中的最小值和最大值),以及有限元结果结束时</translation>
+    </message>
+    <message>
+        <source>Debris at rest and at the end of the FE result</source>
+        <translation>静止时与有限元结果结束时的碎块堆</translation>
+    </message>
+    <message>
+        <source>measure</source>
+        <translation>度量</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>at rest (range)</source>
+        <translation>静止时(范围)</translation>
+    </message>
+    <message>
+        <source>at the FE end</source>
+        <translation>有限元结束时</translation>
+    </message>
+    <message>
+        <source>mass of the fragments</source>
+        <translation>碎块的质量</translation>
+    </message>
+    <message>
+        <source>footprint, 1 m cells</source>
+        <translation>覆盖范围，1 米格</translation>
+    </message>
+    <message>
+        <source>core, 95 % of the mass in 2 m cells</source>
+        <translation>核心区，2 米格中 95 % 的质量</translation>
+    </message>
+    <message>
+        <source>run-out of 95 % of the mass</source>
+        <translation>95 % 质量的散落距离</translation>
+    </message>
+    <message>
+        <source>mean height of the mass</source>
+        <translation>质量的平均高度</translation>
+    </message>
+    <message>
+        <source>height of the pile</source>
+        <translation>堆的高度</translation>
+    </message>
+    <message>
+        <source>volume of material</source>
+        <translation>材料体积</translation>
+    </message>
+    <message>
+        <source>fallen live structure, apart from the fragments</source>
+        <translation>倒下的未失效结构，与碎块分开</translation>
+    </message>
+    <message>
+        <source>Fragments by component</source>
+        <translation>按构件的碎块</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>构件</translation>
+    </message>
+    <message>
+        <source>mass [t]</source>
+        <translation>质量 [t]</translation>
+    </message>
+    <message>
+        <source>first birth [s]</source>
+        <translation>最早产生 [s]</translation>
+    </message>
+    <message>
+        <source>last birth [s]</source>
+        <translation>最晚产生 [s]</translation>
+    </message>
+    <message>
+        <source>farthest way in plan [m]</source>
+        <translation>平面上最远路径 [m]</translation>
+    </message>
+    <message>
+        <source>hardest hit [m/s]</source>
+        <translation>最重撞击 [m/s]</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>时间 [s]</translation>
+    </message>
+    <message>
+        <source>energy of all bodies [MJ]</source>
+        <translation>全部刚体的能量 [MJ]</translation>
+    </message>
+    <message>
+        <source>kinetic</source>
+        <translation>动能</translation>
+    </message>
+    <message>
+        <source>potential</source>
+        <translation>势能</translation>
+    </message>
+    <message>
+        <source>Energy of the bodies over time; they enter as their elements are deactivated</source>
+        <translation>刚体能量随时间的变化；单元停用时刚体进入</translation>
+    </message>
+    <message>
+        <source>What must be conserved when elements are handed over to bodies, and the energy of the run</source>
+        <translation>单元交给刚体时必须守恒的量，以及计算的能量</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>mass, bodies against the FE result, largest relative error</source>
+        <translation>质量，刚体对有限元结果，最大相对误差</translation>
+    </message>
+    <message>
+        <source>momentum, likewise</source>
+        <translation>动量，同上</translation>
+    </message>
+    <message>
+        <source>angular momentum, likewise</source>
+        <translation>角动量，同上项</translation>
+    </message>
+    <message>
+        <source>work of gravity</source>
+        <translation>重力做功</translation>
+    </message>
+    <message>
+        <source>lost in contacts</source>
+        <translation>接触中损失</translation>
+    </message>
+    <message>
+        <source>gain beyond all sources, share of the work of gravity</source>
+        <translation>超出所有来源的增量，占重力做功的份额</translation>
+    </message>
+    <message>
+        <source>deepest overlap that lasted over 0.5 s</source>
+        <translation>持续 0.5 秒以上的最深重叠</translation>
+    </message>
+    <message>
+        <source>bulking factor of the pile</source>
+        <translation>堆的松散系数</translation>
+    </message>
+    <message>
+        <source>Uncertainty, and accuracy against time</source>
+        <translation>不确定性，以及精度与时间</translation>
+    </message>
+    <message>
+        <source>The run was repeated %1 times with every birth shifted by a micrometre. The largest difference between any two of these runs is the repeat floor: no smaller difference says anything.</source>
+        <translation>该计算以每次产生移动一微米重复了 %1 次。其中任意两次计算之间的最大差异为重复性下限：更小的差异不说明任何问题。</translation>
+    </message>
+    <message>
+        <source>The run itself was simulated again for this and came out the same, bit for bit.</source>
+        <translation>为此重新模拟了该计算本身，结果逐位相同。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The run itself did not come out the same when it was simulated again&lt;/b&gt;; the recorded run was made by another build or on another machine. Ranges are still those of repeats.</source>
+        <translation>&lt;b&gt;重新模拟时该计算本身的结果不同&lt;/b&gt;;所记录的计算由另一构建版本或在另一台机器上完成。范围仍是重复计算的范围。</translation>
+    </message>
+    <message>
+        <source>The repeat floor: largest difference between the run and its repeats</source>
+        <translation>重复性下限：计算与其重复计算之间的最大差异</translation>
+    </message>
+    <message>
+        <source>floor</source>
+        <translation>下限</translation>
+    </message>
+    <message>
+        <source>mass-map difference</source>
+        <translation>质量图差异</translation>
+    </message>
+    <message>
+        <source>1 − IoU of the core</source>
+        <translation>1 − 核心区交并比</translation>
+    </message>
+    <message>
+        <source>1 − IoU of the footprint</source>
+        <translation>1 − 覆盖范围交并比</translation>
+    </message>
+    <message>
+        <source>run-out [m]</source>
+        <translation>散落距离 [m]</translation>
+    </message>
+    <message>
+        <source>mean height [m]</source>
+        <translation>平均高度 [m]</translation>
+    </message>
+    <message>
+        <source>median distance of a fragment between two runs [m]</source>
+        <translation>两次计算间碎块距离的中位数 [m]</translation>
+    </message>
+    <message>
+        <source>No repeats were made for this report, so the spread of its figures is not known.</source>
+        <translation>本报告没有做重复计算，因此其数值的离散程度未知。</translation>
+    </message>
+    <message>
+        <source>No settings of this scene have been compared with the reference, in which every fragment is its own body; how far this run is from it is not known. The panel Accuracy and rubble-cli accuracy measure it.</source>
+        <translation>此场景没有任何设置与基准(每个碎块各为一个刚体)比较过；本次计算与基准相差多少未知。精度面板和 rubble-cli accuracy 可以量测。</translation>
+    </message>
+    <message>
+        <source>Settings of this scene that were compared with the reference, by their number of bodies</source>
+        <translation>此场景中与基准比较过的设置，按刚体数排列</translation>
+    </message>
+    <message>
+        <source>setting</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>bodies</source>
+        <translation>刚体</translation>
+    </message>
+    <message>
+        <source>wall time [s]</source>
+        <translation>耗时 [s]</translation>
+    </message>
+    <message>
+        <source>footprint IoU</source>
+        <translation>覆盖范围交并比</translation>
+    </message>
+    <message>
+        <source>wall time [s], this machine</source>
+        <translation>耗时 [s],本机</translation>
+    </message>
+    <message>
+        <source>mass-map difference from the reference</source>
+        <translation>与基准的质量图差异</translation>
+    </message>
+    <message>
+        <source>Each row is a simulation of its own of the same scene, kept in the folder of studies by the fingerprint of the scene; wall times are those of this machine.</source>
+        <translation>每行都是同一场景的单独模拟，按场景指纹保存在研究文件夹中；耗时为本机数值。</translation>
+    </message>
+    <message>
+        <source>repeat floor of this run</source>
+        <translation>本次计算的重复性下限</translation>
+    </message>
+    <message>
+        <source>What accuracy costs in time; beside each point its number of bodies</source>
+        <translation>精度所费的时间；每点旁为其刚体数</translation>
+    </message>
+    <message>
+        <source>From run %1, trajectory %2.</source>
+        <translation>来自计算 %1,轨迹 %2。</translation>
+    </message>
+    <message>
+        <source>Question and answer</source>
+        <translation>问题与回答</translation>
+    </message>
+    <message>
+        <source>Where did the debris of this collapse go, and how sure is that?</source>
+        <translation>此次倒塌的碎块去了哪里，有多大把握？</translation>
+    </message>
+    <message>
+        <source>Scenario &lt;i&gt;%1&lt;/i&gt;: %2</source>
+        <translation>方案 &lt;i&gt;%1&lt;/i&gt;:%2</translation>
+    </message>
+    <message>
+        <source>Ranges are those over the run and its %1 repeats.</source>
+        <translation>范围是该计算及其 %1 次重复计算的范围。</translation>
+    </message>
+    <message>
+        <source>No repeats were made: the spread of these figures is not known.</source>
+        <translation>没有做重复计算：这些数值的离散程度未知。</translation>
+    </message>
+    <message>
+        <source>%1 elements of %2 were deactivated and became fragments of together %3 t.</source>
+        <translation>%2 个单元中有 %1 个停用，成为总计 %3 t 的碎块。</translation>
+    </message>
+    <message>
+        <source>At the end, %1 s on the clock of the FE result, the debris covers %2 m²; 95 % of its mass lies within %3 m of the plan of what collapsed.</source>
+        <translation>结束时(有限元结果时钟 %1 s),碎块覆盖 %2 m²;95 % 的质量位于距倒塌部分平面 %3 m 以内。</translation>
+    </message>
+    <message>
+        <source>The highest point of the pile is %1 m above the ground; %2 % of the bodies are at rest.</source>
+        <translation>堆的最高点高出地面 %1 m;%2 % 的刚体静止。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 limits of health were passed in this run.&lt;/b&gt; %2 vouches for its use: %3 (see section Health).</source>
+        <translation>&lt;b&gt;本次计算超过了 %1 项健康限值。&lt;/b&gt;%2 为其使用担保：%3(见“计算的健康”一节)。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;This run is tainted: %1 limits of health were passed and nobody has acknowledged them.&lt;/b&gt; Its figures should not be relied on (see section Health).</source>
+        <translation>&lt;b&gt;本次计算存疑：超过了 %1 项健康限值，且无人确认。&lt;/b&gt;其数值不应作为依据(见“计算的健康”一节)。</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>证据</translation>
+    </message>
+    <message>
+        <source>The FE result (%1) holds %2 elements and %3 states from %4 s to %5 s. Activity is decided by: %6. Units: %7.</source>
+        <translation>有限元结果(%1)有 %2 个单元和 %3 个状态，从 %4 s 到 %5 s。有效性的判定：%6。单位：%7。</translation>
+    </message>
+    <message>
+        <source>Files that this report rests on, as they were when it was made</source>
+        <translation>本报告所依据的文件，以编制时为准</translation>
+    </message>
+    <message>
+        <source>role</source>
+        <translation>作用</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>The case has no photographs; the simulated debris was not held against pictures of the site.</source>
+        <translation>案例没有照片；模拟的碎块未与现场图片比较。</translation>
+    </message>
+    <message>
+        <source>Photographs: camera match, and the silhouette of the simulated debris against the outline drawn on them</source>
+        <translation>照片：相机匹配，以及模拟碎块的轮廓与照片上所画轮廓的比较</translation>
+    </message>
+    <message>
+        <source>photograph</source>
+        <translation>照片</translation>
+    </message>
+    <message>
+        <source>match, RMS [px]</source>
+        <translation>匹配，均方根 [px]</translation>
+    </message>
+    <message>
+        <source>IoU</source>
+        <translation>交并比</translation>
+    </message>
+    <message>
+        <source>spread of the IoU</source>
+        <translation>交并比的离散</translation>
+    </message>
+    <message>
+        <source>edge distance [m]</source>
+        <translation>边缘距离 [m]</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Inputs, settings and assumptions</source>
+        <translation>输入、设置与假定</translation>
+    </message>
+    <message>
+        <source>All settings are those that the program is delivered with; the appendix lists them.</source>
+        <translation>所有设置均为程序出厂值；见附录。</translation>
+    </message>
+    <message>
+        <source>Settings that depart from those delivered</source>
+        <translation>与出厂值不同的设置</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>键</translation>
+    </message>
+    <message>
+        <source>delivered</source>
+        <translation>出厂值</translation>
+    </message>
+    <message>
+        <source>in this run</source>
+        <translation>本次计算中</translation>
+    </message>
+    <message>
+        <source>Components of the structure and what became fragments</source>
+        <translation>结构的构件以及成为碎块的部分</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>density [kg/m³]</source>
+        <translation>密度 [kg/m³]</translation>
+    </message>
+    <message>
+        <source>elements</source>
+        <translation>单元数</translation>
+    </message>
+    <message>
+        <source>fragments</source>
+        <translation>碎块数</translation>
+    </message>
+    <message>
+        <source>their mass [t]</source>
+        <translation>碎块质量 [t]</translation>
+    </message>
+    <message>
+        <source>Assumptions and findings</source>
+        <translation>假定与发现项</translation>
+    </message>
+    <message>
+        <source>Nothing had to be assumed or worked around.</source>
+        <translation>没有需要假定或变通之处。</translation>
+    </message>
+    <message>
+        <source>What was assumed or worked around, how often, and what would settle it</source>
+        <translation>所作的假定或变通、次数，以及如何解决</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>次数</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>发现项</translation>
+    </message>
+    <message>
+        <source>what to do about it</source>
+        <translation>处理办法</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>效应</translation>
+    </message>
+    <message>
+        <source>Only what the scene calls for is simulated. An effect that is off costs nothing and leaves the run as if it did not exist.</source>
+        <translation>只模拟场景需要的内容。关闭的效应不费时间，计算如同它不存在。</translation>
+    </message>
+    <message>
+        <source>Effects, whether they took part, and why</source>
+        <translation>各效应是否参与及原因</translation>
+    </message>
+    <message>
+        <source>effect</source>
+        <translation>单项效应</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>要求</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>ms per step</source>
+        <translation>毫秒/步</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Health of the run</source>
+        <translation>运行健康状况</translation>
+    </message>
+    <message>
+        <source>No limit of health was passed: energy, overlap, speeds, places and the share at rest stayed within their limits at every step.</source>
+        <translation>没有超过任何健康限值：能量、重叠、速度、位置和静止份额在每一步都在限值内。</translation>
+    </message>
+    <message>
+        <source>Limits of health that were passed</source>
+        <translation>超过的健康限值</translation>
+    </message>
+    <message>
+        <source>from [s]</source>
+        <translation>从 [s]</translation>
+    </message>
+    <message>
+        <source>to [s]</source>
+        <translation>到 [s]</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>最差</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>限值</translation>
+    </message>
+    <message>
+        <source>Acknowledged by %1 on %2: %3</source>
+        <translation>由 %1 于 %2 确认：%3</translation>
+    </message>
+    <message>
+        <source>Self-test of this machine</source>
+        <translation>本机自检</translation>
+    </message>
+    <message>
+        <source>The self-test was not run for this report.</source>
+        <translation>本报告没有运行自检。</translation>
+    </message>
+    <message>
+        <source>The hard cases of the simulation (%1) were run on this machine with the program that made this report: %2 of %3 passed.</source>
+        <translation>用编制本报告的程序在本机上运行了模拟的困难算例(%1):%3 项中通过 %2 项。</translation>
+    </message>
+    <message>
+        <source>Cases of the self-test, each with the number closest to its limit</source>
+        <translation>自检算例，各列最接近限值的数</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>算例</translation>
+    </message>
+    <message>
+        <source>must hold</source>
+        <translation>必须满足</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;failed&lt;/b&gt;</source>
+        <translation>&lt;b&gt;未通过&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>局限性</translation>
+    </message>
+    <message>
+        <source>The size of fragments is the size of the elements: a finer mesh gives smaller debris, and nothing breaks below it.</source>
+        <translation>碎块的大小就是单元的大小：网格越细碎块越小，小于它的不会再破碎。</translation>
+    </message>
+    <message>
+        <source>Fragments do not load the structure back: what still stands moves as the FE result says, whatever falls on it.</source>
+        <translation>碎块不反过来给结构加载：仍然站立的部分按有限元结果运动，无论有什么落在上面。</translation>
+    </message>
+    <message>
+        <source>Energy that the FE solver lost when it deleted elements is not returned.</source>
+        <translation>有限元求解器删除单元时损失的能量不予归还。</translation>
+    </message>
+    <message>
+        <source>Live elements that fell are debris as well. They are no fragments: maps and comparisons carry them as a layer of their own beyond a displacement of %1 m.</source>
+        <translation>倒下的未失效单元同样是堆积物。它们不是碎块：位移超过 %1 m 者在地图和比较中作为单独的图层。</translation>
+    </message>
+    <message>
+        <source>Rigid piles are chaotic: a change of a micrometre moves single fragments by metres. Only what exceeds the spread of repeats means anything, and single fragments are never evidence.</source>
+        <translation>刚体堆是混沌的：一微米的变化会使单个碎块移动数米。只有超过重复计算离散的差异才有意义，单个碎块绝不能作为证据。</translation>
+    </message>
+    <message>
+        <source>A cluster is a device of computation and no piece of debris.</source>
+        <translation>聚类是计算手段，不是一块碎块。</translation>
+    </message>
+    <message>
+        <source>%1 bodies still moved at the end of the simulation.</source>
+        <translation>模拟结束时仍有 %1 个刚体在运动。</translation>
+    </message>
+    <message>
+        <source>All settings of the run</source>
+        <translation>计算的全部设置</translation>
+    </message>
+    <message>
+        <source>Settings by key, with their unit and the value as delivered</source>
+        <translation>按键列出的设置，附单位和出厂值</translation>
+    </message>
+    <message>
+        <source>Journal of the case</source>
+        <translation>案例的日志</translation>
+    </message>
+    <message>
+        <source>The report was made from a run alone, without its case.</source>
+        <translation>报告仅由计算编制，没有其案例。</translation>
+    </message>
+    <message>
+        <source>The case has no journal: it was saved by a version without one.</source>
+        <translation>案例没有日志：由不带日志的版本保存。</translation>
+    </message>
+    <message>
+        <source>When the case was saved, by whom, and what had changed</source>
+        <translation>案例何时由谁保存，改了什么</translation>
+    </message>
+    <message>
+        <source>saved (UTC)</source>
+        <translation>保存时间 (UTC)</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>保存者</translation>
+    </message>
+    <message>
+        <source>changes</source>
+        <translation>更改</translation>
+    </message>
+    <message>
+        <source>digest</source>
+        <translation>摘要</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>另有 %1 项</translation>
+    </message>
+    <message>
+        <source>outside Rubble</source>
+        <translation>Rubble 之外</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1(%2 至 %3)</translation>
+    </message>
+    <message>
+        <source>uniform from %1 to %2</source>
+        <translation>均匀分布，%1 至 %2</translation>
+    </message>
+    <message>
+        <source>normal, %1 ± %2</source>
+        <translation>正态分布，%1 ± %2</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>取自 %1</translation>
+    </message>
+    <message>
+        <source>What is not known</source>
+        <translation>未知的量</translation>
+    </message>
+    <message>
+        <source>No ensemble was simulated of this case: how far friction, births and other things that are not known move the debris is not part of this report. The ranges above are those of repeats alone.</source>
+        <translation>本案例没有模拟系综：摩擦、产生时刻等未知量使堆积物移动多少，不在本报告之内。以上范围仅来自重复计算。</translation>
+    </message>
+    <message>
+        <source>The collapse was simulated %1 times with what is not known drawn anew for each member (seed %2). Members differ by what is drawn and by births that are moved by a micrometre.</source>
+        <translation>倒塌被模拟 %1 次，每个成员的未知量重新抽取（种子 %2）。成员之间的差别在于抽取的取值，以及产生位置移动一微米。</translation>
+    </message>
+    <message>
+        <source>The case asks for %1 members; %2 of them have been simulated, and what follows is of these.</source>
+        <translation>案例要求 %1 个成员；其中 %2 个已模拟，以下内容即来自它们。</translation>
+    </message>
+    <message>
+        <source>What is drawn for each member</source>
+        <translation>为每个成员抽取的量</translation>
+    </message>
+    <message>
+        <source>distribution</source>
+        <translation>分布</translation>
+    </message>
+    <message>
+        <source>Spread over %1 members: mean with its standard error, standard deviation of the members, and the values that one member in twenty lies below and above</source>
+        <translation>%1 个成员间的离散：平均值及其标准误差、成员的标准差，以及二十个成员中有一个低于和高于的值</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>平均值</translation>
+    </message>
+    <message>
+        <source>± mean</source>
+        <translation>± 平均值</translation>
+    </message>
+    <message>
+        <source>± members</source>
+        <translation>± 成员</translation>
+    </message>
+    <message>
+        <source>5 %</source>
+        <translation>5 %</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Trajectories of the members: %1 and %2 more.</source>
+        <translation>成员的轨迹：%1，另有 %2 个。</translation>
+    </message>
+    <message>
+        <source>Trajectories of the members: %1.</source>
+        <translation>成员的轨迹：%1。</translation>
+    </message>
+    <message>
+        <source>Probability that debris reaches into a cell, over %1 members</source>
+        <translation>堆积物到达单元的概率，基于 %1 个成员</translation>
+    </message>
+    <message>
+        <source>For so few members the probability of a cell may be off by %1 in the mean and by %2 at most (one standard error). That covers what was varied and nothing else: neither what the FE analysis left out nor the size of its mesh.</source>
+        <translation>成员数有限，单元的概率平均可能偏差 %1，最多 %2（一个标准误差）。这只涵盖所变动的量：既不含有限元分析忽略的内容，也不含其网格尺寸的影响。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::Sheet</name>
@@ -7546,6 +10254,69 @@
     <message>
         <source>local coordinates in metres</source>
         <translation>局部坐标，单位 m</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>支持 %1</translation>
+    </message>
+    <message>
+        <source>P(height &gt; %1 m)</source>
+        <translation>P(高度 &gt; %1 m)</translation>
+    </message>
+    <message>
+        <source>log ratio</source>
+        <translation>对数比</translation>
+    </message>
+    <message>
+        <source>%1; %2 members of an ensemble, %3, cells of %4</source>
+        <translation>%1；系综成员 %2 个，%3，单元格 %4</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::figures::SurveySheet</name>
+    <message>
+        <source>simulated only</source>
+        <translation>仅模拟</translation>
+    </message>
+    <message>
+        <source>surveyed only</source>
+        <translation>仅测量</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>两者</translation>
+    </message>
+    <message>
+        <source>Simulated less surveyed [m]</source>
+        <translation>模拟减测量 [m]</translation>
+    </message>
+    <message>
+        <source>edge of the survey</source>
+        <translation>测量边缘</translation>
+    </message>
+    <message>
+        <source>edge of the simulation</source>
+        <translation>模拟边缘</translation>
+    </message>
+    <message>
+        <source>not surveyed</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>Simulated debris at t = %1 against the survey; IoU %2, cells of %3; fallen live structure %4</source>
+        <translation>t = %1 时的模拟残骸与测量；IoU %2，单元 %3；坠落的存活结构%4</translation>
+    </message>
+    <message>
+        <source>counted</source>
+        <translation>计入</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>不计入</translation>
+    </message>
+    <message>
+        <source>local coordinates in metres</source>
+        <translation>以米为单位的局部坐标</translation>
     </message>
 </context>
 <context>
@@ -7675,32 +10446,8 @@
 %3 FPS</translation>
     </message>
     <message>
-        <source>%1: smaller than the largest fragment, %2 m, which then joins no group of its width.</source>
-        <translation>%1：小于最大碎块 %2 m，该碎块不会归入此宽度的任何分组。</translation>
-    </message>
-    <message>
-        <source>%1: larger than the smallest component (%2, %3 m); clusters are split between components all the same.</source>
-        <translation>%1：大于最小构件（%2，%3 m）；聚类仍会在构件之间分开。</translation>
-    </message>
-    <message>
         <source>the smallest component</source>
         <translation>最小构件</translation>
-    </message>
-    <message>
-        <source>%1: the largest fragment (%2 m) exceeds the smallest component (%3, %4 m). Clusters stay within one component all the same.</source>
-        <translation>%1：最大碎块（%2 m）超过最小构件（%3，%4 m）。聚类仍限于一个构件之内。</translation>
-    </message>
-    <message>
-        <source>%1: held at the largest fragment, %2 m.</source>
-        <translation>%1：限于最大碎块 %2 m。</translation>
-    </message>
-    <message>
-        <source>%1: held at the smallest component (%2, %3 m).</source>
-        <translation>%1：限于最小构件（%2，%3 m）。</translation>
-    </message>
-    <message>
-        <source>%1: the mean distance (%2 m) exceeds the smallest component (%3, %4 m).</source>
-        <translation>%1：平均间距（%2 m）超过最小构件（%3，%4 m）。</translation>
     </message>
     <message>
         <source>Every fragment moves alone (One body per fragment): there is no grid.</source>
@@ -7821,6 +10568,30 @@
     <message>
         <source>Median over the fragments of the distance from their place in the reference</source>
         <translation>各碎块到其基准位置的距离的中位数</translation>
+    </message>
+    <message>
+        <source>%1: smaller than the largest fragment, %2, which then joins no group of its width.</source>
+        <translation>%1：小于最大碎块 %2，该碎块因而不加入任何同宽的组。</translation>
+    </message>
+    <message>
+        <source>%1: larger than the smallest component (%2, %3); clusters are split between components all the same.</source>
+        <translation>%1：大于最小构件（%2，%3）；聚类仍会在构件之间分开。</translation>
+    </message>
+    <message>
+        <source>%1: the largest fragment (%2) exceeds the smallest component (%3, %4). Clusters stay within one component all the same.</source>
+        <translation>%1：最大碎块（%2）超过最小构件（%3，%4）。聚类仍保持在一个构件之内。</translation>
+    </message>
+    <message>
+        <source>%1: held at the largest fragment, %2.</source>
+        <translation>%1：取为最大碎块 %2。</translation>
+    </message>
+    <message>
+        <source>%1: held at the smallest component (%2, %3).</source>
+        <translation>%1：取为最小构件（%2，%3）。</translation>
+    </message>
+    <message>
+        <source>%1: the mean distance (%2) exceeds the smallest component (%3, %4).</source>
+        <translation>%1：平均间距（%2）超过最小构件（%3，%4）。</translation>
     </message>
 </context>
 <context>
@@ -8488,12 +11259,6 @@
         <translation>水平</translation>
     </message>
     <message>
-        <source>%1
-%2 × %3 heights, %4 m apart, %5 to %6 m</source>
-        <translation>%1
-%2 × %3 个高程，间距 %4 m，%5 至 %6 m</translation>
-    </message>
-    <message>
         <source>in the file</source>
         <translation>在文件中</translation>
     </message>
@@ -8516,20 +11281,390 @@ What the file fits: %2.</source>
 与文件相符：%2。</translation>
     </message>
     <message>
-        <source>%1: %2 t, %3 × %4 × %5 m</source>
-        <translation>%1：%2 t，%3 × %4 × %5 m</translation>
-    </message>
-    <message>
-        <source>“%1” is not a density from %2 to %3 kg/m³.</source>
-        <translation>“%1”不是 %2 至 %3 kg/m³ 之间的密度。</translation>
-    </message>
-    <message>
         <source>The density of %1 stays as it was.</source>
         <translation>%1 的密度保持不变。</translation>
     </message>
     <message>
         <source>Scenarios</source>
         <translation>方案</translation>
+    </message>
+    <message>
+        <source>%1
+%2 × %3 heights, %4 apart, %5 to %6</source>
+        <translation>%1
+%2 × %3 个高程，间距 %4，%5 至 %6</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 × %4 × %5</source>
+        <translation>%1：%2，%3 × %4 × %5</translation>
+    </message>
+    <message>
+        <source>“%1” is not a density from %2 to %3.</source>
+        <translation>“%1”不是 %2 至 %3 的密度。</translation>
+    </message>
+    <message>
+        <source>Surroundings</source>
+        <translation>周围环境</translation>
+    </message>
+    <message>
+        <source>What is drawn around the structure; Orthophoto… and Surroundings… in the Case menu choose it</source>
+        <translation>结构周围所绘内容；由“案例”菜单中的“正射影像…”和“周围环境…”选择</translation>
+    </message>
+    <message>
+        <source>orthophoto</source>
+        <translation>正射影像</translation>
+    </message>
+    <message>
+        <source>meshes that debris falls on: %1</source>
+        <translation>承接堆积物的网格：%1</translation>
+    </message>
+    <message>
+        <source>meshes: %1</source>
+        <translation>网格：%1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::CasePreview</name>
+    <message>
+        <source>Back one state</source>
+        <translation>后退一个状态</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>播放或暂停</translation>
+    </message>
+    <message>
+        <source>Forward one state</source>
+        <translation>前进一个状态</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::CauseChart</name>
+    <message>
+        <source>departure from the evidence, in units of its scatter; less is closer</source>
+        <translation>与证据的偏离，以其离散度为单位；越小越接近</translation>
+    </message>
+    <message>
+        <source>closest</source>
+        <translation>最接近</translation>
+    </message>
+    <message>
+        <source>told apart</source>
+        <translation>可区分</translation>
+    </message>
+    <message>
+        <source>not told apart</source>
+        <translation>不可区分</translation>
+    </message>
+    <message>
+        <source>How close each cause comes to the evidence</source>
+        <translation>各原因与证据的接近程度</translation>
+    </message>
+    <message>
+        <source>%1: %2, median %3</source>
+        <translation>%1：%2，中位数 %3</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::CausesPage</name>
+    <message>
+        <source>Save table…</source>
+        <translation>保存表格…</translation>
+    </message>
+    <message>
+        <source>Save chart…</source>
+        <translation>保存图表…</translation>
+    </message>
+    <message>
+        <source>Save map…</source>
+        <translation>保存图…</translation>
+    </message>
+    <message>
+        <source>Which cause explains the evidence</source>
+        <translation>哪个原因能解释证据</translation>
+    </message>
+    <message>
+        <source>Ranking of the causes</source>
+        <translation>原因的排序</translation>
+    </message>
+    <message>
+        <source>Blind test</source>
+        <translation>盲测</translation>
+    </message>
+    <message>
+        <source>Save the ranking as CSV, with the columns of rubble-cli compare</source>
+        <translation>将排序保存为 CSV，列与 rubble-cli compare 相同</translation>
+    </message>
+    <message>
+        <source>Save the chart as SVG or PNG</source>
+        <translation>将图表保存为 SVG 或 PNG</translation>
+    </message>
+    <message>
+        <source>Save the map of what tells the first two causes apart as GeoTIFF, CSV or PNG</source>
+        <translation>将区分前两个原因的图保存为 GeoTIFF、CSV 或 PNG</translation>
+    </message>
+    <message>
+        <source>Causes, evidence or settings have changed since.</source>
+        <translation>此后原因、证据或设置已改变。</translation>
+    </message>
+    <message>
+        <source>What is shown is as it was. Compare again to bring it up to date.</source>
+        <translation>所示为当时的结果。请再次比较以更新。</translation>
+    </message>
+    <message>
+        <source>No causes have been compared yet.</source>
+        <translation>尚未比较过原因。</translation>
+    </message>
+    <message>
+        <source>Tick the supposed causes at the left, add what was found on the site, and press Compare causes. Every cause gets an ensemble; those that come closest to what was found come first, or it is said that they cannot be told apart.</source>
+        <translation>在左侧勾选假定的原因，加入现场所见，然后按“比较原因”。每个原因都得到一个系综；与现场所见最接近的排在最前，或者说明它们无法区分。</translation>
+    </message>
+    <message>
+        <source>There was no evidence: the blind tests below say what evidence could tell at best.</source>
+        <translation>没有证据：下面的盲测说明证据最多能区分到什么程度。</translation>
+    </message>
+    <message>
+        <source>Each dot is one member of an ensemble, held against the evidence that was chosen.</source>
+        <translation>每个点是系综的一个成员，与所选证据对照。</translation>
+    </message>
+    <message>
+        <source>%1 tells most: there the closest cause is closer than the next in %2 of the pairs of members.</source>
+        <translation>%1 最能区分：在 %2 的成员配对中，最接近的原因比次之的更接近。</translation>
+    </message>
+    <message>
+        <source>On the ground %1 of what speaks for it lies around x = %2, y = %3, on %4 (ringed).</source>
+        <translation>在地面上，支持它的内容有 %1 位于 x = %2、y = %3 附近，面积 %4（圈出）。</translation>
+    </message>
+    <message>
+        <source>cause</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>The closest first</source>
+        <translation>最接近的在前</translation>
+    </message>
+    <message>
+        <source>members</source>
+        <translation>成员数</translation>
+    </message>
+    <message>
+        <source>Members that could be held against the evidence</source>
+        <translation>可与证据对照的成员</translation>
+    </message>
+    <message>
+        <source>score</source>
+        <translation>得分</translation>
+    </message>
+    <message>
+        <source>Median over the members of the mean departure, in units of its scatter; less is closer</source>
+        <translation>成员平均偏离的中位数，以其离散度为单位；越小越接近</translation>
+    </message>
+    <message>
+        <source>5 to 95 %</source>
+        <translation>5 至 95 %</translation>
+    </message>
+    <message>
+        <source>All but one member in ten lie in between</source>
+        <translation>十个成员中九个位于其间</translation>
+    </message>
+    <message>
+        <source>closest over it</source>
+        <translation>最接近者胜出</translation>
+    </message>
+    <message>
+        <source>How often a member of the closest cause is closer than one of this, over all pairs</source>
+        <translation>在所有配对中，最接近原因的成员比该原因的成员更接近的比例</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>至少</translation>
+    </message>
+    <message>
+        <source>The lower end of its interval, 95 % for all comparisons together. Above 70 % they are told apart</source>
+        <translation>其区间的下端，所有比较合计 95 %。高于 70 % 即可区分</translation>
+    </message>
+    <message>
+        <source>told apart</source>
+        <translation>可区分</translation>
+    </message>
+    <message>
+        <source>Whether the evidence tells it from the closest cause</source>
+        <translation>证据能否将它与最接近的原因区分</translation>
+    </message>
+    <message>
+        <source>Departure from %1, 0 the same, 1 nothing in common: mean ± standard deviation of the members</source>
+        <translation>与 %1 的偏离，0 为相同，1 为毫无共同：成员的平均值 ± 标准差</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>true cause</source>
+        <translation>真实原因</translation>
+    </message>
+    <message>
+        <source>The cause that a member of was taken for what was found</source>
+        <translation>取其成员作为现场所见的原因</translation>
+    </message>
+    <message>
+        <source>named %1</source>
+        <translation>判为 %1</translation>
+    </message>
+    <message>
+        <source>Trials in which this cause was named</source>
+        <translation>判为该原因的试验次数</translation>
+    </message>
+    <message>
+        <source>not told apart</source>
+        <translation>不可区分</translation>
+    </message>
+    <message>
+        <source>Trials without a verdict</source>
+        <translation>无法判定的试验次数</translation>
+    </message>
+    <message>
+        <source>closest rightly</source>
+        <translation>最接近者正确</translation>
+    </message>
+    <message>
+        <source>Trials in which the true cause was the closest, told apart or not</source>
+        <translation>真实原因最接近的试验次数，无论是否可区分</translation>
+    </message>
+    <message>
+        <source>footprint</source>
+        <translation>覆盖范围</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 named rightly, %4 wrongly</source>
+        <translation>%1：%3 次中 %2 次判断正确，%4 次错误</translation>
+    </message>
+    <message>
+        <source>%1, by %2</source>
+        <translation>%1，依据%2</translation>
+    </message>
+    <message>
+        <source>Blind test, each member in turn is what was found. %1</source>
+        <translation>盲测，依次以每个成员作为现场所见。%1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::CausesPanel</name>
+    <message>
+        <source>Which cause?</source>
+        <translation>哪个原因？</translation>
+    </message>
+    <message>
+        <source>Which of several supposed causes explains what was found?</source>
+        <translation>若干假定原因中哪一个能解释现场所见？</translation>
+    </message>
+    <message>
+        <source>Compare causes</source>
+        <translation>比较原因</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Add cases…</source>
+        <translation>添加案例…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Add evidence</source>
+        <translation>添加证据</translation>
+    </message>
+    <message>
+        <source>Blind test as well</source>
+        <translation>同时进行盲测</translation>
+    </message>
+    <message>
+        <source>Simulate the ensemble of every cause that is ticked and hold it against the evidence that is ticked. Members that were simulated before are taken from the cache</source>
+        <translation>模拟每个所勾选原因的系综，并与所勾选的证据对照。先前模拟过的成员从缓存中取用</translation>
+    </message>
+    <message>
+        <source>Stop; members that are done are kept, and comparing again goes on from there</source>
+        <translation>停止；已完成的成员予以保留，再次比较时从此继续</translation>
+    </message>
+    <message>
+        <source>Progress of the comparison of causes</source>
+        <translation>原因比较的进度</translation>
+    </message>
+    <message>
+        <source>Supposed causes</source>
+        <translation>假定的原因</translation>
+    </message>
+    <message>
+        <source>Causes that are ticked are compared: the scenarios of this case, and other cases and FE results of the same site</source>
+        <translation>比较所勾选的原因：本案例的方案，以及同一现场的其他案例和有限元结果</translation>
+    </message>
+    <message>
+        <source>Add cases or FE results of the same site, each computed for another cause</source>
+        <translation>添加同一现场、各按不同原因计算的案例或有限元结果</translation>
+    </message>
+    <message>
+        <source>Take the chosen cause off the list; its file stays</source>
+        <translation>从列表中移除所选原因；其文件保留</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>现场所见</translation>
+    </message>
+    <message>
+        <source>Evidence that is ticked counts: footprints, surveyed heights, and photographs of this case taken at rest with an outline of the debris</source>
+        <translation>所勾选的证据计入：覆盖范围、测量高度，以及本案例静止后拍摄并绘有堆积物轮廓的照片</translation>
+    </message>
+    <message>
+        <source>Footprint, polygons…</source>
+        <translation>覆盖范围，多边形…</translation>
+    </message>
+    <message>
+        <source>Heights of the debris above the ground, raster…</source>
+        <translation>堆积物高出地面的高度，栅格…</translation>
+    </message>
+    <message>
+        <source>Heights of the surface with the debris, raster…</source>
+        <translation>含堆积物的表面高度，栅格…</translation>
+    </message>
+    <message>
+        <source>Add a file of what was found. Photographs are added under Photographs</source>
+        <translation>添加现场所见的文件。照片在“照片”中添加</translation>
+    </message>
+    <message>
+        <source>Take the chosen file off the list; it stays where it is</source>
+        <translation>从列表中移除所选文件；文件仍在原处</translation>
+    </message>
+    <message>
+        <source>Let each member in turn be what was observed and say how often its cause is found: how far footprints and heights could tell these causes apart at all. Without evidence this is done anyway</source>
+        <translation>依次以每个成员作为观测结果，说明其原因被找到的次数：覆盖范围和高度究竟能在多大程度上区分这些原因。没有证据时总会进行</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>尚无</translation>
+    </message>
+    <message>
+        <source>none: a blind test</source>
+        <translation>无：进行盲测</translation>
+    </message>
+    <message>
+        <source> · about %1 left</source>
+        <translation> · 约剩 %1</translation>
     </message>
 </context>
 <context>
@@ -8567,10 +11702,6 @@ What the file fits: %2.</source>
         <translation>在模型中移动平面</translation>
     </message>
     <message>
-        <source>Place of the cut in m</source>
-        <translation>剖切位置，m</translation>
-    </message>
-    <message>
         <source>Other side</source>
         <translation>另一侧</translation>
     </message>
@@ -8587,8 +11718,12 @@ What the file fits: %2.</source>
         <translation>重新显示完整模型</translation>
     </message>
     <message>
-        <source>Where the plane stands, m; the model reaches from %1 to %2</source>
-        <translation>平面的位置，m；模型范围为 %1 至 %2</translation>
+        <source>Place of the cut, typed</source>
+        <translation>键入的剖切位置</translation>
+    </message>
+    <message>
+        <source>Where the plane stands; the model reaches from %1 to %2</source>
+        <translation>剖切面的位置；模型范围为 %1 至 %2</translation>
     </message>
 </context>
 <context>
@@ -8888,6 +12023,272 @@ What the file fits: %2.</source>
     </message>
 </context>
 <context>
+    <name>rubble::widgets::EnsemblePage</name>
+    <message>
+        <source>Save map…</source>
+        <translation>保存图…</translation>
+    </message>
+    <message>
+        <source>Save table…</source>
+        <translation>保存表格…</translation>
+    </message>
+    <message>
+        <source>Where debris may lie</source>
+        <translation>堆积物可能的位置</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Layer of the map</source>
+        <translation>图的图层</translation>
+    </message>
+    <message>
+        <source>What the colours of the map say</source>
+        <translation>图中颜色的含义</translation>
+    </message>
+    <message>
+        <source>On the ground</source>
+        <translation>铺在地面上</translation>
+    </message>
+    <message>
+        <source>Lay this map on the ground of the views, below the debris</source>
+        <translation>把此图铺在视图的地面上，位于堆积物之下</translation>
+    </message>
+    <message>
+        <source>Save the map as GeoTIFF or CSV with all layers, or this layer as PNG</source>
+        <translation>将图连同所有图层保存为 GeoTIFF 或 CSV，或将此图层保存为 PNG</translation>
+    </message>
+    <message>
+        <source>Save what every member was given and what came of it, as CSV with the columns of rubble-cli ensemble</source>
+        <translation>将每个成员的取值和结果保存为 CSV，列与 rubble-cli ensemble 相同</translation>
+    </message>
+    <message>
+        <source>Spread over the members</source>
+        <translation>成员间的离散</translation>
+    </message>
+    <message>
+        <source>No ensemble has been simulated yet.</source>
+        <translation>尚未模拟过系综。</translation>
+    </message>
+    <message>
+        <source>State at the left what is not known and press Simulate members: the collapse is simulated again and again, and the map shows how often debris lies where.</source>
+        <translation>在左侧说明哪些量未知，然后按“模拟成员”：倒塌被反复模拟，图上显示堆积物在各处出现的频率。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 members done, debris %3, %4, cells of %5.</source>
+        <translation>%2 个成员中已完成 %1 个，堆积物%3，%4，单元 %5。</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>静止后</translation>
+    </message>
+    <message>
+        <source>at the end of the FE result</source>
+        <translation>有限元结果结束时</translation>
+    </message>
+    <message>
+        <source>fallen structure with it</source>
+        <translation>含坠落结构</translation>
+    </message>
+    <message>
+        <source>fallen structure apart</source>
+        <translation>坠落结构另计</translation>
+    </message>
+    <message>
+        <source>The case has changed since these members were simulated.</source>
+        <translation>模拟这些成员之后，案例已改变。</translation>
+    </message>
+    <message>
+        <source>They are shown as they were. Simulate again to bring them up to date.</source>
+        <translation>所示为当时的结果。请再次模拟以更新。</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>What is measured on every member</source>
+        <translation>对每个成员测量的量</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>平均值</translation>
+    </message>
+    <message>
+        <source>Mean of the members</source>
+        <translation>各成员的平均值</translation>
+    </message>
+    <message>
+        <source>± mean</source>
+        <translation>± 平均值</translation>
+    </message>
+    <message>
+        <source>Standard error of the mean: how far it may be off for so few members</source>
+        <translation>平均值的标准误差：成员数有限时它可能的偏差</translation>
+    </message>
+    <message>
+        <source>± members</source>
+        <translation>± 成员</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the members: how far one differs from another</source>
+        <translation>成员的标准差：彼此相差多少</translation>
+    </message>
+    <message>
+        <source>5 %</source>
+        <translation>5 %</translation>
+    </message>
+    <message>
+        <source>One member in twenty lies below</source>
+        <translation>二十个成员中有一个低于此值</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>中位数</translation>
+    </message>
+    <message>
+        <source>Half of the members lie below</source>
+        <translation>一半成员低于此值</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>One member in twenty lies above</source>
+        <translation>二十个成员中有一个高于此值</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>With %1 members the probability of a cell may be off by %2 in the mean and by %3 at most, one standard error. That covers what was varied and nothing else.</source>
+        <translation>有 %1 个成员时，单元的概率平均可能偏差 %2，最多 %3，均为一个标准误差。这只涵盖所变动的量，别无其他。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::EnsemblePanel</name>
+    <message>
+        <source>Ensemble</source>
+        <translation>系综</translation>
+    </message>
+    <message>
+        <source>How sure is it where debris lies, with what is not known drawn anew?</source>
+        <translation>在未知量重新抽取时，堆积物的位置有多确定？</translation>
+    </message>
+    <message>
+        <source>Simulate members</source>
+        <translation>模拟成员</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>随机种子</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>单元</translation>
+    </message>
+    <message>
+        <source>Fallen structure counts as debris</source>
+        <translation>倒塌结构计入堆积物</translation>
+    </message>
+    <message>
+        <source>At the end of the FE result</source>
+        <translation>取有限元结果结束时</translation>
+    </message>
+    <message>
+        <source>What is varied</source>
+        <translation>变动的量</translation>
+    </message>
+    <message>
+        <source>Simulate every member, with values drawn from the distributions below. Members that were simulated before are taken from the cache</source>
+        <translation>模拟每个成员，取值按下面的分布抽取。先前模拟过的成员从缓存中取用</translation>
+    </message>
+    <message>
+        <source>Stop; members that are done are kept, and simulating again goes on from there</source>
+        <translation>停止；已完成的成员予以保留，再次模拟时从此继续</translation>
+    </message>
+    <message>
+        <source>Progress of the ensemble</source>
+        <translation>系综的进度</translation>
+    </message>
+    <message>
+        <source>Members</source>
+        <translation>成员</translation>
+    </message>
+    <message>
+        <source>members</source>
+        <translation>成员数</translation>
+    </message>
+    <message>
+        <source>How often the collapse is simulated, 1 to 10,000. The probability of a cell is sure to about 0.5 / √(n + 4): 0.11 with 16 members, 0.06 with 64</source>
+        <translation>倒塌被模拟的次数，1 至 10,000。单元概率的精度约为 0.5 / √(n + 4)：16 个成员为 0.11，64 个为 0.06</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>种子</translation>
+    </message>
+    <message>
+        <source>Of what is drawn: the same seed gives the same members. 0 to 4,294,967,295</source>
+        <translation>抽取所用：相同的种子给出相同的成员。0 至 4,294,967,295</translation>
+    </message>
+    <message>
+        <source>members of the ensemble</source>
+        <translation>系综的成员数</translation>
+    </message>
+    <message>
+        <source>seed of the ensemble</source>
+        <translation>系综的种子</translation>
+    </message>
+    <message>
+        <source>Debris on the ground</source>
+        <translation>地面上的堆积物</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>单元边长</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Side of the cells of the maps. From 0.05 to 100 m</source>
+        <translation>图中单元的边长。0.05 至 100 m</translation>
+    </message>
+    <message>
+        <source>Live elements that moved farther than %1 are debris</source>
+        <translation>位移超过 %1 的存活单元计为堆积物</translation>
+    </message>
+    <message>
+        <source>Maps show the debris at the last FE state, not where it comes to rest</source>
+        <translation>图显示最后一个有限元状态时的堆积物，而非其静止位置</translation>
+    </message>
+    <message>
+        <source>Each member takes about as long as a run.</source>
+        <translation>每个成员约需一次计算的时间。</translation>
+    </message>
+    <message>
+        <source>Each member takes about as long as the last run: %1 in all, unless members are kept from before.</source>
+        <translation>每个成员约需上次计算的时间：共 %1，除非已有先前保留的成员。</translation>
+    </message>
+    <message>
+        <source> · about %1 left</source>
+        <translation> · 约剩 %1</translation>
+    </message>
+    <message>
+        <source>Members that are done are kept in %1, so that a second start goes on from there.</source>
+        <translation>已完成的成员保存在 %1，再次开始时从此继续。</translation>
+    </message>
+</context>
+<context>
     <name>rubble::widgets::ErrorBar</name>
     <message>
         <source>Compute the reference</source>
@@ -9019,6 +12420,14 @@ What the file fits: %2.</source>
     <message>
         <source>How strong the simulation is, 0 to 100 %</source>
         <translation>模拟的强度，0 至 100 %</translation>
+    </message>
+    <message>
+        <source>Survey</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>The difference map of the survey instead of the photograph</source>
+        <translation>显示测量差异图而非照片</translation>
     </message>
 </context>
 <context>
@@ -9240,16 +12649,8 @@ What the file fits: %2.</source>
         <translation>m</translation>
     </message>
     <message>
-        <source>Where the camera stood: x, y, z in the frame of the case, metres</source>
-        <translation>相机位置：案例坐标框架中的 x、y、z，米</translation>
-    </message>
-    <message>
         <source>within (95 %)</source>
         <translation>误差（95 %）</translation>
-    </message>
-    <message>
-        <source>With 95 % confidence the camera stood within this of the position, metres</source>
-        <translation>在 95 % 置信度下，相机距所求位置在此范围内，米</translation>
     </message>
     <message>
         <source>direction within</source>
@@ -9308,10 +12709,6 @@ What the file fits: %2.</source>
         <translation>符合程度</translation>
     </message>
     <message>
-        <source>Live elements that moved farther than 1 m are debris; else they only hide what lies behind them</source>
-        <translation>移动超过 1 m 的未失效单元为堆积物；否则只遮挡其后的内容</translation>
-    </message>
-    <message>
         <source>Hold the silhouette of the simulated debris against the outline drawn, with 64 cameras that the match allows</source>
         <translation>以匹配所允许的 64 个相机，将模拟堆积物的剪影与所画轮廓对照</translation>
     </message>
@@ -9340,10 +12737,6 @@ What the file fits: %2.</source>
         <translation>边缘间距</translation>
     </message>
     <message>
-        <source>Mean distance of the edges of the silhouettes at the distance of the debris, metres</source>
-        <translation>两剪影边缘在堆积物距离处的平均间距，米</translation>
-    </message>
-    <message>
         <source>The same in pixels of the photograph</source>
         <translation>同上，以照片像素计</translation>
     </message>
@@ -9370,10 +12763,6 @@ What the file fits: %2.</source>
     <message>
         <source>%1 of %2</source>
         <translation>%1，共 %2</translation>
-    </message>
-    <message>
-        <source>An edge %1 m away is certain to about %2 m.</source>
-        <translation>%1 m 远处的边缘可确定到约 %2 m。</translation>
     </message>
     <message>
         <source>Good match.</source>
@@ -9422,6 +12811,117 @@ What the file fits: %2.</source>
     <message>
         <source>fallen structure apart</source>
         <translation>坠落结构另计</translation>
+    </message>
+    <message>
+        <source>Where the camera stood: x, y, z in the frame of the case</source>
+        <translation>相机所在位置：案例坐标框架中的 x、y、z</translation>
+    </message>
+    <message>
+        <source>With 95 % confidence the camera stood within this of the position</source>
+        <translation>以 95 % 的置信度，相机位于距该位置此距离之内</translation>
+    </message>
+    <message>
+        <source>Live elements that moved farther than %1 are debris; else they only hide what lies behind them</source>
+        <translation>移动超过 %1 的未失效单元算作堆积物；否则只遮挡其后之物</translation>
+    </message>
+    <message>
+        <source>Mean distance of the edges of the silhouettes at the distance of the debris</source>
+        <translation>在堆积物距离处两轮廓边缘的平均距离</translation>
+    </message>
+    <message>
+        <source>An edge %1 away is certain to about %2.</source>
+        <translation>距离 %1 处的边缘约有 %2 的把握。</translation>
+    </message>
+    <message>
+        <source>Survey</source>
+        <translation>测量</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::FigureDialog</name>
+    <message>
+        <source> px</source>
+        <translation> 像素</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>Figure for print</source>
+        <translation>印刷用插图</translation>
+    </message>
+    <message>
+        <source>As the views are</source>
+        <translation>与视图相同</translation>
+    </message>
+    <message>
+        <source>Three instants, FE above fragments (figure 11)</source>
+        <translation>三个时刻，有限元在上、碎块在下(图 11)</translation>
+    </message>
+    <message>
+        <source>Both at the end (figure 12)</source>
+        <translation>两者在结束时(图 12)</translation>
+    </message>
+    <message>
+        <source>Debris and surroundings (figure 13)</source>
+        <translation>碎块与周边环境(图 13)</translation>
+    </message>
+    <message>
+        <source>Four stages (figure 14)</source>
+        <translation>四个阶段(图 14)</translation>
+    </message>
+    <message>
+        <source>Preview of the figure</source>
+        <translation>插图预览</translation>
+    </message>
+    <message>
+        <source>Drawing the preview …</source>
+        <translation>正在绘制预览…</translation>
+    </message>
+    <message>
+        <source>Arrangement</source>
+        <translation>排版</translation>
+    </message>
+    <message>
+        <source>The panes as they are, or the arrangement of a figure of the published method with its instants</source>
+        <translation>按现有窗格，或按已发表方法中插图的排版及其时刻</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Pixels from left to right, 100 to 8000</source>
+        <translation>从左到右的像素数，100 至 8000</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Pixels from top to bottom, 100 to 8000</source>
+        <translation>从上到下的像素数，100 至 8000</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>分辨率</translation>
+    </message>
+    <message>
+        <source>Pixels per inch in print, 50 to 1200: text is 9 pt high whatever the size</source>
+        <translation>印刷时每英寸像素数，50 至 1200:无论大小，文字高 9 磅</translation>
+    </message>
+    <message>
+        <source>Save figure…</source>
+        <translation>保存插图…</translation>
+    </message>
+    <message>
+        <source>Write it as PNG, or as SVG or PDF with text and lines as vectors</source>
+        <translation>写成 PNG,或文字与线条为矢量的 SVG 或 PDF</translation>
+    </message>
+    <message>
+        <source>In print %1 × %2 mm</source>
+        <translation>印刷尺寸 %1 × %2 毫米</translation>
     </message>
 </context>
 <context>
@@ -9601,32 +13101,8 @@ What the file fits: %2.</source>
         <translation>模型坐标轴</translation>
     </message>
     <message>
-        <source>Mean distance of adjacent fragments, m</source>
-        <translation>相邻碎块的平均间距，m</translation>
-    </message>
-    <message>
-        <source>Chosen size of the Basic Grid, m</source>
-        <translation>基本网格的选定尺寸，m</translation>
-    </message>
-    <message>
         <source>Size over mean distance; the published method recommends two to three</source>
         <translation>尺寸与平均间距之比；论文推荐二至三</translation>
-    </message>
-    <message>
-        <source>Largest fragment: the least sensible size, m</source>
-        <translation>最大碎块：合理的最小尺寸，m</translation>
-    </message>
-    <message>
-        <source>Smallest component, m: along axes the greatest sensible size</source>
-        <translation>最小构件，m：按轴分组时合理的最大尺寸</translation>
-    </message>
-    <message>
-        <source>Sizes of the Basic Grid and their bounds, m</source>
-        <translation>基本网格的尺寸及其界限，m</translation>
-    </message>
-    <message>
-        <source>metres; d is the mean distance of adjacent fragments</source>
-        <translation>单位米；d 为相邻碎块的平均间距</translation>
     </message>
     <message>
         <source>Result</source>
@@ -9704,6 +13180,30 @@ What the file fits: %2.</source>
         <source>%1 at %2 d</source>
         <translation>%2 d 时 %1 个</translation>
     </message>
+    <message>
+        <source>Mean distance of adjacent fragments</source>
+        <translation>相邻碎块的平均间距</translation>
+    </message>
+    <message>
+        <source>Chosen size of the Basic Grid</source>
+        <translation>基本网格的所取尺寸</translation>
+    </message>
+    <message>
+        <source>Largest fragment: the least sensible size</source>
+        <translation>最大碎块：最小的合理尺寸</translation>
+    </message>
+    <message>
+        <source>Smallest component: along axes the greatest sensible size</source>
+        <translation>最小构件：沿各轴最大的合理尺寸</translation>
+    </message>
+    <message>
+        <source>Sizes of the Basic Grid and their bounds</source>
+        <translation>基本网格的尺寸及其界限</translation>
+    </message>
+    <message>
+        <source>in %1; d is the mean distance of adjacent fragments</source>
+        <translation>单位 %1；d 为相邻碎块的平均间距</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::HealthList</name>
@@ -9714,10 +13214,6 @@ What the file fits: %2.</source>
     <message>
         <source>%1–%2 s</source>
         <translation>%1–%2 s</translation>
-    </message>
-    <message>
-        <source>body %1 at x %2, y %3, z %4 m</source>
-        <translation>刚体 %1，位于 x %2，y %3，z %4 m</translation>
     </message>
     <message>
         <source>%1 bodies at worst</source>
@@ -9806,6 +13302,10 @@ What the file fits: %2.</source>
     <message>
         <source>A note is needed: why may this run be used all the same?</source>
         <translation>需要备注：为何仍可使用此次计算？</translation>
+    </message>
+    <message>
+        <source>body %1 at x %2, y %3, z %4 %5</source>
+        <translation>刚体 %1 位于 x %2、y %3、z %4 %5</translation>
     </message>
 </context>
 <context>
@@ -10043,10 +13543,6 @@ What the file fits: %2.</source>
         <translation>自此静止</translation>
     </message>
     <message>
-        <source>Since then it has stayed within 5 cm of its last place</source>
-        <translation>此后它与最后位置相距不超过 5 cm</translation>
-    </message>
-    <message>
         <source>moved with cluster</source>
         <translation>随聚类运动</translation>
     </message>
@@ -10077,18 +13573,6 @@ What the file fits: %2.</source>
     <message>
         <source>Impacts</source>
         <translation>撞击</translation>
-    </message>
-    <message>
-        <source>Nothing has changed its velocity by more than 1 m/s at once.</source>
-        <translation>没有撞击使其速度一次改变超过 1 m/s。</translation>
-    </message>
-    <message>
-        <source>%1 s   %2 m/s   %3</source>
-        <translation>%1 s   %2 m/s   %3</translation>
-    </message>
-    <message>
-        <source>Go to this hit: its time, the speed just before, the kinetic energy of the centre just before; the velocity changed by %1 m/s</source>
-        <translation>转到此次撞击：其时刻、撞击前的速度、撞击前质心的动能；速度改变 %1 m/s</translation>
     </message>
     <message>
         <source>and %1 weaker ones</source>
@@ -10146,6 +13630,29 @@ What the file fits: %2.</source>
         <source>and %1 more components</source>
         <translation>另有 %1 个构件</translation>
     </message>
+    <message>
+        <source>Since then it has stayed within %1 of its last place</source>
+        <translation>此后一直停留在最终位置 %1 之内</translation>
+    </message>
+    <message>
+        <source>Nothing has changed its velocity by more than %1 at once.</source>
+        <translation>没有任何一次使其速度变化超过 %1。</translation>
+    </message>
+    <message>
+        <source>%1 s   %2   %3</source>
+        <translation>%1 s   %2   %3</translation>
+    </message>
+    <message>
+        <source>Go to this hit: its time, the speed just before, the kinetic energy of the centre just before; the velocity changed by %1</source>
+        <translation>转到该次撞击：时刻、撞击前的速度、撞击前质心的动能；速度变化 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::MapView</name>
+    <message>
+        <source>Map</source>
+        <translation>图</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::MaterialsTable</name>
@@ -10172,6 +13679,607 @@ What the file fits: %2.</source>
     <message>
         <source>Open a result first</source>
         <translation>请先打开结果</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::MovieDialog</name>
+    <message>
+        <source>Movie</source>
+        <translation>动画</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>Half as fast</source>
+        <translation>一半速度</translation>
+    </message>
+    <message>
+        <source>A quarter as fast</source>
+        <translation>四分之一速度</translation>
+    </message>
+    <message>
+        <source>A tenth as fast</source>
+        <translation>十分之一速度</translation>
+    </message>
+    <message>
+        <source>Twice as fast</source>
+        <translation>两倍速度</translation>
+    </message>
+    <message>
+        <source>MP4</source>
+        <translation>MP4</translation>
+    </message>
+    <message>
+        <source>Folder of pictures (PNG)</source>
+        <translation>图片文件夹 (PNG)</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>Where the movie begins, on the clock of the FE result, s</source>
+        <translation>动画开始处，按有限元结果的时钟，s</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>至</translation>
+    </message>
+    <message>
+        <source>Where it ends, s; the run may go on after the FE result</source>
+        <translation>动画结束处,s;计算可以在有限元结果之后继续</translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>How fast the collapse runs in the movie; other paces than real time are printed on it</source>
+        <translation>倒塌在动画中的快慢；非实时的速度会印在动画上</translation>
+    </message>
+    <message>
+        <source>Pictures per second</source>
+        <translation>每秒图片数</translation>
+    </message>
+    <message>
+        <source>1 to 120; 25 is usual</source>
+        <translation>1 至 120;通常为 25</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Width and height in pixels</source>
+        <translation>宽度和高度，像素</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>One file to play, or numbered pictures for other programs</source>
+        <translation>一个可播放的文件，或供其他程序使用的编号图片</translation>
+    </message>
+    <message>
+        <source>Numbered pictures; for an MP4 install the program ffmpeg</source>
+        <translation>编号图片；如需 MP4 请安装程序 ffmpeg</translation>
+    </message>
+    <message>
+        <source>Save movie…</source>
+        <translation>保存动画…</translation>
+    </message>
+    <message>
+        <source>%1 pictures, %2 s to watch</source>
+        <translation>%1 张图片，播放 %2 s</translation>
+    </message>
+    <message>
+        <source>The end must come after the beginning, with at most 100,000 pictures between them.</source>
+        <translation>结束必须在开始之后，其间最多 100,000 张图片。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::NewCaseComponents</name>
+    <message>
+        <source>Components</source>
+        <translation>构件列表</translation>
+    </message>
+    <message>
+        <source>Of what the structure is made, and into which parts it falls.</source>
+        <translation>结构由什么组成，分为哪些部分。</translation>
+    </message>
+    <message>
+        <source>Back to the parts of the file</source>
+        <translation>恢复文件中的部件</translation>
+    </message>
+    <message>
+        <source>Parts of the structure</source>
+        <translation>结构的各部分</translation>
+    </message>
+    <message>
+        <source>Choose one to set its material; choose several to join them. The preview marks what is chosen.</source>
+        <translation>选一个可设定材料；选多个可合并。预览标出所选内容。</translation>
+    </message>
+    <message>
+        <source>Drop all regrouping</source>
+        <translation>放弃全部重新分组</translation>
+    </message>
+    <message>
+        <source>Assumed where nothing is known</source>
+        <translation>未知量的假定</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::NewCaseDeaths</name>
+    <message>
+        <source>elements without volume when they die: they become fragments of the least thickness</source>
+        <translation>失效时没有体积的单元：成为最小厚度的碎块</translation>
+    </message>
+    <message>
+        <source>elements turned inside out when they die: their shape is taken by its size</source>
+        <translation>失效时内外翻转的单元：按其大小取形状</translation>
+    </message>
+    <message>
+        <source>elements as thin as paper when they die: they become fragments of the least thickness</source>
+        <translation>失效时薄如纸的单元：按最小厚度成为碎块</translation>
+    </message>
+    <message>
+        <source>elements whose volume is far from the one at rest when they die</source>
+        <translation>失效时体积与静止时相差很大的单元</translation>
+    </message>
+    <message>
+        <source>elements inactive from the first state on: they are no debris</source>
+        <translation>从第一个状态起即无效的单元：不是堆积物</translation>
+    </message>
+    <message>
+        <source>elements that only come to life later</source>
+        <translation>后来才变为有效的单元</translation>
+    </message>
+    <message>
+        <source>elements that come back to life: “Revived elements” decides</source>
+        <translation>恢复有效的单元：由“恢复的单元”决定</translation>
+    </message>
+    <message>
+        <source>elements with a time of death that stay active</source>
+        <translation>有失效时刻却保持有效的单元</translation>
+    </message>
+    <message>
+        <source>dead elements without a time of death: the state decides</source>
+        <translation>没有失效时刻的失效单元：由状态决定</translation>
+    </message>
+    <message>
+        <source>elements whose time of death is not between the states that report it</source>
+        <translation>失效时刻不在报告它的两个状态之间的单元</translation>
+    </message>
+    <message>
+        <source>elements without density: the assumed one is taken</source>
+        <translation>没有密度的单元：取假定值</translation>
+    </message>
+    <message>
+        <source>shells and beams without thickness or section: the assumed one is taken</source>
+        <translation>没有厚度或截面的壳和梁：取假定值</translation>
+    </message>
+    <message>
+        <source>elements without volume at rest: they have no mass</source>
+        <translation>静止时没有体积的单元：没有质量</translation>
+    </message>
+    <message>
+        <source>Deaths</source>
+        <translation>失效</translation>
+    </message>
+    <message>
+        <source>What dies when, and how far that can be believed.</source>
+        <translation>什么在何时失效，以及可信到什么程度。</translation>
+    </message>
+    <message>
+        <source>Account of every death</source>
+        <translation>每次失效的清单</translation>
+    </message>
+    <message>
+        <source>What is odd</source>
+        <translation>异常</translation>
+    </message>
+    <message>
+        <source>How the file says it</source>
+        <translation>文件如何表明</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>构件</translation>
+    </message>
+    <message>
+        <source>dead</source>
+        <translation>失效数</translation>
+    </message>
+    <message>
+        <source>of it</source>
+        <translation>份额</translation>
+    </message>
+    <message>
+        <source>first, s</source>
+        <translation>最初，s</translation>
+    </message>
+    <message>
+        <source>last, s</source>
+        <translation>最后，s</translation>
+    </message>
+    <message>
+        <source>Share of the component&apos;s mass in dead elements</source>
+        <translation>失效单元占构件质量的份额</translation>
+    </message>
+    <message>
+        <source>Deaths by component</source>
+        <translation>按构件的失效</translation>
+    </message>
+    <message>
+        <source>Deaths by component; the preview goes to the first one of the row chosen</source>
+        <translation>按构件的失效；预览转到所选行的最初一次</translation>
+    </message>
+    <message>
+        <source>The account is being made.</source>
+        <translation>正在清点。</translation>
+    </message>
+    <message>
+        <source>No element dies: all %1 are active at the last state. Is the active flag the right one?</source>
+        <translation>没有单元失效：全部 %1 个在最后状态仍有效。激活标志是否正确？</translation>
+    </message>
+    <message>
+        <source>%1 of %2 elements are dead at the last state: %3 of %4.</source>
+        <translation>%2 个单元中有 %1 个在最后状态已失效：%4 中的 %3。</translation>
+    </message>
+    <message>
+        <source>%1×: %2</source>
+        <translation>%1 次：%2</translation>
+    </message>
+    <message>
+        <source>first: %1</source>
+        <translation>首例：%1</translation>
+    </message>
+    <message>
+        <source>Nothing odd was found.</source>
+        <translation>未发现异常。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::NewCaseGround</name>
+    <message>
+        <source>Ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>On what the debris falls.</source>
+        <translation>堆积物落在什么上面。</translation>
+    </message>
+    <message>
+        <source>Put it at the lowest point</source>
+        <translation>置于最低点</translation>
+    </message>
+    <message>
+        <source>Without terrain</source>
+        <translation>不用地形</translation>
+    </message>
+    <message>
+        <source>Level ground</source>
+        <translation>水平地面</translation>
+    </message>
+    <message>
+        <source>Lowest point of the structure</source>
+        <translation>结构的最低点</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>z of its lowest node at rest</source>
+        <translation>静止时最低节点的 z</translation>
+    </message>
+    <message>
+        <source>Let the level ground pass through the lowest node of the structure at rest</source>
+        <translation>使水平地面通过结构静止时的最低节点</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>地形</translation>
+    </message>
+    <message>
+        <source>A raster of heights takes the place of the level ground where it covers the site.</source>
+        <translation>高程栅格在其覆盖场地之处取代水平地面。</translation>
+    </message>
+    <message>
+        <source>Raster of heights</source>
+        <translation>高程栅格</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Choose the raster of heights that the debris falls on</source>
+        <translation>选择承接堆积物的高程栅格</translation>
+    </message>
+    <message>
+        <source>Let the debris fall on level ground again</source>
+        <translation>让堆积物重新落在水平地面上</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>水</translation>
+    </message>
+    <message>
+        <source>The structure ends %1 above this ground.</source>
+        <translation>结构止于此地面以上 %1。</translation>
+    </message>
+    <message>
+        <source>The structure reaches %1 below this ground.</source>
+        <translation>结构伸入此地面以下 %1。</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::NewCaseSummary</name>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>What the case is called, and what was settled.</source>
+        <translation>案例的名称，以及已确定的内容。</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Name of the case</source>
+        <translation>案例名称</translation>
+    </message>
+    <message>
+        <source>As it stands in the title of the window and in reports</source>
+        <translation>显示在窗口标题和报告中</translation>
+    </message>
+    <message>
+        <source>First scenario</source>
+        <translation>第一个方案</translation>
+    </message>
+    <message>
+        <source>What these settings are called among others of the case</source>
+        <translation>这些设置在案例各方案中的名称</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>What is known of this analysis, and by whom it was made</source>
+        <translation>关于此分析的已知情况以及由谁完成</translation>
+    </message>
+    <message>
+        <source>Kept with the scenario</source>
+        <translation>随方案保存</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>已确定</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::NewCaseUnits</name>
+    <message>
+        <source>Units and axes</source>
+        <translation>单位与轴</translation>
+    </message>
+    <message>
+        <source>What the numbers of the file mean.</source>
+        <translation>文件中的数值是什么意思。</translation>
+    </message>
+    <message>
+        <source>Units of the file</source>
+        <translation>文件单位</translation>
+    </message>
+    <message>
+        <source>Which axis points up</source>
+        <translation>哪个轴向上</translation>
+    </message>
+    <message>
+        <source>What follows from that</source>
+        <translation>由此得出</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>结构</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Length, width and height at rest, along x, y and z</source>
+        <translation>静止时沿 x、y、z 的长、宽、高</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>t</source>
+        <translation>t</translation>
+    </message>
+    <message>
+        <source>Of all elements, by the densities of their components</source>
+        <translation>全部单元的质量，按其构件的密度</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>First and last state</source>
+        <translation>最初和最后的状态</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>单元</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>what speaks for or against them</source>
+        <translation>支持或反对的依据</translation>
+    </message>
+    <message>
+        <source>Systems of units, the best fit first</source>
+        <translation>单位制，最相符者在先</translation>
+    </message>
+    <message>
+        <source>Systems of units, the best fit first: densities, size and free fall judge them</source>
+        <translation>单位制，最相符者在先：由密度、尺寸和自由落体判断</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <translation>采用 %1</translation>
+    </message>
+    <message>
+        <source>Let %1 point up</source>
+        <translation>以 %1 向上</translation>
+    </message>
+    <message>
+        <source>Read the file again in the units that it fits best</source>
+        <translation>按最相符的单位重新读取文件</translation>
+    </message>
+    <message>
+        <source>Read the file again with the axis against which free nodes fall pointing up</source>
+        <translation>以自由节点下落的反方向为向上轴重新读取文件</translation>
+    </message>
+    <message>
+        <source>%1 (taken)</source>
+        <translation>%1（已采用）</translation>
+    </message>
+    <message>
+        <source>nothing in the file speaks for or against them</source>
+        <translation>文件中没有支持或反对的依据</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::NewCaseWizard</name>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>上一步(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>下一步(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Make the case</source>
+        <translation>建立案例(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>New case from %1</source>
+        <translation>由 %1 新建案例</translation>
+    </message>
+    <message>
+        <source>Steps and preview</source>
+        <translation>步骤与预览</translation>
+    </message>
+    <message>
+        <source>1  Units and axes</source>
+        <translation>1  单位与轴</translation>
+    </message>
+    <message>
+        <source>2  Ground</source>
+        <translation>2  地面</translation>
+    </message>
+    <message>
+        <source>3  Components</source>
+        <translation>3  构件列表</translation>
+    </message>
+    <message>
+        <source>4  Deaths</source>
+        <translation>4  失效</translation>
+    </message>
+    <message>
+        <source>5  Case</source>
+        <translation>5  案例</translation>
+    </message>
+    <message>
+        <source>Go to this step (Ctrl+%1)</source>
+        <translation>转到这一步 (Ctrl+%1)</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Stop what is being read or counted</source>
+        <translation>停止正在进行的读取或清点</translation>
+    </message>
+    <message>
+        <source>Open the case in the window; it is saved when you say so</source>
+        <translation>在窗口中打开案例；由您决定何时保存</translation>
+    </message>
+    <message>
+        <source>To the step before</source>
+        <translation>到上一步</translation>
+    </message>
+    <message>
+        <source>To the next step</source>
+        <translation>到下一步</translation>
+    </message>
+    <message>
+        <source>Leave without a case (Esc)</source>
+        <translation>不建立案例而离开 (Esc)</translation>
+    </message>
+    <message>
+        <source>Nothing to take back</source>
+        <translation>没有可撤销的内容</translation>
+    </message>
+    <message>
+        <source>Undo %1 (Ctrl+Z)</source>
+        <translation>撤销 %1 (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Nothing to make again</source>
+        <translation>没有可重做的内容</translation>
+    </message>
+    <message>
+        <source>Redo %1 (Ctrl+Shift+Z)</source>
+        <translation>重做 %1 (Ctrl+Shift+Z)</translation>
     </message>
 </context>
 <context>
@@ -10319,10 +14427,6 @@ What the file fits: %2.</source>
         <translation>m</translation>
     </message>
     <message>
-        <source>%1 of the point of the model or survey, metres in the frame of the case</source>
-        <translation>模型或测量点的 %1，案例坐标框架，米</translation>
-    </message>
-    <message>
         <source>name of point %1</source>
         <translation>点 %1 的名称</translation>
     </message>
@@ -10353,6 +14457,10 @@ What the file fits: %2.</source>
     <message>
         <source>point %1 deleted</source>
         <translation>点 %1 已删除</translation>
+    </message>
+    <message>
+        <source>%1 of the point of the model or survey, in the frame of the case</source>
+        <translation>模型或测量点的 %1，在案例坐标框架中</translation>
     </message>
 </context>
 <context>
@@ -10551,6 +14659,26 @@ What the file fits: %2.</source>
         <source>Keep a compressed copy of every FE result that is read: it opens at once next time</source>
         <translation>为读取的每个有限元结果保留压缩副本：下次可立即打开</translation>
     </message>
+    <message>
+        <source>SI: m, kg, s</source>
+        <translation>SI：m、kg、s</translation>
+    </message>
+    <message>
+        <source>mm, t, s</source>
+        <translation>mm、t、s</translation>
+    </message>
+    <message>
+        <source>US customary: ft, lb, s</source>
+        <translation>美制：ft、lb、s</translation>
+    </message>
+    <message>
+        <source>Units on screen</source>
+        <translation>屏幕单位</translation>
+    </message>
+    <message>
+        <source>Units of quantities that panels, docks and views show and take. Cases, runs, tables and figures stay in SI, and so do the comparisons of the Accuracy panel</source>
+        <translation>面板、停靠窗和视图显示及接受的量的单位。案例、计算、表格和图保持 SI，“精度”面板的比较也是如此</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::RegroupForm</name>
@@ -10603,10 +14731,6 @@ What the file fits: %2.</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>%1, m</source>
-        <translation>%1，m</translation>
-    </message>
-    <message>
         <source>Select components in the table first</source>
         <translation>请先在表中选择构件</translation>
     </message>
@@ -10647,10 +14771,6 @@ What the file fits: %2.</source>
         <translation>到</translation>
     </message>
     <message>
-        <source>Three numbers are needed in each row, in metres.</source>
-        <translation>每行需要三个数值，单位米。</translation>
-    </message>
-    <message>
         <source>“To” must lie beyond “From” along every axis.</source>
         <translation>“到”在每个轴上都必须大于“从”。</translation>
     </message>
@@ -10665,6 +14785,105 @@ What the file fits: %2.</source>
     <message>
         <source>There is a component “%1” already.</source>
         <translation>已有构件“%1”。</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Three numbers are needed in each row.</source>
+        <translation>每行需要三个数值。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ReportPanel</name>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>What was asked, what was found, and how sure that is.</source>
+        <translation>问了什么，发现了什么，有多大把握。</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Question of the report</source>
+        <translation>报告的问题</translation>
+    </message>
+    <message>
+        <source>What the report is to answer, in your words; it stands in its first section</source>
+        <translation>报告要回答什么，用您的话；写在第一节</translation>
+    </message>
+    <message>
+        <source>Where did the debris go, and how sure is that?</source>
+        <translation>碎块去了哪里，有多大把握？</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>编制者</translation>
+    </message>
+    <message>
+        <source>Who makes the report; stands on its first page</source>
+        <translation>谁编制报告；写在首页</translation>
+    </message>
+    <message>
+        <source>Made for the report</source>
+        <translation>为报告所做</translation>
+    </message>
+    <message>
+        <source>Repeats</source>
+        <translation>重复计算</translation>
+    </message>
+    <message>
+        <source>How often the run is simulated again with births shifted by a micrometre, 0 to 20: the spread of every result. Each takes as long as the run</source>
+        <translation>该计算以产生位置移动一微米重新模拟的次数，0 至 20:得出每项结果的离散。每次耗时与该计算相同</translation>
+    </message>
+    <message>
+        <source>laws of mechanics</source>
+        <translation>力学定律</translation>
+    </message>
+    <message>
+        <source>all cases</source>
+        <translation>全部算例</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Self-test</source>
+        <translation>自检</translation>
+    </message>
+    <message>
+        <source>Hard cases of the simulation, run on this machine: those a law predicts take seconds, all of them minutes</source>
+        <translation>在本机上运行的模拟困难算例：有定律可循的只需几秒，全部需要几分钟</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Write report…</source>
+        <translation>写报告…</translation>
+    </message>
+    <message>
+        <source>Stop; nothing half-made is left</source>
+        <translation>停止；不留下半成品</translation>
+    </message>
+    <message>
+        <source>Choose a folder; it gets report.pdf and report.html, each complete in itself</source>
+        <translation>选择文件夹；其中将写入 report.pdf 和 report.html,各自完整</translation>
+    </message>
+    <message>
+        <source>Written to &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;</source>
+        <translation>已写入 &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;</translation>
     </message>
 </context>
 <context>
@@ -10969,12 +15188,43 @@ Program: %3</source>
         <translation>%1（%2 个单元）</translation>
     </message>
     <message>
-        <source>%1 kg; %2 released inside debris or structure; %3 still move at the end</source>
-        <translation>%1 kg；%2 在堆积物或结构内部释放；%3 在结束时仍在运动</translation>
-    </message>
-    <message>
         <source>Runs of this case</source>
         <translation>此案例的计算</translation>
+    </message>
+    <message>
+        <source>%1; %2 released inside debris or structure; %3 still move at the end</source>
+        <translation>%1；%2 个在堆积物或结构内释放；%3 个结束时仍在运动</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::ScenarioBar</name>
+    <message>
+        <source>Open a kept run…</source>
+        <translation>打开保留的计算…</translation>
+    </message>
+    <message>
+        <source>Another scenario</source>
+        <translation>另一方案</translation>
+    </message>
+    <message>
+        <source>Scenario in the right view</source>
+        <translation>右侧视图的方案</translation>
+    </message>
+    <message>
+        <source>Newest complete run of this scenario; camera, time and selection are those of the left view</source>
+        <translation>该方案最新的完整计算；相机、时刻和选择与左侧视图相同</translation>
+    </message>
+    <message>
+        <source>Choose a run file (*.run.h5) of the FE result that is open</source>
+        <translation>选择已打开的有限元结果的计算文件 (*.run.h5)</translation>
+    </message>
+    <message>
+        <source>No other scenario has a run yet: simulate one, go on with another scenario and simulate that, or open a run that was kept.</source>
+        <translation>其他方案尚无计算：先模拟一个方案，再换一个方案模拟，或打开保留的计算。</translation>
+    </message>
+    <message>
+        <source>Left: what was simulated last. Right, from the same place and at the same time:</source>
+        <translation>左侧：最近一次模拟。右侧，视点和时刻相同：</translation>
     </message>
 </context>
 <context>
@@ -11226,10 +15476,6 @@ Program: %3</source>
         <translation>聚类</translation>
     </message>
     <message>
-        <source>Centres with %1 within these bounds at the time shown, m, as exported tables give them; %2</source>
-        <translation>所示时刻中心的 %1 在此范围内，m，与导出表格一致；%2</translation>
-    </message>
-    <message>
         <source>%1 from</source>
         <translation>%1 起于</translation>
     </message>
@@ -11288,6 +15534,149 @@ Program: %3</source>
     <message>
         <source>Give at least one of these.</source>
         <translation>至少给出其中一项。</translation>
+    </message>
+    <message>
+        <source>Centres with %1 within these bounds at the time shown, counted as exported tables do; %2</source>
+        <translation>所示时刻 %1 在此界限内的形心，计数方式与导出表相同；%2</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::SiteDialog</name>
+    <message>
+        <source>Height shift</source>
+        <translation>高程偏移</translation>
+    </message>
+    <message>
+        <source>Debris falls on the surroundings too</source>
+        <translation>堆积物也落在周围环境上</translation>
+    </message>
+    <message>
+        <source>Add control point</source>
+        <translation>添加控制点</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>场地</translation>
+    </message>
+    <message>
+        <source>none: local coordinates</source>
+        <translation>无：局部坐标</translation>
+    </message>
+    <message>
+        <source>Coordinate system of the case, such as EPSG:25832: terrain, orthophoto and surveys in another one are projected to it, and maps are written in it. Needs eastings and northings, not degrees</source>
+        <translation>案例的坐标系，如 EPSG:25832：其他坐标系中的地形、正射影像和测量会投影到此坐标系，地图也以此写出。须为东北坐标，不能是度</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>Added to the heights of terrain, surroundings and surveys, m (-10,000 to 10,000): the difference between their vertical datum and that of the case</source>
+        <translation>加到地形、周围环境和测量高程上的值，m（-10,000 至 10,000）：其高程基准与案例高程基准之差</translation>
+    </message>
+    <message>
+        <source>Height shift, m</source>
+        <translation>高程偏移，m</translation>
+    </message>
+    <message>
+        <source>The highest surface of the meshes becomes part of the terrain: debris meets roofs, walls and banks, and gets below no overhang. Needs a terrain</source>
+        <translation>网格的最高表面成为地形的一部分：堆积物会碰到屋顶、墙和堤岸，但不会进入悬挑之下。需要地形</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>x, m</source>
+        <translation>x，m</translation>
+    </message>
+    <message>
+        <source>y, m</source>
+        <translation>y，m</translation>
+    </message>
+    <message>
+        <source>z, m</source>
+        <translation>z，m</translation>
+    </message>
+    <message>
+        <source>easting, m</source>
+        <translation>东坐标，m</translation>
+    </message>
+    <message>
+        <source>northing, m</source>
+        <translation>北坐标，m</translation>
+    </message>
+    <message>
+        <source>height, m</source>
+        <translation>高程，m</translation>
+    </message>
+    <message>
+        <source>off in plan, m</source>
+        <translation>平面残差，m</translation>
+    </message>
+    <message>
+        <source>off in height, m</source>
+        <translation>高程残差，m</translation>
+    </message>
+    <message>
+        <source>Control points</source>
+        <translation>控制点</translation>
+    </message>
+    <message>
+        <source>Points known in the frame of the case (x, y, z as the views show them) and in the world. Two or more that are used take the place of the frame&apos;s origin; three or more show a wrong one by its residual</source>
+        <translation>在案例坐标系（视图所示 x、y、z）和真实世界中均已知的点。采用两个或更多时取代坐标系原点；三个或更多时，错误的点由其残差显出</translation>
+    </message>
+    <message>
+        <source>Delete the chosen control point</source>
+        <translation>删除所选控制点</translation>
+    </message>
+    <message>
+        <source>Add a control point to be typed</source>
+        <translation>添加一个待输入的控制点</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>点 %1</translation>
+    </message>
+    <message>
+        <source>That is no coordinate in metres.</source>
+        <translation>这不是以米计的坐标。</translation>
+    </message>
+    <message>
+        <source>The point stays as it was.</source>
+        <translation>该点保持不变。</translation>
+    </message>
+    <message>
+        <source>The origin of the frame says where the site lies.</source>
+        <translation>场地位置由坐标系原点确定。</translation>
+    </message>
+    <message>
+        <source>One control point says nothing yet: use two or more.</source>
+        <translation>一个控制点还不能说明问题：请采用两个或更多。</translation>
+    </message>
+    <message>
+        <source>Least squares over %1 points: turned by %2°, scale %3, residuals %4 m in plan and %5 m in height (RMS).</source>
+        <translation>%1 个点的最小二乘：转角 %2°，比例 %3，残差平面 %4 m、高程 %5 m（均方根）。</translation>
+    </message>
+    <message>
+        <source>The scale is far from 1: a point is wrong, or the two sides have different units.</source>
+        <translation>比例与 1 相差甚远：有一个点是错的，或两侧单位不同。</translation>
+    </message>
+    <message>
+        <source>Leave points out one by one and look at the residuals.</source>
+        <translation>逐个不采用各点并观察残差。</translation>
+    </message>
+    <message>
+        <source>Two points always fit in plan: a third shows whether they are right.</source>
+        <translation>两个点在平面上总能拟合：第三个点才能显示其是否正确。</translation>
     </message>
 </context>
 <context>
@@ -11363,6 +15752,14 @@ Program: %3</source>
         <source>Take %1 off this list; the file itself stays</source>
         <translation>从列表中移除 %1；文件本身保留</translation>
     </message>
+    <message>
+        <source>New case…</source>
+        <translation>新建案例…</translation>
+    </message>
+    <message>
+        <source>Make a case from an FE result step by step (Ctrl+N)</source>
+        <translation>由有限元结果逐步建立案例 (Ctrl+N)</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::StatusLine</name>
@@ -11377,6 +15774,200 @@ Program: %3</source>
     <message>
         <source>Stop what runs (Esc); what is computed is kept</source>
         <translation>停止正在运行的工作（Esc）；已计算的内容保留</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::SurveyBox</name>
+    <message>
+        <source>Add survey…</source>
+        <translation>添加测量…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Cells of the survey comparison</source>
+        <translation>测量比较的单元格</translation>
+    </message>
+    <message>
+        <source>Least height of debris</source>
+        <translation>堆积物最小高度</translation>
+    </message>
+    <message>
+        <source>Fallen structure counts as debris</source>
+        <translation>倒塌结构计入堆积物</translation>
+    </message>
+    <message>
+        <source>Compare with survey</source>
+        <translation>与测量比较</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Save difference map…</source>
+        <translation>保存差异图…</translation>
+    </message>
+    <message>
+        <source>Surveys</source>
+        <translation>测量列表</translation>
+    </message>
+    <message>
+        <source>The survey that is compared</source>
+        <translation>用于比较的测量</translation>
+    </message>
+    <message>
+        <source>Add a surveyed height model, or the outline of the real debris as polygons</source>
+        <translation>添加测量的高程模型，或以多边形表示的实际堆积物轮廓</translation>
+    </message>
+    <message>
+        <source>Take this survey out of the case; its file stays</source>
+        <translation>将此测量移出案例；文件保留</translation>
+    </message>
+    <message>
+        <source>Side of the cells that are compared, 0.05 to 10 m</source>
+        <translation>比较单元格的边长，0.05 至 10 m</translation>
+    </message>
+    <message>
+        <source>Cells, m</source>
+        <translation>单元格，m</translation>
+    </message>
+    <message>
+        <source>Height above the ground from which there is debris, 0 to 5 m; what lies lower is noise of the survey</source>
+        <translation>高出地面达到此值即为堆积物，0 至 5 m；更低者为测量噪声</translation>
+    </message>
+    <message>
+        <source>Least height, m</source>
+        <translation>最小高度，m</translation>
+    </message>
+    <message>
+        <source>where it was surveyed</source>
+        <translation>保持测量位置</translation>
+    </message>
+    <message>
+        <source>moved to the ground beside it</source>
+        <translation>移至旁边的地面</translation>
+    </message>
+    <message>
+        <source>moved to the debris</source>
+        <translation>移至堆积物</translation>
+    </message>
+    <message>
+        <source>Registration of the survey</source>
+        <translation>测量的配准</translation>
+    </message>
+    <message>
+        <source>Where the survey is taken to lie: as it is, shifted by least squares to the ground beside the debris (errors of its place go), or to the simulated debris, at most 5 m (only the shape is compared then)</source>
+        <translation>测量的位置：保持原样；按最小二乘移至堆积物旁的地面（消除位置误差）；或移至模拟的堆积物，至多 5 m（此时只比较形状）</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>Whether live structure that moved farther than 1 m belongs to the simulated debris, as it does to the surveyed; said on the result</source>
+        <translation>移动超过 1 m 的存活结构是否像在测量中那样计入模拟堆积物；结果中会注明</translation>
+    </message>
+    <message>
+        <source>Hold the debris at rest against the survey</source>
+        <translation>将静止的堆积物与测量对照</translation>
+    </message>
+    <message>
+        <source>Stop comparing</source>
+        <translation>停止比较</translation>
+    </message>
+    <message>
+        <source>debris</source>
+        <translation>堆积物</translation>
+    </message>
+    <message>
+        <source>surveyed</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>Surveyed and simulated debris</source>
+        <translation>测量与模拟的堆积物</translation>
+    </message>
+    <message>
+        <source>run-out, m</source>
+        <translation>散落距离，m</translation>
+    </message>
+    <message>
+        <source>Run-out by direction</source>
+        <translation>各方向的散落距离</translation>
+    </message>
+    <message>
+        <source>Distance from the middle of the structure&apos;s plan within which 95 % of the covered area in that direction lies, m</source>
+        <translation>该方向覆盖面积的 95 % 所在的、距结构平面中心的距离，m</translation>
+    </message>
+    <message>
+        <source>Save the difference map as GeoTIFF or as a picture</source>
+        <translation>将差异图保存为 GeoTIFF 或图像</translation>
+    </message>
+    <message>
+        <source>A height model or an outline of the real debris, measured after the collapse, is compared here.</source>
+        <translation>倒塌后测得的实际堆积物高程模型或轮廓在此比较。</translation>
+    </message>
+    <message>
+        <source>Of another run or other settings: compare again.</source>
+        <translation>属于另一次计算或其他设置：请重新比较。</translation>
+    </message>
+    <message>
+        <source>area, m²</source>
+        <translation>面积，m²</translation>
+    </message>
+    <message>
+        <source>volume, m³</source>
+        <translation>体积，m³</translation>
+    </message>
+    <message>
+        <source>centroid x, m</source>
+        <translation>质心 x，m</translation>
+    </message>
+    <message>
+        <source>centroid y, m</source>
+        <translation>质心 y，m</translation>
+    </message>
+    <message>
+        <source>Overlap of the footprints (IoU): %1.</source>
+        <translation>覆盖范围重合度（IoU）：%1。</translation>
+    </message>
+    <message>
+        <source>Heights differ by %1 m RMS, by %2 m in the mean.</source>
+        <translation>高度差均方根 %1 m，平均 %2 m。</translation>
+    </message>
+    <message>
+        <source>Volumes hold the voids.</source>
+        <translation>体积含空隙。</translation>
+    </message>
+    <message>
+        <source>Centroids lie %1 m apart.</source>
+        <translation>质心相距 %1 m。</translation>
+    </message>
+    <message>
+        <source>The survey lies where it was surveyed.</source>
+        <translation>测量位于其测得之处。</translation>
+    </message>
+    <message>
+        <source>The survey was moved by %1, %2, %3 m; what was fitted went from %4 to %5 RMS.</source>
+        <translation>测量移动了 %1、%2、%3 m；拟合量的均方根由 %4 变为 %5。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::SurveyView</name>
+    <message>
+        <source>Difference map of the survey</source>
+        <translation>测量差异图</translation>
+    </message>
+    <message>
+        <source>The difference map of a survey stands here: add a survey in the panel and compare.</source>
+        <translation>测量差异图在此显示：请在面板中添加测量并比较。</translation>
     </message>
 </context>
 <context>
@@ -11442,6 +16033,16 @@ Program: %3</source>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Photograph %1
+%2 ± %3 s</source>
+        <translation>照片 %1
+%2 ± %3 s</translation>
     </message>
 </context>
 <context>
@@ -11576,6 +16177,133 @@ Program: %3</source>
     <message>
         <source>Play backwards (Shift+Space)</source>
         <translation>倒放（Shift+空格）</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::VariedTable</name>
+    <message>
+        <source>Vary another parameter</source>
+        <translation>变动另一个参数</translation>
+    </message>
+    <message>
+        <source>Choose a parameter that every member gets a value of its own of</source>
+        <translation>选择一个参数，使每个成员各有取值</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>方案</translation>
+    </message>
+    <message>
+        <source>Nothing is varied: members differ by a micrometre at birth, as the repeats of a run do.</source>
+        <translation>没有变动的量：成员在产生时相差一微米，与重复计算相同。</translation>
+    </message>
+    <message>
+        <source>Vary another parameter…</source>
+        <translation>变动另一个参数…</translation>
+    </message>
+    <message>
+        <source>Which scenario of the case a member is of</source>
+        <translation>成员属于案例的哪个方案</translation>
+    </message>
+    <message>
+        <source>Do not vary %1</source>
+        <translation>不变动%1</translation>
+    </message>
+    <message>
+        <source>Do not vary %1: every member has the value of the scenario</source>
+        <translation>不变动%1：每个成员取方案的值</translation>
+    </message>
+    <message>
+        <source>%1 not varied</source>
+        <translation>%1不再变动</translation>
+    </message>
+    <message>
+        <source>uniform</source>
+        <translation>均匀</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>正态</translation>
+    </message>
+    <message>
+        <source>one of</source>
+        <translation>取自</translation>
+    </message>
+    <message>
+        <source>Distribution of %1</source>
+        <translation>%1的分布类型</translation>
+    </message>
+    <message>
+        <source>uniform: every value from the least to the greatest is as likely. normal: around a mean with a standard deviation, cut at the range of the parameter. one of: the values given, all as likely</source>
+        <translation>均匀：从最小到最大的每个值可能性相同。正态：围绕平均值，具有标准差，截断于参数范围。取自：给定的值，可能性相同</translation>
+    </message>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>平均值</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>最小值</translation>
+    </message>
+    <message>
+        <source>Mean of the members.</source>
+        <translation>成员的平均值。</translation>
+    </message>
+    <message>
+        <source>Least value of a member.</source>
+        <translation>成员的最小值。</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>至</translation>
+    </message>
+    <message>
+        <source>standard deviation</source>
+        <translation>标准差</translation>
+    </message>
+    <message>
+        <source>greatest</source>
+        <translation>最大值</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the members, above zero</source>
+        <translation>成员的标准差，大于零</translation>
+    </message>
+    <message>
+        <source>Greatest value of a member.</source>
+        <translation>成员的最大值。</translation>
+    </message>
+    <message>
+        <source>Values of %1</source>
+        <translation>%1的取值</translation>
+    </message>
+    <message>
+        <source>Values separated by commas, with a point as decimal sign; all as likely. From %1 to %2</source>
+        <translation>用逗号分隔的值，小数点为点号；可能性相同。%1 至 %2</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Members may have this; all that are ticked are as likely</source>
+        <translation>成员可取此值；所有勾选的可能性相同</translation>
+    </message>
+    <message>
+        <source>%1 varied</source>
+        <translation>%1变动</translation>
+    </message>
+    <message>
+        <source>distribution of %1</source>
+        <translation>%1的分布</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/fe/unit_evidence.h"
+#include "widgets/figures/shown_units.h"
 #include "widgets/spoken_text.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
@@ -85,6 +86,8 @@ void CasePanel::buildFile() {
     m_units = file->addValue(tr("Units"), {}, tr("What the file was taken to count in; chosen below"));
     m_flag = file->addValue(tr("Active flag"), {}, tr("How the file says which elements are active"));
     m_terrain = file->addValue(tr("Terrain"), {}, tr("What debris falls on; Terrain… in the Case menu chooses it"));
+    m_surroundings = file->addValue(
+        tr("Surroundings"), {}, tr("What is drawn around the structure; Orthophoto… and Surroundings… in the Case menu choose it"));
     m_velocity = file->addValue(tr("Velocity"), {}, tr("Nodal velocities; else differences of positions at active states"));
 }
 
@@ -168,11 +171,21 @@ void CasePanel::setTerrain(const std::shared_ptr<const TerrainGrid>& terrain, co
                                           : m_terrain->fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, 150));
     m_terrain->setToolTip(terrain == nullptr
                               ? QString()
-                              : tr("%1\n%2 × %3 heights, %4 m apart, %5 to %6 m")
+                              : tr("%1\n%2 × %3 heights, %4 apart, %5 to %6")
                                     .arg(path, shownCount(static_cast<std::int64_t>(terrain->nx())),
-                                         shownCount(static_cast<std::int64_t>(terrain->ny())),
-                                         QLocale().toString(terrain->cell(), 'g', 4), QLocale().toString(terrain->lowest(), 'f', 2),
-                                         QLocale().toString(terrain->highest(), 'f', 2)));
+                                         shownCount(static_cast<std::int64_t>(terrain->ny())), shownLength(terrain->cell(), 4),
+                                         shownLength(terrain->lowest(), 4), shownLength(terrain->highest(), 4)));
+}
+
+void CasePanel::setSurroundings(bool orthophoto, std::size_t meshes, bool collided) {
+    QStringList parts;
+    if (orthophoto) {
+        parts << tr("orthophoto");
+    }
+    if (meshes > 0) {
+        parts << (collided ? tr("meshes that debris falls on: %1").arg(meshes) : tr("meshes: %1").arg(meshes));
+    }
+    m_surroundings->setText(parts.isEmpty() ? tr("none") : parts.join(QStringLiteral(", ")));
 }
 
 void CasePanel::showFile(const FeResult* fe) {
@@ -210,7 +223,7 @@ void CasePanel::showFile(const FeResult* fe) {
 // What the file fits is said where it is not what was taken.
 void CasePanel::showUnits(const FeResult::Contents& contents) {
     const UnitSystem* taken = systemOf(contents.units);
-    const UnitEvidence evidence = evidenceInFile(evidenceOf(contents, false, Execution{}), contents.units, contents.frame);
+    const UnitEvidence evidence = evidenceInFile(evidenceOf(contents), contents.units, contents.frame);
     const Proposal proposal = proposeUnits(evidence);
     const QString name =
         taken != nullptr ? QString::fromUtf8(taken->id.data(), static_cast<qsizetype>(taken->id.size())) : tr("own");
@@ -223,6 +236,7 @@ void CasePanel::showUnits(const FeResult::Contents& contents) {
 
 void CasePanel::showComponents(const FeResult* fe, const Components* components) {
     m_filling = true;
+    m_table->horizontalHeaderItem(Density)->setText(figures::shownUnit("kg/m3").name);
     m_table->clearSelection();
     m_table->setRowCount(components != nullptr ? static_cast<int>(components->list.size()) : 0);
     for (int row = 0; row < m_table->rowCount(); ++row) {
@@ -235,13 +249,14 @@ void CasePanel::showComponents(const FeResult* fe, const Components* components)
         m_table->setItem(row, Kind, cell(spokenText(component.kind), false));
         m_table->setItem(row, Elements, cell(shownCount(static_cast<std::int64_t>(component.elements.size())), true));
         m_table->setItem(row, Dead, cell(shownCount(dead), true));
-        auto* density = cell(shownNumber(component.density, 4), true);
+        auto* density = cell(shownIn(component.density, "kg/m3", 4), true);
         density->setFlags(density->flags() | Qt::ItemIsEditable);
         m_table->setItem(row, Density, density);
         const Vec3 size = component.bounds.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(component.bounds.sizes());
-        m_table->item(row, Name)->setToolTip(tr("%1: %2 t, %3 × %4 × %5 m")
-                                                 .arg(QString::fromStdString(component.name), shownNumber(component.mass / 1000.0),
-                                                      shownNumber(size.x()), shownNumber(size.y()), shownNumber(size.z())));
+        m_table->item(row, Name)->setToolTip(tr("%1: %2, %3 × %4 × %5")
+                                                 .arg(QString::fromStdString(component.name),
+                                                      shownWith(component.mass / 1000.0, "t"), shownIn(size.x(), "m"),
+                                                      shownIn(size.y(), "m"), shownLength(size.z())));
     }
     const int lines = std::min(12, std::max(1, m_table->rowCount()));
     m_table->setFixedHeight((lines + 1) * (m_table->fontMetrics().height() + 9) + 8);
@@ -273,19 +288,19 @@ void CasePanel::densityTyped(int row, int column) {
     const QString text = m_table->item(row, column)->text().trimmed();
     const QString key = QStringLiteral("component[%1].density").arg(QString::fromStdString(component.name));
     bool ok = false;
-    const double density = QLocale().toDouble(text, &ok);
+    const double density = typedIn(QLocale().toDouble(text, &ok), "kg/m3");
     const Parameter& parameter = *findParameter(key.toStdString()).first;
     m_filling = true;
-    m_table->item(row, column)->setText(shownNumber(component.density, 4));
+    m_table->item(row, column)->setText(shownIn(component.density, "kg/m3", 4));
     m_filling = false;
     if (text.isEmpty()) {
         emit edited(key, ParameterValue());
-    } else if (ok && density >= parameter.low && density <= parameter.high && text != shownNumber(component.density, 4)) {
+    } else if (ok && density >= parameter.low && density <= parameter.high && text != shownIn(component.density, "kg/m3", 4)) {
         emit edited(key, ParameterValue(density));
     } else if (!ok || density < parameter.low || density > parameter.high) {
-        setError(
-            tr("“%1” is not a density from %2 to %3 kg/m³.").arg(text, shownNumber(parameter.low), shownNumber(parameter.high, 5)),
-            tr("The density of %1 stays as it was.").arg(QString::fromStdString(component.name)));
+        setError(tr("“%1” is not a density from %2 to %3.")
+                     .arg(text, shownWith(parameter.low, "kg/m3"), shownWith(parameter.high, "kg/m3", 5)),
+                 tr("The density of %1 stays as it was.").arg(QString::fromStdString(component.name)));
     }
 }
 

@@ -26,6 +26,8 @@ public:
     void setContent(const std::shared_ptr<const FeResult>& fe, const std::shared_ptr<const Components>& components);
     /// The terrain and what was found when it was read, shown with the next content. @param terrain  null: there is none
     void setTerrain(const std::shared_ptr<const TerrainGrid>& terrain, const QString& path, const Findings& findings);
+    /// What is drawn around the structure. @param collided  debris falls on the meshes
+    void setSurroundings(bool orthophoto, std::size_t meshes, bool collided);
     void setScenario(const Scenario& scenario) override;
     void setEditable(bool editable) override;
     QStringList selectedComponents() const;
@@ -57,6 +59,7 @@ private:
     QLabel* m_velocity;
     QLabel* m_dead;
     QLabel* m_terrain;
+    QLabel* m_surroundings;
     QLabel* m_note;
     QTableWidget* m_table;
     RegroupForm* m_regroup;

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include "widgets/unit_label.h"
+#include "widgets/wording.h"
 
 namespace rubble::widgets {
 
@@ -24,7 +26,7 @@ ClipBar::ClipBar(QWidget* parent)
       m_direction(new QComboBox),
       m_slider(new QSlider(Qt::Horizontal)),
       m_place(new QLineEdit),
-      m_unit(new QLabel(tr("m"))),
+      m_unit(new UnitLabel(tr("m"))),
       m_flip(new QToolButton) {
     setObjectName(QStringLiteral("bottom"));
     setAccessibleName(tr("Cut"));
@@ -43,8 +45,7 @@ ClipBar::ClipBar(QWidget* parent)
     m_slider->setToolTip(tr("Moves the plane through the model"));
     m_place->setMaximumWidth(90);
     m_place->setAlignment(Qt::AlignRight);
-    m_place->setAccessibleName(tr("Place of the cut in m"));
-    m_unit->setObjectName(QStringLiteral("unit"));
+    m_place->setAccessibleName(tr("Place of the cut, typed"));
     m_flip->setText(tr("Other side"));
     m_flip->setToolTip(tr("Keep what was cut away, and cut away what was kept"));
     m_flip->setFocusPolicy(Qt::StrongFocus);
@@ -71,6 +72,13 @@ ClipBar::ClipBar(QWidget* parent)
         }
     });
     connect(close, &QToolButton::clicked, this, &ClipBar::closeRequested);
+}
+
+bool ClipBar::event(QEvent* event) {
+    if (event->type() == unitsChanged() && m_plane) {
+        showPlane();
+    }
+    return QFrame::event(event);
 }
 
 void ClipBar::setBounds(const Aabb& bounds, const Vec3& origin) {
@@ -146,8 +154,12 @@ void ClipBar::slid(int place) {
 }
 
 void ClipBar::typed() {
+    // What the field shows is rounded: leaving it untouched moves nothing.
+    if (m_plane && m_place->text() == shownPlace(placeOf() + m_origin.dot(axis()))) {
+        return;
+    }
     bool ok = false;
-    const double place = QLocale().toDouble(m_place->text(), &ok);
+    const double place = typedIn(QLocale().toDouble(m_place->text(), &ok), "m");
     if (m_plane && ok && std::isfinite(place)) {
         const double local = place - m_origin.dot(axis());
         if (std::abs(local - placeOf()) > 5e-4) {
@@ -169,9 +181,9 @@ void ClipBar::showPlane() {
     const auto [low, high] = reach();
     m_slider->setValue(static_cast<int>(std::lround(sliderSteps * std::clamp((placeOf() - low) / (high - low), 0.0, 1.0))));
     const double shift = m_origin.dot(along);
-    m_place->setText(QLocale().toString(placeOf() + shift, 'f', 2));
-    m_place->setToolTip(tr("Where the plane stands, m; the model reaches from %1 to %2")
-                            .arg(QLocale().toString(low + shift, 'f', 2), QLocale().toString(high + shift, 'f', 2)));
+    m_place->setText(shownPlace(placeOf() + shift));
+    m_place->setToolTip(tr("Where the plane stands; the model reaches from %1 to %2")
+                            .arg(shownLength(low + shift, 4), shownLength(high + shift, 4)));
     m_showing = false;
 }
 

@@ -14,6 +14,8 @@ class QToolButton;
 
 namespace rubble::widgets {
 
+class UnitLabel;
+
 /// Moves the plane that opens the model: along an axis or along the direction in which the views looked, by slider or by number.
 class ClipBar : public QFrame {
     Q_OBJECT
@@ -34,6 +36,9 @@ signals:
     void viewDirectionRequested();
     void closeRequested();
 
+protected:
+    bool event(QEvent* event) override;
+
 private:
     enum Direction { X, Y, Z, Free };
     void chooseDirection();
@@ -48,7 +53,7 @@ private:
     QComboBox* m_direction;
     QSlider* m_slider;
     QLineEdit* m_place;
-    QLabel* m_unit;
+    UnitLabel* m_unit;
     QToolButton* m_flip;
     Aabb m_bounds;
     Vec3 m_origin = Vec3::Zero();

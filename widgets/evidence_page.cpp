@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/survey_view.h"
 #include "widgets/theme.h"
 #include "widgets/view_widget.h"
 
@@ -26,6 +27,8 @@ EvidencePage::EvidencePage(QWidget* parent)
       m_photo(new PhotoView),
       m_model(new ViewWidget),
       m_splitter(new QSplitter(Qt::Horizontal)),
+      m_survey(new SurveyView),
+      m_surveyShown(new QToolButton),
       m_shows(new QButtonGroup(this)),
       m_beside(new QToolButton),
       m_slider(new QSlider(Qt::Horizontal)),
@@ -53,6 +56,8 @@ EvidencePage::EvidencePage(QWidget* parent)
     m_model->installEventFilter(this);
     m_model->hide();
     column->addWidget(m_splitter, 1);
+    column->addWidget(m_survey, 1);
+    m_survey->hide();
     connect(m_photo, &PhotoView::swipeMoved, this, [this](double share) {
         const QSignalBlocker blocker(m_slider);
         m_slider->setValue(static_cast<int>(std::lround(share * steps)));
@@ -102,8 +107,13 @@ QWidget* EvidencePage::buildTools() {
         tr("What the outline that is drawn encloses: debris, what rescuers moved, what is hidden, what is no debris"));
     m_mask->setFocusPolicy(Qt::TabFocus);
     add(m_draw, tr("Draw"), tr("Draw around it: click the corners, double-click or Enter closes, Backspace takes one back"));
+    // In a narrow window it gives way first: what is chosen stands in its list.
+    m_mask->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_mask->setMinimumContentsLength(9);
     row->addWidget(m_mask);
     row->addStretch();
+    add(m_surveyShown, tr("Survey"), tr("The difference map of the survey instead of the photograph"));
+    connect(m_surveyShown, &QToolButton::clicked, this, &EvidencePage::showSurvey);
     connect(m_shows, &QButtonGroup::idClicked, this, [this](int id) { setShow(static_cast<PhotoView::Show>(id)); });
     connect(m_beside, &QToolButton::clicked, this, &EvidencePage::setBeside);
     connect(m_slider, &QSlider::valueChanged, this, [this](int value) {
@@ -118,7 +128,19 @@ QWidget* EvidencePage::buildTools() {
     return bar;
 }
 
+void EvidencePage::setSurvey(const std::shared_ptr<const SurveyComparison>& comparison) {
+    m_survey->setComparison(comparison);
+}
+
+void EvidencePage::showSurvey(bool shown) {
+    m_surveyShown->setChecked(shown);
+    m_survey->setVisible(shown);
+    m_splitter->setVisible(!shown);
+    m_hint->setVisible(!shown && !m_hint->text().isEmpty());
+}
+
 void EvidencePage::setShow(PhotoView::Show show) {
+    showSurvey(false);
     m_shows->button(static_cast<int>(show))->setChecked(true);
     m_photo->setShow(show);
     const bool slides = show == PhotoView::Show::Swipe || show == PhotoView::Show::Blend;
@@ -137,6 +159,7 @@ void EvidencePage::setShow(PhotoView::Show show) {
 }
 
 void EvidencePage::setBeside(bool beside) {
+    showSurvey(false);
     m_beside->setChecked(beside);
     m_model->setVisible(beside);
     emit besideChanged(beside);
@@ -170,6 +193,9 @@ void EvidencePage::setTool(PhotoView::Tool tool, MaskClass kind) {
     m_draw->setChecked(tool == PhotoView::Tool::Mask);
     if (tool == PhotoView::Tool::Mask) {
         m_mask->setCurrentIndex(m_mask->findData(static_cast<int>(kind)));
+    }
+    if (tool != PhotoView::Tool::Look) {
+        showSurvey(false);
     }
     if (tool == PhotoView::Tool::Point && !beside()) {
         setBeside(true);

@@ -2,9 +2,11 @@
 
 #include <QWidget>
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "core/base/ids.h"
+#include "core/evidence/survey_comparison.h"
 #include "widgets/photo_view.h"
 
 class QButtonGroup;
@@ -16,6 +18,7 @@ class QToolButton;
 
 namespace rubble::widgets {
 
+class SurveyView;
 class ViewWidget;
 
 /// A photograph with the simulation over it, and beside it the model, in which the counterpart of a point is clicked.
@@ -37,6 +40,10 @@ public:
     void setTool(PhotoView::Tool tool, MaskClass kind = MaskClass::Debris);
     /// What is to be clicked next, in words.
     void setHint(const QString& hint);
+    /// The comparison with a survey that the difference map shows; null: none.
+    void setSurvey(const std::shared_ptr<const SurveyComparison>& comparison);
+    /// Whether the difference map stands here instead of the photograph.
+    void showSurvey(bool shown);
 
 signals:
     void showChanged(rubble::widgets::PhotoView::Show show);
@@ -55,6 +62,8 @@ private:
     PhotoView* m_photo;
     ViewWidget* m_model;
     QSplitter* m_splitter;
+    SurveyView* m_survey;
+    QToolButton* m_surveyShown;
     QButtonGroup* m_shows;
     QToolButton* m_beside;
     QSlider* m_slider;

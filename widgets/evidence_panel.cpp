@@ -12,9 +12,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "widgets/figures/shown_units.h"
 #include "widgets/number_field.h"
 #include "widgets/photo_pairs.h"
 #include "widgets/photo_view.h"
+#include "widgets/survey_box.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
 
@@ -105,13 +107,15 @@ EvidencePanel::EvidencePanel(QWidget* parent)
       m_compare(new QPushButton(tr("Compare"))),
       m_cancel(new QPushButton(tr("Cancel"))),
       m_whyNot(new QLabel),
-      m_agreement(new Notice) {
+      m_agreement(new Notice),
+      m_survey(new SurveyBox) {
     buildList();
     buildTime();
     buildPoints();
     buildCamera();
     buildMasks();
     buildAgreement();
+    addGroup(tr("Survey"))->addWide(m_survey);
     setContent({});
 }
 
@@ -195,9 +199,9 @@ void EvidencePanel::buildCamera() {
     m_radial->setAccessibleName(tr("Distortion"));
     group->addField(tr("distortion"), m_radial, {}, tr("Terms of radial distortion that are found from the points, 0 to 2"));
     group->addWide(m_verdict);
-    m_place = group->addValue(tr("position"), tr("m"), tr("Where the camera stood: x, y, z in the frame of the case, metres"));
-    m_placeSpread = group->addValue(tr("within (95 %)"), tr("m"),
-                                    tr("With 95 % confidence the camera stood within this of the position, metres"));
+    m_place = group->addValue(tr("position"), tr("m"), tr("Where the camera stood: x, y, z in the frame of the case"));
+    m_placeSpread =
+        group->addValue(tr("within (95 %)"), tr("m"), tr("With 95 % confidence the camera stood within this of the position"));
     m_turnSpread = group->addValue(tr("direction within"), tr("°"),
                                    tr("With 95 % confidence the camera looked within this of the direction found, degrees"));
     m_focalFound = group->addValue(tr("focal length"), tr("px"), tr("With its standard deviation where it was found, pixels"));
@@ -239,7 +243,8 @@ void EvidencePanel::buildAgreement() {
     PanelGroup* group = addGroup(tr("Agreement"));
     m_details.push_back(group);
     m_withFallen->setChecked(true);
-    m_withFallen->setToolTip(tr("Live elements that moved farther than 1 m are debris; else they only hide what lies behind them"));
+    m_withFallen->setToolTip(
+        tr("Live elements that moved farther than %1 are debris; else they only hide what lies behind them").arg(shownLength(1.0)));
     group->addWide(m_withFallen);
     m_compare->setObjectName(QStringLiteral("primary"));
     m_compare->setToolTip(
@@ -254,7 +259,7 @@ void EvidencePanel::buildAgreement() {
     m_iouMean = group->addValue(tr("as the camera allows"), {},
                                 tr("Mean and standard deviation of the overlap over the cameras that the match allows"));
     m_edge = group->addValue(tr("edges apart"), tr("m"),
-                             tr("Mean distance of the edges of the silhouettes at the distance of the debris, metres"));
+                             tr("Mean distance of the edges of the silhouettes at the distance of the debris"));
     m_edgePixels = group->addValue(QString(), tr("px"), tr("The same in pixels of the photograph"));
     m_overTime = group->addValue(tr("over its time"), {},
                                  tr("Least and greatest overlap from the earliest to the latest time of the photograph"));
@@ -350,10 +355,10 @@ void EvidencePanel::showCamera() {
     const CameraMatch& match = *m_content.match;
     QStringList place;
     for (int axis = 0; axis < 3; ++axis) {
-        place << QLocale().toString(match.camera.place[axis], 'f', match.placeRadius < 0.05 ? 2 : 1);
+        place << shownPlace(match.camera.place[axis], match.placeRadius < 0.05 ? 2 : 1);
     }
     m_place->setText(place.join(QStringLiteral("  ")));
-    m_placeSpread->setText(shownNumber(match.placeRadius, 2));
+    m_placeSpread->setText(shownIn(match.placeRadius, "m", 2));
     m_turnSpread->setText(shownNumber(match.turnRadius * 180.0 / std::numbers::pi, 2));
     const auto focal = std::find(match.found.begin(), match.found.end(), 6);
     const auto at = static_cast<Eigen::Index>(focal - match.found.begin());
@@ -362,8 +367,7 @@ void EvidencePanel::showCamera() {
     m_fit->setText(tr("%1 of %2").arg(QLocale().toString(match.rms, 'f', 1)).arg(match.used.size() - match.wrong().size()));
     // One pixel at the middle of the points, and the turn, bound what an edge there is worth.
     const double edge = std::hypot(match.sigma * match.distance / match.camera.focal, match.turnRadius * match.distance);
-    const QString worth =
-        tr("An edge %1 m away is certain to about %2 m.").arg(shownNumber(match.distance, 2), shownNumber(edge, 2));
+    const QString worth = tr("An edge %1 away is certain to about %2.").arg(shownLength(match.distance, 2), shownLength(edge, 2));
     switch (match.verdict) {
         case MatchVerdict::Good:
             m_verdict->set(Notice::Kind::Note, tr("Good match."), worth);
@@ -402,7 +406,8 @@ void EvidencePanel::showAgreement() {
     const auto text = [](const SpreadNumber& number) { return withSpread(number.best, number.spread); };
     m_iou->setText(made ? QLocale().toString(made->iou.best, 'f', 2) : QStringLiteral("–"));
     m_iouMean->setText(made ? withSpread(made->iou.mean, made->iou.spread) : QStringLiteral("–"));
-    m_edge->setText(made ? text(made->edgeMetres) : QStringLiteral("–"));
+    const double perMetre = figures::shownUnit("m").perSi;
+    m_edge->setText(made ? withSpread(perMetre * made->edgeMetres.best, perMetre * made->edgeMetres.spread) : QStringLiteral("–"));
     m_edgePixels->setText(made ? text(made->edgePixels) : QStringLiteral("–"));
     m_overTime->setText(made && made->iouOverTime ? tr("%1 to %2")
                                                         .arg(QLocale().toString((*made->iouOverTime)[0], 'f', 2),

@@ -17,6 +17,7 @@ namespace rubble::widgets {
 
 class NumberField;
 class PhotoPairs;
+class SurveyBox;
 
 /// Photographs of the site: what their files say, when they were taken, the point pairs and the camera that these give, and how far
 /// the simulated debris agrees with what is drawn. Shows what it is given; an edit leaves as a whole photograph.
@@ -49,6 +50,7 @@ public:
     void setAdding(bool adding);
     /// Whether fallen live structure counts as debris.
     bool withFallen() const;
+    SurveyBox& survey() { return *m_survey; }
 
 signals:
     void addRequested();
@@ -111,6 +113,7 @@ private:
     QLabel* m_edgePixels = nullptr;
     QLabel* m_overTime = nullptr;
     Notice* m_agreement;
+    SurveyBox* m_survey;
 };
 
 }  // namespace rubble::widgets

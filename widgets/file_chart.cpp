@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QSvgGenerator>
 
+#include "widgets/figures/shown_units.h"
 #include "widgets/theme.h"
 
 namespace rubble::widgets {
@@ -16,6 +17,7 @@ constexpr double fileTextShare = 9.0 / 72.0 / 6.3;
 }  // namespace
 
 void FileChart::paintPage(QPainter& painter, const QSize& pixels) const {
+    const figures::FileUnits inSi;
     // Drawn at the size of a window and scaled, so that points and lines grow with the text.
     const double width = 720.0;
     const double scale = pixels.width() / width;

@@ -55,9 +55,9 @@ void FragmentsPanel::setContent(const std::shared_ptr<const FragmentSet>& fragme
     const auto most =
         std::max_element(births.begin(), births.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     m_count->setText(shownCount(static_cast<std::int64_t>(fragments->size())));
-    m_mass->setText(shownNumber(mass / 1000.0, 4));
-    m_smallest->setText(QStringLiteral("%1 – %2").arg(shownNumber(light->mass), shownNumber(heavy->mass)));
-    m_fastest->setText(shownNumber(speed));
+    m_mass->setText(shownIn(mass / 1000.0, "t", 4));
+    m_smallest->setText(QStringLiteral("%1 – %2").arg(shownIn(light->mass, "kg"), shownIn(heavy->mass, "kg")));
+    m_fastest->setText(shownIn(speed, "m/s"));
     m_births->setText(shownCount(static_cast<std::int64_t>(births.size())));
     m_first->setText(QLocale().toString(births.begin()->first, 'f', 2));
     m_last->setText(QLocale().toString(births.rbegin()->first, 'f', 2));

@@ -12,6 +12,7 @@
 
 #include "core/clusters/grid_bounds.h"
 #include "widgets/calibration_plot.h"
+#include "widgets/figures/shown_units.h"
 #include "widgets/grid_words.h"
 #include "widgets/parameter_editor.h"
 #include "widgets/theme.h"
@@ -125,17 +126,17 @@ void GridPanel::buildSize() {
 void GridPanel::buildTable(PanelGroup* group) {
     m_table->setHorizontalHeaderLabels({tr("axis"), tr("d"), tr("size"), tr("size/d"), tr("fragment"), tr("comp.")});
     const std::array tips = {tr("Axis of the model"),
-                             tr("Mean distance of adjacent fragments, m"),
-                             tr("Chosen size of the Basic Grid, m"),
+                             tr("Mean distance of adjacent fragments"),
+                             tr("Chosen size of the Basic Grid"),
                              tr("Size over mean distance; the published method recommends two to three"),
-                             tr("Largest fragment: the least sensible size, m"),
-                             tr("Smallest component, m: along axes the greatest sensible size")};
+                             tr("Largest fragment: the least sensible size"),
+                             tr("Smallest component: along axes the greatest sensible size")};
     for (int column = 0; column < tableColumns; ++column) {
         m_table->horizontalHeaderItem(column)->setToolTip(tips[static_cast<std::size_t>(column)]);
         m_table->horizontalHeaderItem(column)->setTextAlignment(column == 0 ? Qt::AlignLeft : Qt::AlignRight);
     }
     m_table->verticalHeader()->hide();
-    m_table->setAccessibleName(tr("Sizes of the Basic Grid and their bounds, m"));
+    m_table->setAccessibleName(tr("Sizes of the Basic Grid and their bounds"));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_table->horizontalHeader()->setHighlightSections(false);
@@ -150,7 +151,7 @@ void GridPanel::buildTable(PanelGroup* group) {
     m_table->verticalHeader()->setDefaultSectionSize(line);
     m_table->setFixedHeight(4 * line + 4);
     group->addWide(m_table);
-    group->addNote(tr("metres; d is the mean distance of adjacent fragments"));
+    m_unitNote = group->addNote({});
 }
 
 void GridPanel::buildResult() {
@@ -218,6 +219,7 @@ void GridPanel::setPublishedCounts(const std::vector<PublishedCount>& counts) {
 }
 
 void GridPanel::setContent(const Content& content) {
+    m_unitNote->setText(tr("in %1; d is the mean distance of adjacent fragments").arg(figures::shownUnit("m").name));
     for (int row = 0; row < 3; ++row) {
         m_table->setItem(row, 0, figureCell(QString(QLatin1Char("xyz"[row])), Qt::AlignLeft | Qt::AlignVCenter));
         if (content.sizing == nullptr) {
@@ -245,8 +247,8 @@ void GridPanel::showReasons(const Content& content) {
 }
 
 void GridPanel::showAxis(int row, const AxisSizing& axis, const Content& content) {
-    const std::array texts = {shownNumber(axis.meanDistance), shownNumber(axis.size), multipleText(axis.multiple),
-                              shownNumber(axis.accuracyMin), shownNumber(axis.accuracyMax)};
+    const std::array texts = {shownIn(axis.meanDistance, "m"), shownIn(axis.size, "m"), multipleText(axis.multiple),
+                              shownIn(axis.accuracyMin, "m"), shownIn(axis.accuracyMax, "m")};
     for (int column = 1; column < tableColumns; ++column) {
         m_table->setItem(row, column, figureCell(texts[static_cast<std::size_t>(column - 1)]));
     }

@@ -83,6 +83,7 @@ private:
     Notice* m_multipleWhy;
     std::array<Notice*, 3> m_axisWhy{};
     QTableWidget* m_table;
+    QLabel* m_unitNote = nullptr;
     QLabel* m_fragments;
     QLabel* m_clusters;
     QLabel* m_perCluster;

@@ -17,14 +17,14 @@ QString tr(const char* text) {
 
 QString reasonByHand(QChar which, const AxisSizing& axis, bool byComponents, const QString& component) {
     if (axis.size < axis.accuracyMin * (1.0 - aBit)) {
-        return tr("%1: smaller than the largest fragment, %2 m, which then joins no group of its width.")
+        return tr("%1: smaller than the largest fragment, %2, which then joins no group of its width.")
             .arg(which)
-            .arg(shownNumber(axis.accuracyMin));
+            .arg(shownLength(axis.accuracyMin));
     }
     if (byComponents && axis.smallestComponent && axis.size > axis.accuracyMax * (1.0 + aBit)) {
-        return tr("%1: larger than the smallest component (%2, %3 m); clusters are split between components all the same.")
+        return tr("%1: larger than the smallest component (%2, %3); clusters are split between components all the same.")
             .arg(which)
-            .arg(component, shownNumber(axis.accuracyMax));
+            .arg(component, shownLength(axis.accuracyMax));
     }
     return {};
 }
@@ -35,8 +35,8 @@ QString axisReason(char name, const AxisSizing& axis, bool byHand, bool byCompon
     const QString component = axis.smallestComponent && components != nullptr
                                   ? QString::fromStdString(components->list[at(*axis.smallestComponent)].name)
                                   : tr("the smallest component");
-    const QString least = shownNumber(axis.accuracyMin);
-    const QString most = shownNumber(axis.accuracyMax);
+    const QString least = shownLength(axis.accuracyMin);
+    const QString most = shownLength(axis.accuracyMax);
     const QChar which = QLatin1Char(name);
     if (byHand) {
         return reasonByHand(which, axis, byComponents, component);
@@ -44,17 +44,17 @@ QString axisReason(char name, const AxisSizing& axis, bool byHand, bool byCompon
     switch (axis.clampedBy) {
         case ClampedBy::FragmentSize:
             return axis.accuracyMin > axis.accuracyMax
-                       ? tr("%1: the largest fragment (%2 m) exceeds the smallest component (%3, %4 m). Clusters stay within one "
+                       ? tr("%1: the largest fragment (%2) exceeds the smallest component (%3, %4). Clusters stay within one "
                             "component all the same.")
                              .arg(which)
                              .arg(least, component, most)
-                       : tr("%1: held at the largest fragment, %2 m.").arg(which).arg(least);
+                       : tr("%1: held at the largest fragment, %2.").arg(which).arg(least);
         case ClampedBy::ComponentSize:
-            return tr("%1: held at the smallest component (%2, %3 m).").arg(which).arg(component, most);
+            return tr("%1: held at the smallest component (%2, %3).").arg(which).arg(component, most);
         case ClampedBy::Spacing:
-            return tr("%1: the mean distance (%2 m) exceeds the smallest component (%3, %4 m).")
+            return tr("%1: the mean distance (%2) exceeds the smallest component (%3, %4).")
                 .arg(which)
-                .arg(shownNumber(axis.meanDistance), component, most);
+                .arg(shownLength(axis.meanDistance), component, most);
         case ClampedBy::None:
             break;
     }

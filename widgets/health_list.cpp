@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "widgets/figures/shown_units.h"
 #include "widgets/panel.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
@@ -41,9 +42,10 @@ QString placeOf(const HealthBreach& breach, const Vec3& origin) {
     QStringList parts;
     if (breach.body && breach.place.allFinite()) {
         const Vec3 p = breach.place + origin;
-        const auto metres = [](double value) { return QLocale().toString(value, 'f', 1); };
-        parts << HealthList::tr("body %1 at x %2, y %3, z %4 m")
-                     .arg(shownCount(static_cast<std::int64_t>(at(*breach.body))), metres(p.x()), metres(p.y()), metres(p.z()));
+        const auto metres = [](double value) { return shownPlace(value, 1); };
+        parts << HealthList::tr("body %1 at x %2, y %3, z %4 %5")
+                     .arg(shownCount(static_cast<std::int64_t>(at(*breach.body))), metres(p.x()), metres(p.y()), metres(p.z()),
+                          figures::shownUnit("m").name);
     }
     if (breach.bodies > 1) {
         parts << HealthList::tr("%1 bodies at worst").arg(shownCount(breach.bodies));

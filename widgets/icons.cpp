@@ -208,6 +208,13 @@ void drawDocumentSign(QPainter& p, Glyph glyph) {
             p.drawPolygon(polygon({{3, 8}, {7.5, 8}, {9, 5}, {15, 5}, {16.5, 8}, {21, 8}, {21, 19}, {3, 19}}));
             p.drawEllipse(QPointF(12, 13), 3.6, 3.6);
             break;
+        case Glyph::Report:
+            // A page with lines.
+            p.drawPolygon(polygon({{5, 3}, {15, 3}, {19, 7}, {19, 21}, {5, 21}}));
+            p.drawLine(QPointF(8, 10), QPointF(16, 10));
+            p.drawLine(QPointF(8, 13.5), QPointF(16, 13.5));
+            p.drawLine(QPointF(8, 17), QPointF(13, 17));
+            break;
         case Glyph::Open:
             p.drawPolygon(polygon({{3, 19}, {3, 5}, {9, 5}, {11, 8}, {20, 8}, {20, 19}}));
             p.drawLine(QPointF(3, 12), QPointF(20, 12));

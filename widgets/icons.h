@@ -14,6 +14,7 @@ enum class Glyph {
     Run,
     Accuracy,
     Evidence,
+    Report,
     Open,
     Save,
     Undo,

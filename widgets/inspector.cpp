@@ -25,7 +25,7 @@ QString seconds(double time) {
 }
 
 QString metres(double value) {
-    return QLocale().toString(value, 'f', 2);
+    return shownPlace(value);
 }
 
 QString placeText(const Vec3& p) {
@@ -142,8 +142,8 @@ void Inspector::showElement(const ElementFacts& facts) {
         restart(tr("Element %1").arg(element), component);
     }
     PanelGroup* solid = addGroup(tr("Element"));
-    addRow(solid, tr("mass"), shownNumber(facts.mass), tr("kg"), tr("Volume at rest times the density of its component"));
-    addRow(solid, tr("volume"), shownNumber(facts.volume), tr("m³"), tr("At rest"));
+    addRow(solid, tr("mass"), shownIn(facts.mass, "kg"), tr("kg"), tr("Volume at rest times the density of its component"));
+    addRow(solid, tr("volume"), shownIn(facts.volume, "m3"), tr("m³"), tr("At rest"));
     addRow(solid, tr("shape"), shownName(facts.shape), {}, tr("Shape of the finite element"));
     addRow(solid, tr("material"), shownName(facts.material), {},
            tr("Of its component; set in the component tree or the Case panel"));
@@ -178,7 +178,7 @@ void Inspector::addDeath(const ElementFacts& facts) {
 void Inspector::addJourney(const FragmentFacts& fragment) {
     PanelGroup* journey = addGroup(tr("Journey"));
     addRow(journey, tr("born at"), seconds(fragment.birthTime), tr("s"), tr("When it is shown and reported as a fragment"));
-    addRow(journey, tr("speed then"), shownNumber(fragment.birthSpeed), tr("m/s"), tr("Of its centre of mass"));
+    addRow(journey, tr("speed then"), shownIn(fragment.birthSpeed, "m/s"), tr("m/s"), tr("Of its centre of mass"));
     if (fragment.birthPlace) {
         addRow(journey, tr("birth x, y, z"), placeText(*fragment.birthPlace), tr("m"),
                tr("Centre of mass, as exported tables give it"));
@@ -197,7 +197,7 @@ void Inspector::addJourney(const FragmentFacts& fragment) {
     }
     if (fragment.path) {
         addRow(journey, tr("at rest from"), seconds(fragment.path->restTime), tr("s"),
-               tr("Since then it has stayed within 5 cm of its last place"));
+               tr("Since then it has stayed within %1 of its last place").arg(shownLength(0.05)));
     }
     if (fragment.cluster) {
         addRow(journey, tr("moved with cluster"), tr("%1 (%2)").arg(countOf(at(*fragment.cluster)), countOf(fragment.clusterSize)),
@@ -219,7 +219,7 @@ void Inspector::addJourney(const FragmentFacts& fragment) {
 void Inspector::addImpacts(const FragmentPath& path) {
     PanelGroup* group = addGroup(tr("Impacts"));
     if (path.impacts.empty()) {
-        group->addNote(tr("Nothing has changed its velocity by more than 1 m/s at once."));
+        group->addNote(tr("Nothing has changed its velocity by more than %1 at once.").arg(shownWith(1.0, "m/s")));
         return;
     }
     // The hardest are listed, in the order of time.
@@ -230,13 +230,13 @@ void Inspector::addImpacts(const FragmentPath& path) {
     std::sort(listed.begin(), listed.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
     for (const FragmentImpact& impact : listed) {
         auto* button = new QPushButton(
-            tr("%1 s   %2 m/s   %3").arg(seconds(impact.time), shownNumber(impact.speed), shownEnergy(impact.energy)));
+            tr("%1 s   %2   %3").arg(seconds(impact.time), shownWith(impact.speed, "m/s"), shownEnergy(impact.energy)));
         button->setFlat(true);
         button->setStyleSheet(QStringLiteral("text-align: left"));
         button->setToolTip(
             tr("Go to this hit: its time, the speed just before, the kinetic energy of the centre just before; the velocity "
-               "changed by %1 m/s")
-                .arg(shownNumber(impact.change)));
+               "changed by %1")
+                .arg(shownWith(impact.change, "m/s")));
         connect(button, &QPushButton::clicked, this, [this, time = impact.time] { emit timeRequested(time); });
         group->addWide(button);
     }
@@ -248,7 +248,7 @@ void Inspector::addImpacts(const FragmentPath& path) {
 void Inspector::showSums(const Sums& sums) {
     restart(tr("%1 elements").arg(countOf(sums.elements)), tr("selected"));
     PanelGroup* all = addGroup(tr("Together"));
-    addRow(all, tr("mass"), shownNumber(sums.mass / 1000.0), tr("t"), tr("At rest"));
+    addRow(all, tr("mass"), shownIn(sums.mass / 1000.0, "t"), tr("t"), tr("At rest"));
     addRow(all, tr("dead now"), countOf(sums.dead), {}, tr("Inactive in the FE result at the time shown"));
     addRow(all, tr("fragments"), countOf(sums.fragments), {}, tr("Elements that die in the course of the collapse"));
     if (sums.fragments > 0) {

@@ -4,6 +4,10 @@
 #include <QStyle>
 #include <cmath>
 
+#include "widgets/figures/shown_units.h"
+#include "widgets/unit_label.h"
+#include "widgets/wording.h"
+
 namespace rubble::widgets {
 
 namespace {
@@ -39,10 +43,17 @@ void NumberField::setNumber(std::optional<double> number) {
     m_number = number;
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    setText(number ? locale.toString(*number, 'g', 8) : QString());
+    setText(number ? locale.toString(*number * figures::shownUnit(m_unit).perSi, 'g', 8) : QString());
     setProperty("wrong", false);
     style()->unpolish(this);
     style()->polish(this);
+}
+
+bool NumberField::event(QEvent* event) {
+    if (event->type() == unitsChanged() && !m_unit.empty()) {
+        setNumber(m_number);
+    }
+    return QLineEdit::event(event);
 }
 
 void NumberField::take() {
@@ -51,7 +62,10 @@ void NumberField::take() {
     }
     setModified(false);
     const QString typed = text().trimmed();
-    const std::optional<double> number = parsed(typed);
+    std::optional<double> number = parsed(typed);
+    if (number) {
+        *number = typedIn(*number, m_unit);
+    }
     const bool good = typed.isEmpty() ? m_mayBeEmpty : number && *number >= m_low && *number <= m_high;
     setProperty("wrong", !good);
     style()->unpolish(this);

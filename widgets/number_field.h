@@ -3,6 +3,7 @@
 #include <QLineEdit>
 #include <limits>
 #include <optional>
+#include <string>
 
 namespace rubble::widgets {
 
@@ -18,6 +19,8 @@ public:
     void setRange(double low, double high);
     /// Nothing typed is an answer, shown as this.
     void setEmptyMeans(const QString& words);
+    /// The unit of the number, as figures::shownUnit(): typed and shown in the one that is shown in its place.
+    void setUnit(const std::string& unit) { m_unit = unit; }
     void setNumber(std::optional<double> number);
     std::optional<double> number() const { return m_number; }
 
@@ -25,9 +28,13 @@ signals:
     /// The user has set another number, or emptied the field.
     void edited(std::optional<double> number);
 
+protected:
+    bool event(QEvent* event) override;
+
 private:
     void take();
 
+    std::string m_unit;
     double m_low = -std::numeric_limits<double>::infinity();
     double m_high = std::numeric_limits<double>::infinity();
     bool m_mayBeEmpty = false;

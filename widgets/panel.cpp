@@ -10,6 +10,7 @@
 #include "widgets/prediction_box.h"
 #include "widgets/spoken_text.h"
 #include "widgets/theme.h"
+#include "widgets/unit_label.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
@@ -122,8 +123,7 @@ QLabel* PanelGroup::addValue(const QString& label, const QString& unit, const QS
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     value->setToolTip(tip);
     value->setAccessibleName(label);
-    auto* of = new QLabel(unit);
-    of->setObjectName(QStringLiteral("unit"));
+    auto* of = new UnitLabel(unit);
     m_grid->addWidget(name, row, 0);
     m_grid->addWidget(value, row, 1);
     m_grid->addWidget(of, row, 2);
@@ -137,8 +137,7 @@ ParameterEditor* PanelGroup::addParameter(const Parameter& parameter, const std:
     name->setWordWrap(true);
     name->setToolTip(editor->toolTip());
     name->setBuddy(editor);
-    auto* of = new QLabel(editor->unit());
-    of->setObjectName(QStringLiteral("unit"));
+    auto* of = new UnitLabel(editor->siUnit());
     m_grid->addWidget(name, row, 0);
     m_grid->addWidget(editor, row, 1);
     m_grid->addWidget(of, row, 2);
@@ -152,8 +151,7 @@ void PanelGroup::addField(const QString& label, QWidget* field, const QString& u
     name->setToolTip(tip);
     name->setBuddy(field);
     field->setToolTip(tip);
-    auto* of = new QLabel(unit);
-    of->setObjectName(QStringLiteral("unit"));
+    auto* of = new UnitLabel(unit);
     m_grid->addWidget(name, row, 0);
     m_grid->addWidget(field, row, 1);
     m_grid->addWidget(of, row, 2);

@@ -12,7 +12,9 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/figures/shown_units.h"
 #include "widgets/language.h"
+#include "widgets/unit_label.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
@@ -46,18 +48,38 @@ QString ParameterEditor::label() const {
 }
 
 QString ParameterEditor::unit() const {
-    return qt(m_row.unit)
-        .replace(QStringLiteral("x d"), QStringLiteral("× d"))
-        .replace(QStringLiteral("m2"), QStringLiteral("m²"))
-        .replace(QStringLiteral("m3"), QStringLiteral("m³"))
-        .replace(QStringLiteral("s2"), QStringLiteral("s²"));
+    return figures::shownUnit(siUnit().toStdString()).name;
+}
+
+QString ParameterEditor::siUnit() const {
+    return qt(m_row.unit).replace(QStringLiteral("x d"), QStringLiteral("× d"));
+}
+
+QString ParameterEditor::numberText(double value) const {
+    return QLocale().toString(value * figures::shownUnit(m_row.unit).perSi, 'g', 6);
+}
+
+QString ParameterEditor::textOf(const ParameterValue& value) const {
+    const auto* number = std::get_if<double>(&value);
+    return number != nullptr ? numberText(*number) : shownValue(value);
+}
+
+bool ParameterEditor::event(QEvent* event) {
+    if (event->type() == unitsChanged()) {
+        setToolTip(isEnabled() ? tip() : toolTip());
+        if (m_field != nullptr) {
+            show(m_value);
+        }
+        return true;
+    }
+    return QWidget::event(event);
 }
 
 QString ParameterEditor::tip() const {
     QString text = QStringLiteral("<p>") + said("parameters", m_row.help).toHtmlEscaped() + QStringLiteral("</p>");
     if (std::isfinite(m_row.low) || std::isfinite(m_row.high)) {
-        const QString low = std::isfinite(m_row.low) ? QLocale().toString(m_row.low, 'g', 6) : QStringLiteral("−∞");
-        const QString high = std::isfinite(m_row.high) ? QLocale().toString(m_row.high, 'g', 6) : QStringLiteral("∞");
+        const QString low = std::isfinite(m_row.low) ? numberText(m_row.low) : QStringLiteral("−∞");
+        const QString high = std::isfinite(m_row.high) ? numberText(m_row.high) : QStringLiteral("∞");
         text += QStringLiteral("<p>") + tr("From %1 to %2 %3").arg(low, high, unit()) + QStringLiteral("</p>");
     }
     return text + QStringLiteral("<p><i>") + key().toHtmlEscaped() + QStringLiteral("</i></p>");
@@ -188,7 +210,7 @@ void ParameterEditor::setValue(const ParameterValue& value) {
 }
 
 void ParameterEditor::setAutomaticValue(double value) {
-    setAutomaticText(std::isfinite(value) ? shownNumber(value, 3) : QString());
+    setAutomaticText(std::isfinite(value) ? shownIn(value, m_row.unit) : QString());
 }
 
 void ParameterEditor::setAutomaticText(const QString& text) {
@@ -229,7 +251,7 @@ void ParameterEditor::show(const ParameterValue& value) {
     if (const auto* text = std::get_if<std::string>(&value)) {
         m_field->setText(QString::fromStdString(*text));
     } else {
-        m_field->setText(automatic ? QString() : shownValue(value));
+        m_field->setText(automatic ? QString() : textOf(value));
     }
     m_field->setPlaceholderText(automatic ? (m_automatic.isEmpty() ? tr("auto") : m_automatic) : QString());
     if (m_auto != nullptr) {
@@ -275,14 +297,19 @@ void ParameterEditor::commitText() {
         refuse(tr("A whole number is needed."));
         return;
     }
+    number = typedIn(number, m_row.unit);
+    // A bound as it is shown is rounded.
+    for (const double bound : {m_row.low, m_row.high}) {
+        number = std::abs(number - bound) <= 1e-5 * std::abs(bound) ? bound : number;
+    }
     if (number < m_row.low || number > m_row.high) {
-        refuse(tr("Between %1 and %2, please.").arg(QLocale().toString(m_row.low, 'g', 6), QLocale().toString(m_row.high, 'g', 6)));
+        refuse(tr("Between %1 and %2, please.").arg(numberText(m_row.low), numberText(m_row.high)));
         return;
     }
     const ParameterValue typed =
         m_row.kind == ParameterKind::Integer ? ParameterValue(static_cast<std::int64_t>(number)) : ParameterValue(number);
     // What the field shows is rounded: leaving it untouched must not change the value.
-    const bool changed = typed != m_value && text != shownValue(m_value);
+    const bool changed = typed != m_value && text != textOf(m_value);
     show(changed ? typed : m_value);
     if (changed) {
         m_value = typed;

@@ -31,7 +31,9 @@ public:
     const Parameter& row() const { return m_row; }
     QString key() const;
     QString label() const;
+    /// The unit that is shown, and that of the row.
     QString unit() const;
+    QString siUnit() const;
     /// Shows a value without emitting edited().
     void setValue(const ParameterValue& value);
     /// What the automatic value comes to, shown while the value is automatic.
@@ -47,6 +49,9 @@ signals:
     /// The user settled on a value (never emitted by setValue).
     void edited(const QString& key, const rubble::ParameterValue& value);
 
+protected:
+    bool event(QEvent* event) override;
+
 private:
     void build();
     void buildField();
@@ -56,6 +61,8 @@ private:
     void refuse(const QString& why);
     void show(const ParameterValue& value);
     QString tip() const;
+    QString textOf(const ParameterValue& value) const;
+    QString numberText(double value) const;
 
     const Parameter& m_row;
     std::string m_subject;

@@ -14,6 +14,7 @@
 #include "widgets/number_field.h"
 #include "widgets/panel.h"
 #include "widgets/theme.h"
+#include "widgets/unit_label.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
@@ -99,16 +100,16 @@ PhotoPairs::PhotoPairs(QWidget* parent)
             m_numbers[f] = new NumberField(names[f]);
             m_numbers[f]->setRange(-farthest, farthest);
             m_numbers[f]->setToolTip(tip.arg(names[f]));
+            m_numbers[f]->setUnit(f < 2 ? std::string() : std::string("m"));
             m_numbers[f]->setMinimumWidth(40);
             connect(m_numbers[f], &NumberField::edited, this, [this, f](std::optional<double> value) { setNumber(f, *value); });
             grid->addWidget(m_numbers[f], row, static_cast<int>(f - first));
         }
-        auto* of = new QLabel(unit);
-        of->setObjectName(QStringLiteral("unit"));
+        auto* of = new UnitLabel(unit);
         grid->addWidget(of, row, 3);
     };
     addRow(1, 0, 2, tr("px"), tr("%1: where the photograph shows the point, pixels from the upper left corner"));
-    addRow(2, 2, 5, tr("m"), tr("%1 of the point of the model or survey, metres in the frame of the case"));
+    addRow(2, 2, 5, tr("m"), tr("%1 of the point of the model or survey, in the frame of the case"));
     column->addWidget(m_fields);
     connect(m_add, &QPushButton::clicked, this, &PhotoPairs::addToggled);
     connect(m_read, &QPushButton::clicked, this, &PhotoPairs::readRequested);

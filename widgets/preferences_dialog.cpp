@@ -10,21 +10,13 @@
 #include <QThread>
 #include <QVBoxLayout>
 
+#include "widgets/form_row.h"
 #include "widgets/language.h"
 #include "widgets/theme.h"
 
 namespace rubble::widgets {
 
 namespace {
-
-void addRow(QFormLayout& form, const QString& name, QWidget* editor, const QString& tip) {
-    auto* label = new QLabel(name);
-    label->setBuddy(editor);
-    label->setToolTip(tip);
-    editor->setToolTip(tip);
-    editor->setAccessibleName(name);
-    form.addRow(label, editor);
-}
 
 QLabel* headingOf(const QString& text) {
     auto* heading = new QLabel(text);
@@ -41,6 +33,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, QWidget* parent)
       m_language(new QComboBox),
       m_theme(new QComboBox),
       m_colours(new QComboBox),
+      m_units(new QComboBox),
       m_threads(new QSpinBox),
       m_memory(new QSpinBox),
       m_autosave(new QSpinBox),
@@ -94,7 +87,14 @@ void PreferencesDialog::buildLook(QFormLayout& form) {
     addRow(form, tr("Fragments and structure"), m_colours,
            tr("Colours of fragments on the active structure. Both pairs can be told apart by the colour-blind; yellow on dark grey "
               "also in print without colour"));
-    for (QComboBox* box : {m_language, m_theme, m_colours}) {
+    m_units->setObjectName(QStringLiteral("units"));
+    m_units->addItem(tr("SI: m, kg, s"), static_cast<int>(figures::UnitSet::Si));
+    m_units->addItem(tr("mm, t, s"), static_cast<int>(figures::UnitSet::MillimetreTonne));
+    m_units->addItem(tr("US customary: ft, lb, s"), static_cast<int>(figures::UnitSet::UsCustomary));
+    addRow(form, tr("Units on screen"), m_units,
+           tr("Units of quantities that panels, docks and views show and take. Cases, runs, tables and figures stay in SI, and so "
+              "do the comparisons of the Accuracy panel"));
+    for (QComboBox* box : {m_language, m_theme, m_colours, m_units}) {
         connect(box, &QComboBox::activated, this, &PreferencesDialog::take);
     }
 }
@@ -141,6 +141,7 @@ void PreferencesDialog::show(const Preferences& preferences) {
     m_language->setCurrentIndex(m_language->findData(preferences.language));
     m_theme->setCurrentIndex(m_theme->findData(preferences.theme));
     m_colours->setCurrentIndex(m_colours->findData(static_cast<int>(preferences.colours)));
+    m_units->setCurrentIndex(m_units->findData(static_cast<int>(preferences.units)));
     m_threads->setValue(preferences.threads);
     m_memory->setValue(preferences.memoryMib);
     m_autosave->setValue(preferences.autosaveSeconds);
@@ -156,6 +157,7 @@ void PreferencesDialog::take() {
     next.language = m_language->currentData().toString();
     next.theme = m_theme->currentData().toString();
     next.colours = static_cast<figures::ColourSet>(m_colours->currentData().toInt());
+    next.units = static_cast<figures::UnitSet>(m_units->currentData().toInt());
     next.threads = m_threads->value();
     next.memoryMib = m_memory->value();
     next.autosaveSeconds = m_autosave->value();

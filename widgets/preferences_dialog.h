@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "widgets/figures/palette.h"
+#include "widgets/figures/shown_units.h"
 
 class QCheckBox;
 class QComboBox;
@@ -18,10 +19,11 @@ struct Preferences {
     QString language = QStringLiteral("system");  ///< "system" or one of languageCodes()
     QString theme = QStringLiteral("system");     ///< "system", "light" or "dark"
     figures::ColourSet colours = figures::ColourSet::Vermilion;
-    int threads = 0;           ///< that one piece of work may use; 0: all of the machine
-    int memoryMib = 1024;      ///< MiB that states and frames may take, so that they need not be read again
-    int autosaveSeconds = 60;  ///< s between two autosaves; 0: none
-    bool keepCopies = false;   ///< of FE results that are read
+    figures::UnitSet units = figures::UnitSet::Si;  ///< of what is shown; files are in SI
+    int threads = 0;                                ///< that one piece of work may use; 0: all of the machine
+    int memoryMib = 2048;                           ///< MiB that states and frames may take, so that they need not be read again
+    int autosaveSeconds = 60;                       ///< s between two autosaves; 0: none
+    bool keepCopies = false;                        ///< of FE results that are read
 
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
@@ -56,6 +58,7 @@ private:
     QComboBox* m_language;
     QComboBox* m_theme;
     QComboBox* m_colours;
+    QComboBox* m_units;
     QSpinBox* m_threads;
     QSpinBox* m_memory;
     QSpinBox* m_autosave;

@@ -9,13 +9,16 @@
 #include <cmath>
 #include <optional>
 
+#include "widgets/figures/shown_units.h"
+#include "widgets/unit_label.h"
+
 namespace rubble::widgets {
 
 namespace {
 
-void fill(const std::array<QLineEdit*, 3>& fields, const Vec3& value) {
+void fill(const std::array<QLineEdit*, 3>& fields, const Vec3& value, double perSi) {
     for (int i = 0; i < 3; ++i) {
-        fields[static_cast<std::size_t>(i)]->setText(QLocale().toString(value[i], 'g', 6));
+        fields[static_cast<std::size_t>(i)]->setText(QLocale().toString(value[i] * perSi, 'g', 6));
     }
 }
 
@@ -31,6 +34,7 @@ RegroupForm::RegroupForm(QWidget* parent)
       m_name(new QLineEdit),
       m_nameLabel(new QLabel(tr("New name"))),
       m_cut(new QComboBox),
+      m_secondUnit(new UnitLabel({})),
       m_complaint(new QLabel) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -50,8 +54,8 @@ RegroupForm::RegroupForm(QWidget* parent)
     m_cut->addItem(tr("by a box"));
     m_cut->setAccessibleName(tr("How to split"));
     form->addWidget(m_cut);
-    m_firstRow = vectorRow(tr("Point"), m_first);
-    m_secondRow = vectorRow(tr("Normal"), m_second);
+    m_firstRow = vectorRow(tr("Point"), m_first, new UnitLabel(tr("m")));
+    m_secondRow = vectorRow(tr("Normal"), m_second, m_secondUnit);
     form->addWidget(m_firstRow);
     form->addWidget(m_secondRow);
     auto* nameRow = new QHBoxLayout;
@@ -86,7 +90,7 @@ RegroupForm::RegroupForm(QWidget* parent)
     setSelection({}, {});
 }
 
-QWidget* RegroupForm::vectorRow(const QString& label, std::array<QLineEdit*, 3>& fields) {
+QWidget* RegroupForm::vectorRow(const QString& label, std::array<QLineEdit*, 3>& fields, UnitLabel* unit) {
     auto* row = new QWidget;
     auto* line = new QHBoxLayout(row);
     line->setContentsMargins(0, 0, 0, 0);
@@ -98,10 +102,11 @@ QWidget* RegroupForm::vectorRow(const QString& label, std::array<QLineEdit*, 3>&
         auto* field = new QLineEdit;
         field->setAlignment(Qt::AlignRight);
         field->setPlaceholderText(QString(QLatin1Char("xyz"[i])));
-        field->setToolTip(tr("%1, m").arg(QLatin1Char("xyz"[i])));
+        field->setAccessibleName(tr("%1: %2").arg(label).arg(QLatin1Char("xyz"[i])));
         fields[static_cast<std::size_t>(i)] = field;
         line->addWidget(field, 2);
     }
+    line->addWidget(unit);
     return row;
 }
 
@@ -157,12 +162,14 @@ void RegroupForm::showCut() {
     // Pieces that hang together are numbered, not named.
     m_name->setVisible(cut != Cut::Connectivity);
     m_nameLabel->setVisible(cut != Cut::Connectivity);
-    m_firstRow->findChild<QLabel*>()->setText(cut == Cut::Box ? tr("From") : tr("Point"));
-    m_secondRow->findChild<QLabel*>()->setText(cut == Cut::Box ? tr("To") : tr("Normal"));
+    m_firstRow->findChild<QLabel*>(QStringLiteral("vectorName"))->setText(cut == Cut::Box ? tr("From") : tr("Point"));
+    m_secondRow->findChild<QLabel*>(QStringLiteral("vectorName"))->setText(cut == Cut::Box ? tr("To") : tr("Normal"));
+    m_secondUnit->setUnit(cut == Cut::Box ? tr("m") : QString());
     if (!m_bounds.isEmpty()) {
         const Vec3 centre = m_bounds.center();
-        fill(m_first, cut == Cut::Box ? Vec3(m_bounds.min()) : centre);
-        fill(m_second, cut == Cut::Box ? centre : Vec3(Vec3::UnitX()));
+        const double perMetre = figures::shownUnit("m").perSi;
+        fill(m_first, cut == Cut::Box ? Vec3(m_bounds.min()) : centre, perMetre);
+        fill(m_second, cut == Cut::Box ? centre : Vec3(Vec3::UnitX()), cut == Cut::Box ? perMetre : 1.0);
     }
 }
 
@@ -190,13 +197,15 @@ std::optional<RegroupStep> RegroupForm::splitStep() {
     if (cut == Cut::Connectivity) {
         return SplitByConnectivity{component};
     }
-    const auto first = vector(m_first);
-    const auto second = vector(m_second);
+    auto first = vector(m_first);
+    auto second = vector(m_second);
     if (!first || !second) {
-        refuse(tr("Three numbers are needed in each row, in metres."));
+        refuse(tr("Three numbers are needed in each row."));
         return std::nullopt;
     }
+    *first = *first / figures::shownUnit("m").perSi;
     if (cut == Cut::Box) {
+        *second = *second / figures::shownUnit("m").perSi;
         if (((*second - *first).array() <= 0.0).any()) {
             refuse(tr("“To” must lie beyond “From” along every axis."));
             return std::nullopt;

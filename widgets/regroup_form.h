@@ -14,6 +14,8 @@ class QStackedWidget;
 
 namespace rubble::widgets {
 
+class UnitLabel;
+
 /// Merge, rename or split the chosen components: three buttons and, once one is pressed, a small form in place.
 class RegroupForm : public QWidget {
     Q_OBJECT
@@ -38,7 +40,7 @@ private:
     void refuse(const QString& why);
     std::optional<Vec3> vector(const std::array<QLineEdit*, 3>& fields) const;
     std::optional<RegroupStep> splitStep();
-    QWidget* vectorRow(const QString& label, std::array<QLineEdit*, 3>& fields);
+    QWidget* vectorRow(const QString& label, std::array<QLineEdit*, 3>& fields, UnitLabel* unit);
 
     QPushButton* m_merge;
     QPushButton* m_rename;
@@ -48,6 +50,7 @@ private:
     QLineEdit* m_name;
     QLabel* m_nameLabel;
     QComboBox* m_cut;
+    UnitLabel* m_secondUnit;
     QWidget* m_firstRow;
     QWidget* m_secondRow;
     QLabel* m_complaint;

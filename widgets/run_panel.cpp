@@ -136,14 +136,14 @@ void RunPanel::setOutcome(const Outcome& outcome) {
     m_occupied->setText(
         QStringLiteral("%1 (%2)").arg(shownCount(r.births.occupied), shownShare(static_cast<double>(r.births.occupied) / sum, 0)));
     m_overlap->setText(shownEnergy(r.births.work));
-    m_penetration->setText(shownNumber(r.penetrationMax, 2));
+    m_penetration->setText(shownIn(r.penetrationMax, "m", 2));
     const auto islands = [](std::int64_t count, std::int64_t elements) {
         return tr("%1 (%2 elements)").arg(shownCount(count), shownCount(elements));
     };
     m_released->setText(islands(r.islands.released, r.islands.releasedElements));
     m_released->setToolTip(
-        tr("%1 kg; %2 released inside debris or structure; %3 still move at the end")
-            .arg(shownNumber(r.islands.releasedMass), shownCount(r.islands.occupied), shownCount(r.islands.stillMoving)));
+        tr("%1; %2 released inside debris or structure; %3 still move at the end")
+            .arg(shownWith(r.islands.releasedMass, "kg"), shownCount(r.islands.occupied), shownCount(r.islands.stillMoving)));
     m_islands->setText(islands(r.islands.held(), r.islands.elements - r.islands.releasedElements));
     m_ledger->setText(shownNumber(std::max({r.ledger.mass, r.ledger.momentum, r.ledger.angularMomentum}), 2));
     m_bodyLedger->setText(shownNumber(std::max({r.ledger.bodyMass, r.ledger.bodyMomentum, r.ledger.bodyAngularMomentum}), 2));

@@ -206,7 +206,7 @@ void ScenarioComparison::showResults(const ScenarioSide& left, const ScenarioSid
     row(tr("Step, mean"), tr("ms"), [](const RunEntry& run) { return shownNumber(run.msPerStep, 2); });
     row(tr("The end"), tr("s"), [](const RunEntry& run) { return QLocale().toString(run.endTime, 'f', 2); });
     row(tr("Asleep at the end"), {}, [](const RunEntry& run) { return shownShare(run.asleepAtEnd); });
-    row(tr("Highest speed"), tr("m/s"), [](const RunEntry& run) { return shownNumber(run.maxSpeed); });
+    row(tr("Highest speed"), tr("m/s"), [](const RunEntry& run) { return shownIn(run.maxSpeed, "m/s"); });
     row(tr("Bulking of the pile"), {}, [](const RunEntry& run) { return shownNumber(run.bulkingFactor); });
     row(tr("Energy drift"), {}, [](const RunEntry& run) { return shownShare(run.energyDrift, 2); });
     row(tr("Limits of health passed"), {}, [](const RunEntry& run) { return shownCount(run.breaches); });

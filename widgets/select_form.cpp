@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "widgets/theme.h"
+#include "widgets/unit_label.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
@@ -41,6 +42,9 @@ QLineEdit* SelectForm::addField(const QString& name, const QString& tip) {
 
 SelectForm::SelectForm(QWidget* parent) : QWidget(parent), m_component(new QComboBox), m_found(new QLabel) {
     const QString open = tr("empty: no bound");
+    // Long names widen the list that opens, not the form.
+    m_component->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_component->setMinimumContentsLength(10);
     m_component->setAccessibleName(tr("Component"));
     m_component->setToolTip(tr("Elements of this component"));
     m_bornFrom = addField(tr("Born from"), tr("Fragments born at or after this time, s; %1").arg(open));
@@ -58,8 +62,7 @@ SelectForm::SelectForm(QWidget* parent) : QWidget(parent), m_component(new QComb
             grid->addWidget(new QLabel(QStringLiteral("–")), row, 2);
             grid->addWidget(second, row, 3);
         }
-        auto* of = new QLabel(unit);
-        of->setObjectName(QStringLiteral("unit"));
+        auto* of = new UnitLabel(unit);
         grid->addWidget(of, row, 4);
     };
     put(0, tr("component"), m_component, nullptr, {});
@@ -68,7 +71,7 @@ SelectForm::SelectForm(QWidget* parent) : QWidget(parent), m_component(new QComb
     for (std::size_t i = 0; i < 3; ++i) {
         const QString axis(QLatin1Char(axes[i]));
         const QString tip =
-            tr("Centres with %1 within these bounds at the time shown, m, as exported tables give them; %2").arg(axis, open);
+            tr("Centres with %1 within these bounds at the time shown, counted as exported tables do; %2").arg(axis, open);
         m_low[i] = addField(tr("%1 from").arg(axis), tip);
         m_high[i] = addField(tr("%1 to").arg(axis), tip);
         put(3 + static_cast<int>(i), axis, m_low[i], m_high[i], tr("m"));
@@ -93,7 +96,6 @@ SelectForm::SelectForm(QWidget* parent) : QWidget(parent), m_component(new QComb
     m_found->setWordWrap(true);
     column->addWidget(m_found);
     column->addStretch();
-    setMinimumWidth(220);
     setComponents({});
 }
 
@@ -142,8 +144,12 @@ SelectForm::Criteria SelectForm::criteria() const {
         }
     }
     for (std::size_t i = 0; i < 3; ++i) {
-        criteria.low[i] = numberIn(m_low[i], m_low[i]->accessibleName(), complaint);
-        criteria.high[i] = numberIn(m_high[i], m_high[i]->accessibleName(), complaint);
+        const auto metres = [&](const QLineEdit* field) {
+            const auto typed = numberIn(field, field->accessibleName(), complaint);
+            return typed ? std::optional(typedIn(*typed, "m")) : std::nullopt;
+        };
+        criteria.low[i] = metres(m_low[i]);
+        criteria.high[i] = metres(m_high[i]);
     }
     m_found->setText(complaint);
     return criteria;

@@ -58,10 +58,14 @@ StartPage::StartPage(QWidget* parent)
     auto* open = new QPushButton(tr("Open…"));
     open->setObjectName(QStringLiteral("primary"));
     open->setToolTip(tr("Open a case (*.rubble) or an FE result (Ctrl+O)"));
+    auto* make = new QPushButton(tr("New case…"));
+    make->setObjectName(QStringLiteral("newCase"));
+    make->setToolTip(tr("Make a case from an FE result step by step (Ctrl+N)"));
     auto* tour = new QPushButton(tr("Take the tour"));
     tour->setObjectName(QStringLiteral("tour"));
     tour->setToolTip(tr("What the parts of this window are for, in five steps"));
     buttons->addWidget(open);
+    buttons->addWidget(make);
     buttons->addWidget(tour);
     m_activity->setObjectName(QStringLiteral("muted"));
     buttons->addWidget(m_activity, 1);
@@ -83,6 +87,7 @@ StartPage::StartPage(QWidget* parent)
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
+    connect(make, &QPushButton::clicked, this, &StartPage::newRequested);
     connect(tour, &QPushButton::clicked, this, &StartPage::tourRequested);
     setRecent({});
 }

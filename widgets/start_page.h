@@ -39,6 +39,8 @@ public:
 
 signals:
     void openRequested();
+    /// A case is to be made from an FE result.
+    void newRequested();
     void tourRequested();
     void recentChosen(const QString& path);
     void sampleChosen(const QString& path);

@@ -47,10 +47,13 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent) {
 }
 
 Timeline::Rows Timeline::rows() const {
-    const double label = fontMetrics().horizontalAdvance(m_bookmarks.empty() ? tr("computed") : tr("bookmarks")) + 24.0;
+    const double label = fontMetrics().horizontalAdvance(eventless()             ? tr("computed")
+                                                         : m_photographs.empty() ? tr("bookmarks")
+                                                                                 : tr("events")) +
+                         24.0;
     const double axis = height() - fontMetrics().height() - 10.0;
     const double signs = m_marks.empty() ? 0.0 : 18.0;
-    const double flags = m_bookmarks.empty() ? 0.0 : bookmarkRow;
+    const double flags = eventless() ? 0.0 : bookmarkRow;
     const double bar = axis - 8.0 - signs - flags;
     return {label, width() - 24.0, 12.0, bar - 16.0, bar - 8.0, bar, axis - 9.0 - signs, axis - 10.0, axis};
 }
@@ -167,6 +170,14 @@ bool Timeline::event(QEvent* event) {
             QToolTip::showText(help->globalPos(), tr("%1\n%2; double-click to change").arg(note, shownTime(mark.time)), this);
             return true;
         }
+        if (const auto photograph = photographAt(help->pos())) {
+            const PhotographTime& mark = m_photographs[*photograph];
+            QToolTip::showText(
+                help->globalPos(),
+                tr("Photograph %1\n%2 ± %3 s").arg(mark.name, shownTime(mark.time), QLocale().toString(mark.uncertainty, 'g', 3)),
+                this);
+            return true;
+        }
         if (const auto marks = marksAt(help->pos()); !marks.empty()) {
             QToolTip::showText(help->globalPos(), wordsOf(marks), this);
             return true;
@@ -190,6 +201,10 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
     }
     if (const auto bookmark = bookmarkAt(event->position())) {
         emit bookmarkChosen(*bookmark);
+        return;
+    }
+    if (const auto photograph = photographAt(event->position())) {
+        emit scrubbed(m_photographs[*photograph].time);
         return;
     }
     if ((event->modifiers() & Qt::ShiftModifier) != 0) {
@@ -342,13 +357,56 @@ void Timeline::paintAxis(QPainter& painter, const Rows& r) const {
 }
 
 void Timeline::setBookmarks(std::vector<TimeMark> bookmarks) {
-    const bool rowChanges = bookmarks.empty() != m_bookmarks.empty();
+    const bool before = eventless();
     m_bookmarks = std::move(bookmarks);
-    if (rowChanges) {
+    if (before != eventless()) {
         updateGeometry();
         groupSigns();
     }
     update();
+}
+
+void Timeline::setPhotographs(std::vector<PhotographTime> photographs) {
+    const bool before = eventless();
+    m_photographs = std::move(photographs);
+    if (before != eventless()) {
+        updateGeometry();
+        groupSigns();
+    }
+    update();
+}
+
+std::optional<std::size_t> Timeline::photographAt(const QPointF& point) const {
+    for (std::size_t i = m_photographs.size(); i-- > 0;) {
+        if (std::abs(point.x() - toX(m_photographs[i].time)) <= 7.0 &&
+            std::abs(point.y() - rows().bookmarks) <= bookmarkRow / 2.0) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+void Timeline::paintPhotographs(QPainter& painter, const Rows& r) const {
+    for (const PhotographTime& mark : m_photographs) {
+        if (mark.time < m_first || mark.time > m_last) {
+            continue;
+        }
+        const QPointF at(toX(mark.time), r.bookmarks);
+        painter.setPen(QPen(tints().muted, 1.2));
+        // How long the time may be off, as a line with ends.
+        const double from = toX(std::max(m_first, mark.time - mark.uncertainty));
+        const double to = toX(std::min(m_last, mark.time + mark.uncertainty));
+        if (to - from > 14.0) {
+            painter.drawLine(QPointF(from, at.y()), QPointF(to, at.y()));
+            painter.drawLine(QPointF(from, at.y() - 3), QPointF(from, at.y() + 3));
+            painter.drawLine(QPointF(to, at.y() - 3), QPointF(to, at.y() + 3));
+        }
+        painter.setPen(QPen(tints().text, 1.2));
+        painter.setBrush(palette().color(QPalette::Window));
+        painter.drawRect(QRectF(at.x() - 6.0, at.y() - 4.5, 12.0, 9.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(at, 2.2, 2.2);
+    }
 }
 
 void Timeline::setLoop(const std::optional<std::pair<double, double>>& range) {
@@ -381,11 +439,13 @@ std::optional<std::size_t> Timeline::bookmarkAt(const QPointF& point) const {
 }
 
 void Timeline::paintBookmarks(QPainter& painter, const Rows& r) const {
-    if (m_bookmarks.empty()) {
+    if (eventless()) {
         return;
     }
     painter.setPen(tints().muted);
-    painter.drawText(QPointF(12, r.bookmarks + painter.fontMetrics().ascent() / 2.0 - 1.0), tr("bookmarks"));
+    painter.drawText(QPointF(12, r.bookmarks + painter.fontMetrics().ascent() / 2.0 - 1.0),
+                     m_photographs.empty() ? tr("bookmarks") : tr("events"));
+    paintPhotographs(painter, r);
     for (std::size_t i = 0; i < m_bookmarks.size(); ++i) {
         const QPointF at = flagOf(i);
         painter.setPen(QPen(tints().accent, 1.2));

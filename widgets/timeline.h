@@ -22,6 +22,13 @@ struct TimeMark {
     QString note;
 };
 
+/// When a photograph was taken, as far as that is known.
+struct PhotographTime {
+    double time = 0.0;         ///< s
+    double uncertainty = 0.0;  ///< s, as much before as after
+    QString name;
+};
+
 /// Deaths over time as an area, what is computed as a bar that grows, breaches of health as intervals with a warning sign, the end
 /// of the FE result as a dashed line, bookmarks as flags, the range that playback goes round as a band, one playhead. Emits
 /// scrubbed() while the mouse drags, loopDragged() with Shift, markChosen() when a warning sign is clicked. Times in s, on the
@@ -45,6 +52,9 @@ public:
 
     /// Bookmarks in the order of their times; the row goes when there are none.
     void setBookmarks(std::vector<TimeMark> bookmarks);
+    /// Times of photographs, as small frames in the row of the bookmarks; a click goes there.
+    void setPhotographs(std::vector<PhotographTime> photographs);
+    std::optional<std::size_t> photographAt(const QPointF& point) const;
     /// The range that playback goes round; unset: none.
     void setLoop(const std::optional<std::pair<double, double>>& range);
     /// Labels of the axis count from here.
@@ -61,7 +71,7 @@ public:
     std::vector<std::size_t> marksAt(const QPointF& point) const;
     /// Centre of the sign of a mark.
     QPointF signOf(std::size_t mark) const;
-    QSize sizeHint() const override { return {600, 116 + (m_bookmarks.empty() ? 0 : bookmarkRow)}; }
+    QSize sizeHint() const override { return {600, 116 + (eventless() ? 0 : bookmarkRow)}; }
     QSize minimumSizeHint() const override { return {240, 96}; }
 
 signals:
@@ -84,6 +94,7 @@ protected:
 
 private:
     static constexpr int bookmarkRow = 16;  // px
+    bool eventless() const { return m_bookmarks.empty() && m_photographs.empty(); }
     struct Rows;
     Rows rows() const;
     void paintDeaths(QPainter& painter, const Rows& rows) const;
@@ -92,6 +103,7 @@ private:
     void paintMarks(QPainter& painter, const Rows& rows) const;
     void paintHealth(QPainter& painter, const Rows& rows) const;
     void paintBookmarks(QPainter& painter, const Rows& rows) const;
+    void paintPhotographs(QPainter& painter, const Rows& rows) const;
     void paintLoop(QPainter& painter, const Rows& rows) const;
     /// A time as the axis counts it: "4.88 s".
     QString shownTime(double time) const;
@@ -114,6 +126,7 @@ private:
     };
     std::vector<Sign> m_signs;
     std::vector<TimeMark> m_bookmarks;
+    std::vector<PhotographTime> m_photographs;
     std::optional<std::pair<double, double>> m_loop;
     double m_origin = 0.0;
     bool m_scrubbing = false;

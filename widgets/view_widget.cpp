@@ -131,6 +131,11 @@ void ViewWidget::setData(const render::SceneData& scene) {
     update();
 }
 
+void ViewWidget::setOther(const render::SceneData& scene, const std::string& scenario) {
+    m_scene.setOther(scene, scenario);
+    update();
+}
+
 void ViewWidget::setView(const render::View& view) {
     if (view == m_view) {
         return;

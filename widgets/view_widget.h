@@ -30,6 +30,9 @@ public:
 
     void setData(const render::SceneData& scene);
     const render::SceneData& data() const { return m_scene.data(); }
+    /// As Scene::setOther().
+    void setOther(const render::SceneData& scene, const std::string& scenario);
+    const render::SceneData& other() const { return m_scene.dataOf(render::PaneContent::Other); }
     /// As Scene::bounds().
     Aabb bounds() const { return m_scene.bounds(); }
     const render::View& view() const { return m_view; }
@@ -108,7 +111,7 @@ private:
     void band(const QRect& rectangle);
     void setSelection(std::vector<ElementIndex> selection);
     void setCamera(std::size_t index, const render::Camera& camera);
-    using Cameras = std::array<render::Camera, render::paneContents>;
+    using Cameras = std::array<render::Camera, render::paneCameras>;
     void flyTo(const Cameras& cameras);
     void stepFlight();
     void releaseGraphics();

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/figures/shown_units.h"
 #include "widgets/language.h"
 #include "widgets/spoken_text.h"
 
@@ -36,14 +37,15 @@ QString patternOf(const std::string& english) {
 
 QString shownArgument(const Argument& argument) {
     QString text;
+    const figures::ShownUnit unit = figures::shownUnit(argument.unit);
     if (const auto* words = std::get_if<std::string>(&argument.value)) {
         text = spokenText(*words);
     } else if (const auto* whole = std::get_if<std::int64_t>(&argument.value)) {
         text = shownCount(*whole);
     } else {
-        text = shownNumber(std::get<double>(argument.value), 4);
+        text = shownNumber(std::get<double>(argument.value) * unit.perSi, 4);
     }
-    return argument.unit.empty() ? text : text + QChar(0x00A0) + QString::fromStdString(argument.unit);
+    return argument.unit.empty() ? text : text + QChar(0x00A0) + unit.name;
 }
 
 }  // namespace
@@ -92,7 +94,33 @@ QString shownNumber(double value, int significant) {
     return locale.toString(value, 'f', std::max(0, significant - power - 1));
 }
 
+QString shownIn(double value, std::string_view unit, int significant) {
+    return shownNumber(value * figures::shownUnit(unit).perSi, significant);
+}
+
+QString shownWith(double value, std::string_view unit, int significant) {
+    return shownIn(value, unit, significant) + QChar(0x00A0) + figures::shownUnit(unit).name;
+}
+
+QString shownLength(double metres, int significant) {
+    return shownWith(metres, "m", significant);
+}
+
+QString shownPlace(double metres, int decimals) {
+    const double perSi = figures::shownUnit("m").perSi;
+    // A thousandth of a metre is a whole millimetre.
+    const int fewer = static_cast<int>(std::lround(std::floor(std::log10(perSi) + 1e-9)));
+    return QLocale().toString(metres * perSi, 'f', std::max(0, decimals - fewer));
+}
+
+double typedIn(double shown, std::string_view unit) {
+    return shown / figures::shownUnit(unit).perSi;
+}
+
 QString shownEnergy(double joules) {
+    if (figures::unitSet() != figures::UnitSet::Si) {
+        return shownWith(joules, "J");
+    }
     static constexpr std::array units = {"J", "kJ", "MJ", "GJ", "TJ"};
     std::size_t unit = 0;
     while (std::abs(joules) >= 1000.0 && unit + 1 < units.size()) {

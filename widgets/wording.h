@@ -15,6 +15,15 @@ QString worded(const Message& message);
 /// A number rounded to the significant digits it deserves, with the locale's decimal sign and grouping; powers of ten where it is
 /// very small or large; an en dash for NaN and infinity.
 QString shownNumber(double value, int significant = 3);
+/// A quantity in the units that are shown, without and with their name: "3.28", "3.28 ft". @param unit as figures::shownUnit()
+QString shownIn(double value, std::string_view unit, int significant = 3);
+QString shownWith(double value, std::string_view unit, int significant = 3);
+/// A length, m: "1.2 m".
+QString shownLength(double metres, int significant = 3);
+/// With so many decimals as it has in metres: places are compared digit by digit.
+QString shownPlace(double metres, int decimals = 2);
+/// Numbers typed in the units that are shown, in SI.
+double typedIn(double shown, std::string_view unit);
 /// An energy in the unit that keeps its number readable: "7.89 GJ".
 QString shownEnergy(double joules);
 /// A whole number with the locale's grouping.

@@ -7,6 +7,7 @@
 #include "app/cli/output_file.h"
 #include "app/cli/published_tables.h"
 #include "app/cli/study_options.h"
+#include "app/cli/study_place.h"
 #include "core/analysis/sweep_table.h"
 #include "core/base/error.h"
 #include "io/files.h"
@@ -86,6 +87,15 @@ void writeErrors(const Arguments& arguments, const AccuracyOutput& output) {
     }
 }
 
+/// Why a world that was to be made alone was not.
+std::string failureOf(const AccuracyReport& report) {
+    std::string text = englishText(report.reference.failure);
+    for (const AccuracyPoint& point : report.points) {
+        text = text.empty() ? englishText(point.failure) : text;
+    }
+    return text;
+}
+
 ExitCode exitCodeOf(const AccuracyReport& report, Session& session) {
     if (report.complete) {
         return ExitCode::Ok;
@@ -99,7 +109,9 @@ ExitCode exitCodeOf(const AccuracyReport& report, Session& session) {
 }
 
 ExitCode measureAccuracy(const Arguments& arguments, Session& session) {
+    const StudyPlace place(arguments);
     AccuracyOptions options = parseOptions(arguments);
+    options.choice = place.choice();
     const Subject subject = openSubject(arguments, session);
     checkCsvPath(arguments, subject.files);
     if (const auto path = arguments.value("--errors")) {
@@ -110,7 +122,7 @@ ExitCode measureAccuracy(const Arguments& arguments, Session& session) {
     io::StudyFiles files(arguments.value("--cache").value_or(io::cacheFolder()));
     options.store = &files;
     LiveDisplay display;
-    if (!arguments.has("--no-fps")) {
+    if (!arguments.has("--no-fps") && options.choice.all()) {
         options.screen = display.screenMaker();
     }
     Findings kept;
@@ -118,7 +130,25 @@ ExitCode measureAccuracy(const Arguments& arguments, Session& session) {
     const WorldOrigin reference = originOf(subject.inputs, referenceScenario(subject.scenario), 0, 0.0, options.machine);
     const Digest scene = sceneDigest(reference, options.study.instant);
     const std::vector<KnownPoint> earlier = files.points(scene, kept);
+    if (place.elsewhere() && options.simulated) {
+        StudyPlace::Study study{accuracyTasks(subject.inputs, subject.scenario, settings, options, session.execution()),
+                                files.folder(),
+                                false,
+                                [&](const WorldOrigin& origin) {
+                                    Findings said;
+                                    return files.world(origin, said).has_value();
+                                },
+                                {},
+                                subject.files};
+        study.needs = needsOf(subject, study.tasks, options.study.threads);
+        if (const auto ended = place.haveMade(std::move(study), session)) {
+            return *ended;
+        }
+    }
     AccuracyReport report = accuracyStudy(subject.inputs, subject.scenario, settings, options, session.execution());
+    if (place.single()) {
+        return place.endSingle(files.folder(), false, failureOf(report), report.findings, session);
+    }
     io::keepPoints(files, report);
     report.findings.append(kept);
 
@@ -166,6 +196,9 @@ Command accuracyCommand() {
         {"--errors", "FILE", false, "write the error of every fragment in every setting"},
     };
     for (const Option& option : studyOptions()) {
+        options.push_back(option);
+    }
+    for (const Option& option : StudyPlace::options()) {
         options.push_back(option);
     }
     options.push_back(csvOption("write one row for the reference, the floor and each setting"));

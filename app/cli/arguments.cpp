@@ -12,9 +12,20 @@ Message seeHelp(const Command& command) {
     return {"cli.see_help", "See rubble-cli {0} --help.", {command.name}};
 }
 
+/// "CASE...": one or more.
+bool takesMany(const Command& command) {
+    return command.operand.ends_with("...");
+}
+
 std::size_t operandCount(const Command& command) {
     const auto blanks = std::count(command.operand.begin(), command.operand.end(), ' ');
     return command.operand.empty() ? 0 : static_cast<std::size_t>(blanks) + 1;
+}
+
+/// Those in brackets may be missing.
+std::size_t operandsNeeded(const Command& command) {
+    const auto optional = std::count(command.operand.begin(), command.operand.end(), '[');
+    return operandCount(command) - static_cast<std::size_t>(optional);
 }
 
 }  // namespace
@@ -30,7 +41,8 @@ Arguments::Arguments(const Command& command, std::span<const std::string> words)
             takeOperand(words[i]);
         }
     }
-    if (m_operands.size() < operandCount(command) && !has("--help")) {
+    // Help, and lists of what a command knows, need no file.
+    if (m_operands.size() < operandsNeeded(command) && !has("--help") && !has("--list")) {
         throw UsageError({"cli.operand_missing", "rubble-cli {0} needs a file: {1}.", {command.name, command.operand}},
                          seeHelp(command));
     }
@@ -56,7 +68,7 @@ const Option& Arguments::findOption(std::string_view name) const {
 }
 
 void Arguments::takeOperand(const std::string& word) {
-    if (m_operands.size() >= operandCount(*m_command)) {
+    if (m_operands.size() >= operandCount(*m_command) && !takesMany(*m_command)) {
         throw UsageError({"cli.operand_surplus", "rubble-cli {0} cannot use \"{1}\" here.", {m_command->name, word}},
                          seeHelp(*m_command));
     }

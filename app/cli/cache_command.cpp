@@ -18,7 +18,7 @@ std::vector<std::string> kindsOf(const Arguments& arguments) {
     for (const std::string& kind : kinds) {
         const auto& known = io::cacheKinds();
         if (std::find(known.begin(), known.end(), kind) == known.end()) {
-            throw wrongValue("--only", kind, "fe, worlds, costs, points or calibration");
+            throw wrongValue("--only", kind, "fe, worlds, islands, costs, points or calibration");
         }
     }
     return kinds;
@@ -72,16 +72,16 @@ ExitCode cache(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command cacheCommand() {
-    return {
-        "cache",
-        "list|clear",
-        "what is kept to be quicker next time, and how to get rid of it",
-        "Copies of FE results (kind fe) and what studies keep: worlds, costs, points and the calibration of the machine. All of it "
-        "can be made again.",
-        {{"--only", "KIND", true, "this kind alone: fe, worlds, costs, points or calibration"},
-         {"--cache", "FOLDER", false, "another folder than $RUBBLE_CACHE, $XDG_CACHE_HOME/rubble or ~/.cache/rubble"},
-         csvOption("write the table")},
-        cache};
+    return {"cache",
+            "list|clear",
+            "what is kept to be quicker next time, and how to get rid of it",
+            "Copies of FE results (kind fe) and what studies keep: worlds, islands, costs, points and the calibration of the "
+            "machine. All of it "
+            "can be made again.",
+            {{"--only", "KIND", true, "this kind alone: fe, worlds, islands, costs, points or calibration"},
+             {"--cache", "FOLDER", false, "another folder than $RUBBLE_CACHE, $XDG_CACHE_HOME/rubble or ~/.cache/rubble"},
+             csvOption("write the table")},
+            cache};
 }
 
 }  // namespace rubble::cli

@@ -7,6 +7,7 @@
 #include "app/cli/interruption.h"
 #include "app/cli/json_output.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/self_description.h"
 #include "app/cli/session.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
@@ -36,6 +37,8 @@ void printOverview(std::ostream& out) {
         out << "  " << padded(usageOf(command), 30) << command.summary << '\n';
     }
     out << "  " << padded("rubble-cli --version", 30) << "print the version and the build\n"
+        << "  " << padded("rubble-cli --man-page", 30) << "print the page for man\n"
+        << "  " << padded("rubble-cli --completion", 30) << "print the completion for bash: eval \"$(rubble-cli --completion)\"\n"
         << "\nrubble-cli COMMAND --help lists the options of a command.\n"
         << exitCodesText;
 }
@@ -84,6 +87,10 @@ public:
         }
         if (first == "--version") {
             m_out << "rubble-cli " << versionText() << " (" << buildText() << ")\n";
+            return ExitCode::Ok;
+        }
+        if (first == "--man-page" || first == "--completion") {
+            m_out << (first == "--man-page" ? manPageText() : completionText());
             return ExitCode::Ok;
         }
         const Command& command = findCommand(first);

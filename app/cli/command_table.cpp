@@ -1,13 +1,15 @@
 #include "app/cli/commands.h"
+#include "app/cli/ensemble_commands.h"
 
 namespace rubble::cli {
 
 const std::vector<Command>& commandTable() {
     static const std::vector<Command> table = [] {
-        std::vector<Command> rows{inspectCommand(),     sizeCommand(),      effectsCommand(),   runCommand(),   influenceCommand(),
-                                  accuracyCommand(),    calibrateCommand(), convertCommand(),   cacheCommand(), exportCommand(),
-                                  figureCommand(),      mapCommand(),       cameraCommand(),    photoCommand(), verifyCommand(),
-                                  acknowledgeCommand(), selfTestCommand(),  parametersCommand()};
+        std::vector<Command> rows{
+            inspectCommand(),   sizeCommand(),    effectsCommand(), runCommand(),         influenceCommand(), accuracyCommand(),
+            calibrateCommand(), convertCommand(), cacheCommand(),   jobsCommand(),        exportCommand(),    figureCommand(),
+            movieCommand(),     mapCommand(),     cameraCommand(),  photoCommand(),       surveyCommand(),    reportCommand(),
+            ensembleCommand(),  compareCommand(), verifyCommand(),  acknowledgeCommand(), selfTestCommand(),  parametersCommand()};
         for (Command& row : rows) {
             row.options.push_back(jsonOption());
             row.options.push_back(helpOption());

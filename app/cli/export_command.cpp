@@ -4,6 +4,7 @@
 #include "app/cli/json_output.h"
 #include "app/cli/output_file.h"
 #include "app/cli/run_inputs.h"
+#include "app/cli/text_table.h"
 #include "core/base/error.h"
 
 namespace rubble::cli {
@@ -31,7 +32,26 @@ void reportFiles(const Arguments& arguments, Session& session, const io::RunRead
     }
 }
 
+ExitCode listKinds(const Arguments& arguments, Session& session) {
+    TextTable table({{"kind", "kind"}, {"files", "endings"}, {"content", "content"}, {"opened by", "readers"}});
+    Json kinds = Json::array();
+    for (const ExportKind& kind : exportKinds()) {
+        table.add({textCell(std::string(kind.name)), textCell(std::string(kind.endings)), textCell(std::string(kind.content)),
+                   textCell(std::string(kind.readers))});
+        kinds.push_back({{"kind", kind.name}, {"endings", kind.endings}, {"content", kind.content}, {"readers", kind.readers}});
+    }
+    if (arguments.json()) {
+        printJson(session, Json{{"kinds", std::move(kinds)}});
+    } else {
+        table.print(session.out());
+    }
+    return ExitCode::Ok;
+}
+
 ExitCode exportRun(const Arguments& arguments, Session& session) {
+    if (arguments.has("--list")) {
+        return listKinds(arguments, session);
+    }
     const std::vector<std::string> inputs{arguments.operand()};
     const ExportRequest exports(arguments, inputs);
     if (exports.empty()) {
@@ -53,8 +73,9 @@ ExitCode figure(const Arguments& arguments, Session& session) {
     const std::optional<std::string> path = arguments.value("--out");
     if (!path) {
         throw UsageError({"cli.no_figure", "rubble-cli figure does not know where to write.", {}},
-                         {"cli.no_figure.remedy", "Name the picture: --out F.png.", {}});
+                         {"cli.no_figure.remedy", "Name the picture: --out F.png, F.svg or F.pdf.", {}});
     }
+    FigureRequest::checkFormat("--out", *path);
     checkOutputPath(*path, std::vector<std::string>{arguments.operand()});
     const std::shared_ptr<io::RunReader> run = io::openRun(arguments.operand());
     request.write(*path, run, openInputsOfRun(run->origin(), arguments, session));
@@ -81,19 +102,24 @@ std::vector<Option> withMapOptions(std::vector<Option> options) {
 Command exportCommand() {
     return {"export",
             "RUN",
-            "tables, ParaView series and figures of a run",
+            "tables, maps, figures, ParaView and glTF files of a run",
             "Writes files from a recorded run. The FE file is found by its path and SHA-256.",
-            withMapOptions(withFigureOptions({ExportRequest::option(), feOption(), runTerrainOption()})),
+            withMapOptions(withFigureOptions({ExportRequest::option(),
+                                              {"--list", "", false, "print the kinds, and what opens them"},
+                                              feOption(),
+                                              runTerrainOption()})),
             exportRun};
 }
 
 Command figureCommand() {
-    return {"figure",
-            "RUN",
-            "one picture of a run at one instant",
-            "Draws the conventional FE view, the fragment view or both. Where no display answers, Xvfb is started for the purpose.",
-            withFigureOptions({{"--out", "F.png", false, "the picture to write"}, feOption(), runTerrainOption()}),
-            figure};
+    return {
+        "figure",
+        "RUN",
+        "one figure of a run for print: PNG, SVG or PDF",
+        "Draws the conventional FE view, the fragment view or both at one instant, or the arrangement of a published figure. The "
+        "file carries what it was made from. Where no display answers, Xvfb is started for the purpose.",
+        withFigureOptions({{"--out", "FILE", false, "the figure to write: .png, .svg or .pdf"}, feOption(), runTerrainOption()}),
+        figure};
 }
 
 }  // namespace rubble::cli

@@ -1,6 +1,7 @@
 #include "app/cli/export_request.h"
 
 #include <algorithm>
+#include <array>
 
 #include "app/cli/option_value.h"
 #include "app/cli/output_file.h"
@@ -9,65 +10,93 @@
 
 namespace rubble::cli {
 
+std::span<const ExportKind> exportKinds() {
+    static constexpr std::array<ExportKind, 7> kinds{
+        {{"fragments", "*.csv", "table of all fragments: birth, rest, speeds, mass", "any spreadsheet, pandas, R"},
+         {"series", "*.pvd", "fragments and structure over time, a folder of VTU files", "ParaView, VisIt, VTK"},
+         {"bodies", "*.xdmf", "bodies as points over time, read out of the run file itself", "ParaView, VisIt"},
+         {"gltf", "*.glb", "fragments with their motion, glTF 2.0, metres, y up", "Blender, three.js, web viewers"},
+         {"debris-map", "*.tif, *.gpkg, *.csv, *.png", "a debris map: height, volume, mass and more by cells",
+          "QGIS, ArcGIS, GDAL"},
+         {"footprint", "*.gpkg", "footprint, height contours and fragments as shapes", "QGIS, ArcGIS, GDAL"},
+         {"figure", "*.png, *.svg, *.pdf", "a picture of the views at one instant", "any viewer"}}};
+    return kinds;
+}
+
 Option ExportRequest::option() {
     return {"--export", "KIND=PATH", true,
-            "fragments=F.csv: a table of all fragments; series=D.pvd: fragments and structure over time for ParaView; "
-            "figure=F.png: a picture; "
-            "debris-map=F.tif (.gpkg, .csv, .png): a debris map; footprint=F.gpkg: its outline, contours and fragments"};
+            "write a file of this kind: fragments=F.csv, series=D.pvd, bodies=F.xdmf, gltf=F.glb, debris-map=F.tif (.gpkg, .csv, "
+            ".png), "
+            "footprint=F.gpkg, figure=F.png (.svg, .pdf); rubble-cli export --list says what reads them"};
 }
 
 ExportRequest::ExportRequest(const Arguments& arguments, std::span<const std::string> inputs)
     : m_figure(arguments), m_map(arguments) {
     for (const std::string& text : arguments.values("--export")) {
         const auto [kind, path] = splitAssignment("--export", text);
-        if (kind == "fragments") {
-            m_rows.push_back({Kind::Fragments, path});
-        } else if (kind == "series") {
-            m_rows.push_back({Kind::Series, path});
-        } else if (kind == "figure") {
-            m_rows.push_back({Kind::Figure, path});
+        if (kind == "figure") {
+            FigureRequest::checkFormat("--export figure", path);
         } else if (kind == "debris-map") {
             MapRequest::checkFormat("--export debris-map", path);
-            m_rows.push_back({Kind::Map, path});
-        } else if (kind == "footprint") {
-            if (!path.ends_with(".gpkg")) {
-                throw wrongValue("--export footprint", path, "a GeoPackage, whose name ends in .gpkg");
-            }
-            m_rows.push_back({Kind::Map, path});
-        } else {
-            throw UsageError({"cli.export_kind", "--export {0}: there is no export of the kind \"{1}\".", {text, kind}},
-                             {"cli.export_kind.remedy", "Kinds: fragments, series, figure, debris-map, footprint.", {}});
+        } else if (kind == "footprint" && !path.ends_with(".gpkg")) {
+            throw wrongValue("--export footprint", path, "a GeoPackage, whose name ends in .gpkg");
+        } else if (kind == "gltf" && !path.ends_with(".glb")) {
+            throw wrongValue("--export gltf", path, "a binary glTF file, whose name ends in .glb");
         }
+        const auto known = exportKinds();
+        if (std::none_of(known.begin(), known.end(), [&, &name = kind](const ExportKind& row) { return row.name == name; })) {
+            std::string names;
+            for (const ExportKind& row : known) {
+                names += (names.empty() ? "" : ", ") + std::string(row.name);
+            }
+            throw UsageError({"cli.export_kind", "--export {0}: there is no export of the kind \"{1}\".", {text, kind}},
+                             {"cli.export_kind.remedy", "Kinds: {0}.", {names}});
+        }
+        m_rows.push_back({kind, path});
         checkOutputPath(path, inputs);
     }
 }
 
+bool ExportRequest::readsFe(const Row& row) {
+    return row.kind != "fragments" && row.kind != "gltf" && row.kind != "bodies";
+}
+
 bool ExportRequest::needsFe() const {
-    return std::any_of(m_rows.begin(), m_rows.end(), [](const Row& row) { return row.kind != Kind::Fragments; });
+    return std::any_of(m_rows.begin(), m_rows.end(), readsFe);
+}
+
+void ExportRequest::checkKept() const {
+    for (const Row& row : m_rows) {
+        if (row.kind == "bodies") {
+            throw UsageError(
+                {"cli.export_kept", "--export bodies={0}: this file refers to the run file, which is not kept.", {row.path}},
+                {"cli.export_kept.remedy", "Keep the run with --out RUN.h5.", {}});
+        }
+    }
 }
 
 void ExportRequest::perform(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, Session& session) const {
     std::optional<RunMap> map;
+    const Execution& execution = session.execution();
     for (const Row& row : m_rows) {
-        session.execution().check();
-        switch (row.kind) {
-            case Kind::Fragments:
-                io::exportFragments(row.path, *run, session.execution());
-                break;
-            case Kind::Series:
-                io::exportSeries(row.path, *run, *inputs.fe, session.execution());
-                break;
-            case Kind::Figure:
-                session.execution().report({"cli.stage.figure", "Drawing the figure", {}}, 0.0);
-                m_figure.write(row.path, run, inputs);
-                session.execution().report({"cli.stage.figure", "Drawing the figure", {}}, 1.0);
-                break;
-            case Kind::Map:
-                if (!map) {
-                    map = m_map.make(*run, inputs, session.execution());
-                }
-                m_map.write(row.path, *map, *run, session);
-                break;
+        execution.check();
+        if (row.kind == "fragments") {
+            io::exportFragments(row.path, *run, execution);
+        } else if (row.kind == "series") {
+            io::exportSeries(row.path, *run, *inputs.fe, execution);
+        } else if (row.kind == "bodies") {
+            io::exportBodies(row.path, *run, execution);
+        } else if (row.kind == "gltf") {
+            io::exportGltf(row.path, *run, execution);
+        } else if (row.kind == "figure") {
+            execution.report({"cli.stage.figure", "Drawing the figure", {}}, 0.0);
+            m_figure.write(row.path, run, inputs);
+            execution.report({"cli.stage.figure", "Drawing the figure", {}}, 1.0);
+        } else {
+            if (!map) {
+                map = m_map.make(*run, inputs, execution);
+            }
+            m_map.write(row.path, *map, *run, session);
         }
     }
 }

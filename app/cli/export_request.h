@@ -14,6 +14,16 @@
 
 namespace rubble::cli {
 
+/// One kind of file that a run can be written as.
+struct ExportKind {
+    std::string_view name;     ///< "series"
+    std::string_view endings;  ///< "*.pvd"
+    std::string_view content;  ///< what it holds, one line
+    std::string_view readers;  ///< programs that open it
+};
+/// Every kind, in the order in which they are listed.
+std::span<const ExportKind> exportKinds();
+
 /// The files asked for by --export KIND=PATH.
 class ExportRequest {
 public:
@@ -24,8 +34,10 @@ public:
     ExportRequest(const Arguments& arguments, std::span<const std::string> inputs);
 
     bool empty() const { return m_rows.empty(); }
-    /// The FE file is needed for everything but tables.
+    /// The FE file is needed for everything that shows structure or ground.
     bool needsFe() const;
+    /// Throws UsageError if a kind refers to the run file, which is not going to be kept.
+    void checkKept() const;
     /// Writes the files in the order given; throws what the exporters throw, and Cancelled.
     /// @param inputs  of the run; without FE result unless needsFe()
     void perform(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, Session& session) const;
@@ -33,11 +45,11 @@ public:
     std::vector<std::string> paths() const;
 
 private:
-    enum class Kind { Fragments, Series, Figure, Map };
     struct Row {
-        Kind kind;
+        std::string kind;
         std::string path;
     };
+    static bool readsFe(const Row& row);
 
     std::vector<Row> m_rows;
     FigureRequest m_figure;

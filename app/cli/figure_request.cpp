@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "app/cli/json_output.h"
 #include "app/cli/option_value.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/virtual_display.h"
@@ -13,6 +14,8 @@
 #include "core/fe/components.h"
 #include "core/fe/frame_transform.h"
 #include "core/fe/regrouping.h"
+#include "io/provenance.h"
+#include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/view_json.h"
 #include "widgets/render/panes.h"
 #include "widgets/render/scene.h"
@@ -69,18 +72,27 @@ constexpr std::array<Choice<render::Style>, 2> styleNames{
 
 }  // namespace
 
-std::vector<Option> FigureRequest::options() {
+std::vector<Option> FigureRequest::viewOptions() {
     return {{"--view", "FILE", false, "a view saved in the workbench; the options below take the place of parts of it"},
             {"--pane", "PANE", false, "what a figure shows: fe, fragments, both (default), overlay or four"},
-            {"--time", "SECONDS", false, "instant of a figure on the file's clock, or end (default: end)"},
-            {"--state", "K", false, "instant of a figure as FE state, from 0; instead of --time"},
             {"--colour", "BY", false, "fragments by highlight (default), component, birth_time, speed or cluster"},
             {"--scale", "COLOURS", false, "of birth time and speed: standard (default), viridis, cividis or grey"},
             {"--style", "STYLE", false, "analysis (default) or presentation: every element in the look of its material"},
             {"--look", "FROM", false, "side (default), front, back, left, right, top, bottom or corner"},
             {"--cut", "AXIS=M", false, "leaves out what lies beyond x=M, y=M or z=M; with -x, -y or -z what lies below"},
             {"--hide", "NAME", true, "leaves a component out; may be repeated"},
-            {"--size", "WxH", false, "pixels of a figure (default: 1600x1000)"}};
+            {"--size", "WxH", false, "pixels of a figure (default: 1600x1000; of a movie 1280x720)"},
+            {"--dpi", "N", false, "pixels per inch, which decide the size of text: 9 pt (default: 200; of a movie 110)"}};
+}
+
+std::vector<Option> FigureRequest::options() {
+    std::vector<Option> options = viewOptions();
+    options.push_back({"--time", "SECONDS", false, "instant of a figure on the file's clock, or end (default: end)"});
+    options.push_back({"--state", "K", false, "instant of a figure as FE state, from 0; instead of --time"});
+    options.push_back({"--preset", "NUMBER", false,
+                       "arrangement of the published figure 11 (pairs), 12 (end), 13 (surroundings) or 14 (stages)"});
+    options.push_back({"--times", "A,B,C", false, "instants of --preset 11 (three), 12 and 13 (one) or 14 (four), s"});
+    return options;
 }
 
 FigureRequest::FigureRequest(const Arguments& arguments) {
@@ -92,6 +104,20 @@ FigureRequest::FigureRequest(const Arguments& arguments) {
         m_bothPanes = !*pane;
     }
     readLook(arguments);
+    readTime(arguments);
+    readPreset(arguments);
+    m_colourBy = choiceOf(arguments, "--colour", colourNames, "highlight, component, birth_time, speed or cluster");
+    if (const auto size = arguments.value("--size")) {
+        m_style.pixels = parsePictureSize(*size);
+    }
+    if (const auto dpi = arguments.value("--dpi")) {
+        if (!parseNumber(*dpi, m_style.dpi) || !(m_style.dpi >= 20.0 && m_style.dpi <= 2400.0)) {
+            throw wrongValue("--dpi", *dpi, "pixels per inch from 20 to 2400");
+        }
+    }
+}
+
+void FigureRequest::readTime(const Arguments& arguments) {
     if (const auto time = arguments.value("--time"); time && *time == "end") {
         m_atEnd = true;
     } else if (time) {
@@ -108,9 +134,27 @@ FigureRequest::FigureRequest(const Arguments& arguments) {
         }
         m_state = number;
     }
-    m_colourBy = choiceOf(arguments, "--colour", colourNames, "highlight, component, birth_time, speed or cluster");
-    if (const auto size = arguments.value("--size")) {
-        m_style.pixels = parsePictureSize(*size);
+}
+
+void FigureRequest::readPreset(const Arguments& arguments) {
+    if (const auto number = arguments.value("--preset")) {
+        for (const auto& [name, preset] : figures::figurePresets) {
+            if (name == *number) {
+                m_preset = preset;
+            }
+        }
+        if (!m_preset || arguments.has("--time") || arguments.has("--state") || arguments.has("--pane")) {
+            throw wrongValue("--preset", *number, "11, 12, 13 or 14, and no --time, --state or --pane beside it");
+        }
+    }
+    if (const auto text = arguments.value("--times")) {
+        for (const std::string& each : splitAtCommas(*text)) {
+            double seconds = 0.0;
+            if (!m_preset || !parseNumber(each, seconds) || !std::isfinite(seconds)) {
+                throw wrongValue("--times", *text, "seconds with commas between them, beside --preset");
+            }
+            m_times.push_back(seconds);
+        }
     }
 }
 
@@ -133,9 +177,9 @@ void FigureRequest::readLook(const Arguments& arguments) {
 }
 
 /// The view that was saved, or the one that a result opens with, with what else was asked for.
-render::View FigureRequest::viewOf(const render::SceneData& data) const {
-    const int width = m_style.pixels.width();
-    const int height = m_style.pixels.height();
+render::View FigureRequest::viewOf(const render::SceneData& data, QSize pixels) const {
+    const int width = pixels.width();
+    const int height = pixels.height();
     render::View view = m_view ? *m_view : render::defaultView(data, width, height, m_layout);
     if (m_view && (m_layout || m_bothPanes)) {
         view.layout = m_layout ? *m_layout : render::defaultView(data, width, height).layout;
@@ -169,8 +213,7 @@ render::View FigureRequest::viewOf(const render::SceneData& data) const {
 }
 
 double FigureRequest::timeIn(const io::RunReader& run, const FeResult& fe) const {
-    const double first = fe.times().front();
-    const double last = run.frameCount() > 0 ? std::max(fe.times().back(), run.frameTime(run.frameCount() - 1)) : fe.times().back();
+    const auto [first, last] = spanOfRun(run, fe);
     if (m_state) {
         if (*m_state >= fe.stateCount()) {
             throw UsageError(
@@ -191,10 +234,72 @@ double FigureRequest::timeIn(const io::RunReader& run, const FeResult& fe) const
     return asked;
 }
 
+figures::Sheet FigureRequest::sheetOf(const render::SceneData& data, const io::RunReader& run) const {
+    if (!m_preset) {
+        render::View view = viewOf(data, m_style.pixels);
+        view.time = timeIn(run, *data.fe);
+        return figures::sheetOf(view);
+    }
+    const auto [first, last] = spanOfRun(run, *data.fe);
+    for (const double time : m_times) {
+        if (time < first || time > last) {
+            throw UsageError(
+                {"cli.time_outside", "--time {0}: the run goes from {1} to {2}.", {{time, "s"}, {first, "s"}, {last, "s"}}},
+                {"cli.time_outside.remedy", "Give a time within the run.", {}});
+        }
+    }
+    figures::PresetRequest request;
+    request.preset = *m_preset;
+    request.times = m_times;
+    request.look = m_look;
+    request.camerasOfView = m_view.has_value() && !m_look;
+    request.end = last;
+    return figures::presetSheet(request, viewOf(data, m_style.pixels), data, m_style.pixels, m_style.dpi);
+}
+
+void FigureRequest::checkFormat(const std::string& option, const std::string& path) {
+    if (!figures::isFigurePath(path)) {
+        throw UsageError(
+            {"cli.figure_format", "{0}: {1} does not say by its ending what kind of figure it is to be.", {option, path}},
+            {"cli.figure_format.remedy", "Endings: .png, .svg, .pdf.", {}});
+    }
+}
+
+std::string FigureRequest::settingsText() const {
+    Json settings{{"pixels", {m_style.pixels.width(), m_style.pixels.height()}}, {"dpi", m_style.dpi}};
+    for (const auto& [name, preset] : figures::figurePresets) {
+        if (m_preset == preset) {
+            settings["preset"] = name;
+        }
+    }
+    return settings.dump();
+}
+
 void FigureRequest::write(const std::string& path, const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs) const {
+    const render::SceneData data = sceneOfRun(run, inputs);
+    quietQt();
+    figures::ensureGuiApplication();
+    const VirtualDisplay display;
+    const figures::Sheet sheet = sheetOf(data, *run);
+    figures::FigureStyle style = m_style;
+    style.provenance = provenanceLine(run->origin());
+    figures::Studio studio(data);
+    const figures::SheetPicture picture = studio.sheet(sheet, style);
+    io::ExportRecord record{"figure", {}, settingsText(), {}, {}};
+    for (const figures::SheetPicture::Panel& panel : picture.panels()) {
+        const figures::ShownPanel& shown = panel.shown;
+        record.shown.push_back(
+            {shown.caption.toStdString(), shown.status.time, std::nullopt, figures::shownAs(shown.content, shown.status)});
+    }
+    render::View view = m_preset ? picture.panels().back().view : viewOf(data, m_style.pixels);
+    view.time = m_preset ? view.time : timeIn(*run, *inputs.fe);
+    record.view = figures::toJson(view);
+    figures::writeSheet(path, picture, style, io::exportProvenance(record, run->origin(), run.get()));
+}
+
+render::SceneData sceneOfRun(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs) {
     const std::shared_ptr<const FeResult>& fe = inputs.fe;
     const Scenario& scenario = run->origin().scenario;
-    const double time = timeIn(*run, *fe);
     render::SceneData data;
     data.fe = fe;
     data.components = std::make_shared<const Components>(
@@ -203,16 +308,16 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
     data.clustering = run->clustering();
     data.trajectory = run;
     data.setSurroundings(scenario, inputs.terrain, run->result().get());
+    return data;
+}
 
-    quietQt();
-    figures::ensureGuiApplication();
-    const VirtualDisplay display;
-    render::View view = viewOf(data);
-    view.time = time;
-    figures::FigureStyle style = m_style;
-    style.provenance = "FE " + run->origin().feSha256.substr(0, 16) + ", run " + run->origin().fingerprint.hex().substr(0, 16) +
-                       ", " + run->origin().build;
-    figures::writeFigure(path, view, data, style);
+std::pair<double, double> spanOfRun(const io::RunReader& run, const FeResult& fe) {
+    const double last = run.frameCount() > 0 ? std::max(fe.times().back(), run.frameTime(run.frameCount() - 1)) : fe.times().back();
+    return {fe.times().front(), last};
+}
+
+std::string provenanceLine(const io::RunOrigin& origin) {
+    return "FE " + origin.feSha256.substr(0, 16) + ", run " + origin.fingerprint.hex().substr(0, 16) + ", " + origin.build;
 }
 
 }  // namespace rubble::cli

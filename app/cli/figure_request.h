@@ -8,27 +8,39 @@
 #include "core/pipeline/pipeline.h"
 #include "io/run_file.h"
 #include "widgets/figures/figure_file.h"
+#include "widgets/figures/figure_sheet.h"
 #include "widgets/render/camera.h"
 
 namespace rubble::cli {
 
-/// What a figure of a run is to show, as given by --view, --pane, --time, --state, --colour, --scale, --style, --look, --cut,
-/// --hide and --size.
+/// What a figure of a run is to show, as given by --view, --pane, --time, --state, --preset, --times, --colour, --scale, --style,
+/// --look, --cut, --hide, --size and --dpi.
 class FigureRequest {
 public:
     /// Options that every command with figures has.
     static std::vector<Option> options();
+    /// Of these, those that say what is shown and how, whatever the instant.
+    static std::vector<Option> viewOptions();
 
     /// Throws UsageError for a value that is not one of those offered.
     explicit FigureRequest(const Arguments& arguments);
 
-    /// Draws the run and writes a PNG; starts a virtual display where none answers. Throws UsageError when the instant lies outside
-    /// the run, WorldError.
+    /// Throws UsageError unless the path ends in .png, .svg or .pdf.
+    static void checkFormat(const std::string& option, const std::string& path);
+
+    /// Draws the run and writes the figure; starts a virtual display where none answers. Throws UsageError when the instant lies
+    /// outside the run, WorldError.
     void write(const std::string& path, const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs) const;
+    /// The view that was asked for, at its own time. @param pixels  of the picture
+    render::View viewOf(const render::SceneData& data, QSize pixels) const;
+    const figures::FigureStyle& style() const { return m_style; }
 
 private:
     void readLook(const Arguments& arguments);
-    render::View viewOf(const render::SceneData& data) const;
+    void readTime(const Arguments& arguments);
+    void readPreset(const Arguments& arguments);
+    std::string settingsText() const;
+    figures::Sheet sheetOf(const render::SceneData& data, const io::RunReader& run) const;
     double timeIn(const io::RunReader& run, const FeResult& fe) const;
 
     /// One half of the model that is left out.
@@ -50,7 +62,16 @@ private:
     bool m_atEnd = false;
     std::optional<std::size_t> m_state;  ///< FE state that takes the place of the time
     std::optional<render::ColourBy> m_colourBy;
+    std::optional<figures::FigurePreset> m_preset;
+    std::vector<double> m_times;  ///< s, of a preset; empty: those of the published figure
     figures::FigureStyle m_style;
 };
+
+/// What the pictures of a run show, with its surroundings.
+render::SceneData sceneOfRun(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs);
+/// First and last instant of a run that can be shown, s.
+std::pair<double, double> spanOfRun(const io::RunReader& run, const FeResult& fe);
+/// The line at the foot of a figure.
+std::string provenanceLine(const io::RunOrigin& origin);
 
 }  // namespace rubble::cli

@@ -3,7 +3,10 @@
 #include "app/cli/option_value.h"
 #include "app/cli/output_file.h"
 #include "app/cli/study_options.h"
+#include "app/cli/study_place.h"
 #include "core/base/error.h"
+#include "io/machine.h"
+#include "io/study_files.h"
 
 namespace rubble::cli {
 
@@ -29,27 +32,50 @@ std::vector<EffectKind> parseEffects(const std::string& text) {
 }
 
 ExitCode measureInfluence(const Arguments& arguments, Session& session) {
+    const StudyPlace place(arguments);
     const StudySettings settings = parseStudySettings(arguments, 2);
     const std::vector<EffectKind> effects =
         arguments.has("--effects") ? parseEffects(*arguments.value("--effects")) : std::vector<EffectKind>{};
     const Subject subject = openSubject(arguments, session);
     checkCsvPath(arguments, subject.files);
-    const InfluenceReport report = influence(subject.inputs, subject.scenario, effects, settings, session.execution());
+    io::StudyFiles files(arguments.value("--cache").value_or(io::cacheFolder()));
+    if (place.elsewhere()) {
+        StudyPlace::Study study{influenceTasks(subject.inputs, subject.scenario, effects, settings, session.execution()),
+                                files.folder(),
+                                false,
+                                [&](const WorldOrigin& origin) {
+                                    Findings said;
+                                    return files.world(origin, said).has_value();
+                                },
+                                {},
+                                subject.files};
+        study.needs = needsOf(subject, study.tasks, settings.threads);
+        if (const auto ended = place.haveMade(std::move(study), session)) {
+            return *ended;
+        }
+    }
+    const InfluenceReport report = influence(subject.inputs, subject.scenario, effects, settings, session.execution(),
+                                             {&files, io::machineText(), place.choice()});
+    if (place.single()) {
+        return place.endSingle(files.folder(), false, {}, report.findings, session);
+    }
     const InfluenceOutput output{subject, report, settings};
     writeCsv(arguments, output.table());
+    const bool cancelled = session.execution().cancelled();
     if (!report.complete) {
-        session.err() << "rubble-cli: cancelled; what was simulated by then is reported\n";
+        session.err() << (cancelled ? "rubble-cli: cancelled; what was simulated by then is reported\n"
+                                    : "rubble-cli: some worlds were not made; what is there is reported\n");
     }
     if (arguments.json()) {
         Json object = output.json();
-        if (!report.complete) {
+        if (cancelled) {
             object["cancelled"] = true;
         }
         printJson(session, object);
     } else {
         output.print(session.out());
     }
-    return report.complete ? ExitCode::Ok : ExitCode::Cancelled;
+    return report.complete ? ExitCode::Ok : cancelled ? ExitCode::Cancelled : ExitCode::Failed;
 }
 
 }  // namespace
@@ -62,7 +88,11 @@ Command influenceCommand() {
         terrainOption(),
         {"--effects", "A,B", false, "these only (default: all), by the names that `effects` lists"},
     };
+    options.push_back({"--cache", "FOLDER", false, "where worlds are kept (default: RUBBLE_CACHE, else the user's cache)"});
     for (const Option& option : studyOptions()) {
+        options.push_back(option);
+    }
+    for (const Option& option : StudyPlace::options()) {
         options.push_back(option);
     }
     options.push_back(csvOption("write one row for each effect"));
@@ -71,7 +101,8 @@ Command influenceCommand() {
         "FE|CASE",
         "what each effect changes in the debris, against the repeat floor",
         "Simulates the scenario, repeats it with births shifted by a micrometre, and simulates it once for each effect with that "
-        "effect in its other state. A change no larger than that between repeats says nothing. Ctrl-C reports what is done.",
+        "effect in its other state. A change no larger than that between repeats says nothing. Ctrl-C reports what is done. Worlds "
+        "that were simulated before are taken from the cache.",
         std::move(options),
         measureInfluence};
 }

@@ -107,7 +107,9 @@ Json InfluenceOutput::json() const {
     for (const EffectInfluence& row : report.effects) {
         object["effects"].push_back(effectJson(row));
     }
-    object["warnings"] = findingsJson(allFindings(subject, {}));
+    Findings findings = allFindings(subject, {});
+    findings.append(report.findings);
+    object["warnings"] = findingsJson(findings);
     return object;
 }
 
@@ -124,6 +126,9 @@ void InfluenceOutput::print(std::ostream& out) const {
     table().print(out);
     for (const EffectInfluence& row : report.effects) {
         out << "  " << sentenceOf(row) << '\n';
+    }
+    if (!report.findings.empty()) {
+        printFindings(out, report.findings);
     }
 }
 

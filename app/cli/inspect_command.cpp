@@ -27,7 +27,9 @@ struct UnitReport {
 
 UnitReport unitReport(const FeResult& fe, const Execution& execution) {
     const FeResult::Contents& contents = fe.contents();
-    const UnitEvidence evidence = evidenceInFile(evidenceOf(contents, true, execution), contents.units, contents.frame);
+    UnitEvidence found = evidenceOf(contents);
+    addSeenFall(found, contents, execution);
+    const UnitEvidence evidence = evidenceInFile(std::move(found), contents.units, contents.frame);
     return {proposeUnits(evidence), proposeUpAxis(evidence)};
 }
 

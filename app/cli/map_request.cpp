@@ -41,6 +41,9 @@ double parseLength(const Arguments& arguments, std::string_view option, double b
 std::string layerKeys() {
     std::string keys;
     for (const MapLayer layer : mapLayers()) {
+        if (mapLayerRow(layer).ensemble) {
+            continue;
+        }
         keys += (keys.empty() ? "" : ", ") + std::string(mapLayerRow(layer).key);
     }
     return keys;
@@ -49,8 +52,9 @@ std::string layerKeys() {
 std::vector<MapLayer> parseLayers(const std::string& text) {
     std::vector<MapLayer> layers;
     for (const std::string& key : splitAtCommas(text)) {
-        const auto found =
-            std::find_if(mapLayers().begin(), mapLayers().end(), [&](MapLayer layer) { return mapLayerRow(layer).key == key; });
+        const auto found = std::find_if(mapLayers().begin(), mapLayers().end(), [&](MapLayer layer) {
+            return mapLayerRow(layer).key == key && !mapLayerRow(layer).ensemble;
+        });
         if (found == mapLayers().end()) {
             throw wrongValue("--layers", key, "some of " + layerKeys());
         }

@@ -66,6 +66,7 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
     // Without --out the trajectory goes to disk only if an export reads it, and never into memory.
     std::optional<TemporaryRun> temporary;
     if (runPath.empty() && !exports.empty()) {
+        exports.checkKept();
         runPath = temporary.emplace().path();
     }
     std::unique_ptr<TrajectorySink> file;

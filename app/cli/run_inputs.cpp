@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "io/fe_reader.h"
 #include "io/files.h"
-#include "io/terrain_reader.h"
+#include "io/site_reader.h"
 
 namespace rubble::cli {
 
@@ -20,7 +20,7 @@ constexpr std::string_view feKind = "FE";
 /// A file that a run was made from, and the words to speak of it.
 struct RecordedFile {
     std::string_view kind;    ///< "FE", "terrain"
-    std::string_view option;  ///< that names its place
+    std::string_view option;  ///< that names its place; empty: none does
     std::string path;         ///< then
     std::string sha256;
     std::optional<std::string> given;
@@ -83,10 +83,13 @@ std::string find(const std::string& runPath, const RecordedFile& file) {
             return candidate.string();
         }
     }
-    throw WorldError({"cli.fe_missing",
-                      "The {0} file of {1} was not found: neither {2} nor a file beside the run has the SHA-256 {3}.",
-                      {file.kind, runPath, file.path, file.sha256}},
-                     {"cli.fe_missing.remedy", "Put the file beside the run, or name it with {0} FILE.", {file.option}});
+    throw WorldError(
+        {"cli.fe_missing",
+         "The {0} file of {1} was not found: neither {2} nor a file beside the run has the SHA-256 {3}.",
+         {file.kind, runPath, file.path, file.sha256}},
+        file.option.empty()
+            ? Message{"cli.fe_missing.beside", "Put the file beside the run.", {}}
+            : Message{"cli.fe_missing.remedy", "Put the file beside the run, or name it with {0} FILE.", {file.option}});
 }
 
 }  // namespace
@@ -107,7 +110,15 @@ Inputs openInputsOfRun(const std::string& runPath, const io::RunOrigin& origin, 
     if (!origin.terrainPath.empty()) {
         const std::string terrain =
             find(runPath, {"terrain", "--terrain", origin.terrainPath, origin.terrainSha256, arguments.value("--terrain")});
-        inputs.terrain = io::openTerrain(terrain, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), session.execution()).grid;
+        inputs.terrain =
+            io::openTerrain(terrain, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), session.execution(), origin.site).grid;
+        std::vector<std::string> meshes;
+        for (const io::RecordedInput& mesh : origin.surroundings) {
+            meshes.push_back(find(runPath, {"surroundings", "", mesh.path, mesh.sha256, std::nullopt}));
+        }
+        if (!meshes.empty()) {
+            inputs.terrain = io::raisedTerrain(*inputs.terrain, meshes, inputs.frame, origin.site, session.execution());
+        }
     }
     return inputs;
 }

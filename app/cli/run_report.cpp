@@ -252,16 +252,36 @@ Json terrainJson(const io::TerrainInput& terrain) {
         return nullptr;
     }
     const TerrainGrid& grid = *terrain.grid;
-    return {{"path", terrain.path},
-            {"sha256", terrain.sha256},
-            {"columns", grid.nx()},
-            {"rows", grid.ny()},
-            {"cell_m", grid.cell()},
-            {"x_m", grid.x0()},
-            {"y_m", grid.y0()},
-            {"lowest_m", grid.lowest()},
-            {"highest_m", grid.highest()},
-            {"digest", grid.digest().hex()}};
+    Json object{{"path", terrain.path},
+                {"sha256", terrain.sha256},
+                {"columns", grid.nx()},
+                {"rows", grid.ny()},
+                {"cell_m", grid.cell()},
+                {"x_m", grid.x0()},
+                {"y_m", grid.y0()},
+                {"lowest_m", grid.lowest()},
+                {"highest_m", grid.highest()},
+                {"digest", grid.digest().hex()}};
+    object["control_points"] = Json();
+    if (terrain.fit) {
+        Json residuals = Json::array();
+        for (const Vec3& residual : terrain.fit->residuals) {
+            residuals.push_back({residual.x(), residual.y(), residual.z()});
+        }
+        object["control_points"] = {{"used", terrain.fit->used},
+                                    {"scale", terrain.fit->scale},
+                                    {"angle_rad", terrain.fit->angle},
+                                    {"rms_plan_m", terrain.fit->rmsPlan},
+                                    {"rms_height_m", terrain.fit->rmsHeight},
+                                    {"residuals_m", residuals}};
+    }
+    object["surroundings"] = Json::array();
+    for (const io::SiteFile& file : terrain.files) {
+        if (terrain.collided && file.input != terrain.orthophotoInput) {
+            object["surroundings"].push_back({{"path", file.path}, {"sha256", file.sha256}});
+        }
+    }
+    return object;
 }
 
 std::string terrainText(const io::TerrainInput& terrain) {

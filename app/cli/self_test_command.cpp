@@ -148,7 +148,9 @@ ExitCode selfTest(const Arguments& arguments, Session& session) {
     settings.threads = threadsOf(arguments);
     const std::vector<const selftest::HardCase*> cases = selftest::chosenCases(arguments.values("--only"));
     const auto start = std::chrono::steady_clock::now();
-    const std::vector<CaseResult> results = selftest::runSuite(cases, settings, session.execution());
+    const std::vector<CaseResult> results = selftest::runSuite(cases, settings, session.execution(), [&](const CaseResult& result) {
+        session.err() << verdict(result) << "  " << result.hardCase->id << ", " << englishNumber(result.seconds) << " s\n";
+    });
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     const bool cancelled = session.execution().cancelled();
@@ -201,7 +203,8 @@ Command selfTestCommand() {
             "",
             "hard cases of the simulation, each with what must hold",
             "Runs small scenes in which a simulation of debris could go wrong, and compares what it measures with the criterion of "
-            "each. --only closed-form runs those that a law of mechanics predicts. Ctrl-C keeps what was finished.",
+            "each. Tells every case on the error stream as it ends, long ones first. --only closed-form runs those that a law of "
+            "mechanics predicts. Ctrl-C keeps what was finished.",
             {{"--only", "ID", true, "run this case; closed-form stands for all that a law predicts"},
              {"--solver", "NAME", false, "soft-step (default) or bullet"},
              {"--threads", "N", false, "cases at a time, 2 by default; no result depends on it"},

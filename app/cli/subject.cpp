@@ -11,6 +11,7 @@
 #include "io/fe_copy/fe_cache.h"
 #include "io/fe_reader.h"
 #include "io/machine.h"
+#include "io/site_reader.h"
 
 namespace rubble::cli {
 
@@ -67,6 +68,9 @@ void takeTerrain(Subject& subject, io::TerrainInput terrain) {
     if (terrain.grid) {
         subject.files.push_back(terrain.path);
     }
+    for (const io::SiteFile& file : terrain.files) {
+        subject.files.push_back(file.path);
+    }
     subject.terrain = std::move(terrain);
 }
 
@@ -114,11 +118,11 @@ Subject openSubject(const Arguments& arguments, Session& session) {
     }
     const Mesh& mesh = subject.inputs.fe->mesh();
     if (const std::optional<std::string> given = arguments.value("--terrain")) {
-        const std::string terrain = fs::absolute(*given).lexically_normal().string();
-        takeTerrain(subject, io::openTerrain(terrain, subject.inputs.frame, io::boundsAtRest(mesh), session.execution()));
-    } else {
-        takeTerrain(subject, io::openTerrainOfCase(theCase, path, mesh, session.execution()));
+        std::erase_if(theCase.inputs, [](const CaseInput& input) { return input.role == InputRole::Terrain; });
+        theCase.inputs.push_back({"terrain-1", InputRole::Terrain, fs::absolute(*given).lexically_normal().string(), {}});
     }
+    takeTerrain(subject, io::openSiteOfCase(theCase, path, mesh, session.execution()));
+    subject.site = theCase.site;
     return subject;
 }
 
@@ -134,6 +138,7 @@ io::RunOrigin originOf(const Subject& subject) {
     origin.feSha256 = subject.inputs.fe->contents().sha256;
     origin.terrainPath = subject.terrain.path;
     origin.terrainSha256 = subject.terrain.sha256;
+    io::recordSite(origin, subject.terrain, subject.site);
     origin.frame = subject.inputs.frame;
     origin.scenario = subject.scenario;
     origin.scenarioName = subject.scenarioName;

@@ -21,6 +21,7 @@ struct Subject {
     Scenario scenario;
     std::string fePath;              ///< absolute
     io::TerrainInput terrain;        ///< as read; its grid is that of `inputs`, null without one
+    Site site;                       ///< how it was brought to the local frame
     std::string scenarioName;        ///< "As computed" for a plain FE file
     std::vector<std::string> files;  ///< everything that was read: never written over
     double openSeconds = 0.0;        ///< wall time of opening the FE file

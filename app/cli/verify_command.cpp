@@ -10,6 +10,7 @@
 #include "io/case_file.h"
 #include "io/fe_reader.h"
 #include "io/files.h"
+#include "io/journal_check.h"
 
 namespace rubble::cli {
 
@@ -57,6 +58,39 @@ ExitCode report(const Arguments& arguments, Session& session, const std::vector<
     return good ? ExitCode::Ok : ExitCode::Failed;
 }
 
+std::string orNothing(const std::string& value) {
+    return value.empty() ? "nothing" : value;
+}
+
+/// What the journal of a case says of it: its chain, and each place that is not as it was saved.
+void addJournal(std::vector<Check>& checks, const io::JournalCheck& journal) {
+    const std::string whole = "entries chained: " + englishInteger(static_cast<std::int64_t>(journal.entries));
+    Check chain = compare("journal", whole, whole);
+    if (journal.entries == 0) {
+        chain.found = chain.recorded = "none: saved by a version without";
+    }
+    for (const std::size_t number : journal.broken) {
+        chain.same = false;
+        chain.found = (chain.found == whole ? "altered or missing before: entry " : chain.found + ", ") +
+                      englishInteger(static_cast<std::int64_t>(number));
+    }
+    checks.push_back(std::move(chain));
+    for (const JournalChange& change : journal.altered) {
+        checks.push_back({change.place, orNothing(change.before), orNothing(change.after), false});
+    }
+}
+
+/// Alterations of before that came into the journal when the case was saved again.
+std::string journalNote(const io::JournalCheck& journal) {
+    std::string places;
+    for (const JournalEntry& entry : journal.outside) {
+        for (const JournalChange& change : entry.changes) {
+            places += (places.empty() ? "" : ", ") + change.place;
+        }
+    }
+    return places.empty() ? "" : "Altered outside Rubble before it was last saved: " + places + ".";
+}
+
 ExitCode verifyCase(const Arguments& arguments, Session& session) {
     const Case theCase = io::loadCase(arguments.operand());
     std::vector<Check> checks;
@@ -74,7 +108,13 @@ ExitCode verifyCase(const Arguments& arguments, Session& session) {
         good = good && check.same;
         checks.push_back(std::move(check));
     }
-    return report(arguments, session, checks, good ? "inputs unchanged" : "inputs differ", "", good);
+    const io::JournalCheck journal = io::checkJournal(arguments.operand());
+    addJournal(checks, journal);
+    const std::string verdict = !good                      ? "inputs differ"
+                                : !journal.broken.empty()  ? "the journal was altered"
+                                : !journal.altered.empty() ? "the case was altered outside Rubble"
+                                                           : "inputs unchanged";
+    return report(arguments, session, checks, verdict, journalNote(journal), good && journal.sound());
 }
 
 std::string differenceText(const FrameComparison& comparison) {
@@ -131,13 +171,14 @@ ExitCode verify(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command verifyCommand() {
-    return {
-        "verify",
-        "RUN|CASE",
-        "does a run repeat bit by bit; are the inputs of a case unchanged",
-        "RUN: checks the digest of the whole file, then simulates again and compares. CASE: compares the SHA-256 of its inputs.",
-        {feOption(), runTerrainOption()},
-        verify};
+    return {"verify",
+            "RUN|CASE",
+            "does a run repeat bit by bit; are a case and its inputs unchanged",
+            "RUN: checks the digest of the whole file, then simulates again and compares. CASE: compares the SHA-256 of its "
+            "inputs, and "
+            "holds what it says against its journal, whose entries are chained by their digests.",
+            {feOption(), runTerrainOption()},
+            verify};
 }
 
 }  // namespace rubble::cli

@@ -1,7 +1,6 @@
 #include "app/gui/accuracy_work.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/error.h"
 #include "io/machine.h"
@@ -27,7 +26,7 @@ void AccuracyWork::start(const Inputs& inputs, const Scenario& scenario, const w
     const std::vector<AccuracySetting> settings = sweepSettings(scenario, request.multiples, request.varied);
     const int generation = ++m_generation;
     m_running = true;
-    m_stage.clear();
+    m_left.restart();
     auto made = std::make_shared<std::shared_ptr<const AccuracyReport>>();
     m_worker.start({Worker::Kind::Study,
                     [this, inputs, scenario, settings, request, generation, made](const Execution& execution) {
@@ -90,17 +89,7 @@ void AccuracyWork::showProgress(const Progress& progress) {
     if (!m_running) {
         return;
     }
-    const double fraction = std::clamp(progress.fraction, 0.0, 1.0);
-    // A new stage starts its own clock.
-    if (progress.stage.id != m_stage || fraction < m_firstFraction) {
-        m_stage = progress.stage.id;
-        m_firstFraction = fraction;
-        m_sinceStage.start();
-    }
-    const double spent = static_cast<double>(m_sinceStage.elapsed()) / 1000.0;
-    const double did = fraction - m_firstFraction;
-    const double left = did > 0.02 && spent > 1.0 ? spent * (1.0 - fraction) / did : std::numeric_limits<double>::quiet_NaN();
-    emit progressed(widgets::worded(progress.stage), fraction, left);
+    emit progressed(widgets::worded(progress.stage), std::clamp(progress.fraction, 0.0, 1.0), m_left.after(progress));
 }
 
 void AccuracyWork::cancel() {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <memory>
 
+#include "app/gui/time_left.h"
 #include "app/gui/worker.h"
 #include "core/analysis/accuracy_study.h"
 #include "widgets/accuracy_panel.h"
@@ -47,9 +47,7 @@ private:
     std::shared_ptr<const AccuracyReport> m_report;
     bool m_running = false;
     int m_generation = 0;  // what comes in from an older start is not taken
-    QElapsedTimer m_sinceStage;
-    std::string m_stage;
-    double m_firstFraction = 0.0;
+    TimeLeft m_left;
     // Last, so that it has ended before anything it uses goes.
     Worker m_worker;
 };

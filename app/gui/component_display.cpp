@@ -4,11 +4,11 @@
 
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
-#include "app/gui/playback.h"
-#include "app/gui/view_area.h"
 #include "widgets/component_tree.h"
+#include "widgets/playback_clock.h"
 #include "widgets/render/colour_choice.h"
 #include "widgets/theme.h"
+#include "widgets/view_widget.h"
 
 namespace rubble {
 
@@ -26,9 +26,9 @@ QColor colourOf(const render::Rgb& c) {
 
 }  // namespace
 
-ComponentDisplay::ComponentDisplay(Document& document, Computation& computation, Playback& playback, ViewArea& area,
-                                   widgets::ComponentTree& tree, QObject* parent)
-    : QObject(parent), m_document(document), m_computation(computation), m_playback(playback), m_area(area), m_tree(tree) {
+ComponentDisplay::ComponentDisplay(Document& document, Computation& computation, widgets::PlaybackClock& clock,
+                                   widgets::ViewWidget& views, widgets::ComponentTree& tree, QObject* parent)
+    : QObject(parent), m_document(document), m_computation(computation), m_clock(clock), m_views(views), m_tree(tree) {
     connect(&tree, &widgets::ComponentTree::hiddenChanged, this, &ComponentDisplay::setHidden);
     connect(&tree, &widgets::ComponentTree::isolateRequested, this, &ComponentDisplay::isolate);
     connect(&tree, &widgets::ComponentTree::showAllRequested, this, &ComponentDisplay::showAll);
@@ -36,15 +36,15 @@ ComponentDisplay::ComponentDisplay(Document& document, Computation& computation,
     connect(&tree, &widgets::ComponentTree::colourChosen, this, &ComponentDisplay::setColour);
     connect(&tree, &widgets::ComponentTree::edited, this,
             [this](const QString& key, const ParameterValue& value) { m_document.setParameter(key, value); });
-    connect(&playback.clock(), &widgets::PlaybackClock::timeChanged, this, &ComponentDisplay::showCounts);
+    connect(&clock, &widgets::PlaybackClock::timeChanged, this, &ComponentDisplay::showCounts);
     connect(&computation, &Computation::prepared, this, &ComponentDisplay::refresh);
     connect(&document, &Document::scenarioChanged, this, &ComponentDisplay::refresh);
     connect(&document, &Document::replaced, this, &ComponentDisplay::refresh);
 }
 
 void ComponentDisplay::refresh() {
-    const auto& components = m_area.views().data().components;
-    const render::View& view = m_area.views().view();
+    const auto& components = m_views.data().components;
+    const render::View& view = m_views.view();
     std::vector<widgets::ComponentTree::Row> rows;
     if (components != nullptr && !m_document.empty()) {
         const render::SceneColours colours = figures::sceneColours(view.theme);
@@ -64,12 +64,12 @@ void ComponentDisplay::refresh() {
 }
 
 void ComponentDisplay::showCounts() {
-    const auto& data = m_area.views().data();
+    const auto& data = m_views.data();
     if (data.fe == nullptr || data.components == nullptr || !m_tree.isVisible() ||
         data.components->of.size() != data.fe->mesh().elementCount()) {
         return;
     }
-    const std::size_t state = stateAt(*data.fe, m_playback.clock().time());
+    const std::size_t state = stateAt(*data.fe, m_clock.time());
     std::vector<widgets::ComponentTree::Count> counts;
     for (const Component& component : data.components->list) {
         widgets::ComponentTree::Count count;
@@ -82,14 +82,14 @@ void ComponentDisplay::showCounts() {
 }
 
 void ComponentDisplay::setHidden(const std::vector<std::string>& names) {
-    render::View view = m_area.views().view();
+    render::View view = m_views.view();
     view.hiddenComponents = names;
-    m_area.views().setView(view);
+    m_views.setView(view);
     m_tree.setHidden(names);
 }
 
 void ComponentDisplay::isolate(const std::vector<std::string>& names) {
-    const auto& components = m_area.views().data().components;
+    const auto& components = m_views.data().components;
     std::vector<std::string> hidden;
     for (std::size_t c = 0; components != nullptr && !names.empty() && c < components->list.size(); ++c) {
         if (std::find(names.begin(), names.end(), components->list[c].name) == names.end()) {
@@ -100,14 +100,14 @@ void ComponentDisplay::isolate(const std::vector<std::string>& names) {
 }
 
 void ComponentDisplay::showAll() {
-    render::View view = m_area.views().view();
+    render::View view = m_views.view();
     view.hidden.clear();
-    m_area.views().setView(view);
+    m_views.setView(view);
     setHidden({});
 }
 
 void ComponentDisplay::select(const std::vector<std::string>& names) {
-    const auto& components = m_area.views().data().components;
+    const auto& components = m_views.data().components;
     std::vector<ElementIndex> elements;
     for (std::size_t c = 0; components != nullptr && c < components->list.size(); ++c) {
         const Component& component = components->list[c];
@@ -116,13 +116,13 @@ void ComponentDisplay::select(const std::vector<std::string>& names) {
         }
     }
     std::sort(elements.begin(), elements.end());
-    render::View view = m_area.views().view();
+    render::View view = m_views.view();
     view.selection = std::move(elements);
-    m_area.views().setView(view);
+    m_views.setView(view);
 }
 
 void ComponentDisplay::setColour(const QString& name, const QColor& colour) {
-    render::View view = m_area.views().view();
+    render::View view = m_views.view();
     if (colour.isValid()) {
         view.componentColours[name.toStdString()] = {static_cast<std::uint8_t>(colour.red()),
                                                      static_cast<std::uint8_t>(colour.green()),
@@ -130,7 +130,7 @@ void ComponentDisplay::setColour(const QString& name, const QColor& colour) {
     } else {
         view.componentColours.erase(name.toStdString());
     }
-    m_area.views().setView(view);
+    m_views.setView(view);
     refresh();
 }
 

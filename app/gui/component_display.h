@@ -8,10 +8,10 @@ namespace rubble {
 
 class Computation;
 class Document;
-class Playback;
-class ViewArea;
 namespace widgets {
 class ComponentTree;
+class PlaybackClock;
+class ViewWidget;
 }  // namespace widgets
 
 /// Keeps the component tree in step with document, computation and clock, and brings what the user does in it to the views and, as
@@ -20,8 +20,8 @@ class ComponentDisplay : public QObject {
     Q_OBJECT
 
 public:
-    ComponentDisplay(Document& document, Computation& computation, Playback& playback, ViewArea& area, widgets::ComponentTree& tree,
-                     QObject* parent = nullptr);
+    ComponentDisplay(Document& document, Computation& computation, widgets::PlaybackClock& clock, widgets::ViewWidget& views,
+                     widgets::ComponentTree& tree, QObject* parent = nullptr);
 
     /// Results, settings or colours have changed.
     void refresh();
@@ -37,8 +37,8 @@ private:
 
     Document& m_document;
     Computation& m_computation;
-    Playback& m_playback;
-    ViewArea& m_area;
+    widgets::PlaybackClock& m_clock;
+    widgets::ViewWidget& m_views;
     widgets::ComponentTree& m_tree;
 };
 

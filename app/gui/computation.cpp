@@ -13,6 +13,7 @@
 #include "io/fe_copy/fe_cache.h"
 #include "io/fe_reader.h"
 #include "io/machine.h"
+#include "io/site_reader.h"
 #include "widgets/wording.h"
 
 namespace rubble {
@@ -56,7 +57,7 @@ void readFe(Opened& opened, const Keeping& keeping, const Execution& execution) 
         opened.fe = std::make_shared<const FeResult>(fe->contents(), keeping.stateBytes());
         Case framed = opened.theCase;
         framed.frame = opened.fe->contents().frame;
-        opened.terrain = io::openTerrainOfCase(framed, opened.base.toStdString(), opened.fe->mesh(), execution);
+        opened.terrain = io::openSiteOfCase(framed, opened.base.toStdString(), opened.fe->mesh(), execution);
     } catch (const Cancelled&) {
         throw;
     } catch (...) {
@@ -76,37 +77,11 @@ void findInputs(Opened& opened, const Execution& execution) {
         } else if (input.role == InputRole::Terrain && place == opened.terrain.path) {
             known = opened.terrain.sha256;
         }
+        for (const io::SiteFile& file : opened.terrain.files) {
+            known = file.input == input.id && file.path == place ? file.sha256 : known;
+        }
         opened.found.push_back(io::findInput(opened.base.toStdString(), input, known, execution));
     }
-}
-
-/// A run of this window's own goes with its file when another takes its place.
-void dropFile(const std::shared_ptr<RunRecord>& older, const std::shared_ptr<RunRecord>& newer) {
-    if (older != nullptr && older != newer && !older->kept) {
-        QFile::remove(older->path);
-    }
-}
-
-/// Reads a run that was kept. What it was made from comes from its own file, the components from its settings.
-void readKept(RunRecord& record, const Inputs& inputs, const Results& previous, const Execution& execution) {
-    record.reader = io::openRun(record.path.toStdString());
-    const io::RunOrigin& origin = record.reader->origin();
-    if (origin.feSha256 != inputs.fe->contents().sha256) {
-        throw UsageError(
-            {"gui.run_of_another", "{0} was made from another FE result than the one that is open", {record.path.toStdString()}},
-            {"gui.run_of_another.remedy", "Open the case that it belongs to.", {}});
-    }
-    record.scenario = origin.scenario;
-    record.results = run(inputs, origin.scenario, Stage::Clusters, previous, nullptr, execution);
-    if (record.reader->fragments() != nullptr && record.reader->clustering() != nullptr) {
-        record.results.fragments = record.reader->fragments();
-        record.results.clustering = record.reader->clustering();
-    }
-    record.outcome = record.reader->result();
-    record.results.simulation = record.outcome;
-    record.soFar.breaches = record.reader->breaches();
-    record.acknowledged = io::taintOf(*record.reader).acknowledgement;
-    record.newest = record.reader->frameCount() > 0 ? record.reader->frameTime(record.reader->frameCount() - 1) : 0.0;
 }
 
 /// Names what the effects are decided for. How often frames are recorded is no part of it: live mode has its own rate.
@@ -197,11 +172,13 @@ void Computation::reopen(const Case& theCase, const QString& path, const QString
 void Computation::take(const Opened& opened, const Scenario& scenario) {
     m_inputs = {opened.fe, opened.fe ? opened.fe->contents().frame : opened.theCase.frame, opened.terrain.grid};
     m_terrain = opened.terrain;
+    m_site = opened.theCase.site;
     m_found = opened.found;
     m_import = scenario.import;
     m_results = {};
     m_decisions.reset();
     m_run.reset();
+    dropOthers();
     m_failure.reset();
     emit inputsFound();
     if (opened.failure) {
@@ -221,6 +198,7 @@ void Computation::clear() {
     m_results = {};
     m_decisions.reset();
     m_run.reset();
+    dropOthers();
     m_failure.reset();
     emit prepared();
     emit stateChanged();
@@ -332,6 +310,7 @@ void Computation::simulate(const Scenario& scenario, const QString& scenarioName
         return;
     }
     record->live = live;
+    record->scenarioName = scenarioName;
     record->scenario = scenario;
     if (live) {
         // Each frame of live mode simulates one frame time.
@@ -344,6 +323,7 @@ void Computation::simulate(const Scenario& scenario, const QString& scenarioName
     origin.feSha256 = m_inputs.fe->contents().sha256;
     origin.terrainPath = m_terrain.path;
     origin.terrainSha256 = m_terrain.sha256;
+    io::recordSite(origin, m_terrain, m_site);
     origin.frame = m_inputs.frame;
     origin.scenario = record->scenario;
     origin.scenarioName = scenarioName.toStdString();
@@ -395,34 +375,8 @@ void Computation::began(const std::shared_ptr<RunRecord>& record, const std::sha
     record->newest = from.fragments != nullptr && !from.fragments->list.empty() ? from.fragments->list.front().handOverTime : 0.0;
     const std::shared_ptr<RunRecord> older = std::exchange(m_run, record);
     emit runBegun();
-    dropFile(older, record);
+    setAside(older, record);
     emit stateChanged();
-}
-
-void Computation::showRun(const QString& path, double wallSeconds) {
-    if (m_inputs.fe == nullptr || simulating()) {
-        return;
-    }
-    auto record = std::make_shared<RunRecord>();
-    record->path = path;
-    record->kept = true;
-    record->wallSeconds = wallSeconds;
-    m_worker.start({Worker::Kind::Write,
-                    [record, inputs = m_inputs, previous = m_results](const Execution& execution) {
-                        execution.report({"gui.opening_run", "Opening the run", {}}, 0.0);
-                        readKept(*record, inputs, previous, execution);
-                    },
-                    [this, record, fe = m_inputs.fe](const std::exception_ptr& thrown) {
-                        if (const auto failure = failureOf(thrown)) {
-                            fail(*failure);
-                        } else if (thrown == nullptr && fe == m_inputs.fe && !simulating()) {
-                            const std::shared_ptr<RunRecord> older = std::exchange(m_run, record);
-                            dropFile(older, record);
-                            m_pace.reset();
-                            emit runReopened();
-                        }
-                        emit stateChanged();
-                    }});
 }
 
 void Computation::committed(const std::shared_ptr<RunRecord>& record, double time) {

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QTemporaryDir>
+#include <functional>
 #include <memory>
 
 #include "app/gui/watched_sink.h"
@@ -33,6 +34,7 @@ struct RunRecord {
     QString path;
     bool kept = false;  ///< the file is the user's, and stays
     bool live = false;
+    QString scenarioName;  ///< as it was called when it was simulated
     Scenario scenario;
     Results results;  ///< what it was made from; `simulation` once it is complete
     std::shared_ptr<io::RunReader> reader;
@@ -47,16 +49,16 @@ struct RunRecord {
     const HealthReport& health() const { return outcome != nullptr ? outcome->health : soFar; }
 };
 
-/// What has been computed for the open case: the FE result, the results by stage and the run. Starts the work on the worker and
 /// What is kept of the files that are read.
 struct Keeping {
     bool copies = false;                       ///< a compressed copy of every FE result
-    std::size_t bytes = std::size_t{1} << 30;  ///< of states and frames in memory
+    std::size_t bytes = std::size_t{2} << 30;  ///< of states and frames in memory
 
     std::size_t stateBytes() const { return bytes - frameBytes(); }
     std::size_t frameBytes() const { return bytes / 3; }
 };
 
+/// What has been computed for the open case: the FE result, the results by stage and the run. Starts the work on the worker and
 /// tells the window; results that a change has made stale stay until newer ones replace them.
 class Computation : public QObject {
     Q_OBJECT
@@ -84,6 +86,9 @@ public:
     /// Shows a run that was kept in place of the last one; answers with runReopened() or failed().
     /// @param wallSeconds  that it took, as far as that is known
     void showRun(const QString& path, double wallSeconds);
+    /// Opens a kept run of the FE result that is open to be shown beside the current one; answers with otherRunsChanged() or
+    /// failed().
+    void openOther(const QString& path);
     /// Long work that writes a file, with progress and cancel; `done` gets what it threw.
     void write(std::function<void(const Execution&)> work, std::function<void(std::exception_ptr)> done);
     void cancel();
@@ -102,6 +107,8 @@ public:
     /// What lay where the case says that its inputs are, when they were last read.
     const std::vector<io::FoundInput>& foundInputs() const { return m_found; }
     const Results& results() const { return m_results; }
+    /// The newest complete run of each other scenario that was simulated or opened in this window, in the order of their names.
+    const std::vector<std::shared_ptr<const RunRecord>>& otherRuns() const { return m_others; }
     const RunRecord* currentRun() const { return m_run.get(); }
     const std::shared_ptr<LivePace>& livePace() const { return m_pace; }
     /// Which effects take part and why; null until a scene is there to decide on.
@@ -130,6 +137,8 @@ signals:
     void runEnded(bool complete);
     /// A kept run is the current one now.
     void runReopened();
+    /// Runs that can be shown beside the current one have come or gone. @param newest  scenario of the one that came, or empty
+    void otherRunsChanged(const QString& newest);
     /// Effects were decided.
     void decided();
     /// The last run was acknowledged, or could not be: what was said against it.
@@ -152,6 +161,11 @@ private:
     void committed(const std::shared_ptr<RunRecord>& record, double time);
     void ended(const std::shared_ptr<RunRecord>& record, const std::shared_ptr<const SimulationResult>& outcome, double wall,
                const std::exception_ptr& thrown);
+    /// Reads a run that was kept and hands it over, if the FE result is still the same by then.
+    void readRun(const QString& path, double wallSeconds, const std::function<void(const std::shared_ptr<RunRecord>&)>& take);
+    void setAside(const std::shared_ptr<RunRecord>& older, const std::shared_ptr<RunRecord>& newer);
+    void addOther(const std::shared_ptr<const RunRecord>& run);
+    void dropOthers();
     void fail(const Failure& failure);
     void showProgress(Worker::Kind kind, const Progress& progress);
     QString scratchPath();
@@ -159,12 +173,14 @@ private:
     Keeping m_keeping;
     Inputs m_inputs;
     io::TerrainInput m_terrain;
+    Site m_site;  // with which it was read
     std::vector<io::FoundInput> m_found;
     ImportSettings m_import;  // with which the FE result was read
     Results m_results;
     std::shared_ptr<const EffectDecisions> m_decisions;
     Digest m_decidedFor;  // decisionKey() of what they were decided for
     std::shared_ptr<RunRecord> m_run;
+    std::vector<std::shared_ptr<const RunRecord>> m_others;
     std::shared_ptr<LivePace> m_pace;
     std::optional<Failure> m_failure;
     std::optional<Stage> m_runningStage;

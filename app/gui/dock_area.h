@@ -13,6 +13,21 @@ public:
 
     /// Takes a widget into a dock at the right that the user may move, float or close.
     QDockWidget* addDock(QWidget* content, const QString& title, const QString& name);
+    /// From now on this dock floats over the centre wherever beside it the centre would become too narrow to work in. Where the
+    /// user puts it holds until it is closed.
+    void floatWhereNarrow(QDockWidget& dock);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void arrange();
+    bool narrow() const;
+
+    QDockWidget* m_floating = nullptr;
+    bool m_floated = false;  ///< by this, not by the user
+    bool m_own = false;      ///< this moves it just now
+    bool m_settled = false;  ///< the user has put it somewhere
 };
 
 }  // namespace rubble

@@ -63,7 +63,10 @@ void Document::put(const Scenario& scenario) {
 bool Document::standsOn(const Case& theCase) const {
     const auto bare = [](Case of) {
         of.photographs.clear();
-        std::erase_if(of.inputs, [](const CaseInput& input) { return input.role == InputRole::Photograph; });
+        of.ensemble = {};
+        std::erase_if(of.inputs, [](const CaseInput& input) {
+            return input.role == InputRole::Photograph || input.role == InputRole::Survey;
+        });
         return of;
     };
     return bare(theCase) == bare(m_case);
@@ -92,6 +95,33 @@ void Document::setInputs(std::vector<CaseInput> inputs, const QString& what) {
         };
         m_undo.push(new StepCommand(what, way(std::move(inputs)), way(m_case.inputs)));
     }
+}
+
+void Document::setSurveys(std::vector<CaseInput> inputs, const QString& what) {
+    if (empty() || inputs == m_case.inputs) {
+        return;
+    }
+    const auto way = [this, base = m_base](std::vector<CaseInput> to) {
+        return [this, base, files = std::move(to)] {
+            m_case.inputs = base == m_base ? files : movedInputs(files, base, m_base);
+            emit surveysChanged();
+        };
+    };
+    m_undo.push(new StepCommand(what, way(std::move(inputs)), way(m_case.inputs)));
+}
+
+void Document::setSite(const Site& site, const std::string& crs, const QString& what) {
+    if (empty() || (site == m_case.site && crs == m_case.frame.crs)) {
+        return;
+    }
+    const auto way = [this](const Site& to, const std::string& system) {
+        return [this, to, system] {
+            m_case.site = to;
+            m_case.frame.crs = system;
+            emit inputsChanged();
+        };
+    };
+    m_undo.push(new StepCommand(what, way(site, crs), way(m_case.site, m_case.frame.crs)));
 }
 
 void Document::putInputs(const std::vector<CaseInput>& inputs, const QString& base) {
@@ -218,6 +248,19 @@ void Document::setPhotographs(std::vector<Photograph> photographs, std::vector<C
         };
     };
     m_undo.push(new StepCommand(what, way(std::move(photographs), std::move(inputs)), way(m_case.photographs, m_case.inputs)));
+}
+
+void Document::setEnsemble(const EnsembleSettings& ensemble, const QString& what) {
+    if (empty() || ensemble == m_case.ensemble) {
+        return;
+    }
+    const auto way = [this](const EnsembleSettings& to) {
+        return [this, to] {
+            m_case.ensemble = to;
+            emit ensembleChanged();
+        };
+    };
+    m_undo.push(new StepCommand(what, way(ensemble), way(m_case.ensemble)));
 }
 
 void Document::applyPreset(const QString& name) {

@@ -25,7 +25,7 @@ public:
     const QString& path() const { return m_path; }
     /// The file that inputs are relative to: where the case lies or would lie.
     const QString& base() const { return m_base; }
-    /// Whether a case is this one, photographs apart: they may be edited while its files are read.
+    /// Whether a case is this one, photographs and ensemble apart: they may be edited while its files are read.
     bool standsOn(const Case& theCase) const;
     bool modified() const { return !empty() && !m_undo.isClean(); }
     QUndoStack& undoStack() { return m_undo; }
@@ -44,6 +44,10 @@ public:
     void edit(const QString& what, const Scenario& after);
     /// Another set of input files as one undoable command.
     void setInputs(std::vector<CaseInput> inputs, const QString& what);
+    /// Other surveys among the input files as one undoable command; no result depends on them.
+    void setSurveys(std::vector<CaseInput> inputs, const QString& what);
+    /// How the case lies in the world as one undoable command: terrain and surroundings are read anew.
+    void setSite(const Site& site, const std::string& crs, const QString& what);
     /// A copy of a scenario under another name becomes the one that is worked on.
     void duplicateScenario(const std::string& id);
     void renameScenario(const std::string& id, const QString& name);
@@ -56,6 +60,8 @@ public:
     void setBookmarks(std::vector<Bookmark> bookmarks, const QString& what);
     /// Other photographs, and the files that they are, as one undoable command; no result depends on them.
     void setPhotographs(std::vector<Photograph> photographs, std::vector<CaseInput> inputs, const QString& what);
+    /// What an ensemble of the case varies, as one undoable command; no result depends on it.
+    void setEnsemble(const EnsembleSettings& ensemble, const QString& what);
     /// A preset is one command too.
     void applyPreset(const QString& name);
     /// Edits of one parameter between these two are one step of undo.
@@ -73,6 +79,8 @@ signals:
     void scenariosChanged();
     void bookmarksChanged();
     void photographsChanged();
+    void surveysChanged();
+    void ensembleChanged();
     void titleChanged();
 
 private:

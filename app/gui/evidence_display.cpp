@@ -188,7 +188,7 @@ void EvidenceDisplay::chooseFiles() {
 
 void EvidenceDisplay::add(const QStringList& paths) {
     if (!m_document.empty()) {
-        m_deck.choose(PanelDeck::Evidence);
+        m_deck.chooseEvidence(PanelDeck::Photographs);
         m_work.find(paths);
     }
 }

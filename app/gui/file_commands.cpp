@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -21,6 +22,7 @@
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/view_json.h"
 #include "widgets/file_chart.h"
+#include "widgets/site_dialog.h"
 
 namespace rubble {
 
@@ -50,7 +52,7 @@ FileCommands::FileCommands(Document& document, Computation& computation, QWidget
 
 QString FileCommands::askForInput() {
     return QFileDialog::getOpenFileName(&m_window, tr("Open"), QFileInfo(m_document.base()).absolutePath(),
-                                        tr("Cases and FE results (*);;Cases (*.rubble)"));
+                                        tr("Cases, FE results and figures of them (*);;Cases (*.rubble)"));
 }
 
 void FileCommands::setTerrain(const QString& path, const QString& what) {
@@ -78,6 +80,65 @@ void FileCommands::chooseTerrain() {
 
 void FileCommands::dropTerrain() {
     setTerrain({}, tr("terrain left out"));
+}
+
+void FileCommands::setFiles(InputRole role, const QStringList& paths, bool beside, const QString& what) {
+    std::vector<CaseInput> inputs = m_document.theCase().inputs;
+    if (!beside) {
+        std::erase_if(inputs, [&](const CaseInput& input) { return input.role == role; });
+    }
+    const QDir folder = QFileInfo(m_document.base()).absoluteDir();
+    const std::string stem = role == InputRole::Orthophoto ? "orthophoto-" : "surroundings-";
+    for (const QString& path : paths) {
+        int number = 1;
+        const auto taken = [&] {
+            return std::any_of(inputs.begin(), inputs.end(),
+                               [&](const CaseInput& input) { return input.id == stem + std::to_string(number); });
+        };
+        while (taken()) {
+            ++number;
+        }
+        inputs.push_back({stem + std::to_string(number), role, folder.relativeFilePath(path).toStdString(), ""});
+    }
+    m_document.setInputs(std::move(inputs), what);
+}
+
+void FileCommands::chooseOrthophoto() {
+    const QString path =
+        QFileDialog::getOpenFileName(&m_window, tr("Orthophoto"), QFileInfo(m_document.base()).absolutePath(),
+                                     tr("Pictures of the ground (*.tif *.tiff *.jp2 *.jpg *.jpeg *.png *.img);;All files (*)"));
+    if (!path.isEmpty()) {
+        setFiles(InputRole::Orthophoto, {path}, false, tr("orthophoto %1").arg(QFileInfo(path).fileName()));
+    }
+}
+
+void FileCommands::chooseSurroundings() {
+    const QStringList paths =
+        QFileDialog::getOpenFileNames(&m_window, tr("Surroundings"), QFileInfo(m_document.base()).absolutePath(),
+                                      tr("Meshes (*.obj *.ply *.gltf *.glb);;All files (*)"));
+    if (!paths.isEmpty()) {
+        setFiles(InputRole::Surroundings, paths, true, tr("surroundings %1").arg(QFileInfo(paths.front()).fileName()));
+    }
+}
+
+void FileCommands::dropSurroundings() {
+    std::vector<CaseInput> inputs = m_document.theCase().inputs;
+    std::erase_if(inputs, [](const CaseInput& input) {
+        return input.role == InputRole::Orthophoto || input.role == InputRole::Surroundings;
+    });
+    m_document.setInputs(std::move(inputs), tr("orthophoto and surroundings left out"));
+}
+
+void FileCommands::editSite() {
+    const Case& theCase = m_document.theCase();
+    widgets::SiteDialog dialog(&m_window);
+    dialog.setContent(theCase.site, QString::fromStdString(theCase.frame.crs),
+                      static_cast<int>(std::count_if(theCase.inputs.begin(), theCase.inputs.end(), [](const CaseInput& input) {
+                          return input.role == InputRole::Surroundings;
+                      })));
+    if (dialog.exec() == QDialog::Accepted) {
+        m_document.setSite(dialog.site(), dialog.crs().toStdString(), tr("site"));
+    }
 }
 
 bool FileCommands::mayLeave() {
@@ -120,9 +181,11 @@ bool FileCommands::saveTo(const QString& path) {
             if (input.role == InputRole::Terrain && input.sha256.empty()) {
                 input.sha256 = m_computation.terrain().sha256;
             }
+            for (const io::SiteFile& file : m_computation.terrain().files) {
+                input.sha256 = input.sha256.empty() && file.input == input.id ? file.sha256 : input.sha256;
+            }
         }
-        io::saveCase(path.toStdString(), moved);
-        m_document.saved(moved, path);
+        m_document.saved(io::saveCase(path.toStdString(), moved), path);
         emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
         return true;
     } catch (...) {
@@ -243,23 +306,16 @@ void FileCommands::exportSeries() {
     }
 }
 
-void FileCommands::exportFigure(const render::View& view, const render::SceneData& data) {
-    if (data.fe == nullptr) {
+void FileCommands::exportGltf() {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || record->reader == nullptr || record->running) {
         return;
     }
-    const QString path = askForOutput(tr("Figure"), QStringLiteral(".png"), tr("Images (*.png)"));
-    if (path.isEmpty()) {
-        return;
-    }
-    try {
-        figures::FigureStyle style;
-        style.provenance = "Rubble, " + QFileInfo(QString::fromStdString(data.fe->contents().path)).fileName().toStdString() +
-                           ", SHA-256 " + data.fe->contents().sha256.substr(0, 16);
-        figures::writeFigure(path.toStdString(), view, data, style);
-        emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
-    } catch (...) {
-        const auto failure = failureOf(std::current_exception());
-        emit failed(failure->what, failure->remedy);
+    const QString path = askForOutput(tr("Fragments as glTF"), QStringLiteral(".glb"), tr("Binary glTF (*.glb)"));
+    if (!path.isEmpty()) {
+        m_computation.write(
+            [path, run = record->reader](const Execution& execution) { io::exportGltf(path.toStdString(), *run, execution); },
+            [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
     }
 }
 
@@ -308,14 +364,18 @@ void FileCommands::saveChart(const widgets::FileChart& chart, const QString& suf
     }
 }
 
+void writeChart(const QString& path, const widgets::FileChart& chart) {
+    if (QFileInfo(path).suffix().compare(QLatin1String("svg"), Qt::CaseInsensitive) == 0) {
+        const QByteArray drawing = chart.svg(chartSize);
+        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { out.write(drawing.data(), drawing.size()); });
+    } else {
+        figures::writePng(path.toStdString(), chart.image(2 * chartSize));
+    }
+}
+
 void FileCommands::saveChartTo(const QString& path, const widgets::FileChart& chart) {
     try {
-        if (QFileInfo(path).suffix().compare(QLatin1String("svg"), Qt::CaseInsensitive) == 0) {
-            const QByteArray drawing = chart.svg(chartSize);
-            io::writeAtomically(path.toStdString(), [&](std::ostream& out) { out.write(drawing.data(), drawing.size()); });
-        } else {
-            figures::writePng(path.toStdString(), chart.image(2 * chartSize));
-        }
+        writeChart(path, chart);
         emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
     } catch (...) {
         const auto failure = failureOf(std::current_exception());

@@ -6,6 +6,7 @@
 #include <memory>
 #include <ostream>
 
+#include "core/scenario/case.h"
 #include "widgets/render/scene_data.h"
 #include "widgets/render/view.h"
 
@@ -21,6 +22,9 @@ namespace widgets {
 class FileChart;
 }
 
+/// Writes a chart as SVG where the path ends so, as PNG otherwise. Throws WorldError.
+void writeChart(const QString& path, const widgets::FileChart& chart);
+
 /// Saving and exporting: asks for paths, writes on the worker, says what came of it.
 class FileCommands : public QObject {
     Q_OBJECT
@@ -35,6 +39,13 @@ public:
     void chooseTerrain();
     /// The case goes on without a terrain.
     void dropTerrain();
+    /// Asks for an orthophoto, or for meshes of the surroundings, and takes them into the case.
+    void chooseOrthophoto();
+    void chooseSurroundings();
+    /// The case goes on without both.
+    void dropSurroundings();
+    /// Asks how the case lies in the world.
+    void editSite();
     bool save();
     bool saveAs();
     /// Writes the case to a path; says what went wrong in a message through failed().
@@ -49,7 +60,7 @@ public:
     /// A view that the user chooses; nothing if he does not, or if it cannot be read.
     std::optional<render::View> importView();
     void exportSeries();
-    void exportFigure(const render::View& view, const render::SceneData& data);
+    void exportGltf();
     void saveSweep(const std::shared_ptr<const AccuracyReport>& report);
     void saveCalibration(const std::shared_ptr<const Calibration>& calibration);
     /// @param suffix  that the proposed name ends with: "-accuracy.svg"
@@ -58,7 +69,6 @@ public:
     void saveSweepTo(const QString& path, const AccuracyReport& report);
     /// Writes the points of a calibration as CSV, with the columns of rubble-cli calibrate --csv.
     void saveCalibrationTo(const QString& path, const Calibration& calibration);
-    /// Writes the chart as SVG where the path ends so, as PNG otherwise.
     void saveChartTo(const QString& path, const widgets::FileChart& chart);
 
 signals:
@@ -69,6 +79,8 @@ signals:
 
 private:
     void setTerrain(const QString& path, const QString& what);
+    /// The case with files of a role put in place of those it has, or beside them.
+    void setFiles(InputRole role, const QStringList& paths, bool beside, const QString& what);
     QString askForOutput(const QString& title, const QString& suffix, const QString& filter);
     void writeTable(const QString& path, const std::function<void(std::ostream&)>& table);
     void reportWrite(const QString& path, std::exception_ptr thrown);

@@ -18,7 +18,7 @@ namespace rubble {
 namespace {
 
 /// Parts of the window and what of the manual is about them; the innermost part that a widget stands in decides.
-constexpr std::array<std::pair<const char*, const char*>, 21> topics{{
+constexpr std::array<std::pair<const char*, const char*>, 25> topics{{
     {"rubble::widgets::EffectRow", "Effects"},
     {"rubble::widgets::ContactTable", "Effects#Materials"},
     {"rubble::widgets::MaterialsTable", "Effects#Materials"},
@@ -29,6 +29,10 @@ constexpr std::array<std::pair<const char*, const char*>, 21> topics{{
     {"rubble::widgets::ErrorBar", "Views and timeline"},
     {"rubble::widgets::AccuracyPage", "Measures#The measures"},
     {"rubble::widgets::AccuracyPanel", "Accuracy"},
+    {"rubble::widgets::EnsemblePanel", "Ensembles and causes#In the window"},
+    {"rubble::widgets::EnsemblePage", "Ensembles and causes#In the window"},
+    {"rubble::widgets::CausesPanel", "Ensembles and causes#In the window"},
+    {"rubble::widgets::CausesPage", "Ensembles and causes#In the window"},
     {"rubble::widgets::EvidencePanel", "Photographs"},
     {"rubble::widgets::EvidencePage", "Photographs"},
     {"rubble::widgets::CasePanel", "Case"},

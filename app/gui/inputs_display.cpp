@@ -29,6 +29,10 @@ QString roleName(InputRole role) {
             return InputsDisplay::tr("The terrain");
         case InputRole::Photograph:
             return InputsDisplay::tr("The photograph");
+        case InputRole::Orthophoto:
+            return InputsDisplay::tr("The orthophoto");
+        case InputRole::Surroundings:
+            return InputsDisplay::tr("The mesh of surroundings");
         case InputRole::Survey:
             break;
     }

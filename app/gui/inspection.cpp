@@ -5,6 +5,7 @@
 
 #include "app/gui/component_display.h"
 #include "app/gui/dock_area.h"
+#include "app/gui/playback.h"
 #include "app/gui/selection_display.h"
 #include "app/gui/view_area.h"
 #include "app/gui/view_tools.h"
@@ -24,9 +25,10 @@ Inspection::Inspection(Document& document, Computation& computation, Playback& p
       m_treeDock(m_docks->addDock(m_tree, tr("Components"), QStringLiteral("componentsDock"))),
       m_formDock(m_docks->addDock(m_form, tr("Select by"), QStringLiteral("selectDock"))),
       m_inspectorDock(m_docks->addDock(m_inspector, tr("Inspector"), QStringLiteral("inspectorDock"))),
-      m_components(new ComponentDisplay(document, computation, playback, area, *m_tree, this)),
+      m_components(new ComponentDisplay(document, computation, playback.clock(), area.views(), *m_tree, this)),
       m_selection(new SelectionDisplay(computation, playback, area, *m_inspector, *m_form, this)),
       m_tools(new ViewTools(actions, area, this)) {
+    m_docks->floatWhereNarrow(*m_inspectorDock);
     connectActions();
     connect(m_selection, &SelectionDisplay::changed, this, &Inspection::selectionChanged);
     connect(m_treeDock, &QDockWidget::visibilityChanged, this, [this](bool visible) {

@@ -17,10 +17,12 @@ const QString group = QStringLiteral("layout");
 
 }  // namespace
 
-LayoutMemory::LayoutMemory(QMainWindow& window, QSplitter& splitter)
+LayoutMemory::LayoutMemory(QMainWindow& window, QMainWindow& docks, QSplitter& splitter)
     : m_window(window),
+      m_docks(docks),
       m_splitter(splitter),
       m_firstState(window.saveState(layoutVersion)),
+      m_firstDocks(docks.saveState(layoutVersion)),
       m_firstSplitter(splitter.saveState()) {}
 
 void LayoutMemory::restore() {
@@ -28,6 +30,7 @@ void LayoutMemory::restore() {
     settings.beginGroup(group);
     m_window.restoreGeometry(settings.value(QStringLiteral("window")).toByteArray());
     m_window.restoreState(settings.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
+    m_docks.restoreState(settings.value(QStringLiteral("inner_docks")).toByteArray(), layoutVersion);
     m_splitter.restoreState(settings.value(QStringLiteral("splitter")).toByteArray());
 }
 
@@ -36,12 +39,14 @@ void LayoutMemory::save() const {
     settings.beginGroup(group);
     settings.setValue(QStringLiteral("window"), m_window.saveGeometry());
     settings.setValue(QStringLiteral("docks"), m_window.saveState(layoutVersion));
+    settings.setValue(QStringLiteral("inner_docks"), m_docks.saveState(layoutVersion));
     settings.setValue(QStringLiteral("splitter"), m_splitter.saveState());
 }
 
 void LayoutMemory::reset() {
     QSettings().remove(group);
     m_window.restoreState(m_firstState, layoutVersion);
+    m_docks.restoreState(m_firstDocks, layoutVersion);
     m_splitter.restoreState(m_firstSplitter);
 }
 

@@ -12,7 +12,8 @@ namespace rubble {
 class LayoutMemory {
 public:
     /// Takes how they stand now for the layout that reset() goes back to.
-    LayoutMemory(QMainWindow& window, QSplitter& splitter);
+    /// @param docks  the area with docks inside the window
+    LayoutMemory(QMainWindow& window, QMainWindow& docks, QSplitter& splitter);
 
     /// As it was left; what makes no sense (another screen, a damaged setting) is left as it is.
     void restore();
@@ -22,8 +23,10 @@ public:
 
 private:
     QMainWindow& m_window;
+    QMainWindow& m_docks;
     QSplitter& m_splitter;
     QByteArray m_firstState;
+    QByteArray m_firstDocks;
     QByteArray m_firstSplitter;
 };
 

@@ -8,13 +8,17 @@
 #include "app/gui/accuracy_display.h"
 #include "app/gui/layout_memory.h"
 #include "app/gui/main_window.h"
+#include "app/gui/new_case.h"
 #include "app/gui/options.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/project_display.h"
 #include "app/gui/screenshot.h"
 #include "app/gui/settings.h"
+#include "app/gui/speed_measure.h"
+#include "core/base/memory.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/language.h"
+#include "widgets/new_case_wizard.h"
 #include "widgets/theme.h"
 
 namespace {
@@ -40,6 +44,7 @@ QStringList argumentsOf(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    rubble::keepFreedMemory();
     const rubble::Options options = rubble::parseOptions(argumentsOf(argc, argv));
     if (options.wrong) {
         std::fprintf(stderr, "rubble: %s\n", qPrintable(options.text));
@@ -58,6 +63,7 @@ int main(int argc, char** argv) {
     }
     QCoreApplication::setOrganizationName(QStringLiteral("rubble"));
     QCoreApplication::setApplicationName(QStringLiteral("rubble"));
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.rubble.Rubble"));
     QApplication application(argc, argv);
     // Qt takes the system's locale over for C as well, but files are read and written with a point as decimal sign everywhere.
     std::setlocale(LC_NUMERIC, "C");
@@ -69,7 +75,7 @@ int main(int argc, char** argv) {
     if (!options.theme.isEmpty()) {
         window.setTheme(options.theme);
     }
-    if (options.screenshot.isEmpty()) {
+    if (options.screenshot.isEmpty() && options.chart.isEmpty() && !options.measure) {
         window.project().restoreLayout();
         window.project().begin();
     }
@@ -81,21 +87,30 @@ int main(int argc, char** argv) {
     if (options.size.isValid()) {
         window.resize(options.size);
     }
+    if (options.measure) {
+        rubble::SpeedMeasure measure(window, options);
+        QObject::connect(&measure, &rubble::SpeedMeasure::finished, &application, &QCoreApplication::exit);
+        window.show();
+        return QApplication::exec();
+    }
     window.show();
     if (options.accuracy) {
         window.accuracy().compareWhenReady();
     }
     if (options.sample) {
         window.openSample();
+    } else if (options.newCaseStep && !options.path.isEmpty()) {
+        window.newCase(options.path);
+        window.caseInTheMaking()->wizard().go(static_cast<rubble::widgets::NewCaseWizard::Step>(*options.newCaseStep));
     } else if (!options.path.isEmpty()) {
         window.open(options.path, options.simulate);
     }
-    if (!options.screenshot.isEmpty()) {
+    if (!options.screenshot.isEmpty() || !options.chart.isEmpty()) {
         new rubble::Screenshot(window, options);
     } else if (options.time || options.panel) {
         QObject::connect(&window.computation(), &rubble::Computation::opened, &window, [&window, options] {
             if (options.panel) {
-                window.deck().choose(static_cast<rubble::PanelDeck::Entry>(*options.panel));
+                window.deck().choosePage(*options.panel);
             }
             if (options.time) {
                 window.showInstant(*options.time);

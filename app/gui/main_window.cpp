@@ -6,7 +6,6 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <algorithm>
@@ -15,25 +14,32 @@
 
 #include "app/gui/accuracy_display.h"
 #include "app/gui/calibration_display.h"
+#include "app/gui/ensemble_display.h"
 #include "app/gui/error_display.h"
 #include "app/gui/evidence_display.h"
+#include "app/gui/evidence_studies.h"
+#include "app/gui/figure_return.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/forecast_display.h"
 #include "app/gui/grid_display.h"
 #include "app/gui/health_display.h"
 #include "app/gui/help.h"
 #include "app/gui/inspection.h"
+#include "app/gui/new_case.h"
 #include "app/gui/panel_deck.h"
+#include "app/gui/picture_export.h"
 #include "app/gui/playback.h"
 #include "app/gui/project_display.h"
+#include "app/gui/report_work.h"
 #include "app/gui/run_history.h"
 #include "app/gui/sample.h"
+#include "app/gui/scenario_pane.h"
 #include "app/gui/selection_display.h"
 #include "app/gui/settings.h"
 #include "app/gui/status_feed.h"
+#include "app/gui/survey_display.h"
 #include "app/gui/view_area.h"
 #include "app/gui/view_tools.h"
-#include "core/base/build.h"
 #include "io/fe_reader.h"
 #include "widgets/accuracy_page.h"
 #include "widgets/evidence_page.h"
@@ -46,6 +52,11 @@
 namespace rubble {
 
 namespace {
+
+/// Whether what is seen of one result can be seen of another alike: the files around it may be others.
+bool sameToSee(const std::shared_ptr<const FeResult>& a, const std::shared_ptr<const FeResult>& b) {
+    return a != nullptr && b != nullptr && a->times() == b->times() && a->mesh().nodes == b->mesh().nodes;
+}
 
 widgets::RunPanel::Outcome outcomeOf(const RunRecord& record) {
     widgets::RunPanel::Outcome outcome;
@@ -76,10 +87,17 @@ MainWindow::MainWindow(QWidget* parent)
       m_calibration(new CalibrationDisplay(m_document, *m_deck, *this, this)),
       m_forecast(new ForecastDisplay(m_document, m_computation, *m_grid, m_calibration->work(), *m_deck, this)),
       m_errors(new ErrorDisplay(m_computation, *m_area, this)),
+      m_scenarioPane(new ScenarioPane(m_document, m_computation, *m_area, this)),
       m_inspection(new Inspection(m_document, m_computation, *m_playback, *m_area, m_actions, this)),
+      m_studies(new EvidenceStudies(m_document, m_computation, *m_deck, this)),
       m_evidence(new EvidenceDisplay(
           m_document, m_computation, *m_deck, *m_evidencePage, *m_playback, [this] { return sceneData(); }, this)),
+      m_survey(new SurveyDisplay(m_document, m_computation, *m_deck, *m_evidencePage, this)),
       m_files(new FileCommands(m_document, m_computation, *this)),
+      m_pictures(new PictureExport(m_document, m_computation, *this)),
+      m_return(new FigureReturn(m_document, m_computation, this)),
+      m_report(new ReportWork(
+          m_document, m_computation, *m_deck, [this] { return sceneData(); }, *this)),
       m_colours(new QComboBox),
       m_title(new QLabel),
       m_help(new Help(*this)) {
@@ -97,6 +115,8 @@ MainWindow::MainWindow(QWidget* parent)
     connectCosts();
     connectProject();
     connectEvidence();
+    connectStudies();
+    connectExports();
     qApp->installEventFilter(this);
     QSettings settings;
     QStringList complaints;
@@ -119,6 +139,7 @@ MainWindow::~MainWindow() {
     m_computation.cancel();
     m_document.undoStack().disconnect();
     m_document.disconnect();
+    delete m_newCase;
     delete m_project;
     delete m_feed;
     delete m_health;
@@ -127,13 +148,23 @@ MainWindow::~MainWindow() {
     delete m_calibration;
     delete m_grid;
     delete m_inspection;
+    delete m_survey;
     delete m_evidence;
+    delete m_studies;
+    delete m_scenarioPane;
+    delete m_report;
+    delete m_return;
     delete m_errors;
     delete m_playback;
     delete m_deck;
 }
 
 void MainWindow::open(const QString& path, bool simulate) {
+    if (FigureReturn::carriesSource(path)) {
+        m_return->begin(path);
+        return;
+    }
+    m_return->forget();
     if (!m_files->mayLeave()) {
         return;
     }
@@ -211,11 +242,12 @@ void MainWindow::takeOpened(const Opened& opened) {
         m_document.replace(opened.theCase, opened.path, opened.base, opened.recovered);
     }
     const bool refreshed = again && before != nullptr && before == m_computation.inputs().fe && opened.fe != nullptr;
+    const bool around = again && !refreshed && !m_simulateWhenReady && sameToSee(m_computation.inputs().fe, opened.fe);
     const render::View viewBefore = m_area->views().view();
     const double timeBefore = m_playback->clock().time();
     m_computation.take(opened, m_document.scenario());
     showScene();
-    if (opened.fe != nullptr && !refreshed) {
+    if (opened.fe != nullptr && !refreshed && !around) {
         render::View view = render::defaultView(m_shown, m_area->views().width(), m_area->views().height());
         view.theme = widgets::currentTheme();
         view.colourBy = viewBefore.colourBy;
@@ -235,6 +267,9 @@ void MainWindow::takeOpened(const Opened& opened) {
     }
     if (refreshed) {
         showRefreshed(*before, viewBefore, timeBefore);
+    } else if (around) {
+        setView(viewBefore);
+        m_playback->scrub(timeBefore);
     } else {
         m_deck->choose(opened.fe != nullptr && !opened.path.isEmpty() ? PanelDeck::Grid : PanelDeck::Case);
     }
@@ -288,6 +323,9 @@ render::SceneData MainWindow::sceneData() const {
     scene.reference = m_errors->reference();
     scene.setSurroundings(record != nullptr ? record->scenario : m_document.scenario(), m_computation.inputs().terrain,
                           record != nullptr ? record->outcome.get() : nullptr);
+    const auto& map = m_studies->ensemble().groundPicture();
+    scene.orthophoto = map != nullptr ? map : m_computation.terrain().orthophoto;
+    scene.surroundings = m_computation.terrain().surroundings;
     return scene;
 }
 
@@ -371,12 +409,14 @@ void MainWindow::showState() {
     const bool costly = !costlyWork().isEmpty();
     const bool deaths = m_computation.results().fragments == nullptr || !m_computation.results().fragments->list.empty();
     m_deck->showState();
-    for (const char* id :
-         {"play",          "play_backwards", "loop",        "loop_from",  "loop_to",     "bookmark", "previous_bookmark",
-          "next_bookmark", "back",           "forward",     "back_ten",   "forward_ten", "first",    "last",
-          "fit",           "stacked",        "beside",      "overlay",    "four",        "fe_only",  "fragments_only",
-          "link",          "export_figure",  "export_view", "import_view"}) {
-        m_actions[id].setEnabled(have);
+    static const QStringList views =
+        QStringLiteral(
+            "play play_backwards loop loop_from loop_to bookmark previous_bookmark next_bookmark back "
+            "forward back_ten forward_ten first last fit stacked beside overlay four fe_only fragments_only "
+            "other_scenario link export_figure export_movie export_view import_view")
+            .split(u' ');
+    for (const QString& id : views) {
+        m_actions[id.toStdString()].setEnabled(have);
     }
     m_actions["refresh"].setEnabled(have && !running);
     m_actions["simulate"].setEnabled(have && deaths && !running && !costly);
@@ -384,14 +424,21 @@ void MainWindow::showState() {
     m_actions["cancel"].setEnabled(m_computation.busy() || costly);
     m_actions["save_run"].setEnabled(record != nullptr && !record->running);
     m_actions["export_fragments"].setEnabled(finished);
+    m_actions["write_report"].setEnabled(finished && !m_report->writing());
+    m_report->refresh();
     m_actions["export_series"].setEnabled(finished);
+    m_actions["export_gltf"].setEnabled(finished);
     m_actions["export_selection"].setEnabled(finished && !m_inspection->selection().fragments().empty());
-    for (const char* id : {"save", "save_as", "close", "preset_default", "preset_paper", "terrain"}) {
+    for (const char* id : {"save", "save_as", "close", "preset_default", "preset_paper", "terrain", "orthophoto", "surroundings",
+                           "site", "add_survey"}) {
         m_actions[id].setEnabled(!m_document.empty());
     }
-    const auto& inputs = m_document.theCase().inputs;
-    m_actions["no_terrain"].setEnabled(
-        std::any_of(inputs.begin(), inputs.end(), [](const CaseInput& input) { return input.role == InputRole::Terrain; }));
+    const auto has = [&inputs = m_document.theCase().inputs](InputRole role) {
+        return std::any_of(inputs.begin(), inputs.end(), [role](const CaseInput& input) { return input.role == role; });
+    };
+    m_actions["no_terrain"].setEnabled(has(InputRole::Terrain));
+    m_actions["no_surroundings"].setEnabled(has(InputRole::Orthophoto) || has(InputRole::Surroundings));
+    m_actions["compare_survey"].setEnabled(finished && has(InputRole::Survey));
     m_colours->setEnabled(have);
     m_playback->refresh(record != nullptr && m_computation.runStale(m_document.scenario()));
     showBusy();
@@ -422,11 +469,13 @@ void MainWindow::showTitle() {
 
 void MainWindow::setView(const render::View& view) {
     m_area->views().setView(view);
-    const std::array<const char*, 6> layouts = {"beside", "stacked", "fe_only", "fragments_only", "overlay", "four"};
+    const std::array<const char*, 7> layouts = {"beside",  "stacked", "fe_only",       "fragments_only",
+                                                "overlay", "four",    "other_scenario"};
     m_actions[layouts[static_cast<std::size_t>(view.layout)]].setChecked(true);
     m_actions["link"].setChecked(view.camerasLinked);
     m_colours->setCurrentIndex(m_colours->findData(static_cast<int>(view.colourBy)));
     m_errors->setShown(view.colourBy == render::ColourBy::Error);
+    m_scenarioPane->setShown(view.layout == render::Layout::Scenarios);
     m_inspection->tools().refresh();
 }
 
@@ -434,6 +483,7 @@ QString MainWindow::costlyWork() const {
     return m_accuracy->work().running()      ? tr("Settings are being compared: work beside it would spoil the times.")
            : m_calibration->work().running() ? tr("This machine is being calibrated: work beside it would spoil the times.")
            : m_errors->work().running()      ? tr("A reference is being computed.")
+           : m_studies->work().running()     ? tr("Members of an ensemble are being simulated.")
                                              : QString();
 }
 
@@ -444,6 +494,7 @@ void MainWindow::showBusy() {
     m_accuracy->setBusy(comparing ? QString() : costlyWork());
     m_calibration->setBusy(m_calibration->work().running() ? QString() : simulating ? run : costlyWork());
     m_errors->setBusy(m_errors->work().running() ? QString() : simulating ? run : costlyWork());
+    m_studies->setBusy(m_studies->work().running() ? QString() : costlyWork());
 }
 
 void MainWindow::showGrid() {
@@ -473,30 +524,10 @@ void MainWindow::setTheme(const QString& name) {
     m_accuracy->refresh();
     m_calibration->refresh();
     m_evidence->refresh();
+    m_survey->refresh();
+    m_studies->refresh();
     m_feed->refresh();
     showTitle();
-}
-
-void MainWindow::showView(render::View view) {
-    view.theme = widgets::currentTheme();
-    m_playback->clock().pause();
-    setView(view);
-    m_playback->scrub(view.time);
-    m_inspection->refresh();
-}
-
-void MainWindow::showInstant(double time) {
-    m_playback->clock().pause();
-    m_playback->scrub(time);
-}
-
-void MainWindow::showAbout() {
-    QMessageBox::about(
-        this, tr("About Rubble"),
-        tr("<h3>Rubble %1</h3><p>Turns the elements that a collapse analysis deactivates into rigid fragments and shows where "
-           "they go.</p><p>Method: Xu, Lu, Guan, Ren: Physics engine-driven visualization of deactivated elements and its "
-           "application in bridge collapse simulation. Automation in Construction 35 (2013) 471-481.</p>")
-            .arg(QString::fromUtf8(versionText().data(), static_cast<qsizetype>(versionText().size()))));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -510,6 +541,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     m_calibration->work().cancel();
     m_errors->work().cancel();
     m_evidence->work().cancel();
+    m_survey->cancel();
+    m_studies->work().cancel();
     event->accept();
 }
 
@@ -527,7 +560,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
         for (const QUrl& url : urls) {
             paths << url.toLocalFile();
         }
-        if (m_evidence->takes(paths)) {
+        if (FigureReturn::carriesSource(paths.front())) {
+            open(paths.front());
+        } else if (m_evidence->takes(paths)) {
             m_evidence->add(paths);
         } else {
             open(paths.front());

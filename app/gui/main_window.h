@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QPointer>
 
 #include "app/gui/actions.h"
 #include "app/gui/computation.h"
@@ -21,17 +22,24 @@ class AccuracyDisplay;
 class CalibrationDisplay;
 class ErrorDisplay;
 class EvidenceDisplay;
+class EvidenceStudies;
+class FigureReturn;
 class FileCommands;
 class ForecastDisplay;
 class GridDisplay;
 class HealthDisplay;
 class Help;
 class Inspection;
+class NewCase;
 class PanelDeck;
+class PictureExport;
 class Playback;
 class ProjectDisplay;
+class ReportWork;
+class ScenarioPane;
 struct LeftWork;
 class StatusFeed;
+class SurveyDisplay;
 class ViewArea;
 namespace widgets {
 class AccuracyPage;
@@ -53,6 +61,8 @@ public:
     /// Opens a case or an FE result; with `simulate`, simulates it as soon as it is prepared.
     void open(const QString& path, bool simulate = false);
     void openSample();
+    /// Makes a new case by the wizard, from a file that is asked for if none is named. What is open stays until the case is made.
+    void newCase(const QString& path = {});
     /// Opens what an earlier session left unsaved.
     void recover(const LeftWork& work);
     /// Reads the FE result again if files of it have grown or come; scenario, time and camera stay.
@@ -76,16 +86,23 @@ public:
     CalibrationDisplay& calibration() { return *m_calibration; }
     ForecastDisplay& forecast() { return *m_forecast; }
     ErrorDisplay& errors() { return *m_errors; }
+    ScenarioPane& scenarioPane() { return *m_scenarioPane; }
     Inspection& inspection() { return *m_inspection; }
     EvidenceDisplay& evidence() { return *m_evidence; }
+    SurveyDisplay& survey() { return *m_survey; }
+    EvidenceStudies& studies() { return *m_studies; }
     widgets::EvidencePage& evidencePage() { return *m_evidencePage; }
     widgets::AccuracyPage& accuracyPage() { return *m_accuracyPage; }
     widgets::Timeline& timeline() { return *m_timeline; }
     widgets::StatusLine& statusLine() { return *m_status; }
     FileCommands& files() { return *m_files; }
     ProjectDisplay& project() { return *m_project; }
+    PictureExport& pictures() { return *m_pictures; }
+    ReportWork& report() { return *m_report; }
     Actions& actions() { return m_actions; }
     Help& help() { return *m_help; }
+    /// The case that is being made; null if none is.
+    NewCase* caseInTheMaking() const;
     const widgets::Preferences& preferences() const { return m_preferences; }
     /// What the views show.
     render::SceneData sceneData() const;
@@ -111,6 +128,9 @@ private:
     void connectAccuracy();
     void connectCosts();
     void connectEvidence();
+    void connectStudies();
+    void showCentre();
+    void connectExports();
     /// What would spoil the times of other work, in words; empty: nothing runs that would.
     QString costlyWork() const;
     void showBusy();
@@ -151,9 +171,15 @@ private:
     CalibrationDisplay* m_calibration;
     ForecastDisplay* m_forecast;
     ErrorDisplay* m_errors;
+    ScenarioPane* m_scenarioPane;
     Inspection* m_inspection;
+    EvidenceStudies* m_studies;
     EvidenceDisplay* m_evidence;
+    SurveyDisplay* m_survey;
     FileCommands* m_files;
+    PictureExport* m_pictures;
+    FigureReturn* m_return;
+    ReportWork* m_report;
     ProjectDisplay* m_project = nullptr;
     QComboBox* m_colours;
     QLabel* m_title;
@@ -162,6 +188,7 @@ private:
     QBoxLayout* m_notices = nullptr;
     QStackedWidget* m_centre = nullptr;
     Help* m_help;
+    QPointer<NewCase> m_newCase;
     widgets::Preferences m_preferences;
     bool m_retellable = false;  // everything is built
     bool m_simulateWhenReady = false;

@@ -1,9 +1,11 @@
 #include <QHBoxLayout>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -49,7 +51,7 @@ std::vector<ManualFind> findInManual(const std::vector<ManualPage>& pages, const
             if (lines[i].startsWith(u'#')) {
                 heading = line;
             }
-            if (holdsAll(line, wanted) && titles.size() + finds.size() < mostFinds) {
+            if (!lines[i].startsWith(QLatin1String("![")) && holdsAll(line, wanted) && titles.size() + finds.size() < mostFinds) {
                 finds.push_back({static_cast<int>(page), heading, line});
             }
         }
@@ -58,6 +60,27 @@ std::vector<ManualFind> findInManual(const std::vector<ManualPage>& pages, const
     return titles;
 }
 
+namespace {
+
+/// Shows the pictures of the pages, no wider than there is room.
+class PageBrowser : public QTextBrowser {
+public:
+    QVariant loadResource(int type, const QUrl& name) override {
+        if (type != QTextDocument::ImageResource) {
+            return QTextBrowser::loadResource(type, name);
+        }
+        const QImage picture(QStringLiteral(":/manual/") + name.path());
+        const int room = std::max(240, viewport()->width() - 56);
+        const double scale = devicePixelRatioF();
+        const int pixels = static_cast<int>(room * scale);
+        QImage fitting = picture.width() > pixels ? picture.scaledToWidth(pixels, Qt::SmoothTransformation) : picture;
+        fitting.setDevicePixelRatio(fitting.width() > room ? scale : 1.0);
+        return fitting;
+    }
+};
+
+}  // namespace
+
 ManualWindow::ManualWindow(QWidget* parent)
     : QDialog(parent),
       m_search(new QLineEdit),
@@ -65,7 +88,7 @@ ManualWindow::ManualWindow(QWidget* parent)
       m_results(new QListWidget),
       m_found(new QLabel),
       m_language(new QLabel),
-      m_text(new QTextBrowser) {
+      m_text(new PageBrowser) {
     setWindowTitle(tr("Rubble manual"));
     resize(1000, 700);
     auto* row = new QHBoxLayout(this);

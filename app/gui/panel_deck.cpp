@@ -4,10 +4,14 @@
 #include "app/gui/document.h"
 #include "app/gui/regrouping_edit.h"
 #include "widgets/case_panel.h"
+#include "widgets/causes_panel.h"
 #include "widgets/effects_panel.h"
+#include "widgets/ensemble_panel.h"
 #include "widgets/evidence_panel.h"
+#include "widgets/evidence_tabs.h"
 #include "widgets/fragments_panel.h"
 #include "widgets/parameter_editor.h"
+#include "widgets/report_panel.h"
 #include "widgets/wording.h"
 
 namespace rubble {
@@ -54,10 +58,20 @@ PanelDeck::PanelDeck(Document& document, Computation& computation, QObject* pare
       m_effects(new widgets::EffectsPanel),
       m_run(new widgets::RunPanel),
       m_accuracy(new widgets::AccuracyPanel),
-      m_evidence(new widgets::EvidencePanel) {
+      m_evidence(new widgets::EvidencePanel),
+      m_ensemble(new widgets::EnsemblePanel),
+      m_causes(new widgets::CausesPanel),
+      m_evidenceTabs(new widgets::EvidenceTabs),
+      m_report(new widgets::ReportPanel) {
     m_stack->setObjectName(QStringLiteral("panelStack"));
+    m_evidenceTabs->addPage(tr("Photographs"), tr("What photographs show, and how far the simulated debris agrees."), m_evidence);
+    m_evidenceTabs->addPage(tr("Ensemble"), tr("How sure it is where debris lies, with what is not known drawn anew."), m_ensemble);
+    m_evidenceTabs->addPage(tr("Causes"), tr("Which of several supposed causes explains what was found."), m_causes);
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_case, m_fragments, m_grid, m_effects, m_run, m_accuracy, m_evidenceTabs, m_report}) {
+        m_stack->addWidget(widget);
+    }
     for (widgets::Panel* panel : panels()) {
-        m_stack->addWidget(panel);
         connect(panel, &widgets::Panel::edited, this, &PanelDeck::edit);
         connect(panel, &widgets::Panel::predictionHelpRequested, this, [this] { choose(Accuracy); });
     }
@@ -83,7 +97,8 @@ std::vector<widgets::RailEntry> PanelDeck::entries() {
             {tr("Effects"), tr("What acts on the fragments, why, and what it costs."), widgets::Glyph::Effects},
             {tr("Run"), tr("Where the fragments go."), widgets::Glyph::Run},
             {tr("Accuracy"), tr("What accuracy costs in time, and which differences mean something."), widgets::Glyph::Accuracy},
-            {tr("Evidence"), tr("What photographs show, and how far the simulated debris agrees."), widgets::Glyph::Evidence}};
+            {tr("Evidence"), tr("What photographs show, and how far the simulated debris agrees."), widgets::Glyph::Evidence},
+            {tr("Report"), tr("What was asked, what was found, and how sure that is."), widgets::Glyph::Report}};
 }
 
 void PanelDeck::retell() {
@@ -95,12 +110,25 @@ void PanelDeck::retell() {
 }
 
 std::vector<widgets::Panel*> PanelDeck::panels() const {
-    return {m_case, m_fragments, m_grid, m_effects, m_run, m_accuracy, m_evidence};
+    return {m_case, m_fragments, m_grid, m_effects, m_run, m_accuracy, m_evidence, m_ensemble, m_causes, m_report};
 }
 
 void PanelDeck::choose(Entry entry) {
     m_rail->setCurrent(entry);
     m_stack->setCurrentIndex(entry);
+}
+
+void PanelDeck::chooseEvidence(EvidencePage page) {
+    choose(Evidence);
+    m_evidenceTabs->setCurrent(page);
+}
+
+void PanelDeck::choosePage(int page) {
+    if (page > Report) {
+        chooseEvidence(static_cast<EvidencePage>(page - Report));
+    } else {
+        choose(static_cast<Entry>(page));
+    }
 }
 
 void PanelDeck::edit(const QString& key, const ParameterValue& value) {
@@ -137,6 +165,8 @@ void PanelDeck::showResults() {
     const auto& fe = m_computation.inputs().fe;
     const io::TerrainInput& terrain = m_computation.terrain();
     m_case->setTerrain(terrain.grid, QString::fromStdString(terrain.path), terrain.findings);
+    m_case->setSurroundings(terrain.orthophoto != nullptr, terrain.surroundings ? terrain.surroundings->size() : 0,
+                            terrain.collided);
     m_case->setContent(fe, results.components);
     m_fragments->setContent(results.fragments, fe.get());
     // While the slider is held, counts for its place are shown.

@@ -15,9 +15,13 @@ class Computation;
 class Document;
 namespace widgets {
 class CasePanel;
+class CausesPanel;
 class EffectsPanel;
+class EnsemblePanel;
 class EvidencePanel;
+class EvidenceTabs;
 class FragmentsPanel;
+class ReportPanel;
 }  // namespace widgets
 
 /// The rail and its panels, kept in step with document and computation. What the user edits becomes undoable edits of the document.
@@ -25,7 +29,9 @@ class PanelDeck : public QObject {
     Q_OBJECT
 
 public:
-    enum Entry { Case, Fragments, Grid, Effects, Run, Accuracy, Evidence };
+    enum Entry { Case, Fragments, Grid, Effects, Run, Accuracy, Evidence, Report };
+    /// Panels of the entry Evidence.
+    enum EvidencePage { Photographs, Ensemble, Causes };
 
     PanelDeck(Document& document, Computation& computation, QObject* parent = nullptr);
 
@@ -36,9 +42,16 @@ public:
     widgets::RunPanel& run() { return *m_run; }
     widgets::AccuracyPanel& accuracy() { return *m_accuracy; }
     widgets::EvidencePanel& evidence() { return *m_evidence; }
+    widgets::EnsemblePanel& ensemble() { return *m_ensemble; }
+    widgets::CausesPanel& causes() { return *m_causes; }
+    widgets::EvidenceTabs& evidenceTabs() { return *m_evidenceTabs; }
+    widgets::ReportPanel& report() { return *m_report; }
     QStackedWidget& stack() { return *m_stack; }
     std::vector<widgets::Panel*> panels() const;
     void choose(Entry entry);
+    void chooseEvidence(EvidencePage page);
+    /// An entry by its number, or behind the last one a page of the entry Evidence: the ensemble, the causes.
+    void choosePage(int page);
     /// Results have changed: shows them.
     void showResults();
     /// Settings or the state of the stages have changed.
@@ -80,6 +93,10 @@ private:
     widgets::AccuracyPanel* m_accuracy;
     widgets::RunPanel::Outcome m_outcome;
     widgets::EvidencePanel* m_evidence;
+    widgets::EnsemblePanel* m_ensemble;
+    widgets::CausesPanel* m_causes;
+    widgets::EvidenceTabs* m_evidenceTabs;
+    widgets::ReportPanel* m_report;
 };
 
 }  // namespace rubble

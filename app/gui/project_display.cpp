@@ -6,6 +6,7 @@
 
 #include "app/gui/actions.h"
 #include "app/gui/computation.h"
+#include "app/gui/dock_area.h"
 #include "app/gui/document.h"
 #include "app/gui/inputs_display.h"
 #include "app/gui/layout_memory.h"
@@ -61,7 +62,7 @@ ProjectDisplay::ProjectDisplay(Document& document, Computation& computation, Pan
     connect(m_start, &StartDisplay::tourRequested, &actions["tour"], &QAction::trigger);
     buildHistory(document);
     connectActions(document);
-    m_layout = std::make_unique<LayoutMemory>(window, splitter);
+    m_layout = std::make_unique<LayoutMemory>(window, *window.findChild<DockArea*>(), splitter);
 }
 
 ProjectDisplay::~ProjectDisplay() = default;
@@ -124,6 +125,8 @@ void ProjectDisplay::begin() {
 void ProjectDisplay::restoreLayout() {
     m_keepsLayout = true;
     m_layout->restore();
+    // It comes with a selection, and there is none yet.
+    m_window.findChild<QDockWidget*>(QStringLiteral("inspectorDock"))->hide();
 }
 
 void ProjectDisplay::saveLayout() const {

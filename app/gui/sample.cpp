@@ -12,9 +12,9 @@ namespace rubble {
 
 namespace {
 
-QStringList sampleFolders() {
-    return {QCoreApplication::applicationDirPath() + QStringLiteral("/../share/rubble/samples"),
-            QStringLiteral(RUBBLE_RESOURCE_DIR "/samples")};
+/// Beside the program, wherever that was installed; the build folder has a link there.
+QString sampleFolder() {
+    return QCoreApplication::applicationDirPath() + QStringLiteral("/../share/rubble/samples");
 }
 
 /// The case with its own title and note; a bare result by its name.
@@ -37,11 +37,9 @@ Sample sampleOf(const QFileInfo& file) {
 }  // namespace
 
 QString samplePath() {
-    for (const QString& folder : sampleFolders()) {
-        for (const char* name : {"/stone-arch.rubble", "/stone-arch.exo"}) {
-            if (const QFileInfo file(folder + QLatin1String(name)); file.exists()) {
-                return file.canonicalFilePath();
-            }
+    for (const char* name : {"/stone-arch.rubble", "/stone-arch.exo"}) {
+        if (const QFileInfo file(sampleFolder() + QLatin1String(name)); file.exists()) {
+            return file.canonicalFilePath();
         }
     }
     return {};

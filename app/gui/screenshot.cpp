@@ -6,11 +6,18 @@
 #include <cstdio>
 
 #include "app/gui/accuracy_display.h"
+#include "app/gui/causes_display.h"
 #include "app/gui/evidence_display.h"
+#include "app/gui/evidence_studies.h"
+#include "app/gui/file_commands.h"
 #include "app/gui/main_window.h"
+#include "app/gui/new_case.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
+#include "app/gui/survey_display.h"
 #include "app/gui/view_area.h"
+#include "widgets/accuracy_chart.h"
+#include "widgets/accuracy_page.h"
 #include "widgets/evidence_page.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/view_json.h"
@@ -21,6 +28,18 @@ Screenshot::Screenshot(MainWindow& window, const Options& options) : QObject(&wi
     m_timer.setInterval(100);
     connect(&m_timer, &QTimer::timeout, this, &Screenshot::look);
     m_timer.start();
+    m_dialogs.setInterval(100);
+    connect(&m_dialogs, &QTimer::timeout, this, &Screenshot::watchDialogs);
+}
+
+void Screenshot::watchDialogs() {
+    // A dialog holds up the action that opened it, so nothing else would ever take the picture.
+    constexpr int looks = 15;  // 1.5 s: what it previews is drawn by then
+    m_dialogSeen = QApplication::activeModalWidget() != nullptr ? m_dialogSeen + 1 : 0;
+    if (m_dialogSeen == looks) {
+        m_dialogs.stop();
+        take();
+    }
 }
 
 void Screenshot::look() {
@@ -31,7 +50,11 @@ void Screenshot::look() {
         QCoreApplication::exit(1);
         return;
     }
-    const bool nothing = m_options.path.isEmpty() && !m_options.sample;
+    const NewCase* making = m_window.caseInTheMaking();
+    if (making != nullptr && !making->settled()) {
+        return;
+    }
+    const bool nothing = (m_options.path.isEmpty() && !m_options.sample) || making != nullptr;
     const bool prepared = nothing || computation.results().clustering != nullptr;
     const RunRecord* record = computation.currentRun();
     const bool simulated = record != nullptr && record->outcome != nullptr;
@@ -48,8 +71,11 @@ void Screenshot::look() {
         fail(std::current_exception());
         return;
     }
-    // What the photographs show is made in the background.
-    if (!m_window.evidence().settled()) {
+    if (m_taken) {
+        return;
+    }
+    // What the photographs show, and studies, are made in the background.
+    if (!m_window.evidence().settled() || m_window.survey().busy() || m_window.studies().work().running()) {
         return;
     }
     m_timer.stop();
@@ -67,14 +93,23 @@ void Screenshot::prepare() {
     m_prepared = true;
     m_window.playback().clock().pause();
     if (m_options.panel) {
-        m_window.deck().choose(static_cast<PanelDeck::Entry>(*m_options.panel));
+        m_window.deck().choosePage(*m_options.panel);
     }
+    m_window.studies().causes().addCauses(m_options.causes);
+    m_window.studies().causes().addEvidence(m_options.against);
     m_window.playback().scrub(m_options.time.value_or(m_window.playback().clock().last()));
     if (!m_options.view.isEmpty()) {
         m_window.showView(figures::viewFromFile(m_options.view.toStdString()));
     }
+    m_dialogs.start();
     for (const QString& id : std::as_const(m_options.actions)) {
-        m_window.actions()[id.toStdString()].trigger();
+        if (!m_taken) {
+            m_window.actions()[id.toStdString()].trigger();
+        }
+    }
+    m_dialogs.stop();
+    if (m_taken) {
+        return;
     }
     if (m_options.photo) {
         m_window.evidencePage().setShow(static_cast<widgets::PhotoView::Show>(*m_options.photo));
@@ -83,7 +118,16 @@ void Screenshot::prepare() {
 }
 
 void Screenshot::take() {
+    m_taken = true;
+    m_timer.stop();
     try {
+        if (!m_options.chart.isEmpty()) {
+            writeChart(m_options.chart, m_window.accuracyPage().chart());
+        }
+        if (m_options.screenshot.isEmpty()) {
+            QCoreApplication::exit(0);
+            return;
+        }
         QImage picture = m_window.grab().toImage();
         // A widget that is grabbed paints its captions elsewhere: the views are taken from their own frame buffer.
         for (widgets::ViewWidget* views : {&m_window.area().views(), &m_window.evidencePage().model()}) {
@@ -96,7 +140,11 @@ void Screenshot::take() {
         for (QWidget* other : QApplication::topLevelWidgets()) {
             if (other != &m_window && other->isVisible()) {
                 QPainter painter(&picture);
-                painter.drawPixmap(other->pos() - m_window.pos(), other->grab());
+                const QPoint corner = other->mapToGlobal(QPoint(0, 0)) - m_window.mapToGlobal(QPoint(0, 0));
+                painter.drawPixmap(corner, other->grab());
+                for (auto* views : other->findChildren<widgets::ViewWidget*>()) {
+                    painter.drawImage(QRect(corner + views->mapTo(other, QPoint(0, 0)), views->size()), views->grabFramebuffer());
+                }
             }
         }
         figures::writePng(m_options.screenshot.toStdString(), picture);

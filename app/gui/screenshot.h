@@ -11,7 +11,7 @@ namespace rubble {
 class MainWindow;
 
 /// Takes a picture of the window once what was asked for is there (opened, and simulated if the window was told to), saves it and
-/// leaves the program: exit code 0, or 1 if something failed.
+/// leaves the program: exit code 0, or 1 if something failed. Where an action asks something in a dialog, the picture shows it.
 class Screenshot : public QObject {
     Q_OBJECT
 
@@ -22,13 +22,17 @@ public:
 private:
     void look();
     void prepare();
+    void watchDialogs();
     void fail(const std::exception_ptr& thrown);
     void take();
 
     MainWindow& m_window;
     const Options m_options;
     QTimer m_timer;
+    QTimer m_dialogs;
+    int m_dialogSeen = 0;  // looks in a row
     bool m_prepared = false;
+    bool m_taken = false;
 };
 
 }  // namespace rubble

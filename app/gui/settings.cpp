@@ -12,6 +12,7 @@ namespace {
 constexpr const char* languageKey = "language";
 constexpr const char* themeKey = "theme";
 constexpr const char* coloursKey = "colours";
+constexpr const char* unitsKey = "units";
 constexpr const char* threadsKey = "threads";
 constexpr const char* memoryKey = "memory_mib";
 constexpr const char* autosaveKey = "autosave_seconds";
@@ -19,6 +20,11 @@ constexpr const char* copiesKey = "keep_copies";
 
 const QStringList& colourNames() {
     static const QStringList names{QStringLiteral("vermilion"), QStringLiteral("yellow")};
+    return names;
+}
+
+const QStringList& unitNames() {
+    static const QStringList names{QStringLiteral("SI"), QStringLiteral("mm-t-s"), QStringLiteral("US")};
     return names;
 }
 
@@ -73,6 +79,8 @@ widgets::Preferences readPreferences(QSettings& settings, QStringList* complaint
     found.theme = reader.oneOf(themeKey, {system, QStringLiteral("light"), QStringLiteral("dark")}, delivered.theme);
     found.colours = static_cast<figures::ColourSet>(
         colourNames().indexOf(reader.oneOf(coloursKey, colourNames(), colourNames()[static_cast<int>(delivered.colours)])));
+    found.units = static_cast<figures::UnitSet>(
+        unitNames().indexOf(reader.oneOf(unitsKey, unitNames(), unitNames()[static_cast<int>(delivered.units)])));
     found.threads = reader.number(threadsKey, 0, widgets::mostThreads, delivered.threads);
     found.memoryMib = reader.number(memoryKey, widgets::leastMemoryMib, widgets::mostMemoryMib, delivered.memoryMib);
     found.autosaveSeconds = reader.number(autosaveKey, 0, widgets::mostAutosaveSeconds, delivered.autosaveSeconds);
@@ -84,6 +92,7 @@ void writePreferences(QSettings& settings, const widgets::Preferences& preferenc
     settings.setValue(QLatin1String(languageKey), preferences.language);
     settings.setValue(QLatin1String(themeKey), preferences.theme);
     settings.setValue(QLatin1String(coloursKey), colourNames()[static_cast<int>(preferences.colours)]);
+    settings.setValue(QLatin1String(unitsKey), unitNames()[static_cast<int>(preferences.units)]);
     settings.setValue(QLatin1String(threadsKey), preferences.threads);
     settings.setValue(QLatin1String(memoryKey), preferences.memoryMib);
     settings.setValue(QLatin1String(autosaveKey), preferences.autosaveSeconds);

@@ -1,5 +1,6 @@
 #include "app/gui/timeline_display.h"
 
+#include <QFileInfo>
 #include <QLocale>
 #include <QSettings>
 #include <algorithm>
@@ -24,6 +25,16 @@ QString shortened(const std::string& note) {
     return text.size() > 30 ? text.left(29) + QChar(0x2026) : text;
 }
 
+/// The file name of a photograph.
+QString nameOf(const Case& theCase, const Photograph& photograph) {
+    for (const CaseInput& input : theCase.inputs) {
+        if (input.id == photograph.input) {
+            return QFileInfo(QString::fromStdString(input.path)).fileName();
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 TimelineDisplay::TimelineDisplay(Document& document, Playback& playback, widgets::Timeline& timeline, widgets::Transport& transport,
@@ -35,6 +46,7 @@ TimelineDisplay::TimelineDisplay(Document& document, Playback& playback, widgets
       m_editor(new widgets::BookmarkEditor(&timeline)) {
     connect(&document, &Document::replaced, this, &TimelineDisplay::refresh);
     connect(&document, &Document::bookmarksChanged, this, &TimelineDisplay::refresh);
+    connect(&document, &Document::photographsChanged, this, &TimelineDisplay::refresh);
     connect(&timeline, &widgets::Timeline::bookmarkChosen, this,
             [this](std::size_t i) { m_playback.scrub(m_document.theCase().bookmarks[i].time); });
     connect(&timeline, &widgets::Timeline::bookmarkOpened, this, &TimelineDisplay::edit);
@@ -83,6 +95,13 @@ void TimelineDisplay::refresh() {
         marks.push_back({each.time, QString::fromStdString(each.note)});
     }
     m_timeline.setBookmarks(std::move(marks));
+    std::vector<widgets::PhotographTime> photographs;
+    for (const Photograph& each : m_document.theCase().photographs) {
+        if (each.time) {
+            photographs.push_back({*each.time, each.timeUncertainty, nameOf(m_document.theCase(), each)});
+        }
+    }
+    m_timeline.setPhotographs(std::move(photographs));
 }
 
 void TimelineDisplay::mark() {

@@ -5,6 +5,7 @@
 
 #include "widgets/clip_bar.h"
 #include "widgets/error_bar.h"
+#include "widgets/scenario_bar.h"
 #include "widgets/start_page.h"
 #include "widgets/theme.h"
 
@@ -15,6 +16,7 @@ ViewArea::ViewArea(QWidget* parent)
       m_start(new widgets::StartPage),
       m_views(new widgets::ViewWidget),
       m_errorBar(new widgets::ErrorBar),
+      m_scenarioBar(new widgets::ScenarioBar),
       m_clipBar(new widgets::ClipBar),
       m_error(new widgets::Notice),
       m_activity(new QLabel) {
@@ -25,6 +27,8 @@ ViewArea::ViewArea(QWidget* parent)
     column->setSpacing(0);
     m_errorBar->hide();
     column->addWidget(m_errorBar);
+    m_scenarioBar->hide();
+    column->addWidget(m_scenarioBar);
     column->addWidget(m_views, 1);
     m_clipBar->hide();
     column->addWidget(m_clipBar);

@@ -10,6 +10,7 @@ namespace rubble {
 namespace widgets {
 class ClipBar;
 class ErrorBar;
+class ScenarioBar;
 class StartPage;
 }  // namespace widgets
 
@@ -23,6 +24,8 @@ public:
     widgets::ViewWidget& views() { return *m_views; }
     /// Stands above the views while fragments are coloured by their error.
     widgets::ErrorBar& errorBar() { return *m_errorBar; }
+    /// Stands above the views while another scenario is shown in one.
+    widgets::ScenarioBar& scenarioBar() { return *m_scenarioBar; }
     widgets::StartPage& startPage() { return *m_start; }
     /// Stands below the views while they are cut.
     widgets::ClipBar& clipBar() { return *m_clipBar; }
@@ -39,6 +42,7 @@ private:
     widgets::StartPage* m_start;
     widgets::ViewWidget* m_views;
     widgets::ErrorBar* m_errorBar;
+    widgets::ScenarioBar* m_scenarioBar;
     widgets::ClipBar* m_clipBar;
     widgets::Notice* m_error;
     QLabel* m_activity;

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QResizeEvent>
 #include <QSettings>
 #include <QSplitter>
@@ -14,9 +15,13 @@
 
 #include "app/gui/accuracy_display.h"
 #include "app/gui/calibration_display.h"
+#include "app/gui/causes_display.h"
 #include "app/gui/dock_area.h"
+#include "app/gui/ensemble_display.h"
 #include "app/gui/error_display.h"
 #include "app/gui/evidence_display.h"
+#include "app/gui/evidence_studies.h"
+#include "app/gui/figure_return.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/forecast_display.h"
 #include "app/gui/grid_display.h"
@@ -26,18 +31,26 @@
 #include "app/gui/main_window.h"
 #include "app/gui/mnemonics.h"
 #include "app/gui/panel_deck.h"
+#include "app/gui/picture_export.h"
 #include "app/gui/playback.h"
 #include "app/gui/project_display.h"
+#include "app/gui/report_work.h"
 #include "app/gui/run_history.h"
 #include "app/gui/selection_display.h"
 #include "app/gui/settings.h"
+#include "app/gui/survey_display.h"
 #include "app/gui/timeline_display.h"
 #include "app/gui/view_area.h"
+#include "app/gui/window_focus.h"
+#include "core/base/build.h"
 #include "widgets/accuracy_chart.h"
 #include "widgets/accuracy_page.h"
 #include "widgets/calibration_chart.h"
 #include "widgets/calibration_view.h"
+#include "widgets/causes_page.h"
+#include "widgets/ensemble_page.h"
 #include "widgets/evidence_page.h"
+#include "widgets/evidence_tabs.h"
 #include "widgets/start_page.h"
 #include "widgets/status_line.h"
 
@@ -51,6 +64,8 @@ namespace {
 
 constexpr int compactBelow = 1440;
 constexpr int panelWidth = 336;
+// Below it the tables and buttons of the panels would be cut off.
+constexpr int leastPanelWidth = 306;
 
 /// Where the colours of an error change: at the tolerances, and at two lengths beyond them.
 std::vector<double> errorStepsFor(const std::vector<double>& tolerances) {
@@ -66,6 +81,7 @@ std::vector<double> errorStepsFor(const std::vector<double>& tolerances) {
 }  // namespace
 
 void MainWindow::buildLayout() {
+    new WindowFocus(this);
     auto* centre = new QWidget;
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
@@ -76,12 +92,14 @@ void MainWindow::buildLayout() {
     m_splitter->setObjectName(QStringLiteral("mainSplitter"));
     m_splitter->setHandleWidth(1);
     m_splitter->setChildrenCollapsible(false);
-    m_deck->stack().setMinimumWidth(240);
+    m_deck->stack().setMinimumWidth(leastPanelWidth);
     m_splitter->addWidget(&m_deck->stack());
     m_centre = new QStackedWidget;
     m_centre->addWidget(m_area);
     m_centre->addWidget(m_accuracyPage);
     m_centre->addWidget(m_evidencePage);
+    m_centre->addWidget(&m_studies->ensemblePage());
+    m_centre->addWidget(&m_studies->causesPage());
     auto* middle = new QWidget;
     auto* stacked = new QVBoxLayout(middle);
     stacked->setContentsMargins(0, 0, 0, 0);
@@ -129,9 +147,10 @@ void MainWindow::buildMenus() {
     }
     menuBar()->setCornerWidget(m_title);
     giveMnemonics(*menuBar());
-    for (const auto& ids : {std::vector<const char*>{"stacked", "beside", "overlay", "four", "fe_only", "fragments_only"},
-                            std::vector<const char*>{"map_standard", "map_viridis", "map_cividis", "map_grey"},
-                            std::vector<const char*>{"theme_system", "theme_light", "theme_dark"}}) {
+    for (const auto& ids :
+         {std::vector<const char*>{"stacked", "beside", "overlay", "four", "fe_only", "fragments_only", "other_scenario"},
+          std::vector<const char*>{"map_standard", "map_viridis", "map_cividis", "map_grey"},
+          std::vector<const char*>{"theme_system", "theme_light", "theme_dark"}}) {
         auto* group = new QActionGroup(this);
         for (const char* id : ids) {
             group->addAction(&m_actions[id]);
@@ -196,6 +215,7 @@ void MainWindow::connectFiles() {
             open(path);
         }
     });
+    on("new_case", [this] { newCase(); });
     on("sample", [this] { openSample(); });
     on("refresh", [this] { refreshResult(); });
     on("keep_copies", [this](bool keep) {
@@ -205,11 +225,16 @@ void MainWindow::connectFiles() {
     });
     on("terrain", [this] { m_files->chooseTerrain(); });
     on("no_terrain", [this] { m_files->dropTerrain(); });
+    on("orthophoto", [this] { m_files->chooseOrthophoto(); });
+    on("surroundings", [this] { m_files->chooseSurroundings(); });
+    on("no_surroundings", [this] { m_files->dropSurroundings(); });
+    on("site", [this] { m_files->editSite(); });
     on("save", [this] { m_files->save(); });
     on("save_as", [this] { m_files->saveAs(); });
     on("save_run", [this] { m_files->saveRun(); });
     on("export_fragments", [this] { m_files->exportFragments(); });
     on("export_series", [this] { m_files->exportSeries(); });
+    on("export_gltf", [this] { m_files->exportGltf(); });
     on("export_selection", [this] { m_files->exportSelection(m_inspection->selection().fragments()); });
     on("export_view", [this] { m_files->exportView(m_area->views().view()); });
     on("import_view", [this] {
@@ -217,7 +242,6 @@ void MainWindow::connectFiles() {
             showView(*view);
         }
     });
-    on("export_figure", [this] { m_files->exportFigure(m_area->views().view(), sceneData()); });
     on("close", [this] {
         if (m_files->mayLeave()) {
             closeCase();
@@ -236,6 +260,7 @@ void MainWindow::connectFiles() {
     connect(m_files, &FileCommands::failed, this,
             [this](const QString& what, const QString& remedy) { showFailure({what, remedy, "gui.write"}); });
     connect(&m_area->startPage(), &widgets::StartPage::openRequested, &m_actions["open"], &QAction::trigger);
+    connect(&m_area->startPage(), &widgets::StartPage::newRequested, &m_actions["new_case"], &QAction::trigger);
 
     QUndoStack& stack = m_document.undoStack();
     const auto name = [this, &stack] {
@@ -309,6 +334,7 @@ void MainWindow::connectViews() {
     on("four", [this] { setLayoutOf(render::Layout::Four); });
     on("fe_only", [this] { setLayoutOf(render::Layout::FeOnly); });
     on("fragments_only", [this] { setLayoutOf(render::Layout::FragmentsOnly); });
+    on("other_scenario", [this] { setLayoutOf(render::Layout::Scenarios); });
     on("link", [this](bool linked) {
         render::View view = m_area->views().view();
         // Unlinked, the fragments start from where both looked; linked, both look as the FE view does.
@@ -344,6 +370,7 @@ void MainWindow::connectComputation() {
             m_accuracy->work().cancel();
             m_calibration->work().cancel();
             m_errors->work().cancel();
+            m_studies->work().cancel();
         }
     });
     connect(m_deck, &PanelDeck::simulateRequested, this, [this] { simulate(false); });
@@ -379,9 +406,8 @@ void MainWindow::connectPlayback() {
 }
 
 void MainWindow::connectAccuracy() {
-    connect(&m_deck->stack(), &QStackedWidget::currentChanged, this, [this](int entry) {
-        m_centre->setCurrentIndex(entry == PanelDeck::Accuracy ? 1 : entry == PanelDeck::Evidence ? 2 : 0);
-    });
+    connect(&m_deck->stack(), &QStackedWidget::currentChanged, this, &MainWindow::showCentre);
+    connect(&m_deck->evidenceTabs(), &widgets::EvidenceTabs::currentChanged, this, &MainWindow::showCentre);
     connect(m_accuracy, &AccuracyDisplay::changed, this, &MainWindow::showState);
     connect(m_accuracy, &AccuracyDisplay::told, m_status, &widgets::StatusLine::setMessage);
     connect(m_accuracyPage, &widgets::AccuracyPage::saveTableRequested, this,
@@ -424,26 +450,35 @@ void MainWindow::connectEvidence() {
                                                                         {"photo_outline", PhotoView::Show::Outline}}};
     for (const auto& [id, show] : shows) {
         on(id, [this, show] {
-            m_deck->choose(PanelDeck::Evidence);
+            m_deck->chooseEvidence(PanelDeck::Photographs);
             m_evidencePage->setShow(m_evidence->match() ? show : PhotoView::Show::Photograph);
         });
     }
     on("photo_beside", [this] {
-        m_deck->choose(PanelDeck::Evidence);
+        m_deck->chooseEvidence(PanelDeck::Photographs);
         m_evidencePage->setBeside(!m_evidencePage->beside());
     });
     on("add_point", [this] {
         if (m_evidence->chosen() >= 0) {
-            m_deck->choose(PanelDeck::Evidence);
+            m_deck->chooseEvidence(PanelDeck::Photographs);
             m_evidencePage->setTool(PhotoView::Tool::Point);
         }
     });
     on("compare_photo", [this] {
-        m_deck->choose(PanelDeck::Evidence);
+        m_deck->chooseEvidence(PanelDeck::Photographs);
         m_evidence->compare();
     });
     on("look_through", [this] { m_evidence->lookThrough(); });
+    on("add_survey", [this] { m_survey->chooseFile(); });
+    on("compare_survey", [this] {
+        m_deck->choose(PanelDeck::Evidence);
+        m_survey->compare();
+    });
     connect(m_evidence, &EvidenceDisplay::told, m_status, &widgets::StatusLine::setMessage);
+    connect(&m_document, &Document::surveysChanged, this, &MainWindow::showState);
+    connect(m_survey, &SurveyDisplay::told, m_status, &widgets::StatusLine::setMessage);
+    connect(m_survey, &SurveyDisplay::failed, this,
+            [this](const QString& what, const QString& remedy) { m_status->setMessage(what + QLatin1Char(' ') + remedy); });
     connect(m_evidence, &EvidenceDisplay::lookThroughRequested, this, [this](const render::Camera& camera) {
         render::View view = m_area->views().view();
         view.layout = render::Layout::FragmentsOnly;
@@ -454,10 +489,64 @@ void MainWindow::connectEvidence() {
     });
 }
 
+void MainWindow::connectStudies() {
+    const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
+    on("show_ensemble", [this] { m_deck->chooseEvidence(PanelDeck::Ensemble); });
+    on("show_causes", [this] { m_deck->chooseEvidence(PanelDeck::Causes); });
+    on("simulate_ensemble", [this] {
+        m_deck->chooseEvidence(PanelDeck::Ensemble);
+        m_studies->ensemble().simulate();
+    });
+    on("compare_causes", [this] {
+        m_deck->chooseEvidence(PanelDeck::Causes);
+        m_studies->causes().compare();
+    });
+    connect(m_studies, &EvidenceStudies::changed, this, &MainWindow::showState);
+    connect(&m_studies->ensemble(), &EnsembleDisplay::groundChanged, this, &MainWindow::showScene);
+    connect(m_studies, &EvidenceStudies::told, m_status, &widgets::StatusLine::setMessage);
+    connect(m_studies, &EvidenceStudies::failed, this,
+            [this](const QString& what, const QString& remedy) { showFailure({what, remedy, "gui.write"}); });
+    connect(m_studies, &EvidenceStudies::saveChartRequested, this,
+            [this] { m_files->saveChart(m_studies->causesPage().chart(), QStringLiteral("-causes.svg")); });
+}
+
+void MainWindow::showCentre() {
+    const int entry = m_deck->stack().currentIndex();
+    const int page = m_deck->evidenceTabs().current();
+    m_centre->setCurrentIndex(entry == PanelDeck::Accuracy ? 1 : entry == PanelDeck::Evidence ? 2 + page : 0);
+}
+
+void MainWindow::connectExports() {
+    const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
+    on("export_figure", [this] { m_pictures->exportFigure(m_area->views().view(), sceneData()); });
+    on("export_movie", [this] { m_pictures->exportMovie(m_area->views().view(), sceneData()); });
+    on("write_report", [this] {
+        m_deck->choose(PanelDeck::Report);
+        m_report->write();
+    });
+    connect(m_pictures, &PictureExport::done, m_status, &widgets::StatusLine::setMessage);
+    connect(m_report, &ReportWork::told, m_status, &widgets::StatusLine::setMessage);
+    connect(m_return, &FigureReturn::told, m_status, &widgets::StatusLine::setMessage);
+    connect(m_return, &FigureReturn::openRequested, this, [this](const QString& path) { open(path); });
+    connect(m_return, &FigureReturn::viewRequested, this, &MainWindow::showView);
+    const auto fail = [this](const QString& what, const QString& remedy) { showFailure({what, remedy, "gui.write"}); };
+    connect(m_pictures, &PictureExport::failed, this, fail);
+    connect(m_return, &FigureReturn::failed, this, fail);
+}
+
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     m_deck->rail().setCompact(event->size().width() < compactBelow);
     m_transport->setFixedWidth(m_deck->rail().sizeHint().width() + panelWidth);
+}
+
+void MainWindow::showAbout() {
+    QMessageBox::about(
+        this, tr("About Rubble"),
+        tr("<h3>Rubble %1</h3><p>Turns the elements that a collapse analysis deactivates into rigid fragments and shows where "
+           "they go.</p><p>Method: Xu, Lu, Guan, Ren: Physics engine-driven visualization of deactivated elements and its "
+           "application in bridge collapse simulation. Automation in Construction 35 (2013) 471-481.</p>")
+            .arg(QString::fromUtf8(versionText().data(), static_cast<qsizetype>(versionText().size()))));
 }
 
 }  // namespace rubble

@@ -8,7 +8,10 @@
 #include "app/gui/autosave.h"
 #include "app/gui/calibration_display.h"
 #include "app/gui/error_display.h"
+#include "app/gui/evidence_display.h"
+#include "app/gui/evidence_studies.h"
 #include "app/gui/health_display.h"
+#include "app/gui/inspection.h"
 #include "app/gui/main_window.h"
 #include "app/gui/mnemonics.h"
 #include "app/gui/panel_deck.h"
@@ -18,6 +21,8 @@
 #include "app/gui/status_feed.h"
 #include "app/gui/view_area.h"
 #include "widgets/language.h"
+#include "widgets/theme.h"
+#include "widgets/unit_label.h"
 
 namespace rubble {
 
@@ -46,8 +51,10 @@ void MainWindow::setPreferences(const widgets::Preferences& preferences) {
 }
 
 void MainWindow::applyPreferences(const widgets::Preferences& preferences) {
+    const bool otherUnits = preferences.units != figures::unitSet();
     m_preferences = preferences;
     figures::chooseColours(preferences.colours);
+    figures::chooseUnits(preferences.units);
     Worker::useThreads(preferences.threads);
     m_computation.keepCopies(preferences.keepCopies);
     m_computation.useMemory(static_cast<std::size_t>(preferences.memoryMib) << 20);
@@ -57,6 +64,12 @@ void MainWindow::applyPreferences(const widgets::Preferences& preferences) {
     m_actions["keep_copies"].setChecked(preferences.keepCopies);
     setTheme(preferences.theme);
     m_area->views().update();
+    if (otherUnits && m_retellable) {
+        widgets::tellUnitsChanged();
+        retell();
+        m_inspection->refresh();
+        m_evidence->refresh();
+    }
     m_retellable = true;
 }
 
@@ -67,6 +80,7 @@ void MainWindow::retell() {
     m_calibration->refresh();
     m_errors->refresh();
     m_health->refresh();
+    m_studies->refresh();
     m_feed->refresh();
     if (m_project != nullptr) {
         m_project->retell();
@@ -75,6 +89,19 @@ void MainWindow::retell() {
     showTitle();
     showState();
     m_area->views().update();
+}
+
+void MainWindow::showView(render::View view) {
+    view.theme = widgets::currentTheme();
+    m_playback->clock().pause();
+    setView(view);
+    m_playback->scrub(view.time);
+    m_inspection->refresh();
+}
+
+void MainWindow::showInstant(double time) {
+    m_playback->clock().pause();
+    m_playback->scrub(time);
 }
 
 }  // namespace rubble

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <new>
 
 #include "core/analysis/world_pool.h"
+#include "core/analysis/world_twins.h"
 #include "core/base/error.h"
 
 namespace rubble {
@@ -38,10 +41,12 @@ double spanOf(const FragmentSet& fragments, double feEnd) {
 struct SweepWorld {
     AccuracyPoint* point = nullptr;  ///< null: a repeat
     int repeat = 0;
+    std::string name;
     Results results;  ///< up to the clusters
     WorldOrigin origin;
     double weight = 1.0;
-    std::optional<SimulatedWorld> world;
+    std::size_t twin = 0;  ///< first world of the same bits: itself, unless a setting before differs in nothing that counts
+    std::shared_ptr<const SimulatedWorld> world;
     bool simulatedAlone = false;  ///< here and now, with the whole machine to itself
 };
 
@@ -65,26 +70,46 @@ public:
         for (int repeat = 1; repeat <= m_options.study.repeats; ++repeat) {
             SweepWorld world;
             world.repeat = repeat;
+            world.name = "repeat " + std::to_string(repeat);
             world.results = m_base.results;
             world.weight = m_worlds.front().weight;
             world.origin = origin(reference, repeat);
+            world.twin = m_worlds.size();
             m_worlds.push_back(std::move(world));
         }
         for (std::size_t i = 0; i < settings.size(); ++i) {
             AccuracyPoint& point = report.points[i];
             point.setting = settings[i].name;
             point.scenario = settings[i].scenario;
+            if (m_options.choice.single() && !m_options.choice.wants(origin(point.scenario, 0).key)) {
+                continue;
+            }
             m_execution.report({"analysis.accuracy_plan", "clustering {0} settings", {settings.size()}},
                                static_cast<double>(i) / static_cast<double>(settings.size()));
             add(point, run(m_inputs, point.scenario, Stage::Clusters, m_base.results, nullptr, m_execution));
         }
     }
 
-    /// All worlds, in parallel; the largest first, so that none is left alone at the end.
+    std::vector<StudyTask> tasks() const {
+        std::vector<StudyTask> list;
+        for (std::size_t i = 0; i < m_worlds.size(); ++i) {
+            const SweepWorld& world = m_worlds[i];
+            if (world.twin == i) {
+                list.push_back({world.origin, world.name, static_cast<std::int64_t>(world.results.clustering->list.size())});
+            }
+        }
+        return list;
+    }
+
+    /// All worlds that are chosen, in parallel; the largest first, so that none is left alone at the end.
     void simulateAll() {
+        for (SweepWorld& world : m_worlds) {
+            takeKept(world);
+        }
+        shareAmongTwins();
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < m_worlds.size(); ++i) {
-            if (!takeKept(m_worlds[i])) {
+            if (!m_worlds[i].world && m_worlds[i].twin == i && m_options.choice.wants(m_worlds[i].origin.key)) {
                 order.push_back(i);
             }
         }
@@ -100,8 +125,29 @@ public:
         simulateTogether(order, 1);
     }
 
+    /// Whoever of them has a world gives it to the others.
+    void shareAmongTwins() {
+        const auto give = [](const SweepWorld& from, SweepWorld& to) {
+            if (from.world && !to.world) {
+                to.world = from.world;
+                to.point->kept = from.point->kept;
+            }
+        };
+        for (const SweepWorld& world : m_worlds) {
+            give(world, m_worlds[world.twin]);
+        }
+        for (SweepWorld& world : m_worlds) {
+            const SweepWorld& first = m_worlds[world.twin];
+            if (&first != &world) {
+                give(first, world);
+                world.point->failure = first.point->failure;
+            }
+        }
+    }
+
     /// What the worlds that are there say.
     void measureAll() {
+        shareAmongTwins();
         m_measured.resize(m_worlds.size());
         std::vector<const DebrisField*> floorFields;
         const std::size_t floorWorlds = std::min(m_worlds.size(), 1 + static_cast<std::size_t>(m_options.study.repeats));
@@ -142,7 +188,7 @@ public:
         }
         double before = 0.0;
         for (SweepWorld& world : m_worlds) {
-            if (!world.point || !world.point->failure.empty()) {
+            if (!world.point || !world.point->failure.empty() || (m_options.choice.single() && !world.simulatedAlone)) {
                 continue;
             }
             const double from = before / all;
@@ -160,9 +206,13 @@ public:
         }
     }
 
-    bool failed() const {
-        return !report.reference.failure.empty() ||
-               std::any_of(report.points.begin(), report.points.end(), [](const AccuracyPoint& p) { return !p.failure.empty(); });
+    /// Something failed, or was left open because others were to make it.
+    bool lacking() const {
+        const auto lacks = [this](const SweepWorld& world) {
+            return world.point ? !world.point->failure.empty() || !world.point->done
+                               : !m_options.choice.all() && world.world == nullptr;
+        };
+        return std::any_of(m_worlds.begin(), m_worlds.end(), lacks);
     }
 
     AccuracyReport report;
@@ -188,10 +238,12 @@ private:
         point.cost.threads = threads();
         SweepWorld world;
         world.point = &point;
+        world.name = point.setting;
         world.results = std::move(results);
         world.origin = point.origin;
         // A step costs about as much as there are bodies, and something always.
         world.weight = 50.0 + static_cast<double>(point.bodies);
+        world.twin = m_firstOf.emplace(worldBits(m_inputs, point.scenario, world.results), m_worlds.size()).first->second;
         m_worlds.push_back(std::move(world));
     }
 
@@ -205,7 +257,7 @@ private:
         for (const std::size_t i : order) {
             share.weights.push_back(m_worlds[i].weight);
         }
-        const bool alone = jobs == 1 || threads() == 1;
+        const bool alone = jobs == 1 || threads() == 1 || m_options.choice.single();
         runInParallel(order.size(), share,
                       {"analysis.accuracy", "simulating {0} worlds: the reference, its repeats, the settings", {order.size()}},
                       m_execution, [&](std::size_t i, const Execution& own) {
@@ -217,20 +269,19 @@ private:
 
     static bool outOfMemory(const SweepWorld& world) { return world.point && world.point->failure.id == memoryFailure; }
 
-    bool takeKept(SweepWorld& world) {
+    void takeKept(SweepWorld& world) {
         if (!m_options.store) {
-            return false;
+            return;
         }
-        world.world = m_options.store->world(world.origin, report.findings);
+        std::optional<SimulatedWorld> kept = m_options.store->world(world.origin, report.findings);
         const std::size_t fragments = m_base.results.fragments->size();
-        if (world.world &&
-            (world.world->atRest.fragments.size() != fragments || world.world->atFeEnd.fragments.size() != fragments)) {
-            world.world.reset();
+        if (!kept || kept->atRest.fragments.size() != fragments || kept->atFeEnd.fragments.size() != fragments) {
+            return;
         }
-        if (world.world && world.point) {
+        world.world = std::make_shared<const SimulatedWorld>(std::move(*kept));
+        if (world.point) {
             world.point->kept = true;
         }
-        return world.world.has_value();
     }
 
     void simulateOne(SweepWorld& world, const Execution& own) {
@@ -238,7 +289,7 @@ private:
             SimulatedWorld made = simulateDebris(describe(world, own), own);
             keep([&](StudyStore& store) { store.keep(world.origin, made); });
             const std::scoped_lock lock(m_mutex);
-            world.world = std::move(made);
+            world.world = std::make_shared<const SimulatedWorld>(std::move(made));
         };
         AccuracyPoint lost;
         AccuracyPoint& point = world.point ? *world.point : lost;
@@ -317,9 +368,13 @@ private:
         if (const auto kept =
                 m_options.store && !m_options.retimed ? m_options.store->cost(point.origin, threads()) : std::nullopt) {
             point.cost = *kept;
+        } else if (const SweepWorld& first = m_worlds[world.twin]; &first != &world) {
+            // Timed just now.
+            point.cost = first.point->cost;
+            return;
         }
         const double middle = !m_options.timed ? from : m_options.screen ? from + (to - from) / (1.0 + liveWeight) : to;
-        if (m_options.timed && !point.cost.timed()) {
+        if (m_options.timed && m_options.choice.all() && !point.cost.timed()) {
             if (world.simulatedAlone) {
                 take(point.cost, *world.world);
             } else {
@@ -328,7 +383,14 @@ private:
             }
             keep([&](StudyStore& store) { store.keep(point.origin, point.cost); });
         }
-        if (m_options.screen && m_screenWorks && !std::isfinite(point.cost.fps)) {
+        if (m_options.choice.single() && !point.cost.timed()) {
+            take(point.cost, *world.world);
+            // Others of the same list may have worked beside it: such figures would stand in the way of better ones.
+            if (!point.cost.disturbed()) {
+                keep([&](StudyStore& store) { store.keep(point.origin, point.cost); });
+            }
+        }
+        if (m_options.screen && m_options.choice.all() && m_screenWorks && !std::isfinite(point.cost.fps)) {
             measureFps(world, stage, middle, to);
         }
     }
@@ -365,6 +427,7 @@ private:
     const AccuracyOptions& m_options;
     const Execution& m_execution;
     StudyBase m_base;
+    std::map<Digest, std::size_t> m_firstOf;            ///< world of its bits, among reference and settings
     std::vector<SweepWorld> m_worlds;                   ///< the reference, its repeats, the settings
     std::vector<std::optional<StudyWorld>> m_measured;  ///< of the same
     std::mutex m_mutex;                                 ///< of worlds, report and findings while worlds run
@@ -397,12 +460,20 @@ FloorSpread spreadOf(std::span<const DebrisField* const> worlds) {
     return spread;
 }
 
+std::vector<StudyTask> accuracyTasks(const Inputs& inputs, const Scenario& scenario, std::span<const AccuracySetting> settings,
+                                     const AccuracyOptions& options, const Execution& execution) {
+    Sweep sweep(inputs, options, execution);
+    sweep.plan(scenario, settings);
+    return sweep.tasks();
+}
+
 AccuracyReport accuracyStudy(const Inputs& inputs, const Scenario& scenario, std::span<const AccuracySetting> settings,
                              const AccuracyOptions& options, const Execution& execution) {
     Sweep sweep(inputs, options, execution);
     bool cancelled = false;
     try {
         sweep.plan(scenario, settings);
+        options.choice.check(sweep.tasks());
         if (!options.simulated) {
             sweep.report.complete = true;
             return std::move(sweep.report);
@@ -419,7 +490,7 @@ AccuracyReport accuracyStudy(const Inputs& inputs, const Scenario& scenario, std
     } catch (const Cancelled&) {
         cancelled = true;
     }
-    sweep.report.complete = !cancelled && !sweep.failed();
+    sweep.report.complete = !cancelled && !sweep.lacking();
     return std::move(sweep.report);
 }
 

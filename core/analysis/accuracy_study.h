@@ -12,7 +12,7 @@
 #include "core/analysis/influence.h"
 #include "core/analysis/live_cost.h"
 #include "core/analysis/repeat_floor.h"
-#include "core/analysis/study_store.h"
+#include "core/analysis/study_tasks.h"
 
 namespace rubble {
 
@@ -28,6 +28,8 @@ struct AccuracyOptions {
     ScreenMaker screen;           ///< for live FPS; null: not measured
     std::string machine;          ///< in words: what figures of time hold for
     StudyStore* store = nullptr;  ///< keeps worlds and costs; null: nothing is kept. Not owned
+    /// What is not simulated here is not timed here either.
+    WorldChoice choice;
     /// Called when the settings are known and whenever a world or a cost is done, with what there is by then: by one thread at a
     /// time, but not always the same. Null: nobody listens.
     std::function<void(const AccuracyReport&)> grown;
@@ -84,6 +86,10 @@ struct AccuracyReport {
 /// reference.
 AccuracyReport accuracyStudy(const Inputs& inputs, const Scenario& scenario, std::span<const AccuracySetting> settings,
                              const AccuracyOptions& options, const Execution& execution);
+
+/// The worlds of such a sweep: the reference, its repeats, the settings. Throws what accuracyStudy() throws, and Cancelled.
+std::vector<StudyTask> accuracyTasks(const Inputs& inputs, const Scenario& scenario, std::span<const AccuracySetting> settings,
+                                     const AccuracyOptions& options, const Execution& execution);
 
 /// Spread of a floor over all pairs of worlds. @param worlds  the run and its repeats, those that are there
 FloorSpread spreadOf(std::span<const DebrisField* const> worlds);

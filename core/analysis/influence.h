@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/analysis/repeat_floor.h"
+#include "core/analysis/study_tasks.h"
 #include "core/simulation/effects/decisions.h"
 
 namespace rubble {
@@ -48,17 +49,30 @@ struct InfluenceReport {
     DebrisInstant instant = DebrisInstant::AtRest;
     std::optional<RepeatFloor> floor;      ///< of the repeats that were simulated; unset if the run itself was not
     std::vector<EffectInfluence> effects;  ///< in the order of EffectKind
+    Findings findings;                     ///< of what was kept
     bool complete = false;                 ///< false after a cancel: what was simulated by then is there
+};
+
+/// Where the worlds of the influence of effects are kept, and which are simulated.
+struct InfluenceKeeping {
+    StudyStore* store = nullptr;  ///< null: nothing is kept. Not owned
+    std::string machine;          ///< in words
+    WorldChoice choice;
 };
 
 /// Simulates a scenario as it is, its repeats for the floor, and once for each effect with that effect in its other state and all
 /// others as they were decided; reports the differences of the debris. With terrain off the level ground takes its place where its
 /// switch allows. Whole worlds run in parallel; no result depends on the number of threads. Keeps no frames.
 /// @param effects  those to report on; empty: all
+/// @param keeping  worlds that are kept are not simulated again; a store that is full is a finding
 /// Returns what there is when cancelled. Throws UsageError for settings out of range (2 repeats at least), and what the pipeline
 /// and measureDebris() throw.
 InfluenceReport influence(const Inputs& inputs, const Scenario& scenario, std::span<const EffectKind> effects,
-                          const StudySettings& settings, const Execution& execution);
+                          const StudySettings& settings, const Execution& execution, const InfluenceKeeping& keeping = {});
+
+/// The worlds that it is made from. Throws what influence() throws, and Cancelled.
+std::vector<StudyTask> influenceTasks(const Inputs& inputs, const Scenario& scenario, std::span<const EffectKind> effects,
+                                      const StudySettings& settings, const Execution& execution);
 
 /// How a departure stands against that of the floor. @param departure, floor  never negative; NaN: undefined
 Standing standingOf(double departure, double floor);

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cmath>
 
-#include "core/analysis/machine_load.h"
+#include "core/analysis/settled_world.h"
 #include "core/base/error.h"
 #include "core/clusters/rejoin.h"
 
@@ -57,22 +56,7 @@ RunDescription describeRepeat(const StudyBase& base, const StudySettings& settin
 }
 
 SimulatedWorld simulateDebris(const RunDescription& description, const Execution& execution) {
-    const auto start = std::chrono::steady_clock::now();
-    const MachineLoad load;
-    DebrisRecorder recorder;
-    const SimulationResult result = simulate(description, recorder, execution);
-    SimulatedWorld world;
-    world.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    world.othersShare = load.othersShare();
-    world.trajectoryHash = result.trajectoryHash;
-    world.endTime = result.endTime;
-    world.stepMeanMs = result.stepTimes.meanMs;
-    world.stepWorstMs = result.stepTimes.worstMs;
-    world.breaches = static_cast<std::int64_t>(result.health.breaches.size());
-    world.bodiesPeak = result.bodiesPeak;
-    world.atRest = recorder.debris(DebrisInstant::AtRest);
-    world.atFeEnd = recorder.debris(DebrisInstant::AtFeEnd);
-    return world;
+    return simulateSettled(description, execution).world;
 }
 
 StudyWorld measureWorld(const SimulatedWorld& world, const StudyBase& base, const StudySettings& settings) {

@@ -42,7 +42,7 @@ public:
         std::vector<std::jthread> workers;
         m_working = threads;
         for (std::size_t t = 0; t < threads; ++t) {
-            workers.emplace_back([this] { workLoop(); });
+            workers.emplace_back([this, &execution] { workLoop(execution); });
         }
         const std::exception_ptr reporting = watch(stage, execution);
         workers.clear();
@@ -58,12 +58,13 @@ public:
     }
 
 private:
-    void workLoop() {
+    void workLoop(const Execution& whole) {
         for (;;) {
             std::size_t i = 0;
             {
                 const std::scoped_lock lock(m_mutex);
-                if (m_stopped || m_next == m_executions.size()) {
+                // The watcher looks now and then only; no piece begins after a cancel.
+                if (m_stopped || whole.cancelled() || m_next == m_executions.size()) {
                     --m_working;
                     m_changed.notify_all();
                     return;

@@ -51,6 +51,28 @@ const MapLayerRow& mapLayerRow(MapLayer layer) {
         {"live_volume", "m3/m2", "Volume per area, live structure", "volume of fallen live structure over the area of the cell",
          true},
         {"live_mass", "kg/m2", "Mass per area, live structure", "mass of fallen live structure over the area of the cell", true},
+        {"probability", "", "Probability of debris", "share of the members of the ensemble whose debris reaches into the cell",
+         false, true},
+        {"above_first", "", "Probability above the first height",
+         "share of the members whose debris is higher there than the first height", false, true},
+        {"above_second", "", "Probability above the second height",
+         "share of the members whose debris is higher there than the second height", false, true},
+        {"above_third", "", "Probability above the third height",
+         "share of the members whose debris is higher there than the third height", false, true},
+        {"height_p05", "m", "Height, 5 % quantile", "height that 5 % of the members stay below, 0 where they have no debris", false,
+         true},
+        {"height_p50", "m", "Height, median", "height that half of the members stay below, 0 where they have no debris", false,
+         true},
+        {"height_p95", "m", "Height, 95 % quantile", "height that 95 % of the members stay below, 0 where they have no debris",
+         false, true},
+        {"mass_p05", "kg/m2", "Mass per area, 5 % quantile", "mass per area that 5 % of the members stay below", false, true},
+        {"mass_p50", "kg/m2", "Mass per area, median", "mass per area that half of the members stay below", false, true},
+        {"mass_p95", "kg/m2", "Mass per area, 95 % quantile", "mass per area that 95 % of the members stay below", false, true},
+        {"probability_error", "", "Standard error of the probability",
+         "how far the probability may be off because the members are so few, by Agresti and Coull", false, true},
+        {"separation", "", "What tells the causes apart",
+         "above 0 the cell speaks for the first hypothesis, below 0 for the second: logarithm of the ratio of their probabilities",
+         false, true},
     }};
     return rows[static_cast<std::size_t>(layer)];
 }
@@ -66,7 +88,21 @@ const std::array<MapLayer, mapLayerCount>& mapLayers() {
     return all;
 }
 
+Message mapLayerTitle(const DebrisMap& map, MapLayer layer) {
+    if (layer >= MapLayer::AboveFirst && layer <= MapLayer::AboveThird) {
+        const auto which = static_cast<std::size_t>(layer) - static_cast<std::size_t>(MapLayer::AboveFirst);
+        return {"map.above", "Probability of debris higher than {0}", {Argument(map.thresholds[which], "m")}};
+    }
+    if (layer == MapLayer::Separation && map.hypotheses.size() == 2) {
+        return {"map.separation", "Speaks for {0} (above 0) or for {1} (below 0)", {map.hypotheses[0], map.hypotheses[1]}};
+    }
+    return {"map.layer", std::string(mapLayerRow(layer).name), {}};
+}
+
 bool DebrisMap::expected(MapLayer which) const {
+    if (mapLayerRow(which).ensemble || members > 0) {
+        return mapLayerRow(which).ensemble && members > 0 && (which == MapLayer::Separation) == (hypotheses.size() == 2);
+    }
     return mapLayerRow(which).live ? live : which != MapLayer::ImpactEnergy || impacts;
 }
 

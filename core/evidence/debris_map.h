@@ -29,8 +29,20 @@ enum class MapLayer : std::uint8_t {
     LiveHeight,
     LiveVolume,
     LiveMass,
+    Probability,
+    AboveFirst,
+    AboveSecond,
+    AboveThird,
+    HeightLow,
+    HeightMiddle,
+    HeightHigh,
+    MassLow,
+    MassMiddle,
+    MassHigh,
+    ProbabilityError,
+    Separation,
 };
-inline constexpr std::size_t mapLayerCount = 11;
+inline constexpr std::size_t mapLayerCount = 23;
 
 /// A row of the table of layers.
 struct MapLayerRow {
@@ -39,10 +51,15 @@ struct MapLayerRow {
     std::string_view name;  ///< for people
     std::string_view help;  ///< what it is, one sentence
     bool live = false;      ///< of the fallen live structure
+    bool ensemble = false;  ///< of an ensemble, not of one run
 };
 const MapLayerRow& mapLayerRow(MapLayer layer);
 /// Every layer, in the order of MapLayer.
 const std::array<MapLayer, mapLayerCount>& mapLayers();
+
+/// Heights that an ensemble's map has the probability of, m, ascending.
+using HeightThresholds = std::array<double, 3>;
+inline constexpr HeightThresholds usualThresholds{0.25, 0.5, 1.0};
 
 /// Sums over what was mapped, as the ledger has them.
 struct MapLedger {
@@ -68,6 +85,9 @@ struct DebrisMap {
     std::vector<MapCell> cells;           ///< ascending
     std::vector<std::string> components;  ///< names behind the numbers of MapLayer::Component
     MapLedger ledger;
+    std::int64_t members = 0;                       ///< of the ensemble that it is a map of; 0: of one run
+    HeightThresholds thresholds = usualThresholds;  ///< m, of an ensemble
+    std::vector<std::string> hypotheses;            ///< the two that MapLayer::Separation is between
 
     /// Values of a layer by cell: per area where the unit says so, NaN where the cell has none. Empty if the layer is not there.
     const std::vector<double>& layer(MapLayer which) const { return layers[static_cast<std::size_t>(which)]; }
@@ -80,6 +100,9 @@ struct DebrisMap {
 private:
     bool expected(MapLayer which) const;
 };
+
+/// Name of a layer of a map, with the height that it is about and the hypotheses that it is between.
+Message mapLayerTitle(const DebrisMap& map, MapLayer layer);
 
 /// How a map is made.
 struct MapSettings {

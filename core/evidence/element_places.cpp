@@ -6,34 +6,29 @@ namespace rubble {
 
 namespace {
 
-/// Where the released islands have been carried since the last FE state.
-std::vector<std::optional<Pose>> carriedSince(const FeResult& fe, const TrajectoryReader& trajectory, double time) {
-    std::vector<std::optional<Pose>> carried(fe.mesh().elementCount());
+/// Where the released islands are at a time; none before the last FE state.
+std::vector<CarriedIsland> islandsAt(const FeResult& fe, const TrajectoryReader& trajectory, double time) {
     if (!(time > fe.times().back())) {
-        return carried;
+        return {};
     }
     const std::vector<BodyRecord> bodies = trajectory.bodies();
-    const TrajectoryFrame frame = frameAtTime(trajectory, time);
-    for (const IslandRecord& island : trajectory.islands()) {
-        const std::size_t b = at(island.body);
-        if (b >= frame.bodies() || b >= bodies.size()) {
-            continue;
-        }
-        const Quat turn = frame.orientations[b].cast<double>().normalized() * bodies[b].atBirth.orientation.conjugate();
-        const Pose pose{frame.positions[b].cast<double>() - turn * bodies[b].atBirth.position, turn};
-        for (const ElementIndex e : island.elements) {
-            if (at(e) < carried.size()) {
-                carried[at(e)] = pose;
-            }
-        }
-    }
-    return carried;
+    return carriedIslands(trajectory.islands(), bodies, frameAtTime(trajectory, time));
 }
 
 }  // namespace
 
 ElementPlaces::ElementPlaces(const FeResult& fe, const Activity& activity, const TrajectoryReader& trajectory, double time)
-    : m_activity(activity), m_carried(carriedSince(fe, trajectory, time)) {
+    : ElementPlaces(fe, activity, islandsAt(fe, trajectory, time), time) {}
+
+ElementPlaces::ElementPlaces(const FeResult& fe, const Activity& activity, std::span<const CarriedIsland> islands, double time)
+    : m_activity(activity), m_carried(fe.mesh().elementCount()) {
+    for (const CarriedIsland& island : islands) {
+        for (const ElementIndex e : island.elements) {
+            if (at(e) < m_carried.size()) {
+                m_carried[at(e)] = island.moved;
+            }
+        }
+    }
     const std::vector<double>& times = fe.times();
     const auto after = std::upper_bound(times.begin(), times.end(), time);
     m_state = after == times.begin() ? 0 : static_cast<std::size_t>(after - times.begin()) - 1;

@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "core/analysis/settled_world.h"
 #include "core/fe/activity.h"
 #include "core/fe/fe_result.h"
 #include "core/trajectory/trajectory.h"
@@ -17,6 +19,8 @@ class ElementPlaces {
 public:
     /// @param activity  as the policy sees it; must outlive this
     ElementPlaces(const FeResult& fe, const Activity& activity, const TrajectoryReader& trajectory, double time);
+    /// @param islands  as they are at that time
+    ElementPlaces(const FeResult& fe, const Activity& activity, std::span<const CarriedIsland> islands, double time);
 
     bool alive(ElementIndex e) const { return m_activity.active(m_state, e); }
     /// m; not a number where the file has none.

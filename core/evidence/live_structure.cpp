@@ -2,18 +2,19 @@
 
 #include <cmath>
 
+#include "core/analysis/settled_world.h"
 #include "core/evidence/element_places.h"
 #include "core/fragments/element_solid.h"
 #include "core/fragments/lifetimes.h"
 
 namespace rubble {
 
-LiveStructure displacedStructure(const FeResult& fe, const Components& components, const FragmentSettings& settings,
-                                 const FragmentSet& fragments, const Debris& debris, const TrajectoryReader& trajectory,
-                                 double threshold, const Execution& execution) {
+namespace {
+
+LiveStructure displaced(const FeResult& fe, const Components& components, const FragmentSettings& settings,
+                        const FragmentSet& fragments, const Debris& debris, const ElementPlaces& places, double threshold,
+                        const Execution& execution) {
     const Mesh& mesh = fe.mesh();
-    const Activity activity = activityUnder(fe.contents().activity, settings.revival);
-    const ElementPlaces places(fe, activity, trajectory, debris.time);
     std::vector<bool> isFragment(mesh.elementCount(), false);
     for (std::size_t f = 0; f < fragments.size(); ++f) {
         isFragment[at(fragments.list[f].element)] = isFragment[at(fragments.list[f].element)] || debris.fragments[f].present;
@@ -47,6 +48,24 @@ LiveStructure displacedStructure(const FeResult& fe, const Components& component
         live.volume += components.volume[i];
     }
     return live;
+}
+
+}  // namespace
+
+LiveStructure displacedStructure(const FeResult& fe, const Components& components, const FragmentSettings& settings,
+                                 const FragmentSet& fragments, const Debris& debris, const TrajectoryReader& trajectory,
+                                 double threshold, const Execution& execution) {
+    const Activity activity = activityUnder(fe.activity(), settings.revival);
+    const ElementPlaces places(fe, activity, trajectory, debris.time);
+    return displaced(fe, components, settings, fragments, debris, places, threshold, execution);
+}
+
+LiveStructure displacedStructure(const FeResult& fe, const Components& components, const FragmentSettings& settings,
+                                 const FragmentSet& fragments, const Debris& debris, std::span<const CarriedIsland> islands,
+                                 double threshold, const Execution& execution) {
+    const Activity activity = activityUnder(fe.activity(), settings.revival);
+    const ElementPlaces places(fe, activity, islands, debris.time);
+    return displaced(fe, components, settings, fragments, debris, places, threshold, execution);
 }
 
 }  // namespace rubble

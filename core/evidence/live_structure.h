@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/analysis/debris.h"
@@ -11,6 +12,8 @@
 #include "core/trajectory/trajectory.h"
 
 namespace rubble {
+
+struct CarriedIsland;
 
 /// Live elements that fell or sank: debris as much as the fragments (DESIGN.md 2.7), with a line of its own in the ledger.
 struct LiveStructure {
@@ -26,6 +29,10 @@ struct LiveStructure {
 /// @param threshold  m
 LiveStructure displacedStructure(const FeResult& fe, const Components& components, const FragmentSettings& settings,
                                  const FragmentSet& fragments, const Debris& debris, const TrajectoryReader& trajectory,
+                                 double threshold, const Execution& execution);
+/// The same where only the islands are known as they are at that time.
+LiveStructure displacedStructure(const FeResult& fe, const Components& components, const FragmentSettings& settings,
+                                 const FragmentSet& fragments, const Debris& debris, std::span<const CarriedIsland> islands,
                                  double threshold, const Execution& execution);
 
 }  // namespace rubble

@@ -29,6 +29,11 @@ struct SiteShape {
 SiteShape siteOfRun(const MappedRun& run, std::optional<double> time, double liveThreshold, const Vec3& seenFrom,
                     const Execution& execution);
 
+/// The same from where fragments and released islands lie at an instant at or after the last FE state.
+SiteShape siteAtRest(const FeResult& fe, const FragmentSettings& settings, const FragmentSet& fragments, const Debris& debris,
+                     std::span<const CarriedIsland> islands, const SiteSurface& ground, double liveThreshold, const Vec3& seenFrom,
+                     const Execution& execution);
+
 /// What a camera sees of a site, pixel by pixel.
 struct SitePicture {
     double scale = 1.0;  ///< pixels of this picture per pixel of the photograph

@@ -82,17 +82,15 @@ std::vector<Side> outerSides(const Mesh& mesh, const std::vector<bool>& shown) {
     return outer;
 }
 
-void addStructure(SiteShape& site, const MappedRun& run, const Debris& debris, double threshold, const Execution& execution) {
-    const Mesh& mesh = run.fe->mesh();
-    const Activity activity = activityUnder(run.fe->contents().activity, run.scenario.fragments.revival);
-    const ElementPlaces places(*run.fe, activity, *run.trajectory, debris.time);
+void addStructure(SiteShape& site, const Mesh& mesh, const ElementPlaces& places, const FragmentSet& fragments,
+                  const Debris& debris, double threshold, const Execution& execution) {
     std::vector<bool> shown(mesh.elementCount());
     for (std::size_t i = 0; i < shown.size(); ++i) {
         shown[i] = places.alive(idAt<ElementIndex>(i));
     }
-    for (std::size_t f = 0; f < run.fragments->size(); ++f) {
+    for (std::size_t f = 0; f < fragments.size(); ++f) {
         if (debris.fragments[f].present) {
-            shown[at(run.fragments->list[f].element)] = false;
+            shown[at(fragments.list[f].element)] = false;
         }
     }
     execution.check();
@@ -165,11 +163,28 @@ SiteShape siteOfRun(const MappedRun& run, std::optional<double> time, double liv
         groupComponents(run.fe->mesh(), run.scenario.regrouping, run.scenario.components, run.scenario.assumptions);
     Debris debris = debrisAt(*run.fragments, components, *run.trajectory, when);
     debris.time = when;
+    const Activity activity = activityUnder(run.fe->activity(), run.scenario.fragments.revival);
     SiteShape site;
     site.time = when;
     addDebris(site, *run.fragments, debris);
-    addStructure(site, run, debris, liveThreshold, execution);
+    const ElementPlaces places(*run.fe, activity, *run.trajectory, when);
+    addStructure(site, run.fe->mesh(), places, *run.fragments, debris, liveThreshold, execution);
     if (const SiteSurface ground = groundOf(run); ground.terrain) {
+        addTerrain(site, *ground.terrain, seenFrom);
+    }
+    return site;
+}
+
+SiteShape siteAtRest(const FeResult& fe, const FragmentSettings& settings, const FragmentSet& fragments, const Debris& debris,
+                     std::span<const CarriedIsland> islands, const SiteSurface& ground, double liveThreshold, const Vec3& seenFrom,
+                     const Execution& execution) {
+    const Activity activity = activityUnder(fe.activity(), settings.revival);
+    SiteShape site;
+    site.time = debris.time;
+    addDebris(site, fragments, debris);
+    const ElementPlaces places(fe, activity, islands, debris.time);
+    addStructure(site, fe.mesh(), places, fragments, debris, liveThreshold, execution);
+    if (ground.terrain) {
         addTerrain(site, *ground.terrain, seenFrom);
     }
     return site;

@@ -125,6 +125,71 @@ std::optional<Vec3> freeFall(const FeResult::Contents& contents, const Execution
     return agreed ? std::optional<Vec3>(medianOf(alike)) : std::nullopt;
 }
 
+// @param acceleration  m/s2, of something that is held in part
+bool nearGravity(double acceleration) {
+    return acceleration > 0.5 * gravity && acceleration < 2.0 * gravity;
+}
+
+/// Accelerations of nodes that have left their place and gather speed along their way.
+class GatheredSpeed {
+public:
+    GatheredSpeed(const FeResult::Contents& contents, double size, const Execution& execution)
+        : m_contents(contents), m_size(size) {
+        const std::size_t states = contents.times.size();
+        for (std::size_t i = 0; states >= 4 && i < mostLooks; ++i) {
+            const std::size_t start = 1 + (states - 4) * i / (mostLooks - 1);
+            if (i == 0 || start != m_last) {
+                execution.check();
+                look(start);
+            }
+            m_last = start;
+        }
+    }
+
+    std::optional<Vec3> median() const {
+        const std::size_t fewest = std::max<std::size_t>(8, m_looked / 200);
+        if (m_found.size() < fewest) {
+            return std::nullopt;
+        }
+        const Vec3 middle = medianOf(m_found);
+        std::vector<double> along;
+        for (const Vec3& acceleration : m_found) {
+            along.push_back(acceleration.dot(middle.normalized()));
+        }
+        std::sort(along.begin(), along.end());
+        const double spread = along[along.size() * 3 / 4] - along[along.size() / 4];
+        return middle.norm() > 0.0 && spread <= middle.norm() ? std::optional<Vec3>(middle) : std::nullopt;
+    }
+
+private:
+    static constexpr std::size_t mostLooks = 8, mostNodes = 20000;
+    static constexpr double leftPlace = 0.01;  // of the size
+    static constexpr double moving = 0.001;    // of the size, from a state to the next
+    static constexpr double alongItsWay = 0.8;
+
+    void look(std::size_t k) {
+        const std::vector<double>& t = m_contents.times;
+        const std::array states{m_contents.source->read(k), m_contents.source->read(k + 1), m_contents.source->read(k + 2)};
+        const std::size_t nodes = states[0].positions.size(), stride = nodes / mostNodes + 1;
+        for (std::size_t n = 0; n < nodes; n += stride) {
+            ++m_looked;
+            const Vec3 way = states[1].positions[n] - states[0].positions[n];
+            const Vec3 before = way / (t[k + 1] - t[k]);
+            const Vec3 after = (states[2].positions[n] - states[1].positions[n]) / (t[k + 2] - t[k + 1]);
+            const Vec3 acceleration = (after - before) / (0.5 * (t[k + 2] - t[k]));
+            if ((states[0].positions[n] - m_contents.mesh->nodes[n]).norm() > leftPlace * m_size && way.norm() > moving * m_size &&
+                before.dot(acceleration) > alongItsWay * before.norm() * acceleration.norm()) {
+                m_found.push_back(acceleration);
+            }
+        }
+    }
+
+    const FeResult::Contents& m_contents;
+    double m_size;
+    std::size_t m_last = 0, m_looked = 0;
+    std::vector<Vec3> m_found;
+};
+
 /// Weighs one system against the evidence.
 class Fitting {
 public:
@@ -181,10 +246,16 @@ private:
     }
 
     void weighFall() {
-        if (m_evidence.fall) {
+        if (fallsByGravity(m_evidence)) {
             const double inFile = m_evidence.fall->norm();
             const double si = inFile * m_units.acceleration();
             const double off = std::abs(si / gravity - 1.0);
+            if (!m_evidence.freely) {
+                // Held in part, or driven by something else: near gravity it speaks for a system, elsewhere against none.
+                add(nearGravity(si) ? 3.0 : 0.0,
+                    {"units.gathered", "what comes down gathers speed at {0}, which is {1}", {inFile, {si, "m/s2"}}});
+                return;
+            }
             add(off < 0.02  ? 8.0
                 : off < 0.3 ? 2.0
                             : -4.0,
@@ -222,7 +293,7 @@ std::string joined(const std::vector<Message>& reasons) {
 
 }  // namespace
 
-UnitEvidence evidenceOf(const FeResult::Contents& contents, bool withFall, const Execution& execution) {
+UnitEvidence evidenceOf(const FeResult::Contents& contents) {
     const Mesh& mesh = *contents.mesh;
     UnitEvidence evidence;
     std::vector<bool> known(mesh.parts.size(), false);
@@ -239,10 +310,25 @@ UnitEvidence evidenceOf(const FeResult::Contents& contents, bool withFall, const
     evidence.size = bounds.isEmpty() ? 0.0 : bounds.sizes().maxCoeff();
     evidence.duration = contents.times.empty() ? 0.0 : contents.times.back() - contents.times.front();
     evidence.declared = contents.declared;
-    if (withFall && contents.source) {
-        evidence.fall = freeFall(contents, execution);
-    }
     return evidence;
+}
+
+void addSeenFall(UnitEvidence& evidence, const FeResult::Contents& contents, const Execution& execution) {
+    if (!contents.source) {
+        return;
+    }
+    evidence.fall = freeFall(contents, execution);
+    evidence.freely = evidence.fall.has_value();
+    if (!evidence.fall) {
+        evidence.fall = GatheredSpeed(contents, evidence.size, execution).median();
+    }
+}
+
+bool fallsByGravity(const UnitEvidence& evidence) {
+    const auto systems = unitSystems();
+    return evidence.fall && (evidence.freely || std::any_of(systems.begin(), systems.end(), [&](const UnitSystem& system) {
+                                 return nearGravity(evidence.fall->norm() * system.units.acceleration());
+                             }));
 }
 
 UnitEvidence evidenceInFile(UnitEvidence evidence, const FileUnits& units, const Frame& frame) {
@@ -289,20 +375,21 @@ Proposal proposeUnits(const UnitEvidence& evidence) {
 }
 
 Proposal proposeUpAxis(const UnitEvidence& evidence) {
-    if (!evidence.fall) {
-        return {"", {"up.unseen", "no node was seen to fall freely", {}}};
+    if (!fallsByGravity(evidence)) {
+        return {"", {"up.unseen", "nothing was seen to fall", {}}};
     }
     Eigen::Index axis = 0;
     const Vec3 down = evidence.fall->normalized();
     const double share = down.cwiseAbs().maxCoeff(&axis);
     if (share < 0.98) {
-        return {
-            "",
-            {"up.oblique", "free nodes fall along ({0}, {1}, {2}), which is no axis of the file", {down.x(), down.y(), down.z()}}};
+        return {"",
+                {"up.oblique", "things fall along ({0}, {1}, {2}), which is no axis of the file", {down.x(), down.y(), down.z()}}};
     }
     const std::string name(1, "xyz"[axis]);
     return {down[axis] < 0.0 ? name : "-" + name,
-            {"up.falls", "free nodes fall along {0}", {down[axis] < 0.0 ? "-" + name : name}}};
+            evidence.freely
+                ? Message{"up.falls", "free nodes fall along {0}", {down[axis] < 0.0 ? "-" + name : name}}
+                : Message{"up.gathered", "what comes down gathers speed along {0}", {down[axis] < 0.0 ? "-" + name : name}}};
 }
 
 std::optional<Message> implausibleSize(double size) {

@@ -18,12 +18,16 @@ struct UnitEvidence {
         std::string part;
         double value = 0.0;
     };
-    std::vector<Density> densities;     ///< of parts that have one, in their order
-    double size = 0.0;                  ///< largest extent of the structure at rest
-    double duration = 0.0;              ///< from the first state to the last
-    std::optional<Vec3> fall;           ///< acceleration of nodes that nothing holds; nothing: none was seen to fall
+    std::vector<Density> densities;  ///< of parts that have one, in their order
+    double size = 0.0;               ///< largest extent of the structure at rest
+    double duration = 0.0;           ///< from the first state to the last
+    std::optional<Vec3> fall;        ///< acceleration of what falls; nothing: nothing was seen to
+    bool freely = true;              ///< of nodes that nothing holds; else of pieces that gather speed, which may be held in part
     std::optional<FileUnits> declared;  ///< by a deck
 };
+
+/// Whether what falls may do so by gravity: freely, or at half to twice of it in a known system. In units of the file.
+bool fallsByGravity(const UnitEvidence& evidence);
 
 /// How well a system fits what a file tells.
 struct UnitFit {
@@ -38,10 +42,13 @@ struct Proposal {
     Message reason;
 };
 
-/// Gathers evidence in the units of the contents. Free fall is looked for at up to twelve states, among nodes all of whose elements
-/// are dead: a solver that keeps them lets them fall. @param withFall  false: no state is read
-/// Throws as the source does, and Cancelled.
-UnitEvidence evidenceOf(const FeResult::Contents& contents, bool withFall, const Execution& execution);
+/// Gathers evidence in the units of the contents, without reading a state: seenFall() adds to it.
+UnitEvidence evidenceOf(const FeResult::Contents& contents);
+
+/// Looks for gravity in the motion: at up to twelve states among nodes all of whose elements are dead, which a solver that keeps
+/// them lets fall; else at up to 24 among nodes that have left their place and gather speed along their way, whose median is that
+/// of a structure coming down. Throws as the source does, and Cancelled.
+void addSeenFall(UnitEvidence& evidence, const FeResult::Contents& contents, const Execution& execution);
 
 /// The same evidence in the units and axes of the file, where contents were brought into a frame. Without densities if the unit of
 /// mass was judged by them.
@@ -53,7 +60,7 @@ std::vector<UnitFit> fitUnits(const UnitEvidence& evidence);
 /// The system that fits clearly better than any other; else its rivals are named in the reason.
 Proposal proposeUnits(const UnitEvidence& evidence);
 
-/// The axis against which free nodes fall.
+/// The axis against which things fall.
 Proposal proposeUpAxis(const UnitEvidence& evidence);
 
 /// The structure at rest in a sentence, if no structure can be so large or so small in SI.

@@ -4,12 +4,15 @@
 #include <vector>
 
 #include "core/fe/frame.h"
+#include "core/scenario/ensemble.h"
+#include "core/scenario/journal.h"
 #include "core/scenario/photograph.h"
 #include "core/scenario/scenario.h"
+#include "core/scenario/site.h"
 
 namespace rubble {
 
-enum class InputRole { Fe, Terrain, Photograph, Survey };
+enum class InputRole { Fe, Terrain, Photograph, Survey, Orthophoto, Surroundings };
 
 /// A file that a case stands on, by relative path and SHA-256.
 struct CaseInput {
@@ -46,6 +49,9 @@ struct Case {
     std::string activeScenario;       ///< id
     std::vector<Bookmark> bookmarks;  ///< in the order of their times
     std::vector<Photograph> photographs;
+    Site site;
+    EnsembleSettings ensemble{usualVariations()};
+    Journal journal;
     friend bool operator==(const Case&, const Case&) = default;
 };
 

@@ -79,7 +79,7 @@ CaseResult runCase(const HardCase& hardCase, const SuiteSettings& settings, cons
 }
 
 std::vector<CaseResult> runSuite(const std::vector<const HardCase*>& cases, const SuiteSettings& settings,
-                                 const Execution& execution) {
+                                 const Execution& execution, const std::function<void(const CaseResult&)>& finished) {
     std::vector<CaseResult> results(cases.size());
     std::vector<std::size_t> order(cases.size());
     double total = 0.0;
@@ -97,14 +97,14 @@ std::vector<CaseResult> runSuite(const std::vector<const HardCase*>& cases, cons
     std::mutex mutex;
     std::condition_variable changed;
     double done = 0.0;
-    std::size_t finished = 0;
+    std::vector<std::size_t> ended;  // in the order in which they did
     const auto work = [&] {
         for (std::size_t place = next++; place < order.size(); place = next++) {
             const std::size_t i = order[place];
             results[i] = runCase(*cases[i], settings, inner);
             const std::lock_guard lock(mutex);
             done += cases[i]->seconds;
-            ++finished;
+            ended.push_back(i);
             changed.notify_one();
         }
     };
@@ -113,10 +113,15 @@ std::vector<CaseResult> runSuite(const std::vector<const HardCase*>& cases, cons
         threads.emplace_back(work);
     }
     std::unique_lock lock(mutex);
-    while (finished < cases.size()) {
+    for (std::size_t told = 0; told < cases.size();) {
         changed.wait_for(lock, std::chrono::milliseconds(100));
+        for (; told < ended.size(); ++told) {
+            if (finished && results[ended[told]].finished) {
+                finished(results[ended[told]]);
+            }
+        }
         try {
-            execution.report({"selftest.progress", "self-test, {0} of {1} cases", {finished, cases.size()}},
+            execution.report({"selftest.progress", "self-test, {0} of {1} cases", {told, cases.size()}},
                              total > 0.0 ? std::min(done / total, 1.0) : 1.0);
         } catch (const Cancelled&) {
             inner.cancel();

@@ -32,9 +32,10 @@ struct SuiteSettings {
 };
 
 /// Runs cases, long ones first, each in worlds of its own. What was not finished when the execution was cancelled is marked so.
+/// @param finished  called on this thread with every case as it ends, in whatever order they do
 /// @return  in the order of `cases`
 std::vector<CaseResult> runSuite(const std::vector<const HardCase*>& cases, const SuiteSettings& settings,
-                                 const Execution& execution);
+                                 const Execution& execution, const std::function<void(const CaseResult&)>& finished = {});
 
 /// One case as the suite runs it.
 CaseResult runCase(const HardCase& hardCase, const SuiteSettings& settings, const Execution& execution);

@@ -310,7 +310,7 @@ public:
 private:
     void entered(Collider& body) override { m_soft->addBody(&body); }
     void pieceEntered(Collider& piece) override { m_soft->addPiece(&piece); }
-    void aboutToLeave() override { m_soft->thawNeighboursOfLeaving(); }
+    void aboutToLeave() override { m_soft->letGoOfLeaving(); }
     void left(Collider& collider) override { m_soft->forget(collider); }
 
     btSequentialImpulseConstraintSolver m_solver;

@@ -113,9 +113,6 @@ void SoftStepWorld::forget(Collider& collider) {
     m_boxes.remove(collider.number);
     solid.placed.clear();
     solid.hulls.clear();
-    const auto gone = [&](const SoftContact& c) { return c.a == &collider || c.b == &collider; };
-    std::erase_if(m_contacts, gone);
-    std::erase_if(m_asleep, [&](const auto& entry) { return gone(entry.second.front()); });
 }
 
 void SoftStepWorld::internalSingleStepSimulation(btScalar dt) {
@@ -517,7 +514,7 @@ void SoftStepWorld::linkDependants() {
     m_justThawed.clear();
 }
 
-void SoftStepWorld::thawNeighboursOfLeaving() {
+void SoftStepWorld::letGoOfLeaving() {
     std::vector<Collider*> sleepers;
     const auto look = [&](const SoftContact& c) {
         if (c.a->leaving == c.b->leaving || c.depth < -contactMargin) {
@@ -541,6 +538,9 @@ void SoftStepWorld::thawNeighboursOfLeaving() {
         }
     }
     linkDependants();
+    const auto gone = [](const SoftContact& c) { return c.a->leaving || c.b->leaving; };
+    std::erase_if(m_contacts, gone);
+    std::erase_if(m_asleep, [&](const auto& entry) { return gone(entry.second.front()); });
 }
 
 }  // namespace rubble

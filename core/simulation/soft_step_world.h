@@ -32,10 +32,11 @@ public:
     void onSubstep(SubstepHook hook) { m_hook = std::move(hook); }
     void addBody(Collider* body);
     void addPiece(Collider* piece);
+    /// Of one whose contacts are gone, see letGoOfLeaving().
     void forget(Collider& collider);
     void thaw(Collider& body);
-    /// Thaws the frozen bodies that touch what is marked as leaving.
-    void thawNeighboursOfLeaving();
+    /// Thaws the frozen bodies that touch what is marked as leaving, and drops its contacts.
+    void letGoOfLeaving();
 
 protected:
     void internalSingleStepSimulation(btScalar dt) override;

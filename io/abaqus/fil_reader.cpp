@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "io/abaqus/fil_model.h"
 #include "io/abaqus/fil_records.h"
+#include "io/series/death_list.h"
 #include "io/series/series_result.h"
 
 namespace rubble::io {
@@ -122,9 +123,10 @@ private:
                 m_ever[e] = m_ever[e] || increment.recorded[e];
             }
         }
+        const bool listed = !deathListBeside(m_path).empty();
         for (const Increment& increment : m_increments) {
             const bool any = std::find(increment.recorded.begin(), increment.recorded.end(), true) != increment.recorded.end();
-            m_someMissing = m_someMissing || (any && increment.recorded != m_ever);
+            m_someMissing = m_someMissing || (any && !listed && increment.recorded != m_ever);
         }
     }
 
@@ -219,9 +221,8 @@ std::vector<std::string> filMembers(const std::string& path) {
     return withDeathList(std::move(files));
 }
 
-FeResult::Contents readFil(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                           const Execution& execution) {
-    return readSeries(path, std::make_shared<FilSeries>(path, execution), settings, frame, execution);
+FeResult::Contents readFil(const std::string& path, const ImportSettings& settings, const Execution& execution) {
+    return readSeries(path, std::make_shared<FilSeries>(path, execution), settings, execution);
 }
 
 }  // namespace rubble::io

@@ -13,6 +13,6 @@ bool recognisesFil(const FileHead& head);
 std::vector<std::string> filMembers(const std::string& path);
 /// Reads a results file: an element is dead where every record STATUS of it in an increment is 0; in files without STATUS where its
 /// records are missing while others of its request are there. See FeFormat::read.
-FeResult::Contents readFil(const std::string& path, const ImportSettings& settings, const Frame& frame, const Execution& execution);
+FeResult::Contents readFil(const std::string& path, const ImportSettings& settings, const Execution& execution);
 
 }  // namespace rubble::io

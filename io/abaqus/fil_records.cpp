@@ -161,7 +161,7 @@ bool FilRecords::line() {
     constexpr std::size_t longest = 4 * lineLength;
     const bool covered = m_nextLine >= m_windowBegin && m_nextLine + longest <= m_windowBegin + m_window.size();
     if (!covered && (m_windowBegin + m_window.size() < m_bytes || m_nextLine < m_windowBegin)) {
-        m_window.resize(windowBytes);
+        m_window.resize(static_cast<std::size_t>(std::min<std::uint64_t>(windowBytes, m_bytes - std::min(m_nextLine, m_bytes))));
         m_file.clear();
         m_file.seekg(static_cast<std::streamoff>(m_nextLine));
         m_file.read(m_window.data(), static_cast<std::streamsize>(m_window.size()));

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 
+#include "core/base/error.h"
 #include "io/ansys/cdb_file.h"
 #include "io/series/death_list.h"
 #include "io/series/numbered_files.h"
@@ -36,13 +38,18 @@ std::string macroBeside(const std::string& path) {
 class CdbSeries : public MeshSeries {
 public:
     explicit CdbSeries(std::vector<std::string> files) : m_files(std::move(files)) {
+        noteNumberGaps(m_files, m_facts.findings);
         bool timed = true;
-        for (const std::string& file : m_files) {
-            const CdbModel model = readCdb(file);
-            m_facts.findings.append(model.findings);
-            timed = timed && model.time.has_value();
-            m_facts.times.push_back(model.time.value_or(0.0));
+        for (std::size_t k = 0; k < m_files.size(); ++k) {
+            const std::optional<CdbModel> model = readUnlessUnfinished(k);
+            if (!model) {
+                break;
+            }
+            m_facts.findings.append(model->findings);
+            timed = timed && model->time.has_value();
+            m_facts.times.push_back(model->time.value_or(0.0));
         }
+        m_files.resize(m_facts.times.size());
         if (!timed || !std::is_sorted(m_facts.times.begin(), m_facts.times.end())) {
             for (std::size_t k = 0; k < m_facts.times.size(); ++k) {
                 m_facts.times[k] = static_cast<double>(k);
@@ -70,6 +77,20 @@ public:
     }
 
 private:
+    // The last state of a series may still be being written.
+    std::optional<CdbModel> readUnlessUnfinished(std::size_t k) {
+        try {
+            return readCdb(m_files[k]);
+        } catch (const ParseError&) {
+            if (k == 0 || k + 1 < m_files.size()) {
+                throw;
+            }
+        }
+        m_facts.findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
+                             {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, m_files[k]);
+        return std::nullopt;
+    }
+
     std::vector<std::string> m_files;
 };
 
@@ -144,8 +165,7 @@ std::vector<std::string> cdbMembers(const std::string& path) {
     return withDeathList(std::move(files));
 }
 
-FeResult::Contents readCdbs(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                            const Execution& execution) {
+FeResult::Contents readCdbs(const std::string& path, const ImportSettings& settings, const Execution& execution) {
     std::vector<std::string> files = numberedSiblings(path);
     std::shared_ptr<MeshSeries> series;
     if (files.size() > 1) {
@@ -153,7 +173,7 @@ FeResult::Contents readCdbs(const std::string& path, const ImportSettings& setti
     } else {
         series = std::make_shared<KilledMesh>(path, macroBeside(path));
     }
-    return readSeries(path, std::move(series), settings, frame, execution);
+    return readSeries(path, std::move(series), settings, execution);
 }
 
 }  // namespace rubble::io

@@ -13,7 +13,6 @@ bool recognisesCdb(const FileHead& head);
 std::vector<std::string> cdbMembers(const std::string& path);
 /// Reads databases: deaths from the birth/death field of a series, else from EKILL and EALIVE of the macro, else from a list of
 /// deaths, whose times then are the states. See FeFormat::read.
-FeResult::Contents readCdbs(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                            const Execution& execution);
+FeResult::Contents readCdbs(const std::string& path, const ImportSettings& settings, const Execution& execution);
 
 }  // namespace rubble::io

@@ -244,9 +244,8 @@ bool recognisesRst(const FileHead& head) {
     return words[0] == 100 && words[1] >> 24 == 0x80 && words[2] == 12;
 }
 
-FeResult::Contents readRst(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                           const Execution& execution) {
-    return readSeries(path, std::make_shared<RstSeries>(path), settings, frame, execution);
+FeResult::Contents readRst(const std::string& path, const ImportSettings& settings, const Execution& execution) {
+    return readSeries(path, std::make_shared<RstSeries>(path), settings, execution);
 }
 
 }  // namespace rubble::io

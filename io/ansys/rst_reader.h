@@ -10,6 +10,6 @@ namespace rubble::io {
 bool recognisesRst(const FileHead& head);
 /// Reads mesh, times and displacements of a result file. Which elements are dead comes from a list of deaths beside it: the file's
 /// own list is of no verified meaning. See FeFormat::read.
-FeResult::Contents readRst(const std::string& path, const ImportSettings& settings, const Frame& frame, const Execution& execution);
+FeResult::Contents readRst(const std::string& path, const ImportSettings& settings, const Execution& execution);
 
 }  // namespace rubble::io

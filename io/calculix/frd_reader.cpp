@@ -9,6 +9,7 @@
 #include "io/abaqus/deck_parts.h"
 #include "io/abaqus/input_deck.h"
 #include "io/calculix/frd_file.h"
+#include "io/series/death_list.h"
 #include "io/series/series_result.h"
 
 namespace rubble::io {
@@ -41,7 +42,7 @@ public:
         m_facts.flag.activeByName = 1;
         m_byDeck = m_deck && !m_deck->changes.empty();
         m_facts.flag.name = m_byDeck ? "MODEL CHANGE of the input deck" : "nodes of elements";
-        m_byNodes = !m_byDeck && someNodesMissing();
+        m_byNodes = !m_byDeck && deathListBeside(path).empty() && someNodesMissing();
         if (m_byNodes) {
             m_facts.findings.add(
                 {"frd.inferred",
@@ -138,9 +139,8 @@ std::vector<std::string> frdMembers(const std::string& path) {
     return withDeathList(std::move(files));
 }
 
-FeResult::Contents readFrd(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                           const Execution& execution) {
-    return readSeries(path, std::make_shared<FrdSeries>(path), settings, frame, execution);
+FeResult::Contents readFrd(const std::string& path, const ImportSettings& settings, const Execution& execution) {
+    return readSeries(path, std::make_shared<FrdSeries>(path), settings, execution);
 }
 
 }  // namespace rubble::io

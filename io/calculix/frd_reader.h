@@ -13,6 +13,6 @@ bool recognisesFrd(const FileHead& head);
 std::vector<std::string> frdMembers(const std::string& path);
 /// Reads a result file: its elements are written once, so deaths come from MODEL CHANGE of the deck, else from nodes that a state
 /// leaves out. See FeFormat::read.
-FeResult::Contents readFrd(const std::string& path, const ImportSettings& settings, const Frame& frame, const Execution& execution);
+FeResult::Contents readFrd(const std::string& path, const ImportSettings& settings, const Execution& execution);
 
 }  // namespace rubble::io

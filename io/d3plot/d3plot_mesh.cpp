@@ -19,7 +19,7 @@ class MeshMaker {
 public:
     MeshMaker(const D3plotFamily& family, const D3plotHeader& header, const D3plotGeometry& geometry,
               const D3plotStateLayout& layout, const D3plotStates& states, const Activity& activity,
-              const std::map<std::int64_t, KeywordPart>& deck, const FrameTransform& frame)
+              const std::map<std::int64_t, KeywordPart>& deck)
         : m_family(family),
           m_header(header),
           m_geometry(geometry),
@@ -27,7 +27,7 @@ public:
           m_begin(states.begin.front()),
           m_activity(activity),
           m_deck(deck),
-          m_builder(family.path(), frame) {}
+          m_builder(family.path()) {}
 
     D3plotMesh make() {
         m_masses = d3plotPartMasses(m_family, m_header, m_begin);
@@ -202,8 +202,8 @@ private:
 
 D3plotMesh makeD3plotMesh(const D3plotFamily& family, const D3plotHeader& header, const D3plotGeometry& geometry,
                           const D3plotStateLayout& layout, const D3plotStates& states, const Activity& activity,
-                          const std::map<std::int64_t, KeywordPart>& deck, const FrameTransform& frame) {
-    return MeshMaker(family, header, geometry, layout, states, activity, deck, frame).make();
+                          const std::map<std::int64_t, KeywordPart>& deck) {
+    return MeshMaker(family, header, geometry, layout, states, activity, deck).make();
 }
 
 // Globals: kinetic, internal and total energy, velocity (6); then of every part internal and kinetic energy, velocity, mass and

@@ -6,7 +6,6 @@
 #include "core/fe/mesh.h"
 #include "io/d3plot/d3plot_activity.h"
 #include "io/d3plot/keyword_deck.h"
-#include "io/frame_transform.h"
 #include "io/particles.h"
 
 namespace rubble::io {
@@ -22,7 +21,7 @@ struct D3plotMesh {
 /// shells comes from the first state. Sections of beams are not in the file; the deck has them, and what else the family lacks.
 D3plotMesh makeD3plotMesh(const D3plotFamily& family, const D3plotHeader& header, const D3plotGeometry& geometry,
                           const D3plotStateLayout& layout, const D3plotStates& states, const Activity& activity,
-                          const std::map<std::int64_t, KeywordPart>& deck, const FrameTransform& frame);
+                          const std::map<std::int64_t, KeywordPart>& deck);
 
 /// Masses of the parts at a state, in the file's unit; empty if the globals do not hold them.
 std::vector<double> d3plotPartMasses(const D3plotFamily& family, const D3plotHeader& header, std::int64_t stateBegin);

@@ -92,8 +92,7 @@ std::vector<std::string> d3plotFiles(const std::string& path) {
     return files;
 }
 
-FeResult::Contents readD3plot(const std::string& path, const ImportSettings&, const Frame& frame, const Execution& execution) {
-    const FrameTransform transform(frame);
+FeResult::Contents readD3plot(const std::string& path, const ImportSettings&, const Execution& execution) {
     const auto format = d3plotWordFormat(readHead(path));
     if (!format) {
         throw ParseError({"d3plot.changed", "{0} is no d3plot any more", {path}},
@@ -107,8 +106,8 @@ FeResult::Contents readD3plot(const std::string& path, const ImportSettings&, co
     const D3plotStates states = findD3plotStates(family, geometry, layout, execution);
     requireStates(family, geometry, layout, states);
     D3plotActivity activity = readD3plotActivity(family, header, geometry, layout, states, execution);
-    D3plotMesh mesh = makeD3plotMesh(family, header, geometry, layout, states, activity.activity,
-                                     readKeywordDeck(keywordDeckBeside(path)), transform);
+    D3plotMesh mesh =
+        makeD3plotMesh(family, header, geometry, layout, states, activity.activity, readKeywordDeck(keywordDeckBeside(path)));
 
     FeResult::Contents contents;
     contents.mesh = std::make_shared<const Mesh>(std::move(mesh.mesh));
@@ -117,7 +116,7 @@ FeResult::Contents readD3plot(const std::string& path, const ImportSettings&, co
     const auto reader = std::make_shared<const StateReader>(
         StateReader{files, header, layout, states.begin, header.coordinates == 1 ? std::vector<Vec3>{} : std::move(geometry.nodes),
                     std::move(mesh.particles)});
-    contents.source = std::make_shared<const FieldSource>(path, contents.mesh, activity.activity, contents.times, transform,
+    contents.source = std::make_shared<const FieldSource>(path, contents.mesh, activity.activity, contents.times,
                                                           [reader](std::size_t k) { return reader->read(k); });
     contents.activity = std::move(activity.activity);
     contents.activityFrom = std::move(activity.from);

@@ -1,7 +1,9 @@
 #include "io/d3plot/d3plot_states.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "core/base/error.h"
@@ -122,6 +124,20 @@ private:
         return left == 0;
     }
 
+    // The end mark of a file of the other word length or byte order, as the words of this family hold it.
+    bool isEndMarkOfOtherWords(double word) const {
+        constexpr std::uint32_t single = 0xc97423f0u, highOfDouble = 0xc12e847eu;
+        const auto isMark = [](std::uint32_t bits) {
+            return bits == single || bits == highOfDouble || bits == __builtin_bswap32(single) ||
+                   bits == __builtin_bswap32(highOfDouble);
+        };
+        if (m_family.format().bytes == sizeof(float)) {
+            return isMark(std::bit_cast<std::uint32_t>(static_cast<float>(word)));
+        }
+        const auto bits = std::bit_cast<std::uint64_t>(word);
+        return isMark(static_cast<std::uint32_t>(bits)) || isMark(static_cast<std::uint32_t>(bits >> 32));
+    }
+
     // Whether the last word of a file that is not zero is the end mark: then all of it was written.
     bool closed(std::int64_t next) const {
         constexpr std::int64_t wordsAtOnce = 8192;
@@ -131,7 +147,7 @@ private:
             m_family.readFloats(end - static_cast<std::int64_t>(words.size()), words);
             const auto last = std::find_if(words.rbegin(), words.rend(), [](double word) { return word != 0.0; });
             if (last != words.rend()) {
-                return isEndMark(*last);
+                return isEndMark(*last) || isEndMarkOfOtherWords(*last);
             }
         }
         return false;

@@ -15,6 +15,7 @@
 #include "io/exodus/exodus_names.h"
 #include "io/exodus/library_lock.h"
 #include "io/exodus/trial.h"
+#include "io/hdf5_extent.h"
 
 namespace rubble::io {
 
@@ -36,35 +37,11 @@ constexpr std::size_t topologyLength = 33;  // the library's buffer, with the en
 }
 
 [[noreturn]] void failNotExodus(const std::string& path, const std::string& why) {
-    throw ParseError({"exodus.not_exodus", "{0} is no Exodus II file: {1}", {path, why}},
-                     {"exodus.not_exodus.remedy", "Give the result of the FE analysis as Exodus II (.exo, .e, .ex2).", {}});
-}
-
-std::uint64_t littleEndian(const std::vector<unsigned char>& bytes, std::size_t at) {
-    std::uint64_t value = 0;
-    for (std::size_t i = 8; i-- > 0;) {
-        value = value << 8 | (at + i < bytes.size() ? bytes[at + i] : 0u);
-    }
-    return value;
-}
-
-// An HDF5 file says in its first block where it ends (HDF5 File Format Specification, superblock versions 0 to 3).
-void requireWholeHdf5(const std::string& path, std::int64_t size) {
-    std::ifstream file(path, std::ios::binary);
-    std::vector<unsigned char> head(96, 0);
-    file.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
-    if (file.gcount() < 48) {
-        failCutOff(path, size, "inside its header");
-    }
-    const int version = head[8];
-    const int offsetBytes = version < 2 ? head[13] : head[9];
-    if (version > 3 || offsetBytes != 8) {
-        return;  // the library judges it
-    }
-    const std::uint64_t end = littleEndian(head, version == 0 ? 40 : version == 1 ? 44 : 28);
-    if (end > static_cast<std::uint64_t>(size) && end < (std::uint64_t{1} << 62)) {
-        failCutOff(path, size, "of " + englishInteger(static_cast<std::int64_t>(end)));
-    }
+    throw ParseError(
+        {"exodus.not_exodus", "{0} is no Exodus II file: {1}", {path, why}},
+        {"exodus.not_exodus.remedy",
+         "Give the result of the FE analysis as Exodus II (.exo, .e, .ex2). Tables that an .xdmf names are opened through it.",
+         {}});
 }
 
 void requireWholeClassic(const std::string& path, std::int64_t size) {
@@ -332,7 +309,7 @@ void checkExodusLayout(const std::string& path) {
         check();
         return;
     }
-    requireWholeHdf5(path, size);
+    requireWholeHdf5(path);
     if (!survivesTrial(check)) {
         failDamaged({"exodus.crash", "{0} is damaged so that the HDF5 library fails on it", {path}});
     }

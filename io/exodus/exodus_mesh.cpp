@@ -20,7 +20,7 @@ std::string nameOf(const ExodusBlock& block) {
 /// Builds the mesh block by block.
 class MeshReader {
 public:
-    MeshReader(const ExodusFile& file, const FrameTransform& frame) : m_file(file), m_builder(file.path(), frame) {}
+    explicit MeshReader(const ExodusFile& file) : m_file(file), m_builder(file.path()) {}
 
     ExodusMesh read() {
         readNodes();
@@ -96,8 +96,8 @@ private:
 
 }  // namespace
 
-ExodusMesh readExodusMesh(const ExodusFile& file, const FrameTransform& frame) {
-    return MeshReader(file, frame).read();
+ExodusMesh readExodusMesh(const ExodusFile& file) {
+    return MeshReader(file).read();
 }
 
 }  // namespace rubble::io

@@ -6,7 +6,6 @@
 #include "core/base/finding.h"
 #include "core/fe/mesh.h"
 #include "io/exodus/exodus_file.h"
-#include "io/frame_transform.h"
 #include "io/mesh_builder.h"
 
 namespace rubble::io {
@@ -24,6 +23,6 @@ struct ExodusMesh {
 /// Reads coordinates, blocks and materials. Blocks that are no structure are left out and counted; solids numbered the other way
 /// round at rest are turned and counted. Throws ParseError for files without elements, nodes that do not
 /// exist and elements at nodes without a finite place.
-ExodusMesh readExodusMesh(const ExodusFile& file, const FrameTransform& frame);
+ExodusMesh readExodusMesh(const ExodusFile& file);
 
 }  // namespace rubble::io

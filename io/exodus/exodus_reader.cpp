@@ -48,12 +48,10 @@ std::vector<std::string> exodusMembers(const std::string& path) {
     return exodusSequence(path);
 }
 
-FeResult::Contents readExodus(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                              const Execution& execution) {
+FeResult::Contents readExodus(const std::string& path, const ImportSettings& settings, const Execution& execution) {
     if (std::vector<std::string> files = exodusSequence(path); files.size() > 1) {
-        return readSeries(path, std::make_shared<ExodusSequence>(std::move(files), settings), settings, frame, execution);
+        return readSeries(path, std::make_shared<ExodusSequence>(std::move(files), settings), settings, execution);
     }
-    const FrameTransform transform(frame);
     const Message stage{"exodus.open", "Reading the mesh", {}};
     execution.report(stage, 0.0);
     const auto file = std::make_shared<const ExodusFile>(path);
@@ -61,7 +59,7 @@ FeResult::Contents readExodus(const std::string& path, const ImportSettings& set
     requireTimes(*file);
     const auto displacement = chooseDisplacement(*file, settings);
     const auto velocity = findVelocity(file->variables(ExodusEntity::Node));
-    ExodusMesh mesh = readExodusMesh(*file, transform);
+    ExodusMesh mesh = readExodusMesh(*file);
     execution.report(stage, 1.0);
     ExodusActivity activity = readExodusActivity(*file, mesh, settings, execution);
 
@@ -69,8 +67,7 @@ FeResult::Contents readExodus(const std::string& path, const ImportSettings& set
     contents.mesh = std::make_shared<const Mesh>(std::move(mesh.mesh));
     contents.times = file->times();
     contents.hasVelocity = velocity.has_value();
-    contents.source =
-        std::make_shared<const ExodusSource>(file, contents.mesh, activity.activity, transform, displacement, velocity);
+    contents.source = std::make_shared<const ExodusSource>(file, contents.mesh, activity.activity, displacement, velocity);
     contents.activity = std::move(activity.activity);
     contents.activityFrom = std::move(activity.from);
     contents.deathTime = std::move(activity.deathTime);

@@ -4,7 +4,6 @@
 
 #include "core/base/execution.h"
 #include "core/fe/fe_result.h"
-#include "core/fe/frame.h"
 #include "core/scenario/scenario.h"
 #include "io/fe_format.h"
 
@@ -16,7 +15,6 @@ bool recognisesExodus(const FileHead& head);
 /// The files of a sequence written at changes of topology, in order; the file alone where there is none.
 std::vector<std::string> exodusMembers(const std::string& path);
 /// Reads an Exodus II result; see FeFormat::read.
-FeResult::Contents readExodus(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                              const Execution& execution);
+FeResult::Contents readExodus(const std::string& path, const ImportSettings& settings, const Execution& execution);
 
 }  // namespace rubble::io

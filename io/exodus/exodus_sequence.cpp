@@ -133,7 +133,7 @@ SeriesStep ExodusSequence::step(std::size_t k) {
     const State& state = m_states[k];
     const auto source = file(state.file);
     if (k == 0 || m_states[k - 1].file != state.file) {
-        m_mesh = readExodusMesh(*source, FrameTransform(Frame{}));
+        m_mesh = readExodusMesh(*source);
         m_facts.findings.append(m_mesh.findings);
         step.mesh = m_mesh.mesh;
     }

@@ -9,12 +9,10 @@
 namespace rubble::io {
 
 ExodusSource::ExodusSource(std::shared_ptr<const ExodusFile> file, std::shared_ptr<const Mesh> mesh, Activity activity,
-                           const FrameTransform& frame, std::optional<VectorVariable> displacement,
-                           std::optional<VectorVariable> velocity)
+                           std::optional<VectorVariable> displacement, std::optional<VectorVariable> velocity)
     : m_file(std::move(file)),
       m_mesh(std::move(mesh)),
       m_activity(std::move(activity)),
-      m_frame(frame),
       m_displacement(std::move(displacement)),
       m_velocity(std::move(velocity)) {}
 
@@ -26,14 +24,11 @@ FeState ExodusSource::read(std::size_t k) const {
     if (m_displacement) {
         const std::vector<Vec3> displacement = readVector(k, *m_displacement);
         for (std::size_t n = 0; n < displacement.size(); ++n) {
-            state.positions[n] += m_frame.vector(displacement[n]);
+            state.positions[n] += displacement[n];
         }
     }
     if (m_velocity) {
         state.velocities = readVector(k, *m_velocity);
-        for (Vec3& velocity : state.velocities) {
-            velocity = m_frame.vector(velocity);
-        }
     }
     return state;
 }

@@ -7,7 +7,6 @@
 #include "core/fe/fe_result.h"
 #include "io/exodus/exodus_file.h"
 #include "io/exodus/exodus_names.h"
-#include "io/frame_transform.h"
 
 namespace rubble::io {
 
@@ -17,7 +16,7 @@ class ExodusSource : public StateSource {
 public:
     /// Variables are nothing where the file has no such vector.
     ExodusSource(std::shared_ptr<const ExodusFile> file, std::shared_ptr<const Mesh> mesh, Activity activity,
-                 const FrameTransform& frame, std::optional<VectorVariable> displacement, std::optional<VectorVariable> velocity);
+                 std::optional<VectorVariable> displacement, std::optional<VectorVariable> velocity);
 
     FeState read(std::size_t k) const override;
 
@@ -28,7 +27,6 @@ private:
     std::shared_ptr<const ExodusFile> m_file;
     std::shared_ptr<const Mesh> m_mesh;
     Activity m_activity;
-    FrameTransform m_frame;
     std::optional<VectorVariable> m_displacement;
     std::optional<VectorVariable> m_velocity;
 };

@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <limits>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -39,7 +40,9 @@ Message fromJson(const Json& json) {
         const Json& value = pair[0];
         Argument argument(value.is_string()           ? Argument(value.get<std::string>())
                           : value.is_number_integer() ? Argument(value.get<std::int64_t>())
-                                                      : Argument(value.get<double>()));
+                          // JSON has no number that is none.
+                          : value.is_null() ? Argument(std::numeric_limits<double>::quiet_NaN())
+                                            : Argument(value.get<double>()));
         argument.unit = pair[1];
         message.arguments.push_back(std::move(argument));
     }

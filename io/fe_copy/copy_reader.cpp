@@ -240,8 +240,7 @@ FeCopy openFeCopy(const std::string& path) {
     return copy;
 }
 
-FeResult::Contents readFeCopy(const std::string& path, const ImportSettings& settings, const Frame& /*frame*/,
-                              const Execution& execution) {
+FeResult::Contents readFeCopy(const std::string& path, const ImportSettings& settings, const Execution& execution) {
     execution.report({"fe_copy.open", "Reading the copy", {}}, 0.0);
     FeResult::Contents contents = openFeCopy(path).contents;
     ImportSettings others = settings;

@@ -4,7 +4,6 @@
 
 #include "core/base/execution.h"
 #include "core/fe/fe_result.h"
-#include "core/fe/frame.h"
 #include "core/scenario/scenario.h"
 #include "io/fe_copy/copy_about.h"
 #include "io/fe_format.h"
@@ -15,8 +14,7 @@ bool recognisesFeCopy(const FileHead& head);
 
 /// Reads a copy (copy_layout.h). What the settings say of variables was settled when the copy was made and is told in a finding.
 /// Throws ParseError for what is damaged, also when a state is read; WorldError, Cancelled.
-FeResult::Contents readFeCopy(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                              const Execution& execution);
+FeResult::Contents readFeCopy(const std::string& path, const ImportSettings& settings, const Execution& execution);
 
 /// A copy as it lies there: contents in its own frame, and what it was made from.
 struct FeCopy {

@@ -5,25 +5,12 @@
 #include "io/exports.h"
 #include "io/geo/map_files.h"
 #include "io/geo/map_place.h"
+#include "io/provenance.h"
 #include "io/run_json.h"
 
 namespace rubble::io {
 
 namespace {
-
-std::string_view classOf(FrameKind shown) {
-    switch (shown) {
-        case FrameKind::Fe:
-            return "FE";
-        case FrameKind::Simulated:
-            return "simulated";
-        case FrameKind::Interpolated:
-            return "simulated, interpolated between two recorded instants";
-        case FrameKind::Illustrative:
-            return "illustrative";
-    }
-    return "illustrative";
-}
 
 nlohmann::json ledgerJson(const DebrisMap& map) {
     const MapLedger& ledger = map.ledger;
@@ -50,7 +37,7 @@ MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown)
     const std::string crs = MapPlace(from.frame).name();
     nlohmann::json json = nlohmann::json::parse(provenanceText(run));
     json["map"] = {{"time_s", map.time},
-                   {"class", classOf(shown)},
+                   {"class", shownClass(shown)},
                    {"cell_m", map.cell},
                    {"crs", crs},
                    {"arrival_distance_m", map.arrivalDistance},
@@ -63,7 +50,7 @@ MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown)
         json["map"]["components"].push_back(map.components[c]);
     }
     origin.provenance = jsonText(json);
-    origin.facts = {{"RUBBLE_CLASS", std::string(classOf(shown))},
+    origin.facts = {{"RUBBLE_CLASS", std::string(shownClass(shown))},
                     {"RUBBLE_TIME_S", exactNumber(map.time)},
                     {"RUBBLE_CELL_M", exactNumber(map.cell)},
                     {"RUBBLE_CRS", crs},

@@ -71,7 +71,7 @@ void describe(GDALDataset& file, const DebrisMap& map, const std::vector<MapLaye
         band.SetDescription(std::string(row.key).c_str());
         band.SetUnitType(std::string(row.unit).c_str());
         band.SetNoDataValue(noData);
-        band.SetMetadataItem("LONG_NAME", std::string(row.name).c_str());
+        band.SetMetadataItem("LONG_NAME", englishText(mapLayerTitle(map, layers[b])).c_str());
         band.SetMetadataItem("MEANING", std::string(row.help).c_str());
         for (std::size_t c = 0; layers[b] == MapLayer::Component && c < map.components.size(); ++c) {
             band.SetMetadataItem(("COMPONENT_" + std::to_string(c)).c_str(), map.components[c].c_str());

@@ -59,7 +59,7 @@ MarcFile::MarcFile(const std::string& path) : m_path(path), m_window(path) {
         if (line.starts_with("=beg=")) {
             readBlock(line, begin, nullptr);
         } else if (line.starts_with("****")) {
-            if (!readIncrement()) {
+            if (!wholeIncrement()) {
                 m_findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
                                {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, path);
                 break;
@@ -84,6 +84,18 @@ std::size_t MarcFile::count(std::uint64_t value, const char* what) const {
         fail(std::string("the number of ") + what + " is " + std::to_string(value) + ", more than the file can hold");
     }
     return static_cast<std::size_t>(value);
+}
+
+// What the file ends in is still being written.
+bool MarcFile::wholeIncrement() {
+    try {
+        return readIncrement();
+    } catch (const ParseError&) {
+        if (m_increments.empty() || m_window.place() < m_window.size()) {
+            throw;
+        }
+        return false;
+    }
 }
 
 // @return false if the file ends inside it

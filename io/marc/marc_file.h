@@ -51,6 +51,7 @@ private:
         std::vector<std::int64_t> codes;
     };
 
+    bool wholeIncrement();
     bool readIncrement();
     void readBlock(const std::string& head, std::uint64_t begin, MarcIncrement* increment);
     void readVerification();

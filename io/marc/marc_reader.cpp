@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "io/marc/marc_file.h"
+#include "io/series/death_list.h"
 #include "io/series/series_result.h"
 
 namespace rubble::io {
@@ -23,7 +24,7 @@ public:
             m_facts.hasVelocity = m_facts.hasVelocity || increment.velocity.has_value();
             stress = stress && !increment.stressed.empty();
         }
-        m_byStress = stress && !m_rewritten;
+        m_byStress = stress && !m_rewritten && deathListBeside(path).empty();
         if (m_byStress) {
             findStress();
             m_facts.flag.name = "stress";
@@ -119,9 +120,8 @@ bool recognisesMarc(const FileHead& head) {
     return !head.packed && head.bytes.starts_with("=beg=5");
 }
 
-FeResult::Contents readMarc(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                            const Execution& execution) {
-    return readSeries(path, std::make_shared<MarcSeries>(path), settings, frame, execution);
+FeResult::Contents readMarc(const std::string& path, const ImportSettings& settings, const Execution& execution) {
+    return readSeries(path, std::make_shared<MarcSeries>(path), settings, execution);
 }
 
 }  // namespace rubble::io

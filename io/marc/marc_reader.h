@@ -10,7 +10,6 @@ namespace rubble::io {
 bool recognisesMarc(const FileHead& head);
 /// Reads a post file: elements that a rewritten mesh leaves out are dead; where no mesh is rewritten, those whose stress falls to
 /// exactly zero. See FeFormat::read.
-FeResult::Contents readMarc(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                            const Execution& execution);
+FeResult::Contents readMarc(const std::string& path, const ImportSettings& settings, const Execution& execution);
 
 }  // namespace rubble::io

@@ -55,8 +55,8 @@ std::vector<std::string> animMembers(const std::string& path) {
     return withDeck(animStates(path), deckOf(path, "A", ""));
 }
 
-FeResult::Contents readAnim(const std::string& path, const ImportSettings&, const Frame& frame, const Execution& execution) {
-    return readRadiossRun({animStates(path), readAnimFile, deckOf(path, "A", ""), "status byte, 0 is deleted"}, frame, execution);
+FeResult::Contents readAnim(const std::string& path, const ImportSettings&, const Execution& execution) {
+    return readRadiossRun({animStates(path), readAnimFile, deckOf(path, "A", ""), "status byte, 0 is deleted"}, execution);
 }
 
 bool recognisesConvertedAnim(const FileHead& head) {
@@ -69,11 +69,9 @@ std::vector<std::string> convertedAnimMembers(const std::string& path) {
     return withDeck(convertedStates(path), deckOf(path, "A_", afterNumber));
 }
 
-FeResult::Contents readConvertedAnim(const std::string& path, const ImportSettings&, const Frame& frame,
-                                     const Execution& execution) {
-    FeResult::Contents contents =
-        readRadiossRun({convertedStates(path), readConvertedFile, deckOf(path, "A_", afterNumber), "EROSION_STATUS, 1 is active"},
-                       frame, execution);
+FeResult::Contents readConvertedAnim(const std::string& path, const ImportSettings&, const Execution& execution) {
+    FeResult::Contents contents = readRadiossRun(
+        {convertedStates(path), readConvertedFile, deckOf(path, "A_", afterNumber), "EROSION_STATUS, 1 is active"}, execution);
     std::int64_t never = 0;
     std::string example;
     for (std::size_t e = 0; e < contents.mesh->elementCount(); ++e) {

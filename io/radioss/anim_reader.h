@@ -11,13 +11,11 @@ namespace rubble::io {
 /// it lies beside them, is the last of the members.
 bool recognisesAnim(const FileHead& head);
 std::vector<std::string> animMembers(const std::string& path);
-FeResult::Contents readAnim(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                            const Execution& execution);
+FeResult::Contents readAnim(const std::string& path, const ImportSettings& settings, const Execution& execution);
 
 /// The legacy VTK files that the solver's converter anim_to_vtk makes of them, one a state.
 bool recognisesConvertedAnim(const FileHead& head);
 std::vector<std::string> convertedAnimMembers(const std::string& path);
-FeResult::Contents readConvertedAnim(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                                     const Execution& execution);
+FeResult::Contents readConvertedAnim(const std::string& path, const ImportSettings& settings, const Execution& execution);
 
 }  // namespace rubble::io

@@ -22,8 +22,8 @@ bool positive(double value) {
 /// Adds the elements kind by kind and settles what they are made of.
 class MeshMaker {
 public:
-    MeshMaker(const std::string& path, const AnimState& first, const std::map<std::int64_t, DeckPart>& deck, const Frame& frame)
-        : m_first(first), m_deck(deck), m_builder(path, FrameTransform(frame)) {}
+    MeshMaker(const std::string& path, const AnimState& first, const std::map<std::int64_t, DeckPart>& deck)
+        : m_first(first), m_deck(deck), m_builder(path) {}
 
     RadiossMesh make() {
         m_result.fileNodes = m_first.positions.size();
@@ -106,7 +106,11 @@ private:
     }
 
     void settleMaterials() {
-        std::vector<double> mass(m_partIds.size(), 0.0), volume(m_partIds.size(), 0.0);
+        struct Sum {
+            double mass = 0.0;
+            double volume = 0.0;
+        };
+        std::vector<Sum> parts(m_partIds.size());
         for (std::size_t e = 0; e < m_result.places.size(); ++e) {
             const auto& [kind, place] = m_result.places[e];
             const AnimElements& elements = m_first.of(kind);
@@ -117,14 +121,14 @@ private:
             }
             const double section = isSolid(m_builder.shape(e)) ? 1.0 : m_builder.section(e);
             if (positive(own) && positive(size * section)) {
-                mass[m_builder.part(e)] += own;
-                volume[m_builder.part(e)] += size * section;
+                parts[m_builder.part(e)].mass += own;
+                parts[m_builder.part(e)].volume += size * section;
             }
         }
         for (std::size_t e = 0; e < m_result.places.size(); ++e) {
             const auto& [kind, place] = m_result.places[e];
-            const std::size_t part = m_builder.part(e);
-            double density = mass[part] / volume[part];
+            const Sum& part = parts[m_builder.part(e)];
+            double density = part.mass / part.volume;
             if (!positive(density)) {
                 density = valueOf(m_first.of(kind).density, place);
             }
@@ -171,9 +175,8 @@ private:
 
 }  // namespace
 
-RadiossMesh makeRadiossMesh(const std::string& path, const AnimState& first, const std::map<std::int64_t, DeckPart>& deck,
-                            const Frame& frame) {
-    return MeshMaker(path, first, deck, frame).make();
+RadiossMesh makeRadiossMesh(const std::string& path, const AnimState& first, const std::map<std::int64_t, DeckPart>& deck) {
+    return MeshMaker(path, first, deck).make();
 }
 
 }  // namespace rubble::io

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/base/finding.h"
-#include "core/fe/frame.h"
 #include "core/fe/mesh.h"
 #include "io/particles.h"
 #include "io/radioss/anim_file.h"
@@ -26,7 +25,6 @@ struct RadiossMesh {
 /// Makes the mesh from the first state. Densities: the masses of elements over their volume at that state, part by part, else the
 /// values of the element function "Density", else the deck. Sections: thickness from the file, from mass and density, or from the
 /// deck. Parts are known by kind and place, since their numbers repeat.
-RadiossMesh makeRadiossMesh(const std::string& path, const AnimState& first, const std::map<std::int64_t, DeckPart>& deck,
-                            const Frame& frame);
+RadiossMesh makeRadiossMesh(const std::string& path, const AnimState& first, const std::map<std::int64_t, DeckPart>& deck);
 
 }  // namespace rubble::io

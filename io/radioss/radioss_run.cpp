@@ -52,8 +52,7 @@ NumberedName nameOf(std::string name, const std::string& marks, const std::strin
 /// Reads the status of all files and keeps what belongs to a state.
 class RunReader {
 public:
-    RunReader(const RadiossRun& run, const Frame& frame, const Execution& execution)
-        : m_run(run), m_frame(frame), m_execution(execution) {}
+    RunReader(const RadiossRun& run, const Execution& execution) : m_run(run), m_execution(execution) {}
 
     FeResult::Contents read() {
         const Message stage{"anim.open", "Reading the states", {}};
@@ -61,7 +60,7 @@ public:
         const AnimState first = m_run.read(m_run.files.front(), AnimWanted::Everything);
         requireTime(m_run.files.front(), first.time);
         const StarterDeck deck = readStarterDeck(m_run.deck);
-        m_mesh = makeRadiossMesh(m_run.files.front(), first, deck.parts, m_frame);
+        m_mesh = makeRadiossMesh(m_run.files.front(), first, deck.parts);
         m_declared = unitsOf(deck);
         for (std::size_t i = 0; i < m_run.files.size(); ++i) {
             m_execution.report(stage, static_cast<double>(i) / static_cast<double>(m_run.files.size()));
@@ -220,7 +219,7 @@ private:
         const auto particles = std::make_shared<const Particles>(std::move(m_mesh.particles));
         const bool velocity = contents.hasVelocity;
         return std::make_shared<const FieldSource>(
-            m_run.files.front(), contents.mesh, contents.activity, m_times, FrameTransform(m_frame),
+            m_run.files.front(), contents.mesh, contents.activity, m_times,
             [read, nodes, particles, velocity, files = m_files](std::size_t k) {
                 AnimState state = read(files[k], AnimWanted::Nodes);
                 if (state.positions.size() != nodes || state.velocities.size() != (velocity ? nodes : 0)) {
@@ -256,7 +255,6 @@ private:
     }
 
     const RadiossRun& m_run;
-    const Frame& m_frame;
     const Execution& m_execution;
     RadiossMesh m_mesh;
     std::vector<std::string> m_files;
@@ -298,8 +296,8 @@ std::vector<std::string> numberedMembers(const std::string& path, const std::str
     return members.empty() ? std::vector<std::string>{path} : members;
 }
 
-FeResult::Contents readRadiossRun(const RadiossRun& run, const Frame& frame, const Execution& execution) {
-    return RunReader(run, frame, execution).read();
+FeResult::Contents readRadiossRun(const RadiossRun& run, const Execution& execution) {
+    return RunReader(run, execution).read();
 }
 
 }  // namespace rubble::io

@@ -5,7 +5,6 @@
 
 #include "core/base/execution.h"
 #include "core/fe/fe_result.h"
-#include "core/fe/frame.h"
 #include "io/radioss/anim_file.h"
 
 namespace rubble::io {
@@ -26,6 +25,6 @@ struct RadiossRun {
 /// Reads a run: mesh from the first file, status and exact times of death from all. Files that are cut off or repeat a time are
 /// left out and counted. Links of rigid bodies (beams without a number) are no elements; rigid elements are active. Throws as
 /// FeFormat::read.
-FeResult::Contents readRadiossRun(const RadiossRun& run, const Frame& frame, const Execution& execution);
+FeResult::Contents readRadiossRun(const RadiossRun& run, const Execution& execution);
 
 }  // namespace rubble::io

@@ -150,9 +150,9 @@ std::uint32_t MeshUnion::partOf(const Part& part) {
     return static_cast<std::uint32_t>(m_mesh.parts.size() - 1);
 }
 
-Mesh MeshUnion::finish(const FrameTransform& frame, Findings& findings) {
+Mesh MeshUnion::finish(Findings& findings) {
     findings.append(m_findings);
-    MeshBuilder builder(m_path, frame);
+    MeshBuilder builder(m_path);
     for (std::size_t n = m_mesh.nodeIds.size(); n < m_mesh.nodes.size(); ++n) {
         m_mesh.nodeIds.push_back(static_cast<std::int64_t>(n) + 1);
     }

@@ -9,7 +9,6 @@
 
 #include "core/base/finding.h"
 #include "core/fe/mesh.h"
-#include "io/frame_transform.h"
 
 namespace rubble::io {
 
@@ -40,8 +39,8 @@ public:
     std::int64_t elementNumber(std::size_t e) const {
         return m_mesh.elementIds.empty() ? static_cast<std::int64_t>(e) + 1 : m_mesh.elementIds[e];
     }
-    /// The union in the local frame, checked and mended; to be called once, after the last mesh.
-    Mesh finish(const FrameTransform& frame, Findings& findings);
+    /// The union, checked and mended; to be called once, after the last mesh.
+    Mesh finish(Findings& findings);
 
 private:
     using Tuple = std::vector<std::uint32_t>;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <numeric>
 
 namespace rubble::io {
 
@@ -57,6 +58,44 @@ std::vector<std::string> numberedSiblings(const std::string& path) {
         files.push_back(std::move(name));
     }
     return files.empty() ? std::vector<std::string>{path} : files;
+}
+
+std::vector<NumberGap> numberGaps(const std::vector<std::string>& siblings) {
+    std::vector<std::int64_t> numbers;
+    for (const std::string& file : siblings) {
+        const std::string digits = cutAtNumber(Path(file).filename().string()).digits;
+        std::int64_t number = 0;
+        if (std::from_chars(digits.data(), digits.data() + digits.size(), number).ec != std::errc{}) {
+            return {};
+        }
+        numbers.push_back(number);
+    }
+    std::vector<std::int64_t> steps(numbers.size());
+    std::adjacent_difference(numbers.begin(), numbers.end(), steps.begin());
+    if (steps.size() < 4) {
+        return {};
+    }
+    steps.erase(steps.begin());
+    const std::int64_t step = *std::min_element(steps.begin(), steps.end());
+    const auto regular = std::count(steps.begin(), steps.end(), step);
+    std::vector<NumberGap> gaps;
+    for (std::size_t i = 0; i < steps.size() && step > 0; ++i) {
+        if (steps[i] % step != 0) {
+            return {};
+        }
+        if (steps[i] != step) {
+            gaps.push_back({siblings[i + 1], steps[i] / step - 1});
+        }
+    }
+    return 2 * static_cast<std::size_t>(regular) > steps.size() ? gaps : std::vector<NumberGap>{};
+}
+
+void noteNumberGaps(const std::vector<std::string>& siblings, Findings& findings) {
+    for (const NumberGap& gap : numberGaps(siblings)) {
+        findings.add({"fe.gap", "Numbers are missing in the series; deaths are known less exactly there", {}},
+                     {"fe.gap.remedy", "Copy the missing files beside the others.", {}},
+                     "before " + Path(gap.before).filename().string(), gap.count);
+    }
 }
 
 std::vector<std::string> filesBeside(const std::string& path) {

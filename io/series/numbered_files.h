@@ -1,13 +1,28 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
+
+#include "core/base/finding.h"
 
 namespace rubble::io {
 
 /// The files that differ from this one only in a number, by that number; the file alone if there is none. The number may stand
 /// before the ending (s001.vtu) or be the ending (out.vtk.1).
 std::vector<std::string> numberedSiblings(const std::string& path);
+
+/// Numbers that a series lacks.
+struct NumberGap {
+    std::string before;      ///< the file behind the gap
+    std::int64_t count = 0;  ///< files that are not there
+};
+
+/// Gaps between numbered siblings: where the smallest step between neighbours divides all steps, and most are that one. Series
+/// whose numbers come otherwise, such as those of iterations, have none.
+std::vector<NumberGap> numberGaps(const std::vector<std::string>& siblings);
+/// Adds a finding for each.
+void noteNumberGaps(const std::vector<std::string>& siblings, Findings& findings);
 
 /// The regular files of the folder that a path lies in, each as it would be given beside that path, sorted. Never throws.
 std::vector<std::string> filesBeside(const std::string& path);

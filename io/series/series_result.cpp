@@ -29,15 +29,14 @@ struct SeriesEpochs {
 /// Reads the steps of a series into one mesh and its activity.
 class SeriesJoin {
 public:
-    SeriesJoin(const std::string& path, MeshSeries& series, const ImportSettings& settings, const Frame& frame,
-               const Execution& execution)
-        : m_path(path), m_series(series), m_settings(settings), m_frame(frame), m_execution(execution), m_union(path) {}
+    SeriesJoin(const std::string& path, MeshSeries& series, const ImportSettings& settings, const Execution& execution)
+        : m_path(path), m_series(series), m_settings(settings), m_execution(execution), m_union(path) {}
 
     void run() {
         readSteps();
         m_epochs.list = m_union.epochs();
         m_findings.append(m_series.findings());
-        mesh = std::make_shared<const Mesh>(m_union.finish(FrameTransform(m_frame), m_findings));
+        mesh = std::make_shared<const Mesh>(m_union.finish(m_findings));
         activity = Activity(m_steps.size(), mesh->elementCount());
         decide();
         readDeathTimes();
@@ -116,6 +115,12 @@ private:
         if (!flagged && !list.empty()) {
             applyList(list);
             return;
+        }
+        if (!list.empty()) {
+            m_findings.add({"fe.death_list.unused",
+                            "A list of deaths lies beside a result that says itself what is dead: it was not used",
+                            {}},
+                           {"fe.death_list.unused.remedy", "Take it away, or check which of the two is right.", {}}, list);
         }
         if (!flagged) {
             requireSomethingMissing();
@@ -255,7 +260,6 @@ private:
     const std::string& m_path;
     MeshSeries& m_series;
     const ImportSettings& m_settings;
-    const Frame& m_frame;
     const Execution& m_execution;
     MeshUnion m_union;
     SeriesEpochs m_epochs;
@@ -294,12 +298,12 @@ NodeFields fieldsOf(const MeshSeries& series, const SeriesEpochs& epochs, std::s
 }  // namespace
 
 FeResult::Contents readSeries(const std::string& path, std::shared_ptr<MeshSeries> series, const ImportSettings& settings,
-                              const Frame& frame, const Execution& execution) {
+                              const Execution& execution) {
     if (series->times().empty()) {
         throw ParseError({"fe.no_states", "{0} has no states: it is a mesh without results", {path}},
                          {"fe.no_states.remedy", "Give the result file of the analysis, not its input mesh.", {}});
     }
-    SeriesJoin join(path, *series, settings, frame, execution);
+    SeriesJoin join(path, *series, settings, execution);
     join.run();
     FeResult::Contents contents;
     contents.mesh = join.mesh;
@@ -312,8 +316,7 @@ FeResult::Contents readSeries(const std::string& path, std::shared_ptr<MeshSerie
     const auto read = [series, epochs = join.takeEpochs(), nodes = join.mesh->nodeCount(), path](std::size_t k) {
         return fieldsOf(*series, epochs, nodes, path, k);
     };
-    contents.source =
-        std::make_shared<const FieldSource>(path, join.mesh, join.activity, series->times(), FrameTransform(frame), read);
+    contents.source = std::make_shared<const FieldSource>(path, join.mesh, join.activity, series->times(), read);
     return contents;
 }
 

@@ -5,7 +5,6 @@
 
 #include "core/base/execution.h"
 #include "core/fe/fe_result.h"
-#include "core/fe/frame.h"
 #include "core/scenario/scenario.h"
 #include "io/series/mesh_series.h"
 
@@ -17,7 +16,7 @@ namespace rubble::io {
 /// @param path  the first file of the result, named in errors
 /// Throws ParseError where nothing says which elements are active; UsageError, WorldError, Cancelled.
 FeResult::Contents readSeries(const std::string& path, std::shared_ptr<MeshSeries> series, const ImportSettings& settings,
-                              const Frame& frame, const Execution& execution);
+                              const Execution& execution);
 
 /// The file and, where there is one, the list of deaths beside it: members of results whose deaths may stand in a list.
 std::vector<std::string> withDeathList(std::vector<std::string> files);

@@ -96,7 +96,45 @@ private:
     std::vector<char> m_queued;
 };
 
+/// Whether a node stands out from those around it; they are left in order.
+bool standsOut(double height, std::vector<double>& around, double cell) {
+    constexpr std::size_t least = 5;  // neighbours, to tell
+    if (std::isnan(height) || around.size() < least) {
+        return false;
+    }
+    std::sort(around.begin(), around.end());
+    const double range = around[around.size() - 2] - around[1];
+    return std::abs(height - around[around.size() / 2]) > std::max({4.0 * range, 0.5 * cell, 2.0});
+}
+
 }  // namespace
+
+std::vector<HeightSpike> removeSpikes(HeightRaster& raster) {
+    std::vector<HeightSpike> spikes;
+    std::vector<double> around;
+    for (std::size_t j = 0; j < raster.ny; ++j) {
+        for (std::size_t i = 0; i < raster.nx; ++i) {
+            around.clear();
+            for (std::size_t row = j > 0 ? j - 1 : 0; row <= std::min(j + 1, raster.ny - 1); ++row) {
+                for (std::size_t column = i > 0 ? i - 1 : 0; column <= std::min(i + 1, raster.nx - 1); ++column) {
+                    const double height = raster.heights[row * raster.nx + column];
+                    if ((row != j || column != i) && !std::isnan(height)) {
+                        around.push_back(height);
+                    }
+                }
+            }
+            const std::size_t node = j * raster.nx + i;
+            if (standsOut(raster.heights[node], around, std::max(raster.dx, raster.dy))) {
+                spikes.push_back({node, raster.heights[node]});
+            }
+        }
+    }
+    // Only now, so that no order reaches the result.
+    for (const HeightSpike& spike : spikes) {
+        raster.heights[spike.node] = std::numeric_limits<double>::quiet_NaN();
+    }
+    return spikes;
+}
 
 void flipRows(HeightRaster& raster) {
     for (std::size_t j = 0; j < raster.ny / 2; ++j) {

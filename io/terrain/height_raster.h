@@ -30,6 +30,16 @@ std::int64_t countGaps(const HeightRaster& raster);
 /// The raster has at least one height.
 void fillGaps(HeightRaster& raster);
 
+/// A height that stands out from all around it.
+struct HeightSpike {
+    std::size_t node = 0;
+    double height = 0.0;  ///< m
+};
+
+/// Makes gaps of nodes that lie farther from the median of their neighbours than four times the range of these (their highest and
+/// lowest left out), half a cell and 2 m: poles, birds, marks of no data. Edges, walls and slopes stay.
+std::vector<HeightSpike> removeSpikes(HeightRaster& raster);
+
 /// The same surface on square cells as wide as the shorter side of the raster's own, between nodes by bilinear interpolation. A
 /// raster that is square to a thousandth of a cell over its whole length stays as it is.
 HeightRaster withSquareCells(HeightRaster raster);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <mutex>
 
@@ -23,6 +24,7 @@ namespace {
 constexpr std::array<const char*, 17> formats{"GTiff",   "COG",     "AAIGrid", "GRASSASCIIGrid", "EHdr", "ENVI",  "HFA",
                                               "SRTMHGT", "DTED",    "XYZ",     "GSAG",           "GSBG", "GS7BG", "SAGA",
                                               "NWT_GRD", "USGSDEM", nullptr};
+constexpr std::array<const char*, 8> pictures{"GTiff", "COG", "JPEG", "PNG", "JP2OpenJPEG", "HFA", "ENVI", nullptr};
 constexpr std::size_t rowsAtOnce = 256;
 
 /// The lock, and errors of GDAL kept for the message instead of printed.
@@ -86,15 +88,20 @@ struct RasterFile::Handles {
     GDALRasterBand* band = nullptr;
 };
 
-RasterFile::RasterFile(const std::string& path) : m_path(path), m_handles(std::make_unique<Handles>()) {
+RasterFile::RasterFile(const std::string& path, Holds what) : m_path(path), m_handles(std::make_unique<Handles>()) {
     const Session session;
     static const bool registered = [] {
         GDALAllRegister();
         return true;
     }();
     (void)registered;
-    m_handles->dataset.reset(GDALDataset::FromHandle(
-        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, formats.data(), nullptr, nullptr)));
+    m_handles->dataset.reset(
+        GDALDataset::FromHandle(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                                           what == Holds::Heights ? formats.data() : pictures.data(), nullptr, nullptr)));
+    if (!m_handles->dataset && what == Holds::Colours) {
+        refuse({"terrain.unknown_picture", "{0} is no orthophoto that can be read: {1}", {path, Session::reason()}},
+               "Give a picture of the ground with its place: GeoTIFF, JPEG 2000, or JPEG or PNG with a world file.");
+    }
     if (!m_handles->dataset) {
         refuse({"terrain.unknown_format", "{0} is no terrain that can be read: {1}", {path, Session::reason()}},
                "Give a raster of heights with one band: GeoTIFF, ESRI ASCII grid, BIL, ENVI, IMG, HGT, DTED, XYZ or Surfer.");
@@ -104,13 +111,34 @@ RasterFile::RasterFile(const std::string& path) : m_path(path), m_handles(std::m
         refuse({"terrain.no_band", "{0} holds no raster", {path}}, "Give a raster of heights with one band.");
     }
     m_handles->band = m_handles->dataset->GetRasterBand(1);
-    const GDALColorInterp meaning = m_handles->band->GetColorInterpretation();
-    if (meaning == GCI_RedBand || meaning == GCI_PaletteIndex || GDALDataTypeIsComplex(m_handles->band->GetRasterDataType())) {
-        refuse({"terrain.picture", "{0} holds colours or complex numbers, not heights", {path}},
-               "Give the elevation model, not a picture of it.");
-    }
+    checkLength();
+    checkKind(what);
     readPlace();
     readUnits();
+}
+
+void RasterFile::checkLength() const {
+    // GDAL looks for each missing row of a text from its beginning.
+    const std::string format = m_handles->dataset->GetDriverName();
+    const double values = static_cast<double>(m_handles->dataset->GetRasterXSize()) * m_handles->dataset->GetRasterYSize();
+    std::error_code ignored;
+    const auto bytes = static_cast<double>(std::filesystem::file_size(m_path, ignored));
+    if ((format == "AAIGrid" || format == "GRASSASCIIGrid" || format == "GSAG") && bytes < values) {
+        refuse({"terrain.cut", "{0} promises more heights than it can hold", {m_path}},
+               "The file may be cut short: copy it again from where it came.");
+    }
+}
+
+void RasterFile::checkKind(Holds what) const {
+    const GDALColorInterp meaning = m_handles->band->GetColorInterpretation();
+    const bool complex = GDALDataTypeIsComplex(m_handles->band->GetRasterDataType());
+    if (what == Holds::Heights && (meaning == GCI_RedBand || meaning == GCI_PaletteIndex || complex)) {
+        refuse({"terrain.picture", "{0} holds colours or complex numbers, not heights", {m_path}},
+               "Give the elevation model, not a picture of it.");
+    }
+    if (what == Holds::Colours && (complex || (m_handles->band->GetRasterDataType() != GDT_Byte && m_bands < 3))) {
+        refuse({"terrain.no_picture", "{0} holds no colours", {m_path}}, "Give an orthophoto: three bands, or one of bytes.");
+    }
 }
 
 RasterFile::~RasterFile() {
@@ -119,16 +147,16 @@ RasterFile::~RasterFile() {
 }
 
 void RasterFile::readPlace() {
-    std::array<double, 6> g{};
+    std::array<double, 6>& g = m_transform;
     if (m_handles->dataset->GetGeoTransform(g.data()) != CE_None) {
         refuse({"terrain.no_place", "{0} does not say where its pixels lie", {m_path}},
                "Give it a place with gdal_translate -a_ullr, or put its world file beside it.");
     }
     const bool finite = std::all_of(g.begin(), g.end(), [](double value) { return std::isfinite(value); });
-    if (!finite || g[1] == 0.0 || g[5] == 0.0 || g[2] != 0.0 || g[4] != 0.0) {
-        refuse({"terrain.turned", "The rows of {0} do not run along east and north", {m_path}},
-               "Turn it upright with gdalwarp -r bilinear.");
+    if (!finite || !(std::abs(g[1] * g[5] - g[2] * g[4]) > 0.0)) {
+        refuse({"terrain.flat_place", "The pixels of {0} have no size", {m_path}}, "Give it a place with gdal_translate -a_ullr.");
     }
+    m_turned = g[2] != 0.0 || g[4] != 0.0;
     m_place.columns = static_cast<std::size_t>(m_handles->dataset->GetRasterXSize());
     m_place.rows = static_cast<std::size_t>(m_handles->dataset->GetRasterYSize());
     m_place.dx = g[1];
@@ -172,34 +200,166 @@ RasterFile::SameCrs RasterFile::sameCrs(const std::string& text) const {
     return plain.IsSame(&other, options.data()) ? SameCrs::Yes : SameCrs::No;
 }
 
-std::vector<double> RasterFile::values(std::size_t column, std::size_t row, std::size_t columns, std::size_t rows,
-                                       const Execution& execution) const {
+std::string RasterFile::verticalDatum() const {
+    const Session session;
+    const OGRSpatialReference* own = m_handles->dataset->GetSpatialRef();
+    const char* name = own != nullptr ? own->GetAttrValue("VERT_CS") : nullptr;
+    return name != nullptr ? name : "";
+}
+
+std::string RasterFile::verticalDatum(const std::string& crs) {
+    const Session session;
+    OGRSpatialReference system;
+    if (crs.empty() ||
+        system.SetFromUserInput(crs.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) != OGRERR_NONE) {
+        return {};
+    }
+    const char* name = system.GetAttrValue("VERT_CS");
+    return name != nullptr ? name : "";
+}
+
+void RasterFile::change(const std::string& crs, bool toFile, std::vector<Eigen::Vector2d>& places) const {
+    const Session session;
+    const OGRSpatialReference* own = m_handles->dataset->GetSpatialRef();
+    if (crs.empty() || own == nullptr || own->IsEmpty()) {
+        for (Eigen::Vector2d& place : places) {
+            place = toFile ? Eigen::Vector2d(place / m_metresPerUnit) : Eigen::Vector2d(place * m_metresPerUnit);
+        }
+        return;
+    }
+    OGRSpatialReference file(*own);
+    OGRSpatialReference other;
+    const bool known =
+        other.SetFromUserInput(crs.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) == OGRERR_NONE &&
+        !other.IsGeographic();
+    file.StripVertical();
+    other.StripVertical();
+    file.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    other.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const std::unique_ptr<OGRCoordinateTransformation> way(
+        known ? OGRCreateCoordinateTransformation(toFile ? &other : &file, toFile ? &file : &other) : nullptr);
+    if (!way) {
+        throw UsageError(
+            {"terrain.no_way", "There is no way from the system \"{0}\" of {1} to \"{2}\" of the case", {m_crsName, m_path, crs}},
+            {"terrain.no_way.remedy", "Give the case a projected system in metres, such as EPSG:25832.", {}});
+    }
+    const double unit = other.GetLinearUnits();
+    std::vector<double> x;
+    std::vector<double> y;
+    for (const Eigen::Vector2d& place : places) {
+        x.push_back(toFile ? place.x() / unit : place.x());
+        y.push_back(toFile ? place.y() / unit : place.y());
+    }
+    std::vector<int> done(places.size(), FALSE);
+    way->Transform(static_cast<int>(places.size()), x.data(), y.data(), nullptr, done.data());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const bool good = done[k] != FALSE && std::isfinite(x[k]) && std::isfinite(y[k]);
+        const double nothing = std::numeric_limits<double>::quiet_NaN();
+        places[k] = !good ? Eigen::Vector2d(nothing, nothing) : Eigen::Vector2d(x[k], y[k]) * (toFile ? 1.0 : unit);
+    }
+}
+
+void RasterFile::toPixels(const std::string& crs, std::vector<Eigen::Vector2d>& places) const {
+    change(crs, true, places);
+    const std::array<double, 6>& g = m_transform;
+    const double area = g[1] * g[5] - g[2] * g[4];
+    for (Eigen::Vector2d& place : places) {
+        const double x = place.x() - g[0];
+        const double y = place.y() - g[3];
+        place = {(g[5] * x - g[2] * y) / area - 0.5, (g[1] * y - g[4] * x) / area - 0.5};
+    }
+}
+
+void RasterFile::fromPixels(const std::string& crs, std::vector<Eigen::Vector2d>& places) const {
+    const std::array<double, 6>& g = m_transform;
+    for (Eigen::Vector2d& place : places) {
+        const double column = place.x() + 0.5;
+        const double row = place.y() + 0.5;
+        place = {g[0] + g[1] * column + g[2] * row, g[3] + g[4] * column + g[5] * row};
+    }
+    change(crs, false, places);
+}
+
+namespace {
+
+/// Reads some rows of a window into a buffer, pixels put together by their mean.
+bool readRows(GDALRasterBand& band, const RasterWindow& window, std::size_t from, std::size_t count, void* target,
+              GDALDataType type) {
+    GDALRasterIOExtraArg extra;
+    INIT_RASTERIO_EXTRA_ARG(extra);
+    extra.eResampleAlg = window.factor > 1 ? GRIORA_Average : GRIORA_NearestNeighbour;
+    const auto whole = [](std::size_t n) { return static_cast<int>(n); };
+    return band.RasterIO(GF_Read, whole(window.column), whole(window.row + from * window.factor), whole(window.columns),
+                         whole(count * window.factor), target, whole(window.width()), whole(count), type, 0, 0, &extra) == CE_None;
+}
+
+}  // namespace
+
+std::vector<double> RasterFile::values(const RasterWindow& window, const Execution& execution) const {
     GDALRasterBand& band = *m_handles->band;
+    const std::size_t columns = window.width();
+    const std::size_t rows = window.height();
+    const std::size_t atOnce = std::max<std::size_t>(1, rowsAtOnce / window.factor);
     std::vector<double> all(columns * rows);
-    std::vector<std::uint8_t> mask(columns * std::min(rows, rowsAtOnce));
-    for (std::size_t from = 0; from < rows; from += rowsAtOnce) {
+    std::vector<std::uint8_t> mask(columns * std::min(rows, atOnce));
+    for (std::size_t from = 0; from < rows; from += atOnce) {
         execution.check();
         const Session session;
-        const int count = static_cast<int>(std::min(rowsAtOnce, rows - from));
-        const int x = static_cast<int>(column);
-        const int y = static_cast<int>(row + from);
-        const int width = static_cast<int>(columns);
+        const std::size_t count = std::min(atOnce, rows - from);
         double* target = &all[from * columns];
         const bool masked = (band.GetMaskFlags() & GMF_ALL_VALID) == 0;
-        if (band.RasterIO(GF_Read, x, y, width, count, target, width, count, GDT_Float64, 0, 0, nullptr) != CE_None ||
-            (masked && band.GetMaskBand()->RasterIO(GF_Read, x, y, width, count, mask.data(), width, count, GDT_Byte, 0, 0,
-                                                    nullptr) != CE_None)) {
+        if (!readRows(band, window, from, count, target, GDT_Float64) ||
+            (masked && !readRows(*band.GetMaskBand(), window, from, count, mask.data(), GDT_Byte))) {
             refuse({"terrain.unreadable_rows",
                     "{0} cannot be read from row {1} of {2} on: {3}",
-                    {m_path, y + 1, m_place.rows, Session::reason()}},
+                    {m_path, window.row + from * window.factor + 1, m_place.rows, Session::reason()}},
                    "The file may be cut short: copy it again from where it came.");
         }
         const double scale = band.GetScale();
         const double offset = band.GetOffset();
-        for (std::size_t k = 0; k < columns * static_cast<std::size_t>(count); ++k) {
+        for (std::size_t k = 0; k < columns * count; ++k) {
             const bool known = (!masked || mask[k] != 0) && std::isfinite(target[k]);
             target[k] = known ? scale * target[k] + offset : std::numeric_limits<double>::quiet_NaN();
         }
+    }
+    return all;
+}
+
+std::vector<std::uint8_t> RasterFile::colours(const RasterWindow& window, const Execution& execution) const {
+    const std::size_t pixels = window.width() * window.height();
+    std::vector<std::uint8_t> all(4 * pixels, 255);
+    std::vector<std::uint8_t> plane(pixels);
+    const std::size_t atOnce = std::max<std::size_t>(1, rowsAtOnce / window.factor);
+    const auto read = [&](GDALRasterBand& band, std::size_t channel) {
+        for (std::size_t from = 0; from < window.height(); from += atOnce) {
+            execution.check();
+            const Session session;
+            const std::size_t count = std::min(atOnce, window.height() - from);
+            if (!readRows(band, window, from, count, &plane[from * window.width()], GDT_Byte)) {
+                refuse({"terrain.unreadable_rows",
+                        "{0} cannot be read from row {1} of {2} on: {3}",
+                        {m_path, window.row + from * window.factor + 1, m_place.rows, Session::reason()}},
+                       "The file may be cut short: copy it again from where it came.");
+            }
+        }
+        for (std::size_t k = 0; k < pixels; ++k) {
+            all[4 * k + channel] = plane[k];
+        }
+    };
+    GDALDataset& file = *m_handles->dataset;
+    for (int channel = 0; channel < 3; ++channel) {
+        read(*file.GetRasterBand(m_bands >= 3 ? channel + 1 : 1), static_cast<std::size_t>(channel));
+    }
+    if ((m_handles->band->GetMaskFlags() & GMF_ALL_VALID) == 0) {
+        read(*m_handles->band->GetMaskBand(), 3);
+    }
+    const GDALColorTable* palette = m_handles->band->GetColorTable();
+    for (std::size_t k = 0; palette != nullptr && m_bands < 3 && k < pixels; ++k) {
+        GDALColorEntry entry{};
+        palette->GetColorEntryAsRGB(all[4 * k], &entry);
+        all[4 * k] = static_cast<std::uint8_t>(entry.c1);
+        all[4 * k + 1] = static_cast<std::uint8_t>(entry.c2);
+        all[4 * k + 2] = static_cast<std::uint8_t>(entry.c3);
     }
     return all;
 }

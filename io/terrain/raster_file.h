@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/execution.h"
+#include "core/base/geometry.h"
 
 namespace rubble::io {
 
@@ -19,16 +22,32 @@ struct RasterPlace {
     std::size_t rows = 0;
 };
 
-/// The first band of a raster file, read through GDAL. Every call takes the lock of native libraries.
+/// A window of a raster. Pixels may be put together, `factor` by `factor`: sides are then multiples of it.
+struct RasterWindow {
+    std::size_t column = 0;
+    std::size_t row = 0;
+    std::size_t columns = 0;  ///< of the file
+    std::size_t rows = 0;
+    std::size_t factor = 1;
+
+    std::size_t width() const { return columns / factor; }
+    std::size_t height() const { return rows / factor; }
+};
+
+/// A raster file, read through GDAL. Every call takes the lock of native libraries.
 class RasterFile {
 public:
-    /// Throws WorldError (cannot be read) or ParseError (no raster of heights, no place, turned against the axes).
-    explicit RasterFile(const std::string& path);
+    enum class Holds { Heights, Colours };
+    /// Throws WorldError (cannot be read) or ParseError (no raster of that kind, no place).
+    explicit RasterFile(const std::string& path, Holds what = Holds::Heights);
     ~RasterFile();
     RasterFile(const RasterFile&) = delete;
     RasterFile& operator=(const RasterFile&) = delete;
 
+    /// Of a raster that is turned only its columns and rows mean anything.
     const RasterPlace& place() const { return m_place; }
+    /// Its rows do not run along the axes of its system.
+    bool turned() const { return m_turned; }
     int bands() const { return m_bands; }
     /// Name of the coordinate reference system, empty if the file states none.
     const std::string& crsName() const { return m_crsName; }
@@ -39,23 +58,38 @@ public:
     const std::string& heightUnit() const { return m_heightUnit; }
     /// Metres in it; 0 if the file states no unit or one that is not known.
     double metresPerHeightUnit() const { return m_metresPerHeightUnit; }
+    /// Name of the vertical datum that a system states, empty if it states none.
+    std::string verticalDatum() const;
+    static std::string verticalDatum(const std::string& crs);
+    /// Takes places in metres of a system (its coordinates times its unit; empty: the file's own) to fractional pixels, the middle
+    /// of the first at (0, 0), and back. What has no place there is not a number.
+    /// Throws UsageError if the system is not known or PROJ finds no way between the two.
+    void toPixels(const std::string& crs, std::vector<Eigen::Vector2d>& places) const;
+    void fromPixels(const std::string& crs, std::vector<Eigen::Vector2d>& places) const;
     /// Whether the system of the file is the one that a text (EPSG code, WKT, PROJ) names, heights apart.
     enum class SameCrs { Yes, No, Unknown };
     SameCrs sameCrs(const std::string& text) const;
 
     /// Values of a window, row by row as in the file, scale and offset of the file applied; not a number where the file has none.
+    /// Of pixels put together the mean of those that have a value.
     /// Throws ParseError naming the row that cannot be read, Cancelled.
-    std::vector<double> values(std::size_t column, std::size_t row, std::size_t columns, std::size_t rows,
-                               const Execution& execution) const;
+    std::vector<double> values(const RasterWindow& window, const Execution& execution) const;
+    /// Red, green, blue and opacity of a window, row by row. Throws as values().
+    std::vector<std::uint8_t> colours(const RasterWindow& window, const Execution& execution) const;
 
 private:
     struct Handles;
+    void checkLength() const;
+    void checkKind(Holds what) const;
     void readPlace();
     void readUnits();
+    void change(const std::string& crs, bool toFile, std::vector<Eigen::Vector2d>& places) const;
 
     std::string m_path;
     std::unique_ptr<Handles> m_handles;
     RasterPlace m_place;
+    bool m_turned = false;
+    std::array<double, 6> m_transform{};  ///< GDAL's: from the corner of the first pixel
     int m_bands = 0;
     std::string m_crsName;
     bool m_geographic = false;

@@ -21,6 +21,12 @@ void appendArrays(std::vector<GridArray>& arrays, const std::vector<GridArray>& 
     }
 }
 
+// Numbers of files are not checked yet: what overflows becomes one that nothing has.
+std::int64_t shifted(std::int64_t value, std::int64_t by) {
+    std::int64_t sum = 0;
+    return __builtin_add_overflow(value, by, &sum) ? -1 : sum;
+}
+
 }  // namespace
 
 bool GridSelection::wantsPoint(const std::string& name) const {
@@ -44,13 +50,13 @@ void appendGrid(Grid& grid, const Grid& more) {
     grid.points.insert(grid.points.end(), more.points.begin(), more.points.end());
     grid.types.insert(grid.types.end(), more.types.begin(), more.types.end());
     for (const std::int64_t point : more.connectivity) {
-        grid.connectivity.push_back(point + points);
+        grid.connectivity.push_back(shifted(point, points));
     }
     if (grid.offsets.empty()) {
         grid.offsets.push_back(0);
     }
     for (std::size_t c = 1; c < more.offsets.size(); ++c) {
-        grid.offsets.push_back(first + more.offsets[c]);
+        grid.offsets.push_back(shifted(more.offsets[c], first));
     }
     grid.time = grid.time ? grid.time : more.time;
 }

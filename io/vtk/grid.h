@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,6 +9,9 @@
 #include "core/base/geometry.h"
 
 namespace rubble::io {
+
+/// Names of field data that say the time of a grid, the first known one first.
+inline constexpr std::array<const char*, 4> gridTimeNames{"TimeValue", "TIME", "Time", "time"};
 
 /// An array of values on points or cells.
 struct GridArray {

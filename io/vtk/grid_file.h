@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,12 +8,13 @@
 
 namespace rubble::io {
 
-/// Reads one unstructured grid, legacy (.vtk) or XML (.vtu), by VTK's own readers; nothing of theirs reaches the terminal.
-/// Throws ParseError naming the file and what VTK says.
+/// Reads one unstructured grid, legacy (.vtk) or XML (.vtu). Throws ParseError naming the file and the place, WorldError.
 Grid readGridFile(const std::string& path, const GridSelection& selection);
 
-/// Reads all files once in a child process with bounded memory: VTK's readers may crash on damaged files. Throws ParseError for the
-/// first that cannot be read.
-void tryGridFiles(const std::vector<std::string>& paths);
+/// The time that a grid says in its field data, if it does; reads no further than it needs. Throws as readGridFile().
+std::optional<double> timeOfGridFile(const std::string& path);
+
+/// Throws as readGridFile() for the first of them that is cut off or damaged in its structure.
+void requireWholeGrids(const std::vector<std::string>& paths);
 
 }  // namespace rubble::io

@@ -38,18 +38,20 @@ std::string textOf(const std::string& path) {
     return text.str();
 }
 
-// An entry names a file beside the index or below; it must be there.
+// An entry names a file beside the index or below.
 std::string besides(const std::string& index, const std::string& name) {
     if (name.empty()) {
         failIndex(index, "an entry names no file");
     }
-    const std::string path = (Path(index).parent_path() / name).string();
+    return (Path(index).parent_path() / name).string();
+}
+
+void requireMember(const std::string& index, const std::string& path) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) {
         throw WorldError({"vtk.member", "{0} names the file {1}, which is not there", {index, path}},
                          {"vtk.member.remedy", "Copy the whole series, or remove the entry.", {}});
     }
-    return path;
 }
 
 pugi::xml_document xmlOf(const std::string& path) {
@@ -88,6 +90,7 @@ std::vector<GridEntry> fromPieces(const std::string& path) {
     GridEntry entry;
     for (const pugi::xml_node node : document.child("VTKFile").child("PUnstructuredGrid").children("Piece")) {
         entry.files.push_back(besides(path, node.attribute("Source").as_string()));
+        requireMember(path, entry.files.back());
     }
     return {entry};
 }
@@ -126,9 +129,14 @@ bool isIndex(const std::string& head) {
     return isSeries(head) || isCollection(head);
 }
 
-std::vector<std::string> listed(const std::string& index) {
+std::vector<GridEntry> entriesOf(const std::string& index, const std::string& head) {
+    return isSeries(head) ? fromSeries(index) : fromPvd(index);
+}
+
+// Whether or not they are there.
+std::vector<std::string> listed(const std::string& index, const std::string& head) {
     std::vector<std::string> files;
-    for (const GridEntry& entry : indexGrids(index)) {
+    for (const GridEntry& entry : entriesOf(index, head)) {
         files.insert(files.end(), entry.files.begin(), entry.files.end());
     }
     return files;
@@ -139,10 +147,8 @@ std::vector<std::string> listed(const std::string& index) {
 std::vector<GridEntry> indexGrids(const std::string& path) {
     const std::string head = headOf(path);
     std::vector<GridEntry> entries;
-    if (isSeries(head)) {
-        entries = fromSeries(path);
-    } else if (isCollection(head)) {
-        entries = fromPvd(path);
+    if (isIndex(head)) {
+        entries = entriesOf(path, head);
     } else if (head.find("type=\"PUnstructuredGrid\"") != std::string::npos) {
         for (const std::string& sibling : numberedSiblings(path)) {
             entries.push_back(fromPieces(sibling).front());
@@ -158,13 +164,22 @@ std::vector<GridEntry> indexGrids(const std::string& path) {
     if (entries.empty() || entries.front().files.empty()) {
         failIndex(path, "it names no files");
     }
+    for (const GridEntry& entry : entries) {
+        for (const std::string& file : entry.files) {
+            requireMember(path, file);
+        }
+    }
     return entries;
+}
+
+std::vector<std::string> numberedGrids(const std::string& path) {
+    return isIndex(headOf(path)) ? std::vector<std::string>{} : numberedSiblings(path);
 }
 
 std::string canonicalIndex(const std::string& path) {
     try {
         const std::string head = headOf(path);
-        const std::vector<std::string> own = isIndex(head) ? listed(path) : std::vector<std::string>{path};
+        const std::vector<std::string> own = isIndex(head) ? listed(path, head) : std::vector<std::string>{path};
         std::vector<std::string> candidates;
         for (const std::string& other : filesBeside(path)) {
             if (other.ends_with(".pvd") || other.ends_with(".series")) {
@@ -172,7 +187,8 @@ std::string canonicalIndex(const std::string& path) {
             }
         }
         for (const std::string& candidate : candidates) {
-            const std::vector<std::string> files = isIndex(headOf(candidate)) ? listed(candidate) : std::vector<std::string>{};
+            const std::string first = headOf(candidate);
+            const std::vector<std::string> files = isIndex(first) ? listed(candidate, first) : std::vector<std::string>{};
             const bool lists = std::find(files.begin(), files.end(), own.front()) != files.end();
             if (isIndex(head) ? files == own : lists) {
                 return candidate;

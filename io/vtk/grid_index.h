@@ -16,6 +16,9 @@ struct GridEntry {
 /// those beside it whose names differ only in the number before the ending. Throws WorldError, ParseError (place, what is wrong).
 std::vector<GridEntry> indexGrids(const std::string& path);
 
+/// The files that indexGrids() takes for states because of their numbers; none where an index lists them.
+std::vector<std::string> numberedGrids(const std::string& path);
+
 /// The index that stands for a file: one beside it that lists it, the first by name; of several indices with one content the first
 /// by name; the file itself where there is none. Never throws.
 std::string canonicalIndex(const std::string& path);

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "io/series/cell_shapes.h"
+#include "io/series/numbered_files.h"
 
 namespace rubble::io {
 
@@ -108,6 +109,10 @@ void GridSeries::noteMissingTimes() {
 void GridSeries::noteUnfinished(const std::string& file) {
     m_facts.findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
                          {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, file);
+}
+
+void GridSeries::noteGaps(const std::vector<std::string>& numbered) {
+    noteNumberGaps(numbered, m_facts.findings);
 }
 
 void GridSeries::decideDisplacement(const Grid& first) {

@@ -26,6 +26,8 @@ public:
     void noteMissingTimes();
     /// Counts a last state that was left out because it is not whole.
     void noteUnfinished(const std::string& file);
+    /// Counts numbers that are missing between files that are states by their numbers.
+    void noteGaps(const std::vector<std::string>& numbered);
 
 private:
     void decideDisplacement(const Grid& first);

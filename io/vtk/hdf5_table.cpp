@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "io/exodus/trial.h"
+#include "io/hdf5_extent.h"
 
 namespace rubble::io {
 
@@ -97,6 +98,7 @@ Hdf5Table::Hdf5Table(const std::string& path, const std::function<void(const Hdf
         throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
                          {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
     }
+    requireWholeHdf5(path);
     {
         const std::scoped_lock lock(nativeLibraries());
         // Files that this process has open are open in the child too.

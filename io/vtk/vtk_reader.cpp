@@ -16,21 +16,8 @@ namespace {
 /// Grids in files of their own.
 class FileGrids : public GridSource {
 public:
-    FileGrids(const std::string& path, const Execution& execution) : m_entries(indexGrids(path)) {
+    explicit FileGrids(const std::string& path) : m_entries(indexGrids(path)) {
         dropUnfinished();
-        std::vector<std::string> all;
-        for (const GridEntry& entry : m_entries) {
-            all.insert(all.end(), entry.files.begin(), entry.files.end());
-        }
-        std::sort(all.begin(), all.end());
-        all.erase(std::unique(all.begin(), all.end()), all.end());
-        const Message stage{"vtk.trial", "Checking the files of the series", {}};
-        constexpr std::size_t atOnce = 64;
-        for (std::size_t i = 0; i < all.size(); i += atOnce) {
-            execution.report(stage, static_cast<double>(i) / static_cast<double>(all.size()));
-            tryGridFiles({all.begin() + static_cast<std::ptrdiff_t>(i),
-                          all.begin() + static_cast<std::ptrdiff_t>(std::min(i + atOnce, all.size()))});
-        }
         readTimes();
     }
 
@@ -57,7 +44,7 @@ private:
     void dropUnfinished() {
         if (m_entries.size() > 1) {
             try {
-                tryGridFiles(m_entries.back().files);
+                requireWholeGrids(m_entries.back().files);
             } catch (const ParseError&) {
                 m_unfinished = m_entries.back().files.front();
                 m_entries.pop_back();
@@ -67,11 +54,9 @@ private:
 
     // The index, else the files; where neither says them, states are counted.
     void readTimes() {
-        GridSelection none;
-        none.cells = false;
         for (GridEntry& entry : m_entries) {
             if (!entry.time) {
-                entry.time = readGridFile(entry.files.front(), none).time;
+                entry.time = timeOfGridFile(entry.files.front());
             }
             if (entry.time && !std::isfinite(*entry.time)) {
                 throw ParseError(
@@ -120,7 +105,7 @@ std::vector<std::string> vtkMembers(const std::string& path) {
             files.insert(files.end(), entry.files.begin(), entry.files.end());
         }
     } catch (const std::exception&) {
-        return {path};
+        return {index};
     }
     const bool isIndex = std::find(files.begin(), files.end(), index) == files.end();
     if (isIndex) {
@@ -129,9 +114,8 @@ std::vector<std::string> vtkMembers(const std::string& path) {
     return withDeathList(std::move(files));
 }
 
-FeResult::Contents readVtk(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                           const Execution& execution) {
-    auto source = std::make_unique<const FileGrids>(path, execution);
+FeResult::Contents readVtk(const std::string& path, const ImportSettings& settings, const Execution& execution) {
+    auto source = std::make_unique<const FileGrids>(path);
     const bool timed = source->timed();
     const std::string unfinished = source->unfinished();
     const auto series = std::make_shared<GridSeries>(path, std::move(source), settings);
@@ -141,7 +125,8 @@ FeResult::Contents readVtk(const std::string& path, const ImportSettings& settin
     if (!unfinished.empty()) {
         series->noteUnfinished(unfinished);
     }
-    return readSeries(path, series, settings, frame, execution);
+    series->noteGaps(numberedGrids(path));
+    return readSeries(path, series, settings, execution);
 }
 
 }  // namespace rubble::io

@@ -14,6 +14,6 @@ bool recognisesVtkLegacy(const FileHead& head);
 /// The files of the series a file belongs to: the index that lists it first, if there is one; else all files of its number series.
 std::vector<std::string> vtkMembers(const std::string& path);
 /// Reads a series of unstructured grids in files; see FeFormat::read.
-FeResult::Contents readVtk(const std::string& path, const ImportSettings& settings, const Frame& frame, const Execution& execution);
+FeResult::Contents readVtk(const std::string& path, const ImportSettings& settings, const Execution& execution);
 
 }  // namespace rubble::io

@@ -222,10 +222,9 @@ bool recognisesVtkHdf(const FileHead& head) {
     return std::find(head.hdf5Names.begin(), head.hdf5Names.end(), "VTKHDF") != head.hdf5Names.end();
 }
 
-FeResult::Contents readVtkHdf(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                              const Execution& execution) {
+FeResult::Contents readVtkHdf(const std::string& path, const ImportSettings& settings, const Execution& execution) {
     const auto series = std::make_shared<GridSeries>(path, std::make_unique<const VtkHdfGrids>(path), settings);
-    return readSeries(path, series, settings, frame, execution);
+    return readSeries(path, series, settings, execution);
 }
 
 std::vector<std::string> aloneWithDeathList(const std::string& path) {

@@ -349,10 +349,9 @@ std::vector<std::string> xdmfMembers(const std::string& path) {
     return withDeathList(std::move(files));
 }
 
-FeResult::Contents readXdmf(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                            const Execution& execution) {
+FeResult::Contents readXdmf(const std::string& path, const ImportSettings& settings, const Execution& execution) {
     const auto series = std::make_shared<GridSeries>(path, std::make_unique<const XdmfGrids>(path), settings);
-    return readSeries(path, series, settings, frame, execution);
+    return readSeries(path, series, settings, execution);
 }
 
 }  // namespace rubble::io

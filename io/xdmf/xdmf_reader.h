@@ -12,7 +12,6 @@ bool recognisesXdmf(const FileHead& head);
 /// The file and the heavy files it names.
 std::vector<std::string> xdmfMembers(const std::string& path);
 /// Reads an unstructured grid or a temporal collection of them; see FeFormat::read.
-FeResult::Contents readXdmf(const std::string& path, const ImportSettings& settings, const Frame& frame,
-                            const Execution& execution);
+FeResult::Contents readXdmf(const std::string& path, const ImportSettings& settings, const Execution& execution);
 
 }  // namespace rubble::io

@@ -5,7 +5,7 @@ For those who have an Abaqus licence; run it with Abaqus' own Python:
     abaqus python odb_to_fil.py JOB.odb [OUT]
 
 It writes OUT.fil (default: JOB-rubble.fil): nodes, elements, a set for each section, and for every frame the displacement U, the velocity V
-where there is one, and STATUS (1 active, 0 deleted); and OUT.inp: those sets with their sections, thicknesses and densities.
+where there is one, and STATUS (1 active, 0 deleted); and OUT.inp: those sets with their sections, thicknesses, areas and densities.
 Then open OUT.fil in Rubble.
 
 STATUS must have been asked for in the analysis (*ELEMENT OUTPUT, STATUS in a *OUTPUT, FIELD request). Numbers of an assembly of several
@@ -15,6 +15,7 @@ step plus the time in it; a first frame that repeats the end of the step before 
 
 from __future__ import print_function
 
+import math
 import sys
 
 LINE = 80
@@ -108,6 +109,24 @@ def write_sets(out, sets):
         out.record(1940, [integer(k + 1)] + [text(label[i:i + 8]) for i in range(0, len(label), 8)])
 
 
+def area_of(odb, section):
+    """Area of a truss or of a beam whose profile says it; None for solids and for other profiles."""
+    area = getattr(section, "area", None)
+    if area is not None or getattr(section, "profile", None) is None:
+        return area
+    profile = odb.profiles[section.profile]
+    kind = type(profile).__name__
+    if kind == "RectangularProfile":
+        return profile.a * profile.b
+    if kind == "CircularProfile":
+        return math.pi * profile.r ** 2
+    if kind == "PipeProfile":
+        return math.pi * (profile.r ** 2 - (profile.r - profile.t) ** 2)
+    if kind == "IProfile":
+        return profile.b1 * profile.t1 + profile.b2 * profile.t2 + (profile.h - profile.t1 - profile.t2) * profile.t3
+    return getattr(profile, "area", None)
+
+
 def write_deck(path, odb, sets):
     with open(path, "w") as deck:
         deck.write("** Sections and densities of %s\n" % odb.name)
@@ -118,10 +137,10 @@ def write_deck(path, odb, sets):
                 deck.write(", ".join(str(n) for n in members[start:start + 12]) + "\n")
             section = odb.sections[name]
             material = getattr(section, "material", "")
-            thickness = getattr(section, "thickness", None)
-            kind = "SHELL" if "Shell" in type(section).__name__ else "SOLID"
-            deck.write("*%s SECTION, ELSET=%s, MATERIAL=%s\n" % (kind, name, material))
-            deck.write("%.9g,\n" % thickness if thickness else ",\n")
+            shell = "Shell" in type(section).__name__
+            size = getattr(section, "thickness", None) if shell else area_of(odb, section)
+            deck.write("*%s SECTION, ELSET=%s, MATERIAL=%s\n" % ("SHELL" if shell else "SOLID", name, material))
+            deck.write("%.9g,\n" % size if size else ",\n")
             if material and material not in used:
                 used.append(material)
         for material in used:

@@ -11,7 +11,7 @@ using namespace rubble;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     const bool text = size > 0 && bytes[0] == '#';
     fuzzFile(bytes, size, text ? "X_001.vtk" : "XA001", [text](const std::string& path) {
-        return text ? io::readConvertedAnim(path, {}, {}, fuzzExecution()) : io::readAnim(path, {}, {}, fuzzExecution());
+        return text ? io::readConvertedAnim(path, {}, fuzzExecution()) : io::readAnim(path, {}, fuzzExecution());
     });
     return 0;
 }

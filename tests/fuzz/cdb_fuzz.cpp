@@ -5,6 +5,6 @@ using namespace rubble;
 
 /// Opens any bytes as a coded database of Ansys.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    fuzzFile(bytes, size, "cdb.cdb", [](const std::string& path) { return io::readCdbs(path, {}, {}, fuzzExecution()); });
+    fuzzFile(bytes, size, "cdb.cdb", [](const std::string& path) { return io::readCdbs(path, {}, fuzzExecution()); });
     return 0;
 }

@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     if (mark < size) {
         layDown(all.data() + mark + 8, size - mark - 8, "d3plot01");
     }
-    fuzzResult([&] { return io::readD3plot(root, {}, {}, fuzzExecution()); });
+    fuzzResult([&] { return io::readD3plot(root, {}, fuzzExecution()); });
     if (mark < size) {
         std::filesystem::remove(root + "01");
     }

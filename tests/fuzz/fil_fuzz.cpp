@@ -5,6 +5,6 @@ using namespace rubble;
 
 /// Opens any bytes as a results file of Abaqus.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    fuzzFile(bytes, size, "fil.fil", [](const std::string& path) { return io::readFil(path, {}, {}, fuzzExecution()); });
+    fuzzFile(bytes, size, "fil.fil", [](const std::string& path) { return io::readFil(path, {}, fuzzExecution()); });
     return 0;
 }

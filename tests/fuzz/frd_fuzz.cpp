@@ -5,6 +5,6 @@ using namespace rubble;
 
 /// Opens any bytes as a result file of CalculiX.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    fuzzFile(bytes, size, "frd.frd", [](const std::string& path) { return io::readFrd(path, {}, {}, fuzzExecution()); });
+    fuzzFile(bytes, size, "frd.frd", [](const std::string& path) { return io::readFrd(path, {}, fuzzExecution()); });
     return 0;
 }

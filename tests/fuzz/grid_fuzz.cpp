@@ -94,7 +94,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         FuzzedDataProvider data(bytes, size);
         const std::string path = (fuzzFolder() / "grid").string();
         const auto series = std::make_shared<io::GridSeries>(path, std::make_unique<const MadeGrids>(data), ImportSettings{});
-        return io::readSeries(path, series, {}, {}, fuzzExecution());
+        return io::readSeries(path, series, {}, fuzzExecution());
     });
     return 0;
 }

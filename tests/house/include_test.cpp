@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "tests/house/source_tree.h"
 
@@ -35,6 +37,7 @@ const std::vector<Library>& libraries() {
         {"xxHash", std::regex("^xxh")},
         {"OpenGL", std::regex("^(GL|EGL)/")},
         {"X11", std::regex("^(X11/|xcb/)")},
+        {"Python", std::regex("^(pybind11/|Python\\.h)")},
     };
     return list;
 }
@@ -66,6 +69,7 @@ const std::vector<Room>& rooms() {
         {"widgets/figures", {"core", "widgets/render", "widgets/figures"}, {"Eigen", "VTK", "Qt", "X11"}},
         {"widgets", {"core", "widgets"}, {"Eigen", "VTK", "Qt"}},
         {"app/gui", {"core", "io", "widgets", "app/gui"}, {"Eigen", "Qt"}},
+        {"app/python", {"core", "io", "app/python"}, {"Eigen", "Python"}},
         {"app/cli", {"core", "io", "widgets/render", "widgets/figures", "app/cli"}, {"Eigen", "Qt", "nlohmann"}},
     };
     return table;
@@ -144,14 +148,15 @@ TEST(Include, RoomsOfCoreSeeOnlyRoomsBeforeThem) {
     EXPECT_GT(checked, 200u);
 }
 
-// The suite of hard cases looks at everything, so nothing may lean on it but the command line.
-TEST(Include, NothingOfTheProgramSeesTheSelfTestButItsCommand) {
+// The suite of hard cases looks at everything, so nothing may lean on it but its command and the report.
+TEST(Include, NothingOfTheProgramSeesTheSelfTestButItsCommandAndTheReport) {
     std::size_t seen = 0;
     for (const SourceFile& file : programSources()) {
         for (const Include& include : includesOf(file)) {
             if (include.quoted && include.name.starts_with("core/selftest/")) {
                 ++seen;
-                EXPECT_TRUE(file.under("core/selftest") || file.path == "app/cli/self_test_command.cpp")
+                EXPECT_TRUE(file.under("core/selftest") || file.path == "app/cli/self_test_command.cpp" ||
+                            file.path == "app/cli/report_command.cpp" || file.path == "app/gui/report_work.cpp")
                     << place(file, include.line) << ": " << include.name;
             }
         }
@@ -225,6 +230,78 @@ TEST(Include, HeadersThatOthersIncludeShowNoPrivateLibrary) {
         }
     }
     EXPECT_GT(visited.size(), 20u);
+}
+
+/// Paths of the headers that are installed.
+std::set<std::string> publicHeaders() {
+    std::ifstream stream(std::string(RUBBLE_SOURCE_DIR) + "/cmake/public_headers.cmake");
+    std::set<std::string> headers;
+    const std::regex path("^ +((core|io)/[a-z0-9_/]+\\.h)");
+    for (std::string line; std::getline(stream, line);) {
+        std::smatch match;
+        if (std::regex_search(line, match, path)) {
+            headers.insert(match[1]);
+        }
+    }
+    return headers;
+}
+
+// The library is what is installed: whole, free of libraries but Eigen, and every type and function of it explained.
+TEST(Include, PublicHeadersAreCompleteAndShowEigenAlone) {
+    const std::set<std::string> headers = publicHeaders();
+    ASSERT_GT(headers.size(), 40u);
+    std::set<std::string> found;
+    for (const SourceFile& file : readSources({"core", "io"})) {
+        if (!headers.contains(file.path)) {
+            continue;
+        }
+        found.insert(file.path);
+        for (const Include& include : includesOf(file)) {
+            EXPECT_TRUE(!include.quoted || headers.contains(include.name))
+                << place(file, include.line) << ": " << include.name << " is not installed";
+            const std::string library = libraryOf(include.name);
+            EXPECT_TRUE(library.empty() || library == "Eigen") << place(file, include.line) << ": " << include.name;
+        }
+    }
+    EXPECT_EQ(found, headers) << "a header of the list does not exist";
+}
+
+TEST(Include, TypesOfPublicHeadersAreExplained) {
+    const std::set<std::string> headers = publicHeaders();
+    const std::regex type("^(class|struct|enum class) [A-Z][A-Za-z]* .*\\{");
+    std::size_t checked = 0;
+    for (const SourceFile& file : readSources({"core", "io"})) {
+        for (std::size_t i = 0; headers.contains(file.path) && i < file.lines.size(); ++i) {
+            if (std::regex_search(file.lines[i], type)) {
+                ++checked;
+                // Before it, on its members, or before the neighbours that it stands among.
+                const std::string& before = file.lines[i - 1];
+                bool explained = before.starts_with("///") || before == "};" || file.lines[i].ends_with("};");
+                for (std::size_t m = i; m < file.lines.size() && !file.lines[m].starts_with("};"); ++m) {
+                    explained = explained || file.lines[m].find("///") != std::string::npos;
+                }
+                EXPECT_TRUE(explained) << place(file, i + 1) << ": " << file.lines[i];
+            }
+        }
+    }
+    EXPECT_GT(checked, 60u);
+}
+
+TEST(Include, TheVersionOfTheHeadersIsThatOfTheProject) {
+    const auto first = [](const std::string& path, const std::string& pattern) {
+        std::ifstream stream(std::string(RUBBLE_SOURCE_DIR) + "/" + path);
+        std::stringstream text;
+        text << stream.rdbuf();
+        const std::string whole = text.str();
+        std::smatch match;
+        return std::regex_search(whole, match, std::regex(pattern)) ? match[1].str() : std::string();
+    };
+    std::string version;
+    for (const char* part : {"MAJOR", "MINOR", "PATCH"}) {
+        version += (version.empty() ? "" : ".") + first("core/base/version.h", std::string("RUBBLE_VERSION_") + part + " ([0-9]+)");
+    }
+    EXPECT_EQ(version, first("CMakeLists.txt", "project\\(Rubble VERSION ([0-9.]+)"));
+    EXPECT_NE(version, "");
 }
 
 TEST(Include, QuotedIncludesExistAndAreWrittenFromTheRoot) {

@@ -118,9 +118,9 @@ TEST_F(Acknowledgements, RefuseASidecarThatIsNone) {
         EXPECT_EQ(content(), text);
     }
     put(R"({"format": "rubble-acknowledgements", "version": 2, "acknowledgements": []})");
-    EXPECT_EQ(idOf([&] { acknowledgements(path); }), "io.acknowledged.version");
+    EXPECT_EQ(idOf([&] { acknowledgements(path); }), "io.json.version");
     put(std::string(std::size_t{17} << 20, ' '));
-    EXPECT_EQ(idOf([&] { acknowledgements(path); }), "io.acknowledged.too_large");
+    EXPECT_EQ(idOf([&] { acknowledgements(path); }), "io.json.too_large");
     std::filesystem::remove(sidecar());
     std::filesystem::create_directory(sidecar());
     EXPECT_THROW(acknowledgements(path), WorldError);

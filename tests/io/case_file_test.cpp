@@ -193,7 +193,7 @@ TEST(CaseFile, KeepsOnlyWhatDiffersFromTheDefaults) {
     theCase.scenarios[0].scenario.simulation.friction = 0.7;
     const json text = json::parse(caseText(theCase));
     EXPECT_EQ(text["scenarios"][0]["settings"], (json{{"friction", 0.7}}));
-    EXPECT_EQ(text["version"], 3);
+    EXPECT_EQ(text["version"], 5);
     EXPECT_EQ(text["inputs"][0]["path"], "bridge.exo");
 }
 
@@ -209,9 +209,11 @@ TEST(CaseFile, DoesNotDependOnTheLocale) {
     const std::locale old = std::locale::global(std::locale(std::locale::classic(), new Comma));
     const TemporaryFolder folder;
     saveCase(folder / "a.rubble", theCase);
-    EXPECT_EQ(loadCase(folder / "a.rubble"), theCase);
-    EXPECT_EQ(contentOf(folder / "a.rubble"), before);
+    const Case loaded = loadCase(folder / "a.rubble");
+    EXPECT_EQ(loaded, theCase);
+    EXPECT_EQ(caseText(theCase), before);
     std::locale::global(old);
+    EXPECT_EQ(contentOf(folder / "a.rubble"), caseText(loaded));
 }
 
 TEST(CaseFile, TruncatedAtAnyByteIsRefusedWithItsPlace) {
@@ -281,8 +283,8 @@ TEST(CaseFile, NamesThePlaceOfWhatItDoesNotUnderstand) {
 }
 
 TEST(CaseFile, LooksAtTheVersionBeforeAnythingElse) {
-    EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": 4, "unheard": []})"),
-                testing::HasSubstr("newer Rubble: case version 4"));
+    EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": 6, "unheard": []})"),
+                testing::HasSubstr("newer Rubble: case version 6"));
     EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": 0})"), testing::HasSubstr("/version"));
     EXPECT_THAT(errorOf(R"({"format": "rubble-case", "version": "1"})"), testing::HasSubstr("/version"));
     EXPECT_THAT(errorOf(R"({"format": "rubble-case"})"), testing::HasSubstr("\"version\" is missing"));
@@ -309,6 +311,16 @@ TEST(CaseMigration, VersionTwoHadNoBookmarks) {
     EXPECT_THAT(errorOf(old.dump()), testing::HasSubstr("bookmarks"));
     old["version"] = 2;
     EXPECT_EQ(caseFromText(old.dump(), "test"), theCase);
+}
+
+TEST(CaseMigration, VersionFourHadNoEnsemble) {
+    Case theCase = caseForFe("/x/bridge.exo", "/x/bridge.rubble");
+    json old = json::parse(caseText(theCase));
+    old.erase("ensemble");
+    old["version"] = 4;
+    EXPECT_EQ(caseFromText(old.dump(), "test"), theCase);
+    theCase.ensemble = {{variationFrom("friction", "normal:0.6:0.1")}, 40, 9};
+    EXPECT_EQ(caseFromText(caseText(theCase), "test"), theCase);
 }
 
 TEST(CaseMigration, TheGroundOfVersionOneWasASwitch) {
@@ -411,6 +423,12 @@ Case sampleCase() {
     for (const std::string ring : {"arch ring 1", "arch ring 4"}) {
         theCase.scenarios[0].scenario.regrouping.emplace_back(MergeComponents{{ring, ring + ", failing strip"}, ring});
     }
+    CaseScenario quick = theCase.scenarios[0];
+    quick.id = "scenario-2";
+    quick.name = "Quick";
+    quick.note = "2,500 bodies: on two cores it is simulated in a third of the time that it shows.";
+    quick.scenario.grid.bodiesMax = 2500;
+    theCase.scenarios.push_back(quick);
     return theCase;
 }
 

@@ -107,6 +107,11 @@ TEST(FeReader, WhatIsOutOfScopeIsSaid) {
     EXPECT_THAT(hdf5With("result.mpco", "MODEL_STAGE[1]"), AllOf(HasSubstr("OpenSees"), HasSubstr("out of scope")));
     std::ofstream(folder / "collapse.out") << "0.25 Elem 17\n0.25 Node 3\n";
     EXPECT_THAT(errorOf(folder / "collapse.out"), AllOf(HasSubstr("OpenSees"), HasSubstr("out of scope"), HasSubstr("pvd")));
+    for (const char* deck :
+         {"*Heading\n wall\n*NODE\n", "** wall\n*HEADING\n", "*KEYWORD\n", "#RADIOSS STARTER\n", "/VERS/2022\n"}) {
+        std::ofstream(folder / "wall.inp") << deck;
+        EXPECT_THAT(errorOf(folder / "wall.inp"), AllOf(HasSubstr("an input deck"), HasSubstr("read with it"))) << deck;
+    }
     std::ofstream(folder / "text") << "12.5 elephants\n";
     EXPECT_THAT(errorOf(folder / "text"), AllOf(HasSubstr("a text"), ::testing::Not(HasSubstr("OpenSees"))));
 }

@@ -19,8 +19,8 @@ using ::testing::HasSubstr;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-MeshBuilder cube(const Frame& frame = {}) {
-    MeshBuilder builder("file.x", FrameTransform(frame));
+MeshBuilder cube() {
+    MeshBuilder builder("file.x");
     builder.setNodes({1, 2, 3, 4, 5, 6, 7, 8},
                      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}});
     builder.addPart("block", 7);
@@ -105,7 +105,7 @@ TEST(MeshBuilder, NodesThatDoNotExistAndPlacesThatAreNone) {
         }
     }
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e30}) {
-        MeshBuilder other("file.x", FrameTransform(Frame{}));
+        MeshBuilder other("file.x");
         other.setNodes({1, 2, 3}, {{0, 0, 0}, {1, 0, 0}, {bad, 0, 0}});
         other.addPart("tie", 1);
         other.addBeam(1, 0, std::vector<std::int64_t>{0, 1}, 1.0);

@@ -107,6 +107,11 @@ TEST_F(TerrainGeoTiff, CellsThatAreNotSquareAreResampled) {
     expectPlane(terrain);
 }
 
+TEST_F(TerrainGeoTiff, CellsBeyondAllProportionAreRefused) {
+    tiff.place = {-20.0, 1e200, 0.0, 0.5, 0.0, -1e-200};
+    EXPECT_THROW(read(), ParseError);
+}
+
 TEST_F(TerrainGeoTiff, FeetAreConverted) {
     tiff.height = [](double x, double y) { return plane(x, y) / 0.3048; };
     tiff.heightUnit = "ft";
@@ -153,7 +158,7 @@ TEST_F(TerrainGeoTiff, GapsAreTheValuesThatTheFileNames) {
     EXPECT_LT(terrain.grid->highest(), 10.0);
 }
 
-TEST_F(TerrainGeoTiff, PicturesDegreesAndTurnedRastersAreRefused) {
+TEST_F(TerrainGeoTiff, PicturesAndDegreesWithoutASystemAreRefused) {
     const auto idOf = [this] {
         try {
             read();
@@ -168,8 +173,8 @@ TEST_F(TerrainGeoTiff, PicturesDegreesAndTurnedRastersAreRefused) {
     tiff.crs = "EPSG:4326";
     EXPECT_EQ(idOf(), "terrain.degrees");
     tiff.crs = "";
-    tiff.place = {-20.0, 1.0, 0.2, 15.0, 0.2, -1.0};
-    EXPECT_EQ(idOf(), "terrain.turned");
+    tiff.place = {-20.0, 1.0, 1.0, 15.0, -1.0, -1.0};
+    EXPECT_EQ(idOf(), "terrain.flat_place");
 }
 
 TEST_F(TerrainGeoTiff, AFileCutShortSaysFromWhere) {

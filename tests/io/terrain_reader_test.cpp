@@ -208,20 +208,20 @@ TEST_F(TerrainReader, ATerrainFarAboveOrBelowIsFound) {
     EXPECT_EQ(read().findings.count("terrain.far_off"), 0);
 }
 
-TEST_F(TerrainReader, TooManyHeightsNameTheCellThatWouldDo) {
-    AsciiGrid grid = planeGrid();
-    grid.columns = 10;
-    grid.rows = 10;
-    grid.cell = 1000.0;
-    grid.west = grid.south = -5000.0;
-    grid.write(path);
-    // A header that promises more than there is: refused before a row is read.
+// Squares of their shorter side could not be counted.
+TEST_F(TerrainReader, CellsOfNoWidthAreRefused) {
+    around = {};
+    write("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ndx 1e-300\ndy 1\nNODATA_value -9999\n1 2\n3 4\n");
+    EXPECT_NE(errorOf(), "no error");
+}
+
+TEST_F(TerrainReader, AHeaderThatPromisesMoreThanThereIsIsRefused) {
     write("ncols 100000\nnrows 100000\nxllcorner -500\nyllcorner -500\ncellsize 0.01\n1 1\n");
     try {
         read();
         FAIL() << "taken";
     } catch (const Error& error) {
-        EXPECT_EQ(error.message().id, "terrain.too_many") << error.what();
+        EXPECT_EQ(error.message().id, "terrain.cut") << error.what();
     }
 }
 
@@ -240,8 +240,9 @@ TEST_F(TerrainReader, CoordinateSystemsAreHeldAgainstEachOther) {
     const TerrainInput terrain = read();
     EXPECT_EQ(terrain.crs, "WGS 84 / UTM zone 33N");
     EXPECT_EQ(terrain.findings.count("terrain.crs_unknown"), 0);
+    // Projected from one zone to the next it lies hundreds of kilometres from the structure.
     frame.crs = "EPSG:25832";
-    EXPECT_EQ(errorOf(), "terrain.other_crs");
+    EXPECT_EQ(errorOf(), "terrain.elsewhere");
     frame.crs = "my village";
     EXPECT_EQ(read().findings.count("terrain.crs_unknown"), 1);
     frame.crs = "";

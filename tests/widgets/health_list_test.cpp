@@ -8,6 +8,8 @@
 #include <QTest>
 
 #include "widgets/panel.h"
+#include "widgets/run_panel.h"
+#include "widgets/theme.h"
 
 namespace rubble::widgets {
 
@@ -49,7 +51,50 @@ bool offersToAcknowledge(const HealthList& list) {
     return list.findChild<QPushButton*>(QStringLiteral("acknowledge"))->isVisibleTo(&list);
 }
 
+/// Labels whose text does not have the height that it needs.
+QStringList cutLabels(const QWidget& panel) {
+    QStringList cut;
+    for (const QLabel* label : panel.findChildren<QLabel*>()) {
+        if (label->isVisibleTo(&panel) && label->wordWrap() && label->height() < label->heightForWidth(label->width())) {
+            cut << QStringLiteral("%1 of %2: %3")
+                       .arg(label->height())
+                       .arg(label->heightForWidth(label->width()))
+                       .arg(label->text());
+        }
+    }
+    return cut;
+}
 }  // namespace
+
+TEST(HealthList, WhatIsLongHasTheRoomThatItNeedsInThePanel) {
+    applyTheme(render::Theme::Light);
+    for (const bool shownBefore : {true, false}) {
+        RunPanel panel;
+        panel.resize(336, 560);
+        if (shownBefore) {
+            panel.show();
+            QTest::qWait(20);
+        }
+        HealthList::Content content;
+        content.health = twoBreaches();
+        content.health.breaches[0].remedy = {
+            "test.long",
+            "raise step_rate, or set auto_remedy = true, or raise bodies_max for smaller clusters; under "
+            "solver = bullet deep piles squeeze together, take soft-step there",
+            {}};
+        panel.setHealth(content);
+        RunPanel::Outcome outcome;
+        outcome.result = std::make_shared<const SimulationResult>();
+        outcome.wallSeconds = 43.0;
+        panel.setOutcome(outcome);
+        panel.show();
+        QTest::qWait(50);
+        EXPECT_EQ(cutLabels(panel), QStringList()) << shownBefore;
+        panel.resize(312, 560);
+        QTest::qWait(50);
+        EXPECT_EQ(cutLabels(panel), QStringList()) << "narrower";
+    }
+}
 
 TEST(HealthList, ASoundRunSaysSoAndAsksForNothing) {
     HealthList list;

@@ -68,7 +68,7 @@ TEST(Inspector, TellsTheStoryOfAFragment) {
     const QString text = textOf(inspector);
     for (const char* part :
          {"arch ring 2 · element 21,877", "803", "4.800", "4.880", "STATUS, 1 is active", "24.2", "10.00, 2.00, 30.00",
-          "13.00, 6.00, 1.50", "5.00", "28.50", "8.310", "1,733 (14)", "0.27", "5.020 s   21.3 m/s   182"}) {
+          "13.00, 6.00, 1.50", "5.00", "28.50", "8.310", "1,733 (14)", "0.27", "5.020 s   21.3\u00A0m/s   182"}) {
         EXPECT_TRUE(text.contains(QString::fromUtf8(part))) << part << " is not in\n" << text.toStdString();
     }
     EXPECT_TRUE(button(inspector, "Go to birth")->isEnabled());

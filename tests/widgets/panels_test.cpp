@@ -151,14 +151,14 @@ TEST(GridPanel, SizesByHandOutsideTheirBoundsAreExplainedAtTheirField) {
     panel.setContent({sizing, nullptr, nullptr, twoComponents(), nullptr});
     const auto told = [&panel](const char* text) {
         for (const Notice* notice : panel.findChildren<Notice*>()) {
-            if (notice->text().contains(QLatin1String(text))) {
+            if (notice->text().contains(QString::fromUtf8(text))) {
                 return true;
             }
         }
         return false;
     };
-    EXPECT_TRUE(told("x: larger than the smallest component (strip, 7.00 m)"));
-    EXPECT_TRUE(told("y: smaller than the largest fragment, 1.84 m"));
+    EXPECT_TRUE(told("x: larger than the smallest component (strip, 7.00\u00A0m)"));
+    EXPECT_TRUE(told("y: smaller than the largest fragment, 1.84\u00A0m"));
     EXPECT_TRUE(told("Set by hand along x, y"));
     EXPECT_TRUE(panel.findChild<QSlider*>()->isEnabled());
     scenario.grid.height = 2.0;

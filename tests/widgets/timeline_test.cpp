@@ -79,4 +79,29 @@ TEST(RoundStep, IsRoundAndNotTooFine) {
     }
 }
 
+TEST(Timeline, PhotographsHaveARowAndAClickGoesToTheirTime) {
+    Timeline timeline;
+    timeline.setRange(0.0, 10.0);
+    timeline.resize(800, timeline.sizeHint().height());
+    const int low = timeline.sizeHint().height();
+    timeline.setPhotographs({{4.0, 1.0, QStringLiteral("a.jpg")}, {99.0, 0.0, QStringLiteral("later.jpg")}});
+    EXPECT_GT(timeline.sizeHint().height(), low) << "they take a row of their own";
+    timeline.resize(800, timeline.sizeHint().height());
+    const int x = static_cast<int>(timeline.toX(4.0));
+    int row = -1;
+    for (int y = 0; y < timeline.height() && row < 0; ++y) {
+        row = timeline.photographAt(QPointF(x, y)) ? y + 4 : -1;
+    }
+    ASSERT_GE(row, 0);
+    std::vector<double> scrubbed;
+    QObject::connect(&timeline, &Timeline::scrubbed, [&](double time) { scrubbed.push_back(time); });
+    QTest::mouseClick(&timeline, Qt::LeftButton, {}, QPoint(x + 3, row));
+    EXPECT_EQ(scrubbed, std::vector<double>{4.0}) << "exactly its time, not that of the pixel";
+    const QImage with = timeline.grab().toImage();
+    timeline.setPhotographs({});
+    EXPECT_EQ(timeline.sizeHint().height(), low);
+    timeline.resize(with.size());
+    EXPECT_NE(timeline.grab().toImage(), with);
+}
+
 }  // namespace rubble::widgets

@@ -3,27 +3,37 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
-#include <QFontMetricsF>
+#include <QBuffer>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QImageWriter>
 #include <QPainter>
+#include <QPdfWriter>
 #include <QSaveFile>
+#include <QSvgGenerator>
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/build.h"
 #include "core/base/error.h"
 #include "widgets/figures/draw.h"
-#include "widgets/figures/number_text.h"
+#include "widgets/figures/overlay.h"
 #include "widgets/figures/palette.h"
+#include "widgets/figures/shown_units.h"
 #include "widgets/render/panes.h"
 
 namespace rubble::figures {
 namespace {
 
 constexpr double textPoints = 9.0;
-constexpr double provenancePoints = 6.0;
+constexpr const char* provenanceKey = "Rubble-Provenance";
 constexpr int samples = 4;  // per pixel; figures are for the eye, not for speed
+
+[[noreturn]] void failWriting(const std::string& path, const QString& why) {
+    throw WorldError({"figure.write", "{0}: the picture cannot be written: {1}", {path, why.toStdString()}},
+                     {"figure.write.remedy", "Check that the folder exists, may be written and has room.", {}});
+}
 
 double pixelsOf(double points, double dpi) {
     return points / 72.0 * dpi;
@@ -56,41 +66,6 @@ private:
     QImage m_image;
 };
 
-/// Where panes, captions and provenance go in a framed figure.
-struct Frame {
-    double text = 0.0;      ///< px
-    double small = 0.0;     ///< px
-    int captionHeight = 0;  ///< below each row of panes
-    int provenanceHeight = 0;
-    QSize panes;  ///< of the drawn view, captions left out
-};
-
-Frame frameFor(render::Layout layout, const FigureStyle& style) {
-    Frame frame;
-    frame.text = pixelsOf(textPoints, style.dpi);
-    frame.small = pixelsOf(provenancePoints, style.dpi);
-    frame.captionHeight = static_cast<int>(std::lround(2.2 * frame.text));
-    frame.provenanceHeight = style.provenance.empty() ? 0 : static_cast<int>(std::lround(2.0 * frame.small));
-    const int rows = layout == render::Layout::Stacked || layout == render::Layout::Four ? 2 : 1;
-    const int height = style.pixels.height() - rows * frame.captionHeight - frame.provenanceHeight;
-    frame.panes = {style.pixels.width(), std::max(height, 16)};
-    return frame;
-}
-
-QFont fontOf(double pixels, bool italic) {
-    QFont font;
-    font.setPixelSize(std::max(5, static_cast<int>(std::lround(pixels))));
-    font.setItalic(italic);
-    return font;
-}
-
-/// "a) Conventional FE result, t = 5.76 s"
-QString captionBelow(std::size_t index, render::PaneContent content, const render::PaneStatus& status) {
-    QString text = captionText(content, status);
-    text.replace(QStringLiteral(" · "), QStringLiteral(", "));
-    return QStringLiteral("%1) %2").arg(QChar(static_cast<char16_t>('a' + index))).arg(text);
-}
-
 }  // namespace
 
 void ensureGuiApplication() {
@@ -117,39 +92,64 @@ struct Studio::Impl {
         return surface.image();
     }
 
-    QImage framed(render::View view, const FigureStyle& style) {
-        const Frame frame = frameFor(view.layout, style);
-        view.theme = render::Theme::Print;
-        const bool captions = view.captions;
-        view.captions = false;
-        const QImage panes = drawn(view, frame.panes, frame.text);
-        QImage figure(style.pixels, QImage::Format_RGB32);
-        figure.fill(Qt::white);
-        QPainter painter(&figure);
-        const Palette& colours = palette(view.theme);
-        std::size_t index = 0;
-        for (const render::Pane& pane : render::panesOf(view.layout, frame.panes.width(), frame.panes.height())) {
-            const int down = pane.y > 0 ? frame.captionHeight : 0;
-            painter.drawImage(QPoint(pane.x, pane.y + down), panes, QRect(pane.x, pane.y, pane.width, pane.height));
-            if (captions) {
-                painter.setFont(fontOf(frame.text, true));
-                painter.setPen(colours.text);
-                painter.drawText(QRect(pane.x, pane.y + pane.height + down, pane.width, frame.captionHeight),
-                                 static_cast<int>(Qt::AlignHCenter | Qt::AlignVCenter),
-                                 captionBelow(index, pane.content, scene.status(pane.content)));
-            }
-            ++index;
+    SheetPicture sheet(const Sheet& sheet, const FigureStyle& style) {
+        const bool captioned =
+            std::any_of(sheet.panels.begin(), sheet.panels.end(), [](const SheetPanel& panel) { return panel.view.captions; });
+        const SheetLayout layout = layOutSheet(sheet.columns, sheet.rows(), captioned, legendOf(sheet), !style.provenance.empty(),
+                                               style.pixels, style.dpi);
+        SheetPicture picture(style.pixels, layout);
+        bool released = false;
+        for (std::size_t i = 0; i < sheet.panels.size(); ++i) {
+            SheetPicture::Panel panel = drawPanel(sheet, i, layout);
+            released = released || panel.shown.status.released > 0;
+            picture.add(std::move(panel));
         }
-        if (frame.provenanceHeight > 0) {
-            painter.setFont(fontOf(frame.small, false));
-            painter.setPen(colours.muted);
-            const QRect foot(0, style.pixels.height() - frame.provenanceHeight, style.pixels.width(), frame.provenanceHeight);
-            painter.drawText(
-                foot, static_cast<int>(Qt::AlignHCenter | Qt::AlignVCenter),
-                painter.fontMetrics().elidedText(QString::fromStdString(style.provenance), Qt::ElideMiddle, foot.width()));
+        std::vector<LegendEntry> legend;
+        std::vector<ColourBar> bars;
+        if (sheet.commonLegend && !picture.panels().empty()) {
+            legend = commonLegend(picture.panels().front().view, released);
+            bars = m_bars;
         }
-        return figure;
+        picture.setFoot(std::move(legend), std::move(bars), QString::fromStdString(style.provenance));
+        return picture;
     }
+
+private:
+    SheetPicture::Panel drawPanel(const Sheet& sheet, std::size_t index, const SheetLayout& layout) {
+        const SheetPanel& from = sheet.panels[index];
+        SheetPicture::Panel panel;
+        panel.view = from.view;
+        panel.view.theme = render::Theme::Print;
+        panel.place = layout.panelAt(static_cast<int>(index) % sheet.columns, static_cast<int>(index) / sheet.columns);
+        panel.picture = bare(panel.view, panel.place.size());
+        const render::PaneContent drawn = from.content == render::PaneContent::Plan ? render::PaneContent::Fragments : from.content;
+        const render::Pane pane{drawn, 0, 0, panel.place.width(), panel.place.height()};
+        panel.overlay = makeOverlay(panel.view, scene, pane);
+        panel.overlay.caption.clear();
+        if (sheet.commonLegend && !panel.overlay.bars.empty()) {
+            m_bars = panel.overlay.bars;
+        }
+        if (sheet.commonLegend) {
+            panel.overlay.legend.clear();
+            panel.overlay.bars.clear();
+        }
+        takeLegendBelow(panel, layout);
+        panel.shown = {from.content, scene.status(drawn), {}};
+        if (panel.view.captions) {
+            panel.shown.caption = captionBelow(index, from.content, panel.shown.status, panel.view.timeOrigin, from.stage);
+        }
+        return panel;
+    }
+    /// The scene alone, nothing painted over it.
+    QImage bare(const render::View& view, QSize pixels) {
+        OffscreenSurface surface(*window, pixels, 0.0);
+        scene.setColours(sceneColours(view.theme, view.colourMap));
+        scene.update(view, pixels.width(), pixels.height());
+        surface.drawScene();
+        return surface.image();
+    }
+
+    std::vector<ColourBar> m_bars;
 };
 
 Studio::Studio(const render::SceneData& data) {
@@ -163,7 +163,9 @@ Studio::Studio(const render::SceneData& data) {
 
 Studio::~Studio() = default;
 
-QImage Studio::picture(const render::View& view, const FigureStyle& style) {
+namespace {
+
+void checkSize(const FigureStyle& style) {
     constexpr int largest = 16384;
     if (style.pixels.width() < 16 || style.pixels.height() < 16 || style.pixels.width() > largest ||
         style.pixels.height() > largest || !(style.dpi >= 20.0 && style.dpi <= 2400.0)) {
@@ -172,9 +174,27 @@ QImage Studio::picture(const render::View& view, const FigureStyle& style) {
                           {style.pixels.width(), style.pixels.height(), style.dpi}},
                          {"figure.size.remedy", "Ask for 16 to {0} pixels a side and 20 to 2400 dpi.", {largest}});
     }
-    QImage image = style.framed ? m_impl->framed(view, style) : m_impl->drawn(view, style.pixels, pixelsOf(textPoints, style.dpi));
-    image.setDotsPerMeterX(static_cast<int>(std::lround(style.dpi / 0.0254)));
-    image.setDotsPerMeterY(static_cast<int>(std::lround(style.dpi / 0.0254)));
+}
+
+void setResolution(QImage& image, double dpi) {
+    image.setDotsPerMeterX(static_cast<int>(std::lround(dpi / 0.0254)));
+    image.setDotsPerMeterY(static_cast<int>(std::lround(dpi / 0.0254)));
+}
+
+}  // namespace
+
+SheetPicture Studio::sheet(const Sheet& sheet, const FigureStyle& style) {
+    const FileUnits inSi;
+    checkSize(style);
+    return m_impl->sheet(sheet, style);
+}
+
+QImage Studio::picture(const render::View& view, const FigureStyle& style) {
+    const FileUnits inSi;
+    checkSize(style);
+    QImage image = style.framed ? m_impl->sheet(sheetOf(view), style).image()
+                                : m_impl->drawn(view, style.pixels, pixelsOf(textPoints, style.dpi));
+    setResolution(image, style.dpi);
     if (!style.provenance.empty()) {
         image.setText(QStringLiteral("Description"), QString::fromStdString(style.provenance));
     }
@@ -193,19 +213,110 @@ const render::Scene& Studio::scene() const {
     return m_impl->scene;
 }
 
-void writePng(const std::string& path, const QImage& image) {
+void writePng(const std::string& path, const QImage& image, const std::string& metadata) {
+    QImage tagged = image;
+    if (!metadata.empty()) {
+        tagged.setText(QString::fromLatin1(provenanceKey), QString::fromStdString(metadata));
+    }
     QSaveFile file(QString::fromStdString(path));
     QImageWriter writer(&file, "png");
-    const bool written = file.open(QIODevice::WriteOnly) && writer.write(image) && file.commit();
-    if (!written) {
-        throw WorldError({"figure.write", "{0}: the picture cannot be written: {1}", {path, file.errorString().toStdString()}},
-                         {"figure.write.remedy", "Check that the folder exists, may be written and has room.", {}});
+    if (!(file.open(QIODevice::WriteOnly) && writer.write(tagged) && file.commit())) {
+        failWriting(path, file.errorString());
     }
 }
 
 void writeFigure(const std::string& path, const render::View& view, const render::SceneData& data, const FigureStyle& style) {
     Studio studio(data);
     writePng(path, studio.picture(view, style));
+}
+
+namespace {
+
+QString endingOf(const std::string& path) {
+    return QFileInfo(QString::fromStdString(path)).suffix().toLower();
+}
+
+/// What the generator wrote, with the provenance where SVG has its place for it.
+QByteArray svgOf(const SheetPicture& picture, const FigureStyle& style, const std::string& metadata) {
+    QByteArray svg;
+    {
+        QBuffer buffer(&svg);
+        QSvgGenerator generator;
+        generator.setOutputDevice(&buffer);
+        generator.setResolution(static_cast<int>(std::lround(style.dpi)));
+        generator.setSize(picture.pixels());
+        generator.setViewBox(QRect(QPoint(0, 0), picture.pixels()));
+        generator.setTitle(QStringLiteral("Rubble"));
+        generator.setDescription(QString::fromStdString(style.provenance));
+        QPainter painter(&generator);
+        picture.paint(painter);
+    }
+    if (!metadata.empty()) {
+        const QByteArray block = "<metadata><![CDATA[" + QByteArray::fromStdString(metadata) + "]]></metadata>\n";
+        const qsizetype place = svg.indexOf("<defs>");
+        svg.insert(place < 0 ? svg.indexOf('>', svg.indexOf("<svg")) + 1 : place, block);
+    }
+    return svg;
+}
+
+QByteArray pdfOf(const SheetPicture& picture, const FigureStyle& style, const std::string& metadata) {
+    QByteArray pdf;
+    QBuffer buffer(&pdf);
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    writer.setResolution(static_cast<int>(std::lround(style.dpi)));
+    writer.setPageSize(QPageSize(QSizeF(picture.pixels()) / style.dpi, QPageSize::Inch));
+    writer.setPageMargins(QMarginsF());
+    writer.setTitle(QStringLiteral("Rubble"));
+    tagPdf(writer, metadata);
+    QPainter painter(&writer);
+    picture.paint(painter);
+    painter.end();
+    return pdf;
+}
+
+}  // namespace
+
+void tagPdf(QPdfWriter& writer, const std::string& metadata) {
+    writer.setCreator(QString::fromStdString(std::string(buildText())));
+    if (metadata.empty()) {
+        return;
+    }
+    const QByteArray json = QByteArray::fromStdString(metadata);
+    writer.setDocumentXmpMetadata(
+        "<?xpacket begin='' id='W5M0MpCehiHzreSzNTczkc9d'?>\n<x:xmpmeta xmlns:x='adobe:ns:meta/'>"
+        "<rdf:RDF xmlns:rdf='http://www.w3.org/1999/02/22-rdf-syntax-ns#'>"
+        "<rdf:Description rdf:about='' xmlns:dc='http://purl.org/dc/elements/1.1/'><dc:source><![CDATA[" +
+        json + "]]></dc:source></rdf:Description></rdf:RDF></x:xmpmeta>\n<?xpacket end='w'?>");
+    writer.addFileAttachment(QStringLiteral("provenance.json"), json, QStringLiteral("application/json"));
+}
+
+bool isFigurePath(const std::string& path) {
+    const QString ending = endingOf(path);
+    return ending == QLatin1String("png") || ending == QLatin1String("svg") || ending == QLatin1String("pdf");
+}
+
+void writeBytes(const std::string& path, const QByteArray& bytes) {
+    QSaveFile file(QString::fromStdString(path));
+    if (!(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())) {
+        failWriting(path, file.errorString());
+    }
+}
+
+void writeSheet(const std::string& path, const SheetPicture& picture, const FigureStyle& style, const std::string& metadata) {
+    if (!isFigurePath(path)) {
+        throw UsageError({"figure.format", "{0} does not say by its ending what kind of figure it is to be", {path}},
+                         {"figure.format.remedy", "Endings: .png, .svg, .pdf.", {}});
+    }
+    const QString ending = endingOf(path);
+    if (ending == QLatin1String("png")) {
+        QImage image = picture.image();
+        setResolution(image, style.dpi);
+        image.setText(QStringLiteral("Description"), QString::fromStdString(style.provenance));
+        writePng(path, image, metadata);
+    } else {
+        writeBytes(path, ending == QLatin1String("svg") ? svgOf(picture, style, metadata) : pdfOf(picture, style, metadata));
+    }
 }
 
 }  // namespace rubble::figures

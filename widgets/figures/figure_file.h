@@ -1,15 +1,19 @@
 #pragma once
 
+#include <QByteArray>
 #include <QImage>
 #include <QSize>
 
 #include <memory>
 #include <string>
 
+#include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/x_display.h"
 #include "widgets/render/scene.h"
 #include "widgets/render/scene_data.h"
 #include "widgets/render/view.h"
+
+class QPdfWriter;
 
 namespace rubble::figures {
 
@@ -36,6 +40,8 @@ public:
 
     /// The picture of a view. A framed figure takes the Print theme whatever the view says.
     QImage picture(const render::View& view, const FigureStyle& style);
+    /// A figure for print, in the Print theme, its size and text as the style says. Throws UsageError for a size out of range.
+    SheetPicture sheet(const Sheet& sheet, const FigureStyle& style);
     /// The status that the last picture showed.
     const render::PaneStatus& status(render::PaneContent content) const;
     /// As Scene::setAllFaces().
@@ -51,7 +57,20 @@ private:
 /// Draws one view and writes it as PNG (resolution and provenance inside). Throws WorldError naming the path.
 void writeFigure(const std::string& path, const render::View& view, const render::SceneData& data, const FigureStyle& style);
 
+/// Writes a figure in the format that the path's ending names: PNG, or SVG and PDF with text, lines and legends as vectors around
+/// pictures of the scene. Atomic.
+/// @param metadata  JSON of its provenance, put into the file: text chunk, <metadata>, XMP and attachment; empty: none
+/// Throws UsageError for another ending, WorldError naming the path.
+void writeSheet(const std::string& path, const SheetPicture& picture, const FigureStyle& style, const std::string& metadata);
+/// Whether writeSheet() knows the ending of a path.
+bool isFigurePath(const std::string& path);
+/// Puts a provenance into a PDF that is about to be painted.
+void tagPdf(QPdfWriter& writer, const std::string& metadata);
+/// Writes a file atomically. Throws WorldError naming the path.
+void writeBytes(const std::string& path, const QByteArray& bytes);
+
 /// Writes an image as PNG, atomically. Throws WorldError naming the path.
-void writePng(const std::string& path, const QImage& image);
+/// @param metadata  as of writeSheet()
+void writePng(const std::string& path, const QImage& image, const std::string& metadata = {});
 
 }  // namespace rubble::figures

@@ -21,6 +21,7 @@ namespace {
 
 constexpr double textPoints = 9.0;
 constexpr double smallPoints = 6.0;
+constexpr double leastTickWords = 4.0;  // sizes of small text that a coordinate needs
 constexpr std::size_t longestLegend = 9;
 /// Of the mass, shown whatever the rest does.
 constexpr double shownShare = 0.999;
@@ -32,10 +33,14 @@ QString fromView(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// Name of a layer as people read it.
-QString layerName(MapLayer layer) {
-    const std::string name(mapLayerRow(layer).name);
-    return QCoreApplication::translate("messages", name.c_str());
+/// Name of a layer of a map as people read it.
+QString layerName(const DebrisMap& map, MapLayer layer) {
+    const Message title = mapLayerTitle(map, layer);
+    QString name = QCoreApplication::translate("messages", title.pattern.c_str());
+    for (std::size_t i = 0; i < title.arguments.size(); ++i) {
+        name.replace(QStringLiteral("{%1}").arg(i), QString::fromStdString(englishText({"", "{0}", {title.arguments[i]}})));
+    }
+    return name;
 }
 
 QString unitText(MapLayer layer) {
@@ -59,7 +64,7 @@ std::pair<std::int32_t, std::int32_t> stretchOf(const DebrisMap& map, bool along
     std::vector<std::pair<std::int32_t, double>> places;
     double total = 0.0;
     for (std::size_t c = 0; c < map.cells.size(); ++c) {
-        double mass = map.layer(MapLayer::Mass)[c];
+        double mass = map.members > 0 ? 1.0 : map.layer(MapLayer::Mass)[c];
         if (map.has(MapLayer::LiveMass) && !std::isnan(map.layer(MapLayer::LiveMass)[c])) {
             mass = (std::isnan(mass) ? 0.0 : mass) + map.layer(MapLayer::LiveMass)[c];
         }
@@ -126,6 +131,13 @@ Range rangeOf(const std::vector<double>& values, MapLayer layer) {
         return range;
     }
     std::sort(known.begin(), known.end());
+    if (layer >= MapLayer::Probability && layer <= MapLayer::AboveThird) {
+        return range;
+    }
+    if (layer == MapLayer::Separation) {
+        const double most = roundedUp(std::max({std::abs(known.front()), std::abs(known.back()), 1e-6}));
+        return {-most, most, false};
+    }
     range.low = layer == MapLayer::Arrival ? known.front() : 0.0;
     range.high = known[static_cast<std::size_t>(topShare * static_cast<double>(known.size() - 1))];
     range.high = roundedUp(range.high);
@@ -139,6 +151,12 @@ Range rangeOf(const std::vector<double>& values, MapLayer layer) {
 
 /// Light is little, dark is much; early is dark as in the views.
 QColor colourAt(MapLayer layer, double place) {
+    if (layer == MapLayer::Separation) {
+        const QColor ends = place > 0.5 ? QColor(0x00, 0x72, 0xb2) : QColor(0xd5, 0x5e, 0x00);
+        const double away = std::abs(2.0 * place - 1.0);
+        const auto mixed = [away](int end) { return static_cast<int>(std::lround(235.0 + away * (end - 235.0))); };
+        return {mixed(ends.red()), mixed(ends.green()), mixed(ends.blue())};
+    }
     return layer == MapLayer::Arrival ? birthColour(place) : speedColour(1.0 - place);
 }
 
@@ -150,13 +168,13 @@ public:
         : m_map(map),
           m_layer(layer),
           m_style(style),
-          m_palette(palette(render::Theme::Print)),
+          m_palette(palette(style.theme)),
           m_window(windowOf(map)),
           m_range(rangeOf(map.layer(layer), layer)),
           m_image(style.pixels, QImage::Format_RGB32),
           m_text(textPoints / 72.0 * style.dpi),
           m_small(smallPoints / 72.0 * style.dpi) {
-        m_image.fill(Qt::white);
+        m_image.fill(style.theme == render::Theme::Print ? QColor(Qt::white) : m_palette.panel);
         m_line = QFontMetricsF(font(m_text)).height();
         layOut();
     }
@@ -169,6 +187,7 @@ public:
         } else {
             drawCells(painter);
             drawEdges(painter);
+            drawRing(painter);
             drawScaleBar(painter);
         }
         drawNorth(painter);
@@ -227,6 +246,10 @@ private:
     QColor liveColour() const { return m_palette.released; }
 
     void drawCells(QPainter& painter) {
+        // The scales run to dark: on a dark page they need paper of their own.
+        if (m_style.theme == render::Theme::Dark) {
+            painter.fillRect(m_frame, QColor(0xe9, 0xe9, 0xe4));
+        }
         // Of a map finer than the picture every few cells make a dot: the largest value would hide the rest, so they are mixed.
         QImage cells(m_window.columns(), m_window.rows(), QImage::Format_ARGB32_Premultiplied);
         cells.fill(Qt::transparent);
@@ -253,9 +276,14 @@ private:
             roundLength(m_map.cell / m_cellPixels, std::min({9.0 * m_text, 0.4 * m_frame.width(), 0.4 * m_frame.height()}));
         const double tick = 0.4 * m_small;
         const double metres = m_map.cell / m_cellPixels;
+        // Of a long and narrow map the width would have too many.
+        double across = step;
+        while (across / metres < leastTickWords * m_small) {
+            across *= 2.0;
+        }
         const double west = m_style.origin.x() + m_map.cell * m_window.low.i - (m_cells.left() - m_frame.left()) * metres;
         const double south = m_style.origin.y() + m_map.cell * m_window.low.j - (m_frame.bottom() - m_cells.bottom()) * metres;
-        for (double x = step * std::ceil(west / step); pixelX(x - m_style.origin.x()) <= m_frame.right(); x += step) {
+        for (double x = across * std::ceil(west / across); pixelX(x - m_style.origin.x()) <= m_frame.right(); x += across) {
             const double at = pixelX(x - m_style.origin.x());
             painter.drawLine(QPointF(at, m_frame.bottom()), QPointF(at, m_frame.bottom() + tick));
             write(painter, QRectF(at - 40.0 * m_small, m_frame.bottom() + tick, 80.0 * m_small, 1.6 * m_small), coordinate(x),
@@ -267,6 +295,20 @@ private:
             write(painter, QRectF(0.0, at - m_small, m_frame.left() - 1.5 * tick, 2.0 * m_small), coordinate(y),
                   static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), m_small);
         }
+    }
+
+    void drawRing(QPainter& painter) {
+        if (!m_style.ring) {
+            return;
+        }
+        const double radius = std::max(m_style.ring->radius / m_map.cell * m_cellPixels, 0.5 * m_text);
+        const QPointF middle(pixelX(m_style.ring->middle.x()), pixelY(m_style.ring->middle.y()));
+        painter.save();
+        painter.setClipRect(m_frame);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(QColor(0x20, 0x22, 0x26), std::max(1.5, 0.15 * m_text), Qt::DashLine));
+        painter.drawEllipse(middle, radius, radius);
+        painter.restore();
     }
 
     static QString coordinate(double metres) {
@@ -307,19 +349,31 @@ private:
 
     void drawLegend(QPainter& painter) {
         double y = m_legend.top() + 4.2 * m_line;
-        const QString unit = unitText(m_layer);
-        write(painter, QRectF(m_legend.left(), y, m_legend.width(), m_line),
-              unit.isEmpty() ? layerName(m_layer) : layerName(m_layer) + QStringLiteral(" [") + unit + QStringLiteral("]"),
-              static_cast<int>(Qt::AlignLeft), m_text * std::min(1.0, m_legend.width() / legendWidth()));
+        write(painter, QRectF(m_legend.left(), y, m_legend.width(), m_line), legendTitle(), static_cast<int>(Qt::AlignLeft),
+              m_text * std::min(1.0, m_legend.width() / QFontMetricsF(font(m_text)).horizontalAdvance(legendTitle())));
         y += 1.5 * m_line;
+        if (m_layer == MapLayer::Separation && m_map.hypotheses.size() == 2) {
+            drawEntry(painter, y, colourAt(m_layer, 1.0), tr("for %1").arg(QString::fromStdString(m_map.hypotheses[0])));
+            drawEntry(painter, y, colourAt(m_layer, 0.0), tr("for %1").arg(QString::fromStdString(m_map.hypotheses[1])));
+            y += 0.5 * m_line;
+        }
         y = m_layer == MapLayer::Component ? drawCategories(painter, y) : drawBar(painter, y);
         if (m_map.live && m_map.ledger.liveElements > 0) {
             drawEntry(painter, y, liveColour(), tr("fallen live structure"));
         }
     }
-    double legendWidth() const {
-        return QFontMetricsF(font(m_text))
-            .horizontalAdvance(layerName(m_layer) + QStringLiteral(" [") + unitText(m_layer) + QStringLiteral("]"));
+    /// Short, since little room is beside the map; the caption says it in full.
+    QString legendTitle() const {
+        if (m_layer >= MapLayer::AboveFirst && m_layer <= MapLayer::AboveThird) {
+            const auto which = static_cast<std::size_t>(m_layer) - static_cast<std::size_t>(MapLayer::AboveFirst);
+            return tr("P(height > %1 m)").arg(m_map.thresholds[which]);
+        }
+        if (m_layer == MapLayer::Separation) {
+            return tr("log ratio");
+        }
+        const QString unit = unitText(m_layer);
+        const QString name = layerName(m_map, m_layer);
+        return unit.isEmpty() ? name : name + QStringLiteral(" [") + unit + QStringLiteral("]");
     }
 
     void drawEntry(QPainter& painter, double& y, const QColor& colour, const QString& text) {
@@ -356,7 +410,8 @@ private:
     }
 
     double drawBar(QPainter& painter, double y) {
-        const double height = 7.0 * m_line;
+        // The scale bar stands below, also in a low picture.
+        const double height = std::clamp(m_legend.bottom() - 3.2 * m_line - y, 2.4 * m_line, 7.0 * m_line);
         const QRectF bar(m_legend.left(), y, 1.1 * m_line, height);
         QLinearGradient ramp(bar.bottomLeft(), bar.topLeft());
         for (int i = 0; i <= 16; ++i) {
@@ -365,7 +420,7 @@ private:
         painter.setPen(QPen(m_palette.muted, 1.0));
         painter.setBrush(ramp);
         painter.drawRect(bar);
-        constexpr int marks = 4;
+        const int marks = height < 5.0 * m_line ? 2 : 4;
         for (int k = 0; k <= marks; ++k) {
             const double share = static_cast<double>(k) / marks;
             const QString number = legendNumber(m_range.low + share * (m_range.high - m_range.low));
@@ -377,14 +432,23 @@ private:
     }
 
     void drawFoot(QPainter& painter) {
-        QString caption = tr("%1, t = %2, %3, cells of %4")
-                              .arg(layerName(m_layer), timeText(m_map.time), tr(m_style.shown.c_str()), lengthText(m_map.cell));
+        QString caption = m_map.members > 0 ? tr("%1; %2 members of an ensemble, %3, cells of %4")
+                                                  .arg(layerName(m_map, m_layer))
+                                                  .arg(m_map.members)
+                                                  .arg(tr(m_style.shown.c_str()), lengthText(m_map.cell))
+                                            : tr("%1, t = %2, %3, cells of %4")
+                                                  .arg(layerName(m_map, m_layer), timeText(m_map.time), tr(m_style.shown.c_str()),
+                                                       lengthText(m_map.cell));
         if (m_outside > 0) {
             caption += tr("; %1 cells with debris lie outside the picture").arg(countText(m_outside));
         }
         const double bottom = m_style.pixels.height() - (m_style.provenance.empty() ? 0.0 : 2.5 * m_small);
-        write(painter, QRectF(0.0, bottom - 1.8 * m_line, m_style.pixels.width(), 1.5 * m_line), caption,
-              static_cast<int>(Qt::AlignCenter), m_text, true);
+        // A long caption of a small picture is set smaller, then cut.
+        const double room = 0.98 * m_style.pixels.width();
+        const double size = m_text * std::clamp(room / QFontMetricsF(font(m_text, true)).horizontalAdvance(caption), 0.75, 1.0);
+        write(painter, QRectF(0.0, bottom - 1.8 * m_line, m_style.pixels.width(), 1.5 * m_line),
+              QFontMetricsF(font(size, true)).elidedText(caption, Qt::ElideRight, room), static_cast<int>(Qt::AlignCenter), size,
+              true);
         painter.setFont(font(m_small));
         painter.setPen(m_palette.muted);
         const QRectF foot(0.0, bottom, m_style.pixels.width(), 2.0 * m_small);
@@ -413,6 +477,14 @@ private:
     std::size_t m_outside = 0;
 };
 
+void checkLayer(const DebrisMap& map, MapLayer layer) {
+    if (!map.has(layer)) {
+        throw UsageError(
+            {"figure.map_layer", "The map has no layer \"{0}\"", {mapLayerRow(layer).key}},
+            {"figure.map_layer.remedy", "Draw another layer; impact energy needs a complete run, live structure its layers.", {}});
+    }
+}
+
 }  // namespace
 
 QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style) {
@@ -425,12 +497,40 @@ QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& s
                           {style.pixels.width(), style.pixels.height(), style.dpi}},
                          {"figure.map_size.remedy", "Ask for {0} to {1} pixels a side and 20 to 2400 dpi.", {smallest, largest}});
     }
-    if (!map.has(layer)) {
-        throw UsageError(
-            {"figure.map_layer", "The map has no layer \"{0}\"", {mapLayerRow(layer).key}},
-            {"figure.map_layer.remedy", "Draw another layer; impact energy needs a complete run, live structure its layers.", {}});
-    }
+    checkLayer(map, layer);
     return Sheet(map, layer, style).draw();
+}
+
+Orthophoto groundPicture(const DebrisMap& map, MapLayer layer) {
+    checkLayer(map, layer);
+    constexpr std::uint8_t opacity = 215;  // of 255: the ground shows through
+    const Window window = windowOf(map);
+    const Range range = rangeOf(map.layer(layer), layer);
+    const Palette& colours = palette(render::Theme::Print);
+    Orthophoto picture;
+    picture.x0 = map.cell * window.low.i;
+    picture.y0 = map.cell * window.low.j;
+    picture.pixel = map.cell;
+    picture.width = map.cells.empty() ? 0 : window.columns();
+    picture.height = map.cells.empty() ? 0 : window.rows();
+    picture.rgba.assign(4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), 0);
+    for (std::size_t c = 0; c < map.cells.size(); ++c) {
+        const MapCell& cell = map.cells[c];
+        const double value = map.layer(layer)[c];
+        if (!window.holds(cell) || std::isnan(value)) {
+            continue;
+        }
+        const QColor colour = layer == MapLayer::Component
+                                  ? colours.categories[static_cast<std::size_t>(value) % colours.categories.size()]
+                                  : colourAt(layer, range.place(value));
+        const std::size_t at = 4 * (static_cast<std::size_t>(cell.j - window.low.j) * static_cast<std::size_t>(picture.width) +
+                                    static_cast<std::size_t>(cell.i - window.low.i));
+        picture.rgba[at] = static_cast<std::uint8_t>(colour.red());
+        picture.rgba[at + 1] = static_cast<std::uint8_t>(colour.green());
+        picture.rgba[at + 2] = static_cast<std::uint8_t>(colour.blue());
+        picture.rgba[at + 3] = opacity;
+    }
+    return picture;
 }
 
 }  // namespace rubble::figures

@@ -3,12 +3,21 @@
 #include <QImage>
 #include <QSize>
 
+#include <optional>
 #include <string>
 
 #include "core/base/geometry.h"
 #include "core/evidence/debris_map.h"
+#include "core/fe/orthophoto.h"
+#include "widgets/render/view.h"
 
 namespace rubble::figures {
+
+/// A place of a map with a ring around it.
+struct MapRing {
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< m
+    double radius = 0.0;                               ///< m
+};
 
 /// How a map is drawn.
 struct MapPictureStyle {
@@ -18,12 +27,18 @@ struct MapPictureStyle {
     std::string system;                                ///< coordinate system, for people; empty: local, whose y need not be north
     std::string shown = "simulated";                   ///< class of what is shown
     std::string provenance;                            ///< one line in 6 pt at the foot, empty for none
+    render::Theme theme = render::Theme::Print;
+    std::optional<MapRing> ring;
 };
 
-/// One layer of a map on white, with scale bar, arrow to the north, coordinates along the edges, legend with unit, and a caption
-/// below; fallen live structure is drawn in grey where no fragments lie, if the map has it. Shown is what holds 99.9 % of the mass,
-/// if the rest lies far from it; the caption then counts the cells left out. Colours end at the 99th percentile.
-/// Call ensureGuiApplication() first. Throws UsageError for a size out of range or a layer that the map does not have.
+/// One layer of a map, on white for print, with scale bar, arrow to the north, coordinates along the edges, legend with unit, and a
+/// caption below; fallen live structure is drawn in grey where no fragments lie, if the map has it. Shown is what holds 99.9 % of
+/// the mass, if the rest lies far from it; the caption then counts the cells left out. Colours end at the 99th percentile. Call
+/// ensureGuiApplication() first. Throws UsageError for a size out of range or a layer that the map does not have.
 QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style);
+
+/// One layer of a map to be laid on the ground of the views: a pixel for each cell in the colours of mapPicture(), nothing where
+/// there is no value. Throws UsageError for a layer that the map does not have.
+Orthophoto groundPicture(const DebrisMap& map, MapLayer layer);
 
 }  // namespace rubble::figures

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "widgets/figures/palette.h"
+#include "widgets/figures/shown_units.h"
 #include "widgets/render/camera.h"
 
 namespace rubble::figures {
@@ -143,7 +144,9 @@ void paintAxes(QPainter& painter, const Pen& pen) {
 }  // namespace
 
 QString measuredText(double length) {
-    return QCoreApplication::translate("figures", "%1 m").arg(QLocale().toString(length, 'f', length < 100.0 ? 2 : 1));
+    const ShownUnit unit = shownUnit("m");
+    const int decimals = (length < 100.0 ? 2 : 1) - (unit.perSi > 100.0 ? 3 : 0);
+    return QLocale().toString(length * unit.perSi, 'f', std::max(0, decimals)) + u' ' + unit.name;
 }
 
 void paintMarks(QPainter& painter, const render::View& view, const render::Pane& pane, double textHeight) {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "widgets/figures/shown_units.h"
+
 namespace rubble::figures {
 namespace {
 
@@ -30,10 +32,16 @@ QString numberText(double value) {
 }
 
 QString lengthText(double metres) {
-    if (metres >= 1000.0) {
+    const ShownUnit unit = shownUnit("m");
+    if (unitSet() == UnitSet::Si && metres >= 1000.0) {
         return numberText(metres / 1000.0) + QStringLiteral(" km");
     }
-    return numberText(metres) + QStringLiteral(" m");
+    return numbers().toString(metres * unit.perSi, 'g', unitSet() == UnitSet::Si ? 4 : 6) + u' ' + unit.name;
+}
+
+QString speedText(double metresPerSecond) {
+    const ShownUnit unit = shownUnit("m/s");
+    return numberText(metresPerSecond * unit.perSi) + u' ' + unit.name;
 }
 
 }  // namespace rubble::figures

@@ -12,6 +12,8 @@ QString countText(std::size_t count);
 QString timeText(double seconds);
 /// A length with its unit: "25 m", "0.5 m", "2 km".
 QString lengthText(double metres);
+/// A speed with its unit: "25 m/s".
+QString speedText(double metresPerSecond);
 /// A number without needless zeros, to four significant digits.
 QString numberText(double value);
 

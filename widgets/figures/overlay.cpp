@@ -13,6 +13,7 @@
 #include "widgets/figures/draw.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
+#include "widgets/figures/shown_units.h"
 #include "widgets/render/camera.h"
 #include "widgets/render/colour_choice.h"
 
@@ -20,6 +21,7 @@ namespace rubble::figures {
 namespace {
 
 constexpr std::size_t longestLegend = 6;
+constexpr double legendGap = 5.0;  // between entries of one line, in units of the look
 
 QString tr(const char* text) {
     return QCoreApplication::translate("rubble::figures", text);
@@ -30,9 +32,9 @@ QColor colourOf(const render::Rgb& c) {
 }
 
 /// One line for each component that has most fragments, the rest in one.
-void addComponents(std::vector<LegendEntry>& legend, const render::View& view, const render::Scene& scene,
+void addComponents(std::vector<LegendEntry>& legend, const render::View& view, const render::SceneData& data,
                    const render::PaneStatus& status, const render::SceneColours& colours) {
-    const auto& components = scene.data().components;
+    const auto& components = data.components;
     if (!components || status.bornByComponent.size() != components->list.size()) {
         return;
     }
@@ -60,10 +62,10 @@ void addComponents(std::vector<LegendEntry>& legend, const render::View& view, c
 }
 
 /// One entry for each material that a component has.
-void addMaterials(std::vector<LegendEntry>& legend, const render::Scene& scene, const render::SceneColours& colours) {
+void addMaterials(std::vector<LegendEntry>& legend, const render::SceneData& data, const render::SceneColours& colours) {
     std::array<bool, materialCount> present{};
-    for (std::size_t c = 0; scene.data().components && c < scene.data().components->list.size(); ++c) {
-        present[static_cast<std::size_t>(scene.data().components->list[c].material)] = true;
+    for (std::size_t c = 0; data.components && c < data.components->list.size(); ++c) {
+        present[static_cast<std::size_t>(data.components->list[c].material)] = true;
     }
     const std::array<QString, materialCount> names{tr("stone"),   tr("concrete"), tr("steel"),
                                                    tr("masonry"), tr("soil"),     tr("water bed")};
@@ -84,8 +86,8 @@ void addErrors(Overlay& overlay, const render::View& view, const render::PaneSta
     overlay.legend.push_back({QColor(), tr("error against the reference:")});
     const std::size_t last = view.errorSteps.size();
     for (std::size_t i = 0; i <= last; ++i) {
-        const QString bound = numberText(view.errorSteps[std::min(i, last - 1)]);
-        const QString range = i == last ? tr("over %1 m").arg(bound) : tr("≤ %1 m").arg(bound);
+        const QString bound = lengthText(view.errorSteps[std::min(i, last - 1)]);
+        const QString range = i == last ? tr("over %1").arg(bound) : tr("≤ %1").arg(bound);
         overlay.legend.push_back({errorColour(static_cast<double>(i) / static_cast<double>(last)),
                                   range + QStringLiteral(" · ") + countText(status.errors[i])});
     }
@@ -94,8 +96,8 @@ void addErrors(Overlay& overlay, const render::View& view, const render::PaneSta
     }
 }
 
-void addFragments(Overlay& overlay, const render::View& view, const render::Scene& scene, const render::PaneStatus& status,
-                  const render::SceneColours& colours) {
+void addFragments(Overlay& overlay, const render::View& view, const render::Scene& scene, const render::SceneData& data,
+                  const render::PaneStatus& status, const render::SceneColours& colours) {
     const Palette& p = palette(view.theme);
     const QString count = countText(status.fragments);
     switch (view.colourBy) {
@@ -104,7 +106,7 @@ void addFragments(Overlay& overlay, const render::View& view, const render::Scen
                 {view.style == render::Style::Presentation ? QColor() : p.fragment, tr("fragments %1").arg(count)});
             break;
         case render::ColourBy::Component:
-            addComponents(overlay.legend, view, scene, status, colours);
+            addComponents(overlay.legend, view, data, status, colours);
             if (overlay.legend.empty()) {
                 overlay.legend.push_back({p.fragment, tr("fragments %1").arg(count)});
             }
@@ -123,8 +125,7 @@ void addFragments(Overlay& overlay, const render::View& view, const render::Scen
             break;
         case render::ColourBy::Speed:
             overlay.legend.push_back({QColor(), tr("fragments %1").arg(count)});
-            overlay.bars.push_back(
-                {false, tr("0 m/s"), tr("%1 m/s").arg(numberText(scene.speedTop())), tr("speed"), view.colourMap});
+            overlay.bars.push_back({false, speedText(0.0), speedText(scene.speedTop()), tr("speed"), view.colourMap});
             break;
     }
 }
@@ -217,7 +218,7 @@ void paintBar(QPainter& painter, const Look& look, const ColourBar& bar, double 
     put(bar.high);
 }
 
-/// Legend and colour bar share one chip at the lower left: side by side while there is room, else one under the other.
+/// Legend and colour bar share one chip: side by side at the lower left while there is room, else one under the other above.
 void paintLegend(QPainter& painter, const Look& look, const QRectF& pane, const Overlay& overlay, double reservedRight) {
     if (overlay.legend.empty() && overlay.bars.empty()) {
         return;
@@ -238,7 +239,10 @@ void paintLegend(QPainter& painter, const Look& look, const QRectF& pane, const 
     const bool inRow = along + 4.0 * pad + reservedRight <= pane.width();
     const double rows = inRow ? 1.0 : static_cast<double>(overlay.legend.size() + overlay.bars.size());
     const double height = rows * look.line + (rows - 1.0) * look.unit + 1.5 * look.unit;
-    const QRectF box(pane.left() + pad, pane.bottom() - pad - height, (inRow ? along : widest) + 2.0 * pad, height);
+    // Debris lies low: what needs several lines goes below the caption, into the sky.
+    const double captionHeight = overlay.caption.isEmpty() ? 0.0 : look.line + 1.5 * look.unit + pad;
+    const double top = inRow ? pane.bottom() - pad - height : pane.top() + pad + captionHeight;
+    const QRectF box(pane.left() + pad, top, (inRow ? along : widest) + 2.0 * pad, height);
     chip(painter, look, box);
     double x = box.left() + pad;
     double y = box.top() + 0.75 * look.unit;
@@ -280,13 +284,14 @@ double paintScaleBar(QPainter& painter, const Look& look, const QRectF& pane, do
 }  // namespace
 
 double roundLength(double metresPerPixel, double maxPixels) {
-    const double longest = metresPerPixel * maxPixels;
+    const double perSi = shownUnit("m").perSi;
+    const double longest = metresPerPixel * maxPixels * perSi;
     if (!(longest > 0) || !std::isfinite(longest)) {
         return 0.0;
     }
     const double power = std::pow(10.0, std::floor(std::log10(longest)));
     const double mantissa = longest / power;
-    return power * (mantissa >= 5.0 ? 5.0 : mantissa >= 2.0 ? 2.0 : 1.0);
+    return power * (mantissa >= 5.0 ? 5.0 : mantissa >= 2.0 ? 2.0 : 1.0) / perSi;
 }
 
 QString captionText(render::PaneContent content, const render::PaneStatus& status) {
@@ -296,7 +301,7 @@ QString captionText(render::PaneContent content, const render::PaneStatus& statu
                          : content == render::PaneContent::Plan    ? tr("Fragments in plan")
                                                                    : tr("Fragments");
     if (status.states == 0) {
-        return name;
+        return content == render::PaneContent::Other ? tr("No run of another scenario is chosen") : name;
     }
     QString how;
     if (fe) {
@@ -317,18 +322,22 @@ QString captionText(render::PaneContent content, const render::PaneStatus& statu
 Overlay makeOverlay(const render::View& view, const render::Scene& scene, const render::Pane& pane) {
     Overlay overlay;
     const render::PaneStatus& status = scene.status(pane.content);
+    const render::SceneData& data = scene.dataOf(pane.content);
     if (view.captions) {
         render::PaneStatus counted = status;
         counted.time -= view.timeOrigin;
         overlay.caption = captionText(pane.content, counted);
+        if (pane.content == render::PaneContent::Other && !scene.otherScenario().empty()) {
+            overlay.caption = tr("Scenario %1 · %2").arg(QString::fromStdString(scene.otherScenario()), overlay.caption);
+        }
     }
     if (view.legends && status.states > 0) {
         const Palette& p = palette(view.theme);
-        if (pane.content != render::PaneContent::Fe && scene.data().fragments) {
-            addFragments(overlay, view, scene, status, sceneColours(view.theme, view.colourMap));
+        if (pane.content != render::PaneContent::Fe && data.fragments) {
+            addFragments(overlay, view, scene, data, status, sceneColours(view.theme, view.colourMap));
             if (view.style == render::Style::Presentation) {
                 overlay.legend.push_back({QColor(), tr("active structure %1").arg(countText(status.active))});
-                addMaterials(overlay.legend, scene, sceneColours(view.theme));
+                addMaterials(overlay.legend, data, sceneColours(view.theme));
             } else {
                 overlay.legend.push_back({p.structure, tr("active structure %1").arg(countText(status.active))});
             }
@@ -370,6 +379,54 @@ void paintOverlay(QPainter& painter, const Overlay& overlay, const render::Pane&
     }
     const double taken = overlay.metresPerPixel > 0 ? paintScaleBar(painter, look, area, overlay.metresPerPixel) : 0.0;
     paintLegend(painter, look, area, overlay, taken);
+    painter.restore();
+}
+
+std::vector<LegendEntry> commonLegend(const render::View& view, bool released) {
+    const Palette& p = palette(view.theme);
+    std::vector<LegendEntry> legend;
+    if (view.style == render::Style::Analysis) {
+        if (view.colourBy == render::ColourBy::Highlight) {
+            legend.push_back({p.fragment, tr("fragments")});
+        }
+        legend.push_back({p.structure, tr("active structure")});
+    }
+    if (released) {
+        legend.push_back({p.released, tr("released structure")});
+    }
+    return legend;
+}
+
+double legendLineWidth(const std::vector<LegendEntry>& legend, const std::vector<ColourBar>& bars, double textHeight) {
+    const Look look = lookFor(render::Theme::Print, textHeight);
+    double width = 0.0;
+    for (const LegendEntry& entry : legend) {
+        width += entryWidth(look, entry) + legendGap * look.unit;
+    }
+    for (const ColourBar& bar : bars) {
+        width += barWidth(look, bar) + legendGap * look.unit;
+    }
+    return std::max(0.0, width - legendGap * look.unit);
+}
+
+void paintLegendLine(QPainter& painter, const std::vector<LegendEntry>& legend, const std::vector<ColourBar>& bars,
+                     const render::Pane& strip, double textHeight) {
+    const Look look = lookFor(render::Theme::Print, textHeight);
+    const double gap = legendGap * look.unit;
+    const double width = legendLineWidth(legend, bars, textHeight);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(look.font);
+    double x = strip.x + 0.5 * (strip.width - width);
+    const double top = strip.y + 0.5 * (strip.height - look.line);
+    for (const LegendEntry& entry : legend) {
+        paintEntry(painter, look, entry, x, top);
+        x += entryWidth(look, entry) + gap;
+    }
+    for (const ColourBar& bar : bars) {
+        paintBar(painter, look, bar, x, top);
+        x += barWidth(look, bar) + gap;
+    }
     painter.restore();
 }
 

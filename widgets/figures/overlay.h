@@ -42,4 +42,12 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
 /// @param textHeight  of the font, device pixels
 void paintOverlay(QPainter& painter, const Overlay& overlay, const render::Pane& pane, render::Theme theme, double textHeight);
 
+/// What colours stand for, without counts: for several pictures together.
+std::vector<LegendEntry> commonLegend(const render::View& view, bool released);
+/// Width of a legend in one line, device pixels.
+double legendLineWidth(const std::vector<LegendEntry>& legend, const std::vector<ColourBar>& bars, double textHeight);
+/// One line of a legend in print colours, in the middle of a strip.
+void paintLegendLine(QPainter& painter, const std::vector<LegendEntry>& legend, const std::vector<ColourBar>& bars,
+                     const render::Pane& strip, double textHeight);
+
 }  // namespace rubble::figures

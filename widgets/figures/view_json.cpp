@@ -22,12 +22,13 @@ struct Named {
     const char* name;
 };
 
-constexpr std::array<Named<render::Layout>, 6> layouts{{{render::Layout::Beside, "beside"},
+constexpr std::array<Named<render::Layout>, 7> layouts{{{render::Layout::Beside, "beside"},
                                                         {render::Layout::Stacked, "stacked"},
                                                         {render::Layout::FeOnly, "fe_only"},
                                                         {render::Layout::FragmentsOnly, "fragments_only"},
                                                         {render::Layout::OverlayOnly, "overlay_only"},
-                                                        {render::Layout::Four, "four"}}};
+                                                        {render::Layout::Four, "four"},
+                                                        {render::Layout::Scenarios, "scenarios"}}};
 constexpr std::array<Named<render::ColourMap>, 4> colourMaps{{{render::ColourMap::Standard, "standard"},
                                                               {render::ColourMap::Viridis, "viridis"},
                                                               {render::ColourMap::Cividis, "cividis"},
@@ -332,7 +333,7 @@ void readCameras(const QJsonValue& value, std::string_view source, render::View&
         return;
     }
     const QJsonArray list = value.toArray();
-    if (list.size() != 2 && list.size() != static_cast<qsizetype>(render::paneContents)) {
+    if (list.size() != 2 && list.size() != static_cast<qsizetype>(render::paneCameras)) {
         refuse(source, "cameras are not four", "a list of four cameras: FE, fragments, overlay, plan");
     }
     for (qsizetype i = 0; i < list.size(); ++i) {

@@ -114,6 +114,10 @@ void Ground::set(const Aabb& bounds, const SiteSurface& ground, const SceneColou
     makeGrid(ground, centre, size, spacing(bounds), colours);
 }
 
+void Ground::setGridOpacity(double opacity) {
+    m_gridActor->GetProperty()->SetOpacity(opacity);
+}
+
 void Ground::makeSky(const Vec3& centre, const SceneColours& colours) {
     // A dome stands on the rim of the plane, so that ground and sky meet in one colour whatever the camera does.
     constexpr std::array<double, 6> rise{0.0, 0.06, 0.14, 0.3, 0.7, 1.4};  // rad above the horizon

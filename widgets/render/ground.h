@@ -24,6 +24,8 @@ public:
     /// @param ground  level, or a terrain: a surface shaded by its slope
     void set(const Aabb& bounds, const SiteSurface& ground, const SceneColours& colours);
     void setVisible(bool visible, bool grid);
+    /// The grid recedes behind a picture of the ground, which has marks of its own.
+    void setGridOpacity(double opacity);
     /// How far the ground reaches from the model's centre, m.
     double reach() const { return m_reach; }
     /// Distance of grid lines, m.

@@ -110,6 +110,7 @@ PaneRenderer::PaneRenderer()
     m_renderer->AddActor(m_modelActor);
     m_renderer->AddActor(m_selectionActor);
     m_ground.addTo(*m_renderer);  // last: what the model covers is not shaded again
+    m_site.addTo(*m_renderer);
     m_water.addTo(*m_renderer);
     m_grid.addTo(*m_renderer);
     m_outline.addTo(*m_renderer);
@@ -161,8 +162,18 @@ void PaneRenderer::setColours(const SceneColours& colours, const Aabb& bounds, c
     }
 }
 
+void PaneRenderer::setSite(const std::shared_ptr<const Orthophoto>& orthophoto,
+                           const std::shared_ptr<const std::vector<SiteMesh>>& surroundings, const SiteSurface& ground,
+                           const Aabb& bounds, const SceneColours& colours) {
+    if (!bounds.isEmpty()) {
+        m_site.set(orthophoto, surroundings, ground, bounds, m_ground.reach(), colours);
+        m_ground.setGridOpacity(orthophoto != nullptr ? 0.3 : 1.0);
+    }
+}
+
 void PaneRenderer::setGround(bool visible, bool grid) {
     m_ground.setVisible(visible, grid);
+    m_site.setVisible(visible);
     m_water.setVisible(visible);
 }
 

@@ -9,6 +9,7 @@
 #include "widgets/render/ground.h"
 #include "widgets/render/pane_geometry.h"
 #include "widgets/render/panes.h"
+#include "widgets/render/site_layer.h"
 #include "widgets/render/water_surface.h"
 
 class vtkActor;
@@ -33,6 +34,10 @@ public:
     void show(const PaneGeometry* geometry);
     /// @param waterLevel  m; unset: no water
     void setColours(const SceneColours& colours, const Aabb& bounds, const SiteSurface& ground, std::optional<double> waterLevel);
+    /// What lies and stands on the ground; after setColours().
+    void setSite(const std::shared_ptr<const Orthophoto>& orthophoto,
+                 const std::shared_ptr<const std::vector<SiteMesh>>& surroundings, const SiteSurface& ground, const Aabb& bounds,
+                 const SceneColours& colours);
     void setGround(bool visible, bool grid);
     void setClip(const std::optional<ClipPlane>& clip);
     /// Darkens edges and hollows after the depth of the picture.
@@ -59,6 +64,7 @@ private:
     vtkSmartPointer<vtkActor> m_modelActor;
     vtkSmartPointer<vtkActor> m_selectionActor;
     Ground m_ground;
+    SiteLayer m_site;
     WaterSurface m_water;
     GridLines m_grid;
     GridLines m_outline;

@@ -31,12 +31,14 @@ std::vector<Pane> panesOf(Layout layout, int width, int height, int gap) {
             return {{PaneContent::Fe, 0, 0, width, first},
                     {PaneContent::Fragments, 0, first + gap, width, std::max(height - gap - first, 1)}};
         }
+        case Layout::Scenarios:
         case Layout::Beside:
             break;
     }
+    const bool scenarios = layout == Layout::Scenarios;
     const int first = std::max((width - gap) / 2, 1);
-    return {{PaneContent::Fe, 0, 0, first, height},
-            {PaneContent::Fragments, first + gap, 0, std::max(width - gap - first, 1), height}};
+    return {{scenarios ? PaneContent::Fragments : PaneContent::Fe, 0, 0, first, height},
+            {scenarios ? PaneContent::Other : PaneContent::Fragments, first + gap, 0, std::max(width - gap - first, 1), height}};
 }
 
 std::optional<Pane> paneAt(Layout layout, int width, int height, int x, int y) {

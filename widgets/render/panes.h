@@ -19,7 +19,7 @@ struct Pane {
     double aspect() const { return height > 0 ? static_cast<double>(width) / height : 1.0; }
 };
 
-/// The panes of a layout, in order FE, fragments, overlay, plan, with a gap of one hairline between them.
+/// The panes of a layout, in order FE, fragments, overlay, plan, another scenario, with a gap of one hairline between them.
 std::vector<Pane> panesOf(Layout layout, int width, int height, int gap = 1);
 /// The pane that holds a pixel.
 std::optional<Pane> paneAt(Layout layout, int width, int height, int x, int y);

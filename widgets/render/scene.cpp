@@ -20,9 +20,11 @@ namespace {
 
 constexpr double standardGravity = 9.80665;
 
-/// Which of the two geometries a pane shows.
+/// Geometries that panes show: the FE result, the fragments, the fragments of another scenario.
+constexpr std::size_t geometryCount = 3;
+
 std::size_t indexOf(PaneContent content) {
-    return content == PaneContent::Fe ? 0 : 1;
+    return content == PaneContent::Fe ? 0 : content == PaneContent::Other ? 2 : 1;
 }
 
 std::size_t rendererOf(PaneContent content) {
@@ -80,6 +82,8 @@ Aabb boundsOf(const SceneData& data) {
 
 struct Scene::Impl {
     SceneData data;
+    SceneData other;
+    std::string otherScenario;
     bool allFaces = false;
     Aabb bounds;
     ColourScale scale;
@@ -87,8 +91,8 @@ struct Scene::Impl {
     vtkRenderWindow* window = nullptr;
     vtkSmartPointer<vtkRenderer> backdrop;             ///< colours what lies between the panes
     std::array<PaneRenderer, paneContents> renderers;  ///< by content
-    std::array<std::unique_ptr<PaneGeometry>, 2> geometries;
-    std::array<PaneStatus, 2> statuses;
+    std::array<std::unique_ptr<PaneGeometry>, geometryCount> geometries;
+    std::array<PaneStatus, geometryCount> statuses;
     std::optional<std::array<double, 3>> gridShown;
     std::vector<std::uint8_t> hidden;  ///< by element, or empty
     std::vector<std::string> hiddenComponents;
@@ -112,10 +116,14 @@ struct Scene::Impl {
         }
     }
 
+    const SceneData& of(PaneContent content) const { return content == PaneContent::Other && other.fe ? other : data; }
+
     void applyColours() {
         for (std::size_t i = 0; i < renderers.size(); ++i) {
+            const SceneData& shown = of(static_cast<PaneContent>(i));
             const bool fragments = i != rendererOf(PaneContent::Fe);
-            renderers[i].setColours(scale.colours, bounds, groundOf(data), fragments ? data.waterLevel : std::nullopt);
+            renderers[i].setColours(scale.colours, bounds, groundOf(shown), fragments ? shown.waterLevel : std::nullopt);
+            renderers[i].setSite(shown.orthophoto, shown.surroundings, groundOf(shown), bounds, scale.colours);
         }
         const Rgb& c = scale.colours.divider;
         backdrop->SetBackground(c.r / 255.0, c.g / 255.0, c.b / 255.0);
@@ -197,9 +205,10 @@ struct Scene::Impl {
 
     PaneGeometry* geometryFor(PaneContent content) {
         auto& geometry = geometries[indexOf(content)];
-        if (!geometry && data.fe) {
+        const SceneData& shown = content == PaneContent::Other ? other : data;
+        if (!geometry && shown.fe) {
             geometry =
-                std::make_unique<PaneGeometry>(indexOf(content) == 0 ? PaneContent::Fe : PaneContent::Fragments, data, allFaces);
+                std::make_unique<PaneGeometry>(indexOf(content) == 0 ? PaneContent::Fe : PaneContent::Fragments, shown, allFaces);
         }
         if (geometry) {
             geometry->setHidden(hidden);
@@ -250,6 +259,10 @@ void Scene::setData(const SceneData& data) {
     if (!sameStructure(data, m_impl->data)) {
         m_impl->drop(0);
     }
+    if (data.fe != m_impl->data.fe) {
+        m_impl->drop(2);
+        m_impl->other = {};
+    }
     m_impl->drop(1);
     m_impl->gridShown.reset();
     m_impl->renderers[rendererOf(PaneContent::Fragments)].setGrid({});
@@ -265,6 +278,23 @@ const SceneData& Scene::data() const {
     return m_impl->data;
 }
 
+void Scene::setOther(const SceneData& data, const std::string& scenario) {
+    m_impl->otherScenario = scenario;
+    if (!(data == m_impl->other)) {
+        m_impl->drop(2);
+        m_impl->other = data;
+        m_impl->coloursChanged = true;
+    }
+}
+
+const SceneData& Scene::dataOf(PaneContent content) const {
+    return content == PaneContent::Other ? m_impl->other : m_impl->data;
+}
+
+const std::string& Scene::otherScenario() const {
+    return m_impl->otherScenario;
+}
+
 void Scene::setColours(const SceneColours& colours) {
     if (!(colours == m_impl->scale.colours)) {
         m_impl->scale.colours = colours;
@@ -275,8 +305,9 @@ void Scene::setColours(const SceneColours& colours) {
 void Scene::setAllFaces(bool all) {
     if (all != m_impl->allFaces) {
         m_impl->allFaces = all;
-        m_impl->drop(0);
-        m_impl->drop(1);
+        for (std::size_t geometry = 0; geometry < geometryCount; ++geometry) {
+            m_impl->drop(geometry);
+        }
     }
 }
 

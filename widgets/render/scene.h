@@ -62,6 +62,12 @@ public:
 
     void setData(const SceneData& data);
     const SceneData& data() const;
+    /// The run of another scenario of the same FE result, for the pane that shows one; without FE result: none.
+    void setOther(const SceneData& data, const std::string& scenario);
+    /// What a pane of this content shows.
+    const SceneData& dataOf(PaneContent content) const;
+    /// Name of the other scenario.
+    const std::string& otherScenario() const;
     void setColours(const SceneColours& colours);
 
     /// Draw every face, hidden ones too (what leaving them out brings is measured with this). Default off.

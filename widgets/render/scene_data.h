@@ -6,6 +6,8 @@
 #include "core/clusters/clustering.h"
 #include "core/fe/components.h"
 #include "core/fe/fe_result.h"
+#include "core/fe/orthophoto.h"
+#include "core/fe/site_mesh.h"
 #include "core/fe/terrain_grid.h"
 #include "core/fragments/fragment_set.h"
 #include "core/scenario/scenario.h"
@@ -22,10 +24,12 @@ struct SceneData {
     std::shared_ptr<const FragmentSet> fragments;
     std::shared_ptr<const Clustering> clustering;
     std::shared_ptr<const TrajectoryReader> trajectory;
-    std::shared_ptr<const TrajectoryReader> reference;  ///< of the same fragments, each its own body: errors are against it
-    double groundHeight = 0.0;                          ///< m
-    std::shared_ptr<const TerrainGrid> terrain;         ///< drawn instead of the level ground; null: none
-    std::optional<double> waterLevel;                   ///< m, drawn in the fragments pane; unset: no water
+    std::shared_ptr<const TrajectoryReader> reference;          ///< of the same fragments, each its own body: errors are against it
+    double groundHeight = 0.0;                                  ///< m
+    std::shared_ptr<const TerrainGrid> terrain;                 ///< drawn instead of the level ground; null: none
+    std::optional<double> waterLevel;                           ///< m, drawn in the fragments pane; unset: no water
+    std::shared_ptr<const Orthophoto> orthophoto;               ///< draped over the ground; null: none
+    std::shared_ptr<const std::vector<SiteMesh>> surroundings;  ///< null: none
 
     /// Ground, terrain and water as a run has them: what was off in it is not shown. Before a run's outcome is known everything is
     /// shown that is not switched off.

@@ -3,7 +3,8 @@
 namespace rubble::render {
 
 std::size_t cameraIndex(const View& view, PaneContent content) {
-    return view.camerasLinked && content != PaneContent::Plan ? 0 : static_cast<std::size_t>(content);
+    const PaneContent seenAs = content == PaneContent::Other ? PaneContent::Fragments : content;
+    return view.camerasLinked && seenAs != PaneContent::Plan ? 0 : static_cast<std::size_t>(seenAs);
 }
 
 const Camera& cameraOf(const View& view, PaneContent content) {

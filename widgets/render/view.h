@@ -15,10 +15,12 @@
 namespace rubble::render {
 
 /// What a pane shows: the conventional FE result; the fragments with the active structure; the same with the outline of the intact
-/// structure over it; the same seen from above.
-enum class PaneContent : std::uint8_t { Fe, Fragments, Overlay, Plan };
-inline constexpr std::size_t paneContents = 4;
-enum class Layout : std::uint8_t { Beside, Stacked, FeOnly, FragmentsOnly, OverlayOnly, Four };
+/// structure over it; the same seen from above; the fragments of another scenario.
+enum class PaneContent : std::uint8_t { Fe, Fragments, Overlay, Plan, Other };
+inline constexpr std::size_t paneContents = 5;
+/// Another scenario is always seen as the fragments are.
+inline constexpr std::size_t paneCameras = 4;
+enum class Layout : std::uint8_t { Beside, Stacked, FeOnly, FragmentsOnly, OverlayOnly, Four, Scenarios };
 enum class ColourBy : std::uint8_t { Highlight, Component, BirthTime, Speed, Cluster, Error };
 enum class Theme : std::uint8_t { Light, Dark, Print };
 /// Scale of colours of birth time and speed; all of them rise in lightness.
@@ -60,10 +62,10 @@ struct Measurement {
 /// Everything that decides a picture apart from the data: a value that window, command line and movie share.
 struct View {
     Layout layout = Layout::Beside;
-    std::array<Camera, paneContents> cameras;  ///< by content of the pane
-    bool camerasLinked = true;                 ///< all panes but the plan use cameras[0]
-    double time = 0.0;                         ///< s, on the file's clock
-    double timeOrigin = 0.0;                   ///< s, on the file's clock: captions count from here
+    std::array<Camera, paneCameras> cameras;  ///< by content of the pane
+    bool camerasLinked = true;                ///< all panes but the plan use cameras[0]
+    double time = 0.0;                        ///< s, on the file's clock
+    double timeOrigin = 0.0;                  ///< s, on the file's clock: captions count from here
     ColourBy colourBy = ColourBy::Highlight;
     ColourMap colourMap = ColourMap::Standard;
     Style style = Style::Analysis;

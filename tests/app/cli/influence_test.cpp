@@ -18,7 +18,8 @@ using testing::HasSubstr;
 class InfluenceCommand : public testing::Test {
 protected:
     std::vector<std::string> words(std::vector<std::string> more) const {
-        more.insert(more.begin(), {"influence", m_path, "--set", "settle_time=0.5", "--set", "one_body_per_fragment=true"});
+        more.insert(more.begin(), {"influence", m_path, "--set", "settle_time=0.5", "--set", "one_body_per_fragment=true",
+                                   "--cache", m_folder / "cache"});
         return more;
     }
     io::TemporaryFolder m_folder;

@@ -70,7 +70,7 @@ TEST(Manual, NamesEveryOptionOfEveryCommandAndNoOther) {
     for (const std::string& command : commands()) {
         options.merge(matches(cli({command, "--help"}).out, "\n  (--[a-z-]+)"));
     }
-    options.insert("--version");
+    options.insert({"--version", "--man-page", "--completion"});
     EXPECT_EQ(matches(text, "`(--[a-z-]+)"), options);
 }
 
@@ -97,12 +97,15 @@ TEST(Manual, NamesEveryKeyOfEveryJsonObject) {
         {"run", fe, "--out", run, "--set", "settle_time=0.5"},
         {"verify", run},
         {"export", run, "--export", "fragments=" + (folder / "f.csv")},
+        {"export", "--list"},
         {"map", run, "--cell", "1"},
         {"camera", writePairs(folder / "pairs.csv"), "--size", "4000x3000"},
         {"self-test", "--only", "free-fall"},
         {"parameters"},
         {"accuracy", fe, "--check", "--no-fps", "--multiples", "2", "--set", "settle_time=0.5", "--cache", folder / "cache"},
         {"calibrate", "--bodies", "8,12,27", "--no-drawing", "--cache", folder / "cache"},
+        {"ensemble", fe, "--members", "2", "--set", "settle_time=0.5", "--cache", folder / "cache"},
+        {"compare", fe, fe, "--members", "3", "--set", "settle_time=0.5", "--cache", folder / "cache"},
         {"convert", fe, folder / "converted.h5"},
         {"cache", "list", "--cache", folder / "cache"},
         {"inspect", folder / "missing.exo"}};

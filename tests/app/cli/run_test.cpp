@@ -182,7 +182,7 @@ TEST_F(Run, WrongRequestsAreRefusedBeforeTheWork) {
         EXPECT_THAT(outcome.err, HasSubstr(says));
         EXPECT_EQ(outcome.out, "");
     };
-    refused({"--export", "movie=a.mp4"}, 2, "Kinds: fragments, series, figure");
+    refused({"--export", "movie=a.mp4"}, 2, "Kinds: fragments, series, bodies, gltf");
     refused({"--export", "fragments"}, 2, "no \"=\"");
     refused({"--export", "fragments=" + (m_folder / "no/f.csv")}, 1, "does not exist");
     refused({"--out", m_path}, 2, "is read by this command");

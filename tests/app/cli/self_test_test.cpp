@@ -59,6 +59,7 @@ TEST(SelfTest, TheTableNamesCaseRiskCriterionAndVerdict) {
         EXPECT_THAT(outcome.out, HasSubstr(word));
     }
     EXPECT_THAT(textOf(csv), HasSubstr("case,what_could_go_wrong,criterion,measured,limit,unit,result\n"));
+    EXPECT_THAT(outcome.err, HasSubstr("pass  form-projectile, "));
 }
 
 // The stock solver is known to let towers fall (PHYSICS section 4): the suite must be able to fail.

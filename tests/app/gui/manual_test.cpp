@@ -41,7 +41,7 @@ TEST(Manual, EveryActionIsInItWithItsKey) {
 TEST(Manual, EveryOptionOfTheCommandLineIsInIt) {
     const QString manual = wholeManual();
     for (const char* name : {"--sample", "--simulate", "--accuracy", "--screenshot", "--time", "--size", "--theme", "--language",
-                             "--action", "--photo"}) {
+                             "--action", "--photo", "--chart", "--measure"}) {
         EXPECT_TRUE(manual.contains(QLatin1String(name))) << name;
     }
 }

@@ -32,9 +32,21 @@ TEST(Options, AllTogether) {
     EXPECT_EQ(options.path, QStringLiteral("x.exo"));
 }
 
+TEST(Options, AChartNeedsTheComparison) {
+    const Options options = parse({"--chart", "front.svg", "x.exo"});
+    EXPECT_TRUE(options.accuracy);
+    EXPECT_EQ(options.chart, QStringLiteral("front.svg"));
+}
+
+TEST(Options, MeasuringTakesAFile) {
+    const Options options = parse({"--measure", "x.exo"});
+    EXPECT_FALSE(options.wrong) << options.text.toStdString();
+    EXPECT_TRUE(options.measure);
+}
+
 TEST(Options, WrongOnesSayWhy) {
     for (const QStringList& wrong : {QStringList{"--time", "soon"}, QStringList{"--time", "nan"}, QStringList{"--size", "12"},
-                                     QStringList{"--theme", "pink"}, QStringList{"--panel", "dials"},
+                                     QStringList{"--theme", "pink"}, QStringList{"--panel", "dials"}, QStringList{"--measure"},
                                      QStringList{"--photo", "upside"}, QStringList{"--colour"}, QStringList{"a.exo", "b.exo"}}) {
         const Options options = parse(wrong);
         EXPECT_TRUE(options.wrong) << wrong.join(u' ').toStdString();
@@ -45,7 +57,8 @@ TEST(Options, WrongOnesSayWhy) {
 TEST(Options, HelpNamesEveryOption) {
     const Options options = parse({"--help"});
     EXPECT_FALSE(options.wrong);
-    for (const char* name : {"--sample", "--simulate", "--screenshot", "--time", "--size", "--theme", "--panel", "--photo"}) {
+    for (const char* name :
+         {"--sample", "--simulate", "--screenshot", "--time", "--size", "--theme", "--panel", "--photo", "--chart"}) {
         EXPECT_TRUE(options.text.contains(QLatin1String(name))) << name;
     }
 }

@@ -99,8 +99,9 @@ TEST_F(AccuracyStudy, TellsOfPointsAsTheyAreDone) {
     options.timed = true;
     options.grown = [&told](const AccuracyReport& report) { told.push_back(report); };
     const AccuracyReport report = study();
-    // The settings, three worlds of the reference, three settings, and the cost of the reference and of each setting.
-    ASSERT_EQ(told.size(), 11u);
+    // The settings, three worlds of the reference, two settings (multiple 1 is the reference), and the cost of the reference and of
+    // each setting.
+    ASSERT_EQ(told.size(), 10u);
     EXPECT_FALSE(told.front().reference.done);
     EXPECT_EQ(told.front().points.size(), 3u) << "the settings are known before any is done";
     const auto done = [](const AccuracyReport& r) {
@@ -109,8 +110,8 @@ TEST_F(AccuracyStudy, TellsOfPointsAsTheyAreDone) {
     for (std::size_t i = 1; i < told.size(); ++i) {
         EXPECT_GE(done(told[i]), done(told[i - 1]));
     }
-    EXPECT_EQ(done(told[6]), 3);
-    EXPECT_FALSE(told[6].points.back().cost.timed());
+    EXPECT_EQ(done(told[5]), 3);
+    EXPECT_FALSE(told[5].points.back().cost.timed());
     EXPECT_TRUE(told.back().points.back().cost.timed());
     expectSame(told.back(), report);
     // Nobody listening changes nothing but the times.
@@ -196,11 +197,54 @@ TEST_F(AccuracyStudy, AnInterruptedSweepGoesOnAndEndsTheSame) {
         options.jobs = 3;
         const AccuracyReport second = study();
         EXPECT_TRUE(second.complete);
-        EXPECT_EQ(store.order.size(), 6u) << "the reference, two repeats, two multiples, the paper: none twice";
+        EXPECT_EQ(store.order.size(), 5u)
+            << "the reference, which multiple 1 is too, two repeats, multiple 2.2, the paper: none twice";
         expectSame(second, whole);
         EXPECT_TRUE(second.reference.kept);
         options.store = nullptr;
     }
+}
+
+TEST_F(AccuracyStudy, SettingsThatDifferInNothingThatCountsAreSimulatedOnce) {
+    MemoryStore store;
+    options.store = &store;
+    const std::vector<VariedParameter> varied{{"bodies_max", {"4500", "4000"}}, {"iterations", {"10", "20"}}};
+    const auto sweep = [&] {
+        return accuracyStudy(inputs, scenario, sweepSettings(scenario, std::vector<std::string>{"2.2"}, varied), options,
+                             Execution());
+    };
+    const AccuracyReport report = sweep();
+    ASSERT_TRUE(report.complete);
+    ASSERT_EQ(report.points.size(), 5u);
+    // The reference, its repeats, the one setting, the published method.
+    EXPECT_EQ(store.worlds.size(), 1u + static_cast<std::size_t>(options.study.repeats) + 2u);
+    for (std::size_t i = 1; i < 4; ++i) {
+        EXPECT_TRUE(report.points[i].done);
+        EXPECT_EQ(report.points[i].trajectoryHash, report.points[0].trajectoryHash);
+        EXPECT_EQ(report.points[i].difference.values, report.points[0].difference.values);
+        EXPECT_EQ(report.points[i].bodiesPeak, report.points[0].bodiesPeak);
+    }
+    // It is what each of them would have come to alone.
+    options.store = nullptr;
+    for (const AccuracySetting& setting : sweepSettings(scenario, std::vector<std::string>{"2.2"}, varied)) {
+        const AccuracyReport alone = accuracyStudy(inputs, scenario, std::vector{setting}, options, Execution());
+        const auto same = std::find_if(report.points.begin(), report.points.end(),
+                                       [&](const AccuracyPoint& point) { return point.setting == setting.name; });
+        ASSERT_NE(same, report.points.end());
+        EXPECT_EQ(alone.points[0].trajectoryHash, same->trajectoryHash);
+    }
+    // What is kept of one of them serves the others on a second start.
+    options.store = &store;
+    const std::size_t before = store.worlds.size();
+    const AccuracyReport second = sweep();
+    EXPECT_TRUE(second.complete);
+    EXPECT_TRUE(std::all_of(second.points.begin(), second.points.end(), [](const AccuracyPoint& point) { return point.kept; }));
+    EXPECT_EQ(store.worlds.size(), before);
+    // A substep counts.
+    const std::vector<VariedParameter> different{{"substeps", {"4", "5"}}};
+    const AccuracyReport two =
+        accuracyStudy(inputs, scenario, sweepSettings(scenario, std::vector<std::string>{"2.2"}, different), options, Execution());
+    EXPECT_NE(two.points[0].trajectoryHash, two.points[1].trajectoryHash);
 }
 
 TEST_F(AccuracyStudy, CostsAreMeasuredOnceAndTakenUp) {
@@ -216,7 +260,7 @@ TEST_F(AccuracyStudy, CostsAreMeasuredOnceAndTakenUp) {
         return std::make_unique<Blank>();
     };
     const AccuracyReport first = study();
-    EXPECT_EQ(screens, 4);
+    EXPECT_EQ(screens, 3) << "multiple 1 is the reference";
     EXPECT_GT(first.reference.cost.wallSeconds, 0.0);
     for (const AccuracyPoint& point : first.points) {
         EXPECT_GT(point.cost.wallSeconds, 0.0) << point.setting;
@@ -225,14 +269,14 @@ TEST_F(AccuracyStudy, CostsAreMeasuredOnceAndTakenUp) {
         EXPECT_GT(point.cost.fps, 0.0);
     }
     const AccuracyReport second = study();
-    EXPECT_EQ(screens, 4) << "nothing is measured twice";
+    EXPECT_EQ(screens, 3) << "nothing is measured twice";
     EXPECT_EQ(second.points[0].cost.wallSeconds, first.points[0].cost.wallSeconds);
     EXPECT_EQ(second.points[0].cost.fps, first.points[0].cost.fps);
-    store.costs[first.points[0].origin.key].othersShare = 0.5;
+    store.costs[first.points[1].origin.key].othersShare = 0.5;
     EXPECT_GE(study().findings.count("accuracy.disturbed"), 1);
     options.retimed = true;
     study();
-    EXPECT_EQ(screens, 8) << "everything is measured again";
+    EXPECT_EQ(screens, 6) << "everything is measured again";
 }
 
 TEST_F(AccuracyStudy, WithoutADisplayEverythingElseIsMeasured) {
@@ -257,7 +301,7 @@ TEST_F(AccuracyStudy, AFullDiskLosesNoPoint) {
     const AccuracyReport report = study();
     EXPECT_TRUE(report.complete);
     EXPECT_TRUE(report.points[0].done);
-    EXPECT_EQ(report.findings.count("accuracy.not_kept"), 6);
+    EXPECT_EQ(report.findings.count("accuracy.not_kept"), 5);
 }
 
 TEST_F(AccuracyStudy, AWorldWithoutMemoryTakesNoOtherWithIt) {

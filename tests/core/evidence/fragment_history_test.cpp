@@ -4,41 +4,18 @@
 
 #include <cmath>
 
+#include "tests/core/evidence/carried_fragment.h"
+
 namespace rubble {
 namespace {
 
 constexpr double g = 9.80665;
 
-/// One fragment that one body carries along a path of places.
-struct OnePath {
-    FragmentSet fragments;
-    MemoryTrajectory trajectory;
+struct OnePath : CarriedFragment {
     Debris debris;
 
     template <class Path>
-    OnePath(double end, double interval, Path path, double birth = 0.0) {
-        Fragment fragment;
-        fragment.mass = 10.0;
-        fragment.centre = path(0.0);
-        fragment.birthTime = birth;
-        fragment.endTime = std::numeric_limits<double>::infinity();
-        fragments.list.push_back(fragment);
-        trajectory.begin({});
-        BodyRecord body;
-        body.atBirth.position = fragment.centre;
-        const Carrier carrier{
-            FragmentId{0}, BodyId{0}, 0.0, std::numeric_limits<double>::infinity(), {-fragment.centre, Quat::Identity()}};
-        trajectory.addBodies(std::span(&body, 1), std::span(&carrier, 1));
-        for (int k = 0; k * interval <= end + 1e-9; ++k) {
-            TrajectoryFrame frame;
-            frame.time = k * interval;
-            frame.positions = {path(frame.time).template cast<float>()};
-            frame.orientations = {Eigen::Quaternionf::Identity()};
-            frame.speeds = {0.0f};
-            frame.states = {BodyState::Awake};
-            trajectory.commit(frame);
-        }
-        trajectory.finish({});
+    OnePath(double end, double interval, Path path, double birth = 0.0) : CarriedFragment(end, interval, path, birth) {
         DebrisFragment lies;
         lies.present = true;
         lies.centre = path(end);

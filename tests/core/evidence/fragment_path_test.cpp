@@ -5,42 +5,18 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/simulation/simulation.h"
+#include "tests/core/evidence/carried_fragment.h"
 
 namespace rubble {
 namespace {
 
 constexpr double g = 9.80665;
 
-/// One fragment that one body carries along a path of places, at 50 frames a second.
-struct Flight {
-    FragmentSet fragments;
-    MemoryTrajectory trajectory;
-
+/// At 50 frames a second.
+struct Flight : CarriedFragment {
     template <class Place>
-    Flight(double end, Place place, double leaves = std::numeric_limits<double>::infinity()) {
-        Fragment fragment;
-        fragment.mass = 10.0;
-        fragment.centre = place(0.0);
-        fragment.endTime = std::numeric_limits<double>::infinity();
-        fragments.list.push_back(fragment);
-        trajectory.begin({});
-        BodyRecord body;
-        body.atBirth.position = fragment.centre;
-        const Carrier carrier{
-            FragmentId{0}, BodyId{0}, 0.0, std::numeric_limits<double>::infinity(), {-fragment.centre, Quat::Identity()}};
-        trajectory.addBodies(std::span(&body, 1), std::span(&carrier, 1));
-        for (int k = 0; 0.02 * k <= end + 1e-9; ++k) {
-            TrajectoryFrame frame;
-            frame.time = 0.02 * k;
-            frame.positions = {place(frame.time).template cast<float>()};
-            frame.orientations = {Eigen::Quaternionf::Identity()};
-            frame.speeds = {0.0f};
-            frame.states = {frame.time < leaves ? BodyState::Awake : BodyState::Removed};
-            trajectory.commit(frame);
-        }
-        trajectory.finish({});
-    }
+    Flight(double end, Place place, double leaves = std::numeric_limits<double>::infinity())
+        : CarriedFragment(end, 0.02, place, 0.0, leaves) {}
     FragmentPath path() const { return fragmentPath(fragments, trajectory, FragmentId{0}, g, Execution()); }
 };
 

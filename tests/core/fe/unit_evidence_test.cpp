@@ -122,14 +122,22 @@ TEST(UnitEvidence, FreeFallIsSeenInNodesThatNothingHoldsAndInNoOthers) {
     falling.gravity = 9.80665;
     falling.deathState = [](std::size_t) { return std::size_t{2}; };
     const auto fe = blocks::makeScene({falling}, 8, 0.1);
-    const UnitEvidence seen = evidenceOf(fe->contents(), true, Execution{});
+    UnitEvidence seen = evidenceOf(fe->contents());
+    addSeenFall(seen, fe->contents(), Execution{});
     ASSERT_TRUE(seen.fall);
+    EXPECT_TRUE(seen.freely);
     EXPECT_NEAR(seen.fall->z(), -9.80665, 1e-6);
     EXPECT_LT(seen.fall->head<2>().norm(), 1e-6);
     EXPECT_EQ(proposeUnits(seen).choice, "kg-m-s");
 
     falling.deathState = [](std::size_t) { return blocks::never; };
-    EXPECT_FALSE(evidenceOf(blocks::makeScene({falling}, 8, 0.1)->contents(), true, Execution{}).fall) << "all nodes are held";
+    const auto whole = blocks::makeScene({falling}, 8, 0.1);
+    UnitEvidence held = evidenceOf(whole->contents());
+    addSeenFall(held, whole->contents(), Execution{});
+    ASSERT_TRUE(held.fall) << "it comes down as a whole";
+    EXPECT_FALSE(held.freely);
+    EXPECT_NEAR(held.fall->z(), -9.80665, 1e-6);
+    EXPECT_EQ(proposeUpAxis(held).choice, "z");
 }
 
 TEST(UnitEvidence, EvidenceGoesBackIntoTheUnitsOfTheFile) {

@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "core/fe/frame_transform.h"
 #include "io/fe_reader.h"
-#include "io/frame_transform.h"
 #include "tests/io/collapse_identity.h"
 #include "tests/io/d3plot/d3plot_builder.h"
 #include "tests/io/temporary_folder.h"
@@ -262,6 +262,14 @@ TEST_F(D3plotReader, AMissingNumberEndsTheFamilyAndIsSaid) {
     const auto fe = openFe(m_folder / "d3plot", {}, {}, Execution{});
     EXPECT_EQ(fe->stateCount(), 2u);
     EXPECT_EQ(fe->contents().findings.count("d3plot.left_behind"), 2);
+    // Without the first file nobody can tell what the others hold.
+    std::filesystem::remove(m_folder / "d3plot");
+    try {
+        openFe(m_folder / "d3plot04", {}, {}, Execution{});
+        FAIL();
+    } catch (const ParseError& error) {
+        EXPECT_THAT(englishText(error.remedy()), ::testing::HasSubstr("the first file of the family, d3plot, beside it"));
+    }
 }
 
 TEST_F(D3plotReader, AFamilyBeingWrittenOpensUpToItsLastCompleteState) {
@@ -320,6 +328,29 @@ TEST_F(D3plotReader, AFileOfAnotherAnalysisIsLeftOutWhateverItsLength) {
         const auto fe = openFe(m_folder / "d3plot", {}, {}, Execution{});
         EXPECT_EQ(fe->times(), (std::vector<double>{0, 0.5, 1.5, 2})) << cubes;
         EXPECT_EQ(fe->contents().findings.count("d3plot.foreign_file"), 1) << cubes;
+    }
+}
+
+TEST_F(D3plotReader, AFileOfAnotherWordFormatIsLeftOut) {
+    for (const WordFormat own : {WordFormat{4, false}, WordFormat{4, true}, WordFormat{8, false}, WordFormat{8, true}}) {
+        for (const WordFormat other : {WordFormat{4, false}, WordFormat{4, true}, WordFormat{8, false}, WordFormat{8, true}}) {
+            if (own.bytes == other.bytes && own.bigEndian == other.bigEndian) {
+                continue;
+            }
+            D3plotBuilder builder = everyKind();
+            builder.format = own;
+            builder.statesPerFile = 1;
+            builder.write(m_folder / "d3plot");
+            D3plotBuilder foreign = everyKind();
+            foreign.format = other;
+            foreign.cubes = 20;
+            foreign.statesPerFile = 5;
+            foreign.times = {1.1e6, 1.2e6, 1.3e6, 1.4e6, 1.5e6};
+            std::ofstream(m_folder / "d3plot03", std::ios::binary) << foreign.files()[1];
+            const auto fe = openFe(m_folder / "d3plot", {}, {}, Execution{});
+            EXPECT_EQ(fe->times(), (std::vector<double>{0, 0.5, 1.5, 2})) << own.bytes << own.bigEndian << other.bytes;
+            EXPECT_EQ(fe->contents().findings.count("d3plot.foreign_file"), 1) << own.bytes << other.bytes;
+        }
     }
 }
 

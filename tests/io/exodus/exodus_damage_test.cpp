@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "io/exodus/classic_header.h"
+#include "io/exodus/exodus_reader.h"
 #include "io/fe_reader.h"
 #include "tests/io/exodus/exodus_builder.h"
 #include "tests/io/temporary_folder.h"
@@ -107,10 +108,12 @@ TEST(ExodusDamage, EveryTruncationIsAnErrorAndSaysSo) {
         ASSERT_TRUE(readsWhole(folder / "whole.exo"));
         const std::string bytes = bytesOf(folder / "whole.exo");
         ::testing::internal::CaptureStderr();
-        // The whole header, then all places of the data at a stride that meets every variable.
-        for (std::size_t size = 1; size < bytes.size(); size += netcdf4 ? 97 : (size < 4000 ? 13 : 41)) {
-            put(folder / "cut.exo", bytes.substr(0, size));
-            EXPECT_FALSE(readsWhole(folder / "cut.exo")) << size << " of " << bytes.size();
+        put(folder / "cut.exo", bytes);
+        for (std::size_t size = bytes.size(); --size > 0;) {
+            std::filesystem::resize_file(folder / "cut.exo", size);
+            ASSERT_THROW(readExodus(folder / "cut.exo", {}, Execution{}), ParseError) << size << " of " << bytes.size();
+            // What openFe() does besides takes most of the time.
+            EXPECT_FALSE(size % 997 == 1 && readsWhole(folder / "cut.exo")) << size << " of " << bytes.size();
         }
         EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "libraries do not speak to the user";
         put(folder / "cut.exo", bytes.substr(0, bytes.size() - 100));

@@ -50,6 +50,7 @@ std::vector<Derived> allDerived() {
         {"VtkHdf", "vtkhdf/transient20.vtkhdf", "VTKHDF", 16, 1e-5, Masses::None},
         {"Xdmf", "xdmf/proj.xdmf", "XDMF", 16, 1e-5, Masses::None},
         {"ExodusZeroIsAlive", "exodus/elem_status0alive.exo", "Exodus II", 16, 1e-5, Masses::None},
+        {"ExodusDeathStatus", "exodus/death_status.exo", "Exodus II", 16, 1e-5, Masses::None},
         {"ExodusSequence", "exodus/seq.e-s0004", "Exodus II", 16, 1e-5, Masses::None},
         {"AbaqusAscii", "abaqus-fil/proj_ascii.fil", "Abaqus results file", 6, 1e-5},
         {"AbaqusBinary", "abaqus-fil/proj_binle.fil", "Abaqus results file", 6, 1e-5},

@@ -206,6 +206,36 @@ TEST_F(GridTest, ALastFileThatIsStillBeingWrittenIsLeftOut) {
     EXPECT_LT(sequence->activity().activeCount(sequence->stateCount() - 1), 1004u);
 }
 
+TEST_F(GridTest, AMissingNumberIsSaid) {
+    for (const int k : {0, 10, 20, 40, 50}) {
+        put(m_folder / ("wall_" + std::to_string(k) + ".vtk"), legacy(0.1 * k, k > 40, false, "STATUS"));
+    }
+    const auto fe = open("wall_20.vtk");
+    EXPECT_EQ(fe->stateCount(), 5u);
+    EXPECT_EQ(fe->contents().findings.count("fe.gap"), 1);
+    put(m_folder / "wall_30.vtk", legacy(3.0, false, false, "STATUS"));
+    EXPECT_EQ(open("wall_20.vtk")->contents().findings.count("fe.gap"), 0);
+    // Numbers of iterations come as they come.
+    put(m_folder / "wall_53.vtk", legacy(5.3, true, false, "STATUS"));
+    EXPECT_EQ(open("wall_20.vtk")->contents().findings.count("fe.gap"), 0);
+}
+
+// The times stand in the index: without it a member would open with wrong ones.
+TEST_F(GridTest, AMemberOfASeriesThatLacksAFileSaysWhich) {
+    put(m_folder / "wall_0.vtk", legacy(0.0, false, false, "STATUS"));
+    put(m_folder / "wall.vtk.series",
+        "{\"file-series-version\": \"1.0\", \"files\": [{\"name\": \"wall_0.vtk\", \"time\": 0.0}, {\"name\": \"wall_1.vtk\", "
+        "\"time\": 0.25}]}");
+    try {
+        open("wall_0.vtk");
+        FAIL();
+    } catch (const WorldError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("wall_1.vtk, which is not there"));
+    }
+    put(m_folder / "wall_1.vtk", legacy(9.0, true, false, "STATUS"));
+    EXPECT_EQ(open("wall_0.vtk")->times(), (std::vector<double>{0.0, 0.25}));
+}
+
 TEST_F(GridTest, AnIndexThatNamesAMissingFileSaysWhich) {
     put(m_folder / "wall.pvd",
         "<?xml version=\"1.0\"?><VTKFile type=\"Collection\"><Collection><DataSet timestep=\"0\" "
@@ -327,7 +357,7 @@ TEST_F(GridTest, ASmallAnsysResultCutOffAtEveryByteIsReadOrRefused) {
     for (std::size_t length = bytes.size(); length-- > 0;) {
         fs::resize_file(m_folder / "small.rst", length);
         try {
-            const FeResult cut(readRst(m_folder / "small.rst", {}, {}, Execution{}));
+            const FeResult cut(readRst(m_folder / "small.rst", {}, Execution{}));
             for (std::size_t k = 0; k < cut.stateCount(); ++k) {
                 cut.state(k);
             }

@@ -56,7 +56,7 @@ protected:
             openFe(path, {}, {}, Execution{});
             return;
         }
-        FeResult::Contents contents = found->read(path, {}, {}, Execution{});
+        FeResult::Contents contents = found->read(path, {}, Execution{});
         const auto& times = contents.times;
         if (std::adjacent_find(times.begin(), times.end(), [](double a, double b) { return !(a < b); }) != times.end()) {
             openFe(path, {}, {}, Execution{});
@@ -214,6 +214,22 @@ TEST_F(FormatTest, AListOfDeathsCountsWhereTheFileSaysNothing) {
     EXPECT_THAT(errorOf("wall.cdb"), HasSubstr("line 2"));
 }
 
+// What is only concluded gives way to what somebody states; what the file says does not.
+TEST_F(FormatTest, AListOfDeathsCountsBeforeWhatIsConcluded) {
+    put(m_folder / "small.frd", smallFrd());
+    put(m_folder / "small.t19", smallMarc(false));
+    put(m_folder / "small.fil", smallFil());
+    for (const char* name : {"small.frd", "small.t19", "small.fil"}) {
+        const bool told = std::string(name) == "small.fil";
+        put(m_folder / (std::string(name) + ".deaths.csv"), "1,0.5\n");
+        const auto fe = open(name);
+        EXPECT_EQ(fe->activity().active(1, idAt<ElementIndex>(0)), told) << name;
+        EXPECT_EQ(fe->activity().active(2, idAt<ElementIndex>(1)), !told) << name;
+        EXPECT_EQ(fe->contents().findings.count("fe.death_list.unused"), told ? 1 : 0) << name;
+        EXPECT_EQ(fe->contents().files.size(), 2u) << name;
+    }
+}
+
 TEST_F(FormatTest, TheDeckGivesDensityAndParts) {
     put(m_folder / "small.fil", smallFil());
     put(m_folder / "small.inp", smallDeck());
@@ -245,6 +261,17 @@ TEST_F(FormatTest, AStateThatIsStillBeingWrittenIsLeftOut) {
     const auto marc = open("small.t19");
     EXPECT_EQ(marc->stateCount(), 2u);
     EXPECT_EQ(marc->contents().findings.count("fe.unfinished"), 1);
+    // Within the nodes of its last state, in the middle of a number.
+    put(m_folder / "small.t19", text.substr(0, text.rfind("=end=") - 200));
+    EXPECT_EQ(open("small.t19")->stateCount(), 2u);
+    for (int k = 0; k < 3; ++k) {
+        const std::string cdb = smallCdb(k);
+        put(m_folder / ("wall_" + std::to_string(k) + ".cdb"), k == 2 ? cdb.substr(0, cdb.size() / 2) : cdb);
+    }
+    EXPECT_EQ(open("wall_0.cdb")->stateCount(), 2u);
+    EXPECT_EQ(open("wall_2.cdb")->contents().findings.count("fe.unfinished"), 1);
+    put(m_folder / "wall_1.cdb", smallCdb(1).substr(0, 300));
+    EXPECT_THAT(errorOf("wall_0.cdb"), HasSubstr("wall_1.cdb"));
     const std::string fil = smallFil();
     put(m_folder / "small.fil", fil.substr(0, fil.size() - 400));
     const auto fe = open("small.fil");

@@ -1,6 +1,7 @@
 #include "io/geo/map_files.h"
 
 #include <gdal_priv.h>
+#include <gdal_utils.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <ogr_spatialref.h>
@@ -8,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -92,7 +94,7 @@ TEST_F(MapFiles, ATiffGivesBackEveryValueAtItsPlace) {
     ASSERT_EQ(file->GetGeoTransform(g.data()), CE_None);
     EXPECT_EQ(g[1], 0.25);
     EXPECT_EQ(g[5], -0.25);
-    ASSERT_EQ(file->GetRasterCount(), static_cast<int>(mapLayerCount));
+    ASSERT_EQ(file->GetRasterCount(), 11);
     const int columns = file->GetRasterXSize();
     const int rows = file->GetRasterYSize();
     for (int b = 1; b <= file->GetRasterCount(); ++b) {
@@ -134,6 +136,45 @@ TEST_F(MapFiles, ATiffSaysWhatItIs) {
     EXPECT_TRUE(known);
     EXPECT_STREQ(file->GetRasterBand(6)->GetMetadataItem("COMPONENT_0"), "deck, upper");
     EXPECT_EQ(contentOf(m_tiff + ".provenance.json"), "{\"map\": 1}\n");
+}
+
+/// What the program gdalinfo prints: it is this function of the library.
+std::string gdalInfo(GDALDataset& file) {
+    const std::unique_ptr<GDALInfoOptions, decltype(&GDALInfoOptionsFree)> plain(GDALInfoOptionsNew(nullptr, nullptr),
+                                                                                 GDALInfoOptionsFree);
+    char* text = GDALInfo(GDALDataset::ToHandle(&file), plain.get());
+    std::string printed(text);
+    CPLFree(text);
+    return printed;
+}
+
+TEST_F(MapFiles, GdalinfoPrintsSystemExtentUnitsAndNodata) {
+    writeTiff();
+    const GDALDatasetUniquePtr file = open(m_tiff, GDAL_OF_RASTER);
+    ASSERT_TRUE(file);
+    const std::string printed = gdalInfo(*file);
+    for (const char* wanted :
+         {"Driver: GTiff/GeoTIFF", "PROJCRS[\"ETRS89 / UTM zone 32N\"", "ID[\"EPSG\",25832]", "LENGTHUNIT[\"metre\",1]",
+          "Pixel Size = (0.250000000000000,-0.250000000000000)", "RUBBLE_TIME_S=3.5", "AREA_OR_POINT=Area", "Description = mass",
+          "Unit Type: kg/m2", "Description = height", "NoData Value=-9999"}) {
+        EXPECT_THAT(printed, HasSubstr(wanted));
+    }
+    std::size_t nodata = 0;
+    for (std::size_t at = 0; (at = printed.find("NoData Value=-9999", at)) != std::string::npos; ++at) {
+        ++nodata;
+    }
+    EXPECT_EQ(nodata, m_map.present().size()) << "every band says what means nothing";
+    // The corners hold all cells, and lie where the frame of the case puts them.
+    std::array<double, 2> upper{};
+    ASSERT_EQ(std::sscanf(printed.c_str() + printed.find("Upper Left"), "Upper Left  ( %lf, %lf)", &upper[0], &upper[1]), 2);
+    std::int32_t west = m_map.cells.front().i;
+    std::int32_t north = m_map.cells.front().j;
+    for (const MapCell& cell : m_map.cells) {
+        west = std::min(west, cell.i);
+        north = std::max(north, cell.j);
+    }
+    EXPECT_NEAR(upper[0], 500000.0 + 0.25 * west, 0.26);
+    EXPECT_NEAR(upper[1], 5700000.0 + 0.25 * (north + 1), 0.26);
 }
 
 TEST_F(MapFiles, ALocalCaseHasALocalSystemInMetres) {

@@ -1,0 +1,130 @@
+#include "app/gui/figure_return.h"
+
+#include <QFileInfo>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "app/gui/computation.h"
+#include "app/gui/document.h"
+#include "app/gui/recent_cases.h"
+#include "core/base/error.h"
+#include "widgets/figures/view_json.h"
+
+namespace rubble {
+
+FigureReturn::FigureReturn(Document& document, Computation& computation, QObject* parent)
+    : QObject(parent), m_document(document), m_computation(computation) {
+    connect(&m_computation, &Computation::prepared, this, &FigureReturn::prepared);
+    connect(&m_computation, &Computation::runReopened, this, [this] {
+        if (m_going && m_going->runAsked) {
+            show();
+        }
+    });
+    connect(&m_computation, &Computation::failed, this, [this] { m_going.reset(); });
+}
+
+bool FigureReturn::carriesSource(const QString& path) {
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (ending != QLatin1String("png") && ending != QLatin1String("svg") && ending != QLatin1String("pdf") &&
+        ending != QLatin1String("mp4")) {
+        return false;
+    }
+    try {
+        return io::readProvenance(path.toStdString()).has_value();
+    } catch (const Error&) {
+        // It does, but is damaged: that is told when it is read again.
+        return QFileInfo::exists(path);
+    }
+}
+
+void FigureReturn::begin(const QString& path) {
+    auto going = std::make_shared<Going>();
+    going->figure = path;
+    std::vector<std::string> known;
+    if (!m_document.path().isEmpty()) {
+        known.push_back(m_document.path().toStdString());
+    }
+    for (const RecentCase& recent : RecentCases({}).list()) {
+        known.push_back(recent.path.toStdString());
+    }
+    m_computation.write(
+        [going, known](const Execution& execution) {
+            execution.report({"gui.finding_case", "Finding the case of the figure", {}}, 0.0);
+            const auto provenance = io::readProvenance(going->figure.toStdString());
+            if (!provenance) {
+                throw UsageError({"gui.no_provenance", "{0} does not say what it was made from", {going->figure.toStdString()}},
+                                 {"gui.no_provenance.remedy", "Open the case itself.", {}});
+            }
+            going->provenance = *provenance;
+            going->source = io::findSource(*provenance, going->figure.toStdString(), known, execution);
+        },
+        [this, going](const std::exception_ptr& thrown) {
+            if (const auto failure = failureOf(thrown)) {
+                emit failed(failure->what, failure->remedy);
+            } else if (thrown == nullptr) {
+                m_going = *going;
+                found();
+            }
+        });
+}
+
+void FigureReturn::found() {
+    const QString path = QString::fromStdString(m_going->source.path);
+    const auto& fe = m_computation.inputs().fe;
+    const bool here = fe != nullptr && fe->contents().sha256 == m_going->provenance.feSha256 &&
+                      (!m_going->source.isCase || QFileInfo(m_document.path()) == QFileInfo(path));
+    m_going->opened = here;
+    if (here) {
+        prepared();
+        return;
+    }
+    const Going kept = *m_going;
+    emit openRequested(path);
+    // Opening forgets what was begun, unless it was begun here.
+    m_going = kept;
+    m_going->opened = true;
+}
+
+void FigureReturn::prepared() {
+    const auto& fe = m_computation.inputs().fe;
+    if (!m_going || !m_going->opened || m_going->runAsked || fe == nullptr ||
+        fe->contents().sha256 != m_going->provenance.feSha256) {
+        return;
+    }
+    const std::string& scenario = m_going->source.scenarioId;
+    if (!scenario.empty() && m_document.active() != nullptr && m_document.active()->id != scenario) {
+        m_document.activateScenario(scenario);
+        return;  // comes back when that is prepared
+    }
+    const RunRecord* record = m_computation.currentRun();
+    const bool shown = record != nullptr && record->reader != nullptr &&
+                       record->reader->origin().fingerprint.hex() == m_going->provenance.fingerprint;
+    if (!shown && !m_going->source.runPath.empty()) {
+        m_going->runAsked = true;
+        m_computation.showRun(QString::fromStdString(m_going->source.runPath), std::nan(""));
+        return;
+    }
+    show();
+}
+
+void FigureReturn::show() {
+    const Going going = *std::exchange(m_going, std::nullopt);
+    try {
+        if (!going.provenance.view.empty()) {
+            emit viewRequested(figures::viewFromJson(going.provenance.view, going.figure.toStdString()));
+        }
+        const RunRecord* record = m_computation.currentRun();
+        const bool same = record != nullptr && record->reader != nullptr &&
+                          record->reader->origin().fingerprint.hex() == going.provenance.fingerprint;
+        const QString name = QFileInfo(going.figure).fileName();
+        emit told(going.provenance.fingerprint.empty() || same
+                      ? tr("Shown as in %1").arg(name)
+                      : tr("The view of %1; its run is not kept here, so simulate to see its fragments").arg(name));
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        emit failed(failure->what, failure->remedy);
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <optional>
+
+#include "io/provenance.h"
+#include "widgets/render/view.h"
+
+namespace rubble {
+
+class Computation;
+class Document;
+
+/// The way back from an exported figure or movie: finds its case, opens it, shows its run and looks as the figure does.
+class FigureReturn : public QObject {
+    Q_OBJECT
+
+public:
+    FigureReturn(Document& document, Computation& computation, QObject* parent = nullptr);
+
+    /// Whether a file carries what it was made from.
+    static bool carriesSource(const QString& path);
+    /// Looks for its case; goes on through openRequested() and viewRequested(), or failed().
+    void begin(const QString& path);
+    /// Another file was opened by the user: what was begun is forgotten.
+    void forget() { m_going.reset(); }
+
+signals:
+    void openRequested(const QString& path);
+    /// The case is open, and shows what it did.
+    void viewRequested(const rubble::render::View& view);
+    void told(const QString& what);
+    void failed(const QString& what, const QString& remedy);
+
+private:
+    struct Going {
+        QString figure;
+        io::ReadProvenance provenance;
+        io::ExportSource source;
+        bool opened = false;
+        bool runAsked = false;
+    };
+    void found();
+    void prepared();
+    void show();
+
+    Document& m_document;
+    Computation& m_computation;
+    std::optional<Going> m_going;
+};
+
+}  // namespace rubble

@@ -1,0 +1,212 @@
+#include "app/gui/picture_export.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/gui/computation.h"
+#include "app/gui/document.h"
+#include "app/gui/export_source.h"
+#include "core/base/build.h"
+#include "io/provenance.h"
+#include "widgets/figures/figure_file.h"
+#include "widgets/figures/view_json.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr double movieDpi = 110.0;
+
+double lastInstant(const render::SceneData& data) {
+    const double end = data.fe->times().back();
+    const auto& run = data.trajectory;
+    return run != nullptr && run->frameCount() > 0 ? std::max(end, run->frameTime(run->frameCount() - 1)) : end;
+}
+
+figures::Sheet sheetFor(const widgets::FigureChoice& choice, const render::View& view, const render::SceneData& data, QSize pixels,
+                        double dpi) {
+    if (!choice.preset) {
+        return figures::sheetOf(view);
+    }
+    figures::PresetRequest request;
+    request.preset = *choice.preset;
+    request.end = lastInstant(data);
+    return figures::presetSheet(request, view, data, pixels, dpi);
+}
+
+std::string footLine(const io::RunOrigin& origin, bool simulated) {
+    return "FE " + origin.feSha256.substr(0, 16) + (simulated ? ", run " + origin.fingerprint.hex().substr(0, 16) : std::string()) +
+           ", " + origin.build;
+}
+
+/// What a figure or movie is made of, kept alive while that takes.
+struct Made {
+    io::RunOrigin origin;
+    std::shared_ptr<io::RunReader> run;
+    std::string casePath;
+};
+
+Made madeNow(const Document& document, const Computation& computation) {
+    const RunRecord* record = computation.currentRun();
+    return {shownOrigin(document, computation), record != nullptr ? record->reader : nullptr, document.path().toStdString()};
+}
+
+void writeFigureFile(const std::string& path, const widgets::FigureChoice& choice, const render::View& view,
+                     const render::SceneData& data, const Made& made) {
+    figures::FigureStyle style;
+    style.pixels = choice.pixels;
+    style.dpi = choice.dpi;
+    style.provenance = footLine(made.origin, made.run != nullptr);
+    figures::Studio studio(data);
+    const figures::SheetPicture picture = studio.sheet(sheetFor(choice, view, data, style.pixels, style.dpi), style);
+    io::ExportRecord record{"figure", {}, {}, figures::toJson(choice.preset ? picture.panels().back().view : view), made.casePath};
+    for (const figures::SheetPicture::Panel& panel : picture.panels()) {
+        record.shown.push_back({panel.shown.caption.toStdString(), panel.shown.status.time, std::nullopt,
+                                figures::shownAs(panel.shown.content, panel.shown.status)});
+    }
+    figures::writeSheet(path, picture, style, io::exportProvenance(record, made.origin, made.run.get()));
+}
+
+/// Returns where the movie lies.
+std::string writeMovieFile(const std::string& path, const widgets::MovieChoice& choice, render::View view,
+                           const render::SceneData& data, const Made& made, const Execution& execution) {
+    view.captions = true;
+    view.time = choice.settings.from;
+    io::ExportRecord record{"movie", {}, {}, figures::toJson(view), made.casePath};
+    record.shown = {{"views", choice.settings.from, choice.settings.to,
+                     made.run != nullptr ? std::string(io::shownClass(FrameKind::Interpolated)) : "FE"}};
+    figures::FigureStyle style;
+    style.pixels = choice.pixels;
+    style.dpi = movieDpi * choice.pixels.height() / 720.0;
+    const auto target =
+        figures::movieTarget(path, style.pixels, choice.settings.fps, io::exportProvenance(record, made.origin, made.run.get()));
+    figures::Studio studio(data);
+    figures::makeMovie(studio, view, style, choice.settings, *target, execution);
+    return target->path();
+}
+
+}  // namespace
+
+io::RunOrigin shownOrigin(const Document& document, const Computation& computation) {
+    const RunRecord* record = computation.currentRun();
+    if (record != nullptr && record->reader != nullptr) {
+        return record->reader->origin();
+    }
+    const Inputs& inputs = computation.inputs();
+    io::RunOrigin origin;
+    origin.fePath = inputs.fe->contents().path;
+    origin.feSha256 = inputs.fe->contents().sha256;
+    origin.terrainPath = computation.terrain().path;
+    origin.terrainSha256 = computation.terrain().sha256;
+    origin.frame = inputs.frame;
+    origin.scenario = document.scenario();
+    origin.scenarioName = document.active() != nullptr ? document.active()->name : std::string();
+    origin.build = std::string(buildText());
+    origin.fingerprint = stageKey(inputs, origin.scenario, Stage::Simulation);
+    return origin;
+}
+
+PictureExport::PictureExport(Document& document, Computation& computation, QWidget& window)
+    : QObject(&window), m_document(document), m_computation(computation), m_window(window) {}
+
+QString PictureExport::proposed(const QString& suffix) const {
+    const QFileInfo base(m_document.base());
+    return base.absolutePath() + u'/' + base.completeBaseName() + suffix;
+}
+
+void PictureExport::tell(const QString& path, const std::exception_ptr& thrown) {
+    if (const auto failure = failureOf(thrown)) {
+        emit failed(failure->what, failure->remedy);
+    } else if (thrown == nullptr) {
+        emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    } else {
+        emit done(tr("Cancelled; nothing half-made is left"));
+    }
+}
+
+void PictureExport::exportFigure(const render::View& view, const render::SceneData& data) {
+    if (data.fe == nullptr) {
+        return;
+    }
+    widgets::FigureDialog dialog(m_last, &m_window);
+    connect(&dialog, &widgets::FigureDialog::previewRequested, &dialog, [&](const widgets::FigureChoice& choice) {
+        try {
+            // Smaller, with text as large for the picture as it will be.
+            constexpr double longest = 1120.0;
+            const double scale = std::min(1.0, longest / std::max(choice.pixels.width(), choice.pixels.height()));
+            figures::FigureStyle style;
+            style.pixels = {std::max(100, static_cast<int>(scale * choice.pixels.width())),
+                            std::max(100, static_cast<int>(scale * choice.pixels.height()))};
+            style.dpi = std::max(20.0, scale * choice.dpi);
+            style.provenance = footLine(shownOrigin(m_document, m_computation), data.trajectory != nullptr);
+            figures::Studio studio(data);
+            dialog.setPreview(studio.sheet(sheetFor(choice, view, data, style.pixels, style.dpi), style).image());
+        } catch (...) {
+            const auto failure = failureOf(std::current_exception());
+            dialog.setPreview({}, failure ? failure->what + u' ' + failure->remedy : QString());
+        }
+    });
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    m_last = dialog.choice();
+    QString path =
+        QFileDialog::getSaveFileName(&m_window, tr("Figure"), proposed(QStringLiteral(".png")), tr("Figures (*.png *.svg *.pdf)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    if (!figures::isFigurePath(path.toStdString())) {
+        path += QStringLiteral(".png");
+    }
+    exportFigureTo(path, m_last, view, data);
+}
+
+void PictureExport::exportFigureTo(const QString& path, const widgets::FigureChoice& choice, const render::View& view,
+                                   const render::SceneData& data) {
+    const Made made = madeNow(m_document, m_computation);
+    m_computation.write(
+        [path, choice, view, data, made](const Execution& execution) {
+            execution.report({"gui.drawing_figure", "Drawing the figure", {}}, 0.0);
+            writeFigureFile(path.toStdString(), choice, view, data, made);
+        },
+        [this, path](const std::exception_ptr& thrown) { tell(path, thrown); });
+}
+
+void PictureExport::exportMovie(const render::View& view, const render::SceneData& data) {
+    if (data.fe == nullptr) {
+        return;
+    }
+    widgets::MovieChoice choice;
+    choice.settings.from = data.fe->times().front();
+    choice.settings.to = lastInstant(data);
+    widgets::MovieDialog dialog(choice, figures::ffmpegInstalled(), &m_window);
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    choice = dialog.choice();
+    QString path = choice.encoded ? QFileDialog::getSaveFileName(&m_window, tr("Movie"), proposed(QStringLiteral(".mp4")),
+                                                                 tr("Movies (*.mp4)"))
+                                  : QFileDialog::getExistingDirectory(&m_window, tr("Folder for the pictures of the movie"),
+                                                                      QFileInfo(m_document.base()).absolutePath());
+    if (path.isEmpty()) {
+        return;
+    }
+    if (choice.encoded && !path.endsWith(QLatin1String(".mp4"), Qt::CaseInsensitive)) {
+        path += QStringLiteral(".mp4");
+    }
+    exportMovieTo(path, choice, view, data);
+}
+
+void PictureExport::exportMovieTo(const QString& path, const widgets::MovieChoice& choice, const render::View& view,
+                                  const render::SceneData& data) {
+    const Made made = madeNow(m_document, m_computation);
+    const auto lies = std::make_shared<std::string>();
+    m_computation.write(
+        [path, choice, view, data, made, lies](const Execution& execution) {
+            *lies = writeMovieFile(path.toStdString(), choice, view, data, made, execution);
+        },
+        [this, lies](const std::exception_ptr& thrown) { tell(QString::fromStdString(*lies), thrown); });
+}
+
+}  // namespace rubble

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QObject>
+#include <exception>
+#include <functional>
+
+#include "widgets/figure_dialog.h"
+#include "widgets/movie_dialog.h"
+#include "widgets/render/scene_data.h"
+#include "widgets/render/view.h"
+
+namespace rubble {
+
+class Computation;
+class Document;
+
+/// Figures and movies of what the views show: asks what they are to be, draws them on the worker, says what came of it.
+class PictureExport : public QObject {
+    Q_OBJECT
+
+public:
+    PictureExport(Document& document, Computation& computation, QWidget& window);
+
+    void exportFigure(const render::View& view, const render::SceneData& data);
+    void exportMovie(const render::View& view, const render::SceneData& data);
+    /// The same without asking.
+    void exportFigureTo(const QString& path, const widgets::FigureChoice& choice, const render::View& view,
+                        const render::SceneData& data);
+    void exportMovieTo(const QString& path, const widgets::MovieChoice& choice, const render::View& view,
+                       const render::SceneData& data);
+
+signals:
+    void done(const QString& what);
+    void failed(const QString& what, const QString& remedy);
+
+private:
+    QString proposed(const QString& suffix) const;
+    void tell(const QString& path, const std::exception_ptr& thrown);
+
+    Document& m_document;
+    Computation& m_computation;
+    QWidget& m_window;
+    widgets::FigureChoice m_last;
+};
+
+}  // namespace rubble

@@ -1,0 +1,155 @@
+#include "app/gui/report_work.h"
+
+#include <QDesktopServices>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QUrl>
+
+#include "app/gui/computation.h"
+#include "app/gui/document.h"
+#include "app/gui/panel_deck.h"
+#include "core/base/error.h"
+#include "core/selftest/report_checks.h"
+#include "io/fragment_places.h"
+#include "io/machine.h"
+#include "io/provenance.h"
+#include "io/report_facts.h"
+#include "widgets/figures/report/report_pictures.h"
+#include "widgets/report_panel.h"
+#include "widgets/wording.h"
+
+namespace rubble {
+
+namespace {
+
+/// Everything that the worker needs, as it was when it was asked for.
+struct Order {
+    io::ReportRequest request;
+    Case theCase;
+    widgets::ReportWishes wishes;
+    render::SceneData scene;
+    std::string folder;
+};
+
+std::string studyFolder() {
+    try {
+        return io::cacheFolder();
+    } catch (const WorldError&) {
+        return {};
+    }
+}
+
+void addSelfTest(ReportFacts& facts, const QString& scope, const Execution& execution) {
+    if (scope == QLatin1String("none")) {
+        return;
+    }
+    execution.report({"report.testing", "Testing this machine", {}}, 0.5);
+    const std::vector<std::string> ids =
+        scope == QLatin1String("all") ? std::vector<std::string>{} : std::vector<std::string>{scope.toStdString()};
+    facts.selfTest = selftest::reportChecks(selftest::runSuite(selftest::chosenCases(ids), {}, execution));
+    execution.check();
+    facts.selfTestScope = scope.toStdString();
+}
+
+void makeReport(Order& order, const Execution& execution) {
+    order.request.theCase = &order.theCase;
+    ReportFacts facts = io::reportFacts(order.request, execution);
+    addSelfTest(facts, order.wishes.selfTest, execution);
+    const io::RunReader& run = *order.request.run;
+    figures::MapPictureStyle place;
+    place.origin = io::WorldOffset(run.origin().frame).offset().head<2>();
+    place.system = run.origin().frame.crs;
+    figures::ReportPictures pictures = figures::drawReportPictures(order.scene, facts, place, execution);
+    pictures.say = [](const Message& message) { return widgets::worded(message); };
+    const io::ExportRecord record{
+        "report", {{"Debris at the end", facts.result->endTime, std::nullopt, "simulated"}}, {}, {}, order.request.casePath};
+    figures::writeReport(order.folder, facts, pictures, io::exportProvenance(record, run.origin(), &run));
+}
+
+}  // namespace
+
+ReportWork::ReportWork(Document& document, Computation& computation, PanelDeck& deck, std::function<render::SceneData()> scene,
+                       QWidget& window)
+    : QObject(&window),
+      m_document(document),
+      m_computation(computation),
+      m_deck(deck),
+      m_scene(std::move(scene)),
+      m_window(window) {
+    widgets::ReportPanel& panel = m_deck.report();
+    connect(&panel, &widgets::ReportPanel::writeRequested, this, &ReportWork::write);
+    connect(&panel, &widgets::ReportPanel::cancelRequested, this, [this] { m_computation.cancel(); });
+    connect(&panel, &widgets::ReportPanel::openRequested, this,
+            [](const QString& folder) { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+    refresh();
+}
+
+QString ReportWork::whyNot() const {
+    const RunRecord* record = m_computation.currentRun();
+    if (m_document.empty() || m_computation.inputs().fe == nullptr) {
+        return tr("Open a result first.");
+    }
+    if (record == nullptr || record->outcome == nullptr || record->running) {
+        return tr("Simulate first: a report is about a run that is complete.");
+    }
+    if (m_computation.runStale(m_document.scenario())) {
+        return tr("Settings have changed since this run. Simulate again, or undo the changes: a stale run is not reported.");
+    }
+    return {};
+}
+
+void ReportWork::refresh() {
+    const QString why = whyNot();
+    m_deck.report().setReady(why, m_writing);
+    m_deck.rail().setState(PanelDeck::Report, m_writing ? widgets::StageState::Running : widgets::StageState::NotYet, 0);
+}
+
+void ReportWork::write() {
+    if (!whyNot().isEmpty() || m_writing) {
+        return;
+    }
+    const QString folder =
+        QFileDialog::getExistingDirectory(&m_window, tr("Folder for the report"), QFileInfo(m_document.base()).absolutePath());
+    if (!folder.isEmpty()) {
+        writeTo(folder);
+    }
+}
+
+void ReportWork::writeTo(const QString& folder) {
+    if (!whyNot().isEmpty() || m_writing) {
+        return;
+    }
+    auto order = std::make_shared<Order>();
+    const RunRecord* record = m_computation.currentRun();
+    order->theCase = m_document.theCase();
+    order->wishes = m_deck.report().wishes();
+    order->scene = m_scene();
+    order->folder = folder.toStdString();
+    io::ReportRequest& request = order->request;
+    request.run = record->reader;
+    request.inputs = m_computation.inputs();
+    request.fePath = request.inputs.fe->contents().path;
+    request.terrainPath = m_computation.terrain().path;
+    request.casePath = m_document.path().toStdString();
+    request.question = order->wishes.question.toStdString();
+    request.author = order->wishes.author.toStdString();
+    request.repeats = order->wishes.repeats;
+    request.studyFolder = studyFolder();
+    m_writing = true;
+    refresh();
+    m_computation.write([order](const Execution& execution) { makeReport(*order, execution); },
+                        [this, folder](const std::exception_ptr& thrown) {
+                            m_writing = false;
+                            const auto failure = failureOf(thrown);
+                            m_deck.report().setError(failure ? failure->what : QString(), failure ? failure->remedy : QString());
+                            if (thrown == nullptr) {
+                                m_deck.report().setWritten(folder);
+                                emit told(tr("Report written to %1").arg(folder));
+                            } else if (!failure) {
+                                emit told(tr("The report was cancelled"));
+                            }
+                            refresh();
+                        });
+}
+
+}  // namespace rubble

@@ -1,0 +1,115 @@
+#include "app/python/recorded_run.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "io/exports.h"
+#include "io/fe_reader.h"
+#include "io/files.h"
+#include "io/geo/map_files.h"
+#include "io/terrain_reader.h"
+
+namespace rubble::python {
+
+namespace {
+
+void checkDigest(const std::string& path, const std::string& found, const std::string& wanted) {
+    if (found != wanted) {
+        throw WorldError(
+            {"python.input_differs", "{0} is not what the run was made from: its SHA-256 is {1}, not {2}.", {path, found, wanted}},
+            {"python.input_differs.remedy", "Give the file with that SHA-256 as fe, or simulate again.", {}});
+    }
+}
+
+}  // namespace
+
+RecordedRun::RecordedRun(std::shared_ptr<io::RunReader> reader, std::optional<Inputs> inputs)
+    : m_reader(std::move(reader)), m_inputs(std::move(inputs)) {}
+
+std::shared_ptr<const FragmentSet> RecordedRun::fragments() const {
+    auto fragments = m_reader->fragments();
+    if (!fragments) {
+        throw ParseError(
+            {"io.run.not_begun", "The run of {0} was stopped before its simulation began", {m_reader->origin().fePath}},
+            {"io.run.incomplete.remedy", "Run the case again to the end.", {}});
+    }
+    return fragments;
+}
+
+std::shared_ptr<const SimulationResult> RecordedRun::result() const {
+    auto result = m_reader->result();
+    if (!result) {
+        throw UsageError({"python.not_complete", "{0} is not complete: it has frames, but no outcome.", {m_reader->path()}},
+                         {"python.not_complete.remedy", "Use its frames, or run the case again to the end.", {}});
+    }
+    return result;
+}
+
+const Inputs& RecordedRun::inputs(const std::optional<std::string>& fe, const Execution& execution) {
+    if (m_inputs && !fe) {
+        return *m_inputs;
+    }
+    const io::RunOrigin& origin = m_reader->origin();
+    const std::string path = fe.value_or(origin.fePath);
+    checkDigest(path, io::sha256OfFe(path), origin.feSha256);
+    Inputs inputs;
+    inputs.fe = io::openFe(path, origin.scenario.import, origin.frame, execution);
+    inputs.frame = inputs.fe->contents().frame;
+    if (!origin.terrainPath.empty()) {
+        checkDigest(origin.terrainPath, io::sha256OfFile(origin.terrainPath), origin.terrainSha256);
+        inputs.terrain = io::openTerrain(origin.terrainPath, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), execution).grid;
+    }
+    m_inputs = std::move(inputs);
+    return *m_inputs;
+}
+
+const std::vector<std::string>& writtenKinds() {
+    static const std::vector<std::string> kinds{"fragments", "series", "bodies", "gltf"};
+    return kinds;
+}
+
+void RecordedRun::write(const std::string& kind, const std::string& path, const std::optional<std::string>& fe,
+                        const Execution& execution) {
+    if (kind == "fragments") {
+        io::exportFragments(path, *m_reader, execution);
+    } else if (kind == "series") {
+        io::exportSeries(path, *m_reader, *inputs(fe, execution).fe, execution);
+    } else if (kind == "bodies") {
+        io::exportBodies(path, *m_reader, execution);
+    } else if (kind == "gltf") {
+        io::exportGltf(path, *m_reader, execution);
+    } else {
+        throw UsageError(
+            {"python.kind", "There is no export of the kind \"{0}\".", {kind}},
+            {"python.kind.remedy", "Kinds: fragments, series, bodies, gltf; a debris map writes itself with save().", {}});
+    }
+}
+
+std::shared_ptr<const RecordedMap> RecordedRun::map(double cell, std::optional<double> time, bool live,
+                                                    const std::optional<std::string>& fe, const Execution& execution) {
+    const Inputs& of = inputs(fe, execution);
+    const MappedRun run{of.fe.get(), m_reader.get(), fragments(), m_reader->result(), of.terrain, m_reader->origin().scenario};
+    MapSettings settings;
+    settings.cell = cell;
+    return std::make_shared<RecordedMap>(RecordedMap{mapOfRun(run, time, settings, live, execution), m_reader});
+}
+
+void saveMap(const RecordedMap& map, const std::string& path, const Execution& execution) {
+    const DebrisMap& cells = map.made.map;
+    const io::MapOrigin origin = io::mapOrigin(*map.run, cells, map.made.shown);
+    if (path.ends_with(".tif") || path.ends_with(".tiff")) {
+        io::writeMapTiff(path, cells, cells.present(), origin, execution);
+    } else if (path.ends_with(".csv")) {
+        io::writeMapCsv(path, cells, cells.present(), origin, execution);
+    } else if (path.ends_with(".gpkg")) {
+        const auto fragments = map.run->fragments();
+        const io::MapFragments list{fragments.get(), &map.made.debris, map.run->elementIds(), map.made.arrivals, map.made.energies};
+        constexpr double contourSpacing = 0.5;
+        io::writeMapPackage(path, cells, list, contourSpacing, origin, execution);
+    } else {
+        throw UsageError({"python.map_format", "{0} does not say by its ending what kind of map it is to be.", {path}},
+                         {"python.map_format.remedy", "Endings: .tif (GeoTIFF), .gpkg (GeoPackage), .csv.", {}});
+    }
+}
+
+}  // namespace rubble::python

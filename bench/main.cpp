@@ -1,0 +1,21 @@
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+#include "bench/scale.h"
+
+// rubble-bench [options of the benchmark library]
+// rubble-bench scale [FOLDER [STATES]]: the table of sizes; results are kept in FOLDER, of the first STATES states
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    if (!words.empty() && words.front() == "scale") {
+        return rubble::scaleTable({words.begin() + 1, words.end()});
+    }
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
+        return 1;
+    }
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

@@ -1,0 +1,11 @@
+# cmake -DROOT=... -DOUT=... -P source_digest.cmake: writes a header that names the sources of core and io by their content.
+file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/core/*.cpp ${ROOT}/core/*.h ${ROOT}/io/*.cpp ${ROOT}/io/*.h)
+list(SORT sources)
+set(all "")
+foreach(source IN LISTS sources)
+    file(SHA256 ${ROOT}/${source} digest)
+    string(APPEND all "${source} ${digest}\n")
+endforeach()
+string(SHA256 digest "${all}")
+string(SUBSTRING ${digest} 0 8 digest)
+file(WRITE ${OUT} "#define RUBBLE_SOURCE_DIGEST \"${digest}\"\n")

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/analysis/debris_measures.h"
+#include "core/analysis/prediction.h"
+#include "core/analysis/repeat_floor.h"
+#include "core/evidence/ensemble.h"
+#include "core/evidence/photo_comparison.h"
+#include "core/evidence/run_map.h"
+#include "core/scenario/journal.h"
+#include "core/simulation/acknowledgement.h"
+
+namespace rubble {
+
+/// A file that a report rests on, as it was found when the report was made.
+struct ReportFile {
+    std::string role;  ///< "fe", "terrain", "photograph", "survey", "run", "case"
+    std::string path;
+    std::string sha256;
+};
+
+/// A photograph of the case and what came of holding the debris against it.
+struct ReportPhoto {
+    std::string name;
+    std::string sha256;
+    std::optional<CameraMatch> match;
+    std::optional<PhotoComparison> comparison;
+    Message problem;  ///< why there is no match or no comparison; empty if there is
+};
+
+/// One case of the self-test on this machine.
+struct ReportCheck {
+    std::string id;
+    std::string title;
+    std::string criterion;
+    bool passed = false;
+    double measured = std::numeric_limits<double>::quiet_NaN();  ///< of the number closest to its limit
+    double limit = std::numeric_limits<double>::quiet_NaN();
+    std::string unit;
+};
+
+/// Everything that a report of one run says, as values that trace to the run: text and pictures are made from this.
+struct ReportFacts {
+    std::string title;
+    std::string question;
+    std::string author;
+    std::string when;  ///< UTC
+    std::string machine;
+
+    std::string casePath;  ///< empty: made from the run alone
+    std::string scenarioName;
+    std::string scenarioNote;
+    std::string runPath;
+    std::string fingerprint;
+    std::string build;
+    std::vector<ReportFile> files;
+    std::vector<JournalEntry> journal;
+
+    Scenario scenario;
+    std::shared_ptr<const FeResult> fe;
+    std::shared_ptr<const TerrainGrid> terrain;  ///< null: none
+    std::shared_ptr<const Components> components;
+    std::shared_ptr<const FragmentSet> fragments;
+    std::shared_ptr<const Clustering> clustering;
+    std::shared_ptr<const Sizing> sizing;
+    std::shared_ptr<const SimulationResult> result;
+    std::vector<LedgerRow> ledger;
+    Findings findings;
+    std::size_t breaches = 0;
+    std::optional<Acknowledgement> acknowledged;
+
+    DebrisFigures atRest;
+    DebrisFigures atFeEnd;
+    RunMap map;                        ///< at the end
+    std::optional<RepeatFloor> floor;  ///< of repeats made for the report; unset: none were
+    bool reproduced = false;           ///< the run was simulated again for the floor and came out bit for bit
+    std::vector<KnownPoint> points;    ///< settings of this scene that were compared with the reference
+    std::vector<ReportPhoto> photographs;
+    std::shared_ptr<const EnsembleReport> ensemble;  ///< of the case, as far as its members were simulated; null: none was
+    std::shared_ptr<const DebrisMap> probability;    ///< of its members; null: there are none
+    std::vector<ReportCheck> selfTest;               ///< empty: not run
+    std::string selfTestScope;                       ///< "all", "closed-form"
+};
+
+/// Least and largest of a figure over a run and its repeats; equal without repeats.
+struct FigureRange {
+    double low = 0.0;
+    double high = 0.0;
+};
+FigureRange rangeOver(const ReportFacts& facts, double DebrisFigures::* figure);
+
+}  // namespace rubble

@@ -1,0 +1,212 @@
+#include "core/evidence/survey_comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/base/error.h"
+#include "core/evidence/survey_registration.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double reachShare = 0.95;  // of the covered area in a sector, within its run-out
+
+void check(const SurveySettings& settings) {
+    const auto size = [](double value) { return std::isfinite(value) && value >= 0.0; };
+    if (!size(settings.leastHeight) || !size(settings.shiftMost) || !size(settings.liveThreshold) || settings.sectors < 1 ||
+        settings.sectors > 360) {
+        throw UsageError({"survey.settings", "A setting of the survey comparison is no size", {}},
+                         {"survey.settings.remedy", "Give lengths in metres, not below zero, and 1 to 360 sectors.", {}});
+    }
+}
+
+/// Sums one side of a comparison cell by cell.
+class SideSum {
+public:
+    SideSum(const Eigen::Vector2d& centre, const SurveySettings& settings, bool heights)
+        : m_centre(centre), m_cell(settings.cell), m_heights(heights), m_reach(static_cast<std::size_t>(settings.sectors)) {}
+
+    /// @param height  m, of a cell that is covered
+    void add(const Eigen::Vector2d& middle, double height) {
+        const double area = m_cell * m_cell;
+        const double weight = m_heights ? height * area : area;
+        m_side.area += area;
+        m_side.volume += height * area;
+        m_weight += weight;
+        m_side.centroid += weight * middle;
+        const Eigen::Vector2d from = middle - m_centre;
+        const auto sectors = static_cast<double>(m_reach.size());
+        const double turn = std::atan2(from.y(), from.x()) / (2.0 * std::numbers::pi) * sectors + 0.5;
+        const auto sector = static_cast<std::size_t>(std::floor(turn) + sectors) % m_reach.size();
+        m_reach[sector].push_back(from.norm());
+    }
+    SurveySide side() {
+        m_side.centroid = m_weight > 0.0 ? Eigen::Vector2d(m_side.centroid / m_weight) : Eigen::Vector2d(none, none);
+        m_side.volume = m_heights ? m_side.volume : none;
+        for (std::vector<double>& distances : m_reach) {
+            std::sort(distances.begin(), distances.end());
+            const auto last = static_cast<std::size_t>(std::ceil(reachShare * static_cast<double>(distances.size())));
+            m_side.runOut.push_back(distances.empty() ? 0.0 : distances[last - 1]);
+        }
+        return m_side;
+    }
+
+private:
+    Eigen::Vector2d m_centre;
+    double m_cell;
+    bool m_heights;
+    double m_weight = 0.0;
+    std::vector<std::vector<double>> m_reach;  ///< m, of covered cells [sectors]
+    SurveySide m_side;
+};
+
+/// Goes over the cells that were surveyed.
+void compareCells(SurveyComparison& made) {
+    const CellGrid& debris = made.simulatedCells;
+    const CellGrid& surveyed = made.surveyedCells;
+    const SurveySettings& settings = made.settings;
+    const bool heights = !made.isFootprint;
+    SideSum survey(made.centre, settings, heights);
+    SideSum simulated(made.centre, settings, heights);
+    const double area = settings.cell * settings.cell;
+    std::size_t both = 0;
+    std::size_t either = 0;
+    double squares = 0.0;
+    double sum = 0.0;
+    for (int row = 0; row < debris.rows; ++row) {
+        for (int column = 0; column < debris.columns; ++column) {
+            const std::size_t k = debris.index(column, row);
+            const bool there = simulatedDebris(made, k);
+            if (std::isnan(surveyed.values[k])) {
+                made.unsurveyedArea += there ? area : 0.0;
+                made.unsurveyedVolume += there ? debris.values[k] * area : 0.0;
+                continue;
+            }
+            const bool real = surveyedDebris(made, k);
+            if (there) {
+                simulated.add(debris.middle(column, row), debris.values[k]);
+            }
+            if (real) {
+                survey.add(debris.middle(column, row), heights ? surveyed.values[k] : 0.0);
+            }
+            if (!there && !real) {
+                continue;
+            }
+            ++either;
+            both += there && real ? 1 : 0;
+            const double left = there ? (heights ? debris.values[k] : 1.0) : 0.0;
+            const double right = real ? (heights ? surveyed.values[k] : 1.0) : 0.0;
+            made.difference.values[k] = left - right;
+            squares += (left - right) * (left - right);
+            sum += left - right;
+        }
+    }
+    made.survey = survey.side();
+    made.simulated = simulated.side();
+    made.iou = either > 0 ? static_cast<double>(both) / static_cast<double>(either) : none;
+    made.heightRms = heights && either > 0 ? std::sqrt(squares / static_cast<double>(either)) : none;
+    made.heightMean = heights && either > 0 ? sum / static_cast<double>(either) : none;
+    made.centroidDistance = (made.simulated.centroid - made.survey.centroid).norm();
+}
+
+void findFlaws(SurveyComparison& made, std::size_t surveyedCells) {
+    if (surveyedCells == 0) {
+        throw UsageError({"survey.elsewhere", "The survey covers no cell of the site", {}},
+                         {"survey.elsewhere.remedy",
+                          "Check the coordinate systems of survey and case, the origin of the frame and the control points.",
+                          {}});
+    }
+    if (made.unsurveyedArea > 0.01 * (made.simulated.area + made.unsurveyedArea)) {
+        made.findings.add({"survey.beyond",
+                           "{0} of simulated debris lies where nothing was surveyed and is left out",
+                           {{made.unsurveyedArea, "m2"}}},
+                          {"survey.beyond.remedy", "take a survey of the whole site if that is not meant", {}});
+    }
+    if (made.shift.atLimit) {
+        made.findings.add(
+            {"survey.at_limit", "the best shift of the survey is as far as was looked: {0}", {{made.settings.shiftMost, "m"}}},
+            {"survey.at_limit.remedy", "look at the place of the survey, or allow a longer shift", {}});
+    }
+    if (!made.shift.planKnown) {
+        made.findings.add(
+            {"survey.level", "the ground beside the debris is too level to find a shift in plan; only heights were moved", {}},
+            {"survey.level.remedy", "make sure that the survey lies in the right place in plan", {}});
+    }
+}
+
+}  // namespace
+
+SurveyComparison compareWithSurvey(const PieceRaster& debris, const Survey& survey, const SiteSurface& ground,
+                                   const Eigen::Vector2d& centre, const SurveySettings& settings, const Execution& execution) {
+    check(settings);
+    SurveyComparison made;
+    made.isFootprint = survey.isFootprint;
+    made.settings = settings;
+    made.centre = centre;
+    const CellGrid grid = gridAround(survey, debris, settings.cell, 2);
+    const CellGrid laid = laidOn(grid, debris);
+    made.difference = grid;
+    made.shift = registered(laid, survey, ground, settings, execution);
+    const CellGrid surveyed = surveyedOn(grid, survey, ground, made.shift.by, execution);
+    const auto known = std::count_if(surveyed.values.begin(), surveyed.values.end(), [](double v) { return !std::isnan(v); });
+    made.surveyedCells = surveyed;
+    made.simulatedCells = laid;
+    compareCells(made);
+    findFlaws(made, static_cast<std::size_t>(known));
+    made.words = {settings.withFallen ? "survey.words.with" : "survey.words.without",
+                  settings.withFallen
+                      ? "Both sides are taken to hold fallen live structure: simulated, what moved farther than {0}."
+                      : "Fallen live structure is left out of the simulated side; a survey that shows it holds more.",
+                  settings.withFallen ? std::vector<Argument>{{settings.liveThreshold, "m"}} : std::vector<Argument>{}};
+    return made;
+}
+
+SurveyComparison compareRunWithSurvey(const MappedRun& run, std::optional<double> time, const Survey& survey,
+                                      const SurveySettings& settings, const Execution& execution) {
+    check(settings);
+    MapSettings map;
+    map.cell = settings.cell;
+    map.liveThreshold = settings.liveThreshold;
+    const RunMap made = mapOfRun(run, time, map, settings.withFallen, execution);
+    std::vector<MapPiece> pieces = mapPieces(*run.fragments, made.debris, made.arrivals, made.energies);
+    if (made.live) {
+        pieces.insert(pieces.end(), made.live->pieces.begin(), made.live->pieces.end());
+    }
+    const SiteSurface ground = groundOf(run);
+    Aabb plan;
+    for (const Vec3& node : run.fe->mesh().nodes) {
+        if (node.allFinite()) {
+            plan.extend(node);
+        }
+    }
+    SurveyComparison compared = compareWithSurvey(rasterOf(pieces, settings.cell, ground, execution), survey, ground,
+                                                  plan.center().head<2>(), settings, execution);
+    compared.time = made.map.time;
+    compared.shown = made.shown;
+    return compared;
+}
+
+bool surveyedDebris(const SurveyComparison& made, std::size_t cell) {
+    const double least = made.isFootprint ? 0.5 : std::max(made.settings.leastHeight, 1e-9);
+    return made.surveyedCells.values[cell] >= least;
+}
+
+bool simulatedDebris(const SurveyComparison& made, std::size_t cell) {
+    return made.simulatedCells.values[cell] >= std::max(made.settings.leastHeight, 1e-9);
+}
+
+std::string sectorName(int sector, int sectors) {
+    static constexpr std::array<const char*, 8> names{"E", "NE", "N", "NW", "W", "SW", "S", "SE"};
+    if (sectors == 8) {
+        return names[static_cast<std::size_t>(sector)];
+    }
+    const double bearing = std::fmod(450.0 - 360.0 * sector / sectors, 360.0);
+    return std::to_string(static_cast<int>(std::lround(bearing))) + " deg";
+}
+
+}  // namespace rubble

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "core/scenario/ensemble.h"
+#include "io/json_cursor.h"
+
+namespace rubble::io {
+
+/// What an ensemble varies as it stands in a case file, and back. Reading throws ParseError with the place.
+nlohmann::json ensembleJson(const EnsembleSettings& settings);
+EnsembleSettings ensembleFromJson(const JsonCursor& cursor);
+
+}  // namespace rubble::io

@@ -1,0 +1,51 @@
+#include "io/geo/cause_evidence.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/error.h"
+#include "io/geo/evidence_surface.h"
+
+namespace rubble::io {
+
+std::string_view evidenceKeyword(EvidenceFile::Kind kind) {
+    static constexpr std::array<std::string_view, 3> names{"footprint", "height", "surface"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+SurfaceEvidence readEvidence(const EvidenceFile& file, const Frame& frame, const SurfaceSettings& settings,
+                             const SiteSurface& ground) {
+    if (file.kind == EvidenceFile::Kind::Footprint) {
+        return readFootprint(file.path, frame, settings.cell, settings.withFallen);
+    }
+    const auto meaning = file.kind == EvidenceFile::Kind::Heights ? SurveyedHeights::OfDebris : SurveyedHeights::OfSurface;
+    return readHeights(file.path, frame, settings.cell, meaning, settings.withFallen, ground);
+}
+
+std::vector<PhotoEvidence> photographsAsEvidence(const Case& theCase, Findings& findings, const Execution& execution) {
+    std::vector<PhotoEvidence> usable;
+    for (const Photograph& photograph : theCase.photographs) {
+        const auto input = std::find_if(theCase.inputs.begin(), theCase.inputs.end(),
+                                        [&](const CaseInput& each) { return each.id == photograph.input; });
+        const std::string name = input != theCase.inputs.end() ? input->path : photograph.input;
+        const bool drawn = std::any_of(photograph.masks.begin(), photograph.masks.end(),
+                                       [](const PhotoMask& mask) { return mask.kind == MaskClass::Debris; });
+        if (!drawn || photograph.time) {
+            findings.add(
+                {"causes.photo_left_out", "A photograph is left out: no outline is drawn on it, or it was not taken at rest.", {}},
+                {"causes.photo_left_out.remedy",
+                 "Members keep their debris at rest; draw around the debris on photographs of it.",
+                 {}},
+                name);
+            continue;
+        }
+        try {
+            usable.push_back({name, photograph, matchCamera(photograph.pairs, photograph.camera, execution)});
+        } catch (const UsageError& error) {
+            findings.add(error.message(), error.remedy(), name);
+        }
+    }
+    return usable;
+}
+
+}  // namespace rubble::io

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/evidence/cause_comparison.h"
+#include "core/fe/frame.h"
+#include "core/fe/site_surface.h"
+#include "core/scenario/case.h"
+
+namespace rubble::io {
+
+/// A file that hypotheses are held against, and what it holds.
+struct EvidenceFile {
+    enum class Kind {
+        Footprint,  ///< polygons of the area that debris covered
+        Heights,    ///< raster of the height of the debris above the ground
+        Surface,    ///< raster of the surface with the debris on it
+    };
+    Kind kind = Kind::Footprint;
+    std::string path;
+    friend bool operator==(const EvidenceFile&, const EvidenceFile&) = default;
+};
+/// "footprint", "height", "surface"
+std::string_view evidenceKeyword(EvidenceFile::Kind kind);
+
+/// Reads a file of evidence onto the cells of the ensembles. Throws as readFootprint() and readHeights().
+SurfaceEvidence readEvidence(const EvidenceFile& file, const Frame& frame, const SurfaceSettings& settings,
+                             const SiteSurface& ground);
+
+/// The photographs of a case that say where debris lay at rest and whose camera is known, in their order; every other one is a
+/// finding. Throws Cancelled.
+std::vector<PhotoEvidence> photographsAsEvidence(const Case& theCase, Findings& findings, const Execution& execution);
+
+}  // namespace rubble::io

@@ -1,0 +1,74 @@
+#include "io/geo/ensemble_origin.h"
+
+#include "core/base/build.h"
+#include "core/base/csv_text.h"
+#include "io/ensemble_json.h"
+#include "io/geo/map_place.h"
+#include "io/run_json.h"
+
+namespace rubble::io {
+
+namespace {
+
+nlohmann::json membersJson(const EnsembleReport& report) {
+    nlohmann::json members = nlohmann::json::array();
+    for (const EnsembleMember* member : report.done()) {
+        nlohmann::json drawn = nlohmann::json::object();
+        for (const auto& [key, value] : member->drawn) {
+            drawn[key] = value;
+        }
+        members.push_back({{"member", member->number},
+                           {"drawn", std::move(drawn)},
+                           {"trajectory_hash", member->trajectoryHash.hex()},
+                           {"health_breaches", member->breaches}});
+    }
+    return members;
+}
+
+}  // namespace
+
+std::string ensembleClass(const EnsembleReport& report) {
+    return report.instant == DebrisInstant::AtRest ? "simulated, at rest" : "simulated, at the end of the FE result";
+}
+
+MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, const Frame& frame,
+                         const std::vector<EnsembleInput>& inputs) {
+    MapOrigin origin;
+    origin.frame = frame;
+    const std::string crs = MapPlace(frame).name();
+    const std::string counted = report.surface.withFallen ? "fragments and live structure that moved farther than " +
+                                                                exactNumber(report.surface.liveThreshold) + " m"
+                                                          : "fragments";
+    nlohmann::json json;
+    json["build"] = std::string(buildText());
+    json["inputs"] = nlohmann::json::array();
+    for (const EnsembleInput& input : inputs) {
+        json["inputs"].push_back({{"role", input.role}, {"path", input.path}, {"sha256", input.sha256}});
+    }
+    json["coordinates"] = "metres, z up, origin of the frame added";
+    json["ensemble"] = ensembleJson(report.settings);
+    json["members"] = membersJson(report);
+    json["map"] = {{"class", ensembleClass(report)},
+                   {"cell_m", map.cell},
+                   {"crs", crs},
+                   {"debris", counted},
+                   {"members", map.members},
+                   {"hypotheses", map.hypotheses},
+                   {"thresholds_m", map.thresholds}};
+    origin.provenance = jsonText(json);
+    origin.facts = {{"RUBBLE_CLASS", ensembleClass(report)},
+                    {"RUBBLE_CELL_M", exactNumber(map.cell)},
+                    {"RUBBLE_CRS", crs},
+                    {"RUBBLE_MEMBERS", std::to_string(map.members)},
+                    {"RUBBLE_DEBRIS", counted},
+                    {"RUBBLE_BUILD", std::string(buildText())}};
+    for (std::size_t t = 0; t < map.thresholds.size(); ++t) {
+        origin.facts.emplace_back("RUBBLE_HEIGHT_" + std::to_string(t + 1) + "_M", exactNumber(map.thresholds[t]));
+    }
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        origin.facts.emplace_back("RUBBLE_INPUT_" + std::to_string(i + 1) + "_SHA256", inputs[i].sha256);
+    }
+    return origin;
+}
+
+}  // namespace rubble::io

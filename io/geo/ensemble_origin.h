@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "core/evidence/ensemble.h"
+#include "io/geo/map_files.h"
+
+namespace rubble::io {
+
+/// What an ensemble stands on, for its files.
+struct EnsembleInput {
+    std::string role;  ///< "fe", "terrain", "evidence"
+    std::string path;
+    std::string sha256;
+};
+
+/// What a map of an ensemble was made from: inputs, what was varied, and for each member what was drawn and its trajectory.
+/// @param map  of probabilities, or of what tells hypotheses apart
+MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, const Frame& frame,
+                         const std::vector<EnsembleInput>& inputs);
+
+/// "at rest" or "at the end of the FE result", with what counts as debris.
+std::string ensembleClass(const EnsembleReport& report);
+
+}  // namespace rubble::io

@@ -1,0 +1,58 @@
+#include "io/geo/orthophoto_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "io/terrain/height_reading.h"
+#include "io/terrain/raster_sampling.h"
+
+namespace rubble::io {
+
+namespace {
+
+constexpr double sideMax = 2048.0;  // px
+
+}  // namespace
+
+std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
+                                                 const Execution& execution) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) {
+        throw WorldError({"orthophoto.missing", "There is no orthophoto {0}", {path}},
+                         {"orthophoto.missing.remedy", "Check the path, or leave the orthophoto out.", {}});
+    }
+    const RasterFile file(path, RasterFile::Holds::Colours);
+    if (file.geographic() && frame.crs.empty()) {
+        throw ParseError({"orthophoto.degrees", "{0} lies in degrees, and the case does not say where on Earth it is", {path}},
+                         {"orthophoto.degrees.remedy", "Give the case the coordinate system of its site, such as EPSG:25832.", {}});
+    }
+    const SitePlace place(frame, site);
+    const RasterSampling sampling(file, frame.crs, place);
+    auto [low, high] = sampling.bounds();
+    if (!around.isEmpty()) {
+        const Vec3 size = around.sizes();
+        const double margin = std::max({windowHeights * size.z(), size.x(), size.y()});
+        low = low.cwiseMax(Eigen::Vector2d(around.min().head<2>().array() - margin));
+        high = high.cwiseMin(Eigen::Vector2d(around.max().head<2>().array() + margin));
+    }
+    const Eigen::Vector2d size = high - low;
+    if (!(size.minCoeff() > 0.0) || !size.allFinite()) {
+        throw ParseError(
+            {"orthophoto.elsewhere", "{0} does not show the site", {path}},
+            {"orthophoto.elsewhere.remedy", "Check the coordinate system, the origin of the case and the control points.", {}});
+    }
+    auto picture = std::make_shared<Orthophoto>();
+    const double fine = sampling.pixelSize(0.5 * (low + high));
+    picture->pixel = std::max(fine, size.maxCoeff() / sideMax);
+    picture->x0 = low.x();
+    picture->y0 = low.y();
+    picture->width = std::max(1, static_cast<int>(size.x() / picture->pixel));
+    picture->height = std::max(1, static_cast<int>(size.y() / picture->pixel));
+    const auto factor = static_cast<std::size_t>(std::max(1.0, std::floor(picture->pixel / fine + 1e-9)));
+    sampling.colour(*picture, factor, execution);
+    return picture;
+}
+
+}  // namespace rubble::io

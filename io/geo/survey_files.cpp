@@ -1,0 +1,115 @@
+#include "io/geo/survey_files.h"
+
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <array>
+#include <cmath>
+
+#include "core/base/csv_text.h"
+#include "io/acknowledgements.h"
+#include "io/exports.h"
+#include "io/files.h"
+#include "io/geo/gdal_memory.h"
+#include "io/geo/map_place.h"
+#include "io/run_json.h"
+
+namespace rubble::io {
+
+namespace {
+
+constexpr double noData = -9999.0;
+
+std::string_view fitName(SurveyFit fit) {
+    return fit == SurveyFit::None ? "none" : fit == SurveyFit::Ground ? "ground" : "debris";
+}
+
+/// Rows from the north.
+std::vector<double> northUp(const CellGrid& grid) {
+    std::vector<double> values;
+    values.reserve(grid.values.size());
+    for (int row = grid.rows - 1; row >= 0; --row) {
+        for (int column = 0; column < grid.columns; ++column) {
+            const double value = grid.values[grid.index(column, row)];
+            values.push_back(std::isfinite(value) ? value : noData);
+        }
+    }
+    return values;
+}
+
+}  // namespace
+
+MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey) {
+    const RunOrigin& from = run.origin();
+    MapOrigin origin;
+    origin.frame = from.frame;
+    const std::string crs = MapPlace(from.frame).name();
+    const std::string fallen =
+        made.settings.withFallen ? "counted, moved farther than " + exactNumber(made.settings.liveThreshold) + " m" : "left out";
+    nlohmann::json json = nlohmann::json::parse(provenanceText(run));
+    json["inputs"].push_back({{"role", "survey"}, {"path", survey.path}, {"sha256", survey.sha256}});
+    json["survey_comparison"] = {{"time_s", made.time},
+                                 {"cell_m", made.settings.cell},
+                                 {"least_height_m", made.settings.leastHeight},
+                                 {"live_structure", fallen},
+                                 {"registration", fitName(made.settings.fit)},
+                                 {"shift_m", {made.shift.by.x(), made.shift.by.y(), made.shift.by.z()}},
+                                 {"iou", jsonNumber(made.iou)},
+                                 {"crs", crs}};
+    origin.provenance = jsonText(json);
+    origin.facts = {{"RUBBLE_CLASS", "simulated less surveyed"},
+                    {"RUBBLE_TIME_S", exactNumber(made.time)},
+                    {"RUBBLE_CELL_M", exactNumber(made.settings.cell)},
+                    {"RUBBLE_CRS", crs},
+                    {"RUBBLE_SURVEY_SHA256", survey.sha256},
+                    {"RUBBLE_FE_SHA256", from.feSha256},
+                    {"RUBBLE_SCENARIO", from.scenarioName},
+                    {"RUBBLE_RUN", from.fingerprint.hex()},
+                    {"RUBBLE_BUILD", from.build},
+                    {"RUBBLE_TAINTED", taintOf(run).tainted() ? "yes" : "no"},
+                    {"RUBBLE_LIVE_STRUCTURE", fallen},
+                    {"RUBBLE_REGISTRATION", std::string(fitName(made.settings.fit))}};
+    return origin;
+}
+
+void writeSurveyTiff(const std::string& path, const SurveyComparison& made, const MapOrigin& origin, const Execution& execution) {
+    execution.check();
+    const MapPlace place(origin.frame);
+    const CellGrid& grid = made.difference;
+    const GdalMemoryFile memory(".tif");
+    {
+        const GdalCalls calls;
+        GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+        const std::array<const char*, 4> options{"COMPRESS=DEFLATE", "PREDICTOR=3", "INTERLEAVE=BAND", nullptr};
+        GDALDatasetUniquePtr file(
+            driver->Create(memory.name().c_str(), grid.columns, grid.rows, 3, GDT_Float64, const_cast<char**>(options.data())));
+        if (!file) {
+            failGdal(path);
+        }
+        const Eigen::Vector2d corner = place(grid.cell * Eigen::Vector2d(grid.low.i, grid.low.j + grid.rows));
+        const double step = grid.cell / place.metresPerUnit();
+        std::array<double, 6> transform{corner.x(), step, 0.0, corner.y(), 0.0, -step};
+        file->SetGeoTransform(transform.data());
+        file->SetSpatialRef(&place.system());
+        for (const auto& [key, value] : origin.facts) {
+            file->SetMetadataItem(key.c_str(), value.c_str());
+        }
+        const std::array<std::pair<const char*, const CellGrid*>, 3> bands{
+            {{"difference", &made.difference}, {"surveyed", &made.surveyedCells}, {"simulated", &made.simulatedCells}}};
+        for (std::size_t b = 0; b < bands.size(); ++b) {
+            GDALRasterBand& band = *file->GetRasterBand(static_cast<int>(b + 1));
+            band.SetDescription(bands[b].first);
+            band.SetUnitType(made.isFootprint && b < 2 ? "" : "m");
+            band.SetNoDataValue(noData);
+            std::vector<double> values = northUp(*bands[b].second);
+            if (band.RasterIO(GF_Write, 0, 0, grid.columns, grid.rows, values.data(), grid.columns, grid.rows, GDT_Float64, 0, 0,
+                              nullptr) != CE_None) {
+                failGdal(path);
+            }
+        }
+    }
+    memory.save(path);
+    writeProvenance(path, origin.provenance);
+}
+
+}  // namespace rubble::io

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "core/evidence/survey_comparison.h"
+#include "io/geo/map_files.h"
+#include "io/geo/survey_file.h"
+
+namespace rubble::io {
+
+/// What a comparison with a survey was made from, as every file of it says.
+MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey);
+
+/// Writes a comparison as GeoTIFF with the bands difference, surveyed and simulated [m; of a footprint shares of cells], no-data
+/// value -9999, rows from the north, the coordinate system of the case. Atomic, with NAME.provenance.json.
+/// Throws WorldError, UsageError, Cancelled.
+void writeSurveyTiff(const std::string& path, const SurveyComparison& made, const MapOrigin& origin, const Execution& execution);
+
+}  // namespace rubble::io

@@ -1,0 +1,71 @@
+#include "io/hdf5_extent.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "core/base/error.h"
+
+namespace rubble::io {
+
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view signature = "\x89HDF\r\n\x1a\n"sv;
+constexpr std::size_t shortestBlock = 48;
+// What a writer puts there that has not closed the file yet.
+constexpr std::uint64_t undefinedEnd = std::uint64_t{1} << 62;
+
+std::uint64_t littleEndian(const std::array<char, 96>& bytes, std::size_t at) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 8; i-- > 0;) {
+        value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    }
+    return value;
+}
+
+[[noreturn]] void failCut(const std::string& path, std::int64_t there, const std::string& rest) {
+    throw ParseError({"hdf5.cut", "{0} is cut off: it ends after {1} bytes, {2}", {path, there, rest}},
+                     {"hdf5.cut.remedy", "Copy the file again, or wait until the analysis has finished writing it.", {}});
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> hdf5End(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
+                         {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
+    }
+    std::array<char, 96> head{};
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    const auto got = static_cast<std::size_t>(file.gcount());
+    const std::string_view seen(head.data(), std::min(got, signature.size()));
+    if (seen != signature.substr(0, seen.size())) {
+        return std::nullopt;
+    }
+    if (got < shortestBlock) {
+        failCut(path, static_cast<std::int64_t>(got), "inside its header");
+    }
+    const int version = head[8];
+    const int offsetBytes = version < 2 ? head[13] : head[9];
+    if (version < 0 || version > 3 || offsetBytes != 8) {
+        return std::nullopt;
+    }
+    const std::uint64_t end = littleEndian(head, version == 0 ? 40 : version == 1 ? 44 : 28);
+    return end < undefinedEnd ? std::optional(end) : std::nullopt;
+}
+
+void requireWholeHdf5(const std::string& path) {
+    const auto end = hdf5End(path);
+    std::error_code error;
+    const std::uint64_t size = std::filesystem::file_size(path, error);
+    if (end && !error && *end > size) {
+        failCut(path, static_cast<std::int64_t>(size), "of " + englishInteger(static_cast<std::int64_t>(*end)));
+    }
+}
+
+}  // namespace rubble::io

@@ -1,0 +1,15 @@
+#include "io/json_text.h"
+
+namespace rubble::io {
+
+using nlohmann::json;
+
+std::string jsonText(const json& value) {
+    return value.dump(1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string jsonLine(const json& value) {
+    return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+}  // namespace rubble::io

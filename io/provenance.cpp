@@ -1,0 +1,225 @@
+#include "io/provenance.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "io/acknowledgements.h"
+#include "io/case_file.h"
+#include "io/embedded_text.h"
+#include "io/exports.h"
+#include "io/fe_reader.h"
+#include "io/run_json.h"
+
+namespace rubble::io {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// In XML and comments of a movie the text stands as it is: nothing may end a section of it early.
+std::string asciiLine(const json& value) {
+    std::string line = value.dump(-1, ' ', true, json::error_handler_t::replace);
+    for (std::size_t at = line.find("]]>"); at != std::string::npos; at = line.find("]]>", at)) {
+        line.replace(at, 3, "]]\\u003e");
+    }
+    return line;
+}
+
+json objectOf(const std::string& text) {
+    return text.empty() ? json(nullptr) : json::parse(text);
+}
+
+std::string absolutePath(const std::string& path) {
+    return path.empty() ? path : fs::absolute(path).lexically_normal().string();
+}
+
+std::string textAt(const json& object, const char* key) {
+    const auto found = object.is_object() ? object.find(key) : object.end();
+    return object.is_object() && found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+bool sameFe(const std::string& path, const std::string& sha256) {
+    try {
+        return sha256OfFe(path) == sha256;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+/// The case if its FE input is the one of the export; nothing otherwise.
+std::optional<ExportSource> asCase(const std::string& path, const ReadProvenance& provenance) {
+    std::error_code ignored;
+    if (path.empty() || !fs::is_regular_file(path, ignored) || !isCaseFile(path)) {
+        return std::nullopt;
+    }
+    try {
+        const Case theCase = loadCase(path);
+        const bool same = std::any_of(theCase.inputs.begin(), theCase.inputs.end(), [&](const CaseInput& input) {
+            return input.role == InputRole::Fe && input.sha256 == provenance.feSha256;
+        });
+        if (!same) {
+            return std::nullopt;
+        }
+        ExportSource source{absolutePath(path), true, {}, {}};
+        for (const CaseScenario& scenario : theCase.scenarios) {
+            if (scenario.name == provenance.scenarioName) {
+                source.scenarioId = scenario.id;
+            }
+        }
+        return source;
+    } catch (const Error&) {
+        // A case that cannot be read is not the one looked for.
+        return std::nullopt;
+    }
+}
+
+/// Where the case may be, the nearest first: as recorded, beside the export, above it, beside the FE result, and what is known.
+std::vector<std::string> candidates(const ReadProvenance& provenance, const std::string& exportPath,
+                                    std::span<const std::string> known) {
+    const fs::path folder = fs::absolute(exportPath).parent_path();
+    std::vector<std::string> paths;
+    if (!provenance.casePath.empty()) {
+        paths.push_back(provenance.casePath);
+        paths.push_back((folder / fs::path(provenance.casePath).filename()).string());
+    }
+    for (const fs::path& where : {folder, folder.parent_path(), fs::path(provenance.fePath).parent_path()}) {
+        std::vector<std::string> there;
+        std::error_code failed;
+        for (fs::directory_iterator it(where, failed), end; !failed && it != end; it.increment(failed)) {
+            if (it->path().extension() == ".rubble") {
+                there.push_back(it->path().string());
+            }
+        }
+        std::sort(there.begin(), there.end());
+        paths.insert(paths.end(), there.begin(), there.end());
+    }
+    paths.insert(paths.end(), known.begin(), known.end());
+    return paths;
+}
+
+/// The run file if it still is that run; empty otherwise.
+std::string sameRun(const ReadProvenance& provenance, const std::string& exportPath) {
+    if (provenance.runPath.empty() || provenance.fingerprint.empty()) {
+        return {};
+    }
+    const fs::path beside = fs::absolute(exportPath).parent_path() / fs::path(provenance.runPath).filename();
+    for (const std::string& path : {provenance.runPath, beside.string()}) {
+        try {
+            if (fs::exists(path) && openRun(path)->origin().fingerprint.hex() == provenance.fingerprint) {
+                return path;
+            }
+        } catch (const std::exception&) {
+            // Another file lies there now.
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string_view shownClass(FrameKind kind) {
+    switch (kind) {
+        case FrameKind::Fe:
+            return "FE";
+        case FrameKind::Simulated:
+            return "simulated";
+        case FrameKind::Interpolated:
+            return "simulated, interpolated between two recorded instants";
+        case FrameKind::Illustrative:
+            break;
+    }
+    return "illustrative";
+}
+
+std::string exportProvenance(const ExportRecord& record, const RunOrigin& origin, const RunReader* run) {
+    json about = json::parse(provenanceText(origin, run));
+    about["kind"] = record.kind;
+    about["case_path"] = absolutePath(record.casePath);
+    about["run_path"] = run != nullptr ? absolutePath(run->path()) : std::string();
+    about["simulated"] = run != nullptr;
+    about["shown"] = json::array();
+    for (const ShownPart& part : record.shown) {
+        json entry = {{"name", part.name}, {"class", part.shownAs}, {"time_s", part.time}};
+        if (part.until) {
+            entry["until_s"] = *part.until;
+        }
+        about["shown"].push_back(std::move(entry));
+    }
+    about["settings_of_export"] = objectOf(record.settings);
+    about["view"] = objectOf(record.view);
+    // The mark stands first, whatever the order of the keys.
+    return std::string(provenanceStart) + "1," + asciiLine(about).substr(1);
+}
+
+std::optional<ReadProvenance> readProvenance(const std::string& path) {
+    std::string text = embeddedProvenance(path);
+    std::error_code ignored;
+    if (const std::string sidecar = path + ".provenance.json"; text.empty() && fs::is_regular_file(sidecar, ignored)) {
+        text = embeddedProvenance(sidecar);
+    }
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const json about = parseJson(text, path);
+    ReadProvenance read;
+    read.text = text;
+    read.kind = textAt(about, "kind");
+    read.casePath = textAt(about, "case_path");
+    read.runPath = textAt(about, "run_path");
+    read.scenarioName = textAt(about, "scenario_name");
+    if (about.value("simulated", false)) {
+        read.fingerprint = textAt(about, "fingerprint");
+    }
+    if (const auto view = about.find("view"); view != about.end() && view->is_object()) {
+        read.view = view->dump();
+    }
+    if (const auto inputs = about.find("inputs"); inputs != about.end() && inputs->is_array()) {
+        for (const json& input : *inputs) {
+            if (textAt(input, "role") == "fe") {
+                read.fePath = textAt(input, "path");
+                read.feSha256 = textAt(input, "sha256");
+            }
+        }
+    }
+    if (read.feSha256.empty()) {
+        throw ParseError({"io.provenance.damaged", "{0}: its provenance names no FE result", {path}},
+                         {"io.provenance.damaged.remedy", "Take the file as it was exported, or export it again.", {}});
+    }
+    return read;
+}
+
+ExportSource findSource(const ReadProvenance& provenance, const std::string& exportPath, std::span<const std::string> known,
+                        const Execution& execution) {
+    std::optional<ExportSource> found;
+    for (const std::string& path : candidates(provenance, exportPath, known)) {
+        execution.check();
+        const std::optional<ExportSource> one = asCase(path, provenance);
+        // Of cases on the same FE result the one with the scenario is meant.
+        if (one && (!found || !one->scenarioId.empty())) {
+            found = one;
+        }
+        if (found && !found->scenarioId.empty()) {
+            break;
+        }
+    }
+    const fs::path beside = fs::absolute(exportPath).parent_path() / fs::path(provenance.fePath).filename();
+    for (const std::string& path : {provenance.fePath, beside.string()}) {
+        if (!found && sameFe(path, provenance.feSha256)) {
+            found = ExportSource{path, false, {}, {}};
+        }
+    }
+    if (!found) {
+        throw WorldError({"io.provenance.no_source",
+                          "The case of {0} was not found: neither {1} nor a case beside it stands on the FE result {2} with the "
+                          "SHA-256 {3}.",
+                          {exportPath, provenance.casePath.empty() ? std::string("a case") : provenance.casePath, provenance.fePath,
+                           provenance.feSha256}},
+                         {"io.provenance.no_source.remedy", "Put the figure beside its case, or open the case first.", {}});
+    }
+    found->runPath = sameRun(provenance, exportPath);
+    return *found;
+}
+
+}  // namespace rubble::io

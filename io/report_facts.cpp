@@ -1,0 +1,264 @@
+#include "io/report_facts.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/analysis/collapse_plan.h"
+#include "core/base/build.h"
+#include "core/base/error.h"
+#include "core/evidence/probability_map.h"
+#include "core/fe/components.h"
+#include "core/scenario/differences.h"
+#include "io/acknowledgements.h"
+#include "io/case_file.h"
+#include "io/fe_reader.h"
+#include "io/files.h"
+#include "io/geo/photograph_file.h"
+#include "io/machine.h"
+#include "io/settled_files.h"
+#include "io/study_files.h"
+
+namespace rubble::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const CaseScenario* scenarioOf(const ReportRequest& request) {
+    if (request.theCase == nullptr) {
+        return nullptr;
+    }
+    const std::string& id = request.scenarioId.empty() ? request.theCase->activeScenario : request.scenarioId;
+    for (const CaseScenario& scenario : request.theCase->scenarios) {
+        if (scenario.id == id || scenario.name == id) {
+            return &scenario;
+        }
+    }
+    throw UsageError({"report.no_scenario", "The case has no scenario \"{0}\"", {id}},
+                     {"report.no_scenario.remedy", "Name one of its scenarios.", {}});
+}
+
+std::string settingText(const SettingDifference& difference, const ParameterValue& value) {
+    return difference.row->keyFor(difference.subject) + " = " + valueText(value);
+}
+
+void addStaleFile(std::vector<Message>& stale, const std::string& what, const std::string& path, const std::string& recorded,
+                  const std::string& found) {
+    if (recorded != found) {
+        stale.push_back({"report.stale_input",
+                         "the {0} {1} has the SHA-256 {2} now, the run was made from {3}",
+                         {what, path, found, recorded}});
+    }
+}
+
+/// Settings in which the case departs from what was run.
+void addStaleSettings(std::vector<Message>& stale, const ReportRequest& request) {
+    const CaseScenario* scenario = scenarioOf(request);
+    if (scenario == nullptr) {
+        return;
+    }
+    const Scenario& ran = request.run->origin().scenario;
+    for (const SettingDifference& difference : differencesBetween(ran, scenario->scenario)) {
+        stale.push_back({"report.stale_setting",
+                         "the run has {0}, the case {1}",
+                         {settingText(difference, difference.first), settingText(difference, difference.second)}});
+    }
+    if (!(ran.regrouping == scenario->scenario.regrouping)) {
+        stale.push_back({"report.stale_regrouping", "the case regroups its components in another way than the run", {}});
+    }
+    for (const CaseInput& input : request.theCase->inputs) {
+        if (input.role == InputRole::Fe && (input.id == scenario->feInput || scenario->feInput.empty()) && !input.sha256.empty()) {
+            addStaleFile(stale, "FE result of the case", input.path, request.run->origin().feSha256, input.sha256);
+            break;
+        }
+    }
+}
+
+DebrisFigures figuresAt(const ReportFacts& facts, const ReportRequest& request, DebrisInstant instant) {
+    const double time = instant == DebrisInstant::AtRest ? facts.result->endTime : facts.result->feEndTime;
+    const MappedRun mapped{facts.fe.get(), request.run.get(), facts.fragments, facts.result, facts.terrain, facts.scenario};
+    return measureDebris(debrisAt(*facts.fragments, *facts.components, *request.run, time),
+                         CollapsePlan(*facts.fragments, facts.fe->mesh()), groundOf(mapped), {})
+        .figures;
+}
+
+std::string digestOfInput(const std::string& path, InputRole role) {
+    return role == InputRole::Fe ? sha256OfFe(path) : sha256OfFile(path);
+}
+
+void addPhotographs(ReportFacts& facts, const ReportRequest& request, const Execution& execution) {
+    if (request.theCase == nullptr) {
+        return;
+    }
+    const MappedRun mapped{facts.fe.get(), request.run.get(), facts.fragments, facts.result, facts.terrain, facts.scenario};
+    for (const Photograph& photograph : request.theCase->photographs) {
+        ReportPhoto photo;
+        for (const CaseInput& input : request.theCase->inputs) {
+            if (input.id == photograph.input) {
+                photo.name = fs::path(input.path).filename().string();
+                photo.sha256 = input.sha256;
+            }
+        }
+        try {
+            photo.match = matchCamera(photograph.pairs, photograph.camera, execution);
+            photo.comparison = compareRunWithPhoto(mapped, photograph, *photo.match, {}, execution);
+        } catch (const UsageError& error) {
+            photo.problem = error.message();
+        }
+        facts.photographs.push_back(std::move(photo));
+    }
+}
+
+void addFiles(ReportFacts& facts, const ReportRequest& request) {
+    const RunOrigin& origin = request.run->origin();
+    facts.files.push_back({"fe", request.fePath, origin.feSha256});
+    if (!origin.terrainPath.empty()) {
+        facts.files.push_back({"terrain", request.terrainPath, origin.terrainSha256});
+    }
+    if (request.theCase != nullptr) {
+        for (const CaseInput& input : request.theCase->inputs) {
+            if (input.role == InputRole::Photograph || input.role == InputRole::Survey) {
+                facts.files.push_back({input.role == InputRole::Photograph ? "photograph" : "survey", input.path, input.sha256});
+            }
+        }
+    }
+    facts.files.push_back({"run", request.run->path(), sha256OfFile(request.run->path())});
+    if (!request.casePath.empty()) {
+        facts.files.push_back({"case", request.casePath, sha256OfFile(request.casePath)});
+    }
+}
+
+void addAccuracy(ReportFacts& facts, const ReportRequest& request) {
+    if (request.studyFolder.empty()) {
+        return;
+    }
+    const WorldOrigin reference = originOf(request.inputs, referenceScenario(facts.scenario), 0, 0.0, facts.machine);
+    Findings ignored;
+    facts.points = StudyFiles(request.studyFolder).points(sceneDigest(reference, DebrisInstant::AtRest), ignored);
+    std::sort(facts.points.begin(), facts.points.end(), [](const KnownPoint& a, const KnownPoint& b) {
+        return a.bodies != b.bodies ? a.bodies < b.bodies : a.setting < b.setting;
+    });
+}
+
+/// The members of the ensemble of the case that were simulated from what the run was made of.
+void addEnsemble(ReportFacts& facts, const ReportRequest& request, const Execution& execution) {
+    if (request.theCase == nullptr || request.studyFolder.empty()) {
+        return;
+    }
+    EnsembleSettings settings = request.theCase->ensemble;
+    // A report is of one scenario.
+    std::erase_if(settings.varied, [](const VariedSetting& varied) { return varied.key == scenarioKey; });
+    const std::vector<EnsembleScene> scenes{{{}, facts.scenarioName, request.inputs, facts.scenario}};
+    SettledFiles files(request.studyFolder);
+    EnsembleOptions options;
+    options.machine = facts.machine;
+    options.store = &files;
+    options.choice = WorldChoice::none();
+    auto report = std::make_shared<EnsembleReport>(ensembleStudy(scenes, settings, options, execution));
+    execution.check();
+    if (!report->done().empty()) {
+        facts.probability = std::make_shared<const DebrisMap>(probabilityMap(*report, usualThresholds));
+        facts.ensemble = std::move(report);
+    }
+}
+
+ReportFacts identityOf(const ReportRequest& request) {
+    const RunOrigin& origin = request.run->origin();
+    ReportFacts facts;
+    facts.question = request.question;
+    facts.author = request.author;
+    facts.when = utcNow();
+    facts.machine = machineText();
+    facts.casePath = request.casePath;
+    facts.runPath = request.run->path();
+    facts.fingerprint = origin.fingerprint.hex();
+    facts.build = origin.build;
+    facts.scenario = origin.scenario;
+    facts.scenarioName = origin.scenarioName;
+    if (const CaseScenario* scenario = scenarioOf(request)) {
+        facts.scenarioName = scenario->name;
+        facts.scenarioNote = scenario->note;
+        facts.journal = request.theCase->journal.entries;
+    }
+    facts.title = !request.title.empty()       ? request.title
+                  : request.theCase != nullptr ? request.theCase->title
+                                               : fs::path(origin.fePath).stem().string();
+    return facts;
+}
+
+}  // namespace
+
+std::vector<Message> staleParts(const ReportRequest& request, const Execution& execution) {
+    std::vector<Message> stale;
+    const RunOrigin& origin = request.run->origin();
+    if (!request.run->complete() || request.run->result() == nullptr) {
+        stale.push_back({"report.incomplete", "the run is not complete: it ends after {0} frames", {request.run->frameCount()}});
+        return stale;
+    }
+    try {
+        checkRunDigest(request.run->path(), execution);
+    } catch (const ParseError& error) {
+        stale.push_back(error.message());
+    }
+    addStaleFile(stale, "FE result", request.fePath, origin.feSha256, digestOfInput(request.fePath, InputRole::Fe));
+    if (!origin.terrainPath.empty()) {
+        addStaleFile(stale, "terrain", request.terrainPath, origin.terrainSha256,
+                     digestOfInput(request.terrainPath, InputRole::Terrain));
+    }
+    addStaleSettings(stale, request);
+    // Of another build the fingerprint is another one in any case.
+    const Digest now = stageKey(request.inputs, origin.scenario, Stage::Simulation);
+    if (stale.empty() && origin.build == buildText() && !(now == origin.fingerprint)) {
+        stale.push_back({"report.stale_fingerprint",
+                         "the run's fingerprint is {0}, its inputs and settings now give {1}",
+                         {origin.fingerprint.hex(), now.hex()}});
+    }
+    return stale;
+}
+
+ReportFacts reportFacts(const ReportRequest& request, const Execution& execution) {
+    execution.report({"report.checking", "Checking that nothing is stale", {}}, 0.0);
+    if (const std::vector<Message> stale = staleParts(request, execution); !stale.empty()) {
+        std::string reasons;
+        for (const Message& each : stale) {
+            reasons += (reasons.empty() ? "" : "; ") + englishText(each);
+        }
+        throw UsageError(
+            {"report.stale", "No report is made of {0}, which is stale: {1}", {request.run->path(), reasons}},
+            {"report.stale.remedy", "Simulate again with the settings and inputs of now, or report the case as it was.", {}});
+    }
+    ReportFacts facts = identityOf(request);
+    facts.fe = request.inputs.fe;
+    facts.terrain = request.inputs.terrain;
+    facts.components = std::make_shared<const Components>(
+        groupComponents(facts.fe->mesh(), facts.scenario.regrouping, facts.scenario.components, facts.scenario.assumptions));
+    facts.fragments = request.run->fragments();
+    facts.clustering = request.run->clustering();
+    facts.sizing = request.run->sizing();
+    facts.result = request.run->result();
+    facts.ledger = request.run->ledger();
+    facts.findings = request.inputs.fe->contents().findings;
+    facts.findings.append(request.run->findings());
+    const Taint taint = taintOf(*request.run);
+    facts.breaches = taint.breaches;
+    facts.acknowledged = taint.acknowledgement;
+    addFiles(facts, request);
+    execution.report({"report.measuring", "Measuring the debris", {}}, 0.1);
+    facts.atRest = figuresAt(facts, request, DebrisInstant::AtRest);
+    facts.atFeEnd = figuresAt(facts, request, DebrisInstant::AtFeEnd);
+    const MappedRun mapped{facts.fe.get(), request.run.get(), facts.fragments, facts.result, facts.terrain, facts.scenario};
+    facts.map = mapOfRun(mapped, std::nullopt, {}, true, execution);
+    addPhotographs(facts, request, execution);
+    addAccuracy(facts, request);
+    addEnsemble(facts, request, execution);
+    if (request.repeats > 0) {
+        execution.report({"report.repeating", "Simulating the run again, and its repeats", {}}, 0.2);
+        StudySettings settings;
+        settings.repeats = request.repeats;
+        facts.floor = repeatFloor(request.inputs, facts.scenario, settings, execution);
+        facts.reproduced = facts.floor->trajectoryHash == facts.result->trajectoryHash;
+    }
+    return facts;
+}
+
+}  // namespace rubble::io

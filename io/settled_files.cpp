@@ -1,0 +1,107 @@
+#include "io/settled_files.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/base/error.h"
+#include "io/files.h"
+#include "io/json_cursor.h"
+
+namespace rubble::io {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr int formatVersion = 1;
+
+json islandsJson(const WorldOrigin& origin, const SettledWorld& settled) {
+    json list = json::array();
+    for (const CarriedIsland& island : settled.islands) {
+        json elements = json::array();
+        for (const ElementIndex e : island.elements) {
+            elements.push_back(at(e));
+        }
+        const Quat& turn = island.moved.orientation;
+        list.push_back({{"position", jsonVector(island.moved.position)},
+                        {"turn", {jsonNumber(turn.w()), jsonNumber(turn.x()), jsonNumber(turn.y()), jsonNumber(turn.z())}},
+                        {"elements", std::move(elements)}});
+    }
+    return {{"version", formatVersion},
+            {"world", origin.key.hex()},
+            {"trajectory", settled.world.trajectoryHash.hex()},
+            {"islands", std::move(list)}};
+}
+
+std::vector<CarriedIsland> islandsFrom(const JsonCursor& cursor, const WorldOrigin& origin, const SimulatedWorld& world) {
+    if (cursor["version"].integer() != formatVersion || cursor["world"].text() != origin.key.hex() ||
+        cursor["trajectory"].text() != world.trajectoryHash.hex()) {
+        cursor.fail("the islands of this world");
+    }
+    std::vector<CarriedIsland> islands;
+    for (const JsonCursor& each : cursor["islands"].elements()) {
+        CarriedIsland& island = islands.emplace_back();
+        island.moved.position = each["position"].vector();
+        const std::vector<JsonCursor> turn = each["turn"].elements();
+        if (turn.size() != 4) {
+            each["turn"].fail("four numbers");
+        }
+        island.moved.orientation = Quat(turn[0].number(), turn[1].number(), turn[2].number(), turn[3].number());
+        for (const JsonCursor& element : each["elements"].elements()) {
+            const std::int64_t index = element.integer();
+            if (index < 0 || index > 0xffffffff) {
+                element.fail("the index of an element");
+            }
+            island.elements.push_back(idAt<ElementIndex>(static_cast<std::size_t>(index)));
+        }
+    }
+    return islands;
+}
+
+}  // namespace
+
+std::string SettledFiles::islandsPath(const WorldOrigin& origin) const {
+    return (fs::path(m_worlds.folder()) / "islands" / (origin.key.hex() + ".json")).string();
+}
+
+std::optional<SettledWorld> SettledFiles::settled(const WorldOrigin& origin, Findings& findings) {
+    const std::string path = islandsPath(origin);
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) {
+        return {};
+    }
+    std::optional<SimulatedWorld> world = m_worlds.world(origin, findings);
+    if (!world) {
+        return {};
+    }
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    try {
+        const json document = parseJson(text, path);
+        SettledWorld settled;
+        settled.islands = islandsFrom(JsonCursor(document, path), origin, *world);
+        settled.world = std::move(*world);
+        return settled;
+    } catch (const ParseError& error) {
+        findings.add({"study.damaged", "What was kept of an earlier study is damaged and is made again.", {}},
+                     {"study.damaged.remedy", "Delete the file named, if this is said each time.", {}}, error.what());
+        return {};
+    }
+}
+
+void SettledFiles::keep(const WorldOrigin& origin, const SettledWorld& settled) {
+    const std::string path = islandsPath(origin);
+    std::error_code failed;
+    fs::create_directories(fs::path(path).parent_path(), failed);
+    if (failed) {
+        throw WorldError(
+            {"io.cache.folder", "The folder {0} cannot be made: {1}", {fs::path(path).parent_path().string(), failed.message()}},
+            {"io.cache.folder.remedy", "Name another folder, or check its rights.", {}});
+    }
+    const std::string text = islandsJson(origin, settled).dump();
+    writeAtomically(path, [&](std::ostream& out) { out << text; });
+    m_worlds.keep(origin, settled.world);
+}
+
+}  // namespace rubble::io

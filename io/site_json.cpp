@@ -1,0 +1,31 @@
+#include "io/site_json.h"
+
+namespace rubble::io {
+
+nlohmann::json siteJson(const Site& site) {
+    nlohmann::json points = nlohmann::json::array();
+    for (const ControlPoint& point : site.controlPoints) {
+        points.push_back({{"name", point.name},
+                          {"local_m", jsonVector(point.local)},
+                          {"world_m", jsonVector(point.world)},
+                          {"used", point.used}});
+    }
+    return {{"control_points", std::move(points)},
+            {"height_shift_m", jsonNumber(site.heightShift)},
+            {"collide_with_surroundings", site.collide}};
+}
+
+Site siteFromJson(const JsonCursor& object) {
+    object.allowOnly({"control_points", "height_shift_m", "collide_with_surroundings"});
+    Site site;
+    for (const JsonCursor& point : object["control_points"].elements()) {
+        point.allowOnly({"name", "local_m", "world_m", "used"});
+        site.controlPoints.push_back(
+            {point["name"].text(), point["local_m"].vector(), point["world_m"].vector(), point["used"].flag()});
+    }
+    site.heightShift = object["height_shift_m"].number();
+    site.collide = object["collide_with_surroundings"].flag();
+    return site;
+}
+
+}  // namespace rubble::io

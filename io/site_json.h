@@ -1,0 +1,14 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "core/scenario/site.h"
+#include "io/json_cursor.h"
+
+namespace rubble::io {
+
+nlohmann::json siteJson(const Site& site);
+/// Throws ParseError.
+Site siteFromJson(const JsonCursor& object);
+
+}  // namespace rubble::io

@@ -1,0 +1,151 @@
+#include "io/site_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "io/case_file.h"
+#include "io/files.h"
+#include "io/geo/orthophoto_file.h"
+#include "io/geo/site_mesh_file.h"
+#include "io/terrain/height_reading.h"
+#include "io/terrain/site_place.h"
+
+namespace rubble::io {
+
+namespace {
+
+/// m. Roofs, walls and banks are told from the ground at this distance of nodes.
+constexpr double raisedCell = 0.5;
+
+/// Reads the parts of a site that nothing rests on, one by one.
+class SiteReading {
+public:
+    SiteReading(const Case& theCase, const std::string& casePath, const Mesh& fe, const Execution& execution)
+        : m_case(theCase), m_casePath(casePath), m_bounds(boundsAtRest(fe)), m_execution(execution) {}
+
+    void addOrthophoto(TerrainInput& site) const {
+        std::int64_t count = 0;
+        for (const CaseInput& input : m_case.inputs) {
+            if (input.role != InputRole::Orthophoto || ++count > 1) {
+                continue;
+            }
+            attempt(site, input, [&](const std::string& path) {
+                site.orthophoto = readOrthophoto(path, m_case.frame, m_case.site, m_bounds, m_execution);
+                site.orthophotoInput = input.id;
+            });
+        }
+        if (count > 1) {
+            site.findings.add({"case.orthophotos", "the case has {0} orthophotos; the first is used", {count}},
+                              {"case.orthophotos.remedy", "keep one, or merge them into one raster", {}}, {}, count);
+        }
+    }
+
+    void addSurroundings(TerrainInput& site) const {
+        auto meshes = std::make_shared<std::vector<SiteMesh>>();
+        for (const CaseInput& input : m_case.inputs) {
+            if (input.role != InputRole::Surroundings) {
+                continue;
+            }
+            const auto read = [&](const std::string& path) {
+                meshes->push_back(readSiteMesh(path, m_case.frame, m_case.site, m_execution));
+                checkPrecision(site, meshes->back(), path);
+            };
+            if (m_case.site.collide) {
+                const std::string path = inputPath(m_casePath, input);
+                read(path);
+                note(site, input, path);
+            } else {
+                attempt(site, input, read);
+            }
+        }
+        site.surroundings = meshes->empty() ? nullptr : meshes;
+    }
+
+    void raise(TerrainInput& site) const {
+        if (!m_case.site.collide || site.surroundings == nullptr) {
+            return;
+        }
+        if (site.grid == nullptr) {
+            site.findings.add({"surroundings.no_terrain",
+                               "debris cannot fall on the surroundings: the case has no terrain that they could be part of",
+                               {}},
+                              {"surroundings.no_terrain.remedy", "add a terrain; a level one will do", {}});
+            return;
+        }
+        site.grid = terrainUnder(*site.grid, *site.surroundings, raisedCell, terrainNodesMax, m_execution);
+        site.collided = true;
+    }
+
+private:
+    template <class Read>
+    void attempt(TerrainInput& site, const CaseInput& input, Read read) const {
+        const std::string path = inputPath(m_casePath, input);
+        try {
+            read(path);
+            note(site, input, path);
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const Error& error) {
+            site.findings.add(error.message(), error.remedy(), path);
+        }
+    }
+    void note(TerrainInput& site, const CaseInput& input, const std::string& path) const {
+        const std::string sha256 = sha256OfFile(path);
+        site.files.push_back({input.id, path, sha256});
+        if (!input.sha256.empty() && sha256 != input.sha256) {
+            site.findings.add({"case.site_changed", "the file is not the one the case was saved with", {}},
+                              {"case.site_changed.remedy", "find the file with the SHA-256 of the case, or accept it as it is", {}},
+                              path);
+        }
+    }
+    /// Meshes are read in single precision.
+    void checkPrecision(TerrainInput& site, const SiteMesh& mesh, const std::string& path) const {
+        const SitePlace place(m_case.frame, m_case.site);
+        const double far = place.toWorld(mesh.points.front()).cwiseAbs().maxCoeff();
+        const double step = far * std::ldexp(1.0, -24);
+        if (step > 0.01) {
+            site.findings.add(
+                {"surroundings.far", "coordinates as large as {0} are kept to {1} only", {{far, "m"}, {step, "m"}}},
+                {"surroundings.far.remedy", "export the mesh about an origin near the site, with that of the case", {}}, path);
+        }
+    }
+
+    const Case& m_case;
+    const std::string& m_casePath;
+    Aabb m_bounds;
+    const Execution& m_execution;
+};
+
+}  // namespace
+
+TerrainInput openSiteOfCase(const Case& theCase, const std::string& casePath, const Mesh& fe, const Execution& execution) {
+    TerrainInput site = openTerrainOfCase(theCase, casePath, fe, execution);
+    const SiteReading reading(theCase, casePath, fe, execution);
+    reading.addOrthophoto(site);
+    reading.addSurroundings(site);
+    reading.raise(site);
+    return site;
+}
+
+std::shared_ptr<const TerrainGrid> raisedTerrain(const TerrainGrid& terrain, std::span<const std::string> meshes,
+                                                 const Frame& frame, const Site& site, const Execution& execution) {
+    std::vector<SiteMesh> read;
+    for (const std::string& path : meshes) {
+        read.push_back(readSiteMesh(path, frame, site, execution));
+    }
+    return terrainUnder(terrain, read, raisedCell, terrainNodesMax, execution);
+}
+
+void recordSite(RunOrigin& origin, const TerrainInput& input, const Site& site) {
+    origin.site = input.grid != nullptr ? site : Site();
+    origin.site.collide = input.collided;
+    origin.surroundings.clear();
+    for (const SiteFile& file : input.files) {
+        if (input.collided && file.input != input.orthophotoInput) {
+            origin.surroundings.push_back({file.path, file.sha256});
+        }
+    }
+}
+
+}  // namespace rubble::io

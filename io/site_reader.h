@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "io/run_file.h"
+#include "io/terrain_reader.h"
+
+namespace rubble::io {
+
+/// All that stands around the structure of a case: its terrain as openTerrainOfCase(), its orthophotos (the first is used) and its
+/// meshes of surroundings. Where the case says so these raise the terrain; then one that cannot be read is an error. Any other
+/// that cannot be read is a finding, for nothing rests on it.
+/// Throws as openTerrain(), and as readSiteMesh() where debris is to fall on them.
+TerrainInput openSiteOfCase(const Case& theCase, const std::string& casePath, const Mesh& fe, const Execution& execution);
+
+/// A terrain raised by meshes as a run had it. Throws as readSiteMesh().
+std::shared_ptr<const TerrainGrid> raisedTerrain(const TerrainGrid& terrain, std::span<const std::string> meshes,
+                                                 const Frame& frame, const Site& site, const Execution& execution);
+
+/// Puts down in a run how its site was brought to the local frame, and the meshes that debris falls on.
+void recordSite(RunOrigin& origin, const TerrainInput& input, const Site& site);
+
+}  // namespace rubble::io

@@ -1,0 +1,299 @@
+#include "io/terrain/height_reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "io/terrain/raster_file.h"
+#include "io/terrain/raster_sampling.h"
+
+namespace rubble::io {
+
+namespace {
+
+/// m. Nothing on land is as far from the sea's level; what is, is a mark for no data that the file does not name as such.
+constexpr double heightMax = 9000.0;
+/// Heights; more than any number counts.
+constexpr double nodesCounted = 1e18;
+
+/// Pixels along one axis.
+struct Range {
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
+/// One axis of the raster in the local frame.
+struct Axis {
+    double origin;  ///< m, first pixel
+    double step;    ///< m, with its sign
+    std::size_t pixels;
+
+    double low() const { return std::min(origin, origin + step * static_cast<double>(pixels - 1)); }
+    double high() const { return std::max(origin, origin + step * static_cast<double>(pixels - 1)); }
+    /// Pixels that span an interval, one beyond each end where there is one, two at least.
+    Range around(double from, double to) const {
+        const double last = static_cast<double>(pixels - 1);
+        const double a = std::clamp((from - origin) / step, 0.0, last);
+        const double b = std::clamp((to - origin) / step, 0.0, last);
+        auto first = static_cast<std::size_t>(std::floor(std::min(a, b)));
+        auto end = static_cast<std::size_t>(std::ceil(std::max(a, b)));
+        if (first == end) {
+            first > 0 ? --first : ++end;
+        }
+        return {first, end - first + 1};
+    }
+    /// Place of the lowest of pixels put together.
+    double lowest(const Range& range, std::size_t factor) const {
+        const auto half = 0.5 * static_cast<double>(factor - 1);
+        const std::size_t groups = range.count / factor;
+        const std::size_t first = step > 0.0 ? range.first : range.first + (groups - 1) * factor;
+        return origin + step * (static_cast<double>(first) + half);
+    }
+};
+
+/// Turns one file into heights.
+class Reading {
+public:
+    Reading(const std::string& path, const Frame& frame, const Site& site, const Aabb& around, const Execution& execution)
+        : m_path(path),
+          m_frame(frame),
+          m_site(site),
+          m_place(frame, site),
+          m_around(around),
+          m_execution(execution),
+          m_file(path) {}
+
+    HeightReading read();
+
+private:
+    void checkCrs();
+    void checkDatum();
+    void checkUnit();
+    void checkOverlap(const Eigen::Vector2d& low, const Eigen::Vector2d& high);
+    void readUpright();
+    void readResampled();
+    void toMetres();
+    std::size_t factorFor(double nodes, double cell);
+    void find(std::string id, std::string_view pattern, std::vector<Argument> arguments, std::string_view remedy,
+              std::int64_t count = 1) {
+        std::string remedyId = id + ".remedy";
+        m_result.findings.add({std::move(id), std::string(pattern), std::move(arguments)},
+                              {std::move(remedyId), std::string(remedy), {}}, m_path, count);
+    }
+    [[noreturn]] void refuse(std::string id, std::string_view pattern, std::vector<Argument> arguments, std::string_view remedy) {
+        std::string remedyId = id + ".remedy";
+        arguments.insert(arguments.begin(), m_path);
+        throw ParseError({std::move(id), std::string(pattern), std::move(arguments)},
+                         {std::move(remedyId), std::string(remedy), {}});
+    }
+
+    const std::string& m_path;
+    const Frame& m_frame;
+    const Site& m_site;
+    SitePlace m_place;
+    const Aabb& m_around;
+    const Execution& m_execution;
+    RasterFile m_file;
+    bool m_upright = true;
+    HeightReading m_result;
+};
+
+void Reading::checkCrs() {
+    m_result.crs = m_file.crsName();
+    if (m_file.geographic() && m_frame.crs.empty()) {
+        refuse("terrain.degrees", "{0} lies in degrees ({1}), and the case does not say where on Earth it is", {m_file.crsName()},
+               "Give the case the coordinate system of its site, such as EPSG:25832: the raster is then projected to it.");
+    }
+    const RasterFile::SameCrs same = m_file.sameCrs(m_frame.crs);
+    m_upright = m_place.upright() && !m_file.turned() && same != RasterFile::SameCrs::No;
+    if (same == RasterFile::SameCrs::Unknown && m_file.geographic()) {
+        refuse("terrain.degrees_unknown", "{0} lies in degrees ({1}); \"{2}\" of the case is no system it could be projected to",
+               {m_file.crsName(), m_frame.crs}, "Give the case a projected system in metres, such as EPSG:25832.");
+    }
+    if (same == RasterFile::SameCrs::Unknown && !m_frame.crs.empty()) {
+        find("terrain.crs_unknown", "the coordinate system of the terrain could not be held against that of the case", {},
+             "make sure that both are in the same one");
+    }
+    if (same == RasterFile::SameCrs::No) {
+        find("terrain.projected", "the terrain was projected from \"{0}\" to the system of the case", {m_file.crsName()},
+             "none is needed; heights are interpolated between those of the file");
+    }
+    if (m_file.bands() > 1) {
+        find("terrain.bands", "the terrain has {0} bands; the first is taken as heights", {m_file.bands()},
+             "give a raster with one band if that is not right");
+    }
+}
+
+void Reading::checkDatum() {
+    m_result.verticalDatum = m_file.verticalDatum();
+    const std::string ofCase = RasterFile::verticalDatum(m_frame.crs);
+    const bool brought = m_site.heightShift != 0.0 || !m_place.upright();
+    if (!m_result.verticalDatum.empty() && !ofCase.empty() && m_result.verticalDatum != ofCase && !brought) {
+        find("terrain.other_datum",
+             "heights of the terrain count from \"{0}\", those of the case from \"{1}\"; they were not converted",
+             {m_result.verticalDatum, ofCase}, "set the height shift of the site to the difference there, or use control points");
+    }
+}
+
+void Reading::checkUnit() {
+    if (m_file.metresPerHeightUnit() == 0.0) {
+        if (m_file.heightUnit().empty()) {
+            find("terrain.height_unit", "the terrain does not say in which unit its heights are; they are taken as metres", {},
+                 "convert them first if they are feet");
+        } else {
+            find("terrain.height_unit_unknown", "the terrain gives its heights in \"{0}\"; they are taken as metres",
+                 {m_file.heightUnit()}, "convert them first if they are not");
+        }
+    }
+    const RasterPlace& place = m_file.place();
+    if (place.columns < 2 || place.rows < 2) {
+        refuse("terrain.too_few", "{0} has {1} columns and {2} rows; a surface takes two of each", {place.columns, place.rows},
+               "Give a raster that covers the site.");
+    }
+}
+
+void Reading::checkOverlap(const Eigen::Vector2d& least, const Eigen::Vector2d& most) {
+    if (m_around.isEmpty()) {
+        return;
+    }
+    const Vec3 low = m_around.min();
+    const Vec3 high = m_around.max();
+    if (!(most.x() >= low.x() && least.x() <= high.x() && most.y() >= low.y() && least.y() <= high.y())) {
+        refuse(
+            "terrain.elsewhere",
+            "{0} covers x = {1} to {2}, y = {3} to {4} of the local frame; the structure stands at x = {5} to {6}, y = {7} to {8}",
+            {least.x(), {most.x(), "m"}, least.y(), {most.y(), "m"}, low.x(), {high.x(), "m"}, low.y(), {high.y(), "m"}},
+            "Set the origin of the case's frame, in whole metres, to where the FE model's zero lies, or give the right raster.");
+    }
+    const double missing = std::max({least.x() - low.x(), high.x() - most.x(), least.y() - low.y(), high.y() - most.y()});
+    if (missing > 0.0) {
+        find("terrain.short", "the terrain ends {0} short of the outline of the structure and goes on level from there",
+             {{missing, "m"}}, "give a raster that covers the whole site");
+    }
+}
+
+std::size_t Reading::factorFor(double nodes, double cell) {
+    // Cells of no width beside others, or the edge of a projection, ask for more than any number counts.
+    if (!(nodes < nodesCounted)) {
+        refuse("terrain.strip", "{0} is too long and narrow around the structure to be made coarser", {},
+               "Resample it to square cells with gdalwarp.");
+    }
+    const auto factor = static_cast<std::size_t>(std::max(1.0, std::ceil(std::sqrt(nodes / terrainNodesMax) - 1e-9)));
+    if (factor > 1) {
+        find("terrain.reduced", "{0} heights around the structure are more than can be used: cells of {1} were averaged to {2}",
+             {static_cast<std::int64_t>(nodes), {cell, "m"}, {cell * static_cast<double>(factor), "m"}},
+             "cut the raster to the site if finer heights are needed there");
+    }
+    return factor;
+}
+
+void Reading::readUpright() {
+    const RasterPlace& place = m_file.place();
+    const double unit = m_file.metresPerUnit();
+    const Axis x{unit * place.x0 + m_place.shift().x(), unit * place.dx, place.columns};
+    const Axis y{unit * place.y0 + m_place.shift().y(), unit * place.dy, place.rows};
+    checkOverlap({x.low(), y.low()}, {x.high(), y.high()});
+    Range columns{0, x.pixels};
+    Range rows{0, y.pixels};
+    if (!m_around.isEmpty()) {
+        const Vec3 size = m_around.sizes();
+        const double margin = std::max({windowHeights * size.z(), size.x(), size.y()});
+        columns = x.around(m_around.min().x() - margin, m_around.max().x() + margin);
+        rows = y.around(m_around.min().y() - margin, m_around.max().y() + margin);
+    }
+    HeightRaster& raster = m_result.raster;
+    raster.dx = std::abs(x.step);
+    raster.dy = std::abs(y.step);
+    const double nodes = std::max(squareNodeCount(raster.dx, raster.dy, columns.count, rows.count),
+                                  static_cast<double>(columns.count) * static_cast<double>(rows.count));
+    const std::size_t factor = factorFor(nodes, std::min(raster.dx, raster.dy));
+    columns.count -= columns.count % factor;
+    rows.count -= rows.count % factor;
+    if (columns.count < 2 * factor || rows.count < 2 * factor) {
+        refuse("terrain.strip", "{0} is too long and narrow around the structure to be made coarser", {},
+               "Resample it to square cells with gdalwarp.");
+    }
+    const RasterWindow window{columns.first, rows.first, columns.count, rows.count, factor};
+    raster.nx = window.width();
+    raster.ny = window.height();
+    raster.dx *= static_cast<double>(factor);
+    raster.dy *= static_cast<double>(factor);
+    raster.heights = m_file.values(window, m_execution);
+    raster.x0 = x.lowest(columns, factor);
+    raster.y0 = y.lowest(rows, factor);
+    if (x.step < 0.0) {
+        flipColumns(raster);
+    }
+    if (y.step < 0.0) {
+        flipRows(raster);
+    }
+}
+
+void Reading::readResampled() {
+    const RasterSampling sampling(m_file, m_frame.crs, m_place);
+    const auto [least, most] = sampling.bounds();
+    checkOverlap(least, most);
+    Eigen::Vector2d low = least;
+    Eigen::Vector2d high = most;
+    if (!m_around.isEmpty()) {
+        const Vec3 size = m_around.sizes();
+        const double margin = std::max({windowHeights * size.z(), size.x(), size.y()});
+        low = low.cwiseMax(Eigen::Vector2d(m_around.min().head<2>().array() - margin));
+        high = high.cwiseMin(Eigen::Vector2d(m_around.max().head<2>().array() + margin));
+    }
+    double cell = sampling.pixelSize(0.5 * (low + high));
+    const Eigen::Vector2d size = high - low;
+    const double nodes = (size.x() / cell + 1.0) * (size.y() / cell + 1.0);
+    const std::size_t factor = factorFor(nodes, cell);
+    cell *= static_cast<double>(factor);
+    HeightRaster& raster = m_result.raster;
+    raster.dx = raster.dy = cell;
+    raster.x0 = low.x();
+    raster.y0 = low.y();
+    raster.nx = static_cast<std::size_t>(std::floor(size.x() / cell + 1e-9)) + 1;
+    raster.ny = static_cast<std::size_t>(std::floor(size.y() / cell + 1e-9)) + 1;
+    if (raster.nx < 2 || raster.ny < 2) {
+        refuse("terrain.coarse", "{0} has cells of {1}, larger than what it shares with the site", {{cell, "m"}},
+               "Give a raster with finer cells, or one that covers more of the site.");
+    }
+    raster.heights = sampling.heights(raster, factor, m_execution);
+}
+
+void Reading::toMetres() {
+    const double unit = m_file.metresPerHeightUnit() > 0.0 ? m_file.metresPerHeightUnit() : 1.0;
+    const double offset = m_place.toLocal(Vec3::Zero()).z() + m_site.heightShift;
+    std::int64_t unmarked = 0;
+    double example = 0.0;
+    for (double& height : m_result.raster.heights) {
+        height *= unit;
+        if (std::abs(height) > heightMax) {
+            example = unmarked == 0 ? height : example;
+            ++unmarked;
+            height = std::numeric_limits<double>::quiet_NaN();
+        }
+        height += offset;
+    }
+    if (unmarked > 0) {
+        find("terrain.no_land", "{0} heights such as {1} cannot be heights of land and were taken as gaps",
+             {unmarked, {example, "m"}}, "name the value for no data with gdal_translate -a_nodata", unmarked);
+    }
+}
+
+HeightReading Reading::read() {
+    checkCrs();
+    checkDatum();
+    checkUnit();
+    m_upright ? readUpright() : readResampled();
+    toMetres();
+    return std::move(m_result);
+}
+
+}  // namespace
+
+HeightReading readHeights(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
+                          const Execution& execution) {
+    return Reading(path, frame, site, around, execution).read();
+}
+
+}  // namespace rubble::io

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/fe/orthophoto.h"
+#include "io/terrain/height_raster.h"
+#include "io/terrain/raster_file.h"
+#include "io/terrain/site_place.h"
+
+namespace rubble::io {
+
+/// A raster seen from the local frame, whatever its system and however it is turned.
+class RasterSampling {
+public:
+    /// @param crs  of the case; empty: the world's coordinates are those of the file. All must outlive this object.
+    RasterSampling(const RasterFile& file, const std::string& crs, const SitePlace& place);
+
+    /// Box around the raster, m local.
+    std::pair<Eigen::Vector2d, Eigen::Vector2d> bounds() const;
+    /// Shorter side of a pixel at a place, m. Throws UsageError where the raster has no place there.
+    double pixelSize(const Eigen::Vector2d& local) const;
+    /// Heights at the nodes of a raster, between pixels by bilinear interpolation; not a number where a pixel that counts has none.
+    /// @param factor  pixels of the file that are put together before
+    std::vector<double> heights(const HeightRaster& nodes, std::size_t factor, const Execution& execution) const;
+    /// Colours at the middles of the pixels of a picture, whose place and size are given.
+    void colour(Orthophoto& picture, std::size_t factor, const Execution& execution) const;
+
+private:
+    struct Nodes;
+    std::vector<Eigen::Vector2d> pixelsOf(std::vector<Eigen::Vector2d> local) const;
+    /// Fractional pixels of a lattice of places, interpolated between every sixteenth row and column.
+    std::vector<Eigen::Vector2d> pixelsOf(const Nodes& nodes, const Execution& execution) const;
+    /// The pixels around places, one more to each side; empty if there are none.
+    RasterWindow windowAround(const std::vector<Eigen::Vector2d>& pixels, std::size_t factor) const;
+
+    const RasterFile& m_file;
+    const std::string& m_crs;
+    const SitePlace& m_place;
+};
+
+}  // namespace rubble::io

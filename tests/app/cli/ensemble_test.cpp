@@ -1,0 +1,157 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "tests/app/cli/command_run.h"
+#include "tests/app/cli/small_collapse.h"
+
+namespace rubble::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Ensemble : public testing::Test {
+protected:
+    Outcome cli(std::vector<std::string> words) {
+        words.insert(words.end(), {"--set", "settle_time=1", "--cache", m_cache, "--json"});
+        return CommandRun().with("DISPLAY", std::nullopt).cli(words);
+    }
+    nlohmann::json ensemble(const std::string& members, std::vector<std::string> more) {
+        more.insert(more.begin(), {"ensemble", m_path, "--members", members, "--vary", "friction=uniform:0.1:0.9"});
+        const Outcome outcome = cli(more);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return outcome.json();
+    }
+
+    io::TemporaryFolder m_folder;
+    std::string m_path = writeSmallCollapse(m_folder / "small.exo");
+    std::string m_cache = m_folder / "cache";
+};
+
+TEST_F(Ensemble, MapsProbabilitiesAndKeepsItsMembers) {
+    const std::string out = m_folder / "maps/";
+    const nlohmann::json object = ensemble("4", {"--out", out});
+    EXPECT_EQ(object["done"], 4);
+    EXPECT_TRUE(object["complete"]);
+    EXPECT_GT(object["figures"]["footprint_m2"]["mean"].get<double>(), 5.0);
+    EXPECT_NEAR(object["figures"]["mass_kg"]["mean"].get<double>(), 2000.0 * (smallDead + 1), 1.0) << "with the cube that lives";
+    EXPECT_EQ(object["convergence"].back()["members"], 4);
+    for (const char* name : {"probability.tif", "probability.csv", "probability-probability.png", "probability-above_second.png",
+                             "members.csv", "convergence.csv", "probability.tif.provenance.json"}) {
+        EXPECT_TRUE(fs::exists(out + name)) << name;
+    }
+    const nlohmann::json provenance = nlohmann::json::parse(textOf(out + "probability.tif.provenance.json"));
+    EXPECT_EQ(provenance["members"].size(), 4u);
+    EXPECT_EQ(provenance["inputs"][0]["role"], "fe");
+    // A second start takes what is there, and more members go on from there.
+    const nlohmann::json again = ensemble("5", {"--jobs", "1"});
+    for (int m = 0; m < 4; ++m) {
+        EXPECT_TRUE(again["list"][m]["kept"]);
+        EXPECT_EQ(again["list"][m]["trajectory_hash"], object["list"][m]["trajectory_hash"]);
+    }
+}
+
+TEST_F(Ensemble, GoesOnAfterItWasKilled) {
+    const std::vector<std::string> words{"ensemble", m_path,          "--members", "12",    "--jobs", "1",
+                                         "--set",    "settle_time=1", "--cache",   m_cache, "--json"};
+    const Outcome killed = CommandRun()
+                               .meanwhile([&](pid_t process) {
+                                   std::error_code ignored;
+                                   std::size_t worlds = 0;
+                                   for (fs::directory_iterator it(fs::path(m_cache) / "worlds", ignored), end; it != end; ++it) {
+                                       worlds += it->path().extension() == ".world" ? 1 : 0;
+                                   }
+                                   if (worlds >= 2) {
+                                       ::kill(process, SIGKILL);
+                                   }
+                               })
+                               .cli(words);
+    EXPECT_EQ(killed.signal, SIGKILL);
+    const Outcome whole = CommandRun().cli(words);
+    ASSERT_EQ(whole.exitCode, 0) << whole.err;
+    EXPECT_TRUE(whole.json()["list"][0]["kept"]);
+    EXPECT_FALSE(whole.json()["list"][11]["kept"]);
+    EXPECT_EQ(whole.json()["done"], 12);
+}
+
+TEST_F(Ensemble, SaysWhatCannotBe) {
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"--vary", "friction=uniform:2:1"},
+                                                  {"--vary", "frction=uniform:1:2"},
+                                                  {"--members", "0"},
+                                                  {"--heights", "1,0.5,2"},
+                                                  {"--layers", "mass"},
+                                                  {"--out", m_folder / "map.gpkg"},
+                                                  {"--instant", "later"}}) {
+        std::vector<std::string> all{"ensemble", m_path};
+        all.insert(all.end(), words.begin(), words.end());
+        EXPECT_EQ(cli(all).exitCode, 2) << words.front() << ' ' << words.back();
+    }
+}
+
+/// Two causes of one collapse: as the file has it, and the same six metres to the east.
+class Compare : public Ensemble {
+protected:
+    nlohmann::json compare(std::vector<std::string> more) {
+        more.insert(more.begin(), {"compare", m_path, m_other, "--members", "8", "--vary", "friction=uniform:0.3:0.5"});
+        const Outcome outcome = cli(more);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return outcome.json();
+    }
+    void SetUp() override {
+        io::ExodusBuilder builder = smallCollapse();
+        for (Vec3& node : builder.nodes) {
+            node.x() += 6.0;
+        }
+        builder.write(m_other);
+    }
+    /// What a survey of a cause would find, with a friction that no member has.
+    static Outcome map(const std::string& fe, std::vector<std::string> more) {
+        more.insert(more.begin(), {"map", fe, "--set", "friction=0.43", "--set", "settle_time=1", "--cell", "0.5"});
+        return rubble::cli::cli(more);
+    }
+    std::string m_other = m_folder / "other.exo";
+};
+
+TEST_F(Compare, FindsTheHiddenCause) {
+    const std::string tiff = m_folder / "truth.tif";
+    const std::string package = m_folder / "truth.gpkg";
+    const Outcome truth = map(m_other, {"--out", tiff, "--out", package});
+    ASSERT_EQ(truth.exitCode, 0) << truth.err;
+    const std::string out = m_folder / "out/";
+    const nlohmann::json object =
+        compare({"--against", "height=" + tiff, "--against", "footprint=" + package, "--out", out, "--blind"});
+    EXPECT_EQ(object["closest"], "other");
+    EXPECT_TRUE(object["told_apart"]);
+    EXPECT_EQ(object["evidence"].size(), 2u);
+    EXPECT_EQ(object["ranking"][0]["cause"], "other");
+    EXPECT_TRUE(fs::exists(out + "separation.tif"));
+    EXPECT_TRUE(fs::exists(out + "separation-separation.png"));
+    EXPECT_EQ(object["blind_tests"].size(), 2u);
+    EXPECT_EQ(object["blind_tests"][1]["wrong"], 0);
+}
+
+TEST_F(Compare, OneCauseUnderTwoNamesIsNotToldApart) {
+    fs::copy_file(m_path, m_other, fs::copy_options::overwrite_existing);
+    const std::string tiff = m_folder / "truth.tif";
+    ASSERT_EQ(map(m_path, {"--out", tiff}).exitCode, 0);
+    const nlohmann::json object = compare({"--against", "height=" + tiff});
+    EXPECT_FALSE(object["told_apart"]);
+    EXPECT_EQ(object["not_told_from"].size(), 1u);
+}
+
+TEST_F(Compare, WithoutEvidenceSaysWhatEvidenceCouldTell) {
+    const nlohmann::json object = compare({});
+    ASSERT_EQ(object["blind_tests"].size(), 2u);
+    EXPECT_EQ(object["blind_tests"][0]["evidence"], "footprint");
+    EXPECT_EQ(object["blind_tests"][0]["trials"], 16);
+    EXPECT_EQ(cli({"compare", m_path, m_other, "--against", "guess=x"}).exitCode, 2);
+    EXPECT_EQ(cli({"compare", m_path, m_other, "--against", "height=" + m_folder.path() + "/none.tif"}).exitCode, 1);
+}
+
+}  // namespace
+
+}  // namespace rubble::cli

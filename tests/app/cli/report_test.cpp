@@ -1,0 +1,222 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "io/case_file.h"
+#include "io/provenance.h"
+#include "io/run_file.h"
+#include "tests/app/cli/command_run.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/io/temporary_folder.h"
+
+namespace rubble::cli {
+
+namespace {
+
+using testing::HasSubstr;
+
+namespace fs = std::filesystem;
+
+class ReportCommand : public SmallRun {
+protected:
+    void SetUp() override { m_ran = run({}, "0.5"); }
+    Outcome report(std::vector<std::string> more) {
+        more.insert(more.begin(), "report");
+        more.insert(more.end(), {"--out", m_folder / "report", "--cache", m_folder / "cache"});
+        return CommandRun().with("DISPLAY", std::nullopt).cli(more);
+    }
+    std::string html() const { return textOf(m_folder / "report/report.html"); }
+
+    nlohmann::json m_ran;
+};
+
+TEST_F(ReportCommand, SaysTheNumbersOfTheRun) {
+    const Outcome outcome =
+        report({m_out, "--question", "Where did <it> go?", "--by", "A. Person", "--self-test", "none", "--repeats", "1", "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_TRUE(outcome.json()["reproduced"].get<bool>());
+    const std::string page = html();
+    EXPECT_THAT(page, HasSubstr("Where did &lt;it&gt; go?"));
+    EXPECT_THAT(page, HasSubstr("A. Person"));
+    EXPECT_THAT(page, HasSubstr(m_ran["trajectory_hash"].get<std::string>()));
+    EXPECT_THAT(page, HasSubstr(m_ran["fe"]["sha256"].get<std::string>()));
+    EXPECT_THAT(page, HasSubstr(std::to_string(smallDead) + " elements of " + std::to_string(smallElements) + " were deactivated"));
+    EXPECT_THAT(page, HasSubstr("together 10.0 t")) << "five cubes of 1 m with 2,000 kg/m3";
+    const auto run = io::openRun(m_out);
+    // Every table of results names the run under it.
+    std::size_t tables = 0, sources = 0;
+    for (std::size_t at = page.find("<table"); at != std::string::npos; at = page.find("<table", at + 1)) {
+        ++tables;
+    }
+    const std::string source = "From run <code>" + run->origin().fingerprint.hex().substr(0, 16);
+    for (std::size_t at = page.find(source); at != std::string::npos; at = page.find(source, at + 1)) {
+        ++sources;
+    }
+    EXPECT_GE(tables, 8u);
+    EXPECT_GE(sources, tables - 1);
+    for (const char* part : {"Method", "Assumptions and findings", "Effects", "Health of the run", "Limits",
+                             "All settings of the run", "repeat floor"}) {
+        EXPECT_THAT(page, HasSubstr(part));
+    }
+    for (const char* name : {"report.html", "report.pdf"}) {
+        const auto carried = io::readProvenance(m_folder / "report" + "/" + name);
+        ASSERT_TRUE(carried) << name;
+        EXPECT_EQ(carried->kind, "report");
+        EXPECT_EQ(carried->fingerprint, run->origin().fingerprint.hex());
+    }
+}
+
+TEST_F(ReportCommand, HasTheEnsembleOfTheCaseAsFarAsItWasSimulated) {
+    Case theCase = io::caseForFe(m_path, m_folder / "small.rubble");
+    theCase.scenarios[0].scenario = io::openRun(m_out)->origin().scenario;
+    theCase.ensemble = {{variationFrom("friction", "uniform:0.3:0.7")}, 4, 7};
+    io::saveCase(m_folder / "small.rubble", theCase);
+    const std::vector<std::string> words{m_folder / "small.rubble", "--run", m_out, "--self-test", "none", "--repeats", "0"};
+    ASSERT_EQ(report(words).exitCode, 0);
+    EXPECT_THAT(html(), HasSubstr("No ensemble was simulated of this case"));
+    const Outcome simulated =
+        cli({"ensemble", m_folder / "small.rubble", "--members", "3", "--cache", m_folder / "cache", "--json"});
+    ASSERT_EQ(simulated.exitCode, 0) << simulated.err;
+    EXPECT_EQ(simulated.json()["seed"], 7) << "as the case says";
+    EXPECT_EQ(simulated.json()["varied"][0]["distribution"], "uniform:0.3:0.7");
+    ASSERT_EQ(report(words).exitCode, 0);
+    const std::string page = html();
+    EXPECT_THAT(page, HasSubstr("The case asks for 4 members; 3 of them have been simulated"));
+    EXPECT_THAT(page, HasSubstr("uniform from 0.300 to 0.700"));
+    EXPECT_THAT(page, HasSubstr("Spread over 3 members"));
+    EXPECT_THAT(page, HasSubstr("Probability that debris reaches into a cell, over 3 members"));
+    for (const nlohmann::json& member : simulated.json()["list"]) {
+        EXPECT_THAT(page, HasSubstr(member["trajectory_hash"].get<std::string>().substr(0, 8))) << "every number traces to its run";
+    }
+    // Members of other settings are none of this case.
+    theCase.ensemble.seed = 8;
+    io::saveCase(m_folder / "small.rubble", theCase);
+    ASSERT_EQ(report(words).exitCode, 0);
+    EXPECT_THAT(html(), HasSubstr("No ensemble was simulated of this case"));
+}
+
+TEST_F(ReportCommand, RefusesAStaleRunAndNamesWhatIs) {
+    Case theCase = io::caseForFe(m_path, m_folder / "small.rubble");
+    theCase.scenarios[0].scenario = io::openRun(m_out)->origin().scenario;
+    io::saveCase(m_folder / "small.rubble", theCase);
+    const std::vector<std::string> words{m_folder / "small.rubble", "--run", m_out, "--self-test", "none", "--repeats", "0"};
+    ASSERT_EQ(report(words).exitCode, 0);
+    fs::remove_all(m_folder / "report");
+    theCase.scenarios[0].scenario.simulation.friction = 0.31;
+    io::saveCase(m_folder / "small.rubble", theCase);
+    const Outcome stale = report(words);
+    EXPECT_EQ(stale.exitCode, 2);
+    EXPECT_THAT(stale.err, HasSubstr("friction = 0.31"));
+    EXPECT_FALSE(fs::exists(m_folder / "report"));
+    // A run file that was altered.
+    std::fstream file(m_out, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(static_cast<std::streamoff>(fs::file_size(m_out) / 2));
+    file << "altered";
+    file.close();
+    EXPECT_NE(report({m_out, "--self-test", "none", "--repeats", "0"}).exitCode, 0);
+}
+
+TEST_F(ReportCommand, SimulatesACaseThatHasNoRun) {
+    io::saveCase(m_folder / "small.rubble", io::caseForFe(m_path, m_folder / "small.rubble"));
+    const Outcome outcome = report({m_folder / "small.rubble", "--self-test", "closed-form", "--repeats", "0"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_THAT(html(), HasSubstr("form-"));
+    EXPECT_THAT(html(), HasSubstr("No repeats were made"));
+    EXPECT_EQ(report({m_out, "--repeats", "many"}).exitCode, 2);
+    EXPECT_EQ(report({m_out, "--self-test", "some"}).exitCode, 2);
+}
+
+class FigureFiles : public SmallRun {
+protected:
+    void SetUp() override { run({}, "0.5"); }
+    Outcome without(std::vector<std::string> words) { return CommandRun().with("DISPLAY", std::nullopt).cli(words); }
+};
+
+TEST_F(FigureFiles, PresetsAreDrawnInEveryFormatAndCarryTheirSource) {
+    for (const char* preset : {"11", "12", "13", "14"}) {
+        const std::string path = m_folder / (std::string(preset) + ".svg");
+        const Outcome outcome = without({"figure", m_out, "--preset", preset, "--size", "800x500", "--dpi", "100", "--out", path});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_THAT(textOf(path), HasSubstr("a) "));
+    }
+    EXPECT_THAT(textOf(m_folder / "11.svg"), HasSubstr("Conventional FE result (t = 0.30 s)"));
+    EXPECT_THAT(textOf(m_folder / "14.svg"), HasSubstr("Original (t = 0.00 s"));
+    for (const char* name : {"f.png", "f.pdf", "f.svg"}) {
+        ASSERT_EQ(without({"figure", m_out, "--time", "0.3", "--out", m_folder / name}).exitCode, 0);
+        const auto carried = io::readProvenance(m_folder / name);
+        ASSERT_TRUE(carried) << name;
+        EXPECT_EQ(carried->kind, "figure");
+        EXPECT_EQ(carried->fingerprint, io::openRun(m_out)->origin().fingerprint.hex());
+        const auto about = nlohmann::json::parse(carried->text);
+        EXPECT_EQ(about["shown"].size(), 2u);
+        EXPECT_EQ(about["view"]["time"], 0.3);
+        EXPECT_EQ(about["shown"][1]["class"], "simulated");
+    }
+    EXPECT_EQ(without({"figure", m_out, "--preset", "15", "--out", m_folder / "x.png"}).exitCode, 2);
+    EXPECT_EQ(without({"figure", m_out, "--preset", "11", "--times", "0.1", "--out", m_folder / "x.png"}).exitCode, 2);
+    EXPECT_EQ(without({"figure", m_out, "--preset", "12", "--time", "0.1", "--out", m_folder / "x.png"}).exitCode, 2);
+    EXPECT_EQ(without({"figure", m_out, "--out", m_folder / "x.tiff"}).exitCode, 2);
+}
+
+TEST_F(FigureFiles, AMovieIsPicturesOfEveryInstantAndNothingAfterCtrlC) {
+    const Outcome made = without({"movie", m_out, "--out", m_folder / "frames", "--from", "0.1", "--to", "0.5", "--fps", "10",
+                                  "--size", "320x200", "--json"});
+    ASSERT_EQ(made.exitCode, 0) << made.err;
+    EXPECT_EQ(made.json()["pictures"], 5);
+    EXPECT_TRUE(fs::exists(m_folder / "frames/frame-00005.png"));
+    EXPECT_NE(textOf(m_folder / "frames/frame-00001.png"), textOf(m_folder / "frames/frame-00005.png"));
+    EXPECT_EQ(io::readProvenance(m_folder / "frames/frame-00001.png")->kind, "movie");
+    bool sent = false;
+    const Outcome stopped = CommandRun()
+                                .with("DISPLAY", std::nullopt)
+                                .meanwhile([&](pid_t id) {
+                                    if (!sent && fs::exists(m_folder / "long/frame-00003.png")) {
+                                        sent = ::kill(id, SIGINT) == 0;
+                                    }
+                                })
+                                .cli({"movie", m_out, "--out", m_folder / "long", "--pace", "0.01", "--size", "320x200"});
+    EXPECT_EQ(stopped.exitCode, 3);
+    EXPECT_FALSE(fs::exists(m_folder / "long"));
+    EXPECT_EQ(without({"movie", m_out, "--out", m_folder / "x", "--to", "99"}).exitCode, 2);
+    EXPECT_EQ(without({"movie", m_out, "--out", m_folder / "x", "--fps", "0"}).exitCode, 2);
+    EXPECT_EQ(without({"movie", m_out}).exitCode, 2);
+}
+
+TEST_F(FigureFiles, AnMp4WithoutFfmpegNamesTheRemedy) {
+    // Only the X server is found.
+    fs::create_directories(m_folder / "bin");
+    fs::create_symlink("/usr/bin/Xvfb", m_folder / "bin/Xvfb");
+    fs::create_symlink("/usr/bin/xkbcomp", m_folder / "bin/xkbcomp");
+    const Outcome outcome = CommandRun()
+                                .with("DISPLAY", std::nullopt)
+                                .with("PATH", m_folder / "bin")
+                                .cli({"movie", m_out, "--out", m_folder / "a.mp4", "--size", "320x200"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("ffmpeg"));
+    EXPECT_FALSE(fs::exists(m_folder / "a.mp4"));
+}
+
+TEST_F(FigureFiles, VerifyNamesWhatWasAlteredInACase) {
+    const std::string path = m_folder / "small.rubble";
+    Case theCase = io::caseForFe(m_path, path);
+    theCase.scenarios[0].scenario.simulation.friction = 0.5;
+    io::saveCase(path, theCase);
+    EXPECT_EQ(cli({"verify", path}).exitCode, 0);
+    auto document = nlohmann::json::parse(textOf(path));
+    document["scenarios"][0]["settings"]["friction"] = 0.6;
+    std::ofstream(path) << document.dump(2);
+    const Outcome altered = cli({"verify", path});
+    EXPECT_EQ(altered.exitCode, 1);
+    EXPECT_THAT(altered.out, HasSubstr("altered outside Rubble"));
+    EXPECT_THAT(altered.out, HasSubstr("scenarios/scenario-1/settings/friction"));
+    document["journal"][0]["who"] = "nobody";
+    std::ofstream(path) << document.dump(2);
+    EXPECT_THAT(cli({"verify", path}).out, HasSubstr("the journal was altered"));
+}
+
+}  // namespace
+
+}  // namespace rubble::cli

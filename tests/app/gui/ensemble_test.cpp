@@ -1,0 +1,239 @@
+#include <QDir>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <algorithm>
+#include <filesystem>
+
+#include "app/gui/causes_display.h"
+#include "app/gui/ensemble_display.h"
+#include "app/gui/evidence_studies.h"
+#include "app/gui/file_commands.h"
+#include "io/case_file.h"
+#include "tests/app/cli/command_run.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/app/gui/workbench.h"
+#include "widgets/case_panel.h"
+#include "widgets/causes_page.h"
+#include "widgets/causes_panel.h"
+#include "widgets/ensemble_page.h"
+#include "widgets/ensemble_panel.h"
+#include "widgets/evidence_tabs.h"
+#include "widgets/panel.h"
+
+namespace rubble {
+namespace {
+
+/// A window with the small collapse, whose members take a fraction of a second, and a cache of its own.
+class Studies : public Workbench {
+protected:
+    void SetUp() override {
+        qputenv("RUBBLE_CACHE", m_cache.path().toUtf8());
+        Workbench::SetUp();
+        m_west = pathOf("west.exo");
+        cli::writeSmallCollapse(m_west.toStdString());
+        window->open(m_west);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+        window->document().setParameter(QStringLiteral("settle_time"), 1.0);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    }
+    void TearDown() override {
+        window.reset();
+        qunsetenv("RUBBLE_CACHE");
+    }
+    QString pathOf(const char* name) const { return m_folder.path() + u'/' + QLatin1String(name); }
+    EnsembleDisplay& ensemble() { return window->studies().ensemble(); }
+    CausesDisplay& causes() { return window->studies().causes(); }
+    void varyOnlyFriction(std::int64_t members) {
+        window->document().setEnsemble({{variationFrom("friction", "uniform:0.3:0.5")}, members, 1}, QStringLiteral("fewer"));
+    }
+    void simulate() {
+        window->actions()["simulate_ensemble"].trigger();
+        wait();
+    }
+    void wait() {
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->studies().work().running(); }, patience));
+    }
+    std::size_t kept() {
+        std::size_t count = 0;
+        for (const EnsembleMember& member : ensemble().made().report->members) {
+            count += member.kept ? 1 : 0;
+        }
+        return count;
+    }
+    /// The same collapse six metres to the east.
+    QString east() {
+        io::ExodusBuilder builder = cli::smallCollapse();
+        for (Vec3& node : builder.nodes) {
+            node.x() += 6.0;
+        }
+        builder.write(pathOf("east.exo").toStdString());
+        return pathOf("east.exo");
+    }
+
+    QTemporaryDir m_cache;
+    QTemporaryDir m_folder;
+    QString m_west;
+};
+
+TEST_F(Studies, WhatAnEnsembleVariesIsKeptInTheCaseAndUndone) {
+    auto* members = window->deck().ensemble().findChild<QSpinBox*>(QStringLiteral("members"));
+    window->actions()["show_ensemble"].trigger();
+    EXPECT_TRUE(window->studies().ensemblePage().isVisible());
+    members->setValue(5);
+    EXPECT_EQ(window->document().theCase().ensemble.members, 5);
+    EXPECT_EQ(window->document().undoStack().undoText(), QStringLiteral("members of the ensemble"));
+    window->document().undoStack().undo();
+    EXPECT_EQ(window->document().theCase().ensemble.members, 16);
+    EXPECT_EQ(members->value(), 16);
+    window->document().undoStack().redo();
+    const QString path = pathOf("west.rubble");
+    ASSERT_TRUE(window->files().saveTo(path));
+    const Case saved = io::loadCase(path.toStdString());
+    EXPECT_EQ(saved.ensemble.members, 5);
+    ASSERT_FALSE(saved.journal.entries.empty());
+    const auto& changes = saved.journal.entries.back().changes;
+    EXPECT_TRUE(std::any_of(changes.begin(), changes.end(),
+                            [](const JournalChange& change) { return change.place == "ensemble/members" && change.after == "5"; }));
+}
+
+TEST_F(Studies, MembersComeInAndASecondStartTakesThemFromTheCache) {
+    varyOnlyFriction(3);
+    simulate();
+    ASSERT_NE(ensemble().made().report, nullptr);
+    EXPECT_TRUE(ensemble().made().report->complete);
+    EXPECT_EQ(kept(), 0u);
+    EXPECT_FALSE(ensemble().stale());
+    const widgets::EnsemblePage& page = window->studies().ensemblePage();
+    ASSERT_NE(page.content().map, nullptr);
+    EXPECT_EQ(page.content().map->members, 3);
+    varyOnlyFriction(5);
+    EXPECT_FALSE(ensemble().stale()) << "more members are asked for, those that are there still hold";
+    simulate();
+    EXPECT_EQ(kept(), 3u);
+    EXPECT_EQ(page.content().map->members, 5);
+    // Another setting makes them stale; undo brings them back.
+    window->document().setParameter(QStringLiteral("ground_height"), -1.0);
+    EXPECT_TRUE(ensemble().stale());
+    EXPECT_TRUE(page.content().stale);
+    window->document().undoStack().undo();
+    EXPECT_FALSE(ensemble().stale());
+}
+
+TEST_F(Studies, WritesItsMapAndItsMembers) {
+    varyOnlyFriction(2);
+    simulate();
+    for (const char* name : {"map.tif", "map.csv", "map.png"}) {
+        ensemble().saveMapTo(pathOf(name));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+        EXPECT_TRUE(std::filesystem::exists(pathOf(name).toStdString())) << name;
+        EXPECT_NE(textOf(pathOf(name) + QStringLiteral(".provenance.json")).find("trajectory_hash"), std::string::npos) << name;
+    }
+    ensemble().saveTableTo(pathOf("members.csv"));
+    const std::string table = textOf(pathOf("members.csv"));
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 3);
+    ensemble().saveTableTo(pathOf("no/such/folder.csv"));
+    EXPECT_FALSE(window->deck().casePanel().findChildren<widgets::Notice*>().isEmpty());
+}
+
+TEST_F(Studies, TheMapLiesOnTheGroundOfTheViews) {
+    varyOnlyFriction(2);
+    simulate();
+    EXPECT_EQ(window->sceneData().orthophoto, nullptr);
+    auto* onGround = window->studies().ensemblePage().findChild<QToolButton*>(QStringLiteral("onGround"));
+    onGround->click();
+    const auto picture = window->sceneData().orthophoto;
+    ASSERT_NE(picture, nullptr);
+    EXPECT_EQ(picture->pixel, 0.5);
+    EXPECT_EQ(picture->rgba.size(), 4u * static_cast<std::size_t>(picture->width * picture->height));
+    window->studies().ensemblePage().setLayer(MapLayer::HeightHigh);
+    EXPECT_NE(window->sceneData().orthophoto, picture) << "the layer that is chosen";
+    onGround->click();
+    EXPECT_EQ(window->sceneData().orthophoto, nullptr);
+}
+
+TEST_F(Studies, CancelKeepsWhatIsDone) {
+    varyOnlyFriction(400);
+    window->actions()["simulate_ensemble"].trigger();
+    EXPECT_TRUE(window->studies().work().simulating());
+    EXPECT_FALSE(window->actions()["simulate"].isEnabled()) << "a run beside it would take its time";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return ensemble().made().report != nullptr && !ensemble().made().report->done().empty(); },
+                                patience));
+    window->actions()["cancel"].trigger();
+    wait();
+    EXPECT_FALSE(ensemble().made().report->complete);
+    EXPECT_FALSE(ensemble().made().report->done().empty());
+    EXPECT_TRUE(window->actions()["simulate"].isEnabled());
+}
+
+TEST_F(Studies, CausesAreComparedAndTheClosestIsNamed) {
+    varyOnlyFriction(10);
+    causes().addCauses({east()});
+    // What was found is the map of the east with a friction that no member has.
+    const cli::Outcome map = cli::cli({"map", east().toStdString(), "--set", "friction=0.43", "--set", "settle_time=1", "--cell",
+                                       "0.5", "--out", pathOf("found.tif").toStdString()});
+    ASSERT_EQ(map.exitCode, 0) << map.err;
+    causes().addEvidence(io::EvidenceFile::Kind::Heights, {pathOf("found.tif")});
+    window->actions()["compare_causes"].trigger();
+    EXPECT_TRUE(window->studies().causesPage().isVisible());
+    wait();
+    ASSERT_NE(causes().made(), nullptr);
+    const CauseComparison& made = *causes().made()->comparison;
+    EXPECT_EQ(made.hypotheses[made.ranking.causes.front().hypothesis], "east");
+    EXPECT_TRUE(made.ranking.decided());
+    const EnsembleMember& member = causes().made()->hypotheses[1].ensemble->members.front();
+    EXPECT_EQ(member.scenario.simulation.settleTime, 1.0) << "an FE result takes the settings of the case";
+    EXPECT_FALSE(causes().stale());
+    const widgets::CausesPage& page = window->studies().causesPage();
+    EXPECT_NE(page.content().separation, nullptr);
+    causes().saveTableTo(pathOf("causes.csv"));
+    EXPECT_NE(textOf(pathOf("causes.csv")).find("1,east,10,"), std::string::npos);
+    causes().saveMapTo(pathOf("separation.tif"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+    EXPECT_TRUE(std::filesystem::exists(pathOf("separation.tif").toStdString()));
+    varyOnlyFriction(12);
+    EXPECT_TRUE(causes().stale());
+    // The command line says the same.
+    const cli::Outcome told = cli::cli({"compare", m_west.toStdString(), pathOf("east.exo").toStdString(), "--against",
+                                        "height=" + pathOf("found.tif").toStdString(), "--members", "10", "--vary",
+                                        "friction=uniform:0.3:0.5", "--set", "settle_time=1", "--json"});
+    ASSERT_EQ(told.exitCode, 0) << told.err;
+    EXPECT_EQ(told.json()["closest"], "east");
+}
+
+TEST_F(Studies, OneCauseIsNoneAndABadFileIsToldInPlace) {
+    window->actions()["show_causes"].trigger();
+    causes().compare();
+    EXPECT_FALSE(window->studies().work().running()) << "one cause cannot be compared";
+    QFile wrong(pathOf("wrong.exo"));
+    ASSERT_TRUE(wrong.open(QIODevice::WriteOnly));
+    wrong.write("no result");
+    wrong.close();
+    varyOnlyFriction(2);
+    causes().addCauses({pathOf("wrong.exo")});
+    causes().compare();
+    wait();
+    EXPECT_EQ(causes().made(), nullptr);
+    bool told = false;
+    for (const auto* notice : window->deck().causes().findChildren<widgets::Notice*>()) {
+        told = told || notice->text().contains(QStringLiteral("wrong.exo"));
+    }
+    EXPECT_TRUE(told);
+}
+
+TEST_F(Studies, ABlindTestNeedsNoEvidence) {
+    varyOnlyFriction(2);
+    causes().addCauses({east()});
+    causes().compare();
+    wait();
+    ASSERT_NE(causes().made(), nullptr);
+    EXPECT_EQ(causes().made()->comparison, nullptr);
+    ASSERT_EQ(causes().made()->blind.size(), 2u);
+    EXPECT_EQ(causes().made()->blind[0].trials(), 4);
+}
+
+}  // namespace
+}  // namespace rubble

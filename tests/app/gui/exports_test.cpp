@@ -1,0 +1,134 @@
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTest>
+
+#include "app/gui/picture_export.h"
+#include "app/gui/playback.h"
+#include "app/gui/report_work.h"
+#include "app/gui/view_area.h"
+#include "io/case_file.h"
+#include "io/provenance.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/app/gui/workbench.h"
+#include "tests/io/temporary_folder.h"
+#include "widgets/figure_dialog.h"
+#include "widgets/movie_dialog.h"
+#include "widgets/report_panel.h"
+
+namespace rubble {
+namespace {
+
+class Exports : public Workbench {
+protected:
+    void simulated() {
+        Case theCase = io::caseForFe(cli::writeSmallCollapse(m_folder / "small.exo"), m_folder / "small.rubble");
+        setParameterText(theCase.scenarios[0].scenario, "settle_time", "0.5");
+        io::saveCase(m_folder / "small.rubble", theCase);
+        window->open(QString::fromStdString(m_folder / "small.rubble"), true);
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] {
+                const RunRecord* record = window->computation().currentRun();
+                return record != nullptr && record->outcome != nullptr && !window->computation().busy();
+            },
+            patience));
+    }
+    bool idle() {
+        return QTest::qWaitFor([&] { return !window->computation().busy(); }, patience);
+    }
+
+    io::TemporaryFolder m_folder;
+};
+
+TEST_F(Exports, AFigureDroppedOnTheWindowFindsItsCaseAndItsView) {
+    simulated();
+    window->showInstant(0.3);
+    render::View view = window->area().views().view();
+    view.layout = render::Layout::FragmentsOnly;
+    view.cameras[0].position = Vec3(11.0, -42.0, 13.0);
+    window->showView(view);
+    const QString figure = QString::fromStdString(m_folder / "figure.png");
+    window->pictures().exportFigureTo(figure, {{}, {640, 400}, 100}, window->area().views().view(), window->sceneData());
+    ASSERT_TRUE(idle());
+    const auto carried = io::readProvenance(figure.toStdString());
+    ASSERT_TRUE(carried);
+    EXPECT_EQ(carried->casePath, m_folder / "small.rubble");
+
+    window->actions()["close"].trigger();
+    ASSERT_TRUE(window->document().empty());
+    window->open(figure);
+    const QString source = QString::fromStdString(m_folder / "small.rubble");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().path() == source && !window->computation().busy(); }, patience));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return window->area().views().view().cameras[0].position == Vec3(11.0, -42.0, 13.0); }, patience));
+    EXPECT_EQ(window->area().views().view().layout, render::Layout::FragmentsOnly);
+    EXPECT_DOUBLE_EQ(window->playback().clock().time(), 0.3);
+}
+
+TEST_F(Exports, AMovieIsWrittenInTheBackground) {
+    simulated();
+    widgets::MovieChoice choice;
+    choice.settings = {0.0, 0.4, 10.0, 1.0};
+    choice.pixels = {320, 200};
+    choice.encoded = false;
+    window->pictures().exportMovieTo(QString::fromStdString(m_folder / "frames"), choice, window->area().views().view(),
+                                     window->sceneData());
+    ASSERT_TRUE(idle());
+    EXPECT_TRUE(QFile::exists(QString::fromStdString(m_folder / "frames/frame-00005.png")));
+    EXPECT_FALSE(QFile::exists(QString::fromStdString(m_folder / "frames/frame-00006.png")));
+}
+
+TEST_F(Exports, AReportIsMadeOfTheRunAndNotOfAStaleOne) {
+    widgets::ReportPanel& panel = window->deck().report();
+    auto* write = panel.findChild<QPushButton*>(QStringLiteral("writeReport"));
+    EXPECT_FALSE(write->isEnabled()) << "nothing is open";
+    simulated();
+    EXPECT_TRUE(write->isEnabled());
+    panel.findChild<QSpinBox*>(QStringLiteral("reportRepeats"))->setValue(0);
+    auto* selfTest = panel.findChild<QComboBox*>(QStringLiteral("reportSelfTest"));
+    selfTest->setCurrentIndex(selfTest->findData(QStringLiteral("none")));
+    window->report().writeTo(QString::fromStdString(m_folder / "report"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->report().writing(); }, patience));
+    const std::string html = textOf(QString::fromStdString(m_folder / "report/report.html"));
+    EXPECT_NE(html.find(window->computation().currentRun()->outcome->trajectoryHash.hex()), std::string::npos);
+    EXPECT_TRUE(QFile::exists(QString::fromStdString(m_folder / "report/report.pdf")));
+    window->document().setParameter(QStringLiteral("friction"), 0.3);
+    ASSERT_TRUE(idle());
+    EXPECT_FALSE(write->isEnabled()) << "the run does not have this setting";
+    window->document().undoStack().setClean();
+}
+
+TEST(FigureDialog, SaysTheSizeInPrintAndAsksForAPreviewOnceItRests) {
+    widgets::FigureDialog dialog({});
+    int asked = 0;
+    QObject::connect(&dialog, &widgets::FigureDialog::previewRequested, &dialog, [&](const widgets::FigureChoice& choice) {
+        ++asked;
+        EXPECT_EQ(choice.preset, figures::FigurePreset::Stages);
+    });
+    auto* preset = dialog.findChild<QComboBox*>(QStringLiteral("figurePreset"));
+    for (int i = 0; i < preset->count(); ++i) {
+        preset->setCurrentIndex(i);
+    }
+    ASSERT_TRUE(QTest::qWaitFor([&] { return asked > 0; }, 10'000));
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(dialog.choice().pixels, QSize(1600, 1000));
+}
+
+TEST(MovieDialog, RefusesASpanWithoutLength) {
+    widgets::MovieChoice choice;
+    choice.settings.from = 0.0;
+    choice.settings.to = 10.0;
+    widgets::MovieDialog dialog(choice, false);
+    EXPECT_FALSE(dialog.choice().encoded) << "without ffmpeg there is no MP4";
+    auto* save = dialog.findChild<QPushButton*>(QStringLiteral("primary"));
+    EXPECT_TRUE(save->isEnabled());
+    dialog.findChild<QDoubleSpinBox*>(QStringLiteral("movieFrom"))->setValue(10.0);
+    EXPECT_FALSE(save->isEnabled());
+}
+
+}  // namespace
+}  // namespace rubble

@@ -1,0 +1,257 @@
+#include "app/gui/new_case.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include "app/gui/playback.h"
+#include "app/gui/view_area.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/app/gui/workbench.h"
+#include "widgets/case_preview.h"
+#include "widgets/new_case_wizard.h"
+#include "widgets/parameter_editor.h"
+
+namespace rubble {
+
+namespace {
+
+using widgets::NewCaseWizard;
+
+/// A wizard over the small collapse.
+class NewCases : public Workbench {
+protected:
+    void SetUp() override {
+        Workbench::SetUp();
+        fe = QString::fromStdString(cli::writeSmallCollapse(folder.filePath(QStringLiteral("small.exo")).toStdString()));
+    }
+    void begin() {
+        window->newCase(fe);
+        ASSERT_NE(window->caseInTheMaking(), nullptr);
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&wizard(), patience)) << "without a window manager too";
+        settle();
+    }
+    void settle() {
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] {
+                const NewCase* making = window->caseInTheMaking();
+                return making == nullptr ||
+                       (making->settled() && window->caseInTheMaking()->computation().results().fragments != nullptr);
+            },
+            patience));
+    }
+    /// Buttons that are pressed by a key show it for a moment before they act.
+    bool reaches(NewCaseWizard::Step step) {
+        return QTest::qWaitFor([&] { return wizard().step() == step; }, 10'000);
+    }
+    NewCase& making() { return *window->caseInTheMaking(); }
+    NewCaseWizard& wizard() { return making().wizard(); }
+    QPushButton* button(const QString& text) {
+        for (auto* each : wizard().findChildren<QPushButton*>()) {
+            if (each->text() == text) {
+                return each;
+            }
+        }
+        return nullptr;
+    }
+    void type(const QString& key, const QString& text) {
+        auto* field = wizard().findChild<widgets::ParameterEditor*>(key)->findChild<QLineEdit*>();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    std::size_t components() { return making().computation().results().components->list.size(); }
+
+    QTemporaryDir folder;
+    QString fe;
+};
+
+}  // namespace
+
+TEST_F(NewCases, AreMadeStepByStep) {
+    begin();
+    EXPECT_TRUE(window->document().empty()) << "nothing is open before the case is made";
+    for (const NewCaseWizard::Step step :
+         {NewCaseWizard::Units, NewCaseWizard::Ground, NewCaseWizard::Components, NewCaseWizard::Deaths, NewCaseWizard::Summary}) {
+        EXPECT_EQ(wizard().step(), step);
+        button(QStringLiteral("&Next"))->click();
+    }
+    settle();
+    wizard().go(NewCaseWizard::Ground);
+    EXPECT_EQ(wizard().step(), NewCaseWizard::Ground);
+    type(QStringLiteral("ground_height"), QStringLiteral("-0.5"));
+    EXPECT_EQ(wizard().step(), NewCaseWizard::Ground) << "Enter settles a number and does not go on";
+    EXPECT_DOUBLE_EQ(making().document().scenario().simulation.groundHeight, -0.5);
+    wizard().go(NewCaseWizard::Summary);
+    auto* title = wizard().findChild<QLineEdit*>(QStringLiteral("caseTitle"));
+    EXPECT_EQ(title->text(), QStringLiteral("small"));
+    title->setFocus();
+    title->selectAll();
+    QTest::keyClicks(title, QStringLiteral("Three blocks"));
+    settle();
+    button(QStringLiteral("&Make the case"))->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->caseInTheMaking() == nullptr && prepared(); }, patience));
+    EXPECT_EQ(window->document().theCase().title, "Three blocks");
+    EXPECT_DOUBLE_EQ(window->document().scenario().simulation.groundHeight, -0.5);
+    EXPECT_TRUE(window->document().modified()) << "it was never saved";
+    EXPECT_TRUE(window->document().path().isEmpty());
+    window->document().undoStack().setClean();
+}
+
+TEST_F(NewCases, CountEveryDeath) {
+    begin();
+    wizard().go(NewCaseWizard::Deaths);
+    settle();
+    const auto labels = wizard().deaths().findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->text().startsWith(QStringLiteral("%1 of %2 elements are dead").arg(cli::smallDead).arg(cli::smallElements));
+    }));
+    EXPECT_EQ(making().preview().views().view().layout, render::Layout::FragmentsOnly);
+}
+
+TEST_F(NewCases, RegroupAndTakeItBack) {
+    begin();
+    wizard().go(NewCaseWizard::Components);
+    const std::size_t before = components();
+    QTreeWidget& tree = wizard().components().tree().tree();
+    tree.setFocus();
+    tree.selectAll();
+    EXPECT_FALSE(making().preview().views().view().selection.empty()) << "the preview marks what is chosen";
+    if (before > 1) {
+        wizard().findChild<QPushButton*>(QStringLiteral("merge"))->click();
+        QTest::keyClick(wizard().findChild<QLineEdit*>(QStringLiteral("newName")), Qt::Key_Return);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return making().settled() && components() == 1; }, patience));
+        button(QStringLiteral("Undo"))->click();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return making().settled() && components() == before; }, patience));
+    } else {
+        wizard().findChild<QPushButton*>(QStringLiteral("split"))->click();
+        wizard().components().form().findChild<QPushButton*>(QStringLiteral("primary"))->click();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return making().settled() && components() > 1; }, patience));
+        button(QStringLiteral("Undo"))->click();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return making().settled() && components() == before; }, patience));
+    }
+}
+
+TEST_F(NewCases, ReadAgainInOtherUnitsAndBack) {
+    begin();
+    auto* size = wizard().units().findChild<widgets::ParameterEditor*>(QStringLiteral("units"));
+    ASSERT_NE(size, nullptr);
+    const double height = making().preview().views().bounds().sizes().z();
+    emit size->edited(QStringLiteral("units"), ParameterValue(std::string("t-mm-s")));
+    settle();
+    EXPECT_NEAR(making().preview().views().bounds().sizes().z(), height / 1000.0, 1e-6 * height);
+    button(QStringLiteral("Undo"))->click();
+    settle();
+    EXPECT_NEAR(making().preview().views().bounds().sizes().z(), height, 1e-9 * height);
+}
+
+// Enter and Space press what has the focus, Escape leaves, letters and Ctrl with a digit go from step to step.
+TEST_F(NewCases, AreMadeByKeyboardAlone) {
+    begin();
+    QTest::keyClick(&wizard(), Qt::Key_N, Qt::AltModifier);
+    EXPECT_TRUE(reaches(NewCaseWizard::Ground));
+    QTest::keyClick(&wizard(), Qt::Key_B, Qt::AltModifier);
+    EXPECT_TRUE(reaches(NewCaseWizard::Units));
+    QTest::keyClick(&wizard(), Qt::Key_4, Qt::ControlModifier);
+    EXPECT_TRUE(reaches(NewCaseWizard::Deaths));
+    button(QStringLiteral("&Next"))->setFocus();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    EXPECT_TRUE(reaches(NewCaseWizard::Summary));
+    EXPECT_FALSE(button(QStringLiteral("&Next"))->isEnabled());
+    auto* title = wizard().findChild<QLineEdit*>(QStringLiteral("caseTitle"));
+    title->setFocus();
+    QTest::keyClick(title, Qt::Key_Return);
+    EXPECT_NE(window->caseInTheMaking(), nullptr) << "Enter in a field makes no case";
+    settle();
+    QTest::keyClick(&wizard(), Qt::Key_M, Qt::AltModifier);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->caseInTheMaking() == nullptr && prepared(); }, patience));
+    EXPECT_EQ(window->document().theCase().title, "small");
+    window->document().undoStack().setClean();
+}
+
+TEST_F(NewCases, TabGoesFromTheStepsThroughThePanelToTheButtons) {
+    begin();
+    for (const NewCaseWizard::Step step :
+         {NewCaseWizard::Units, NewCaseWizard::Ground, NewCaseWizard::Components, NewCaseWizard::Deaths, NewCaseWizard::Summary}) {
+        wizard().go(step);
+        settle();
+        wizard().findChildren<QToolButton*>().front()->setFocus();
+        // Steps, panel, preview, buttons: each is entered once.
+        QStringList parts;
+        QWidget* first = QApplication::focusWidget();
+        for (int i = 0; i < 200; ++i) {
+            const QWidget* at = QApplication::focusWidget();
+            ASSERT_TRUE(at != nullptr && at->isVisible() && at->window() == &wizard());
+            const int y = at->mapTo(&wizard(), QPoint(0, 0)).y();
+            const bool panel = wizard().panels()[static_cast<std::size_t>(step)]->isAncestorOf(at);
+            const QString part = panel                                 ? QStringLiteral("panel")
+                                 : making().preview().isAncestorOf(at) ? QStringLiteral("preview")
+                                 : y < wizard().height() / 4           ? QStringLiteral("steps")
+                                                                       : QStringLiteral("buttons");
+            if (parts.isEmpty() || parts.back() != part) {
+                parts << part;
+            }
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+            if (QApplication::focusWidget() == first) {
+                break;
+            }
+        }
+        EXPECT_EQ(QApplication::focusWidget(), first) << "step " << step << ": Tab comes round";
+        EXPECT_EQ(parts.front(), QStringLiteral("steps"));
+        EXPECT_EQ(parts.back(), QStringLiteral("buttons"));
+        EXPECT_EQ(parts.removeDuplicates(), 0) << "step " << step << ": " << parts.join(u' ').toStdString();
+        EXPECT_TRUE(parts.contains(QStringLiteral("panel"))) << "step " << step;
+    }
+    wizard().reject();
+}
+
+TEST_F(NewCases, EscapeLeavesAndTheWindowHasTheKeyboardAgain) {
+    openArch();
+    QTest::keyClick(window.get(), Qt::Key_End);
+    const double end = window->playback().clock().time();
+    begin();
+    wizard().findChildren<QToolButton*>().front()->setFocus();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Home);
+    EXPECT_DOUBLE_EQ(window->playback().clock().time(), end) << "Home in the wizard is none of the timeline's";
+    QTest::keyClick(&wizard(), Qt::Key_Escape);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->caseInTheMaking() == nullptr; }, patience));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get(), patience));
+    QTest::keyClick(window.get(), Qt::Key_Home);
+    EXPECT_LT(window->playback().clock().time(), end);
+}
+
+TEST_F(NewCases, LeaveNothingWhenCancelled) {
+    openArch();
+    const Case before = window->document().theCase();
+    begin();
+    type(QStringLiteral("default_density"), QStringLiteral("2000"));
+    wizard().reject();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->caseInTheMaking() == nullptr; }, patience));
+    EXPECT_EQ(window->document().theCase(), before);
+    EXPECT_FALSE(window->document().modified());
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList(QStringLiteral("small.exo")));
+}
+
+TEST_F(NewCases, SayWhatIsWrongWithAFile) {
+    QFile rubbish(folder.filePath(QStringLiteral("rubbish.exo")));
+    ASSERT_TRUE(rubbish.open(QIODevice::WriteOnly));
+    rubbish.write("no result at all");
+    rubbish.close();
+    window->newCase(rubbish.fileName());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return making().settled(); }, patience));
+    EXPECT_FALSE(button(QStringLiteral("&Make the case"))->isEnabled());
+    const auto notices = wizard().units().findChildren<widgets::Notice*>();
+    EXPECT_TRUE(std::any_of(notices.begin(), notices.end(),
+                            [](const widgets::Notice* notice) { return notice->text().contains(QStringLiteral("rubbish.exo")); }));
+    wizard().reject();
+}
+
+}  // namespace rubble

@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QImage>
+#include <QPainter>
+#include <QTest>
+#include <QTreeWidget>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/gui/new_case.h"
+#include "app/gui/playback.h"
+#include "app/gui/view_area.h"
+#include "tests/app/gui/workbench.h"
+#include "widgets/case_preview.h"
+#include "widgets/new_case_wizard.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr QSize pictureSize(800, 500);
+
+/// Pictures of the screens that stand in the manual, held against the window as it is now.
+///
+/// Compared are the mean colours of tiles of 20 px: a letter or an edge that another font engine or rasteriser sets elsewhere by a
+/// pixel moves a mean by a few of 255, a figure of time in a panel by somewhat more. A tile counts as another one when a channel
+/// of its mean is off by more than 24 of 255. Up to 4 % of such tiles are figures that differ from run to run; a panel that is
+/// missing, a view that is empty or another theme changes 10 % and more.
+class Pictures : public Workbench {
+protected:
+    static constexpr int tile = 20;
+    static constexpr int channelTolerance = 24;
+    static constexpr double shareTolerance = 0.04;
+
+    static QString kept(const QString& name) {
+        return QStringLiteral(RUBBLE_SOURCE_DIR "/resources/manual/pictures/") + name + QStringLiteral(".png");
+    }
+
+    QImage pictureOf(QWidget& shown) {
+        QTest::qWait(400);
+        QImage picture = shown.grab().toImage();
+        // A widget that is grabbed paints its captions elsewhere: the views are taken from their own frame buffer.
+        for (auto* views : shown.findChildren<widgets::ViewWidget*>()) {
+            if (views->isVisible()) {
+                QPainter painter(&picture);
+                painter.drawImage(QRect(views->mapTo(&shown, QPoint(0, 0)), views->size()), views->grabFramebuffer());
+            }
+        }
+        return picture.scaled(pictureSize, Qt::KeepAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGB32);
+    }
+    static double shareOfOthers(const QImage& a, const QImage& b) {
+        int others = 0;
+        int all = 0;
+        for (int y = 0; y + tile <= a.height(); y += tile) {
+            for (int x = 0; x + tile <= a.width(); x += tile) {
+                std::array<int, 3> sums{};
+                for (int j = 0; j < tile; ++j) {
+                    for (int i = 0; i < tile; ++i) {
+                        const QRgb p = a.pixel(x + i, y + j);
+                        const QRgb q = b.pixel(x + i, y + j);
+                        sums[0] += qRed(p) - qRed(q);
+                        sums[1] += qGreen(p) - qGreen(q);
+                        sums[2] += qBlue(p) - qBlue(q);
+                    }
+                }
+                const bool other =
+                    std::any_of(sums.begin(), sums.end(), [](int sum) { return std::abs(sum) > channelTolerance * tile * tile; });
+                others += other ? 1 : 0;
+                ++all;
+            }
+        }
+        return static_cast<double>(others) / all;
+    }
+    /// With 32 shades of each colour, which halves the file and moves no channel by more than 7.
+    static QImage thrifty(QImage picture) {
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                const auto shade = [](int value) { return (value & 0xF8) | (value >> 5); };
+                const QRgb p = picture.pixel(x, y);
+                picture.setPixel(x, y, qRgb(shade(qRed(p)), shade(qGreen(p)), shade(qBlue(p))));
+            }
+        }
+        return picture;
+    }
+    /// Compares, or takes the picture anew where RUBBLE_TAKE_PICTURES is set.
+    void hold(const QString& name, QWidget& shown) {
+        const QImage now = pictureOf(shown);
+        if (qEnvironmentVariableIsSet("RUBBLE_TAKE_PICTURES")) {
+            ASSERT_TRUE(thrifty(now).save(kept(name), "PNG", 0)) << kept(name).toStdString();
+            return;
+        }
+        const QImage before = QImage(kept(name)).convertToFormat(QImage::Format_RGB32);
+        ASSERT_EQ(before.size(), now.size()) << kept(name).toStdString();
+        const double share = shareOfOthers(before, now);
+        if (share > shareTolerance) {
+            const QString actual = QStringLiteral(RUBBLE_BINARY_DIR "/") + name + QStringLiteral(".actual.png");
+            now.save(actual);
+            ADD_FAILURE() << name.toStdString() << ": " << 100.0 * share << " % of the tiles are others; see "
+                          << actual.toStdString() << ". RUBBLE_TAKE_PICTURES=1 takes all pictures anew.";
+        }
+    }
+};
+
+}  // namespace
+
+TEST_F(Pictures, OfTheManualShowTheWindowAsItIs) {
+    window->setTheme(QStringLiteral("light"));
+    hold(QStringLiteral("start"), *window);
+    openArch();
+    makeCheap();
+    window->deck().choose(PanelDeck::Fragments);
+    hold(QStringLiteral("fragments"), *window);
+    window->deck().choose(PanelDeck::Grid);
+    hold(QStringLiteral("grid"), *window);
+    window->deck().choose(PanelDeck::Effects);
+    hold(QStringLiteral("effects"), *window);
+    window->simulate(false);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            const RunRecord* record = window->computation().currentRun();
+            return record != nullptr && record->outcome != nullptr && !window->computation().busy();
+        },
+        patience));
+    window->playback().clock().pause();
+    window->showInstant(window->playback().clock().last());
+    hold(QStringLiteral("run"), *window);
+    window->deck().choose(PanelDeck::Case);
+    hold(QStringLiteral("views"), *window);
+    window->newCase(arch());
+    NewCase& making = *window->caseInTheMaking();
+    making.wizard().go(widgets::NewCaseWizard::Components);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return making.settled() && making.computation().results().fragments != nullptr; }, patience));
+    making.wizard().components().tree().tree().topLevelItem(0)->child(0)->setSelected(true);
+    making.preview().clock().setTime(making.preview().clock().last());
+    hold(QStringLiteral("new-case"), making.wizard());
+    making.wizard().reject();
+    window->document().undoStack().setClean();
+}
+
+// What the tolerance lets pass is less than any of these.
+TEST_F(Pictures, TellAMissingViewAnotherPanelAndAnotherTheme) {
+    window->setTheme(QStringLiteral("light"));
+    openArch();
+    window->showInstant(window->playback().clock().last());
+    const QImage whole = pictureOf(*window);
+    EXPECT_LT(shareOfOthers(whole, pictureOf(*window)), shareTolerance / 4.0);
+    EXPECT_LT(shareOfOthers(whole, thrifty(whole)), shareTolerance / 4.0);
+    QImage without = whole;
+    const QPoint corner = window->area().mapTo(window.get(), QPoint(0, 0)) * whole.width() / window->width();
+    QPainter(&without).fillRect(QRect(corner, window->area().size() * whole.width() / window->width()), Qt::white);
+    EXPECT_GT(shareOfOthers(whole, without), 2.0 * shareTolerance);
+    window->deck().choose(PanelDeck::Grid);
+    EXPECT_GT(shareOfOthers(whole, pictureOf(*window)), shareTolerance);
+    window->deck().choose(PanelDeck::Case);
+    window->setTheme(QStringLiteral("dark"));
+    EXPECT_GT(shareOfOthers(whole, pictureOf(*window)), 10.0 * shareTolerance);
+    window->setTheme(QStringLiteral("light"));
+}
+
+}  // namespace rubble

@@ -1,0 +1,52 @@
+#include "app/gui/screenshot.h"
+
+#include <QApplication>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include "app/gui/view_area.h"
+#include "tests/app/gui/workbench.h"
+#include "widgets/view_widget.h"
+
+namespace rubble {
+namespace {
+
+class Pictured : public Workbench {
+protected:
+    /// The picture that the program saves and leaves with.
+    QImage taken(const QStringList& actions) {
+        Options options;
+        options.path = arch();
+        options.screenshot = m_folder.filePath(QStringLiteral("a.png"));
+        options.actions = actions;
+        Screenshot screenshot(*window, options);
+        QTimer hangs;
+        hangs.setSingleShot(true);
+        QObject::connect(&hangs, &QTimer::timeout, [] { QCoreApplication::exit(7); });
+        hangs.start(patience);
+        EXPECT_EQ(QApplication::exec(), 0);
+        return QImage(options.screenshot);
+    }
+    QTemporaryDir m_folder;
+};
+
+TEST_F(Pictured, AnActionThatAsksIsPicturedWithItsDialogAndHangsNothing) {
+    openArch();
+    const QImage plain = taken({});
+    ASSERT_EQ(plain.size(), window->size() * window->devicePixelRatioF());
+    const QImage asking = taken({QStringLiteral("site"), QStringLiteral("fe_only")});
+    ASSERT_EQ(asking.size(), plain.size());
+    int different = 0;
+    for (int y = 0; y < plain.height(); y += 4) {
+        for (int x = 0; x < plain.width(); x += 4) {
+            different += plain.pixel(x, y) != asking.pixel(x, y);
+        }
+    }
+    EXPECT_GT(different, plain.width() * plain.height() / 16 / 10) << "the dialog covers a tenth of the window";
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+    EXPECT_NE(window->area().views().view().layout, render::Layout::FeOnly) << "what would come after the dialog is not done";
+}
+
+}  // namespace
+}  // namespace rubble

@@ -1,0 +1,195 @@
+#include <QComboBox>
+#include <QDialog>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTest>
+#include <QTimer>
+#include <cmath>
+#include <fstream>
+#include <functional>
+
+#include "app/gui/file_commands.h"
+#include "app/gui/survey_display.h"
+#include "app/gui/view_area.h"
+#include "io/case_file.h"
+#include "tests/app/gui/workbench.h"
+#include "tests/io/temporary_folder.h"
+#include "widgets/case_panel.h"
+#include "widgets/evidence_panel.h"
+#include "widgets/site_dialog.h"
+#include "widgets/survey_box.h"
+#include "widgets/view_widget.h"
+
+namespace rubble {
+namespace {
+
+class SiteAndSurvey : public Workbench {
+protected:
+    void simulated() {
+        openArch();
+        makeCheap();
+        window->simulate(false);
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] {
+                const RunRecord* record = window->computation().currentRun();
+                return record != nullptr && record->outcome != nullptr && !window->computation().busy();
+            },
+            patience));
+    }
+    /// An ESRI ASCII grid of heights every metre around the arch.
+    QString heights(const char* name, const std::function<double(double, double)>& height) {
+        const std::string path = m_folder / name;
+        std::ofstream out(path);
+        out << "ncols 120\nnrows 60\nxllcorner -60\nyllcorner -30\ncellsize 1\nNODATA_value -9999\n";
+        for (int row = 59; row >= 0; --row) {
+            for (int column = 0; column < 120; ++column) {
+                out << height(column - 59.5, row - 29.5) << ' ';
+            }
+            out << '\n';
+        }
+        return QString::fromStdString(path);
+    }
+    void compare() {
+        window->survey().compare();
+        ASSERT_TRUE(window->survey().busy());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->survey().busy(); }, patience));
+    }
+    /// What is done to a dialog once it stands, from within its own event loop.
+    template <typename Do>
+    static void whenAsked(Do act) {
+        auto* timer = new QTimer;
+        timer->setInterval(50);
+        QObject::connect(timer, &QTimer::timeout, timer, [timer, act] {
+            if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+                timer->stop();
+                timer->deleteLater();
+                act(*dialog);
+            }
+        });
+        timer->start();
+    }
+    QPushButton* compareButton() {
+        for (auto* each : window->deck().evidence().survey().findChildren<QPushButton*>()) {
+            if (each->text() == QStringLiteral("Compare with survey")) {
+                return each;
+            }
+        }
+        return nullptr;
+    }
+    io::TemporaryFolder m_folder;
+};
+
+TEST_F(SiteAndSurvey, ASurveyIsAddedComparedSavedAndUndone) {
+    simulated();
+    ASSERT_TRUE(window->files().saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    const QString survey =
+        heights("after.asc", [](double x, double y) { return std::abs(x) < 15.0 && std::abs(y) < 5.0 ? 1.0 : 0.0; });
+    EXPECT_FALSE(window->actions()["compare_survey"].isEnabled());
+    window->survey().add(survey);
+    EXPECT_EQ(window->deck().rail().current(), PanelDeck::Evidence);
+    EXPECT_TRUE(window->actions()["compare_survey"].isEnabled());
+    ASSERT_EQ(window->document().theCase().inputs.back().role, InputRole::Survey);
+    EXPECT_FALSE(window->computation().stale(Stage::Simulation, window->document().scenario())) << "no result stands on a survey";
+    QTest::mouseClick(compareButton(), Qt::LeftButton);
+    ASSERT_TRUE(window->survey().busy());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->survey().busy(); }, patience));
+    ASSERT_NE(window->survey().comparison(), nullptr);
+    const SurveyComparison& made = *window->survey().comparison();
+    EXPECT_NEAR(made.survey.area, 300.0, 45.0);
+    EXPECT_NEAR(made.survey.volume, 300.0, 45.0);
+    EXPECT_GT(made.simulated.area, 10.0);
+    EXPECT_GT(made.iou, 0.0);
+    EXPECT_LT(made.iou, 1.0);
+
+    // Saved as a raster and as a picture; both say what they were made from.
+    for (const char* name : {"difference.tif", "difference.png"}) {
+        window->survey().saveTo(QString::fromStdString(m_folder / name));
+        EXPECT_TRUE(std::filesystem::exists(m_folder / name)) << name;
+        EXPECT_TRUE(std::filesystem::exists(m_folder / (std::string(name) + ".provenance.json"))) << name;
+    }
+    // Other settings make it stale, and a stale one is not saved.
+    auto& box = window->deck().evidence().survey();
+    for (auto* each : box.findChildren<QComboBox*>()) {
+        if (each->count() == 3) {
+            each->setCurrentIndex(1);
+        }
+    }
+    window->survey().saveTo(QString::fromStdString(m_folder / "stale.tif"));
+    EXPECT_FALSE(std::filesystem::exists(m_folder / "stale.tif"));
+    compare();
+    EXPECT_EQ(window->survey().comparison()->settings.fit, SurveyFit::Ground);
+
+    ASSERT_TRUE(window->files().saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    EXPECT_EQ(io::loadCase(m_folder / "case.rubble").inputs.back().path, "after.asc");
+    window->actions()["undo"].trigger();
+    EXPECT_NE(window->document().theCase().inputs.back().role, InputRole::Survey);
+    EXPECT_FALSE(window->actions()["compare_survey"].isEnabled());
+    window->actions()["redo"].trigger();
+    EXPECT_EQ(window->document().theCase().inputs.back().role, InputRole::Survey);
+}
+
+TEST_F(SiteAndSurvey, ASurveyThatIsNoneIsToldInPlace) {
+    simulated();
+    const std::string path = m_folder / "notes.txt";
+    std::ofstream(path) << "no heights here";
+    window->survey().add(QString::fromStdString(path));
+    compare();
+    EXPECT_EQ(window->survey().comparison(), nullptr);
+    EXPECT_TRUE(compareButton()->isEnabled()) << "it can be tried again";
+    const std::size_t before = window->document().theCase().inputs.size();
+    window->survey().add(QString::fromStdString(m_folder / "missing.tif"));
+    EXPECT_EQ(window->document().theCase().inputs.size(), before);
+}
+
+TEST_F(SiteAndSurvey, TheSiteIsAskedForAndReadAnew) {
+    openArch();
+    const QString plateau = heights("terrain.asc", [](double, double) { return 5.0; });
+    std::vector<CaseInput> inputs = window->document().theCase().inputs;
+    inputs.push_back({"terrain-1", InputRole::Terrain, plateau.toStdString(), ""});
+    window->document().setInputs(inputs, QStringLiteral("terrain"));
+    const auto height = [&] {
+        const auto& terrain = window->computation().inputs().terrain;
+        return terrain && prepared() ? terrain->height(0.0, 0.0) : NAN;
+    };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(height() - 5.0) < 1e-6; }, patience));
+    whenAsked([](QDialog& dialog) {
+        auto* site = qobject_cast<widgets::SiteDialog*>(&dialog);
+        ASSERT_NE(site, nullptr);
+        Site content = site->site();
+        content.heightShift = -7.0;
+        site->setContent(content, QStringLiteral("EPSG:25832"), 0);
+        QTest::keyClick(site, Qt::Key_Return);
+    });
+    window->actions()["site"].trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(height() + 2.0) < 1e-6; }, patience));
+    EXPECT_EQ(window->document().theCase().frame.crs, "EPSG:25832");
+    window->actions()["undo"].trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(height() - 5.0) < 1e-6; }, patience));
+    EXPECT_EQ(window->document().theCase().frame.crs, "");
+}
+
+TEST_F(SiteAndSurvey, AMeshOfTheSurroundingsIsDrawnAndLeftOutAgain) {
+    openArch();
+    window->actions()["fragments_only"].trigger();
+    widgets::ViewWidget& views = window->area().views();
+    const auto drawn = [&] {
+        QTest::qWait(300);
+        return views.grabFramebuffer();
+    };
+    const QImage without = drawn();
+    const std::string path = m_folder / "house.obj";
+    std::ofstream(path) << "v -10 12 0\nv 10 12 0\nv 10 12 15\nv -10 12 15\nf 1 2 3 4\n";
+    std::vector<CaseInput> inputs = window->document().theCase().inputs;
+    inputs.push_back({"surroundings-1", InputRole::Surroundings, path, ""});
+    window->document().setInputs(inputs, QStringLiteral("house"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().terrain().surroundings != nullptr && prepared(); }, patience));
+    EXPECT_TRUE(window->actions()["no_surroundings"].isEnabled());
+    EXPECT_EQ(views.view().layout, render::Layout::FragmentsOnly) << "the view stays when the files around the result change";
+    EXPECT_NE(drawn(), without);
+    window->actions()["no_surroundings"].trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().terrain().surroundings == nullptr && prepared(); }, patience));
+    EXPECT_EQ(drawn(), without);
+}
+
+}  // namespace
+}  // namespace rubble

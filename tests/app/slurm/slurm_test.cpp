@@ -1,0 +1,225 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/mount.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "tests/app/cli/command_run.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/app/cli/study_comparison.h"
+#include "tests/io/temporary_folder.h"
+
+namespace rubble::cli {
+
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// Sweeps on a Slurm of one node with two processors.
+class SlurmSweep : public testing::Test {
+protected:
+    void TearDown() override {
+        slurm({"scancel", "--user=root"});
+        slurm({"scontrol", "update", "nodename=" + node(), "state=resume"});
+    }
+    static std::string slurm(const std::vector<std::string>& words) { return CommandRun().run(words).out; }
+    static std::string node() {
+        const std::string out = slurm({"sinfo", "--noheader", "--format=%n"});
+        return out.substr(0, out.find('\n'));
+    }
+    static std::size_t tasksIn(const std::string& state) {
+        const std::string out = slurm({"squeue", "--noheader", "--array", "--states=" + state, "--format=%i"});
+        return static_cast<std::size_t>(std::count(out.begin(), out.end(), '\n'));
+    }
+    static void drain() { slurm({"scontrol", "update", "nodename=" + node(), "state=drain", "reason=test"}); }
+    static void resume() { slurm({"scontrol", "update", "nodename=" + node(), "state=resume"}); }
+
+    /// A sweep of six worlds, each of which takes a second or two.
+    std::vector<std::string> sweep(std::vector<std::string> more, const std::string& cache = "cache") const {
+        more.insert(more.begin(),
+                    {"accuracy", m_fe, "--multiples", "1,2", "--no-fps", "--no-timing", "--json", "--set", "settle_time=20",
+                     "--set", "freeze=false", "--set", "step_rate=4000", "--set", "substeps=8", "--cache", m_folder / cache});
+        return more;
+    }
+    Outcome onSlurm(std::function<void(pid_t)> meanwhile = {}, std::vector<std::string> more = {}) {
+        more.insert(more.end(), {"--executor", "slurm"});
+        return CommandRun().meanwhile(std::move(meanwhile)).cli(sweep(more));
+    }
+    nlohmann::json local() { return cli(sweep({}, "local")).json(); }
+    std::size_t made() const {
+        std::error_code ignored;
+        std::size_t count = 0;
+        for (fs::directory_iterator it(m_folder / "cache/worlds", ignored), end; it != end; it.increment(ignored)) {
+            count += it->path().extension() == ".world";
+        }
+        return count;
+    }
+    nlohmann::json jobs() const { return cli({"jobs", "list", "--json", "--cache", m_folder / "cache"}).json()["jobs"]; }
+
+    io::TemporaryFolder m_folder;
+    std::string m_fe = writeSmallCollapse(m_folder / "small.exo");
+};
+
+TEST_F(SlurmSweep, ANodeDrainedHalfWayDelaysItAndChangesNoBit) {
+    int phase = 0;
+    auto drainedAt = std::chrono::steady_clock::now();
+    std::size_t madeWhenDrained = 0;
+    std::size_t waitedThen = 0;
+    const Outcome outcome = onSlurm([&](pid_t) {
+        if (phase == 0 && made() >= 1) {
+            drain();
+            drainedAt = std::chrono::steady_clock::now();
+            phase = 1;
+        } else if (phase == 1 && std::chrono::steady_clock::now() - drainedAt > std::chrono::seconds(8)) {
+            madeWhenDrained = made();
+            waitedThen = tasksIn("PENDING");
+            resume();
+            phase = 2;
+        }
+    });
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(phase, 2);
+    EXPECT_LT(madeWhenDrained, 6u);
+    EXPECT_GT(waitedThen, 0u);
+    EXPECT_THAT(outcome.err, HasSubstr("6 of 6 worlds submitted"));
+    EXPECT_EQ(withoutTimes(outcome.json()), withoutTimes(local()));
+    const nlohmann::json list = jobs();
+    ASSERT_EQ(list.size(), 1u);
+    EXPECT_EQ(list[0]["made"], 6);
+    EXPECT_EQ(list[0]["study"], "accuracy");
+}
+
+TEST_F(SlurmSweep, ANodeThatFailsLosesNothing) {
+    bool failed = false;
+    const Outcome outcome = onSlurm([&](pid_t) {
+        if (!failed && tasksIn("RUNNING") > 0) {
+            slurm({"scontrol", "update", "nodename=" + node(), "state=down", "reason=test"});
+            resume();
+            failed = true;
+        }
+    });
+    EXPECT_TRUE(failed);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(withoutTimes(outcome.json()), withoutTimes(local()));
+}
+
+TEST_F(SlurmSweep, ClosingTheProgramStopsNothingAndTheSecondStartFollows) {
+    bool told = false;
+    const Outcome closed = onSlurm([&](pid_t program) {
+        if (!told && tasksIn("RUNNING") > 0) {
+            kill(program, SIGINT);
+            told = true;
+        }
+    });
+    EXPECT_EQ(closed.exitCode, 3);
+    EXPECT_THAT(closed.err, HasSubstr("the job goes on: rubble-cli jobs follow"));
+    // Two more of the same: neither submits anything.
+    const Outcome detached = onSlurm({}, {"--detach"});
+    EXPECT_EQ(detached.exitCode, 0) << detached.err;
+    EXPECT_EQ(detached.json()["submitted"], 0);
+    EXPECT_THAT(detached.err, HasSubstr("was submitted before"));
+    const Outcome second = onSlurm();
+    ASSERT_EQ(second.exitCode, 0) << second.err;
+    EXPECT_EQ(second.json()["complete"], true);
+    const std::string folder = m_folder / ("cache/jobs/" + detached.json()["job"].get<std::string>());
+    EXPECT_TRUE(fs::exists(folder + "/array-1.sh"));
+    EXPECT_FALSE(fs::exists(folder + "/array-2.sh"));
+}
+
+TEST_F(SlurmSweep, ACancelledTaskIsLeftAloneUntilItIsAskedForAgain) {
+    // One while it runs, one while it waits.
+    int cancelled = 0;
+    const Outcome outcome = onSlurm([&](pid_t) {
+        for (const char* state : {"RUNNING", "PENDING"}) {
+            const std::string tasks = slurm({"squeue", "--noheader", "--array", std::string("--states=") + state, "--format=%i"});
+            if (cancelled < 2 && !tasks.empty() && (cancelled == 0) == (std::string(state) == "RUNNING")) {
+                slurm({"scancel", tasks.substr(0, tasks.find('\n'))});
+                ++cancelled;
+            }
+        }
+    });
+    EXPECT_EQ(cancelled, 2);
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("was not made: cancelled"));
+    // Slurm lets a task that runs go on for KillWait: it may have come to its end.
+    const std::size_t left = 6 - made();
+    EXPECT_TRUE(left == 1 || left == 2) << left;
+    EXPECT_EQ(jobs()[0]["failed"].size(), left);
+    const Outcome again = onSlurm();
+    ASSERT_EQ(again.exitCode, 0) << again.err;
+    EXPECT_THAT(again.err, HasSubstr(std::to_string(left) + " of 6 worlds submitted"));
+    EXPECT_EQ(withoutTimes(again.json()), withoutTimes(local()));
+}
+
+TEST_F(SlurmSweep, JobsListFollowsAndCancels) {
+    drain();
+    const Outcome detached = onSlurm({}, {"--detach"});
+    ASSERT_EQ(detached.exitCode, 0) << detached.err;
+    const std::string id = detached.json()["job"];
+    EXPECT_EQ(jobs()[0]["waiting"], 6);
+    const std::string cache = m_folder / "cache";
+    const Outcome cancelled = cli({"jobs", "cancel", id, "--cache", cache});
+    EXPECT_EQ(cancelled.exitCode, 0) << cancelled.err;
+    EXPECT_EQ(jobs()[0]["failed"].size(), 6u);
+    resume();
+    ASSERT_EQ(onSlurm({}, {"--detach"}).json()["submitted"], 6);
+    const Outcome followed = cli({"jobs", "follow", "--cache", cache});
+    EXPECT_EQ(followed.exitCode, 0) << followed.err;
+    EXPECT_THAT(followed.out, HasSubstr(id));
+    EXPECT_EQ(made(), 6u);
+    EXPECT_THAT(cli({"jobs", "clear", "--cache", cache}).out, HasSubstr(id + " is forgotten"));
+    EXPECT_TRUE(jobs().empty());
+}
+
+TEST_F(SlurmSweep, AFullDiskEndsItWithTheReasonAndRoomMendsIt) {
+    const std::string worlds = m_folder / "cache/worlds";
+    fs::create_directories(worlds);
+    ASSERT_EQ(mount("none", worlds.c_str(), "tmpfs", 0, "size=4k"), 0) << "root may mount, or the test cannot fill a disk";
+    {
+        std::ofstream(worlds + "/full") << std::string(8192, 'x');
+    }
+    const Outcome full = onSlurm();
+    umount(worlds.c_str());
+    EXPECT_EQ(full.exitCode, 1);
+    EXPECT_THAT(full.err, HasSubstr("was not made: failed"));
+    const Outcome again = onSlurm();
+    ASSERT_EQ(again.exitCode, 0) << again.err;
+    EXPECT_EQ(withoutTimes(again.json()), withoutTimes(local()));
+}
+
+TEST_F(SlurmSweep, AWorldOfSomethingElseIsMadeAnew) {
+    ASSERT_EQ(onSlurm().exitCode, 0);
+    std::vector<fs::path> worlds;
+    for (const auto& entry : fs::directory_iterator(m_folder / "cache/worlds")) {
+        worlds.push_back(entry.path());
+    }
+    // What another build or another study left under this name.
+    fs::copy_file(worlds[0], worlds[1], fs::copy_options::overwrite_existing);
+    const Outcome again = onSlurm();
+    ASSERT_EQ(again.exitCode, 0) << again.err;
+    EXPECT_THAT(again.err, HasSubstr("1 of 6 worlds submitted"));
+    EXPECT_EQ(withoutTimes(again.json()), withoutTimes(local()));
+}
+
+TEST_F(SlurmSweep, AClusterThatCannotBeReachedIsSaid) {
+    const std::string conf = m_folder / "slurm.conf";
+    std::string text = textOf(std::getenv("SLURM_CONF"));
+    const std::size_t port = text.find("SlurmctldPort=");
+    text.replace(port, text.find('\n', port) - port, "SlurmctldPort=1");
+    std::ofstream(conf) << text << "MessageTimeout=2\n";
+    const Outcome outcome = CommandRun().with("SLURM_CONF", conf).cli(sweep({"--executor", "slurm"}));
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("Slurm"));
+    EXPECT_THAT(outcome.err, HasSubstr("sinfo"));
+}
+
+}  // namespace
+
+}  // namespace rubble::cli

@@ -1,0 +1,210 @@
+#include "core/evidence/cause_comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/base/error.h"
+
+namespace rubble {
+namespace {
+
+/// Debris over a square of cells, of one height.
+MemberSurface patch(std::int32_t i0, std::int32_t j0, std::int32_t side, float height) {
+    MemberSurface surface;
+    for (std::int32_t j = j0; j < j0 + side; ++j) {
+        for (std::int32_t i = i0; i < i0 + side; ++i) {
+            surface.cells.push_back({j, i});
+            surface.heights.push_back(height);
+            surface.masses.push_back(2000.0F * height);
+        }
+    }
+    return surface;
+}
+
+SurfaceEvidence evidenceOf(const MemberSurface& surface, EvidenceKind kind) {
+    SurfaceEvidence evidence;
+    evidence.name = "survey";
+    evidence.kind = kind;
+    evidence.seen = surface;
+    return evidence;
+}
+
+EnsembleReport ensembleOf(const std::vector<MemberSurface>& surfaces) {
+    EnsembleReport report;
+    report.surface.cell = 1.0;
+    report.settings.members = static_cast<std::int64_t>(surfaces.size());
+    for (const MemberSurface& surface : surfaces) {
+        EnsembleMember& member = report.members.emplace_back();
+        member.number = static_cast<std::int64_t>(report.members.size()) - 1;
+        member.done = true;
+        member.surface = std::make_shared<const MemberSurface>(surface);
+    }
+    report.complete = true;
+    return report;
+}
+
+/// Members whose patch lies around a place and scatters by some cells.
+Hypothesis scattering(const std::string& name, int at, int scatter, unsigned seed, int members = 12) {
+    std::mt19937 random(seed);
+    std::vector<MemberSurface> surfaces;
+    for (int m = 0; m < members; ++m) {
+        const int by = static_cast<int>(random() % static_cast<unsigned>(2 * scatter + 1)) - scatter;
+        const float height = 1.0F + 0.1F * static_cast<float>(random() % 3);
+        surfaces.push_back(patch(at + by, static_cast<int>(random() % 3), 10, height));
+    }
+    return {name, std::make_shared<const EnsembleReport>(ensembleOf(surfaces))};
+}
+
+TEST(CauseComparison, DeparturesAreThoseOfClosedForms) {
+    const MemberSurface a = patch(0, 0, 10, 2.0F);
+    const MemberSurface b = patch(5, 0, 10, 1.0F);
+    // 50 cells in both, 150 in either.
+    EXPECT_NEAR(departureFrom(evidenceOf(a, EvidenceKind::Footprint), b), 1.0 - 50.0 / 150.0, 1e-12);
+    // 50 of 2 m, 50 of 1 m difference, 50 of 1 m; both hold 200 and 100.
+    EXPECT_NEAR(departureFrom(evidenceOf(a, EvidenceKind::Heights), b), 200.0 / 300.0, 1e-6);
+    EXPECT_EQ(departureFrom(evidenceOf(a, EvidenceKind::Heights), a), 0.0);
+    EXPECT_TRUE(std::isnan(departureFrom(evidenceOf({}, EvidenceKind::Footprint), MemberSurface())));
+}
+
+TEST(CauseComparison, OnlyWhatWasLookedAtCounts) {
+    SurfaceEvidence evidence = evidenceOf(patch(0, 0, 10, 1.0F), EvidenceKind::Footprint);
+    evidence.everywhere = false;
+    evidence.looked = patch(0, 0, 5, 1.0F).cells;
+    EXPECT_EQ(departureFrom(evidence, patch(0, 0, 5, 1.0F)), 0.0);
+    EXPECT_EQ(departureFrom(evidence, patch(40, 40, 5, 1.0F)), 1.0);
+}
+
+TEST(CauseComparison, NamesTheCauseAndWhereItShows) {
+    const std::vector<Hypothesis> hypotheses{scattering("west", 0, 1, 1), scattering("east", 30, 1, 2)};
+    CauseEvidence evidence;
+    evidence.surfaces.push_back(evidenceOf(patch(30, 1, 10, 1.1F), EvidenceKind::Footprint));
+    const CauseComparison made = compareCauses(hypotheses, evidence);
+    EXPECT_TRUE(made.ranking.decided());
+    EXPECT_EQ(made.hypotheses[made.ranking.causes.front().hypothesis], "east");
+    EXPECT_EQ(made.verdict.id, "causes.told");
+    EXPECT_TRUE(made.alike.empty());
+    EXPECT_GT(made.fit, 0.0) << "as like its members as they are each other";
+    EXPECT_TRUE(made.findings.empty());
+    ASSERT_TRUE(made.separation && made.place);
+    EXPECT_EQ(made.separation->hypotheses, (std::vector<std::string>{"east", "west"}));
+    // Debris in the east and none in the west speak for the east.
+    const std::vector<double>& says = made.separation->layer(MapLayer::Separation);
+    for (std::size_t c = 0; c < says.size(); ++c) {
+        if (made.separation->cells[c].j >= 2 && made.separation->cells[c].j < 10) {
+            const int i = made.separation->cells[c].i;
+            EXPECT_TRUE(i < 1 || (i >= 9 && i < 31) || i >= 39 || says[c] > 0.0) << i;
+        }
+    }
+    EXPECT_EQ(made.separation->present(), std::vector<MapLayer>{MapLayer::Separation});
+}
+
+TEST(CauseComparison, HeightsSeparateWhereBothHaveDebris) {
+    std::vector<MemberSurface> low;
+    std::vector<MemberSurface> high;
+    for (int m = 0; m < 12; ++m) {
+        low.push_back(patch(0, 0, 10, 1.0F + 0.01F * static_cast<float>(m)));
+        high.push_back(patch(0, 0, 10, 3.0F + 0.01F * static_cast<float>(m)));
+    }
+    const std::vector<Hypothesis> hypotheses{{"low", std::make_shared<const EnsembleReport>(ensembleOf(low))},
+                                             {"high", std::make_shared<const EnsembleReport>(ensembleOf(high))}};
+    CauseEvidence evidence;
+    evidence.surfaces.push_back(evidenceOf(patch(0, 0, 10, 2.9F), EvidenceKind::Heights));
+    const CauseComparison made = compareCauses(hypotheses, evidence);
+    EXPECT_EQ(made.hypotheses[made.ranking.causes.front().hypothesis], "high");
+    for (const double says : made.separation->layer(MapLayer::Separation)) {
+        EXPECT_NEAR(says, std::log(12.5 / 0.5), 1e-9) << "all of one are higher than half of all, none of the other";
+    }
+    ASSERT_TRUE(made.place);
+    EXPECT_NEAR(made.place->area, 50.0, 1.0);
+}
+
+TEST(CauseComparison, SaysWhenTheEvidenceDoesNotSeparate) {
+    const std::vector<Hypothesis> hypotheses{scattering("a", 0, 4, 3), scattering("b", 1, 4, 4), scattering("far", 40, 1, 5)};
+    CauseEvidence evidence;
+    evidence.surfaces.push_back(evidenceOf(patch(0, 1, 10, 1.1F), EvidenceKind::Footprint));
+    const CauseComparison made = compareCauses(hypotheses, evidence);
+    EXPECT_FALSE(made.ranking.decided());
+    EXPECT_EQ(made.verdict.id, "causes.not_told");
+    ASSERT_EQ(made.alike.size(), 1u);
+    EXPECT_NE(made.alike.front(), "far");
+}
+
+TEST(CauseComparison, SaysWhenNoneOfThemFits) {
+    const std::vector<Hypothesis> hypotheses{scattering("west", 0, 1, 1), scattering("east", 30, 1, 2)};
+    CauseEvidence evidence;
+    evidence.surfaces.push_back(evidenceOf(patch(80, 80, 10, 1.0F), EvidenceKind::Footprint));
+    const CauseComparison made = compareCauses(hypotheses, evidence);
+    EXPECT_EQ(made.fit, 0.0);
+    ASSERT_EQ(made.findings.list().size(), 1u);
+    EXPECT_EQ(made.findings.list().front().what.id, "causes.no_fit");
+    EXPECT_FALSE(made.ranking.decided());
+}
+
+TEST(CauseComparison, BlindTestFindsWhatCanBeFound) {
+    const std::vector<Hypothesis> hypotheses{scattering("west", 0, 1, 1), scattering("east", 30, 1, 2),
+                                             scattering("north", 60, 1, 6)};
+    for (const EvidenceKind kind : {EvidenceKind::Footprint, EvidenceKind::Heights}) {
+        const BlindTest test = blindTest(hypotheses, kind, Execution());
+        EXPECT_EQ(test.trials(), 36);
+        EXPECT_EQ(test.right(), 36);
+        EXPECT_EQ(test.wrong(), 0);
+    }
+    const std::vector<Hypothesis> alike{scattering("a", 0, 3, 1), scattering("b", 0, 3, 2)};
+    const BlindTest test = blindTest(alike, EvidenceKind::Footprint, Execution());
+    EXPECT_LE(test.wrong(), 2) << "one cause under two names";
+    EXPECT_EQ(test.trials(), 24);
+}
+
+TEST(CauseComparison, RefusesWhatCannotBeCompared) {
+    std::vector<Hypothesis> hypotheses{scattering("west", 0, 1, 1), scattering("east", 30, 1, 2)};
+    EXPECT_THROW(compareCauses(hypotheses, CauseEvidence()), UsageError);
+    EnsembleReport other = *hypotheses[1].ensemble;
+    other.surface.cell = 2.0;
+    hypotheses[1].ensemble = std::make_shared<const EnsembleReport>(other);
+    CauseEvidence evidence;
+    evidence.surfaces.push_back(evidenceOf(patch(0, 0, 3, 1.0F), EvidenceKind::Footprint));
+    EXPECT_THROW(compareCauses(hypotheses, evidence), UsageError);
+    EXPECT_THROW(blindTest(hypotheses, EvidenceKind::Footprint, Execution()), UsageError);
+}
+
+TEST(ProbabilityMap, IsThatOfClosedForm) {
+    // Two of four members reach a cell, of 1 and 3 m; one reaches another.
+    EnsembleReport report = ensembleOf({patch(0, 0, 1, 1.0F), patch(0, 0, 1, 3.0F), patch(1, 0, 1, 0.3F), MemberSurface()});
+    const DebrisMap map = probabilityMap(report, {0.25, 0.5, 2.0});
+    ASSERT_EQ(map.cells.size(), 2u);
+    EXPECT_EQ(map.members, 4);
+    EXPECT_EQ(map.layer(MapLayer::Probability), (std::vector<double>{0.5, 0.25}));
+    EXPECT_EQ(map.layer(MapLayer::AboveFirst), (std::vector<double>{0.5, 0.25}));
+    EXPECT_EQ(map.layer(MapLayer::AboveSecond), (std::vector<double>{0.5, 0.0}));
+    EXPECT_EQ(map.layer(MapLayer::AboveThird), (std::vector<double>{0.25, 0.0}));
+    // Heights 0, 0, 1, 3: linear between ranks.
+    EXPECT_NEAR(map.layer(MapLayer::HeightMiddle)[0], 0.5, 1e-6);
+    EXPECT_NEAR(map.layer(MapLayer::HeightHigh)[0], 1.0 + 0.85 * 2.0, 1e-6);
+    EXPECT_NEAR(map.layer(MapLayer::MassMiddle)[0], 1000.0, 1e-3);
+    EXPECT_NEAR(map.layer(MapLayer::ProbabilityError)[0], std::sqrt(0.5 * 0.5 / 8.0), 1e-12);
+    EXPECT_FALSE(map.has(MapLayer::Mass));
+    EXPECT_FALSE(map.has(MapLayer::Separation));
+    EXPECT_EQ(englishText(mapLayerTitle(map, MapLayer::AboveThird)), "Probability of debris higher than 2 m");
+    EXPECT_THROW(probabilityMap(report, {1.0, 0.5, 2.0}), UsageError);
+    EXPECT_THROW(probabilityMap(EnsembleReport(), usualThresholds), UsageError);
+}
+
+TEST(ProbabilityMap, SettlesAsMembersAreAdded) {
+    std::vector<MemberSurface> surfaces;
+    std::mt19937 random(9);
+    for (int m = 0; m < 24; ++m) {
+        surfaces.push_back(patch(static_cast<int>(random() % 6), 0, 8, 1.0F));
+    }
+    const EnsembleReport report = ensembleOf(surfaces);
+    const std::vector<ConvergenceRow> rows = convergenceOf(report);
+    ASSERT_EQ(rows.size(), 5u) << "2, 4, 8, 16 and all 24";
+    EXPECT_EQ(rows.back().members, 24u);
+    for (std::size_t k = 1; k < rows.size(); ++k) {
+        EXPECT_LT(rows[k].worstError, rows[k - 1].worstError);
+    }
+}
+
+}  // namespace
+}  // namespace rubble

@@ -1,0 +1,56 @@
+#include "core/fe/control_points.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace rubble {
+namespace {
+
+std::vector<ControlPoint> turned(double scale, double angle) {
+    std::vector<ControlPoint> points;
+    for (const Vec3& local : {Vec3(0, 0, 0), Vec3(40, 5, 2), Vec3(-12, 30, 7), Vec3(25, -18, -3)}) {
+        const double x = scale * (std::cos(angle) * local.x() - std::sin(angle) * local.y());
+        const double y = scale * (std::sin(angle) * local.x() + std::cos(angle) * local.y());
+        points.push_back({"p", local, Vec3(451000.0 + x, 5311000.0 + y, 512.0 + local.z()), true});
+    }
+    return points;
+}
+
+TEST(ControlPoints, ASimilarityIsFoundExactly) {
+    const SiteFit fit = fitControlPoints(turned(0.9996, 0.7));
+    EXPECT_NEAR(fit.scale, 0.9996, 1e-9);
+    EXPECT_NEAR(fit.angle, 0.7, 1e-9);
+    EXPECT_NEAR(fit.height, 512.0, 1e-9);
+    EXPECT_LT(fit.rmsPlan, 1e-6);
+    const Vec3 local(3.0, -7.0, 1.5);
+    EXPECT_LT((fit.toLocal(fit.toWorld(local)) - local).norm(), 1e-6);
+}
+
+TEST(ControlPoints, AWrongPointShowsAndCanBeLeftOut) {
+    std::vector<ControlPoint> points = turned(1.0, -0.2);
+    points[1].world += Vec3(3.0, 0.0, 0.5);
+    const SiteFit with = fitControlPoints(points);
+    EXPECT_GT(with.rmsPlan, 0.5);
+    points[1].used = false;
+    const SiteFit without = fitControlPoints(points);
+    EXPECT_LT(without.rmsPlan, 1e-6);
+    EXPECT_EQ(without.used, 3u);
+    EXPECT_NEAR(without.residuals[1].x(), 3.0, 1e-6);
+    EXPECT_NEAR(without.residuals[1].z(), 0.5, 1e-6);
+}
+
+TEST(ControlPoints, TooFewOrOnePlaceAreRefused) {
+    std::vector<ControlPoint> points = turned(1.0, 0.0);
+    points.resize(1);
+    EXPECT_THROW(fitControlPoints(points), UsageError);
+    points.push_back(points.front());
+    EXPECT_THROW(fitControlPoints(points), UsageError);
+    points.back().world.x() = NAN;
+    EXPECT_THROW(fitControlPoints(points), UsageError);
+}
+
+}  // namespace
+}  // namespace rubble

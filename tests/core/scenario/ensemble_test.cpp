@@ -1,0 +1,135 @@
+#include "core/scenario/ensemble.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/scenario/parameters.h"
+
+namespace rubble {
+namespace {
+
+EnsembleSettings varying(const std::string& key, const std::string& text) {
+    EnsembleSettings settings;
+    settings.varied.push_back(variationFrom(key, text));
+    return settings;
+}
+
+double drawnNumber(const EnsembleSettings& settings, std::int64_t member) {
+    return std::stod(drawnValues(settings, member).front().second);
+}
+
+TEST(Ensemble, TextOfAVariationIsReadToTheSame) {
+    for (const auto& [key, text] : {std::pair{"friction", "uniform:0.4:0.8"},
+                                    {"restitution", "normal:0.1:0.05"},
+                                    {"grouping", "choice:nested:axes"},
+                                    {"scenario", "choice:scenario-1:scenario-2"},
+                                    {"pair[stone,soil].friction", "uniform:0.5:0.7"}}) {
+        const VariedSetting varied = variationFrom(key, text);
+        EXPECT_EQ(variationText(varied), text);
+        EXPECT_EQ(variationFrom(key, variationText(varied)), varied);
+    }
+}
+
+TEST(Ensemble, WhatCannotBeDrawnIsRefused) {
+    for (const auto& [key, text] : {std::pair{"friction", "uniform:0.8:0.4"},
+                                    {"friction", "uniform:0.4:11"},
+                                    {"friction", "normal:0.5:0"},
+                                    {"friction", "normal:0.5"},
+                                    {"friction", "uniform:a:b"},
+                                    {"friction", "uniform:nan:1"},
+                                    {"friction", "gamma:1:2"},
+                                    {"friction", ""},
+                                    {"fricton", "uniform:0:1"},
+                                    {"grouping", "uniform:0:1"},
+                                    {"grouping", "choice:nested:other"},
+                                    {"grouping", "choice:"},
+                                    {"units", "choice:auto"},
+                                    {"seed", "uniform:1:9"},
+                                    {"scenario", "uniform:0:1"}}) {
+        EXPECT_THROW(variationFrom(key, text), UsageError) << key << '=' << text;
+    }
+    EnsembleSettings twice = varying("friction", "uniform:0.4:0.8");
+    twice.varied.push_back(twice.varied.front());
+    EXPECT_THROW(checkEnsemble(twice), UsageError);
+    EnsembleSettings none;
+    none.members = 0;
+    EXPECT_THROW(checkEnsemble(none), UsageError);
+    EXPECT_NO_THROW(checkEnsemble(EnsembleSettings{usualVariations()}));
+}
+
+TEST(Ensemble, AMemberIsTheSameHoweverManyThereAre) {
+    EnsembleSettings few{usualVariations(), 3, 5};
+    EnsembleSettings many{usualVariations(), 300, 5};
+    many.varied.insert(many.varied.begin(), variationFrom("settle_time", "uniform:1:2"));
+    for (std::int64_t member = 0; member < 3; ++member) {
+        const DrawnValues a = drawnValues(few, member);
+        const DrawnValues b = drawnValues(many, member);
+        EXPECT_EQ(a, DrawnValues(b.begin() + 1, b.end())) << "what else is varied changes no draw";
+    }
+    EnsembleSettings other{usualVariations(), 3, 6};
+    EXPECT_NE(drawnValues(few, 0), drawnValues(other, 0));
+}
+
+TEST(Ensemble, DrawsFollowTheirDistributions) {
+    constexpr int count = 4000;
+    const EnsembleSettings uniform = varying("friction", "uniform:0.4:0.8");
+    const EnsembleSettings normal = varying("friction", "normal:0.6:0.1");
+    const EnsembleSettings cut = varying("restitution", "normal:0:0.2");
+    double sums[2] = {};
+    double squares[2] = {};
+    for (int member = 0; member < count; ++member) {
+        const double values[2] = {drawnNumber(uniform, member), drawnNumber(normal, member)};
+        EXPECT_GE(values[0], 0.4);
+        EXPECT_LE(values[0], 0.8);
+        for (int k = 0; k < 2; ++k) {
+            sums[k] += values[k];
+            squares[k] += values[k] * values[k];
+        }
+        const double restitution = drawnNumber(cut, member);
+        EXPECT_GE(restitution, 0.0);
+        EXPECT_LE(restitution, 1.0);
+    }
+    // Four standard errors of the mean, 5 % of the deviation.
+    const double deviations[2] = {0.4 / std::sqrt(12.0), 0.1};
+    for (int k = 0; k < 2; ++k) {
+        const double mean = sums[k] / count;
+        EXPECT_NEAR(mean, 0.6, 4.0 * deviations[k] / std::sqrt(count));
+        EXPECT_NEAR(std::sqrt(squares[k] / count - mean * mean), deviations[k], 0.05 * deviations[k]);
+    }
+}
+
+TEST(Ensemble, ChoicesAreEquallyLikely) {
+    const EnsembleSettings settings = varying("pieces", "choice:none:grid_boxes:surface");
+    std::map<std::string, int> counts;
+    for (int member = 0; member < 3000; ++member) {
+        ++counts[drawnValues(settings, member).front().second];
+    }
+    ASSERT_EQ(counts.size(), 3u);
+    for (const auto& [choice, count] : counts) {
+        EXPECT_NEAR(count, 1000, 4.0 * std::sqrt(3000.0 * 2.0 / 9.0)) << choice;
+    }
+}
+
+TEST(Ensemble, MembersHaveWhatWasDrawnAndASeedOfTheirOwn) {
+    const EnsembleSettings settings{usualVariations(), 8, 1};
+    Scenario scenario;
+    std::set<std::int64_t> seeds;
+    for (std::int64_t member = 0; member < 8; ++member) {
+        const Scenario made = memberScenario(scenario, settings, member);
+        for (const auto& [key, value] : drawnValues(settings, member)) {
+            Scenario expected = made;
+            setParameterText(expected, key, value);
+            EXPECT_EQ(expected, made) << key;
+        }
+        EXPECT_GE(made.fragments.birthShift, 1e-6);
+        seeds.insert(made.fragments.seed);
+    }
+    EXPECT_EQ(seeds.size(), 8u);
+}
+
+}  // namespace
+}  // namespace rubble

@@ -1,0 +1,168 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "io/fe_reader.h"
+#include "io/hdf5_handle.h"
+#include "io/vtk/vtkhdf_reader.h"
+#include "io/xdmf/xdmf_reader.h"
+#include "tests/io/temporary_folder.h"
+
+namespace rubble::io {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Two bricks of which the second dies at the second of two states, in formats that keep their values in HDF5.
+class CutTables : public testing::Test {
+protected:
+    static constexpr int nodes = 12;
+
+    static std::vector<double> places() {
+        std::vector<double> values;
+        for (int n = 0; n < nodes; ++n) {
+            values.insert(values.end(), {double(n % 3), double(n / 3 % 2), double(n / 6)});
+        }
+        return values;
+    }
+    static std::vector<int> corners() { return {0, 1, 4, 3, 6, 7, 10, 9, 1, 2, 5, 4, 7, 8, 11, 10}; }
+
+    template <class T>
+    static void table(hid_t file, const std::string& name, const std::vector<T>& values, hsize_t columns = 1) {
+        const std::vector<hsize_t> extent =
+            columns > 1 ? std::vector<hsize_t>{values.size() / columns, columns} : std::vector<hsize_t>{values.size()};
+        const hid_t type = std::is_same_v<T, double> ? H5T_NATIVE_DOUBLE
+                           : std::is_same_v<T, int>  ? H5T_NATIVE_INT
+                                                     : H5T_NATIVE_UCHAR;
+        const Hdf5Handle space(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), H5Sclose);
+        const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+        H5Pset_create_intermediate_group(links.get(), 1);
+        const Hdf5Handle set(H5Dcreate2(file, name.c_str(), type, space.get(), links.get(), H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+        ASSERT_GE(H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+    }
+
+    static void attribute(hid_t group, const char* name, hid_t type, const std::vector<int>& values, const void* bytes) {
+        const hsize_t count = values.size();
+        const Hdf5Handle space(count > 1 ? H5Screate_simple(1, &count, nullptr) : H5Screate(H5S_SCALAR), H5Sclose);
+        const Hdf5Handle made(H5Acreate2(group, name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+        ASSERT_GE(H5Awrite(made.get(), type, bytes), 0);
+    }
+
+    static Hdf5Handle create(const std::string& path) {
+        const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+        H5Pset_libver_bounds(access.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+        return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose};
+    }
+
+    static void writeVtkHdf(const std::string& path) {
+        const Hdf5Handle file = create(path);
+        const Hdf5Handle grid(H5Gcreate2(file.get(), "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+        const Hdf5Handle steps(H5Gcreate2(file.get(), "VTKHDF/Steps", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+        const std::vector<int> version{2, 0}, states{2};
+        attribute(grid.get(), "Version", H5T_NATIVE_INT, version, version.data());
+        const Hdf5Handle word(H5Tcopy(H5T_C_S1), H5Tclose);
+        H5Tset_size(word.get(), 16);
+        attribute(grid.get(), "Type", word.get(), {0}, "UnstructuredGrid");
+        attribute(steps.get(), "NSteps", H5T_NATIVE_INT, states, states.data());
+        const auto put = [&](const char* name, const auto& values, hsize_t columns = 1) {
+            table(file.get(), std::string("/VTKHDF/") + name, values, columns);
+        };
+        put("NumberOfPoints", std::vector<int>{nodes});
+        put("NumberOfCells", std::vector<int>{2});
+        put("NumberOfConnectivityIds", std::vector<int>{16});
+        put("Points", places(), 3);
+        put("Connectivity", corners());
+        put("Offsets", std::vector<int>{0, 8, 16});
+        put("Types", std::vector<unsigned char>{12, 12});
+        put("CellData/STATUS", std::vector<int>{1, 1, 1, 0});
+        put("Steps/Values", std::vector<double>{0.0, 1.0});
+        put("Steps/CellDataOffsets/STATUS", std::vector<int>{0, 2});
+        for (const char* name : {"PartOffsets", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"}) {
+            put((std::string("Steps/") + name).c_str(), std::vector<int>{0, 0});
+        }
+        put("Steps/NumberOfParts", std::vector<int>{1, 1});
+    }
+
+    // Values in a file of tables beside it, or in the text itself.
+    static std::string xdmf(const std::string& tables) {
+        const auto item = [&](const std::string& name, const std::string& extent, const auto& values) {
+            std::string text = "<DataItem Dimensions=\"" + extent + "\" NumberType=\"" +
+                               (std::is_same_v<std::decay_t<decltype(values[0])>, double> ? "Float" : "Int") + "\" Format=\"";
+            if (!tables.empty()) {
+                return text + "HDF\">" + tables + ":/" + name + "</DataItem>";
+            }
+            text += "XML\">";
+            for (const auto value : values) {
+                text += std::to_string(value) + " ";
+            }
+            return text + "</DataItem>";
+        };
+        std::string text = "<Xdmf><Domain><Grid GridType=\"Collection\" CollectionType=\"Temporal\">";
+        for (int k = 0; k < 2; ++k) {
+            text += "<Grid><Time Value=\"" + std::to_string(k) +
+                    "\"/><Topology TopologyType=\"Hexahedron\" NumberOfElements=\"2\">" + item("corners", "2 8", corners()) +
+                    "</Topology><Geometry GeometryType=\"XYZ\">" + item("places", "12 3", places()) +
+                    "</Geometry><Attribute Name=\"STATUS\" Center=\"Cell\">" +
+                    item("status" + std::to_string(k), "2", std::vector<int>{1, 1 - k}) + "</Attribute></Grid>";
+        }
+        return text + "</Grid></Domain></Xdmf>";
+    }
+
+    static void writeTables(const std::string& path) {
+        const Hdf5Handle file = create(path);
+        table(file.get(), "/corners", corners(), 8);
+        table(file.get(), "/places", places(), 3);
+        table(file.get(), "/status0", std::vector<int>{1, 1});
+        table(file.get(), "/status1", std::vector<int>{1, 0});
+    }
+
+    using Read = FeResult::Contents (*)(const std::string& path, const ImportSettings& settings, const Execution& execution);
+
+    // Opens what is sound, then with a file cut off at every byte: by its reader alone, since what openFe() does besides takes most
+    // of the time.
+    void expectRefusalAtEveryByte(const std::string& opened, const std::string& cut, Read read) {
+        const auto whole = openFe(opened, {}, {}, Execution{});
+        EXPECT_EQ(whole->times(), (std::vector<double>{0.0, 1.0}));
+        EXPECT_EQ(whole->activity().activeCount(0), 2u);
+        EXPECT_EQ(whole->activity().activeCount(1), 1u);
+        ::testing::internal::CaptureStderr();
+        for (std::size_t size = std::filesystem::file_size(cut); size-- > 0;) {
+            std::filesystem::resize_file(cut, size);
+            try {
+                read(opened, {}, Execution{});
+                ADD_FAILURE() << "read at byte " << size;
+            } catch (const Error& error) {
+                EXPECT_FALSE(error.remedy().empty()) << error.what();
+                EXPECT_THAT(error.what(), HasSubstr(m_folder.path())) << size;
+            }
+        }
+        EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "libraries do not speak to the user";
+    }
+
+    TemporaryFolder m_folder;
+};
+
+TEST_F(CutTables, VtkHdfIsRefusedAtEveryByte) {
+    writeVtkHdf(m_folder / "small.vtkhdf");
+    expectRefusalAtEveryByte(m_folder / "small.vtkhdf", m_folder / "small.vtkhdf", readVtkHdf);
+}
+
+TEST_F(CutTables, XdmfIsRefusedAtEveryByteOfItsText) {
+    std::ofstream(m_folder / "small.xdmf") << xdmf("");
+    expectRefusalAtEveryByte(m_folder / "small.xdmf", m_folder / "small.xdmf", readXdmf);
+}
+
+TEST_F(CutTables, XdmfIsRefusedAtEveryByteOfItsTables) {
+    writeTables(m_folder / "small.h5");
+    std::ofstream(m_folder / "small.xdmf") << xdmf("small.h5");
+    expectRefusalAtEveryByte(m_folder / "small.xdmf", m_folder / "small.h5", readXdmf);
+}
+
+}  // namespace
+}  // namespace rubble::io

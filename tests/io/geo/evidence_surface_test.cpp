@@ -1,0 +1,127 @@
+#include "io/geo/evidence_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/base/error.h"
+#include "io/geo/ensemble_origin.h"
+#include "io/geo/map_files.h"
+#include "tests/core/analysis/debris_scene.h"
+#include "tests/io/temporary_folder.h"
+
+namespace rubble::io {
+namespace {
+
+/// A map of tumbled blocks with fallen structure beside them, as this program writes it.
+class EvidenceSurface : public testing::Test {
+protected:
+    void SetUp() override {
+        m_frame.origin = {500000, 5600000, 100};
+        std::vector<MapPiece> pieces;
+        const Debris field = analysis_scene::randomField(4, 60, 8.0);
+        for (const DebrisFragment& lies : field.fragments) {
+            pieces.push_back({lies.box, lies.centre, lies.mass, lies.volume});
+        }
+        LiveStructure live;
+        const DebrisFragment girder = analysis_scene::boxAt(Vec3(2.25, 0.25, 4.0), 1000.0, Vec3(3.0, 1.0, 0.5));
+        live.pieces.push_back({girder.box, girder.centre, girder.mass, girder.volume});
+        MapSettings settings;
+        settings.cell = 0.5;
+        m_map = makeDebrisMap(3.5, pieces, false, &live, {"all"}, SiteSurface{}, settings, Execution());
+        m_origin.frame = m_frame;
+        m_origin.facts = {{"RUBBLE_CLASS", "simulated"}};
+        m_origin.provenance = "{}";
+    }
+
+    Frame m_frame;
+    DebrisMap m_map;
+    MapOrigin m_origin;
+    TemporaryFolder m_folder;
+};
+
+TEST_F(EvidenceSurface, HeightsOfAMapComeBack) {
+    const std::string path = m_folder / "map.tif";
+    writeMapTiff(path, m_map, m_map.present(), m_origin, Execution());
+    for (const bool withFallen : {false, true}) {
+        const SurfaceEvidence evidence = readHeights(path, m_frame, 0.5, SurveyedHeights::OfDebris, withFallen, SiteSurface{});
+        EXPECT_TRUE(evidence.everywhere);
+        std::size_t expected = 0;
+        for (std::size_t c = 0; c < m_map.cells.size(); ++c) {
+            double height = m_map.layer(MapLayer::Height)[c];
+            if (withFallen) {
+                height = std::fmax(height, m_map.layer(MapLayer::LiveHeight)[c]);
+            }
+            if (!(height > 0.0)) {
+                continue;
+            }
+            ++expected;
+            const std::ptrdiff_t at = evidence.seen.find(m_map.cells[c]);
+            ASSERT_GE(at, 0);
+            EXPECT_NEAR(evidence.seen.heights[static_cast<std::size_t>(at)], height, 1e-5);
+        }
+        EXPECT_EQ(evidence.seen.cells.size(), expected);
+    }
+}
+
+TEST_F(EvidenceSurface, FootprintOfAPackageComesBack) {
+    const std::string path = m_folder / "map.gpkg";
+    FragmentSet none;
+    Debris nothing;
+    writeMapPackage(path, m_map, MapFragments{&none, &nothing, {}, {}, {}}, 0.5, m_origin, Execution());
+    const SurfaceEvidence all = readFootprint(path, m_frame, 0.5, true);
+    EXPECT_EQ(all.seen.cells, m_map.cells) << "polygons that overlap do not cancel";
+    const SurfaceEvidence fragments = readFootprint(path, m_frame, 0.5, false);
+    EXPECT_LT(fragments.seen.cells.size(), all.seen.cells.size());
+    EXPECT_GT(fragments.seen.cells.size(), 0u);
+}
+
+TEST_F(EvidenceSurface, APolygonCoversCellsByTheirMiddles) {
+    const std::string path = m_folder / "outline.geojson";
+    std::ofstream(path)
+        << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon",
+        "coordinates":[[[500000,5600000],[500010,5600000],[500010,5600004],[500000,5600004],[500000,5600000]],
+                       [[500002,5600001],[500004,5600001],[500004,5600003],[500002,5600003],[500002,5600001]]]}}]})";
+    const SurfaceEvidence evidence = readFootprint(path, m_frame, 1.0, true);
+    EXPECT_EQ(evidence.seen.cells.size(), 40u - 4u);
+    EXPECT_LT(evidence.seen.find({1, 2}), 0) << "in the hole";
+    EXPECT_GE(evidence.seen.find({3, 9}), 0);
+}
+
+TEST_F(EvidenceSurface, WhatIsNoEvidenceIsRefused) {
+    EXPECT_THROW(readFootprint(m_folder / "none.gpkg", m_frame, 0.5, true), WorldError);
+    EXPECT_THROW(readHeights(m_folder / "none.tif", m_frame, 0.5, SurveyedHeights::OfDebris, true, SiteSurface{}), WorldError);
+    const std::string text = m_folder / "text.tif";
+    std::ofstream(text) << "no raster";
+    EXPECT_THROW(readHeights(text, m_frame, 0.5, SurveyedHeights::OfDebris, true, SiteSurface{}), WorldError);
+    const std::string points = m_folder / "points.geojson";
+    std::ofstream(points) << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},
+        "geometry":{"type":"Point","coordinates":[1,2]}}]})";
+    EXPECT_THROW(readFootprint(points, m_frame, 0.5, true), ParseError);
+    const std::string far = m_folder / "far.geojson";
+    std::ofstream(far) << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon",
+        "coordinates":[[[0,0],[1e300,0],[1e300,1e300],[0,0]]]}}]})";
+    EXPECT_THROW(readFootprint(far, m_frame, 0.5, true), ParseError);
+}
+
+TEST_F(EvidenceSurface, AMapOfAnEnsembleSaysWhatItIs) {
+    EnsembleReport report;
+    report.settings.members = 2;
+    for (const float height : {1.0F, 2.0F}) {
+        EnsembleMember& member = report.members.emplace_back();
+        member.done = true;
+        member.surface = std::make_shared<const MemberSurface>(MemberSurface{{{0, 0}, {0, 1}}, {height, height}, {100.0F, 100.0F}});
+    }
+    const DebrisMap map = probabilityMap(report, usualThresholds);
+    const MapOrigin origin = ensembleOrigin(report, map, m_frame, {{"fe", "a.exo", std::string(64, 'b')}});
+    const std::string path = m_folder / "probability.tif";
+    writeMapTiff(path, map, map.present(), origin, Execution());
+    // Its median of heights is evidence too.
+    const SurfaceEvidence evidence = readHeights(path, m_frame, 0.5, SurveyedHeights::OfDebris, true, SiteSurface{});
+    ASSERT_EQ(evidence.seen.cells.size(), 2u);
+    EXPECT_NEAR(evidence.seen.heights[0], 1.5, 1e-6);
+    EXPECT_NE(origin.provenance.find(std::string(64, 'b')), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rubble::io

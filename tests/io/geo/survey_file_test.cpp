@@ -1,0 +1,143 @@
+#include "io/geo/survey_file.h"
+
+#include <gdal_priv.h>
+#include <gtest/gtest.h>
+#include <ogr_spatialref.h>
+#include <ogrsf_frmts.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/evidence/survey_comparison.h"
+#include "io/geo/survey_files.h"
+#include "tests/io/temporary_folder.h"
+
+namespace rubble::io {
+namespace {
+
+class SurveyFile : public testing::Test {
+protected:
+    TemporaryFolder folder;
+    Frame frame;
+
+    /// A square of 10 m with a hole of 2 m, moved by an origin, in a format.
+    std::string writeSquare(const char* format, const std::string& name, const char* crs, double x0, double y0) {
+        GDALAllRegister();
+        const std::string path = folder / name;
+        GDALDatasetUniquePtr file(
+            GetGDALDriverManager()->GetDriverByName(format)->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+        OGRSpatialReference system;
+        system.SetFromUserInput(crs);
+        system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+        OGRLayer* layer = file->CreateLayer("outline", &system, wkbPolygon, nullptr);
+        OGRPolygon polygon;
+        const auto ring = [&](double low, double high) {
+            OGRLinearRing line;
+            for (const auto& [x, y] :
+                 {std::pair(low, low), std::pair(high, low), std::pair(high, high), std::pair(low, high), std::pair(low, low)}) {
+                line.addPoint(x0 + x, y0 + y);
+            }
+            polygon.addRing(&line);
+        };
+        ring(0.0, 10.0);
+        ring(4.0, 6.0);
+        OGRFeature feature(layer->GetLayerDefn());
+        feature.SetGeometry(&polygon);
+        EXPECT_EQ(layer->CreateFeature(&feature), OGRERR_NONE);
+        return path;
+    }
+    double areaOf(const Survey& survey) {
+        SurveySettings settings;
+        settings.cell = 0.25;
+        return compareWithSurvey(PieceRaster(), survey, SiteSurface(), Eigen::Vector2d::Zero(), settings, Execution()).survey.area;
+    }
+};
+
+TEST_F(SurveyFile, OutlinesOfEveryFormatHaveTheirArea) {
+    frame.crs = "EPSG:32633";
+    frame.origin << 451000, 5311000, 0;
+    for (const auto& [format, name] :
+         {std::pair("GPKG", "a.gpkg"), std::pair("ESRI Shapefile", "a.shp"), std::pair("FlatGeobuf", "a.fgb")}) {
+        const SurveyInput input =
+            readSurvey(writeSquare(format, name, "EPSG:32633", 451003.0, 5311007.0), frame, Site(), Aabb(), Execution());
+        EXPECT_TRUE(input.survey.isFootprint) << name;
+        EXPECT_NEAR(areaOf(input.survey), 96.0, 1e-9) << name;
+        EXPECT_NEAR(input.survey.bounds().first.x(), 3.0, 1e-6) << name;
+        EXPECT_NEAR(input.survey.bounds().second.y(), 17.0, 1e-6) << name;
+        EXPECT_EQ(input.sha256.size(), 64u);
+    }
+}
+
+TEST_F(SurveyFile, DegreesAreProjected) {
+    // 1e-4 degrees are 7.4 and 11.1 m there.
+    std::ofstream(folder / "a.geojson")
+        << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":)"
+        << R"([[[14.3450,47.9500],[14.3451,47.9500],[14.3451,47.9501],[14.3450,47.9501],[14.3450,47.9500]]]}}]})";
+    frame.crs = "EPSG:32633";
+    const SurveyInput input = readSurvey(folder / "a.geojson", frame, Site(), Aabb(), Execution());
+    const auto [low, high] = input.survey.bounds();
+    EXPECT_NEAR(high.x() - low.x(), 7.5, 0.3);
+    EXPECT_NEAR(high.y() - low.y(), 11.1, 0.3);
+    frame.crs.clear();
+    EXPECT_THROW(readSurvey(folder / "a.geojson", frame, Site(), Aabb(), Execution()), ParseError);
+}
+
+TEST_F(SurveyFile, NeitherHeightsNorPolygonsAreRefused) {
+    EXPECT_THROW(readSurvey(folder / "none.tif", frame, Site(), Aabb(), Execution()), WorldError);
+    std::ofstream(folder / "a.txt") << "nothing of the kind\n";
+    EXPECT_THROW(readSurvey(folder / "a.txt", frame, Site(), Aabb(), Execution()), ParseError);
+    std::ofstream(folder / "b.geojson")
+        << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)"
+        << R"({"type":"Point","coordinates":[1,2]}}]})";
+    frame.crs = "EPSG:32633";
+    EXPECT_THROW(readSurvey(folder / "b.geojson", frame, Site(), Aabb(), Execution()), ParseError);
+}
+
+TEST_F(SurveyFile, HeightsKeepTheirGaps) {
+    std::ofstream out(folder / "a.asc");
+    out << "ncols 20\nnrows 20\nxllcorner -10\nyllcorner -10\ncellsize 1\nNODATA_value -9999\n";
+    for (int k = 0; k < 400; ++k) {
+        out << (k % 20 < 5 ? "-9999" : k % 20 < 15 && k / 20 < 10 ? "2" : "0") << (k % 20 == 19 ? '\n' : ' ');
+    }
+    out.close();
+    const SurveyInput input = readSurvey(folder / "a.asc", frame, Site(), Aabb(), Execution());
+    EXPECT_FALSE(input.survey.isFootprint);
+    EXPECT_TRUE(std::isnan(input.survey.heights.at(-8.0, 3.0)));
+    EXPECT_EQ(input.survey.heights.at(0.0, 3.0), 2.0);
+    EXPECT_EQ(input.survey.heights.at(0.0, -3.0), 0.0);
+}
+
+TEST_F(SurveyFile, TheDifferenceMapComesBackThroughGdal) {
+    frame.crs = "EPSG:32633";
+    frame.origin << 451000, 5311000, 0;
+    const SurveyInput input =
+        readSurvey(writeSquare("GPKG", "a.gpkg", "EPSG:32633", 451003.0, 5311007.0), frame, Site(), Aabb(), Execution());
+    const SurveyComparison made =
+        compareWithSurvey(PieceRaster(), input.survey, SiteSurface(), Eigen::Vector2d::Zero(), SurveySettings(), Execution());
+    MapOrigin origin;
+    origin.frame = frame;
+    origin.provenance = "{}";
+    origin.facts = {{"RUBBLE_CLASS", "simulated less surveyed"}};
+    const std::string path = folder / "d.tif";
+    writeSurveyTiff(path, made, origin, Execution());
+    GDALDatasetUniquePtr file(GDALDataset::FromHandle(GDALOpen(path.c_str(), GA_ReadOnly)));
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->GetRasterCount(), 3);
+    EXPECT_STREQ(file->GetMetadataItem("RUBBLE_CLASS"), "simulated less surveyed");
+    EXPECT_STREQ(file->GetSpatialRef()->GetAuthorityCode(nullptr), "32633");
+    std::array<double, 6> g{};
+    file->GetGeoTransform(g.data());
+    // A place 1 m into the square from its south-west corner.
+    const int column = static_cast<int>(std::floor((451004.0 - g[0]) / g[1]));
+    const int row = static_cast<int>(std::floor((5311008.0 - g[3]) / g[5]));
+    double value = 0.0;
+    ASSERT_EQ(file->GetRasterBand(1)->RasterIO(GF_Read, column, row, 1, 1, &value, 1, 1, GDT_Float64, 0, 0, nullptr), CE_None);
+    EXPECT_EQ(value, -1.0);
+    ASSERT_EQ(file->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, 1, 1, &value, 1, 1, GDT_Float64, 0, 0, nullptr), CE_None);
+    EXPECT_EQ(value, -9999.0);
+}
+
+}  // namespace
+}  // namespace rubble::io

@@ -1,0 +1,313 @@
+#include <gdal_priv.h>
+#include <gtest/gtest.h>
+#include <ogr_spatialref.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <vector>
+
+#include "core/base/error.h"
+#include "io/case_file.h"
+#include "io/geo/orthophoto_file.h"
+#include "io/geo/site_mesh_file.h"
+#include "io/site_reader.h"
+#include "io/terrain_reader.h"
+#include "tests/io/temporary_folder.h"
+
+namespace rubble::io {
+namespace {
+
+constexpr double east = 451000.0;
+constexpr double north = 5311000.0;
+
+double plane(double x, double y) {
+    return 2.0 + 0.1 * x - 0.05 * y;
+}
+
+/// A raster of numbers by place.
+struct Raster {
+    int columns = 80;
+    int rows = 60;
+    std::array<double, 6> place{-40.0, 1.0, 0.0, 30.0, 0.0, -1.0};
+    std::string crs;
+    int bands = 1;
+    GDALDataType type = GDT_Float64;
+    std::function<double(double, double, int)> value;  ///< of the system's coordinates and the band
+
+    void write(const std::string& path) const {
+        GDALAllRegister();
+        const char* sparse[] = {"TILED=YES", "COMPRESS=DEFLATE", nullptr};
+        GDALDatasetUniquePtr file(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(path.c_str(), columns, rows, bands, type,
+                                                                                           const_cast<char**>(sparse)));
+        std::array<double, 6> g = place;
+        file->SetGeoTransform(g.data());
+        if (!crs.empty()) {
+            OGRSpatialReference system;
+            ASSERT_EQ(system.SetFromUserInput(crs.c_str()), OGRERR_NONE);
+            file->SetSpatialRef(&system);
+        }
+        for (int b = 1; b <= bands; ++b) {
+            GDALRasterBand* band = file->GetRasterBand(b);
+            if (bands == 1) {
+                band->SetNoDataValue(-9999.0);
+                band->SetUnitType("metre");
+            }
+            for (int r = 0; r < rows; ++r) {
+                std::vector<double> row;
+                for (int c = 0; c < columns; ++c) {
+                    const double x = place[0] + place[1] * (c + 0.5) + place[2] * (r + 0.5);
+                    const double y = place[3] + place[4] * (c + 0.5) + place[5] * (r + 0.5);
+                    row.push_back(value(x, y, b));
+                }
+                ASSERT_EQ(band->RasterIO(GF_Write, 0, r, columns, 1, row.data(), columns, 1, GDT_Float64, 0, 0, nullptr), CE_None);
+            }
+        }
+    }
+};
+
+class TerrainSite : public testing::Test {
+protected:
+    TemporaryFolder folder;
+    std::string path = folder / "terrain.tif";
+    Frame frame;
+    Site site;
+    Aabb around{Vec3(-5.0, -3.0, 2.0), Vec3(5.0, 3.0, 3.0)};
+    Raster raster;
+
+    void SetUp() override {
+        raster.value = [](double x, double y, int) { return plane(x, y); };
+    }
+    TerrainInput read() {
+        raster.write(path);
+        return openTerrain(path, frame, around, Execution(), site);
+    }
+    void expectPlane(const TerrainInput& terrain, double tolerance) {
+        for (const double x : {-6.0, -1.0, 0.25, 5.5}) {
+            for (const double y : {-5.0, 0.0, 4.3}) {
+                EXPECT_NEAR(terrain.grid->height(x, y), plane(x, y), tolerance) << x << " " << y;
+            }
+        }
+    }
+};
+
+TEST_F(TerrainSite, DegreesAreProjectedToTheSystemOfTheCase) {
+    frame.crs = "EPSG:32633";
+    frame.origin << 451000, 5311000, 100;
+    OGRSpatialReference utm;
+    OGRSpatialReference degrees;
+    utm.SetFromUserInput("EPSG:32633");
+    degrees.SetFromUserInput("EPSG:4326");
+    utm.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    degrees.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const std::unique_ptr<OGRCoordinateTransformation> there(OGRCreateCoordinateTransformation(&degrees, &utm));
+    const std::unique_ptr<OGRCoordinateTransformation> back(OGRCreateCoordinateTransformation(&utm, &degrees));
+    double x = east;
+    double y = north;
+    ASSERT_TRUE(back->Transform(1, &x, &y));
+    raster.crs = "EPSG:4326";
+    raster.place = {x - 40.0e-5, 1e-5, 0.0, y + 30.0e-5, 0.0, -1e-5};
+    raster.value = [&](double lon, double lat, int) {
+        there->Transform(1, &lon, &lat);
+        return 100.0 + plane(lon - east, lat - north);
+    };
+    const TerrainInput terrain = read();
+    expectPlane(terrain, 1e-4);
+    EXPECT_EQ(terrain.findings.count("terrain.projected"), 1);
+    // A degree of longitude is shorter there than one of latitude.
+    EXPECT_NEAR(terrain.grid->cell(), 0.745, 0.02);
+}
+
+TEST_F(TerrainSite, ATurnedRasterLiesWhereItsCornersSay) {
+    raster.place = {-40.0, 0.8, 0.6, 20.0, 0.6, -0.8};
+    raster.columns = 100;
+    raster.rows = 100;
+    raster.place = {-50.0, 0.8, 0.6, 10.0, 0.6, -0.8};
+    expectPlane(read(), 1e-9);
+}
+
+TEST_F(TerrainSite, ControlPointsTakeThePlaceOfTheOrigin) {
+    // The local frame is turned by 30 degrees and lies at the site of the world.
+    const double c = std::cos(M_PI / 6.0);
+    const double s = std::sin(M_PI / 6.0);
+    for (const Vec3& local : {Vec3(0, 0, 0), Vec3(10, 2, 1), Vec3(-4, 8, 3)}) {
+        site.controlPoints.push_back(
+            {"p", local, Vec3(east + c * local.x() - s * local.y(), north + s * local.x() + c * local.y(), 512.0 + local.z()),
+             true});
+    }
+    raster.place = {east - 40.0, 1.0, 0.0, north + 30.0, 0.0, -1.0};
+    raster.value = [&](double x, double y, int) {
+        const double u = x - east;
+        const double v = y - north;
+        return 512.0 + plane(c * u + s * v, -s * u + c * v);
+    };
+    const TerrainInput terrain = read();
+    expectPlane(terrain, 1e-6);
+    ASSERT_TRUE(terrain.fit.has_value());
+    EXPECT_LT(terrain.fit->rmsPlan, 1e-6);
+    site.controlPoints.resize(1);
+    EXPECT_THROW(read(), ParseError);  // one point says nothing: by the origin the raster lies elsewhere
+}
+
+TEST_F(TerrainSite, SpikesAreTakenOutAndWallsStay) {
+    raster.value = [](double x, double y, int) {
+        const bool spike = std::abs(x - 3.5) < 0.1 && std::abs(y - 1.5) < 0.1;
+        return spike ? 80.0 : y > 4.0 ? plane(x, y) + 12.0 : plane(x, y);
+    };
+    const TerrainInput terrain = read();
+    EXPECT_EQ(terrain.findings.count("terrain.spikes"), 1);
+    EXPECT_NEAR(terrain.grid->height(3.5, 1.5), plane(3.5, 1.5), 1e-9);
+    EXPECT_NEAR(terrain.grid->height(2.0, 6.5), plane(2.0, 6.5) + 12.0, 1e-9);
+}
+
+TEST_F(TerrainSite, TooManyHeightsAreAveraged) {
+    around = Aabb(Vec3(-5.0, -3.0, 2.0), Vec3(5.0, 3.0, 4.0));
+    raster.columns = raster.rows = 3000;
+    raster.place = {-15.0, 0.01, 0.0, 15.0, 0.0, -0.01};
+    raster.type = GDT_Float32;
+    const TerrainInput terrain = read();
+    EXPECT_EQ(terrain.findings.count("terrain.reduced"), 1);
+    EXPECT_NEAR(terrain.grid->cell(), 0.02, 1e-12);
+    expectPlane(terrain, 1e-6);
+}
+
+TEST_F(TerrainSite, AnotherVerticalDatumIsNamed) {
+    raster.crs = "EPSG:32633+5773";
+    raster.place = {east - 40.0, 1.0, 0.0, north + 30.0, 0.0, -1.0};
+    raster.value = [](double x, double y, int) { return plane(x - east, y - north); };
+    frame.crs = "EPSG:32633+5621";
+    frame.origin << 451000, 5311000, 0;
+    const TerrainInput terrain = read();
+    EXPECT_NE(terrain.verticalDatum.find("EGM96"), std::string::npos) << terrain.verticalDatum;
+    EXPECT_EQ(terrain.findings.count("terrain.other_datum"), 1);
+    site.heightShift = 0.75;
+    const TerrainInput shifted = read();
+    EXPECT_EQ(shifted.findings.count("terrain.other_datum"), 0);
+    EXPECT_NEAR(shifted.grid->height(1.0, 1.0), terrain.grid->height(1.0, 1.0) + 0.75, 1e-9);
+}
+
+TEST_F(TerrainSite, AnOrthophotoLiesInTheFrame) {
+    raster.bands = 3;
+    raster.type = GDT_Byte;
+    // Red in the east, green in the north.
+    raster.value = [](double x, double y, int band) {
+        return band == 1 ? (x > 0.0 ? 200 : 10) : band == 2 ? (y > 0.0 ? 220 : 20) : 30;
+    };
+    raster.write(path);
+    const auto picture = readOrthophoto(path, frame, site, Aabb(), Execution());
+    ASSERT_EQ(picture->rgba.size(), 4u * static_cast<std::size_t>(picture->width * picture->height));
+    const auto at = [&](double x, double y) {
+        const int column = static_cast<int>((x - picture->x0) / picture->pixel);
+        const int row = static_cast<int>((y - picture->y0) / picture->pixel);
+        return &picture->rgba[4 * static_cast<std::size_t>(row * picture->width + column)];
+    };
+    EXPECT_EQ(at(10.0, 10.0)[0], 200);
+    EXPECT_EQ(at(10.0, 10.0)[1], 220);
+    EXPECT_EQ(at(-10.0, -10.0)[0], 10);
+    EXPECT_EQ(at(-10.0, -10.0)[1], 20);
+    EXPECT_EQ(at(-10.0, -10.0)[3], 255);
+    raster.bands = 1;
+    raster.type = GDT_Float64;
+    raster.write(path);
+    EXPECT_THROW(readOrthophoto(path, frame, site, Aabb(), Execution()), ParseError);
+}
+
+constexpr const char* objText = "v 0 0 5\nv 4 0 5\nv 4 3 5\nv 0 3 5\nf 1 2 3 4\n";
+constexpr const char* plyText =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+    "property list uchar int vertex_indices\nend_header\n0 0 5\n4 0 5\n4 3 5\n3 0 1 2\n";
+// A triangle (0, 5, 0), (4, 5, 0), (4, 5, -3), y up.
+constexpr const char* gltfText =
+    R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+    R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+    R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,5,-3],"max":[4,5,0]}],)"
+    R"("bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36}],)"
+    R"("buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAoEAAAAAAAACAQAAAoEAAAAAAAACAQAAAoEAAAEDA"}]})";
+
+TEST_F(TerrainSite, MeshesOfEveryFormatAreRead) {
+    for (const auto& [name, text] : {std::pair("a.obj", objText), std::pair("a.ply", plyText), std::pair("a.gltf", gltfText)}) {
+        const std::string mesh = folder / name;
+        std::ofstream(mesh) << text;
+        const SiteMesh read = readSiteMesh(mesh, frame, site, Execution());
+        EXPECT_GE(read.triangles.size(), 1u) << name;
+        Aabb box;
+        for (const Vec3& p : read.points) {
+            box.extend(p);
+        }
+        EXPECT_LT((box.min() - Vec3(0, 0, 5)).norm(), 1e-6) << name << box.min().transpose();
+        EXPECT_LT((box.max() - Vec3(4, 3, 5)).norm(), 1e-6) << name << box.max().transpose();
+    }
+}
+
+TEST_F(TerrainSite, DamagedMeshesAreRefused) {
+    const std::string whole(gltfText);
+    for (const auto& [name, text] :
+         {std::pair(std::string("a.obj"), std::string("f 1 2 3\n")),
+          std::pair(std::string("b.ply"), std::string(plyText).substr(0, 150)),
+          std::pair(std::string("c.gltf"), whole.substr(0, 300)), std::pair(std::string("d.glb"), std::string("glTF")),
+          std::pair(std::string("e.txt"), std::string(objText))}) {
+        const std::string mesh = folder / name;
+        std::ofstream(mesh) << text;
+        EXPECT_THROW(readSiteMesh(mesh, frame, site, Execution()), ParseError) << name;
+    }
+    EXPECT_THROW(readSiteMesh(folder / "none.obj", frame, site, Execution()), WorldError);
+}
+
+TEST_F(TerrainSite, SurroundingsRaiseTheTerrainWhenAsked) {
+    raster.write(path);
+    std::ofstream(folder / "house.obj") << objText;
+    Mesh fe;
+    fe.nodes = {around.min(), around.max()};
+    Case theCase;
+    theCase.inputs = {{"terrain-1", InputRole::Terrain, "terrain.tif", ""},
+                      {"surroundings-1", InputRole::Surroundings, "house.obj", ""}};
+    const std::string casePath = folder / "a.rubble";
+    const TerrainInput shown = openSiteOfCase(theCase, casePath, fe, Execution());
+    EXPECT_FALSE(shown.collided);
+    ASSERT_TRUE(shown.surroundings);
+    EXPECT_NEAR(shown.grid->height(2.0, 1.5), plane(2.0, 1.5), 1e-9);
+    theCase.site.collide = true;
+    const TerrainInput raised = openSiteOfCase(theCase, casePath, fe, Execution());
+    EXPECT_TRUE(raised.collided);
+    EXPECT_NEAR(raised.grid->height(2.0, 1.5), 5.0, 1e-6);
+    EXPECT_NEAR(raised.grid->height(-2.0, -1.5), plane(-2.0, -1.5), 1e-9);
+    // The run finds the same ground again by what it put down.
+    RunOrigin origin;
+    recordSite(origin, raised, theCase.site);
+    ASSERT_EQ(origin.surroundings.size(), 1u);
+    const std::vector<std::string> meshes{origin.surroundings.front().path};
+    const TerrainInput again = openTerrain(path, frame, around, Execution(), origin.site);
+    EXPECT_EQ(raisedTerrain(*again.grid, meshes, frame, origin.site, Execution())->digest(), raised.grid->digest());
+    theCase.inputs.erase(theCase.inputs.begin());
+    EXPECT_EQ(openSiteOfCase(theCase, casePath, fe, Execution()).findings.count("surroundings.no_terrain"), 1);
+}
+
+TEST_F(TerrainSite, WhatIsOnlyShownDoesNotKeepACaseFromOpening) {
+    raster.write(path);
+    Mesh fe;
+    fe.nodes = {around.min(), around.max()};
+    Case theCase;
+    theCase.inputs = {{"terrain-1", InputRole::Terrain, "terrain.tif", ""},
+                      {"orthophoto-1", InputRole::Orthophoto, "none.tif", ""},
+                      {"surroundings-1", InputRole::Surroundings, "none.obj", ""}};
+    const TerrainInput site_ = openSiteOfCase(theCase, folder / "a.rubble", fe, Execution());
+    EXPECT_TRUE(site_.grid);
+    EXPECT_EQ(site_.findings.count("orthophoto.missing"), 1);
+    EXPECT_EQ(site_.findings.count("surroundings.missing"), 1);
+}
+
+TEST(CaseSite, IsKeptInTheCaseFile) {
+    Case theCase;
+    theCase.site.controlPoints = {{"north pier", Vec3(1, 2, 3), Vec3(451000.25, 5311000.5, 512.125), true},
+                                  {"mark 4", Vec3(4, 5, 6), Vec3::Zero(), false}};
+    theCase.site.heightShift = -0.375;
+    theCase.site.collide = true;
+    theCase.inputs = {{"o", InputRole::Orthophoto, "o.tif", ""}, {"m", InputRole::Surroundings, "m.obj", ""}};
+    EXPECT_EQ(caseFromText(caseText(theCase), "a.rubble"), theCase);
+    theCase.site = Site();
+    EXPECT_EQ(caseText(theCase).find("\"site\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rubble::io

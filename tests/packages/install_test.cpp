@@ -1,0 +1,172 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/app/cli/command_run.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/io/temporary_folder.h"
+
+namespace rubble::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string build = RUBBLE_BINARY_DIR;
+
+void expectOk(const Outcome& outcome) {
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
+}
+
+/// One component of what is built, installed below a folder of its own.
+class Installed : public testing::Test {
+protected:
+    void install(const std::string& component) {
+        expectOk(CommandRun().run({"cmake", "--install", build, "--prefix", m_prefix, "--component", component, "--strip"}));
+    }
+    /// Programs see neither the build folder nor settings of the user.
+    CommandRun apart() {
+        CommandRun command;
+        command.in("/").with("HOME", m_folder / "home").with("XDG_STATE_HOME", std::nullopt).with("LD_LIBRARY_PATH", std::nullopt);
+        return command;
+    }
+
+    io::TemporaryFolder m_folder;
+    std::string m_prefix = m_folder / "usr";
+};
+
+TEST_F(Installed, TheProgramsRunFromWhereTheyAre) {
+    install("runtime");
+    const std::string program = m_prefix + "/bin/rubble-cli";
+    expectOk(apart().run({program, "--version"}));
+    const std::string fe = writeSmallCollapse(m_folder / "small.exo");
+    const Outcome run = apart().run({program, "run", fe, "--set", "settle_time=0.5", "--json", "--out", m_folder / "s.run.h5"});
+    expectOk(run);
+    // The same program as that of the build folder, bit by bit.
+    const Outcome built = cli({"run", fe, "--set", "settle_time=0.5", "--json"});
+    EXPECT_EQ(run.json()["trajectory_hash"], built.json()["trajectory_hash"]);
+    expectOk(apart().run({program, "figure", m_folder / "s.run.h5", "--out", m_folder / "s.png"}));
+}
+
+TEST_F(Installed, TheWindowFindsItsSampleAndDrawsIt) {
+    install("runtime");
+    fs::create_directories(m_folder / "home");
+    const std::string sample = m_prefix + "/share/rubble/samples/river-arch.rubble";
+    ASSERT_TRUE(fs::exists(sample));
+    const Outcome shown = apart().run({"xvfb-run", "-a", "-s", "-screen 0 1280x800x24", m_prefix + "/bin/rubble", sample,
+                                       "--screenshot", m_folder / "window.png", "--size", "1280x800"});
+    expectOk(shown);
+    EXPECT_GT(fs::file_size(m_folder / "window.png"), 50000u);
+    EXPECT_TRUE(fs::exists(m_prefix + "/share/rubble/samples/stone-arch.exo"));
+}
+
+TEST_F(Installed, NothingNamesTheBuildFolder) {
+    install("runtime");
+    std::size_t files = 0;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(m_prefix)) {
+        if (entry.is_regular_file() && entry.path().extension() != ".exo") {
+            ++files;
+            const std::string text = textOf(entry.path().string());
+            EXPECT_EQ(text.find(build), std::string::npos) << entry.path();
+        }
+    }
+    EXPECT_GT(files, 15u);
+}
+
+TEST_F(Installed, TheDesktopKnowsTheProgramAndItsFiles) {
+    install("runtime");
+    const std::string share = m_prefix + "/share";
+    const Outcome entry = CommandRun().run({"desktop-file-validate", share + "/applications/org.rubble.Rubble.desktop"});
+    expectOk(entry);
+    EXPECT_EQ(entry.out, "");
+    const Outcome about =
+        CommandRun().run({"appstreamcli", "validate", "--no-net", share + "/metainfo/org.rubble.Rubble.metainfo.xml"});
+    expectOk(about);
+    expectOk(CommandRun().run({"update-mime-database", share + "/mime"}));
+    EXPECT_THAT(textOf(share + "/mime/globs2"), HasSubstr("application/x-rubble-case:*.rubble"));
+    EXPECT_TRUE(fs::exists(share + "/icons/hicolor/scalable/apps/org.rubble.Rubble.svg"));
+    for (const char* name : {"rubble", "rubble-cli"}) {
+        const std::string page = share + "/man/man1/" + name + ".1";
+        const Outcome read = CommandRun().run({"groff", "-man", "-ww", "-T", "utf8", page});
+        EXPECT_EQ(read.err, "") << page;
+        const std::string completion = share + "/bash-completion/completions/" + name;
+        expectOk(CommandRun().run({"bash", "-n", completion}));
+    }
+}
+
+// find_package(Rubble) from a project of somebody else.
+TEST_F(Installed, TheLibrariesBuildTheExamples) {
+    install("development");
+    const std::string examples = m_prefix + "/share/rubble/examples/library";
+    const std::string folder = m_folder / "examples";
+    expectOk(CommandRun().run(
+        {"cmake", "-S", examples, "-B", folder, "-G", "Ninja", "-DCMAKE_PREFIX_PATH=" + m_prefix, "-DCMAKE_BUILD_TYPE=Debug"}));
+    expectOk(CommandRun().run({"cmake", "--build", folder}));
+    const Outcome wall = CommandRun().run({folder + "/falling_wall"});
+    expectOk(wall);
+    EXPECT_THAT(wall.out, HasSubstr("12 fragments, 12 bodies"));
+    const std::string fe = writeSmallCollapse(m_folder / "small.exo");
+    const Outcome recorded = CommandRun().run({folder + "/record_run", fe, m_folder / "r.run.h5"});
+    expectOk(recorded);
+    EXPECT_THAT(recorded.out, HasSubstr("5 fragments"));
+    const Outcome verified = cli({"verify", m_folder / "r.run.h5"});
+    expectOk(verified);
+    EXPECT_THAT(verified.out, HasSubstr("bit-equal"));
+    const Outcome wrong = CommandRun().run({folder + "/record_run", m_folder / "missing.exo", m_folder / "r.run.h5"});
+    EXPECT_EQ(wrong.exitCode, 1);
+    EXPECT_THAT(wrong.err, HasSubstr("missing.exo"));
+}
+
+class Packaged : public testing::Test {
+protected:
+    std::string packageOf(const std::string& name) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(m_folder.path())) {
+            if (entry.path().filename().string().starts_with(name + "_") && entry.path().extension() == ".deb") {
+                return entry.path().string();
+            }
+        }
+        return "";
+    }
+    std::string field(const std::string& package, const std::string& name) {
+        return CommandRun().run({"dpkg-deb", "-f", package, name}).out;
+    }
+
+    io::TemporaryFolder m_folder;
+};
+
+TEST_F(Packaged, TheDebianPackagesHoldAllAndNameWhatTheyNeed) {
+    const Outcome made = CommandRun().in(build).run({"cpack", "-G", "DEB", "-B", m_folder.path()});
+    ASSERT_EQ(made.exitCode, 0) << made.out << made.err;
+    const std::string programs = packageOf("rubble");
+    const std::string libraries = packageOf("librubble-dev");
+    ASSERT_NE(programs, "");
+    ASSERT_NE(libraries, "");
+    for (const char* needed : {"libc6", "libqt6widgets6", "libvtk9", "libhdf5", "libgdal", "libbullet"}) {
+        EXPECT_THAT(field(programs, "Depends"), HasSubstr(needed));
+    }
+    EXPECT_THAT(field(programs, "Recommends"), HasSubstr("xvfb"));
+    EXPECT_THAT(field(libraries, "Depends"), HasSubstr("libeigen3-dev"));
+    const std::string content = CommandRun().run({"dpkg-deb", "-c", programs}).out;
+    for (const char* file :
+         {"./usr/bin/rubble\n", "./usr/bin/rubble-cli\n", "./usr/share/applications/org.rubble.Rubble.desktop\n",
+          "./usr/share/mime/packages/org.rubble.Rubble.xml\n", "./usr/share/man/man1/rubble-cli.1\n",
+          "./usr/share/bash-completion/completions/rubble-cli\n", "./usr/share/rubble/samples/stone-arch.exo\n"}) {
+        EXPECT_THAT(content, HasSubstr(file));
+    }
+    EXPECT_THAT(content, Not(HasSubstr(".runs.json")));
+    EXPECT_THAT(content, Not(testing::ContainsRegex("[^/]/usr/include")));
+    // Unpacked into a root of its own, as dpkg does it, and started there.
+    const std::string root = m_folder / "root";
+    expectOk(CommandRun().run({"dpkg-deb", "-x", programs, root}));
+    const Outcome version = CommandRun().in("/").run({root + "/usr/bin/rubble-cli", "--version"});
+    expectOk(version);
+    EXPECT_EQ(version.out, cli({"--version"}).out);
+}
+
+}  // namespace
+
+}  // namespace rubble::cli

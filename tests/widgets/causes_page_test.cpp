@@ -1,0 +1,139 @@
+#include "widgets/causes_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTest>
+
+#include "widgets/cause_chart.h"
+#include "widgets/causes_panel.h"
+#include "widgets/panel.h"
+
+namespace rubble::widgets {
+namespace {
+
+/// A patch of debris from a column on, one cell more to the east for every other member.
+std::shared_ptr<const EnsembleReport> ensembleAt(int column) {
+    auto report = std::make_shared<EnsembleReport>();
+    report->surface.cell = 1.0;
+    for (int m = 0; m < 12; ++m) {
+        EnsembleMember& member = report->members.emplace_back();
+        member.done = true;
+        MemberSurface surface;
+        for (int j = 0; j < 6; ++j) {
+            for (int i = 0; i < 6; ++i) {
+                surface.cells.push_back({j, column + i + m % 3});
+                surface.heights.push_back(1.0F);
+                surface.masses.push_back(2000.0F);
+            }
+        }
+        member.surface = std::make_shared<const MemberSurface>(surface);
+    }
+    return report;
+}
+
+CausesPage::Content compared(const std::vector<Hypothesis>& hypotheses, int seen) {
+    CauseEvidence evidence;
+    SurfaceEvidence& survey = evidence.surfaces.emplace_back();
+    survey.name = "survey/footprint.gpkg";
+    survey.seen = *ensembleAt(seen)->members[1].surface;
+    CausesPage::Content content;
+    content.comparison = std::make_shared<const CauseComparison>(compareCauses(hypotheses, evidence));
+    if (content.comparison->separation) {
+        content.separation = std::shared_ptr<const DebrisMap>(content.comparison, &*content.comparison->separation);
+    }
+    content.causes = {hypotheses[0].name, hypotheses[1].name};
+    return content;
+}
+
+QString noticesOf(const QWidget& page) {
+    QString text;
+    for (const Notice* notice : page.findChildren<Notice*>()) {
+        text += notice->text() + u'\n';
+    }
+    return text;
+}
+
+TEST(CausesPage, NamesTheCauseByWhatAndWhere) {
+    CausesPage page;
+    page.resize(880, 700);
+    page.setContent(compared({{"scour", ensembleAt(0)}, {"crown struck", ensembleAt(30)}}, 30));
+    page.show();
+    EXPECT_TRUE(noticesOf(page).contains(QStringLiteral("crown struck explains the evidence best")));
+    ASSERT_EQ(page.ranking().rowCount(), 2);
+    EXPECT_EQ(page.ranking().item(0, 0)->text(), QStringLiteral("crown struck"));
+    EXPECT_EQ(page.ranking().item(0, 6)->text(), QStringLiteral("closest"));
+    EXPECT_EQ(page.ranking().item(1, 6)->text(), QStringLiteral("told apart"));
+    EXPECT_EQ(page.ranking().horizontalHeaderItem(7)->text(), QStringLiteral("footprint.gpkg"));
+    QString words;
+    for (const QLabel* label : page.findChildren<QLabel*>()) {
+        words += label->text() + u'\n';
+    }
+    EXPECT_TRUE(words.contains(QStringLiteral("footprint.gpkg tells most")));
+    EXPECT_TRUE(words.contains(QStringLiteral("(ringed)")));
+    QImage picture(page.size(), QImage::Format_RGB32);
+    page.render(&picture);
+    EXPECT_FALSE(page.chart().svg({600, 400}).isEmpty());
+}
+
+TEST(CausesPage, SaysWhenTheyCannotBeToldApart) {
+    CausesPage page;
+    page.setContent(compared({{"a", ensembleAt(0)}, {"b", ensembleAt(0)}}, 0));
+    EXPECT_TRUE(noticesOf(page).contains(QStringLiteral("cannot tell a from b")));
+    EXPECT_EQ(page.ranking().item(1, 6)->text(), QStringLiteral("not told apart"));
+}
+
+TEST(CausesPage, WithoutEvidenceOnlyTheBlindTestsStand) {
+    CausesPage page;
+    const std::vector<Hypothesis> hypotheses{{"a", ensembleAt(0)}, {"b", ensembleAt(30)}};
+    CausesPage::Content content;
+    content.causes = {"a", "b"};
+    content.blind = {blindTest(hypotheses, EvidenceKind::Footprint, Execution())};
+    page.setContent(content);
+    page.show();
+    EXPECT_TRUE(page.ranking().isHidden());
+    auto* blind = page.findChildren<QTableWidget*>().last();
+    ASSERT_EQ(blind->rowCount(), 2);
+    EXPECT_EQ(blind->item(0, 1)->text(), QStringLiteral("12"));
+    EXPECT_EQ(blind->item(0, 2)->text(), QStringLiteral("0"));
+    page.setContent({});
+    EXPECT_TRUE(noticesOf(page).contains(QStringLiteral("No causes have been compared yet")));
+}
+
+TEST(CausesPanel, TicksAndRemovalsAreToldByPlace) {
+    CausesPanel panel;
+    CausesPanel::Content content;
+    content.causes = {{"as built", "a scenario", true, true, false}, {"scour", "/x/scour.rubble", true, true, true}};
+    content.evidence = {{"photograph: a.jpg", "No outline", true, false, false}};
+    content.available = content.ready = true;
+    panel.setContent(content);
+    panel.show();
+    auto* causes = panel.findChild<QListWidget*>(QStringLiteral("causes"));
+    QSignalSpy used(&panel, &CausesPanel::causeUsed);
+    causes->item(1)->setCheckState(Qt::Unchecked);
+    ASSERT_EQ(used.count(), 1);
+    EXPECT_EQ(used[0][0].toInt(), 1);
+    EXPECT_FALSE(used[0][1].toBool());
+    auto* evidence = panel.findChild<QListWidget*>(QStringLiteral("causeEvidence"));
+    EXPECT_EQ(evidence->item(0)->checkState(), Qt::Unchecked) << "what cannot be used is not ticked";
+    EXPECT_FALSE(evidence->item(0)->flags() & Qt::ItemIsUserCheckable);
+    QPushButton* remove = nullptr;
+    for (QPushButton* button : panel.findChildren<QPushButton*>()) {
+        remove = remove == nullptr && button->text() == QStringLiteral("Remove") ? button : remove;
+    }
+    causes->setCurrentRow(0);
+    EXPECT_FALSE(remove->isEnabled()) << "scenarios of the case are removed in the case";
+    causes->setCurrentRow(1);
+    EXPECT_TRUE(remove->isEnabled());
+    QSignalSpy removed(&panel, &CausesPanel::causeRemoved);
+    QTest::mouseClick(remove, Qt::LeftButton);
+    ASSERT_EQ(removed.count(), 1);
+    EXPECT_EQ(removed[0][0].toInt(), 1);
+}
+
+}  // namespace
+}  // namespace rubble::widgets

@@ -1,0 +1,208 @@
+#include "widgets/figures/figure_sheet.h"
+
+#include <gtest/gtest.h>
+
+#include <QBuffer>
+#include <QFile>
+
+#include "core/base/error.h"
+#include "tests/io/temporary_folder.h"
+#include "tests/scenes/fe_scenes.h"
+#include "tests/widgets/scenes/ballistic_run.h"
+#include "widgets/figures/figure_file.h"
+
+namespace rubble::figures {
+namespace {
+
+using render::PaneContent;
+
+render::PaneStatus statusAt(double time) {
+    render::PaneStatus status;
+    status.time = time;
+    status.states = 122;
+    status.fragments = 5;
+    return status;
+}
+
+TEST(FigureCaption, NamesContentAndTime) {
+    render::PaneStatus status = statusAt(1.68);
+    EXPECT_EQ(captionBelow(0, PaneContent::Fe, status, 0.0).toStdString(), "a) Conventional FE result (t = 1.68 s)");
+    EXPECT_EQ(captionBelow(0, PaneContent::Fe, status, 1.0).toStdString(), "a) Conventional FE result (t = 0.68 s)");
+    status.interpolated = true;
+    EXPECT_EQ(captionBelow(2, PaneContent::Fe, status, 0.0).toStdString(),
+              "c) Conventional FE result (t = 1.68 s, between two states)");
+    EXPECT_EQ(captionBelow(1, PaneContent::Fragments, status, 0.0).toStdString(), "b) Fragments (t = 1.68 s, not simulated)");
+    status.simulated = true;
+    status.kind = FrameKind::Simulated;
+    EXPECT_EQ(captionBelow(3, PaneContent::Fragments, status, 0.0, "Final stage").toStdString(),
+              "d) Final stage (t = 1.68 s, simulated)");
+    status.kind = FrameKind::Interpolated;
+    EXPECT_EQ(captionBelow(1, PaneContent::Plan, status, 0.0).toStdString(),
+              "b) Fragments in plan (t = 1.68 s, simulated, interpolated)");
+}
+
+TEST(FigureClass, TellsFeFromSimulatedFromIllustrative) {
+    render::PaneStatus status = statusAt(1.0);
+    EXPECT_EQ(shownAs(PaneContent::Fe, status), "FE");
+    status.interpolated = true;
+    EXPECT_EQ(shownAs(PaneContent::Fe, status), "FE, interpolated between two states");
+    EXPECT_EQ(shownAs(PaneContent::Fragments, status), "illustrative");
+    status.simulated = true;
+    status.kind = FrameKind::Simulated;
+    EXPECT_EQ(shownAs(PaneContent::Fragments, status), "simulated");
+}
+
+class Preset : public testing::Test {
+protected:
+    render::SceneData m_data = scenes::ballisticRun(scenes::collapsingWall(), 1.0);
+    render::View m_view = render::defaultView(m_data, 800, 500);
+    Sheet sheet(FigurePreset preset, QSize pixels = {1600, 1000}) const {
+        PresetRequest request;
+        request.preset = preset;
+        request.end = 1.5;
+        return presetSheet(request, m_view, m_data, pixels, 200.0);
+    }
+};
+
+TEST_F(Preset, PairsShowBothAtThreeInstantsFromOneCamera) {
+    const Sheet pairs = sheet(FigurePreset::Pairs);
+    ASSERT_EQ(pairs.panels.size(), 6u);
+    EXPECT_TRUE(pairs.commonLegend);
+    int fe = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+        fe += pairs.panels[i].content == PaneContent::Fe;
+        EXPECT_EQ(pairs.panels[i].view.cameras[0], pairs.panels[0].view.cameras[0]);
+    }
+    EXPECT_EQ(fe, 3);
+    // Every FE picture has its fragments at the same time, beside it in the row below or right below.
+    for (std::size_t i = 0; i < 6; ++i) {
+        if (pairs.panels[i].content == PaneContent::Fe) {
+            const std::size_t below = i + static_cast<std::size_t>(pairs.columns);
+            ASSERT_LT(below, 6u);
+            EXPECT_EQ(pairs.panels[below].content, PaneContent::Fragments);
+            EXPECT_EQ(pairs.panels[below].view.time, pairs.panels[i].view.time);
+        }
+    }
+}
+
+TEST_F(Preset, EndSurroundingsAndStagesShowWhatTheirFiguresShow) {
+    const Sheet end = sheet(FigurePreset::End);
+    ASSERT_EQ(end.panels.size(), 2u);
+    EXPECT_EQ(end.panels[0].view.time, 1.5);
+    const Sheet around = sheet(FigurePreset::Surroundings);
+    ASSERT_EQ(around.panels.size(), 1u);
+    EXPECT_EQ(around.panels[0].view.style, render::Style::Presentation);
+    const Sheet stages = sheet(FigurePreset::Stages);
+    ASSERT_EQ(stages.panels.size(), 4u);
+    EXPECT_EQ(stages.panels[0].view.time, m_data.fe->times().front());
+    EXPECT_EQ(stages.panels[3].view.time, 1.5);
+    EXPECT_EQ(stages.panels[3].stage, "Final stage");
+    EXPECT_LT(stages.panels[1].view.time, stages.panels[2].view.time);
+}
+
+TEST_F(Preset, TakesTheInstantsItIsGivenAndNoOtherNumber) {
+    PresetRequest request;
+    request.times = {0.1, 0.2, 0.3};
+    const Sheet pairs = presetSheet(request, m_view, m_data, {1600, 1000}, 200.0);
+    EXPECT_EQ(pairs.panels.back().view.time, 0.3);
+    request.times = {0.1};
+    EXPECT_THROW(presetSheet(request, m_view, m_data, {1600, 1000}, 200.0), UsageError);
+}
+
+TEST(SheetLayout, PanelsFillTheFigureWithoutOverlap) {
+    const SheetLayout layout = layOutSheet(3, 2, true, SheetLegend::Foot, true, {1600, 1000}, 200.0);
+    const QRect whole(0, 0, 1600, 1000);
+    std::vector<QRect> places;
+    for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            const QRect place = layout.panelAt(column, row);
+            EXPECT_TRUE(whole.contains(place));
+            for (const QRect& other : places) {
+                EXPECT_FALSE(place.intersects(other));
+            }
+            places.push_back(place);
+        }
+    }
+    EXPECT_LE(places.back().bottom() + layout.caption + layout.legend + layout.provenance, 1000);
+    EXPECT_DOUBLE_EQ(layout.text, 25.0);
+}
+
+/// A figure whose scene is a grey picture: what is around it needs no GL.
+SheetPicture paintedFigure() {
+    SheetPicture picture({900, 500}, layOutSheet(1, 1, true, SheetLegend::None, true, {900, 500}, 150.0));
+    SheetPicture::Panel panel;
+    panel.place = layOutSheet(1, 1, true, SheetLegend::None, true, {900, 500}, 150.0).panelAt(0, 0);
+    panel.picture = QImage(panel.place.size(), QImage::Format_RGB32);
+    panel.picture.fill(Qt::gray);
+    panel.shown.caption = QStringLiteral("a) Conventional FE result (t = 1.68 s)");
+    picture.add(panel);
+    picture.setFoot({}, {}, QStringLiteral("FE 1a2b"));
+    return picture;
+}
+
+TEST(SheetLegend, StandsBelowThePictureAndCoversNothing) {
+    ensureGuiApplication();
+    const QSize pixels(900, 500);
+    const SheetLayout layout = layOutSheet(1, 1, true, SheetLegend::Below, false, pixels, 150.0);
+    SheetPicture::Panel panel;
+    panel.place = layout.panelAt(0, 0);
+    panel.picture = QImage(panel.place.size(), QImage::Format_RGB32);
+    panel.picture.fill(Qt::gray);
+    panel.shown.caption = QStringLiteral("a) Fragments");
+    panel.overlay.legend = {{QColor(200, 80, 20), QStringLiteral("fragments 9,643"), false}};
+    takeLegendBelow(panel, layout);
+    EXPECT_TRUE(panel.overlay.legend.empty());
+    SheetPicture figure(pixels, layout);
+    figure.add(panel);
+    const QImage image = figure.image();
+    SheetPicture bare(pixels, layout);
+    SheetPicture::Panel without = panel;
+    without.legend.clear();
+    bare.add(without);
+    EXPECT_EQ(image.copy(panel.place), bare.image().copy(panel.place));
+    int ink = 0;
+    for (int y = panel.place.bottom() + 1; y <= panel.place.bottom() + layout.key; ++y) {
+        for (int x = 0; x < pixels.width(); ++x) {
+            ink += image.pixelColor(x, y) == QColor(200, 80, 20);
+        }
+    }
+    EXPECT_GT(ink, 30);
+    // One that would be too small to be read in a line stays over the picture.
+    panel.overlay.legend.assign(12, {QColor(200, 80, 20), QStringLiteral("a component with a long name · 12,345"), false});
+    panel.legend.clear();
+    takeLegendBelow(panel, layout);
+    EXPECT_TRUE(panel.legend.empty());
+    EXPECT_EQ(panel.overlay.legend.size(), 12u);
+}
+
+QByteArray contentOf(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    file.open(QIODevice::ReadOnly);
+    return file.readAll();
+}
+
+TEST(SheetFile, TextOfSvgAndPdfStaysTextAndTheProvenanceIsInside) {
+    ensureGuiApplication();
+    const io::TemporaryFolder folder;
+    FigureStyle style;
+    style.pixels = {900, 500};
+    style.dpi = 150.0;
+    const std::string metadata = R"({"rubble_provenance":1,"kind":"figure","note":"a < b & \"c\""})";
+    for (const char* ending : {"svg", "pdf", "png"}) {
+        const std::string path = folder / (std::string("f.") + ending);
+        writeSheet(path, paintedFigure(), style, metadata);
+        const QByteArray content = contentOf(path);
+        if (QLatin1String(ending) != QLatin1String("png")) {
+            EXPECT_TRUE(content.contains(metadata.c_str())) << ending;
+        } else {
+            EXPECT_EQ(QImage(QString::fromStdString(path)).text("Rubble-Provenance").toStdString(), metadata);
+        }
+    }
+    EXPECT_TRUE(contentOf(folder / "f.svg").contains("Conventional FE result"));
+    EXPECT_TRUE(contentOf(folder / "f.pdf").startsWith("%PDF"));
+    EXPECT_THROW(writeSheet(folder / "f.tiff", paintedFigure(), style, metadata), UsageError);
+    EXPECT_THROW(writeSheet(folder / "none/f.pdf", paintedFigure(), style, metadata), WorldError);
+}
+
+}  // namespace
+}  // namespace rubble::figures

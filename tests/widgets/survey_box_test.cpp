@@ -1,0 +1,164 @@
+#include "widgets/survey_box.h"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QImage>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTest>
+#include <map>
+
+#include "widgets/number_field.h"
+#include "widgets/survey_view.h"
+
+namespace rubble::widgets {
+namespace {
+
+/// 4 x 4 m of debris 2 m high against 6 x 4 m surveyed.
+std::shared_ptr<const SurveyComparison> made() {
+    MapPiece piece;
+    piece.centre = Vec3(0.0, 0.0, 1.0);
+    piece.box = {piece.centre, Quat::Identity(), Vec3(2.0, 2.0, 1.0)};
+    piece.mass = 1.0;
+    piece.volume = 32.0;
+    Survey survey;
+    survey.isFootprint = true;
+    survey.footprint.rings = {{{-2.0, -2.0}, {4.0, -2.0}, {4.0, 2.0}, {-2.0, 2.0}}};
+    const SiteSurface ground;
+    return std::make_shared<SurveyComparison>(compareWithSurvey(rasterOf(std::vector{piece}, 0.5, ground, Execution()), survey,
+                                                                ground, Eigen::Vector2d::Zero(), SurveySettings(), Execution()));
+}
+
+class SurveyForm : public testing::Test {
+protected:
+    void SetUp() override {
+        box.resize(300, 700);
+        box.show();
+        content.available = true;
+        content.names = QStringList{QStringLiteral("drone.tif"), QStringLiteral("outline.gpkg")};
+        content.chosen = 0;
+    }
+    QPushButton* button(const QString& text) {
+        for (auto* each : box.findChildren<QPushButton*>()) {
+            if (each->text() == text) {
+                return each;
+            }
+        }
+        return nullptr;
+    }
+    bool says(const QString& words) {
+        for (const auto* label : box.findChildren<QLabel*>()) {
+            if (label->isVisible() && label->text().contains(words)) {
+                return true;
+            }
+        }
+        return false;
+    }
+    SurveyBox box;
+    SurveyBox::Content content;
+};
+
+TEST_F(SurveyForm, SaysWhatIsMissingUntilItCanCompare) {
+    box.setContent({});
+    EXPECT_FALSE(button(QStringLiteral("Add survey…"))->isEnabled());
+    content.chosen = -1;
+    content.names.clear();
+    box.setContent(content);
+    EXPECT_TRUE(button(QStringLiteral("Add survey…"))->isEnabled());
+    EXPECT_FALSE(button(QStringLiteral("Compare with survey"))->isEnabled());
+    EXPECT_TRUE(says(QStringLiteral("measured after the collapse")));
+    content.names = QStringList{QStringLiteral("drone.tif")};
+    content.chosen = 0;
+    content.noComparison = QStringLiteral("Simulate first");
+    box.setContent(content);
+    EXPECT_FALSE(button(QStringLiteral("Compare with survey"))->isEnabled());
+    EXPECT_TRUE(says(QStringLiteral("Simulate first")));
+    content.noComparison.clear();
+    box.setContent(content);
+    QSignalSpy asked(&box, &SurveyBox::compareRequested);
+    QTest::mouseClick(button(QStringLiteral("Compare with survey")), Qt::LeftButton);
+    EXPECT_EQ(asked.count(), 1);
+}
+
+TEST_F(SurveyForm, FieldsAreTheSettings) {
+    box.setContent(content);
+    QSignalSpy changed(&box, &SurveyBox::settingsChanged);
+    const auto fields = box.findChildren<NumberField*>();
+    ASSERT_EQ(fields.size(), 2);
+    const auto type = [&](int field, const QString& text) {
+        fields[field]->setFocus();
+        fields[field]->selectAll();
+        QTest::keyClicks(fields[field], text);
+        QTest::keyClick(fields[field], Qt::Key_Return);
+    };
+    type(0, QStringLiteral("0.25"));
+    type(1, QStringLiteral("0.1"));
+    type(1, QStringLiteral("99"));
+    QComboBox* fit = nullptr;
+    for (auto* each : box.findChildren<QComboBox*>()) {
+        fit = each->count() == 3 ? each : fit;
+    }
+    ASSERT_NE(fit, nullptr);
+    fit->setFocus();
+    QTest::keyClick(fit, Qt::Key_Down);
+    QTest::keyClick(box.findChild<QCheckBox*>(), Qt::Key_Space);
+    const SurveySettings settings = box.settings();
+    EXPECT_DOUBLE_EQ(settings.cell, 0.25);
+    EXPECT_DOUBLE_EQ(settings.leastHeight, 0.1) << "what is out of range is not taken";
+    EXPECT_EQ(settings.fit, SurveyFit::Ground);
+    EXPECT_FALSE(settings.withFallen);
+    EXPECT_EQ(changed.count(), 4);
+}
+
+TEST_F(SurveyForm, AComparisonStandsInTablesAndWords) {
+    content.comparison = made();
+    box.setContent(content);
+    const auto tables = box.findChildren<QTableWidget*>();
+    ASSERT_EQ(tables.size(), 2);
+    EXPECT_EQ(tables[0]->item(0, 1)->text(), QStringLiteral("24"));
+    EXPECT_EQ(tables[0]->item(0, 2)->text(), QStringLiteral("16"));
+    EXPECT_EQ(tables[0]->rowCount(), 3) << "an outline has no volume";
+    EXPECT_EQ(tables[1]->rowCount(), 8);
+    EXPECT_TRUE(says(QStringLiteral("(IoU): 0.667")));
+    EXPECT_TRUE(says(QStringLiteral("The survey lies where it was surveyed")));
+    EXPECT_FALSE(says(QStringLiteral("compare again")));
+    QSignalSpy saved(&box, &SurveyBox::saveRequested);
+    QTest::mouseClick(button(QStringLiteral("Save difference map…")), Qt::LeftButton);
+    EXPECT_EQ(saved.count(), 1);
+    content.stale = true;
+    box.setContent(content);
+    EXPECT_TRUE(says(QStringLiteral("compare again")));
+    for (const auto* table : tables) {
+        // Nothing is clipped: the last row ends above the foot of the table.
+        const QRect last = table->visualItemRect(table->item(table->rowCount() - 1, 0));
+        EXPECT_LE(last.bottom(), table->viewport()->height());
+    }
+}
+
+TEST_F(SurveyForm, TheDifferenceMapIsDrawnInBothThemes) {
+    SurveyView view;
+    view.resize(600, 500);
+    const QImage empty = view.grab().toImage();
+    view.setComparison(made());
+    const QImage map = view.grab().toImage();
+    EXPECT_NE(map, empty);
+    // Surveyed only and covered on both sides are areas of their own colours; 8 and 16 of 24 m2.
+    std::map<QRgb, int> areas;
+    for (int y = 0; y < map.height(); ++y) {
+        for (int x = 0; x < map.width(); ++x) {
+            ++areas[map.pixel(x, y)];
+        }
+    }
+    int large = 0;
+    for (const auto& [colour, count] : areas) {
+        large += count > map.width() * map.height() / 60;
+    }
+    EXPECT_GE(large, 3);
+}
+
+}  // namespace
+}  // namespace rubble::widgets

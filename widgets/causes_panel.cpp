@@ -1,0 +1,194 @@
+#include "widgets/causes_panel.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QProgressBar>
+#include <QPushButton>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/wording.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+constexpr int rowHeight = 24;  // px
+constexpr int rowsMost = 7;
+
+QWidget* rowOf(QPushButton* first, QPushButton* second) {
+    auto* row = new QWidget;
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(first, 1);
+    line->addWidget(second, 1);
+    return row;
+}
+
+}  // namespace
+
+CausesPanel::CausesPanel(QWidget* parent)
+    : Panel(tr("Which cause?"), tr("Which of several supposed causes explains what was found?"), parent),
+      m_compare(new QPushButton(tr("Compare causes"))),
+      m_cancel(new QPushButton(tr("Cancel"))),
+      m_why(new QLabel),
+      m_bar(new QProgressBar),
+      m_progress(new QLabel),
+      m_causes(new QListWidget),
+      m_addCauses(new QPushButton(tr("Add cases…"))),
+      m_removeCause(new QPushButton(tr("Remove"))),
+      m_evidence(new QListWidget),
+      m_addEvidence(new QPushButton(tr("Add evidence"))),
+      m_removeEvidence(new QPushButton(tr("Remove"))),
+      m_blind(new QCheckBox(tr("Blind test as well"))),
+      m_findings(new FindingList) {
+    buildStart();
+    buildCauses();
+    buildEvidence();
+    addWide(m_findings);
+    setContent({});
+}
+
+void CausesPanel::buildStart() {
+    m_compare->setObjectName(QStringLiteral("primary"));
+    m_compare->setToolTip(
+        tr("Simulate the ensemble of every cause that is ticked and hold it against the evidence that is ticked. Members that were "
+           "simulated before are taken from the cache"));
+    m_cancel->setObjectName(QStringLiteral("cancelCauses"));
+    m_cancel->setToolTip(tr("Stop; members that are done are kept, and comparing again goes on from there"));
+    addWide(rowOf(m_compare, m_cancel));
+    m_why->setObjectName(QStringLiteral("muted"));
+    m_why->setWordWrap(true);
+    addWide(m_why);
+    m_bar->setTextVisible(false);
+    m_bar->setRange(0, 1000);
+    m_bar->setAccessibleName(tr("Progress of the comparison of causes"));
+    addWide(m_bar);
+    m_progress->setObjectName(QStringLiteral("muted"));
+    m_progress->setWordWrap(true);
+    addWide(m_progress);
+    connect(m_compare, &QPushButton::clicked, this, &CausesPanel::compareRequested);
+    connect(m_cancel, &QPushButton::clicked, this, &CausesPanel::cancelRequested);
+}
+
+void CausesPanel::buildCauses() {
+    PanelGroup* group = addGroup(tr("Supposed causes"));
+    m_causes->setObjectName(QStringLiteral("causes"));
+    m_causes->setAccessibleName(tr("Supposed causes"));
+    m_causes->setToolTip(
+        tr("Causes that are ticked are compared: the scenarios of this case, and other cases and FE results of "
+           "the same site"));
+    group->addWide(m_causes);
+    m_addCauses->setObjectName(QStringLiteral("addCauses"));
+    m_addCauses->setToolTip(tr("Add cases or FE results of the same site, each computed for another cause"));
+    m_removeCause->setToolTip(tr("Take the chosen cause off the list; its file stays"));
+    group->addWide(rowOf(m_addCauses, m_removeCause));
+    m_members = group->addNote({});
+    connect(m_addCauses, &QPushButton::clicked, this, &CausesPanel::addCausesRequested);
+    connect(m_removeCause, &QPushButton::clicked, this, [this] { emit causeRemoved(m_causes->currentRow()); });
+    connect(m_causes, &QListWidget::currentRowChanged, this, &CausesPanel::showRemovable);
+    connect(m_causes, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+        if (!m_filling) {
+            emit causeUsed(m_causes->row(item), item->checkState() == Qt::Checked);
+        }
+    });
+}
+
+void CausesPanel::buildEvidence() {
+    PanelGroup* group = addGroup(tr("What was found"));
+    m_evidence->setObjectName(QStringLiteral("causeEvidence"));
+    m_evidence->setAccessibleName(tr("What was found"));
+    m_evidence->setToolTip(
+        tr("Evidence that is ticked counts: footprints, surveyed heights, and photographs of this case taken at "
+           "rest with an outline of the debris"));
+    group->addWide(m_evidence);
+    auto* menu = new QMenu(m_addEvidence);
+    connect(menu->addAction(tr("Footprint, polygons…")), &QAction::triggered, this, &CausesPanel::addFootprintRequested);
+    connect(menu->addAction(tr("Heights of the debris above the ground, raster…")), &QAction::triggered, this,
+            &CausesPanel::addHeightsRequested);
+    connect(menu->addAction(tr("Heights of the surface with the debris, raster…")), &QAction::triggered, this,
+            &CausesPanel::addSurfaceRequested);
+    m_addEvidence->setMenu(menu);
+    m_addEvidence->setObjectName(QStringLiteral("addEvidence"));
+    m_addEvidence->setToolTip(tr("Add a file of what was found. Photographs are added under Photographs"));
+    m_removeEvidence->setToolTip(tr("Take the chosen file off the list; it stays where it is"));
+    group->addWide(rowOf(m_addEvidence, m_removeEvidence));
+    m_blind->setToolTip(tr(
+        "Let each member in turn be what was observed and say how often its cause is found: how far footprints and heights could "
+        "tell these causes apart at all. Without evidence this is done anyway"));
+    group->addWide(m_blind);
+    connect(m_removeEvidence, &QPushButton::clicked, this, [this] { emit evidenceRemoved(m_evidence->currentRow()); });
+    connect(m_evidence, &QListWidget::currentRowChanged, this, &CausesPanel::showRemovable);
+    connect(m_evidence, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+        if (!m_filling) {
+            emit evidenceUsed(m_evidence->row(item), item->checkState() == Qt::Checked);
+        }
+    });
+}
+
+bool CausesPanel::blind() const {
+    return m_blind->isChecked();
+}
+
+void CausesPanel::fill(QListWidget& list, const std::vector<Entry>& entries, const QString& none) {
+    const int current = list.currentRow();
+    list.clear();
+    for (const Entry& entry : entries) {
+        auto* item = new QListWidgetItem(entry.name, &list);
+        item->setToolTip(entry.tip);
+        item->setFlags(entry.usable ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable
+                                    : Qt::ItemIsSelectable | Qt::ItemFlags());
+        item->setCheckState(entry.used && entry.usable ? Qt::Checked : Qt::Unchecked);
+    }
+    if (entries.empty()) {
+        auto* item = new QListWidgetItem(none, &list);
+        item->setFlags(Qt::NoItemFlags);
+    }
+    list.setCurrentRow(std::min(current, static_cast<int>(entries.size()) - 1));
+    list.setFixedHeight(std::clamp(list.count(), 1, rowsMost) * rowHeight + 6);
+}
+
+void CausesPanel::showRemovable() {
+    const auto removable = [](const QListWidget& list, const std::vector<Entry>& entries) {
+        const int row = list.currentRow();
+        return row >= 0 && row < static_cast<int>(entries.size()) && entries[static_cast<std::size_t>(row)].removable;
+    };
+    m_removeCause->setEnabled(!m_content.running && removable(*m_causes, m_content.causes));
+    m_removeEvidence->setEnabled(!m_content.running && removable(*m_evidence, m_content.evidence));
+}
+
+void CausesPanel::setContent(const Content& content) {
+    m_content = content;
+    m_filling = true;
+    fill(*m_causes, content.causes, tr("none yet"));
+    fill(*m_evidence, content.evidence, tr("none: a blind test"));
+    m_filling = false;
+    for (QWidget* editor : std::initializer_list<QWidget*>{m_causes, m_evidence, m_addCauses, m_addEvidence, m_blind}) {
+        editor->setEnabled(content.available && !content.running);
+    }
+    showRemovable();
+    m_compare->setEnabled(content.ready && !content.running);
+    m_compare->setVisible(!content.running);
+    m_cancel->setVisible(content.running);
+    m_bar->setVisible(content.running);
+    m_progress->setVisible(content.running);
+    m_why->setText(content.why);
+    m_why->setVisible(!content.why.isEmpty());
+    m_members->setText(content.members);
+    m_members->setVisible(!content.members.isEmpty());
+    m_findings->set(content.findings);
+}
+
+void CausesPanel::setProgress(const QString& what, double fraction, double secondsLeft) {
+    m_bar->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
+    QString text = what.left(1).toUpper() + what.mid(1);
+    if (std::isfinite(secondsLeft)) {
+        text += tr(" · about %1 left").arg(shownDuration(secondsLeft));
+    }
+    m_progress->setText(text);
+}
+
+}  // namespace rubble::widgets

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <memory>
+
+#include "core/evidence/ensemble.h"
+#include "widgets/panel.h"
+#include "widgets/varied_table.h"
+
+class QCheckBox;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace rubble::widgets {
+
+class NumberField;
+
+/// What an ensemble varies, how many members it has, and how far its simulation is. Shows what it is given; an edit of what the
+/// case keeps leaves as a whole.
+class EnsemblePanel : public Panel {
+    Q_OBJECT
+
+public:
+    explicit EnsemblePanel(QWidget* parent = nullptr);
+
+    struct Content {
+        EnsembleSettings settings{usualVariations()};
+        std::vector<VariedTable::Choice> scenarios;
+        bool available = false;  ///< a case is open: its settings can be edited
+        bool ready = false;      ///< members can be simulated
+        bool running = false;
+        QString why;               ///< they cannot be, or what happens meanwhile
+        double runSeconds = -1.0;  ///< that a run took; below zero: not known
+        Findings findings;
+    };
+    void setContent(const Content& content);
+    /// How debris is laid on the ground.
+    SurfaceSettings surface() const;
+    DebrisInstant instant() const;
+    /// @param secondsLeft  NaN: not known yet
+    void setProgress(const QString& what, double fraction, double secondsLeft);
+    /// Where finished members are kept.
+    void setFolder(const QString& folder);
+
+signals:
+    /// @param what  names the edit for undo
+    void settingsEdited(const rubble::EnsembleSettings& settings, const QString& what);
+    /// Cells, instant or what counts as debris have changed.
+    void surfaceChanged();
+    void simulateRequested();
+    void cancelRequested();
+
+private:
+    void buildStart();
+    void buildMembers();
+    void buildDebris();
+    void showCost();
+
+    Content m_content;
+    QPushButton* m_simulate;
+    QPushButton* m_cancel;
+    QLabel* m_why;
+    QProgressBar* m_bar;
+    QLabel* m_progress;
+    QLabel* m_cost = nullptr;
+    VariedTable* m_varied;
+    QSpinBox* m_members;
+    NumberField* m_seed;
+    NumberField* m_cell;
+    QCheckBox* m_withFallen;
+    QCheckBox* m_atFeEnd;
+    QLabel* m_folder = nullptr;
+    FindingList* m_findings;
+};
+
+}  // namespace rubble::widgets

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QDialog>
+#include <QImage>
+#include <QSize>
+#include <QTimer>
+#include <optional>
+
+#include "widgets/figures/figure_sheet.h"
+
+class QComboBox;
+class QLabel;
+class QSpinBox;
+
+namespace rubble::widgets {
+
+/// What a figure is to be.
+struct FigureChoice {
+    std::optional<figures::FigurePreset> preset;  ///< unset: as the views are
+    QSize pixels{1600, 1000};
+    int dpi = 200;
+
+    friend bool operator==(const FigureChoice&, const FigureChoice&) = default;
+};
+
+/// Asks for arrangement and size of a figure, with a preview that follows.
+class FigureDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit FigureDialog(const FigureChoice& choice, QWidget* parent = nullptr);
+
+    FigureChoice choice() const;
+    /// Shows how it will look; a null picture says why not.
+    void setPreview(const QImage& picture, const QString& problem = {});
+
+signals:
+    /// The choice has changed and rests.
+    void previewRequested(const rubble::widgets::FigureChoice& choice);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void showSize();
+
+    QComboBox* m_preset;
+    QSpinBox* m_width;
+    QSpinBox* m_height;
+    QSpinBox* m_dpi;
+    QLabel* m_print;
+    QLabel* m_preview;
+    QTimer m_rest;
+};
+
+}  // namespace rubble::widgets

@@ -1,0 +1,333 @@
+#include "widgets/figures/figure_sheet.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "widgets/figures/draw.h"
+#include "widgets/figures/marks.h"
+#include "widgets/figures/number_text.h"
+#include "widgets/figures/palette.h"
+#include "widgets/render/camera.h"
+#include "widgets/render/panes.h"
+
+namespace rubble::figures {
+namespace {
+
+constexpr double textPoints = 9.0;
+constexpr double provenancePoints = 6.0;
+constexpr double smallestLegend = 0.7;  // of the text: below that it is not read any more
+/// The instants of the published figures over the 9.6 s of its FE result.
+constexpr std::array<double, 3> publishedShares{1.68 / 9.6, 3.36 / 9.6, 5.52 / 9.6};
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("rubble::figures", text);
+}
+
+QFont fontOf(double pixels, bool italic) {
+    QFont font;
+    font.setPixelSize(std::max(5, static_cast<int>(std::lround(pixels))));
+    font.setItalic(italic);
+    return font;
+}
+
+/// One panel of a view; what it shows is drawn alone.
+SheetPanel panelOf(const render::View& view, render::PaneContent content, double time, const QString& stage = {}) {
+    SheetPanel panel{content, view, stage};
+    const render::Camera camera = render::cameraOf(view, content);
+    panel.view.camerasLinked = false;
+    panel.view.cameras.fill(camera);
+    panel.view.time = time;
+    panel.view.layout = content == render::PaneContent::Fe        ? render::Layout::FeOnly
+                        : content == render::PaneContent::Overlay ? render::Layout::OverlayOnly
+                                                                  : render::Layout::FragmentsOnly;
+    return panel;
+}
+
+/// The state next to a share of the FE result: published figures show states, not something between two of them.
+double stateNear(const std::vector<double>& times, double share) {
+    const double wanted = times.front() + share * (times.back() - times.front());
+    return *std::min_element(times.begin(), times.end(),
+                             [&](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); });
+}
+
+std::vector<double> instantsOf(const PresetRequest& request, const render::SceneData& data) {
+    const std::vector<double>& states = data.fe->times();
+    if (!request.times.empty()) {
+        if (request.times.size() != presetInstants(request.preset)) {
+            throw UsageError({"figure.instants",
+                              "This arrangement shows {0} instants, not {1}",
+                              {presetInstants(request.preset), request.times.size()}},
+                             {"figure.instants.remedy", "Name as many, in seconds on the file's clock.", {}});
+        }
+        return request.times;
+    }
+    switch (request.preset) {
+        case FigurePreset::Pairs:
+            return {stateNear(states, publishedShares[0]), stateNear(states, publishedShares[1]),
+                    stateNear(states, publishedShares[2])};
+        case FigurePreset::Stages:
+            return {states.front(), stateNear(states, publishedShares[0]), stateNear(states, publishedShares[2]), request.end};
+        case FigurePreset::End:
+        case FigurePreset::Surroundings:
+            break;
+    }
+    return {request.end};
+}
+
+/// The number of columns in which the model comes out largest.
+int bestColumns(std::span<const int> choices, int panels, const render::SceneData& data, render::Preset look, QSize pixels,
+                double dpi, SheetLegend legend) {
+    int best = choices.front();
+    double most = 0.0;
+    for (const int columns : choices) {
+        const SheetLayout layout = layOutSheet(columns, (panels + columns - 1) / columns, true, legend, true, pixels, dpi);
+        const double aspect = static_cast<double>(layout.panel.width()) / layout.panel.height();
+        const double scale =
+            1.0 / render::metresPerPixel(render::fitCamera(render::boundsOf(data), aspect, look), layout.panel.height());
+        if (scale > 1.02 * most) {
+            most = scale;
+            best = columns;
+        }
+    }
+    return best;
+}
+
+/// The surroundings take their room around the model.
+Aabb widened(const Aabb& box, double factor) {
+    const Vec3 centre = box.center();
+    const Vec3 half = 0.5 * factor * box.sizes();
+    Aabb wide = box;
+    wide.extend(Vec3(centre.x() - half.x(), centre.y() - half.y(), box.min().z()));
+    wide.extend(Vec3(centre.x() + half.x(), centre.y() + half.y(), box.max().z()));
+    return wide;
+}
+
+QString nameOf(render::PaneContent content) {
+    switch (content) {
+        case render::PaneContent::Fe:
+            return tr("Conventional FE result");
+        case render::PaneContent::Overlay:
+            return tr("Fragments and intact outline");
+        case render::PaneContent::Plan:
+            return tr("Fragments in plan");
+        case render::PaneContent::Other:
+            return tr("Fragments of another scenario");
+        case render::PaneContent::Fragments:
+            break;
+    }
+    return tr("Fragments");
+}
+
+}  // namespace
+
+std::size_t presetInstants(FigurePreset preset) {
+    return preset == FigurePreset::Pairs ? 3 : preset == FigurePreset::Stages ? 4 : 1;
+}
+
+QRect SheetLayout::panelAt(int column, int row) const {
+    return {column * (panel.width() + gap), row * (panel.height() + key + caption), panel.width(), panel.height()};
+}
+
+SheetLayout layOutSheet(int columns, int rows, bool captioned, SheetLegend legend, bool provenance, QSize pixels, double dpi) {
+    SheetLayout layout;
+    layout.text = textPoints / 72.0 * dpi;
+    layout.small = provenancePoints / 72.0 * dpi;
+    layout.gap = columns > 1 ? std::max(1, static_cast<int>(std::lround(0.6 * layout.text))) : 0;
+    layout.caption =
+        captioned ? static_cast<int>(std::lround(2.2 * layout.text)) : static_cast<int>(std::lround(0.5 * layout.text));
+    layout.key = legend == SheetLegend::Below ? static_cast<int>(std::lround(1.8 * layout.text)) : 0;
+    layout.legend = legend == SheetLegend::Foot ? static_cast<int>(std::lround(2.0 * layout.text)) : 0;
+    layout.provenance = provenance ? static_cast<int>(std::lround(2.0 * layout.small)) : 0;
+    const int height = pixels.height() - rows * (layout.key + layout.caption) - layout.legend - layout.provenance;
+    layout.panel = {std::max((pixels.width() - (columns - 1) * layout.gap) / columns, 16), std::max(height / rows, 16)};
+    return layout;
+}
+
+Sheet sheetOf(const render::View& view) {
+    const std::vector<render::Pane> panes = render::panesOf(view.layout, 100, 100);
+    Sheet sheet;
+    sheet.columns = view.layout == render::Layout::Stacked ? 1 : std::min<int>(2, static_cast<int>(panes.size()));
+    for (const render::Pane& pane : panes) {
+        sheet.panels.push_back(panelOf(view, pane.content, view.time));
+    }
+    return sheet;
+}
+
+Sheet presetSheet(const PresetRequest& request, const render::View& like, const render::SceneData& data, QSize pixels, double dpi) {
+    using render::PaneContent;
+    const std::vector<double> times = instantsOf(request, data);
+    const bool around = request.preset == FigurePreset::Surroundings;
+    const render::Preset look = request.look.value_or(around ? render::Preset::Corner : render::Preset::Side);
+    Sheet sheet;
+    render::View view = like;
+    view.captions = true;
+    const auto add = [&](PaneContent content, double time, const QString& stage = {}) {
+        sheet.panels.push_back(panelOf(view, content, time, stage));
+    };
+    if (request.preset == FigurePreset::Pairs) {
+        sheet.commonLegend = true;
+        constexpr std::array<int, 2> choices{3, 1};
+        sheet.columns = bestColumns(choices, 6, data, look, pixels, dpi, SheetLegend::Foot);
+        // In one column the pairs stand one below the other, in three one beside the other.
+        for (std::size_t i = 0; i < 6; ++i) {
+            const std::size_t pair = sheet.columns == 1 ? i / 2 : i % 3;
+            const bool fe = sheet.columns == 1 ? i % 2 == 0 : i < 3;
+            add(fe ? PaneContent::Fe : PaneContent::Fragments, times[pair]);
+        }
+    } else if (request.preset == FigurePreset::End) {
+        constexpr std::array<int, 2> choices{1, 2};
+        sheet.columns = bestColumns(choices, 2, data, look, pixels, dpi, SheetLegend::Below);
+        add(PaneContent::Fe, times[0]);
+        add(PaneContent::Fragments, times[0]);
+    } else if (around) {
+        view.style = render::Style::Presentation;
+        view.groundGrid = false;
+        view.shading = true;
+        add(PaneContent::Fragments, times[0], tr("Debris and surroundings"));
+    } else {
+        sheet.commonLegend = true;
+        constexpr std::array<int, 3> choices{2, 1, 4};
+        sheet.columns = bestColumns(choices, 4, data, look, pixels, dpi, SheetLegend::Foot);
+        const std::array<QString, 4> stages{tr("Original"), tr("Early stage"), tr("Intermediate stage"), tr("Final stage")};
+        for (std::size_t i = 0; i < stages.size(); ++i) {
+            add(PaneContent::Fragments, times[i], stages[i]);
+        }
+    }
+    if (!request.camerasOfView) {
+        const QSize panel = layOutSheet(sheet.columns, sheet.rows(), true, legendOf(sheet), true, pixels, dpi).panel;
+        const Aabb bounds = around ? widened(render::boundsOf(data), 1.5) : render::boundsOf(data);
+        const render::Camera camera = render::fitCamera(bounds, static_cast<double>(panel.width()) / panel.height(), look);
+        for (SheetPanel& each : sheet.panels) {
+            each.view.cameras.fill(camera);
+        }
+    }
+    return sheet;
+}
+
+SheetLegend legendOf(const Sheet& sheet) {
+    const bool each =
+        std::any_of(sheet.panels.begin(), sheet.panels.end(), [](const SheetPanel& panel) { return panel.view.legends; });
+    return sheet.commonLegend ? SheetLegend::Foot : each ? SheetLegend::Below : SheetLegend::None;
+}
+
+QString captionBelow(std::size_t index, render::PaneContent content, const render::PaneStatus& status, double timeOrigin,
+                     const QString& stage) {
+    const QString letter = QStringLiteral("%1) ").arg(QChar(static_cast<char16_t>('a' + index % 26)));
+    const QString name = stage.isEmpty() ? nameOf(content) : stage;
+    if (status.states == 0) {
+        return letter + name;
+    }
+    QStringList brackets{QStringLiteral("t = ") + timeText(status.time - timeOrigin)};
+    if (content == render::PaneContent::Fe) {
+        if (status.interpolated) {
+            brackets << tr("between two states");
+        }
+        if (status.afterFeEnd) {
+            brackets << tr("last state");
+        }
+    } else if (!status.simulated) {
+        brackets << tr("not simulated");
+    } else {
+        brackets << (status.kind == FrameKind::Interpolated ? tr("simulated, interpolated") : tr("simulated"));
+    }
+    return letter + QStringLiteral("%1 (%2)").arg(name, brackets.join(QStringLiteral(", ")));
+}
+
+std::string shownAs(render::PaneContent content, const render::PaneStatus& status) {
+    if (content == render::PaneContent::Fe) {
+        return status.interpolated ? "FE, interpolated between two states" : "FE";
+    }
+    if (!status.simulated) {
+        return status.fragments > 0 ? "illustrative" : "FE";
+    }
+    return status.kind == FrameKind::Interpolated ? "simulated, interpolated between two recorded instants" : "simulated";
+}
+
+void takeLegendBelow(SheetPicture::Panel& panel, const SheetLayout& layout) {
+    Overlay& over = panel.overlay;
+    if (layout.key == 0 || smallestLegend * legendLineWidth(over.legend, over.bars, layout.text) > panel.place.width()) {
+        return;
+    }
+    panel.legend = std::move(over.legend);
+    panel.bars = std::move(over.bars);
+    over.legend.clear();
+    over.bars.clear();
+}
+
+void SheetPicture::setFoot(std::vector<LegendEntry> legend, std::vector<ColourBar> bars, QString provenance) {
+    m_legend = std::move(legend);
+    m_bars = std::move(bars);
+    m_provenance = std::move(provenance);
+}
+
+void SheetPicture::paint(QPainter& painter) const {
+    painter.fillRect(QRect(QPoint(0, 0), m_pixels), Qt::white);
+    for (const Panel& panel : m_panels) {
+        painter.drawImage(panel.place, panel.picture);
+        painter.save();
+        painter.translate(panel.place.topLeft());
+        const render::Pane pane{panel.shown.content, 0, 0, panel.place.width(), panel.place.height()};
+        paintMarks(painter, panel.view, pane, m_layout.text);
+        paintOverlay(painter, panel.overlay, pane, render::Theme::Print, m_layout.text);
+        painter.restore();
+    }
+    paintCaptions(painter);
+    paintLegends(painter);
+    paintProvenance(painter);
+}
+
+void SheetPicture::paintCaptions(QPainter& painter) const {
+    painter.setPen(palette(render::Theme::Print).text);
+    for (const Panel& panel : m_panels) {
+        const QRect box(panel.place.left(), panel.place.bottom() + 1 + m_layout.key, panel.place.width(), m_layout.caption);
+        // A narrow panel takes smaller letters before it loses words.
+        QFont font = fontOf(m_layout.text, true);
+        const double needed = QFontMetricsF(font).horizontalAdvance(panel.shown.caption);
+        font = fontOf(m_layout.text * std::clamp(box.width() / std::max(needed, 1.0), 0.7, 1.0), true);
+        painter.setFont(font);
+        painter.drawText(box, static_cast<int>(Qt::AlignHCenter | Qt::AlignVCenter),
+                         QFontMetricsF(font).elidedText(panel.shown.caption, Qt::ElideRight, box.width()));
+    }
+}
+
+void SheetPicture::paintLegends(QPainter& painter) const {
+    for (const Panel& panel : m_panels) {
+        const render::Pane strip{panel.shown.content, panel.place.left(), panel.place.bottom() + 1, panel.place.width(),
+                                 m_layout.key};
+        const double needed = legendLineWidth(panel.legend, panel.bars, m_layout.text);
+        paintLegendLine(painter, panel.legend, panel.bars, strip,
+                        m_layout.text * std::clamp(0.98 * strip.width / std::max(needed, 1.0), smallestLegend, 1.0));
+    }
+    if (m_layout.legend == 0) {
+        return;
+    }
+    const int top = m_pixels.height() - m_layout.provenance - m_layout.legend;
+    const render::Pane strip{render::PaneContent::Fragments, 0, top, m_pixels.width(), m_layout.legend};
+    paintLegendLine(painter, m_legend, m_bars, strip, m_layout.text);
+}
+
+void SheetPicture::paintProvenance(QPainter& painter) const {
+    if (m_layout.provenance == 0) {
+        return;
+    }
+    painter.setFont(fontOf(m_layout.small, false));
+    painter.setPen(palette(render::Theme::Print).muted);
+    const QRect foot(0, m_pixels.height() - m_layout.provenance, m_pixels.width(), m_layout.provenance);
+    painter.drawText(foot, static_cast<int>(Qt::AlignHCenter | Qt::AlignVCenter),
+                     QFontMetricsF(fontOf(m_layout.small, false)).elidedText(m_provenance, Qt::ElideMiddle, foot.width()));
+}
+
+QImage SheetPicture::image() const {
+    QImage figure(m_pixels, QImage::Format_RGB32);
+    figure.fill(Qt::white);
+    QPainter painter(&figure);
+    paint(painter);
+    return figure;
+}
+
+}  // namespace rubble::figures

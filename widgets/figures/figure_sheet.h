@@ -1,0 +1,148 @@
+#pragma once
+
+#include <QImage>
+#include <QSize>
+#include <QString>
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "widgets/figures/overlay.h"
+#include "widgets/render/camera.h"
+#include "widgets/render/scene.h"
+#include "widgets/render/scene_data.h"
+#include "widgets/render/view.h"
+
+class QPainter;
+
+namespace rubble::figures {
+
+/// One picture of a figure: what a pane shows, from where and when.
+struct SheetPanel {
+    render::PaneContent content = render::PaneContent::Fe;
+    render::View view;
+    QString stage;  ///< "original", "final stage"; takes the place of the content in the caption, empty: none
+};
+
+/// A figure for print: panels in rows of equal columns, each with its caption below.
+struct Sheet {
+    int columns = 1;
+    std::vector<SheetPanel> panels;
+    bool commonLegend = false;  ///< one at the foot, without counts, instead of one below each picture
+
+    int rows() const { return (static_cast<int>(panels.size()) + columns - 1) / columns; }
+};
+
+/// The panes of a view as panels.
+Sheet sheetOf(const render::View& view);
+
+/// Arrangements of published figures (DESIGN.md 2.6).
+enum class FigurePreset : std::uint8_t {
+    Pairs,         ///< figure 11: FE above, fragments below, same camera, three instants
+    End,           ///< figure 12: both at the end
+    Surroundings,  ///< figure 13: debris within terrain and surroundings
+    Stages         ///< figure 14: original, early, intermediate and final stage
+};
+inline constexpr std::array<std::pair<std::string_view, FigurePreset>, 4> figurePresets{
+    {{"11", FigurePreset::Pairs}, {"12", FigurePreset::End}, {"13", FigurePreset::Surroundings}, {"14", FigurePreset::Stages}}};
+
+/// Where the instants of a preset come from and how its model is seen.
+struct PresetRequest {
+    FigurePreset preset = FigurePreset::Pairs;
+    std::vector<double> times;  ///< s, on the file's clock; empty: those of the published figure, as shares of the FE result
+    std::optional<render::Preset> look;  ///< unset: that of the preset
+    bool camerasOfView = false;          ///< those of `like` as they are
+    double end = 0.0;                    ///< s, last instant that can be shown
+};
+
+/// How many instants a preset shows.
+std::size_t presetInstants(FigurePreset preset);
+
+/// A preset as a sheet of a size. @param like  colours, style, hidden parts and so on
+/// Throws UsageError for another number of times than it shows.
+Sheet presetSheet(const PresetRequest& request, const render::View& like, const render::SceneData& data, QSize pixels, double dpi);
+
+/// Where the pictures of a sheet lie and how high its lines of text are, in pixels of the figure.
+struct SheetLayout {
+    double text = 0.0;   ///< 9 pt
+    double small = 0.0;  ///< 6 pt
+    int gap = 0;         ///< between columns
+    int key = 0;         ///< legends below the pictures of each row; 0: none
+    int caption = 0;     ///< below these
+    int legend = 0;      ///< the common one; 0: none
+    int provenance = 0;  ///< at the foot; 0: none
+    QSize panel;
+
+    QRect panelAt(int column, int row) const;
+};
+/// Where the legends of a sheet stand: nothing of the pictures is covered by one that fits into a line.
+enum class SheetLegend : std::uint8_t {
+    None,
+    Foot,  ///< one for all
+    Below  ///< one below each picture
+};
+/// @param captioned  whether there is a caption below each panel
+SheetLayout layOutSheet(int columns, int rows, bool captioned, SheetLegend legend, bool provenance, QSize pixels, double dpi);
+
+/// What a panel showed when it was drawn.
+struct ShownPanel {
+    render::PaneContent content = render::PaneContent::Fe;
+    render::PaneStatus status;
+    QString caption;  ///< "a) Conventional FE result (t = 1.68 s)"
+};
+
+/// A figure that was drawn: pictures of the scene, and everything that stands over and below them as it can be painted anywhere.
+class SheetPicture {
+public:
+    struct Panel {
+        QRect place;
+        QImage picture;
+        render::View view;
+        ShownPanel shown;
+        Overlay overlay;
+        std::vector<LegendEntry> legend;  ///< below the picture
+        std::vector<ColourBar> bars;
+    };
+
+    SheetPicture(QSize pixels, SheetLayout layout) : m_pixels(pixels), m_layout(layout) {}
+    void add(Panel panel) { m_panels.push_back(std::move(panel)); }
+    void setFoot(std::vector<LegendEntry> legend, std::vector<ColourBar> bars, QString provenance);
+
+    const std::vector<Panel>& panels() const { return m_panels; }
+    QSize pixels() const { return m_pixels; }
+    /// Paints the figure in its pixels; text and lines stay vectors where the device keeps them.
+    void paint(QPainter& painter) const;
+    QImage image() const;
+
+private:
+    void paintCaptions(QPainter& painter) const;
+    void paintLegends(QPainter& painter) const;
+    void paintProvenance(QPainter& painter) const;
+
+    QSize m_pixels;
+    SheetLayout m_layout;
+    std::vector<Panel> m_panels;
+    std::vector<LegendEntry> m_legend;
+    std::vector<ColourBar> m_bars;
+    QString m_provenance;
+};
+
+/// Where the legends of a sheet stand.
+SheetLegend legendOf(const Sheet& sheet);
+/// The legend of a panel leaves its picture for the line below, where it fits into that; else it stays in the sky above the debris.
+void takeLegendBelow(SheetPicture::Panel& panel, const SheetLayout& layout);
+
+/// "a) Conventional FE result (t = 1.68 s)", with what else is to be known in the brackets: simulated, interpolated.
+/// @param stage  instead of the name of what is shown, empty: none
+QString captionBelow(std::size_t index, render::PaneContent content, const render::PaneStatus& status, double timeOrigin,
+                     const QString& stage = {});
+
+/// The class of what a panel showed: "FE", "FE, interpolated between two states", "simulated", ..., "illustrative" where nothing
+/// was simulated.
+std::string shownAs(render::PaneContent content, const render::PaneStatus& status);
+
+}  // namespace rubble::figures

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QColor>
+#include <QString>
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+class QPainter;
+class QRectF;
+
+namespace rubble::figures {
+
+/// A row of points of a chart, joined by a line or not.
+struct ChartSeries {
+    struct Point {
+        double x = 0.0;
+        double y = 0.0;
+        QString label;  ///< beside it, empty: none
+    };
+    QString name;  ///< written at its last point; empty: none
+    QColor colour;
+    bool line = true;
+    bool dashed = false;
+    std::vector<Point> points;
+};
+
+/// A plain chart for print: axes with units, direct labels, a band.
+struct ReportChart {
+    QString xTitle, yTitle;  ///< with unit
+    bool logX = false;
+    bool fromZero = true;  ///< the y axis
+    std::vector<ChartSeries> series;
+    double band = std::numeric_limits<double>::quiet_NaN();  ///< from 0 up to here; NaN: none
+    QString bandName;
+
+    void paint(QPainter& painter, const QRectF& area, double textHeight) const;
+};
+
+}  // namespace rubble::figures

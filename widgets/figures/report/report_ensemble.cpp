@@ -1,0 +1,114 @@
+#include <cmath>
+
+#include "core/evidence/probability_map.h"
+#include "core/scenario/parameters.h"
+#include "widgets/figures/report/report_sections.h"
+
+namespace rubble::figures {
+
+namespace {
+
+QString escaped(const std::string& text) {
+    return QString::fromStdString(text).toHtmlEscaped();
+}
+
+/// "uniform from 0.4 to 0.8", as a member gets it.
+QString distributionWords(const VariedSetting& varied) {
+    switch (varied.distribution) {
+        case Distribution::Uniform:
+            return ReportSections::tr("uniform from %1 to %2").arg(reportNumber(varied.first), reportNumber(varied.second));
+        case Distribution::Normal:
+            return ReportSections::tr("normal, %1 ± %2").arg(reportNumber(varied.first), reportNumber(varied.second));
+        case Distribution::Choice:
+            break;
+    }
+    QStringList choices;
+    for (const std::string& choice : varied.choices) {
+        choices << escaped(choice);
+    }
+    return ReportSections::tr("one of %1").arg(choices.join(QStringLiteral(", ")));
+}
+
+}  // namespace
+
+void ReportSections::addEnsemble() {
+    heading(tr("What is not known"));
+    if (m_facts.ensemble == nullptr) {
+        notice(
+            tr("No ensemble was simulated of this case: how far friction, births and other things that are not known move the "
+               "debris is not part of this report. The ranges above are those of repeats alone."));
+        return;
+    }
+    const EnsembleReport& ensemble = *m_facts.ensemble;
+    const std::size_t done = ensemble.done().size();
+    text(tr("The collapse was simulated %1 times with what is not known drawn anew for each member (seed %2). Members differ by "
+            "what "
+            "is drawn and by births that are moved by a micrometre.")
+             .arg(done)
+             .arg(ensemble.settings.seed));
+    if (done < ensemble.members.size()) {
+        notice(tr("The case asks for %1 members; %2 of them have been simulated, and what follows is of these.")
+                   .arg(ensemble.members.size())
+                   .arg(done));
+    }
+    ReportTable drawn;
+    drawn.caption = tr("What is drawn for each member");
+    drawn.columns = QStringList{tr("setting"), tr("unit"), tr("distribution")};
+    drawn.words = {true, true, true};
+    for (const VariedSetting& varied : ensemble.settings.varied) {
+        const Parameter* row = varied.key == scenarioKey ? nullptr : findParameter(varied.key).first;
+        drawn.rows.push_back(
+            {escaped(varied.key), row != nullptr ? escaped(std::string(row->unit)) : QString(), distributionWords(varied)});
+    }
+    drawn.source = source();
+    m_blocks.push_back(std::move(drawn));
+    addEnsembleSpread();
+}
+
+void ReportSections::addEnsembleSpread() {
+    const EnsembleReport& ensemble = *m_facts.ensemble;
+    ReportTable table;
+    table.caption =
+        tr("Spread over %1 members: mean with its standard error, standard deviation of the members, and the values that "
+           "one member in twenty lies below and above")
+            .arg(ensemble.done().size());
+    table.columns = QStringList{tr("figure"), tr("mean"), tr("± mean"), tr("± members"), tr("5 %"), tr("95 %")};
+    table.words = {true, false, false, false, false, false};
+    table.shares = {0.4, 0.12, 0.12, 0.12, 0.12, 0.12};
+    for (std::size_t k = 0; k < memberMeasureCount; ++k) {
+        const auto measure = static_cast<MemberMeasure>(k);
+        const MemberMeasureRow& row = memberMeasureRow(measure);
+        const FigureSpread spread = spreadOf(ensemble, measure);
+        QString unit = QString::fromUtf8(row.unit.data(), static_cast<qsizetype>(row.unit.size()));
+        unit.replace(QStringLiteral("m2"), QStringLiteral("m²")).replace(QStringLiteral("m3"), QStringLiteral("m³"));
+        const Message name{"", std::string(row.name), {}};
+        table.rows.push_back({QStringLiteral("%1 [%2]").arg(said(name), unit), reportNumber(spread.mean),
+                              reportNumber(spread.standardError, 2), reportNumber(spread.deviation, 2), reportNumber(spread.low),
+                              reportNumber(spread.high)});
+    }
+    QStringList members;
+    for (const EnsembleMember* member : ensemble.done()) {
+        members << shortDigest(member->trajectoryHash.hex().substr(0, 8));
+    }
+    constexpr qsizetype named = 8;
+    table.source = source() + u' ' +
+                   (members.size() > named ? tr("Trajectories of the members: %1 and %2 more.")
+                                                 .arg(members.mid(0, named).join(QStringLiteral(", ")))
+                                                 .arg(members.size() - named)
+                                           : tr("Trajectories of the members: %1.").arg(members.join(QStringLiteral(", "))));
+    m_blocks.push_back(std::move(table));
+    if (!m_pictures.probability.isNull()) {
+        ReportFigure figure;
+        figure.picture = m_pictures.probability;
+        figure.caption = figure.words =
+            tr("Probability that debris reaches into a cell, over %1 members").arg(ensemble.done().size());
+        figure.source = source();
+        m_blocks.push_back(std::move(figure));
+    }
+    const std::vector<ConvergenceRow> rows = convergenceOf(ensemble);
+    text(tr("For so few members the probability of a cell may be off by %1 in the mean and by %2 at most (one standard error). "
+            "That covers what was varied and nothing else: neither what the FE analysis left out nor the size of its mesh.")
+             .arg(reportNumber(rows.back().probabilityError, 2), reportNumber(rows.back().worstError, 2)));
+}
+
+}  // namespace rubble::figures

@@ -1,0 +1,386 @@
+#include <QAbstractTextDocumentLayout>
+#include <QBuffer>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QTextDocument>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "widgets/figures/figure_file.h"
+#include "widgets/figures/palette.h"
+#include "widgets/figures/report/formula.h"
+#include "widgets/figures/report/report_document.h"
+
+namespace rubble::figures {
+namespace {
+
+constexpr int dotsPerInch = 300;
+constexpr double dot = dotsPerInch / 72.0;  // a point
+constexpr double pageWidth = 595.0 * dot;   // A4
+constexpr double pageHeight = 842.0 * dot;
+constexpr double left = 71.0 * dot;
+constexpr double right = 62.0 * dot;
+constexpr double top = 74.0 * dot;
+constexpr double bottom = 68.0 * dot;
+constexpr double width = pageWidth - left - right;
+constexpr double textPoints = 9.5;
+constexpr double smallPoints = 8.0;
+constexpr double sourcePoints = 6.5;
+
+const QColor ink(0x1f, 0x24, 0x28);
+const QColor grey(0x5d, 0x66, 0x6e);
+
+QFont fontOf(double points, bool bold = false) {
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPixelSize(std::max(1, static_cast<int>(std::lround(points * dot))));
+    font.setBold(bold);
+    return font;
+}
+
+/// Rich text of a width, ready to be painted.
+std::unique_ptr<QTextDocument> textOf(const QString& html, double points, double wide, const QColor& colour = ink,
+                                      Qt::Alignment alignment = Qt::AlignLeft) {
+    auto text = std::make_unique<QTextDocument>();
+    text->setDefaultFont(fontOf(points));
+    text->setDocumentMargin(0.0);
+    QTextOption option(alignment);
+    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    text->setDefaultTextOption(option);
+    text->setDefaultStyleSheet(QStringLiteral("body{color:%1} code{font-family:'DejaVu Sans Mono';font-size:%2px}")
+                                   .arg(colour.name())
+                                   .arg(static_cast<int>(std::lround(0.88 * points * dot))));
+    text->setHtml(QStringLiteral("<body>") + html + QStringLiteral("</body>"));
+    text->setTextWidth(wide);
+    return text;
+}
+
+/// One row of the table of contents, once its page is known.
+struct ContentsRow {
+    int level = 1;
+    QString text;
+    int page = 0;
+};
+
+/// Sets the blocks on pages. Goes twice over the document: the first time to learn the pages of headings and their number.
+class PdfSetter {
+public:
+    PdfSetter(const ReportDocument& document, QPdfWriter& writer, std::vector<ContentsRow> contents, int pages)
+        : m_document(document),
+          m_writer(writer),
+          m_painter(&writer),
+          m_contents(std::move(contents)),
+          m_pages(pages),
+          m_headings(numberedHeadings(document)) {}
+
+    void run() {
+        setFirstPage();
+        setContents();
+        newPage();
+        for (const ReportBlock& block : m_document.blocks) {
+            std::visit([this](const auto& each) { set(each); }, block);
+        }
+        m_painter.end();
+    }
+    const std::vector<ContentsRow>& found() const { return m_found; }
+    int pages() const { return m_page; }
+
+private:
+    double room() const { return pageHeight - bottom - m_y; }
+    void need(double height) {
+        if (height > room() && m_y > top + 1.0) {
+            newPage();
+        }
+    }
+    void newPage() {
+        m_writer.newPage();
+        ++m_page;
+        m_y = top;
+        m_painter.setPen(grey);
+        m_painter.setFont(fontOf(7.5));
+        const QRectF head(left, 40.0 * dot, width, 14.0 * dot);
+        m_painter.drawText(head, static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), m_document.header);
+        const QRectF foot(left, pageHeight - 46.0 * dot, width, 14.0 * dot);
+        m_painter.drawText(foot, static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), m_document.page.arg(m_page).arg(m_pages));
+        m_painter.setPen(QPen(QColor(0xb9, 0xc0, 0xc6), 0.5 * dot));
+        m_painter.drawLine(QPointF(left, 56.0 * dot), QPointF(left + width, 56.0 * dot));
+    }
+    void paint(QTextDocument& text, double x) {
+        m_painter.save();
+        m_painter.translate(x, m_y);
+        QAbstractTextDocumentLayout::PaintContext context;
+        context.palette.setColor(QPalette::Text, ink);
+        text.documentLayout()->draw(&m_painter, context);
+        m_painter.restore();
+    }
+    /// Sets running text; it is not broken over pages.
+    void setRich(const QString& html, double points, double indent, double after, const QColor& colour = ink) {
+        const auto text = textOf(html, points, width - indent, colour);
+        need(text->size().height());
+        paint(*text, left + indent);
+        m_y += text->size().height() + after;
+    }
+
+    void setFirstPage() {
+        m_y = 150.0 * dot;
+        m_painter.fillRect(QRectF(left, 128.0 * dot, 42.0 * dot, 4.0 * dot), palette(render::Theme::Print).fragment);
+        setRich(QStringLiteral("<b>%1</b>").arg(m_document.title.toHtmlEscaped()), 24.0, 0.0, 8.0 * dot);
+        setRich(m_document.subtitle.toHtmlEscaped(), 12.0, 0.0, 34.0 * dot, grey);
+        for (const auto& [name, value] : m_document.facts) {
+            const double start = m_y;
+            const auto label = textOf(name.toHtmlEscaped(), textPoints, 120.0 * dot, grey);
+            paint(*label, left);
+            setRich(value, textPoints, 128.0 * dot, 5.0 * dot);
+            m_y = std::max(m_y, start + label->size().height() + 5.0 * dot);
+        }
+    }
+    void setContents() {
+        newPage();
+        setRich(QStringLiteral("<b>%1</b>").arg(m_document.contents.toHtmlEscaped()), 15.0, 0.0, 10.0 * dot);
+        for (const ContentsRow& row : m_contents) {
+            const QFont font = fontOf(textPoints, row.level == 1);
+            const double line = QFontMetricsF(font).height() * (row.level == 1 ? 1.5 : 1.2);
+            need(line);
+            m_painter.setFont(font);
+            m_painter.setPen(ink);
+            const double indent = row.level == 1 ? 0.0 : 16.0 * dot;
+            const QRectF box(left + indent, m_y, width - indent, line);
+            m_painter.drawText(box, static_cast<int>(Qt::AlignLeft | Qt::AlignBottom), row.text);
+            m_painter.drawText(box, static_cast<int>(Qt::AlignRight | Qt::AlignBottom), QString::number(row.page));
+            m_y += line;
+        }
+    }
+
+    void set(const ReportHeading& heading) {
+        const bool first = heading.level == 1;
+        const double points = first ? 15.0 : 11.0;
+        const QString text = m_headings[m_heading].second;
+        // A heading does not stand alone at the foot of a page.
+        need((first ? 60.0 : 46.0) * dot + 60.0 * dot);
+        if (m_y > top + 1.0) {
+            m_y += (first ? 20.0 : 11.0) * dot;
+        }
+        m_found.push_back({heading.level, text, m_page});
+        ++m_heading;
+        setRich(QStringLiteral("<b>%1</b>").arg(text.toHtmlEscaped()), points, 0.0, (first ? 7.0 : 4.0) * dot);
+    }
+    void set(const ReportText& text) { setRich(text.html, textPoints, 0.0, 6.0 * dot); }
+    void set(const ReportList& list) {
+        for (const QString& item : list.items) {
+            const auto text = textOf(item, textPoints, width - 14.0 * dot);
+            need(text->size().height());
+            m_painter.setPen(Qt::NoPen);
+            m_painter.setBrush(ink);
+            m_painter.drawEllipse(QPointF(left + 4.0 * dot, m_y + 6.2 * dot), 1.4 * dot, 1.4 * dot);
+            paint(*text, left + 14.0 * dot);
+            m_y += text->size().height() + 3.0 * dot;
+        }
+        m_y += 4.0 * dot;
+    }
+    void set(const ReportNotice& notice) {
+        const auto text = textOf(notice.html, textPoints, width - 24.0 * dot);
+        const double height = text->size().height() + 14.0 * dot;
+        need(height);
+        m_painter.fillRect(QRectF(left, m_y, width, height), QColor(0xfd, 0xf6, 0xe6));
+        m_painter.fillRect(QRectF(left, m_y, 3.0 * dot, height), QColor(0xe6, 0x9f, 0x00));
+        m_y += 7.0 * dot;
+        paint(*text, left + 14.0 * dot);
+        m_y += height - 7.0 * dot + 9.0 * dot;
+    }
+    void set(const ReportEquation& equation) {
+        const SetFormula formula = setFormula(equation.notation, 11.5 * dot);
+        const double height = formula.ascent + formula.descent;
+        need(height + 40.0 * dot);
+        m_y += 5.0 * dot;
+        const QString number = QStringLiteral("(%1)").arg(++m_equation);
+        m_painter.save();
+        m_painter.setRenderHint(QPainter::Antialiasing);
+        m_painter.translate(left + 26.0 * dot, m_y + formula.ascent);
+        m_painter.fillPath(formula.outline, ink);
+        m_painter.restore();
+        m_painter.setFont(fontOf(textPoints));
+        m_painter.setPen(ink);
+        m_painter.drawText(QRectF(left, m_y, width, height), static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), number);
+        m_y += height + 8.0 * dot;
+        if (!equation.where.isEmpty()) {
+            setRich(equation.where, textPoints, 0.0, 7.0 * dot);
+        }
+    }
+
+    void set(const ReportFigure& figure) {
+        const double wide = figure.share * width;
+        const double aspect =
+            figure.picture.isNull() ? figure.aspect : static_cast<double>(figure.picture.width()) / figure.picture.height();
+        const double high = std::min(wide / aspect, 0.8 * (pageHeight - top - bottom));
+        const auto caption =
+            textOf(QStringLiteral("<b>%1.</b> %2").arg(m_document.figure.arg(++m_figure), figure.caption), smallPoints, width);
+        const auto source = textOf(figure.source, sourcePoints, width, grey);
+        const double sourceHeight = figure.source.isEmpty() ? 0.0 : source->size().height() + 2.0 * dot;
+        need(high + caption->size().height() + sourceHeight + 20.0 * dot);
+        m_y += 6.0 * dot;
+        const QRectF area(left + 0.5 * (width - high * aspect), m_y, high * aspect, high);
+        m_painter.save();
+        m_painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        if (figure.picture.isNull()) {
+            m_painter.setRenderHint(QPainter::Antialiasing);
+            figure.paint(m_painter, area, smallPoints * dot);
+        } else {
+            m_painter.drawImage(area, figure.picture);
+        }
+        m_painter.restore();
+        m_y += high + 5.0 * dot;
+        paint(*caption, left);
+        m_y += caption->size().height() + 2.0 * dot;
+        if (sourceHeight > 0.0) {
+            paint(*source, left);
+            m_y += sourceHeight;
+        }
+        m_y += 9.0 * dot;
+    }
+
+    /// Widths of the columns: as asked for, else by the longest word of each with the rest shared out by length.
+    static std::vector<double> columnWidths(const ReportTable& table, double points) {
+        const auto columns = static_cast<std::size_t>(table.columns.size());
+        std::vector<double> widths(columns, 0.0);
+        if (table.shares.size() == columns) {
+            double sum = 0.0;
+            for (const double share : table.shares) {
+                sum += share;
+            }
+            for (std::size_t c = 0; c < columns; ++c) {
+                widths[c] = width * table.shares[c] / sum;
+            }
+            return widths;
+        }
+        const QFontMetricsF metrics(fontOf(points, true));
+        double sum = 0.0;
+        for (std::size_t c = 0; c < columns; ++c) {
+            const auto column = static_cast<qsizetype>(c);
+            widths[c] = metrics.horizontalAdvance(table.columns[column]);
+            for (const QStringList& row : table.rows) {
+                if (column < row.size()) {
+                    widths[c] = std::max(widths[c], metrics.horizontalAdvance(row[column]));
+                }
+            }
+            widths[c] = std::min(widths[c], 0.45 * width) + 10.0 * dot;
+            sum += widths[c];
+        }
+        for (double& each : widths) {
+            each *= width / sum;
+        }
+        return widths;
+    }
+
+    struct RowCells {
+        std::vector<std::unique_ptr<QTextDocument>> cells;
+        double height = 0.0;
+    };
+    static RowCells rowOf(const ReportTable& table, const QStringList& row, const std::vector<double>& widths, double points,
+                          bool bold) {
+        RowCells made;
+        const double pad = 4.0 * dot;
+        for (std::size_t c = 0; c < widths.size(); ++c) {
+            const bool words = c < table.words.size() ? bool(table.words[c]) : c == 0;
+            const QString text = static_cast<qsizetype>(c) < row.size() ? row[static_cast<qsizetype>(c)] : QString();
+            made.cells.push_back(textOf(bold ? QStringLiteral("<b>%1</b>").arg(text) : text, points, widths[c] - 2.0 * pad, ink,
+                                        words ? Qt::AlignLeft : Qt::AlignRight));
+            made.height = std::max(made.height, made.cells.back()->size().height());
+        }
+        made.height += 4.0 * dot;
+        return made;
+    }
+    void paintRow(const RowCells& row, const std::vector<double>& widths) {
+        const double pad = 4.0 * dot;
+        const double start = m_y;
+        double x = left;
+        m_y += 2.0 * dot;
+        for (std::size_t c = 0; c < row.cells.size(); ++c) {
+            paint(*row.cells[c], x + pad);
+            x += widths[c];
+        }
+        m_y = start + row.height;
+    }
+    void rule(double thickness) { m_painter.fillRect(QRectF(left, m_y - 0.5 * thickness * dot, width, thickness * dot), ink); }
+
+    void set(const ReportTable& table) {
+        const double points = table.small ? 7.0 : smallPoints;
+        const std::vector<double> widths = columnWidths(table, points);
+        const auto caption =
+            textOf(QStringLiteral("<b>%1.</b> %2").arg(m_document.table.arg(++m_table), table.caption), smallPoints, width);
+        const RowCells head = rowOf(table, table.columns, widths, points, true);
+        const double firstRow = table.rows.empty() ? 0.0 : rowOf(table, table.rows.front(), widths, points, false).height;
+        need(caption->size().height() + head.height + 2.0 * firstRow + 24.0 * dot);
+        m_y += 6.0 * dot;
+        paint(*caption, left);
+        m_y += caption->size().height() + 4.0 * dot;
+        const auto setHead = [&] {
+            rule(1.0);
+            paintRow(head, widths);
+            rule(0.5);
+            m_y += 1.0 * dot;
+        };
+        setHead();
+        for (const QStringList& each : table.rows) {
+            const RowCells row = rowOf(table, each, widths, points, false);
+            if (row.height > room() - 4.0 * dot) {
+                rule(1.0);
+                newPage();
+                setHead();
+            }
+            paintRow(row, widths);
+        }
+        m_y += 1.0 * dot;
+        rule(1.0);
+        m_y += 4.0 * dot;
+        if (!table.source.isEmpty()) {
+            setRich(table.source, sourcePoints, 0.0, 0.0, grey);
+        }
+        m_y += 11.0 * dot;
+    }
+
+    const ReportDocument& m_document;
+    QPdfWriter& m_writer;
+    QPainter m_painter;
+    std::vector<ContentsRow> m_contents;
+    int m_pages;
+    std::vector<std::pair<int, QString>> m_headings;
+    std::vector<ContentsRow> m_found;
+    std::size_t m_heading = 0;
+    int m_page = 1;
+    double m_y = top;
+    int m_equation = 0;
+    int m_table = 0;
+    int m_figure = 0;
+};
+
+}  // namespace
+
+void writeReportPdf(const std::string& path, const ReportDocument& document, const std::string& metadata) {
+    std::vector<ContentsRow> contents;
+    for (const auto& [level, text] : numberedHeadings(document)) {
+        contents.push_back({level, text, 0});
+    }
+    int pages = 0;
+    QByteArray pdf;
+    // Twice: the pages of the headings are known after the first time, and do not depend on what stands in the contents.
+    for (int pass = 0; pass < 2; ++pass) {
+        pdf.clear();
+        QBuffer buffer(&pdf);
+        buffer.open(QIODevice::WriteOnly);
+        QPdfWriter writer(&buffer);
+        writer.setResolution(dotsPerInch);
+        writer.setPageSize(QPageSize(QPageSize::A4));
+        writer.setPageMargins(QMarginsF());
+        writer.setTitle(document.title);
+        tagPdf(writer, metadata);
+        PdfSetter setter(document, writer, contents, pages);
+        setter.run();
+        contents = setter.found();
+        pages = setter.pages();
+    }
+    writeBytes(path, pdf);
+}
+
+}  // namespace rubble::figures

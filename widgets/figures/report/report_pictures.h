@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/execution.h"
+#include "widgets/figures/map_picture.h"
+#include "widgets/figures/report/report_text.h"
+#include "widgets/render/scene_data.h"
+
+namespace rubble::figures {
+
+/// Draws the pictures of a report off screen: the arrangements of the published figures 11, 12 and 14, and the map of its mass.
+/// @param place  of the map: origin, coordinate system
+/// Throws what a Studio throws, and Cancelled.
+ReportPictures drawReportPictures(const render::SceneData& data, const ReportFacts& facts, const MapPictureStyle& place,
+                                  const Execution& execution);
+
+/// Writes report.html and report.pdf into a folder, which is made if it is not there. Returns their paths.
+/// @param metadata  JSON of their provenance
+/// Throws WorldError naming the path.
+std::vector<std::string> writeReport(const std::string& folder, const ReportFacts& facts, const ReportPictures& pictures,
+                                     const std::string& metadata);
+
+}  // namespace rubble::figures

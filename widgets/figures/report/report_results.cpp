@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/figures/number_text.h"
+#include "widgets/figures/palette.h"
+#include "widgets/figures/report/report_chart.h"
+#include "widgets/figures/report/report_sections.h"
+
+namespace rubble::figures {
+
+void ReportSections::addResults() {
+    heading(tr("Results"));
+    const auto figure = [this](const QImage& picture, const QString& caption) {
+        if (!picture.isNull()) {
+            ReportFigure made;
+            made.picture = picture;
+            made.caption = made.words = caption;
+            made.source = source();
+            m_blocks.push_back(std::move(made));
+        }
+    };
+    figure(m_pictures.pairs,
+           tr("The collapse at three instants: the conventional FE result, and the fragments with the structure that "
+              "still stands, from the same camera"));
+    figure(m_pictures.end, tr("The conventional FE result and the fragments at the end"));
+    addMeasures();
+    figure(m_pictures.map, tr("Mass of the debris per area at the end"));
+    addComponentDebris();
+    figure(m_pictures.stages, tr("Four stages of the collapse, fragments in red"));
+    addCourse();
+}
+
+void ReportSections::addMeasures() {
+    ReportTable table;
+    table.caption =
+        m_facts.floor
+            ? tr("Debris at rest, with the least and the largest over the run and its %1 repeats, and at the end of the FE result")
+                  .arg(m_facts.floor->repeats.size())
+            : tr("Debris at rest and at the end of the FE result");
+    table.columns = QStringList{tr("measure"), tr("unit"), tr("at rest (range)"), tr("at the FE end")};
+    table.words = {true, true, false, false};
+    table.shares = {0.4, 0.1, 0.32, 0.18};
+    const auto row = [&](const QString& name, const QString& unit, double DebrisFigures::* figure, double scale = 1.0) {
+        FigureRange range = rangeOver(m_facts, figure);
+        range = {scale * range.low, scale * range.high};
+        table.rows.push_back(
+            {name, unit, rangedNumber(scale * (m_facts.atRest.*figure), range), reportNumber(scale * (m_facts.atFeEnd.*figure))});
+    };
+    row(tr("mass of the fragments"), QStringLiteral("t"), &DebrisFigures::mass, 1e-3);
+    row(tr("footprint, 1 m cells"), QStringLiteral("m²"), &DebrisFigures::footprintArea);
+    row(tr("core, 95 % of the mass in 2 m cells"), QStringLiteral("m²"), &DebrisFigures::coreArea);
+    row(tr("run-out of 95 % of the mass"), QStringLiteral("m"), &DebrisFigures::runOut);
+    row(tr("mean height of the mass"), QStringLiteral("m"), &DebrisFigures::meanHeight);
+    row(tr("height of the pile"), QStringLiteral("m"), &DebrisFigures::pileHeight);
+    const MapLedger& ledger = m_facts.map.map.ledger;
+    table.rows.push_back({tr("volume of material"), QStringLiteral("m³"), reportNumber(ledger.volume), QStringLiteral("–")});
+    if (m_facts.map.map.live) {
+        table.rows.push_back({tr("fallen live structure, apart from the fragments"), QStringLiteral("t"),
+                              reportNumber(ledger.liveMass / 1000.0), QStringLiteral("–")});
+    }
+    table.source = source();
+    m_blocks.push_back(std::move(table));
+}
+
+void ReportSections::addComponentDebris() {
+    const std::size_t components = m_facts.components->list.size();
+    std::vector<double> mass(components, 0.0), farthest(components, 0.0), hardest(components, 0.0);
+    std::vector<double> first(components, INFINITY), last(components, -INFINITY);
+    for (std::size_t f = 0; f < m_facts.fragments->size(); ++f) {
+        const Fragment& fragment = m_facts.fragments->list[f];
+        const FragmentOutcome& outcome = m_facts.result->fragments[f];
+        const std::size_t c = at(fragment.component);
+        mass[c] += fragment.mass;
+        farthest[c] = std::max(farthest[c], (outcome.finalPosition - outcome.birthPosition).head<2>().norm());
+        hardest[c] = std::max(hardest[c], outcome.impactSpeed);
+        first[c] = std::min(first[c], fragment.birthTime);
+        last[c] = std::max(last[c], fragment.birthTime);
+    }
+    ReportTable table;
+    table.caption = tr("Fragments by component");
+    table.columns = QStringList{
+        tr("component"),        tr("mass [t]"), tr("first birth [s]"), tr("last birth [s]"), tr("farthest way in plan [m]"),
+        tr("hardest hit [m/s]")};
+    table.words = {true, false, false, false, false, false};
+    for (std::size_t c = 0; c < components; ++c) {
+        if (mass[c] > 0.0) {
+            table.rows.push_back({QString::fromStdString(m_facts.components->list[c].name).toHtmlEscaped(),
+                                  reportNumber(mass[c] / 1000.0), reportNumber(first[c]), reportNumber(last[c]),
+                                  reportNumber(farthest[c]), reportNumber(hardest[c])});
+        }
+    }
+    table.source = source();
+    m_blocks.push_back(std::move(table));
+}
+
+void ReportSections::addCourse() {
+    ReportChart chart;
+    chart.xTitle = tr("time [s]");
+    chart.yTitle = tr("energy of all bodies [MJ]");
+    const Palette& colours = palette(render::Theme::Print);
+    ChartSeries kinetic{tr("kinetic"), colours.fragment, true, false, {}};
+    ChartSeries potential{tr("potential"), colours.accent, true, true, {}};
+    for (const LedgerRow& row : m_facts.ledger) {
+        kinetic.points.push_back({row.time, row.all.kineticEnergy / 1e6, {}});
+        potential.points.push_back({row.time, row.potentialEnergy / 1e6, {}});
+    }
+    if (kinetic.points.size() < 2) {
+        return;
+    }
+    chart.series = {kinetic, potential};
+    ReportFigure figure;
+    figure.caption = figure.words = tr("Energy of the bodies over time; they enter as their elements are deactivated");
+    figure.paint = [chart](QPainter& painter, const QRectF& area, double text) { chart.paint(painter, area, text); };
+    figure.aspect = 2.2;
+    figure.source = source();
+    m_blocks.push_back(std::move(figure));
+}
+
+void ReportSections::addConservation() {
+    const LedgerErrors& errors = m_facts.result->ledger;
+    const EnergyBalance& energy = m_facts.result->energy;
+    ReportTable table;
+    table.caption = tr("What must be conserved when elements are handed over to bodies, and the energy of the run");
+    table.columns = QStringList{tr("quantity"), tr("value")};
+    table.words = {true, false};
+    table.shares = {0.7, 0.3};
+    const auto row = [&](const QString& name, double value, const QString& unit) {
+        table.rows.push_back({name, reportNumber(value) + (unit.isEmpty() ? QString() : QStringLiteral(" ") + unit)});
+    };
+    row(tr("mass, bodies against the FE result, largest relative error"), errors.bodyMass, {});
+    row(tr("momentum, likewise"), errors.bodyMomentum, {});
+    row(tr("angular momentum, likewise"), errors.bodyAngularMomentum, {});
+    row(tr("work of gravity"), energy.gravityWork / 1e6, QStringLiteral("MJ"));
+    row(tr("lost in contacts"), energy.dissipated / 1e6, QStringLiteral("MJ"));
+    row(tr("gain beyond all sources, share of the work of gravity"), energy.drift, {});
+    row(tr("deepest overlap that lasted over 0.5 s"), m_facts.result->health.penetrationSustained, QStringLiteral("m"));
+    row(tr("bulking factor of the pile"), m_facts.result->bulkingFactor, {});
+    table.source = source();
+    m_blocks.push_back(std::move(table));
+}
+
+void ReportSections::addAccuracy() {
+    heading(tr("Uncertainty, and accuracy against time"));
+    if (m_facts.floor) {
+        const DebrisDifference& floor = m_facts.floor->largest;
+        text(tr("The run was repeated %1 times with every birth shifted by a micrometre. The largest difference between any two of "
+                "these "
+                "runs is the repeat floor: no smaller difference says anything.")
+                 .arg(m_facts.floor->repeats.size()));
+        text(m_facts.reproduced
+                 ? tr("The run itself was simulated again for this and came out the same, bit for bit.")
+                 : tr("<b>The run itself did not come out the same when it was simulated again</b>; the recorded run was made "
+                      "by another build or on another machine. Ranges are still those of repeats."));
+        ReportTable table;
+        table.caption = tr("The repeat floor: largest difference between the run and its repeats");
+        table.columns = QStringList{tr("measure"), tr("floor")};
+        table.words = {true, false};
+        table.shares = {0.7, 0.3};
+        table.rows = {
+            {tr("mass-map difference"), reportNumber(floor.of(Measure::MassMap), 2)},
+            {tr("1 − IoU of the core"), reportNumber(floor.departure(Measure::CoreIou), 2)},
+            {tr("1 − IoU of the footprint"), reportNumber(floor.departure(Measure::FootprintIou), 2)},
+            {tr("run-out [m]"), reportNumber(floor.departure(Measure::RunOut), 2)},
+            {tr("mean height [m]"), reportNumber(floor.departure(Measure::MeanHeight), 2)},
+            {tr("median distance of a fragment between two runs [m]"), reportNumber(floor.of(Measure::MedianDistance), 2)}};
+        table.source = source();
+        m_blocks.push_back(std::move(table));
+    } else {
+        notice(tr("No repeats were made for this report, so the spread of its figures is not known."));
+    }
+    addSweep();
+}
+
+void ReportSections::addSweep() {
+    std::vector<KnownPoint> points = m_facts.points;
+    std::erase_if(points, [](const KnownPoint& point) { return !std::isfinite(point.of(Predicted::MassMap)); });
+    if (points.empty()) {
+        text(
+            tr("No settings of this scene have been compared with the reference, in which every fragment is its own body; how far "
+               "this run "
+               "is from it is not known. The panel Accuracy and rubble-cli accuracy measure it."));
+        return;
+    }
+    ReportTable table;
+    table.caption = tr("Settings of this scene that were compared with the reference, by their number of bodies");
+    table.columns = QStringList{tr("setting"),       tr("bodies"),         tr("wall time [s]"), tr("mass-map difference"),
+                                tr("footprint IoU"), tr("mean height [m]")};
+    table.words = {true, false, false, false, false, false};
+    table.shares = {0.34, 0.12, 0.13, 0.14, 0.14, 0.13};
+    ReportChart chart;
+    chart.xTitle = tr("wall time [s], this machine");
+    chart.yTitle = tr("mass-map difference from the reference");
+    chart.logX = true;
+    ChartSeries series{{}, palette(render::Theme::Print).fragment, false, false, {}};
+    for (const KnownPoint& point : points) {
+        const bool here = point.machine == m_facts.machine && std::isfinite(point.of(Predicted::WallSeconds));
+        table.rows.push_back({QString::fromStdString(point.setting).toHtmlEscaped(),
+                              countText(static_cast<std::size_t>(point.bodies)),
+                              here ? reportNumber(point.of(Predicted::WallSeconds)) : QStringLiteral("–"),
+                              reportNumber(point.of(Predicted::MassMap)), reportNumber(point.of(Predicted::FootprintIou)),
+                              reportNumber(point.of(Predicted::MeanHeight))});
+        if (here) {
+            series.points.push_back({point.of(Predicted::WallSeconds), point.of(Predicted::MassMap),
+                                     countText(static_cast<std::size_t>(point.bodies))});
+        }
+    }
+    table.source =
+        tr("Each row is a simulation of its own of the same scene, kept in the folder of studies by the fingerprint of the scene; "
+           "wall times are those of this machine.");
+    m_blocks.push_back(std::move(table));
+    if (series.points.size() < 2) {
+        return;
+    }
+    if (m_facts.floor) {
+        chart.band = m_facts.floor->largest.of(Measure::MassMap);
+        chart.bandName = tr("repeat floor of this run");
+    }
+    chart.series = {series};
+    ReportFigure figure;
+    figure.caption = figure.words = tr("What accuracy costs in time; beside each point its number of bodies");
+    figure.paint = [chart](QPainter& painter, const QRectF& area, double text) { chart.paint(painter, area, text); };
+    figure.aspect = 2.0;
+    m_blocks.push_back(std::move(figure));
+}
+
+}  // namespace rubble::figures

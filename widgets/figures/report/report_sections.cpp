@@ -1,0 +1,344 @@
+#include "widgets/figures/report/report_sections.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/scenario/differences.h"
+#include "core/scenario/parameters.h"
+#include "widgets/figures/number_text.h"
+
+namespace rubble::figures {
+namespace {
+
+QString escaped(const std::string& text) {
+    return QString::fromStdString(text).toHtmlEscaped();
+}
+
+QString fileName(const std::string& path) {
+    return QFileInfo(QString::fromStdString(path)).fileName().toHtmlEscaped();
+}
+
+QString code(const QString& text) {
+    return QStringLiteral("<code>") + text.toHtmlEscaped() + QStringLiteral("</code>");
+}
+
+QString count(std::int64_t number) {
+    return countText(static_cast<std::size_t>(std::max<std::int64_t>(number, 0)));
+}
+
+QString tonnes(double kilograms) {
+    return reportNumber(kilograms / 1000.0);
+}
+
+QString valueOf(const ParameterValue& value) {
+    return code(QString::fromStdString(valueText(value)));
+}
+
+}  // namespace
+
+ReportSections::ReportSections(const ReportFacts& facts, const ReportPictures& pictures) : m_facts(facts), m_pictures(pictures) {}
+
+QString ReportSections::said(const Message& message) const {
+    return (m_pictures.say ? m_pictures.say(message) : QString::fromStdString(englishText(message))).toHtmlEscaped();
+}
+
+QString ReportSections::source() const {
+    return tr("From run %1, trajectory %2.")
+        .arg(shortDigest(m_facts.fingerprint), shortDigest(m_facts.result->trajectoryHash.hex()));
+}
+
+void ReportSections::addSummary() {
+    heading(tr("Question and answer"));
+    text(m_facts.question.empty() ? tr("Where did the debris of this collapse go, and how sure is that?")
+                                  : escaped(m_facts.question));
+    if (!m_facts.scenarioNote.empty()) {
+        text(tr("Scenario <i>%1</i>: %2").arg(escaped(m_facts.scenarioName), escaped(m_facts.scenarioNote)));
+    }
+    const SimulationResult& run = *m_facts.result;
+    const QString spread = m_facts.floor
+                               ? tr("Ranges are those over the run and its %1 repeats.").arg(m_facts.floor->repeats.size())
+                               : tr("No repeats were made: the spread of these figures is not known.");
+    m_blocks.push_back(
+        ReportList{{tr("%1 elements of %2 were deactivated and became fragments of together %3 t.")
+                        .arg(count(static_cast<std::int64_t>(m_facts.fragments->size())),
+                             count(static_cast<std::int64_t>(m_facts.fe->mesh().elementCount())), tonnes(m_facts.atRest.mass)),
+                    tr("At the end, %1 s on the clock of the FE result, the debris covers %2 m²; 95 % of its mass lies within %3 m "
+                       "of the plan of "
+                       "what collapsed.")
+                        .arg(reportNumber(run.endTime),
+                             rangedNumber(m_facts.atRest.footprintArea, rangeOver(m_facts, &DebrisFigures::footprintArea)),
+                             rangedNumber(m_facts.atRest.runOut, rangeOver(m_facts, &DebrisFigures::runOut))),
+                    tr("The highest point of the pile is %1 m above the ground; %2 % of the bodies are at rest.")
+                        .arg(rangedNumber(m_facts.atRest.pileHeight, rangeOver(m_facts, &DebrisFigures::pileHeight)),
+                             reportNumber(100.0 * run.asleepAtEnd)),
+                    spread}});
+    text(source());
+    if (m_facts.breaches > 0) {
+        notice(m_facts.acknowledged
+                   ? tr("<b>%1 limits of health were passed in this run.</b> %2 vouches for its use: %3 (see section Health).")
+                         .arg(m_facts.breaches)
+                         .arg(escaped(m_facts.acknowledged->by), escaped(m_facts.acknowledged->note))
+                   : tr("<b>This run is tainted: %1 limits of health were passed and nobody has acknowledged them.</b> Its figures "
+                        "should "
+                        "not be relied on (see section Health).")
+                         .arg(m_facts.breaches));
+    }
+}
+
+void ReportSections::addEvidence() {
+    heading(tr("Evidence"));
+    addFiles();
+    const FeResult::Contents& fe = m_facts.fe->contents();
+    text(tr("The FE result (%1) holds %2 elements and %3 states from %4 s to %5 s. Activity is decided by: %6. Units: %7.")
+             .arg(escaped(fe.format), count(static_cast<std::int64_t>(m_facts.fe->mesh().elementCount())),
+                  count(static_cast<std::int64_t>(fe.times.size())), reportNumber(fe.times.front()), reportNumber(fe.times.back()),
+                  escaped(fe.activityFrom), escaped(fe.unitsFrom)));
+    addPhotographs();
+}
+
+void ReportSections::addFiles() {
+    ReportTable table;
+    table.caption = tr("Files that this report rests on, as they were when it was made");
+    table.columns = QStringList{tr("role"), tr("file"), tr("SHA-256")};
+    table.words = {true, true, true};
+    table.shares = {0.12, 0.26, 0.62};
+    table.small = true;
+    for (const ReportFile& file : m_facts.files) {
+        table.rows.push_back({escaped(file.role), fileName(file.path), code(QString::fromStdString(file.sha256))});
+    }
+    m_blocks.push_back(std::move(table));
+}
+
+void ReportSections::addPhotographs() {
+    if (m_facts.photographs.empty()) {
+        text(tr("The case has no photographs; the simulated debris was not held against pictures of the site."));
+        return;
+    }
+    ReportTable table;
+    table.caption = tr("Photographs: camera match, and the silhouette of the simulated debris against the outline drawn on them");
+    table.columns = QStringList{tr("photograph"),        tr("match, RMS [px]"),   tr("IoU"),
+                                tr("spread of the IoU"), tr("edge distance [m]"), tr("remark")};
+    table.words = {true, false, false, false, false, true};
+    table.shares = {0.22, 0.12, 0.1, 0.12, 0.14, 0.3};
+    for (const ReportPhoto& photo : m_facts.photographs) {
+        const PhotoComparison* made = photo.comparison ? &*photo.comparison : nullptr;
+        const double none = std::nan("");
+        table.rows.push_back({escaped(photo.name), reportNumber(photo.match ? photo.match->rms : none),
+                              reportNumber(made != nullptr ? made->iou.best : none, 2),
+                              reportNumber(made != nullptr ? made->iou.spread : none, 2),
+                              reportNumber(made != nullptr ? made->edgeMetres.best : none, 2),
+                              made != nullptr ? said(made->words) : said(photo.problem)});
+    }
+    table.source = source();
+    m_blocks.push_back(std::move(table));
+}
+
+void ReportSections::addInputs() {
+    heading(tr("Inputs, settings and assumptions"));
+    addComponents();
+    const std::vector<SettingDifference> differences = differencesBetween(Scenario{}, m_facts.scenario);
+    if (differences.empty()) {
+        text(tr("All settings are those that the program is delivered with; the appendix lists them."));
+    } else {
+        ReportTable table;
+        table.caption = tr("Settings that depart from those delivered");
+        table.columns = QStringList{tr("setting"), tr("key"), tr("delivered"), tr("in this run")};
+        table.words = {true, true, false, false};
+        table.shares = {0.36, 0.28, 0.18, 0.18};
+        for (const SettingDifference& difference : differences) {
+            table.rows.push_back({said({"", std::string(difference.row->label), {}}),
+                                  code(QString::fromStdString(difference.row->keyFor(difference.subject))),
+                                  valueOf(difference.first), valueOf(difference.second)});
+        }
+        table.source = source();
+        m_blocks.push_back(std::move(table));
+    }
+    addAssumptions();
+}
+
+void ReportSections::addComponents() {
+    ReportTable table;
+    table.caption = tr("Components of the structure and what became fragments");
+    table.columns = QStringList{tr("component"), tr("material"),  tr("density [kg/m³]"), tr("elements"),
+                                tr("mass [t]"),  tr("fragments"), tr("their mass [t]")};
+    table.words = {true, true, false, false, false, false, false};
+    std::vector<std::int64_t> born(m_facts.components->list.size(), 0);
+    std::vector<double> mass(born.size(), 0.0);
+    for (const Fragment& fragment : m_facts.fragments->list) {
+        ++born[at(fragment.component)];
+        mass[at(fragment.component)] += fragment.mass;
+    }
+    for (std::size_t c = 0; c < born.size(); ++c) {
+        const Component& component = m_facts.components->list[c];
+        table.rows.push_back({escaped(component.name), said({"", std::string(materialName(component.material)), {}}),
+                              reportNumber(component.density, 4), count(static_cast<std::int64_t>(component.elements.size())),
+                              tonnes(component.mass), count(born[c]), tonnes(mass[c])});
+    }
+    table.source = source();
+    m_blocks.push_back(std::move(table));
+}
+
+void ReportSections::addAssumptions() {
+    heading(tr("Assumptions and findings"), 2);
+    if (m_facts.findings.empty()) {
+        text(tr("Nothing had to be assumed or worked around."));
+        return;
+    }
+    ReportTable table;
+    table.caption = tr("What was assumed or worked around, how often, and what would settle it");
+    table.columns = QStringList{tr("times"), tr("finding"), tr("what to do about it")};
+    table.words = {false, true, true};
+    table.shares = {0.1, 0.5, 0.4};
+    for (const Finding& finding : m_facts.findings.list()) {
+        table.rows.push_back({count(finding.count), said(finding.what), said(finding.remedy)});
+    }
+    table.source = source();
+    m_blocks.push_back(std::move(table));
+}
+
+void ReportSections::addEffects() {
+    heading(tr("Effects"));
+    text(
+        tr("Only what the scene calls for is simulated. An effect that is off costs nothing and leaves the run as if it did not "
+           "exist."));
+    ReportTable table;
+    table.caption = tr("Effects, whether they took part, and why");
+    table.columns = QStringList{tr("effect"), tr("state"), tr("asked for"), tr("reason"), tr("ms per step")};
+    table.words = {true, true, true, true, false};
+    table.shares = {0.18, 0.08, 0.12, 0.48, 0.14};
+    const std::array<QString, 3> asked{tr("off"), tr("on"), tr("auto")};
+    for (const EffectReport& effect : m_facts.result->effects) {
+        QString name = QString::fromUtf8(effectName(effect.decision.kind).data(),
+                                         static_cast<qsizetype>(effectName(effect.decision.kind).size()));
+        table.rows.push_back({name.replace(u'_', u' '), effect.decision.on ? tr("on") : tr("off"),
+                              asked[static_cast<std::size_t>(effect.decision.asked)], said(effect.decision.reason),
+                              effect.decision.on ? reportNumber(effect.msPerStep, 2) : QStringLiteral("–")});
+    }
+    table.source = source();
+    m_blocks.push_back(std::move(table));
+}
+
+void ReportSections::addHealth() {
+    heading(tr("Health of the run"));
+    addConservation();
+    const HealthReport& health = m_facts.result->health;
+    if (health.breaches.empty()) {
+        text(
+            tr("No limit of health was passed: energy, overlap, speeds, places and the share at rest stayed within their limits at "
+               "every "
+               "step."));
+        return;
+    }
+    ReportTable table;
+    table.caption = tr("Limits of health that were passed");
+    table.columns = QStringList{tr("from [s]"), tr("to [s]"), tr("what"), tr("worst"), tr("limit"), tr("bodies")};
+    table.words = {false, false, true, false, false, false};
+    table.shares = {0.1, 0.1, 0.46, 0.12, 0.12, 0.1};
+    for (const HealthBreach& breach : health.breaches) {
+        table.rows.push_back({reportNumber(breach.from), reportNumber(breach.to), said(breach.what), reportNumber(breach.worst),
+                              reportNumber(breach.limit), count(breach.bodies)});
+    }
+    table.source = source();
+    m_blocks.push_back(std::move(table));
+    if (m_facts.acknowledged) {
+        text(tr("Acknowledged by %1 on %2: %3")
+                 .arg(escaped(m_facts.acknowledged->by), escaped(m_facts.acknowledged->when), escaped(m_facts.acknowledged->note)));
+    }
+}
+
+void ReportSections::addSelfTest() {
+    heading(tr("Self-test of this machine"));
+    if (m_facts.selfTest.empty()) {
+        text(tr("The self-test was not run for this report."));
+        return;
+    }
+    const auto passed =
+        std::count_if(m_facts.selfTest.begin(), m_facts.selfTest.end(), [](const ReportCheck& check) { return check.passed; });
+    text(tr("The hard cases of the simulation (%1) were run on this machine with the program that made this report: %2 of %3 "
+            "passed.")
+             .arg(escaped(m_facts.selfTestScope))
+             .arg(passed)
+             .arg(m_facts.selfTest.size()));
+    ReportTable table;
+    table.caption = tr("Cases of the self-test, each with the number closest to its limit");
+    table.columns = QStringList{tr("case"), tr("must hold"), tr("measured"), tr("limit"), tr("result")};
+    table.words = {true, true, false, false, true};
+    table.shares = {0.2, 0.42, 0.15, 0.13, 0.1};
+    table.small = true;
+    for (const ReportCheck& check : m_facts.selfTest) {
+        table.rows.push_back({escaped(check.id), escaped(check.criterion), reportNumber(check.measured, 2),
+                              reportNumber(check.limit, 2) + QStringLiteral(" ") + escaped(check.unit),
+                              check.passed ? tr("passed") : tr("<b>failed</b>")});
+    }
+    m_blocks.push_back(std::move(table));
+}
+
+void ReportSections::addLimits() {
+    heading(tr("Limits"));
+    m_blocks.push_back(ReportList{
+        {tr("The size of fragments is the size of the elements: a finer mesh gives smaller debris, and nothing breaks below it."),
+         tr("Fragments do not load the structure back: what still stands moves as the FE result says, whatever falls on it."),
+         tr("Energy that the FE solver lost when it deleted elements is not returned."),
+         tr("Live elements that fell are debris as well. They are no fragments: maps and comparisons carry them as a layer of "
+            "their own "
+            "beyond a displacement of %1 m.")
+             .arg(reportNumber(m_facts.map.map.liveThreshold)),
+         tr("Rigid piles are chaotic: a change of a micrometre moves single fragments by metres. Only what exceeds the spread of "
+            "repeats "
+            "means anything, and single fragments are never evidence."),
+         tr("A cluster is a device of computation and no piece of debris."),
+         tr("%1 bodies still moved at the end of the simulation.").arg(count(m_facts.result->stillMoving))}});
+}
+
+void ReportSections::addParameters() {
+    m_blocks.push_back(ReportHeading{1, tr("All settings of the run"), true});
+    ReportTable table;
+    table.caption = tr("Settings by key, with their unit and the value as delivered");
+    table.columns = QStringList{tr("key"), tr("value"), tr("unit"), tr("delivered")};
+    table.words = {true, false, true, false};
+    table.shares = {0.46, 0.22, 0.12, 0.2};
+    table.small = true;
+    const Scenario delivered;
+    for (const Parameter& row : parameterTable()) {
+        for (const std::string& subject : row.subjectsIn(m_facts.scenario)) {
+            table.rows.push_back({code(QString::fromStdString(row.keyFor(subject))), valueOf(row.get(m_facts.scenario, subject)),
+                                  QString::fromUtf8(row.unit.data(), static_cast<qsizetype>(row.unit.size())),
+                                  valueOf(row.get(delivered, subject))});
+        }
+    }
+    table.source = source();
+    m_blocks.push_back(std::move(table));
+}
+
+void ReportSections::addJournal() {
+    m_blocks.push_back(ReportHeading{1, tr("Journal of the case"), true});
+    if (m_facts.journal.empty()) {
+        text(m_facts.casePath.empty() ? tr("The report was made from a run alone, without its case.")
+                                      : tr("The case has no journal: it was saved by a version without one."));
+        return;
+    }
+    ReportTable table;
+    table.caption = tr("When the case was saved, by whom, and what had changed");
+    table.columns = QStringList{tr("saved (UTC)"), tr("by"), tr("changes"), tr("digest")};
+    table.words = {true, true, true, true};
+    table.shares = {0.2, 0.14, 0.42, 0.24};
+    table.small = true;
+    constexpr std::size_t named = 6;
+    for (const JournalEntry& entry : m_facts.journal) {
+        QStringList places;
+        for (std::size_t i = 0; i < std::min(named, entry.changes.size()); ++i) {
+            places << escaped(entry.changes[i].place);
+        }
+        if (entry.changes.size() > named) {
+            places << tr("%1 more").arg(entry.changes.size() - named);
+        }
+        table.rows.push_back({entry.outside ? tr("outside Rubble") : escaped(entry.when), escaped(entry.who),
+                              places.join(QStringLiteral(", ")), shortDigest(entry.digest)});
+    }
+    m_blocks.push_back(std::move(table));
+}
+
+}  // namespace rubble::figures

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <QCoreApplication>
+
+#include "widgets/figures/report/report_text.h"
+
+namespace rubble::figures {
+
+/// Writes the sections of a report one by one.
+class ReportSections {
+    Q_DECLARE_TR_FUNCTIONS(rubble::figures::ReportSections)
+public:
+    ReportSections(const ReportFacts& facts, const ReportPictures& pictures);
+
+    void addSummary();
+    void addEvidence();
+    void addMethod();
+    void addInputs();
+    void addResults();
+    void addEnsemble();
+    void addAccuracy();
+    void addEffects();
+    void addHealth();
+    void addSelfTest();
+    void addLimits();
+    void addParameters();
+    void addJournal();
+
+    std::vector<ReportBlock> take() { return std::move(m_blocks); }
+    /// "Run 1a2b..., trajectory 3c4d...": what every table stands on.
+    QString source() const;
+
+private:
+    void heading(const QString& text, int level = 1) { m_blocks.push_back(ReportHeading{level, text, false}); }
+    void text(const QString& html) { m_blocks.push_back(ReportText{html}); }
+    void notice(const QString& html) { m_blocks.push_back(ReportNotice{html}); }
+    QString said(const Message& message) const;
+    void equation(const char* notation, const QString& words, const QString& where);
+    void addFiles();
+    void addPhotographs();
+    void addFragmentMethod();
+    void addGridMethod();
+    void addMotionMethod();
+    void addMeasureMethod();
+    void addComponents();
+    void addAssumptions();
+    void addEnsembleSpread();
+    void addMeasures();
+    void addComponentDebris();
+    void addCourse();
+    void addConservation();
+    void addSweep();
+
+    const ReportFacts& m_facts;
+    const ReportPictures& m_pictures;
+    std::vector<ReportBlock> m_blocks;
+};
+
+/// A number of so many significant digits with thousands grouped; a dash where it is none.
+QString reportNumber(double value, int digits = 3);
+/// With as many digits as its range deserves: "12.3 (11.9 to 12.6)"; the number alone where both ends are the same.
+QString rangedNumber(double value, const FigureRange& range);
+/// A digest of which the first sixteen figures tell it from others, as code.
+QString shortDigest(const std::string& digest);
+
+}  // namespace rubble::figures

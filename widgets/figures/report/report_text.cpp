@@ -1,0 +1,103 @@
+#include "widgets/figures/report/report_text.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/figures/report/report_sections.h"
+
+namespace rubble::figures {
+namespace {
+
+QLocale numbers() {
+    const QLocale locale;
+    return locale.language() == QLocale::C ? QLocale(QLocale::English) : locale;
+}
+
+QString code(const std::string& text) {
+    return QStringLiteral("<code>") + QString::fromStdString(text).toHtmlEscaped() + QStringLiteral("</code>");
+}
+
+}  // namespace
+
+QString reportNumber(double value, int digits) {
+    if (!std::isfinite(value)) {
+        return QStringLiteral("–");
+    }
+    if (value == 0.0) {
+        return QStringLiteral("0");
+    }
+    const int power = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12));
+    if (power < -4 || power > 7) {
+        const double mantissa = value / std::pow(10.0, power);
+        return QStringLiteral("%1 × 10<sup>%2</sup>").arg(numbers().toString(mantissa, 'f', std::max(0, digits - 1))).arg(power);
+    }
+    const double step = std::pow(10.0, power - digits + 1);
+    const double rounded = step > 1.0 ? std::round(value / step) * step : value;
+    return numbers().toString(rounded, 'f', std::max(0, digits - 1 - power)).replace(u'-', QStringLiteral("−"));
+}
+
+QString rangedNumber(double value, const FigureRange& range) {
+    const double width = range.high - range.low;
+    if (!std::isfinite(width) || width <= 0.0) {
+        return reportNumber(value);
+    }
+    // Down to the first two figures of the range, and at least two of the value.
+    const double digits = std::floor(std::log10(std::max(std::abs(value), 1e-300))) - std::floor(std::log10(width)) + 2.0;
+    const int shown = static_cast<int>(std::clamp(digits, 2.0, 6.0));
+    return QCoreApplication::translate("rubble::figures::ReportSections", "%1 (%2 to %3)")
+        .arg(reportNumber(value, shown), reportNumber(range.low, shown), reportNumber(range.high, shown));
+}
+
+QString shortDigest(const std::string& digest) {
+    return code(digest.substr(0, 16) + (digest.size() > 16 ? "…" : ""));
+}
+
+ReportDocument composeReport(const ReportFacts& facts, const ReportPictures& pictures) {
+    const auto tr = [](const char* text) { return ReportSections::tr(text); };
+    ReportDocument document;
+    document.title = QString::fromStdString(facts.title);
+    document.subtitle = tr("Where the debris of the collapse went: simulation report");
+    document.language = QLocale().language() == QLocale::Chinese ? QStringLiteral("zh-CN") : QStringLiteral("en");
+    document.contents = tr("Contents");
+    document.page = tr("page %1 of %2");
+    document.figure = tr("Figure %1");
+    document.table = tr("Table %1");
+    document.header = tr("%1 · run %2").arg(document.title, QString::fromStdString(facts.fingerprint.substr(0, 16)));
+    const auto fact = [&](const QString& name, const QString& value) {
+        if (!value.isEmpty()) {
+            document.facts.emplace_back(name, value);
+        }
+    };
+    fact(tr("Made by"), QString::fromStdString(facts.author).toHtmlEscaped());
+    fact(tr("Made on (UTC)"), QString::fromStdString(facts.when));
+    fact(tr("Scenario"), QString::fromStdString(facts.scenarioName).toHtmlEscaped());
+    fact(tr("FE result"), QFileInfo(QString::fromStdString(facts.fe->contents().path)).fileName().toHtmlEscaped());
+    fact(tr("SHA-256 of the FE result"), code(facts.fe->contents().sha256));
+    fact(tr("Run"), code(facts.fingerprint));
+    fact(tr("Trajectory hash"), code(facts.result->trajectoryHash.hex()));
+    fact(tr("Program"), QString::fromStdString(facts.build).toHtmlEscaped());
+    fact(tr("Machine"), QString::fromStdString(facts.machine).toHtmlEscaped());
+
+    ReportSections sections(facts, pictures);
+    sections.addSummary();
+    sections.addEvidence();
+    sections.addMethod();
+    sections.addInputs();
+    sections.addResults();
+    sections.addEnsemble();
+    sections.addAccuracy();
+    sections.addEffects();
+    sections.addHealth();
+    sections.addSelfTest();
+    sections.addLimits();
+    sections.addParameters();
+    sections.addJournal();
+    document.blocks = sections.take();
+    return document;
+}
+
+}  // namespace rubble::figures

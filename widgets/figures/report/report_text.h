@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QImage>
+
+#include "core/evidence/report_facts.h"
+#include "widgets/figures/report/report_document.h"
+
+namespace rubble::figures {
+
+/// Pictures of a report, drawn before its text.
+struct ReportPictures {
+    QImage pairs;        ///< three instants, FE above fragments
+    QImage end;          ///< both at the end
+    QImage stages;       ///< four stages
+    QImage map;          ///< mass per area at the end
+    QImage probability;  ///< of debris over the ensemble; null: there is none
+    /// A message in the language that is spoken; null: in English.
+    std::function<QString(const Message&)> say;
+};
+
+/// The whole report: question, evidence, method, inputs, assumptions, results with their spread, accuracy against time, effects,
+/// health, self-test, limits, appendix; in the language that is spoken.
+ReportDocument composeReport(const ReportFacts& facts, const ReportPictures& pictures);
+
+}  // namespace rubble::figures

@@ -1,0 +1,82 @@
+#include "widgets/figures/shown_units.h"
+
+#include <array>
+#include <atomic>
+
+namespace rubble::figures {
+
+namespace {
+
+struct Row {
+    std::string_view unit;
+    const char* millimetreTonne;
+    double perMillimetreTonne;
+    const char* usCustomary;
+    double perUsCustomary;
+};
+
+// International foot, avoirdupois pound, short ton; standard gravity between pound and pound-force.
+constexpr double foot = 0.3048;                   // m
+constexpr double pound = 0.45359237;              // kg
+constexpr double poundForce = pound * 9.80665;    // N
+constexpr double squareInch = foot * foot / 144;  // m2
+
+constexpr std::array rows{
+    Row{"m", "mm", 1e3, "ft", 1.0 / foot},
+    Row{"m2", "mm²", 1e6, "ft²", 1.0 / (foot * foot)},
+    Row{"m3", "mm³", 1e9, "ft³", 1.0 / (foot * foot * foot)},
+    Row{"kg", "t", 1e-3, "lb", 1.0 / pound},
+    Row{"t", "t", 1.0, "short tons", 1000.0 / (2000.0 * pound)},
+    Row{"kg/m3", "t/mm³", 1e-12, "lb/ft³", foot* foot* foot / pound},
+    Row{"m/s", "mm/s", 1e3, "ft/s", 1.0 / foot},
+    Row{"m/s2", "mm/s²", 1e3, "ft/s²", 1.0 / foot},
+    Row{"N", "N", 1.0, "lbf", 1.0 / poundForce},
+    Row{"Pa", "MPa", 1e-6, "psi", squareInch / poundForce},
+    Row{"J", "mJ", 1e3, "ft·lbf", 1.0 / (foot * poundForce)},
+};
+
+std::atomic<UnitSet>& chosenSet() {
+    static std::atomic<UnitSet> set{UnitSet::Si};
+    return set;
+}
+
+int& filesBeingWritten() {
+    thread_local int files = 0;
+    return files;
+}
+
+}  // namespace
+
+void chooseUnits(UnitSet set) {
+    chosenSet() = set;
+}
+
+UnitSet unitSet() {
+    return filesBeingWritten() > 0 ? UnitSet::Si : chosenSet().load();
+}
+
+ShownUnit shownUnit(std::string_view unit) {
+    const UnitSet set = unitSet();
+    QString plain = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+    plain.replace(u'²', u'2').replace(u'³', u'3');
+    for (const Row& row : rows) {
+        if (set != UnitSet::Si && plain.toStdString() == row.unit) {
+            return set == UnitSet::MillimetreTonne ? ShownUnit{QString::fromUtf8(row.millimetreTonne), row.perMillimetreTonne}
+                                                   : ShownUnit{QString::fromUtf8(row.usCustomary), row.perUsCustomary};
+        }
+    }
+    return {plain.replace(QStringLiteral("m2"), QStringLiteral("m²"))
+                .replace(QStringLiteral("m3"), QStringLiteral("m³"))
+                .replace(QStringLiteral("s2"), QStringLiteral("s²")),
+            1.0};
+}
+
+FileUnits::FileUnits() {
+    ++filesBeingWritten();
+}
+
+FileUnits::~FileUnits() {
+    --filesBeingWritten();
+}
+
+}  // namespace rubble::figures

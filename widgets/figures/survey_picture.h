@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QImage>
+#include <QSize>
+
+#include <string>
+
+#include "core/evidence/survey_comparison.h"
+#include "widgets/render/view.h"
+
+class QPainter;
+class QRectF;
+
+namespace rubble::figures {
+
+/// How the difference map of a survey is drawn.
+struct SurveyPictureStyle {
+    QSize pixels{1600, 1000};
+    double textPixels = 25.0;  ///< height of the text
+    render::Theme theme = render::Theme::Print;
+    Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< m, added to the coordinates along the edges
+    std::string system;                                ///< coordinate system, for people; empty: local
+    std::string provenance;                            ///< one line at the foot, empty for none
+    bool caption = true;
+};
+
+/// Simulated less surveyed debris by cells: blue where less was simulated, orange where more; the outline of the surveyed debris is
+/// drawn in full, that of the simulated dashed, with coordinates, scale bar, the sectors' centre and a legend in metres. Colours
+/// end at the 98th percentile. Call ensureGuiApplication() first.
+QImage surveyPicture(const SurveyComparison& made, const SurveyPictureStyle& style);
+
+}  // namespace rubble::figures

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QDialog>
+#include <QSize>
+
+#include "widgets/figures/movie.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QSpinBox;
+
+namespace rubble::widgets {
+
+/// What a movie is to be.
+struct MovieChoice {
+    figures::MovieSettings settings;
+    QSize pixels{1280, 720};
+    bool encoded = true;  ///< an MP4, else a folder of pictures
+};
+
+/// Asks for span, pace and size of a movie, and says how long it gets.
+class MovieDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// @param choice  its span is all that can be shown
+    /// @param encoder  whether an MP4 can be made on this machine
+    MovieDialog(const MovieChoice& choice, bool encoder, QWidget* parent = nullptr);
+
+    MovieChoice choice() const;
+
+private:
+    void showLength();
+
+    QDoubleSpinBox* m_from;
+    QDoubleSpinBox* m_to;
+    QComboBox* m_pace;
+    QSpinBox* m_fps;
+    QComboBox* m_size;
+    QComboBox* m_format;
+    QLabel* m_length;
+};
+
+}  // namespace rubble::widgets

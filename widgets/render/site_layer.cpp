@@ -1,0 +1,163 @@
+#include "widgets/render/site_layer.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "widgets/render/relief.h"
+
+namespace rubble::render {
+namespace {
+
+/// The rectangle of a picture on level ground.
+Relief levelRelief(const Orthophoto& picture, double height) {
+    Relief relief;
+    for (const double y : {picture.y0, picture.top()}) {
+        for (const double x : {picture.x0, picture.right()}) {
+            relief.points.emplace_back(x, y, height);
+            relief.shade.push_back(1.0);
+        }
+    }
+    relief.triangles = {{0, 1, 3}, {0, 3, 2}};
+    return relief;
+}
+
+/// Whether a triangle reaches over the picture.
+bool over(const Orthophoto& picture, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto apart = [](double x, double y, double z, double low, double high) {
+        return std::max({x, y, z}) < low || std::min({x, y, z}) > high;
+    };
+    return !apart(a.x(), b.x(), c.x(), picture.x0, picture.right()) && !apart(a.y(), b.y(), c.y(), picture.y0, picture.top());
+}
+
+}  // namespace
+
+SiteLayer::SiteLayer()
+    : m_drape(vtkSmartPointer<vtkPolyData>::New()),
+      m_texture(vtkSmartPointer<vtkTexture>::New()),
+      m_meshes(vtkSmartPointer<vtkPolyData>::New()),
+      m_drapeActor(vtkSmartPointer<vtkActor>::New()),
+      m_meshActor(vtkSmartPointer<vtkActor>::New()) {
+    vtkNew<vtkPolyDataMapper> drape;
+    drape->SetInputData(m_drape);
+    drape->SetColorModeToDirectScalars();
+    // Before the ground, behind its grid and what lies on it.
+    drape->SetResolveCoincidentTopologyToPolygonOffset();
+    drape->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 1.0);
+    m_texture->InterpolateOn();
+    m_texture->MipmapOn();
+    m_texture->SetWrap(vtkTexture::ClampToBorder);
+    m_drapeActor->SetMapper(drape);
+    m_drapeActor->SetTexture(m_texture);
+    m_drapeActor->GetProperty()->LightingOff();
+    m_drapeActor->GetProperty()->BackfaceCullingOn();
+    m_drapeActor->PickableOff();
+    vtkNew<vtkPolyDataMapper> meshes;
+    meshes->SetInputData(m_meshes);
+    meshes->ScalarVisibilityOff();
+    m_meshActor->SetMapper(meshes);
+    m_meshActor->PickableOff();
+    setVisible(false);
+}
+
+SiteLayer::~SiteLayer() = default;
+
+void SiteLayer::addTo(vtkRenderer& renderer) {
+    renderer.AddActor(m_meshActor);
+    renderer.AddActor(m_drapeActor);
+}
+
+void SiteLayer::setVisible(bool visible) {
+    m_drapeActor->SetVisibility(visible && m_orthophoto != nullptr);
+    m_meshActor->SetVisibility(visible && m_surroundings != nullptr);
+}
+
+void SiteLayer::set(const std::shared_ptr<const Orthophoto>& orthophoto,
+                    const std::shared_ptr<const std::vector<SiteMesh>>& surroundings, const SiteSurface& ground, const Aabb& bounds,
+                    double reach, const SceneColours& colours) {
+    const bool sameGround = ground.terrain == m_ground.terrain && ground.levelHeight == m_ground.levelHeight && reach == m_reach;
+    if (orthophoto != nullptr && !(orthophoto == m_orthophoto && sameGround)) {
+        drape(*orthophoto, ground, bounds, reach);
+    }
+    if (surroundings != nullptr && surroundings != m_surroundings) {
+        build(*surroundings);
+    }
+    m_orthophoto = orthophoto;
+    m_surroundings = surroundings;
+    m_ground = ground;
+    m_reach = reach;
+    // Between ground and structure: neither of what is analysed nor of what it falls on.
+    const Rgb& c = colours.grid;
+    m_meshActor->GetProperty()->SetColor(c.r / 255.0, c.g / 255.0, c.b / 255.0);
+    m_meshActor->GetProperty()->SetAmbient(colours.ambient);
+    m_meshActor->GetProperty()->SetDiffuse(1.0 - colours.ambient);
+}
+
+void SiteLayer::drape(const Orthophoto& picture, const SiteSurface& ground, const Aabb& bounds, double reach) {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(picture.width, picture.height, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+    std::copy(picture.rgba.begin(), picture.rgba.end(), static_cast<std::uint8_t*>(image->GetScalarPointer()));
+    m_texture->SetInputData(image);
+    const Relief relief = ground.terrain ? reliefOf(*ground.terrain, bounds, reach) : levelRelief(picture, ground.levelHeight);
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    vtkNew<vtkFloatArray> places;
+    vtkNew<vtkUnsignedCharArray> light;
+    places->SetNumberOfComponents(2);
+    light->SetNumberOfComponents(3);
+    for (std::size_t i = 0; i < relief.points.size(); ++i) {
+        const Vec3& p = relief.points[i];
+        points->InsertNextPoint(p.data());
+        places->InsertNextTuple2((p.x() - picture.x0) / (picture.right() - picture.x0),
+                                 (p.y() - picture.y0) / (picture.top() - picture.y0));
+        // A picture has its own light; slopes only show a little more.
+        const double shade = 255.0 * std::clamp(0.6 + 0.4 * relief.shade[i], 0.0, 1.0);
+        light->InsertNextTuple3(shade, shade, shade);
+    }
+    for (const auto& triangle : relief.triangles) {
+        const auto at = [&](std::size_t k) -> const Vec3& { return relief.points[static_cast<std::size_t>(triangle[k])]; };
+        if (over(picture, at(0), at(1), at(2))) {
+            const std::array<vtkIdType, 3> ids{triangle[0], triangle[1], triangle[2]};
+            cells->InsertNextCell(3, ids.data());
+        }
+    }
+    m_drape->SetPoints(points);
+    m_drape->SetPolys(cells);
+    m_drape->GetPointData()->SetTCoords(places);
+    m_drape->GetPointData()->SetScalars(light);
+    m_drape->Modified();
+}
+
+void SiteLayer::build(const std::vector<SiteMesh>& surroundings) {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    for (const SiteMesh& mesh : surroundings) {
+        const vtkIdType first = points->GetNumberOfPoints();
+        for (const Vec3& p : mesh.points) {
+            points->InsertNextPoint(p.data());
+        }
+        for (const auto& triangle : mesh.triangles) {
+            const std::array<vtkIdType, 3> ids{first + triangle[0], first + triangle[1], first + triangle[2]};
+            cells->InsertNextCell(3, ids.data());
+        }
+    }
+    m_meshes->SetPoints(points);
+    m_meshes->SetPolys(cells);
+    m_meshes->Modified();
+}
+
+}  // namespace rubble::render

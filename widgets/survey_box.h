@@ -1,0 +1,77 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "core/evidence/survey_comparison.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace rubble::widgets {
+
+class FindingList;
+class Notice;
+class NumberField;
+
+/// Surveys of the real debris: which of them, how it is held against the simulated debris, and what comes of it.
+class SurveyBox : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SurveyBox(QWidget* parent = nullptr);
+
+    struct Content {
+        bool available = false;  ///< a case is open
+        QStringList names;       ///< of all surveys
+        int chosen = -1;
+        QString noComparison;  ///< why none can be made; empty: it can
+        QString complaint;     ///< what went wrong with the last one
+        bool comparing = false;
+        bool stale = false;  ///< the comparison is of another run or of other settings
+        Findings findings;
+        std::shared_ptr<const SurveyComparison> comparison;
+    };
+    void setContent(const Content& content);
+    /// What the fields ask for.
+    SurveySettings settings() const;
+
+signals:
+    void addRequested();
+    void removeRequested();
+    void chosen(int survey);
+    void compareRequested();
+    void cancelRequested();
+    void settingsChanged();
+    void saveRequested();
+
+private:
+    void buildFields();
+    void buildResults();
+    void showResults();
+
+    Content m_content;
+    bool m_showing = false;
+    QComboBox* m_surveys;
+    QPushButton* m_add;
+    QPushButton* m_remove;
+    NumberField* m_cell;
+    NumberField* m_least;
+    QComboBox* m_fit;
+    QCheckBox* m_withFallen;
+    QPushButton* m_compare;
+    QPushButton* m_cancel;
+    QPushButton* m_save;
+    QLabel* m_whyNot;
+    Notice* m_notice;
+    FindingList* m_findings;
+    QTableWidget* m_figures;
+    QTableWidget* m_runOut;
+    QLabel* m_words;
+};
+
+}  // namespace rubble::widgets

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QEvent>
+#include <QLabel>
+
+namespace rubble::widgets {
+
+/// The unit beside a value: says what is shown in place of a unit of SI, and says it anew when other units are chosen.
+class UnitLabel : public QLabel {
+    Q_OBJECT
+
+public:
+    /// @param unit  "m", "kg/m3", ...; others stand as they are
+    explicit UnitLabel(const QString& unit, QWidget* parent = nullptr);
+    void setUnit(const QString& unit);
+
+protected:
+    bool event(QEvent* event) override;
+
+private:
+    QString m_unit;
+};
+
+/// The event that tells a widget that other units are shown from now on.
+QEvent::Type unitsChanged();
+/// Tells all widgets.
+void tellUnitsChanged();
+
+}  // namespace rubble::widgets

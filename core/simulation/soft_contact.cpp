@@ -13,6 +13,7 @@ constexpr double nearPoint = 0.05;
 
 void take(const SoftContact::Point& from, const SoftContact& to, SoftContact::Point& point) {
     point.impulse = from.impulse;
+    point.push = from.push;
     point.friction = from.friction - from.friction.dot(to.normal) * to.normal;
 }
 

@@ -19,6 +19,7 @@ struct SoftContact {
         std::uint32_t feature = 0;
         double impulse = 0.0;          ///< N s in a substep, along the normal
         Vec3 friction = Vec3::Zero();  ///< N s in a substep, on b
+        double push = 0.0;             ///< kg m in a step, along the normal, by position only
     };
     ColliderPair pair = 0;
     std::uint32_t part = 0;  ///< which parts of the two shapes, and which patch of theirs

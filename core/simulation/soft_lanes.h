@@ -61,7 +61,7 @@ struct alignas(8 * solverLanes) LanePointWork {
     Lanes raised;        ///< N s, upward part of what acted in the soft pass
 };
 
-/// What has been spent at a point on bringing overlap apart in this step.
+/// What is spent at a point on bringing overlap apart in a step.
 struct alignas(8 * solverLanes) LanePush {
     Lanes push;  ///< kg m
 };
@@ -83,7 +83,7 @@ struct alignas(8 * solverLanes) LaneContacts {
     KeptLanes biasRate;      ///< 1/s, of the soft pass
     KeptLanes massScale;     ///< of the soft pass
     KeptLanes impulseScale;  ///< of the soft pass
-    KeptLanes parting;       ///< m, by which overlap at birth is brought apart in this step; zero: none
+    KeptLanes parting;       ///< m, by which the two are brought apart by position only in this step; zero: none
     KeptLanes impulseLimit;  ///< N s per point and substep
     KeptLanes lift;          ///< m/s, what an upward impulse gains against gravity in a substep; zero between two that move
     KeptLanes bookedShare;   ///< 1: its work of pushing apart is accounted for
@@ -115,7 +115,9 @@ struct LanePasses {
     /// Solves once without the push, where the bodies have moved to. @param moved  they have since the pass before
     /// @param final  the last pass of the substep: its impulses are added up
     void (*relax)(const LaneScene& scene, std::size_t first, std::size_t last, bool moved, bool final);
-    /// Brings overlap at birth apart by position only. @param hold  nothing is pushed further, only kept from going back
+    /// Applies the pushes of the step before.
+    void (*startParting)(const LaneScene& scene, std::size_t first, std::size_t last);
+    /// Brings overlap apart by position only. @param hold  nothing is pushed further, only kept from going back
     void (*part)(const LaneScene& scene, std::size_t first, std::size_t last, bool hold);
     /// Notes the velocities before any impulse, for the work of contacts that are accounted for.
     void (*noteOpening)(const LaneScene& scene, std::size_t first, std::size_t last);

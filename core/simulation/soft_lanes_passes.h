@@ -276,6 +276,20 @@ void relax(const LaneScene& scene, std::size_t first, std::size_t last, bool mov
     }
 }
 
+void startParting(const LaneScene& scene, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+        const LaneContacts& c = scene.contacts[i];
+        End a = load(scene.parted, c.a);
+        End b = load(scene.parted, c.b);
+        const Pair pair(c);
+        for (std::uint32_t k = 0; k < c.points; ++k) {
+            apply(pair, a, b, Arms(scene.points[c.firstPoint + k]), scene.pushes[c.firstPoint + k].push * pair.normal);
+        }
+        store(a, scene.parted, c.a, scene.movable);
+        store(b, scene.parted, c.b, scene.movable);
+    }
+}
+
 void part(const LaneScene& scene, std::size_t first, std::size_t last, bool hold) {
     const Lanes zero = all(0.0);
     for (std::size_t i = first; i < last; ++i) {
@@ -344,6 +358,6 @@ void book(const LaneScene& scene, std::size_t first, std::size_t last) {
 }  // namespace
 
 extern const LanePasses passes;
-const LanePasses passes{warmStart, soft, relax, part, noteOpening, book};
+const LanePasses passes{warmStart, soft, relax, startParting, part, noteOpening, book};
 
 }  // namespace rubble::RUBBLE_LANE_MAKE

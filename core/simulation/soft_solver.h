@@ -33,6 +33,7 @@ struct SolverPoint {
     double approachSpeed = 0.0;   ///< m/s at the start of the step, positive when closing
     double largestImpulse = 0.0;  ///< N s, of any substep
     double impulseSum = 0.0;      ///< N s along the normal, over the substeps
+    double push = 0.0;            ///< kg m in a step, by position only, carried from step to step
 };
 
 /// Contact of two bodies: points with one normal.
@@ -50,7 +51,7 @@ struct SolverContact {
     double biasRate = 0.0;      ///< 1/s, of the soft pass
     double massScale = 1.0;     ///< of the soft pass
     double impulseScale = 0.0;  ///< of the soft pass
-    double parting = 0.0;       ///< m, by which overlap at birth is brought apart in this step; zero: none
+    double parting = 0.0;       ///< m, by which the two are brought apart by position only in this step; zero: none
     double lift = 0.0;          ///< m/s, what an upward impulse gains against gravity in a substep; see LaneContacts
     double impulseLimit = 0.0;  ///< N s per point and substep; negative: none
     double work = 0.0;          ///< J, in this step: of pushing the bodies apart, or of a moving piece
@@ -102,7 +103,7 @@ public:
     void relax();
     /// Books the work of this substep.
     void book();
-    /// Brings overlap at birth apart by position only, after the last substep; false: there is none.
+    /// Brings apart by position only what overlaps from birth or is jammed, after the last substep; false: nothing does.
     bool part();
     /// m and rad that this moves and turns the bodies by.
     std::span<const LaneBody> parted() const { return m_parted; }

@@ -241,11 +241,18 @@ void SoftStepWorld::buildSolver(double h) {
     });
 }
 
-/// m by which the two are brought apart in this step.
+/// m by which the two are brought apart by position only in this step: overlap at birth, or what others have jammed.
 double SoftStepWorld::partingOf(const SoftContact& contact, double dt) const {
     const auto ageOf = [&](const Collider& x) { return x.kind == ColliderKind::Body ? solidOf(x).age : 1e300; };
     const bool young = std::min(ageOf(*contact.a), ageOf(*contact.b)) < m_settings.overlapTime;
-    return young ? std::min(m_settings.overlapSpeed * dt, contact.offset) : 0.0;
+    const auto lightness = [&](const Collider& x) { return x.kind == ColliderKind::Body ? solidOf(x).inverseMass : 0.0; };
+    const double overlap = young ? contact.offset : 0.0;
+    // Only where overlap at birth pushes bodies about; elsewhere contacts alone decide how deep they carry.
+    const auto points = std::span(contact.points).first(static_cast<std::size_t>(contact.count));
+    const double strong = jammingPush / std::max(lightness(*contact.a), lightness(*contact.b));
+    const bool pushed = std::ranges::any_of(points, [&](const SoftContact::Point& p) { return p.push > strong; });
+    const double jammed = contact.depth - contact.offset - jammedDepth * std::min(thicknessOf(*contact.a), thicknessOf(*contact.b));
+    return std::clamp(pushed ? std::max(overlap, jammed) : overlap, 0.0, m_settings.overlapSpeed * dt);
 }
 
 void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h) {
@@ -280,7 +287,8 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
         c.impulseLimit = mass * speed / (contact.count * (carrying ? 1 : m_substeps * std::max(1, pieces)));
     }
     // What a body carried while it counted as heavier must not hit it when it no longer does.
-    const double carried = (m_substepLength > 0.0 ? h / m_substepLength : 1.0) * std::min(1.0, contact.yield / yieldOf(c));
+    const double yielded = std::min(1.0, contact.yield / yieldOf(c));
+    const double carried = (m_substepLength > 0.0 ? h / m_substepLength : 1.0) * yielded;
     const auto centreOf = [&](const Collider& collider) {
         return collider.kind == ColliderKind::Ground ? Vec3(Vec3::Zero()) : solidOf(collider).pose.position;
     };
@@ -297,6 +305,7 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
         p.fromB = point.position - b;
         p.separation = point.separation + contact.offset;
         p.normalImpulse = c.impulseLimit < 0.0 ? carried * point.impulse : std::min(carried * point.impulse, c.impulseLimit);
+        p.push = yielded * point.push;
         p.tangentImpulse[0] = carried * c.tangent[0].dot(point.friction);
         p.tangentImpulse[1] = carried * c.tangent[1].dot(point.friction);
         m_solver.points[c.firstPoint + k] = p;
@@ -372,6 +381,7 @@ void SoftStepWorld::takeResult(const SolverContact& c, Outcome& outcome) {
     for (std::uint32_t k = 0; k < c.points; ++k) {
         const SolverPoint& p = m_solver.points[c.firstPoint + k];
         contact.points[k].impulse = p.normalImpulse;
+        contact.points[k].push = p.push;
         contact.points[k].friction = p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1];
         outcome.pushed += p.impulseSum;
         outcome.points = outcome.points > 0 || p.largestImpulse > 0.0 ? c.points : 0;

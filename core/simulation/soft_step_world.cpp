@@ -283,8 +283,7 @@ int SoftStepWorld::substepsFor(double dt) const {
 }
 
 double SoftStepWorld::sinkAllowed(const SoftContact& contact) const {
-    const auto thickness = [](const Collider& x) { return x.kind == ColliderKind::Body ? x.smallestSide : 1e300; };
-    return std::max(1e-5, sinkShare * std::min(thickness(*contact.a), thickness(*contact.b)));
+    return std::max(1e-5, sinkShare * std::min(thicknessOf(*contact.a), thicknessOf(*contact.b)));
 }
 
 /// The bodies as the hook sees them, but for how they move.
@@ -379,7 +378,8 @@ void SoftStepWorld::writeBack(double dt) {
     }
 }
 
-/// Moves and turns what lies in others from birth, without a change of its speed. Returns the work [J] that it took.
+/// Moves and turns what lies in others from birth or is jammed in them, without a change of its speed. Returns the work [J] that it
+/// took.
 double SoftStepWorld::bringApart(std::size_t slot, double dt) {
     if (!m_parting) {
         return 0.0;

@@ -133,6 +133,7 @@ private:
     void takeBodies();
     std::vector<Taken> takeContacts();
     void buildSolver(double h);
+    static double thicknessOf(const Collider& c) { return c.kind == ColliderKind::Body ? c.smallestSide : 1e300; }
     double partingOf(const SoftContact& contact, double dt) const;
     void fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h);
     void weighDown(const std::vector<Taken>& taken);
@@ -174,7 +175,7 @@ private:
     std::uint32_t m_stillSlot = 0;
     std::vector<char> m_supported, m_supportedNow;  ///< [slots] firm in the step before, in this step; moving pieces never
     std::vector<double> m_fastest;                  ///< m/s, [slots] that a body may get to in this step
-    bool m_parting = false;                         ///< overlap at birth comes apart in this step
+    bool m_parting = false;                         ///< bodies come apart by position in this step
     int m_substeps = 1;                             ///< of this step
     double m_substepLength = 0.0;                   ///< s, of the step before: what the impulses carried on are for
     std::vector<Pair> m_pairs[Kinds];

@@ -68,6 +68,7 @@ void addScene(EnsembleSource& source, const Case& theCase, const std::string& ba
         note(source, "surroundings", file.path, file.sha256);
     }
     source.frame = contents.frame;
+    source.site = theCase.site;
     source.scenes.push_back(std::move(scene));
 }
 

@@ -16,6 +16,7 @@ struct EnsembleSource {
     std::vector<EnsembleScene> scenes;
     std::vector<EnsembleInput> inputs;
     Frame frame;
+    Site site;
     Findings findings;  ///< of what was read
 };
 

@@ -11,8 +11,9 @@
 namespace rubble::io {
 
 /// Writes fragments.csv: one row per fragment, quoted as in RFC 4180, point as decimal sign, no comment lines. Places in metres, z
-/// up, with the origin of the case added. Of a run that was stopped, what is not known (impact speeds, fragments not yet born) is
-/// left empty. Atomic; a sidecar NAME.provenance.json says from what it was made. Throws WorldError, ParseError, Cancelled.
+/// up: easting, northing and height by the control points of the case, without these with the origin of the case added. Of a run
+/// that was stopped, what is not known (impact speeds, fragments not yet born) is left empty. Atomic; a sidecar
+/// NAME.provenance.json says from what it was made. Throws WorldError, ParseError, Cancelled.
 void exportFragments(const std::string& path, const RunReader& run, const Execution& execution);
 
 /// The same of some fragments, ascending, in that order.
@@ -29,8 +30,9 @@ void exportSeries(const std::string& path, const RunReader& run, const FeResult&
 /// Writes the fragments as glTF 2.0 with their motion in one binary file (.glb), as Blender and web viewers open it: a node for
 /// each body with the solids it carries, its places as keys (within 1 mm and 0.1 degrees of what was recorded), scale 0 before its
 /// first fragment is born and after it left. Metres, y up; local coordinates, because single precision holds no map coordinates:
-/// the origin stands in asset.extras. Colours by component. Live structure is not in it. Atomic; with NAME.provenance.json. Throws
-/// WorldError, ParseError, UsageError (no fragments; larger than 4 GB), Cancelled.
+/// the place of the origin, and with control points turn and scale, stand in asset.extras. Colours by component. Live structure is
+/// not in it. Atomic; with NAME.provenance.json. Throws WorldError, ParseError, UsageError (no fragments; larger than 4 GB),
+/// Cancelled.
 void exportGltf(const std::string& path, const RunReader& run, const Execution& execution);
 
 /// Writes an XDMF file that names places, orientations, speeds and states of the bodies frame by frame inside the run file itself,

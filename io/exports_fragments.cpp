@@ -7,6 +7,7 @@
 #include "io/exports.h"
 #include "io/files.h"
 #include "io/fragment_places.h"
+#include "io/terrain/site_place.h"
 
 namespace rubble::io {
 
@@ -100,7 +101,7 @@ void exportFragments(const std::string& path, const RunReader& run, std::span<co
     const auto result = run.result();
     const bool whole = result && result->fragments.size() == fragments.size();
     const std::vector<FragmentOutcome> outcomes = whole ? result->fragments : outcomesFromFrames(run, execution);
-    const WorldOffset world(run.origin().frame);
+    const SitePlace site(run.origin().frame, run.origin().site);
     writeAtomically(path, [&](std::ostream& out) {
         out << "fragment_id,element_id,component,cluster_id,birth_time_s,birth_x_m,birth_y_m,birth_z_m,final_x_m,final_y_m,final_z_"
                "m,"
@@ -117,8 +118,8 @@ void exportFragments(const std::string& path, const RunReader& run, std::span<co
             Row{out} << std::to_string(f) << std::to_string(elementIds[f])
                      << (component < components.size() ? quoted(components[component]) : std::string())
                      << (clustered ? std::to_string(at(clustering->of[f])) : std::string()) << fragments[f].birthTime
-                     << world(outcome.birthPosition) << world(outcome.finalPosition) << outcome.birthSpeed << outcome.impactSpeed
-                     << fragments[f].mass;
+                     << site.toWorld(outcome.birthPosition) << site.toWorld(outcome.finalPosition) << outcome.birthSpeed
+                     << outcome.impactSpeed << fragments[f].mass;
             out << '\n';
         }
     });

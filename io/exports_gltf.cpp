@@ -12,6 +12,7 @@
 #include "io/fragment_places.h"
 #include "io/gltf/body_motion.h"
 #include "io/gltf/glb_file.h"
+#include "io/terrain/site_place.h"
 
 namespace rubble::io {
 
@@ -217,10 +218,16 @@ void GltfScene::addBody(std::size_t body, const std::vector<MotionKey>& keys) {
 }
 
 nlohmann::json GltfScene::originJson() const {
-    const Vec3 offset = WorldOffset(m_run.origin().frame).offset();
-    return {
-        {"origin_m", {offset.x(), offset.y(), offset.z()}}, {"time_offset_s", m_timeOffset}, {"fe_sha256", m_run.origin().feSha256},
-        {"fingerprint", m_run.origin().fingerprint.hex()},  {"build", m_run.origin().build}, {"complete", m_run.complete()}};
+    const SitePlace site(m_run.origin().frame, m_run.origin().site);
+    const Vec3 zero = site.toWorld(Vec3::Zero());
+    nlohmann::json origin{
+        {"origin_m", {zero.x(), zero.y(), zero.z()}},      {"time_offset_s", m_timeOffset}, {"fe_sha256", m_run.origin().feSha256},
+        {"fingerprint", m_run.origin().fingerprint.hex()}, {"build", m_run.origin().build}, {"complete", m_run.complete()}};
+    if (!site.upright()) {
+        origin["turn_rad"] = site.transform().angle;
+        origin["scale"] = site.transform().scale;
+    }
+    return origin;
 }
 
 void GltfScene::write(const std::string& path) {

@@ -1,6 +1,7 @@
 #include "io/acknowledgements.h"
 #include "io/exports.h"
 #include "io/run_json.h"
+#include "io/terrain/site_place.h"
 
 namespace rubble::io {
 
@@ -35,7 +36,7 @@ std::string provenanceText(const RunOrigin& origin, const RunReader* run) {
     for (const RecordedInput& mesh : origin.surroundings) {
         text["inputs"].push_back({{"role", "surroundings"}, {"path", mesh.path}, {"sha256", mesh.sha256}});
     }
-    text["coordinates"] = "metres, z up, origin of the frame added";
+    text["coordinates"] = std::string(SitePlace(origin.frame, origin.site).words());
     if (run != nullptr) {
         text["run_complete"] = run->complete();
         text["frames"] = run->frameCount();

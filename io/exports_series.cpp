@@ -30,6 +30,7 @@
 #include "io/files.h"
 #include "io/fragment_places.h"
 #include "io/pvd_index.h"
+#include "io/terrain/site_place.h"
 
 namespace rubble::io {
 
@@ -45,14 +46,14 @@ int cellTypeOf(ElementShape shape) {
 /// Collects cells and their numbers, then becomes a grid.
 class GridBuilder {
 public:
-    /// @param offset  added to all points; far from the origin they need double precision
-    explicit GridBuilder(const Vec3& offset) : m_offset(offset) {
-        m_points->SetDataType(offset.cwiseAbs().maxCoeff() < 10000.0 ? VTK_FLOAT : VTK_DOUBLE);
+    /// Points far from the origin need double precision.
+    explicit GridBuilder(const SitePlace& site) : m_site(site) {
+        m_points->SetDataType(site.toWorld(Vec3::Zero()).cwiseAbs().maxCoeff() < 10000.0 ? VTK_FLOAT : VTK_DOUBLE);
         m_cells->Use32BitStorage();
     }
 
     vtkIdType addPoint(const Vec3& local) {
-        const Vec3 p = local + m_offset;
+        const Vec3 p = m_site.toWorld(local);
         return m_points->InsertNextPoint(p.x(), p.y(), p.z());
     }
     void addCell(ElementShape shape, std::span<const vtkIdType> points, std::int64_t element, std::size_t component) {
@@ -71,7 +72,7 @@ public:
     std::string text(const std::vector<std::string>& components);
 
 private:
-    Vec3 m_offset;
+    const SitePlace& m_site;
     vtkNew<vtkPoints> m_points;
     vtkNew<vtkCellArray> m_cells;
     vtkNew<vtkUnsignedCharArray> m_types;
@@ -121,7 +122,7 @@ struct Series {
     const RunReader& run;
     const FeResult& fe;
     FragmentPlaces places;
-    WorldOffset world;
+    SitePlace site;
     std::vector<std::string> componentNames;
     std::vector<ComponentId> componentOf;  // of each element
     std::vector<std::int64_t> elementIds;  // of each fragment
@@ -135,7 +136,7 @@ Series makeSeries(const RunReader& run, const FeResult& fe) {
     Series series{run,
                   fe,
                   FragmentPlaces(run),
-                  WorldOffset(run.origin().frame),
+                  SitePlace(run.origin().frame, run.origin().site),
                   run.componentNames(),
                   {},
                   run.elementIds(),
@@ -158,7 +159,7 @@ Series makeSeries(const RunReader& run, const FeResult& fe) {
 }
 
 std::string fragmentsText(const Series& series, const std::vector<FragmentPlaces::Place>& places) {
-    GridBuilder builder(series.world.offset());
+    GridBuilder builder(series.site);
     const FragmentSet& fragments = series.places.fragments();
     std::vector<vtkIdType> corners;
     for (const FragmentPlaces::Place& place : places) {
@@ -188,7 +189,7 @@ std::string structureText(const Series& series, std::size_t state, const std::ve
     }
     const std::shared_ptr<const FeState> positions = series.fe.state(state);
     std::vector<vtkIdType> pointOf(mesh.nodeCount(), -1);
-    GridBuilder builder(series.world.offset());
+    GridBuilder builder(series.site);
     std::vector<vtkIdType> corners;
     for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
         const ElementIndex element = idAt<ElementIndex>(e);
@@ -212,7 +213,7 @@ std::string releasedText(const Series& series, double time) {
     const Mesh& mesh = series.fe.mesh();
     const TrajectoryFrame frame = frameAtTime(series.run, time);
     const std::shared_ptr<const FeState> positions = series.fe.state(series.fe.stateCount() - 1);
-    GridBuilder builder(series.world.offset());
+    GridBuilder builder(series.site);
     std::vector<vtkIdType> pointOf(mesh.nodeCount(), -1);
     std::vector<vtkIdType> corners;
     for (const IslandRecord& island : series.islands) {

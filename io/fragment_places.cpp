@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "core/base/error.h"
-#include "core/fe/frame_transform.h"
 
 namespace rubble::io {
 
@@ -47,7 +46,5 @@ std::vector<FragmentPlaces::Place> FragmentPlaces::at(double time) const {
     });
     return places;
 }
-
-WorldOffset::WorldOffset(const Frame& frame) : m_offset(-FrameTransform(frame).point(Vec3::Zero())) {}
 
 }  // namespace rubble::io

@@ -34,15 +34,4 @@ private:
     std::vector<Carrier> m_carriers;  // by fragment, then by time
 };
 
-/// Adds the origin of the case: exports are in metres, z up, at the place the origin says.
-class WorldOffset {
-public:
-    explicit WorldOffset(const Frame& frame);
-    Vec3 operator()(const Vec3& local) const { return local + m_offset; }
-    const Vec3& offset() const { return m_offset; }
-
-private:
-    Vec3 m_offset;
-};
-
 }  // namespace rubble::io

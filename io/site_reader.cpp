@@ -138,7 +138,7 @@ std::shared_ptr<const TerrainGrid> raisedTerrain(const TerrainGrid& terrain, std
 }
 
 void recordSite(RunOrigin& origin, const TerrainInput& input, const Site& site) {
-    origin.site = input.grid != nullptr ? site : Site();
+    origin.site = site;
     origin.site.collide = input.collided;
     origin.surroundings.clear();
     for (const SiteFile& file : input.files) {

@@ -18,7 +18,7 @@ TerrainInput openSiteOfCase(const Case& theCase, const std::string& casePath, co
 std::shared_ptr<const TerrainGrid> raisedTerrain(const TerrainGrid& terrain, std::span<const std::string> meshes,
                                                  const Frame& frame, const Site& site, const Execution& execution);
 
-/// Puts down in a run how its site was brought to the local frame, and the meshes that debris falls on.
+/// Puts down in a run how its local frame lies in the world, and the meshes that debris falls on.
 void recordSite(RunOrigin& origin, const TerrainInput& input, const Site& site);
 
 }  // namespace rubble::io

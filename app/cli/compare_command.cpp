@@ -86,11 +86,12 @@ Causes openCauses(const Arguments& arguments, const EnsembleRequest& request, Se
             name += '\'';
         }
         causes.names.push_back(name);
-        const Frame& first = causes.subjects.front().frame;
-        if (!(subject.frame == first)) {
-            throw UsageError(
-                {"causes.other_frame", "{0} has another origin, axes or coordinate system than {1}.", {path, arguments.operand()}},
-                {"causes.other_frame.remedy", "Give both cases the same frame: they must be of one site.", {}});
+        const EnsembleSubject& first = causes.subjects.front();
+        if (!(subject.frame == first.frame && subject.theCase.site.controlPoints == first.theCase.site.controlPoints)) {
+            throw UsageError({"causes.other_frame",
+                              "{0} has another origin, axes, coordinate system or control points than {1}.",
+                              {path, arguments.operand()}},
+                             {"causes.other_frame.remedy", "Give both cases the same frame: they must be of one site.", {}});
         }
     }
     return causes;
@@ -104,7 +105,7 @@ CauseEvidence readEvidence(const Arguments& arguments, const EnsembleRequest& re
     const EnsembleScene& scene = first.scenes.front();
     const SiteSurface ground{true, scene.scenario.simulation.groundHeight, scene.inputs.terrain};
     for (const io::EvidenceFile& file : against.files) {
-        evidence.surfaces.push_back(io::readEvidence(file, first.frame, request.surface(), ground));
+        evidence.surfaces.push_back(io::readEvidence(file, first.frame, first.theCase.site, request.surface(), ground));
         first.inputs.push_back({"evidence", file.path, io::sha256OfFile(file.path)});
     }
     if (against.photographs) {

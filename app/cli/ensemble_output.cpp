@@ -10,7 +10,7 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/text_output.h"
 #include "core/base/error.h"
-#include "io/fragment_places.h"
+#include "io/terrain/site_place.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/map_picture.h"
 
@@ -244,7 +244,7 @@ void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const
         figures::ensureGuiApplication();
         figures::MapPictureStyle style;
         style.pixels = m_pixels;
-        style.origin = io::WorldOffset(origin.frame).offset().head<2>();
+        style.place = io::SitePlace(origin.frame, origin.site).transform();
         style.system = origin.frame.crs;
         style.shown = origin.facts.front().second;
         for (const auto& [key, value] : origin.facts) {
@@ -261,7 +261,7 @@ void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const
 
 std::vector<std::string> EnsembleMaps::write(const DebrisMap& map, const std::string& name, const EnsembleReport& report,
                                              const EnsembleSubject& subject, Session& session) const {
-    const io::MapOrigin origin = io::ensembleOrigin(report, map, subject.frame, subject.inputs);
+    const io::MapOrigin origin = io::ensembleOrigin(report, map, subject.frame, subject.theCase.site, subject.inputs);
     std::vector<MapLayer> layers = m_layers.empty() ? map.present() : m_layers;
     for (const MapLayer layer : layers) {
         if (!map.has(layer)) {

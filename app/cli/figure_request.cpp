@@ -195,7 +195,7 @@ render::View FigureRequest::viewOf(const render::SceneData& data, QSize pixels) 
     view.colourMap = m_map.value_or(view.colourMap);
     view.style = m_surfaces.value_or(view.style);
     if (m_cut) {
-        const Vec3 origin = -FrameTransform(data.fe->contents().frame).point(Vec3::Zero());
+        const Vec3 origin = FrameTransform(data.fe->contents().frame).localZero();
         const Vec3 axis = Vec3::Unit(m_cut->axis);
         view.clip = render::ClipPlane{axis * (m_cut->place - origin[m_cut->axis]), m_cut->below ? Vec3(-axis) : axis};
     }

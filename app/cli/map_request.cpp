@@ -9,8 +9,8 @@
 #include "app/cli/option_value.h"
 #include "app/cli/picture_options.h"
 #include "core/base/error.h"
-#include "io/fragment_places.h"
 #include "io/geo/map_files.h"
+#include "io/terrain/site_place.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/map_picture.h"
 
@@ -142,11 +142,10 @@ void MapRequest::write(const std::string& path, const RunMap& made, const io::Ru
     } else if (endsWith(path, ".png")) {
         quietQt();
         figures::ensureGuiApplication();
-        const Vec3 offset = io::WorldOffset(run.origin().frame).offset();
         figures::MapPictureStyle style;
         style.pixels = m_pixels;
-        style.origin = offset.head<2>();
-        style.system = run.origin().frame.crs;
+        style.place = io::SitePlace(origin.frame, origin.site).transform();
+        style.system = origin.frame.crs;
         style.shown = origin.facts.front().second;
         style.provenance = "FE " + run.origin().feSha256.substr(0, 16) + ", run " + run.origin().fingerprint.hex().substr(0, 16) +
                            ", " + run.origin().build;

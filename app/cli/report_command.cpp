@@ -15,11 +15,11 @@
 #include "core/base/error.h"
 #include "core/selftest/report_checks.h"
 #include "io/case_file.h"
-#include "io/fragment_places.h"
 #include "io/machine.h"
 #include "io/provenance.h"
 #include "io/report_facts.h"
 #include "io/run_history.h"
+#include "io/terrain/site_place.h"
 #include "widgets/figures/report/report_pictures.h"
 
 namespace rubble::cli {
@@ -134,7 +134,7 @@ io::ReportRequest requestOf(const Arguments& arguments, const ReportSubject& sub
 
 figures::MapPictureStyle mapStyle(const io::RunReader& run) {
     figures::MapPictureStyle style;
-    style.origin = io::WorldOffset(run.origin().frame).offset().head<2>();
+    style.place = io::SitePlace(run.origin().frame, run.origin().site).transform();
     style.system = run.origin().frame.crs;
     return style;
 }

@@ -17,8 +17,8 @@
 #include "io/acknowledgements.h"
 #include "io/case_file.h"
 #include "io/files.h"
-#include "io/fragment_places.h"
 #include "io/geo/survey_files.h"
+#include "io/terrain/site_place.h"
 #include "io/terrain_reader.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/survey_picture.h"
@@ -200,8 +200,8 @@ void writePicture(const std::string& path, const SurveyComparison& made, const i
         style.pixels = parsePictureSize(*size);
     }
     style.textPixels = 25.0 * std::min(style.pixels.width() / 1600.0, style.pixels.height() / 800.0);
-    style.origin = io::WorldOffset(run.origin().frame).offset().head<2>();
-    style.system = run.origin().frame.crs;
+    style.place = io::SitePlace(input.frame, input.site).transform();
+    style.system = input.frame.crs;
     style.provenance = "survey " + input.sha256.substr(0, 16) + ", FE " + run.origin().feSha256.substr(0, 16) + ", run " +
                        run.origin().fingerprint.hex().substr(0, 16) + ", " + run.origin().build;
     figures::writePng(path, figures::surveyPicture(made, style));
@@ -209,7 +209,7 @@ void writePicture(const std::string& path, const SurveyComparison& made, const i
 }
 
 ExitCode survey(const Arguments& arguments, Session& session) {
-    const SurveySettings settings = settingsFrom(arguments);
+    SurveySettings settings = settingsFrom(arguments);
     const std::optional<double> time = timeFrom(arguments);
     const std::vector<std::string> files = arguments.values("--out");
     const std::vector<std::string> inputs{arguments.operand(), arguments.value("--survey").value_or(arguments.operand())};
@@ -224,6 +224,7 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     const SurveyFile file = surveyFile(arguments, *subject.run);
     const io::SurveyInput input = io::readSurvey(file.path, subject.inputs.frame, file.site,
                                                  io::boundsAtRest(subject.inputs.fe->mesh()), session.execution());
+    settings.turn = io::SitePlace(input.frame, input.site).transform().angle;
     const MappedRun mapped{subject.inputs.fe.get(), subject.run.get(),      subject.run->fragments(),
                            subject.run->result(),   subject.inputs.terrain, subject.run->origin().scenario};
     const SurveyComparison made = compareRunWithSurvey(mapped, time, input.survey, settings, session.execution());

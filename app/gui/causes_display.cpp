@@ -402,7 +402,8 @@ void CausesDisplay::showPage() {
         if (m_made->comparison != nullptr && m_made->comparison->separation) {
             content.separation = std::shared_ptr<const DebrisMap>(m_made->comparison, &*m_made->comparison->separation);
             const Hypothesis& closest = m_made->hypotheses[m_made->comparison->ranking.causes.front().hypothesis];
-            content.place = pictureStyle(io::ensembleOrigin(*closest.ensemble, *content.separation, m_made->frame, m_made->inputs));
+            content.place = pictureStyle(
+                io::ensembleOrigin(*closest.ensemble, *content.separation, m_made->frame, m_made->site, m_made->inputs));
         }
         content.stale = stale();
     }
@@ -449,8 +450,8 @@ void CausesDisplay::saveMapTo(const QString& path) {
         [path, made = m_made](const Execution& execution) {
             const Hypothesis& closest = made->hypotheses[made->comparison->ranking.causes.front().hypothesis];
             const DebrisMap& map = *made->comparison->separation;
-            writeMapFile(path, map, MapLayer::Separation, io::ensembleOrigin(*closest.ensemble, map, made->frame, made->inputs),
-                         execution);
+            writeMapFile(path, map, MapLayer::Separation,
+                         io::ensembleOrigin(*closest.ensemble, map, made->frame, made->site, made->inputs), execution);
         },
         [this, path](const std::exception_ptr& thrown) {
             if (const auto failure = failureOf(thrown)) {

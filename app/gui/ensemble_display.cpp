@@ -191,7 +191,7 @@ void EnsembleDisplay::showPage() {
     content.report = m_made.report;
     content.map = m_map;
     if (m_map != nullptr) {
-        content.place = pictureStyle(io::ensembleOrigin(*m_made.report, *m_map, m_made.frame, m_made.inputs));
+        content.place = pictureStyle(io::ensembleOrigin(*m_made.report, *m_map, m_made.frame, m_made.site, m_made.inputs));
     }
     content.stale = stale();
     content.running = m_work.simulating();
@@ -221,7 +221,7 @@ void EnsembleDisplay::saveMapTo(const QString& path) {
     if (m_map == nullptr) {
         return;
     }
-    const io::MapOrigin origin = io::ensembleOrigin(*m_made.report, *m_map, m_made.frame, m_made.inputs);
+    const io::MapOrigin origin = io::ensembleOrigin(*m_made.report, *m_map, m_made.frame, m_made.site, m_made.inputs);
     m_computation.write([path, origin, map = m_map, layer = m_page.layer()](
                             const Execution& execution) { writeMapFile(path, *map, layer, origin, execution); },
                         [this, path](const std::exception_ptr& thrown) {

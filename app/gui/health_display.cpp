@@ -69,7 +69,7 @@ void HealthDisplay::showMarks() {
 
 // As exports add it: the origin of the frame, z up.
 Vec3 HealthDisplay::origin() const {
-    return -FrameTransform(m_computation.inputs().frame).point(Vec3::Zero());
+    return FrameTransform(m_computation.inputs().frame).localZero();
 }
 
 void HealthDisplay::show(std::size_t breach, bool near) {

@@ -2,14 +2,14 @@
 
 #include <QFileInfo>
 
-#include "io/fragment_places.h"
+#include "io/terrain/site_place.h"
 #include "widgets/figures/figure_file.h"
 
 namespace rubble {
 
 figures::MapPictureStyle pictureStyle(const io::MapOrigin& origin) {
     figures::MapPictureStyle style;
-    style.origin = io::WorldOffset(origin.frame).offset().head<2>();
+    style.place = io::SitePlace(origin.frame, origin.site).transform();
     style.system = origin.frame.crs;
     style.shown = origin.facts.front().second;
     for (const auto& [key, value] : origin.facts) {

@@ -10,10 +10,10 @@
 #include "app/gui/panel_deck.h"
 #include "core/base/error.h"
 #include "core/selftest/report_checks.h"
-#include "io/fragment_places.h"
 #include "io/machine.h"
 #include "io/provenance.h"
 #include "io/report_facts.h"
+#include "io/terrain/site_place.h"
 #include "widgets/figures/report/report_pictures.h"
 #include "widgets/report_panel.h"
 #include "widgets/wording.h"
@@ -56,10 +56,10 @@ void makeReport(Order& order, const Execution& execution) {
     ReportFacts facts = io::reportFacts(order.request, execution);
     addSelfTest(facts, order.wishes.selfTest, execution);
     const io::RunReader& run = *order.request.run;
-    figures::MapPictureStyle place;
-    place.origin = io::WorldOffset(run.origin().frame).offset().head<2>();
-    place.system = run.origin().frame.crs;
-    figures::ReportPictures pictures = figures::drawReportPictures(order.scene, facts, place, execution);
+    figures::MapPictureStyle map;
+    map.place = io::SitePlace(run.origin().frame, run.origin().site).transform();
+    map.system = run.origin().frame.crs;
+    figures::ReportPictures pictures = figures::drawReportPictures(order.scene, facts, map, execution);
     pictures.say = [](const Message& message) { return widgets::worded(message); };
     const io::ExportRecord record{
         "report", {{"Debris at the end", facts.result->endTime, std::nullopt, "simulated"}}, {}, {}, order.request.casePath};

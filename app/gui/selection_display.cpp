@@ -16,7 +16,7 @@ constexpr std::uint32_t noFragment = 0xffffffffu;
 
 /// What tables add to places of the local frame, m.
 Vec3 originOf(const FeResult& fe) {
-    return -FrameTransform(fe.contents().frame).point(Vec3::Zero());
+    return FrameTransform(fe.contents().frame).localZero();
 }
 
 bool within(double value, const std::optional<double>& low, const std::optional<double>& high) {

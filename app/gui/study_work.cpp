@@ -29,9 +29,10 @@ std::vector<io::EnsembleSource> openCauses(const CauseOrder& causes, const Study
         io::EnsembleSource source =
             io::openEnsemble(cause.theCase, cause.base, cause.scenario, order.settings, order.open, order.copies, execution);
         source.name = cause.name.empty() ? source.name : cause.name;
-        if (!sources.empty() && !(source.frame == sources.front().frame)) {
+        if (!sources.empty() &&
+            !(source.frame == sources.front().frame && source.site.controlPoints == sources.front().site.controlPoints)) {
             throw UsageError({"causes.other_frame",
-                              "{0} has another origin, axes or coordinate system than {1}.",
+                              "{0} has another origin, axes, coordinate system or control points than {1}.",
                               {source.name, sources.front().name}},
                              {"causes.other_frame.remedy", "Give both cases the same frame: they must be of one site.", {}});
         }
@@ -47,7 +48,7 @@ CauseEvidence readAll(const CauseOrder& causes, const StudyOrder& order, const i
     const SiteSurface ground{true, scene.scenario.simulation.groundHeight, scene.inputs.terrain};
     for (const io::EvidenceFile& file : causes.files) {
         execution.check();
-        evidence.surfaces.push_back(io::readEvidence(file, first.frame, order.surface, ground));
+        evidence.surfaces.push_back(io::readEvidence(file, first.frame, first.site, order.surface, ground));
         made.inputs.push_back({"evidence", file.path, io::sha256OfFile(file.path)});
     }
     Case chosen = causes.photographed;
@@ -63,6 +64,7 @@ MadeComparison compareAll(const CauseOrder& causes, const StudyOrder& order, con
     MadeComparison made;
     const std::vector<io::EnsembleSource> sources = openCauses(causes, order, execution);
     made.frame = sources.front().frame;
+    made.site = sources.front().site;
     const CauseEvidence evidence = readAll(causes, order, sources.front(), made, execution);
     io::SettledFiles files(io::cacheFolder());
     for (const io::EnsembleSource& source : sources) {
@@ -138,7 +140,7 @@ void StudyWork::simulate(const StudyCase& of, const StudyOrder& order) {
         io::SettledFiles files(io::cacheFolder());
         EnsembleOptions options = optionsOf(order, machine, files);
         const auto tell = [&](const EnsembleReport& report) {
-            const MadeEnsemble made{std::make_shared<const EnsembleReport>(report), source.inputs, source.frame};
+            const MadeEnsemble made{std::make_shared<const EnsembleReport>(report), source.inputs, source.frame, source.site};
             QMetaObject::invokeMethod(
                 this,
                 [this, generation, made] {

@@ -35,6 +35,7 @@ struct MadeEnsemble {
     std::shared_ptr<const EnsembleReport> report;
     std::vector<io::EnsembleInput> inputs;
     Frame frame;
+    Site site;
 };
 
 /// What several causes are held against.
@@ -54,6 +55,7 @@ struct MadeComparison {
     std::vector<BlindTest> blind;
     std::vector<io::EnsembleInput> inputs;
     Frame frame;
+    Site site;
     Findings findings;
 };
 

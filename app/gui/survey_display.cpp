@@ -11,8 +11,8 @@
 #include "core/base/error.h"
 #include "io/case_file.h"
 #include "io/files.h"
-#include "io/fragment_places.h"
 #include "io/geo/survey_files.h"
+#include "io/terrain/site_place.h"
 #include "io/terrain_reader.h"
 #include "widgets/evidence_page.h"
 #include "widgets/evidence_panel.h"
@@ -147,8 +147,9 @@ void SurveyDisplay::compare() {
     m_work.start({Worker::Kind::Study,
                   [made = m_made, read = m_read, path, run = EvidenceRun(m_computation.inputs(), record),
                    frame = m_computation.inputs().frame, site = m_document.theCase().site,
-                   settings = m_comparedSettings](const Execution& execution) {
+                   settings = m_comparedSettings](const Execution& execution) mutable {
                       *read = io::readSurvey(path, frame, site, io::boundsAtRest(run.fe->mesh()), execution);
+                      settings.turn = io::SitePlace(frame, site).transform().angle;
                       *made = compareRunWithSurvey(run.mapped(), std::nullopt, read->survey, settings, execution);
                   },
                   [this](const std::exception_ptr& thrown) { take(thrown); }});
@@ -193,7 +194,7 @@ void SurveyDisplay::saveTo(const QString& path) {
         const io::MapOrigin origin = io::surveyOrigin(*record->reader, *m_comparison, *m_input);
         if (QFileInfo(path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0) {
             figures::SurveyPictureStyle style;
-            style.origin = io::WorldOffset(origin.frame).offset().head<2>();
+            style.place = io::SitePlace(origin.frame, origin.site).transform();
             style.system = origin.frame.crs;
             style.provenance = "survey " + m_input->sha256.substr(0, 16) + ", run " +
                                record->reader->origin().fingerprint.hex().substr(0, 16) + ", " + record->reader->origin().build;

@@ -142,7 +142,7 @@ void ViewTools::refresh() {
     m_actions["measure_height"].setChecked(views.tool() == widgets::ViewWidget::Tool::Height);
     m_actions["clear_measurements"].setEnabled(!view.measurements.empty());
     if (have) {
-        m_area.clipBar().setBounds(views.bounds(), -FrameTransform(views.data().fe->contents().frame).point(Vec3::Zero()));
+        m_area.clipBar().setBounds(views.bounds(), FrameTransform(views.data().fe->contents().frame).localZero());
     }
     m_area.clipBar().setVisible(view.clip.has_value());
     if (view.clip) {

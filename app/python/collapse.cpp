@@ -8,6 +8,7 @@
 #include "core/scenario/parameters.h"
 #include "io/case_file.h"
 #include "io/fe_reader.h"
+#include "io/site_reader.h"
 
 namespace rubble::python {
 
@@ -83,8 +84,9 @@ std::shared_ptr<Collapse> Collapse::open(const std::string& path, const std::opt
             {"case.input_changed.remedy", "Find the file with the SHA-256 of the case, or save the case anew.", {}},
             opened->m_fePath);
     }
-    opened->m_terrain = terrain ? io::openTerrain(*terrain, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), execution)
-                                : io::openTerrainOfCase(opened->m_case, opened->m_path, inputs.fe->mesh(), execution);
+    opened->m_terrain =
+        terrain ? io::openTerrain(*terrain, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), execution, opened->m_case.site)
+                : io::openTerrainOfCase(opened->m_case, opened->m_path, inputs.fe->mesh(), execution);
     inputs.terrain = opened->m_terrain.grid;
     opened->m_findings.append(opened->m_terrain.findings);
     return opened;
@@ -135,6 +137,7 @@ io::RunOrigin Collapse::origin() const {
     origin.feSha256 = m_inputs.fe->contents().sha256;
     origin.terrainPath = m_terrain.path;
     origin.terrainSha256 = m_terrain.sha256;
+    io::recordSite(origin, m_terrain, m_case.site);
     origin.frame = m_inputs.frame;
     origin.scenario = m_scenario;
     origin.scenarioName = m_scenarioName;

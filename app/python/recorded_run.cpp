@@ -57,7 +57,8 @@ const Inputs& RecordedRun::inputs(const std::optional<std::string>& fe, const Ex
     inputs.frame = inputs.fe->contents().frame;
     if (!origin.terrainPath.empty()) {
         checkDigest(origin.terrainPath, io::sha256OfFile(origin.terrainPath), origin.terrainSha256);
-        inputs.terrain = io::openTerrain(origin.terrainPath, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), execution).grid;
+        inputs.terrain =
+            io::openTerrain(origin.terrainPath, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), execution, origin.site).grid;
     }
     m_inputs = std::move(inputs);
     return *m_inputs;

@@ -29,7 +29,11 @@ void check(const SurveySettings& settings) {
 class SideSum {
 public:
     SideSum(const Eigen::Vector2d& centre, const SurveySettings& settings, bool heights)
-        : m_centre(centre), m_cell(settings.cell), m_heights(heights), m_reach(static_cast<std::size_t>(settings.sectors)) {}
+        : m_centre(centre),
+          m_cell(settings.cell),
+          m_heights(heights),
+          m_turn(settings.turn),
+          m_reach(static_cast<std::size_t>(settings.sectors)) {}
 
     /// @param height  m, of a cell that is covered
     void add(const Eigen::Vector2d& middle, double height) {
@@ -41,7 +45,8 @@ public:
         m_side.centroid += weight * middle;
         const Eigen::Vector2d from = middle - m_centre;
         const auto sectors = static_cast<double>(m_reach.size());
-        const double turn = std::atan2(from.y(), from.x()) / (2.0 * std::numbers::pi) * sectors + 0.5;
+        const double bearing = std::remainder(std::atan2(from.y(), from.x()) + m_turn, 2.0 * std::numbers::pi);
+        const double turn = bearing / (2.0 * std::numbers::pi) * sectors + 0.5;
         const auto sector = static_cast<std::size_t>(std::floor(turn) + sectors) % m_reach.size();
         m_reach[sector].push_back(from.norm());
     }
@@ -61,6 +66,7 @@ private:
     double m_cell;
     bool m_heights;
     double m_weight = 0.0;
+    double m_turn;                             // rad
     std::vector<std::vector<double>> m_reach;  ///< m, of covered cells [sectors]
     SurveySide m_side;
 };

@@ -16,6 +16,7 @@ struct SurveySettings {
     SurveyFit fit = SurveyFit::None;
     double shiftMost = 5.0;  ///< m, that the survey is moved in plan at most
     int sectors = 8;         ///< directions in which run-out is measured
+    double turn = 0.0;       ///< rad, counter-clockwise from east to local x
 };
 
 /// How the survey was moved.

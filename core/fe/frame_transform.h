@@ -16,6 +16,8 @@ public:
     /// Displacement or velocity; not moved by the origin.
     Vec3 vector(const Vec3& inFile) const { return m_rotation * (m_metresPerUnit * inFile); }
     Vec3 pointInFile(const Vec3& local) const { return (m_rotation.transpose() * local + m_origin) / m_metresPerUnit; }
+    /// m, the zero of the local frame along its own axes: added to local places it gives those of the file, z up.
+    Vec3 localZero() const { return m_rotation * m_origin; }
     double metresPerUnit() const { return m_metresPerUnit; }
 
 private:

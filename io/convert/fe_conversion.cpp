@@ -4,11 +4,11 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/fe/frame_transform.h"
 #include "io/convert/exodus_writer.h"
 #include "io/convert/grid_writer.h"
 #include "io/fe_copy/copy_writer.h"
 #include "io/files.h"
-#include "io/fragment_places.h"
 
 namespace rubble::io {
 
@@ -91,7 +91,7 @@ Conversion convertFe(const FeResult& fe, const Frame& frame, const std::string& 
     if (!replace) {
         requireFree(path, made.target);
     }
-    const Vec3 offset = WorldOffset(frame).offset();
+    const Vec3 offset = FrameTransform(frame).localZero();
     if (made.target == ConversionTarget::GridSeries) {
         writeGridSeries(path, fe, offset, replace, execution);
         made.files.push_back(gridFolder(path));

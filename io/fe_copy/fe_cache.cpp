@@ -201,6 +201,8 @@ private:
         contents.bytes = bytesOf(m_found.files);
         contents.sha256 = copy.about.sha256;
         contents.frame = copy.about.frame;
+        // Nothing in the copy depends on the coordinate system: it may have been given to the case since.
+        contents.frame.crs = m_frame.crs;
         contents.units = copy.about.units;
         contents.unitsFrom = copy.about.unitsFrom;
         contents.fingerprint = feFingerprint(*m_found.format, contents.sha256, m_settings, contents.frame, contents.units);

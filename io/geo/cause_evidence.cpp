@@ -13,13 +13,13 @@ std::string_view evidenceKeyword(EvidenceFile::Kind kind) {
     return names[static_cast<std::size_t>(kind)];
 }
 
-SurfaceEvidence readEvidence(const EvidenceFile& file, const Frame& frame, const SurfaceSettings& settings,
+SurfaceEvidence readEvidence(const EvidenceFile& file, const Frame& frame, const Site& site, const SurfaceSettings& settings,
                              const SiteSurface& ground) {
     if (file.kind == EvidenceFile::Kind::Footprint) {
-        return readFootprint(file.path, frame, settings.cell, settings.withFallen);
+        return readFootprint(file.path, frame, site, settings.cell, settings.withFallen);
     }
     const auto meaning = file.kind == EvidenceFile::Kind::Heights ? SurveyedHeights::OfDebris : SurveyedHeights::OfSurface;
-    return readHeights(file.path, frame, settings.cell, meaning, settings.withFallen, ground);
+    return readHeights(file.path, frame, site, settings.cell, meaning, settings.withFallen, ground);
 }
 
 std::vector<PhotoEvidence> photographsAsEvidence(const Case& theCase, Findings& findings, const Execution& execution) {

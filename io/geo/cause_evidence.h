@@ -25,7 +25,7 @@ struct EvidenceFile {
 std::string_view evidenceKeyword(EvidenceFile::Kind kind);
 
 /// Reads a file of evidence onto the cells of the ensembles. Throws as readFootprint() and readHeights().
-SurfaceEvidence readEvidence(const EvidenceFile& file, const Frame& frame, const SurfaceSettings& settings,
+SurfaceEvidence readEvidence(const EvidenceFile& file, const Frame& frame, const Site& site, const SurfaceSettings& settings,
                              const SiteSurface& ground);
 
 /// The photographs of a case that say where debris lay at rest and whose camera is known, in their order; every other one is a

@@ -31,11 +31,13 @@ std::string ensembleClass(const EnsembleReport& report) {
     return report.instant == DebrisInstant::AtRest ? "simulated, at rest" : "simulated, at the end of the FE result";
 }
 
-MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, const Frame& frame,
+MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, const Frame& frame, const Site& site,
                          const std::vector<EnsembleInput>& inputs) {
     MapOrigin origin;
     origin.frame = frame;
-    const std::string crs = MapPlace(frame).name();
+    origin.site = site;
+    const MapPlace place(frame, site);
+    const std::string& crs = place.name();
     const std::string counted = report.surface.withFallen ? "fragments and live structure that moved farther than " +
                                                                 exactNumber(report.surface.liveThreshold) + " m"
                                                           : "fragments";
@@ -45,7 +47,7 @@ MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, con
     for (const EnsembleInput& input : inputs) {
         json["inputs"].push_back({{"role", input.role}, {"path", input.path}, {"sha256", input.sha256}});
     }
-    json["coordinates"] = "metres, z up, origin of the frame added";
+    json["coordinates"] = std::string(place.site().words());
     json["ensemble"] = ensembleJson(report.settings);
     json["members"] = membersJson(report);
     json["map"] = {{"class", ensembleClass(report)},

@@ -16,7 +16,7 @@ struct EnsembleInput {
 
 /// What a map of an ensemble was made from: inputs, what was varied, and for each member what was drawn and its trajectory.
 /// @param map  of probabilities, or of what tells hypotheses apart
-MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, const Frame& frame,
+MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, const Frame& frame, const Site& site,
                          const std::vector<EnsembleInput>& inputs);
 
 /// "at rest" or "at the end of the FE result", with what counts as debris.

@@ -43,31 +43,19 @@ GDALDatasetUniquePtr open(const std::string& path, unsigned int kind) {
     return file;
 }
 
-/// From coordinates of the system of the case to local metres.
-class ToLocal {
-public:
-    explicit ToLocal(const MapPlace& place) : m_unit(place.metresPerUnit()), m_offset(place(Eigen::Vector2d::Zero()) * m_unit) {}
-    Eigen::Vector2d operator()(double x, double y) const { return Eigen::Vector2d(x, y) * m_unit - m_offset; }
-    Eigen::Vector2d back(const Eigen::Vector2d& local) const { return (local + m_offset) / m_unit; }
-
-private:
-    double m_unit;
-    Eigen::Vector2d m_offset;
-};
-
 /// The edges of polygons, and which cells lie within them by the even-odd rule.
 class PolygonFill {
 public:
     explicit PolygonFill(double cell) : m_cell(cell) {}
 
-    void add(const OGRGeometry& geometry, const ToLocal& toLocal) {
+    void add(const OGRGeometry& geometry, const MapPlace& place) {
         if (const auto* polygon = dynamic_cast<const OGRPolygon*>(&geometry)) {
             for (const OGRLinearRing* ring : *polygon) {
-                addRing(*ring, toLocal);
+                addRing(*ring, place);
             }
         } else if (const auto* many = dynamic_cast<const OGRGeometryCollection*>(&geometry)) {
             for (const OGRGeometry* each : *many) {
-                add(*each, toLocal);
+                add(*each, place);
             }
         }
     }
@@ -96,9 +84,9 @@ public:
     double rows() const { return m_rows; }
 
 private:
-    void addRing(const OGRLinearRing& ring, const ToLocal& toLocal) {
+    void addRing(const OGRLinearRing& ring, const MapPlace& place) {
         for (int k = 0; k + 1 < ring.getNumPoints(); ++k) {
-            addEdge(toLocal(ring.getX(k), ring.getY(k)), toLocal(ring.getX(k + 1), ring.getY(k + 1)));
+            addEdge(place.toLocal({ring.getX(k), ring.getY(k)}), place.toLocal({ring.getX(k + 1), ring.getY(k + 1)}));
         }
     }
 
@@ -161,10 +149,9 @@ void bringOver(OGRGeometry& geometry, const OGRSpatialReference* from, const Map
 class HeightBands {
 public:
     HeightBands(const std::string& path, bool withFallen) : m_path(path), m_file(open(path, GDAL_OF_RASTER)) {
-        if (m_file->GetGeoTransform(m_place.data()) != CE_None || m_place[2] != 0.0 || m_place[4] != 0.0 || m_place[1] == 0.0 ||
-            m_place[5] == 0.0) {
-            refuse({"evidence.no_place", "{0} does not say where its pixels lie, or is turned", {path}},
-                   "Give it a place with gdal_translate -a_ullr, or turn it upright with gdalwarp.");
+        if (m_file->GetGeoTransform(m_place.data()) != CE_None || GDALInvGeoTransform(m_place.data(), m_pixels.data()) == FALSE) {
+            refuse({"evidence.no_place", "{0} does not say where its pixels lie", {path}},
+                   "Give it a place with gdal_translate -a_ullr.");
         }
         const char* ours = m_file->GetMetadataItem("RUBBLE_CLASS");
         m_ours = ours != nullptr;
@@ -183,15 +170,18 @@ public:
 
     bool ours() const { return m_ours; }
     const OGRSpatialReference* system() const { return m_file->GetSpatialRef(); }
-    std::array<double, 4> box() const {
-        const double x1 = m_place[0] + m_width * m_place[1];
-        const double y1 = m_place[3] + m_height * m_place[5];
-        return {std::min(m_place[0], x1), std::min(m_place[3], y1), std::max(m_place[0], x1), std::max(m_place[3], y1)};
+    /// Its corners, in coordinates of the file.
+    std::array<Eigen::Vector2d, 4> corners() const {
+        const auto corner = [&](double column, double row) {
+            return Eigen::Vector2d(m_place[0] + column * m_place[1] + row * m_place[2],
+                                   m_place[3] + column * m_place[4] + row * m_place[5]);
+        };
+        return {corner(0.0, 0.0), corner(m_width, 0.0), corner(0.0, m_height), corner(m_width, m_height)};
     }
     /// The greatest of the bands at a place of the file; NaN where none has a value.
     double at(const Eigen::Vector2d& place) const {
-        const auto column = static_cast<int>(std::floor((place.x() - m_place[0]) / m_place[1]));
-        const auto row = static_cast<int>(std::floor((place.y() - m_place[3]) / m_place[5]));
+        const auto column = static_cast<int>(std::floor(m_pixels[0] + place.x() * m_pixels[1] + place.y() * m_pixels[2]));
+        const auto row = static_cast<int>(std::floor(m_pixels[3] + place.x() * m_pixels[4] + place.y() * m_pixels[5]));
         double value = std::numeric_limits<double>::quiet_NaN();
         if (column < 0 || row < 0 || column >= m_width || row >= m_height) {
             return value;
@@ -232,6 +222,7 @@ private:
     std::string m_path;
     GDALDatasetUniquePtr m_file;
     std::array<double, 6> m_place{};
+    std::array<double, 6> m_pixels{};  ///< from places to pixels
     bool m_ours = false;
     std::vector<int> m_bands;
     int m_width = 0;
@@ -240,13 +231,13 @@ private:
 };
 
 /// Mean height of the debris in a cell; NaN where it was not looked at.
-double heightIn(const HeightBands& bands, const ToLocal& toLocal, const Eigen::Vector2d& corner, double cell, bool surface,
+double heightIn(const HeightBands& bands, const MapPlace& place, const Eigen::Vector2d& corner, double cell, bool surface,
                 double zero, const SiteSurface& ground) {
     double sum = 0.0;
     for (int k = 0; k < samplesPerSide * samplesPerSide; ++k) {
         const Eigen::Vector2d at =
             corner + cell / samplesPerSide * Eigen::Vector2d(k % samplesPerSide + 0.5, k / samplesPerSide + 0.5);
-        double value = bands.at(toLocal.back(at));
+        double value = bands.at(place(at));
         if (bands.ours() && std::isnan(value)) {
             value = 0.0;
         }
@@ -261,15 +252,14 @@ double heightIn(const HeightBands& bands, const ToLocal& toLocal, const Eigen::V
 
 }  // namespace
 
-SurfaceEvidence readFootprint(const std::string& path, const Frame& frame, double cell, bool withFallen) {
-    const MapPlace place(frame);
+SurfaceEvidence readFootprint(const std::string& path, const Frame& frame, const Site& site, double cell, bool withFallen) {
+    const MapPlace place(frame, site);
     const GdalCalls calls;
     const GDALDatasetUniquePtr file = open(path, GDAL_OF_VECTOR);
     OGRLayer* layer = polygonsOf(*file);
     if (layer == nullptr) {
         refuse({"evidence.no_polygons", "{0} has no layer of polygons", {path}}, "Give the outline of the debris as polygons.");
     }
-    const ToLocal toLocal(place);
     std::vector<MapCell> cells;
     double rows = 0.0;
     layer->ResetReading();
@@ -283,7 +273,7 @@ SurfaceEvidence readFootprint(const std::string& path, const Frame& frame, doubl
         }
         bringOver(*geometry, layer->GetSpatialRef(), place, frame, path);
         PolygonFill fill(cell);
-        fill.add(*geometry, toLocal);
+        fill.add(*geometry, place);
         const std::vector<MapCell> more = fill.rows() > cellsMost ? std::vector<MapCell>() : fill.cells();
         rows += fill.rows();
         if (rows > cellsMost) {
@@ -305,9 +295,9 @@ SurfaceEvidence readFootprint(const std::string& path, const Frame& frame, doubl
     return evidence;
 }
 
-SurfaceEvidence readHeights(const std::string& path, const Frame& frame, double cell, SurveyedHeights meaning, bool withFallen,
-                            const SiteSurface& ground) {
-    const MapPlace place(frame);
+SurfaceEvidence readHeights(const std::string& path, const Frame& frame, const Site& site, double cell, SurveyedHeights meaning,
+                            bool withFallen, const SiteSurface& ground) {
+    const MapPlace place(frame, site);
     const GdalCalls calls;
     const HeightBands bands(path, withFallen);
     const OGRSpatialReference* system = bands.system();
@@ -319,10 +309,12 @@ SurfaceEvidence readHeights(const std::string& path, const Frame& frame, double 
                    "Bring it over with gdalwarp -t_srs.");
         }
     }
-    const ToLocal toLocal(place);
-    const std::array<double, 4> box = bands.box();
-    const Eigen::Vector2d low = toLocal(box[0], box[1]) / cell;
-    const Eigen::Vector2d high = toLocal(box[2], box[3]) / cell;
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& corner : bands.corners()) {
+        box.extend(Eigen::Vector2d(place.toLocal(corner) / cell));
+    }
+    const Eigen::Vector2d low = box.min();
+    const Eigen::Vector2d high = box.max();
     if (!(std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()) < 1e8) || (high - low).prod() > cellsMost) {
         refuse({"evidence.elsewhere", "{0} lies too far from the site to be compared on cells of {1}", {path, {cell, "m"}}},
                "Check its coordinate system and that of the case, or choose larger cells.");
@@ -333,8 +325,8 @@ SurfaceEvidence readHeights(const std::string& path, const Frame& frame, double 
     evidence.everywhere = bands.ours();
     for (auto j = static_cast<std::int32_t>(std::floor(low.y() + 1e-6)); j < high.y() - 1e-6; ++j) {
         for (auto i = static_cast<std::int32_t>(std::floor(low.x() + 1e-6)); i < high.x() - 1e-6; ++i) {
-            const double height = heightIn(bands, toLocal, cell * Eigen::Vector2d(i, j), cell,
-                                           meaning == SurveyedHeights::OfSurface, place.zeroHeight(), ground);
+            const double height = heightIn(bands, place, cell * Eigen::Vector2d(i, j), cell, meaning == SurveyedHeights::OfSurface,
+                                           place.zeroHeight() - site.heightShift, ground);
             if (std::isfinite(height) && !bands.ours()) {
                 evidence.looked.push_back({j, i});
             }

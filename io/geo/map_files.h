@@ -7,6 +7,7 @@
 #include "core/analysis/debris.h"
 #include "core/evidence/debris_map.h"
 #include "core/fe/frame.h"
+#include "core/scenario/site.h"
 #include "io/run_file.h"
 
 namespace rubble::io {
@@ -14,6 +15,7 @@ namespace rubble::io {
 /// What a map was made from, as every file of it says.
 struct MapOrigin {
     Frame frame;
+    Site site;
     std::vector<std::pair<std::string, std::string>> facts;  ///< key and value, in the order in which they are written
     std::string provenance;                                  ///< the sidecar, JSON
 };
@@ -31,14 +33,15 @@ struct MapFragments {
 };
 
 /// Writes a map as GeoTIFF: one band of 64-bit floats for each layer, with name, unit and no-data value -9999, rows from the north,
-/// the coordinate system of the case. Blocks without debris take no room. Atomic, with NAME.provenance.json.
+/// the coordinate system of the case; of a case whose control points turn it pixels are turned likewise. Blocks without debris take
+/// no room. Atomic, with NAME.provenance.json.
 /// @param layers  that the map has
 /// Throws WorldError, UsageError (too large for a file; a coordinate system that does not do), Cancelled.
 void writeMapTiff(const std::string& path, const DebrisMap& map, const std::vector<MapLayer>& layers, const MapOrigin& origin,
                   const Execution& execution);
 
-/// Writes a map as CSV: one row for each cell, its middle in metres with the origin of the case added, then a column for each
-/// layer. Atomic, with NAME.provenance.json. Throws WorldError, Cancelled.
+/// Writes a map as CSV: one row for each cell, easting and northing of its middle in metres, then a column for each layer. Atomic,
+/// with NAME.provenance.json. Throws WorldError, Cancelled.
 void writeMapCsv(const std::string& path, const DebrisMap& map, const std::vector<MapLayer>& layers, const MapOrigin& origin,
                  const Execution& execution);
 

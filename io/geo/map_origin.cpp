@@ -34,7 +34,8 @@ MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown)
     const RunOrigin& from = run.origin();
     MapOrigin origin;
     origin.frame = from.frame;
-    const std::string crs = MapPlace(from.frame).name();
+    origin.site = from.site;
+    const std::string crs = MapPlace(from.frame, from.site).name();
     nlohmann::json json = nlohmann::json::parse(provenanceText(run));
     json["map"] = {{"time_s", map.time},
                    {"class", shownClass(shown)},

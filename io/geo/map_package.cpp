@@ -197,7 +197,7 @@ void writeMapPackage(const std::string& path, const DebrisMap& map, const MapFra
                      const MapOrigin& origin, const Execution& execution) {
     const Message stage{"io.export.map", "Writing {0}", {path}};
     execution.report(stage, 0.0);
-    const MapPlace place(origin.frame);
+    const MapPlace place(origin.frame, origin.site);
     const GdalMemoryFile memory(".gpkg");
     {
         const GdalCalls calls;

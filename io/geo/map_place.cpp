@@ -2,20 +2,18 @@
 
 #include <ogr_spatialref.h>
 
+#include <cmath>
+
 #include "core/base/error.h"
-#include "io/fragment_places.h"
 #include "io/geo/gdal_memory.h"
 
 namespace rubble::io {
 
-MapPlace::MapPlace(const Frame& frame) : m_system(std::make_unique<OGRSpatialReference>()) {
+MapPlace::MapPlace(const Frame& frame, const Site& site) : m_site(frame, site), m_system(std::make_unique<OGRSpatialReference>()) {
     const GdalCalls calls;
-    const Vec3 offset = WorldOffset(frame).offset();
-    m_offset = offset.head<2>();
-    m_zeroHeight = offset.z();
     if (frame.crs.empty()) {
-        m_name = "local, metres";
-        m_system->SetLocalCS("Local frame of the case");
+        m_name = m_site.upright() ? "local, metres" : "that of the control points, metres";
+        m_system->SetLocalCS(m_site.upright() ? "Local frame of the case" : "Frame of the control points");
         m_system->SetLinearUnits(SRS_UL_METER, 1.0);
         return;
     }
@@ -37,5 +35,15 @@ MapPlace::MapPlace(const Frame& frame) : m_system(std::make_unique<OGRSpatialRef
 }
 
 MapPlace::~MapPlace() = default;
+
+std::array<double, 6> MapPlace::pixels(const Eigen::Vector2d& corner, double side) const {
+    const SiteFit& site = m_site.transform();
+    const Eigen::Vector2d at = (*this)(corner);
+    // Pixels of an upright map have no turn of rounding.
+    const double step = site.scale * side / m_metresPerUnit;
+    const double along = site.angle == 0.0 ? step : step * std::cos(site.angle);
+    const double across = site.angle == 0.0 ? 0.0 : step * std::sin(site.angle);
+    return {at.x(), along, across, at.y(), across, -along};
+}
 
 }  // namespace rubble::io

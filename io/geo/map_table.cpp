@@ -3,8 +3,8 @@
 
 #include "core/base/csv_text.h"
 #include "io/files.h"
-#include "io/fragment_places.h"
 #include "io/geo/map_files.h"
+#include "io/terrain/site_place.h"
 
 namespace rubble::io {
 
@@ -23,7 +23,7 @@ std::string mapColumn(MapLayer layer) {
 void writeMapCsv(const std::string& path, const DebrisMap& map, const std::vector<MapLayer>& layers, const MapOrigin& origin,
                  const Execution& execution) {
     const Message stage{"io.export.map", "Writing {0}", {path}};
-    const Vec3 offset = WorldOffset(origin.frame).offset();
+    const SitePlace place(origin.frame, origin.site);
     writeAtomically(path, [&](std::ostream& out) {
         out << "x_m,y_m";
         for (const MapLayer layer : layers) {
@@ -34,8 +34,9 @@ void writeMapCsv(const std::string& path, const DebrisMap& map, const std::vecto
             if (c % 16384 == 0) {
                 execution.report(stage, static_cast<double>(c) / static_cast<double>(map.cells.size()));
             }
-            out << exactNumber((map.cells[c].i + 0.5) * map.cell + offset.x()) << ','
-                << exactNumber((map.cells[c].j + 0.5) * map.cell + offset.y());
+            const Eigen::Vector2d middle = map.cell * Eigen::Vector2d(map.cells[c].i + 0.5, map.cells[c].j + 0.5);
+            const Eigen::Vector2d at = place.planToWorld(middle);
+            out << exactNumber(at.x()) << ',' << exactNumber(at.y());
             for (const MapLayer layer : layers) {
                 const double value = map.layer(layer)[c];
                 const bool named =

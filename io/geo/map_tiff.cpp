@@ -127,7 +127,7 @@ void writeMapTiff(const std::string& path, const DebrisMap& map, const std::vect
                   const Execution& execution) {
     const Message stage{"io.export.map", "Writing {0}", {path}};
     execution.report(stage, 0.0);
-    const MapPlace place(origin.frame);
+    const MapPlace place(origin.frame, origin.site);
     const Extent extent(map);
     checkSize(map, extent, layers.size());
     const GdalMemoryFile memory(".tif");
@@ -143,9 +143,7 @@ void writeMapTiff(const std::string& path, const DebrisMap& map, const std::vect
         if (!file) {
             failGdal(path);
         }
-        const Eigen::Vector2d corner = place(map.cell * Eigen::Vector2d(extent.low.i, extent.high.j + 1.0));
-        const double step = map.cell / place.metresPerUnit();
-        std::array<double, 6> transform{corner.x(), step, 0.0, corner.y(), 0.0, -step};
+        std::array<double, 6> transform = place.pixels(map.cell * Eigen::Vector2d(extent.low.i, extent.high.j + 1.0), map.cell);
         file->SetGeoTransform(transform.data());
         file->SetSpatialRef(&place.system());
         describe(*file, map, layers, origin);

@@ -182,6 +182,8 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
     execution.check();
     SurveyInput input;
     input.path = path;
+    input.frame = frame;
+    input.site = site;
     input.survey.name = fs::path(path).filename().string();
     {
         const GdalCalls calls;

@@ -16,6 +16,8 @@ struct SurveyInput {
     std::string path;
     std::string sha256;
     std::string crs;
+    Frame frame;  ///< of the case that it was brought into
+    Site site;
     Findings findings;
 };
 

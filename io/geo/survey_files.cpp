@@ -42,8 +42,9 @@ std::vector<double> northUp(const CellGrid& grid) {
 MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey) {
     const RunOrigin& from = run.origin();
     MapOrigin origin;
-    origin.frame = from.frame;
-    const std::string crs = MapPlace(from.frame).name();
+    origin.frame = survey.frame;
+    origin.site = survey.site;
+    const std::string crs = MapPlace(survey.frame, survey.site).name();
     const std::string fallen =
         made.settings.withFallen ? "counted, moved farther than " + exactNumber(made.settings.liveThreshold) + " m" : "left out";
     nlohmann::json json = nlohmann::json::parse(provenanceText(run));
@@ -74,7 +75,7 @@ MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const
 
 void writeSurveyTiff(const std::string& path, const SurveyComparison& made, const MapOrigin& origin, const Execution& execution) {
     execution.check();
-    const MapPlace place(origin.frame);
+    const MapPlace place(origin.frame, origin.site);
     const CellGrid& grid = made.difference;
     const GdalMemoryFile memory(".tif");
     {
@@ -86,9 +87,7 @@ void writeSurveyTiff(const std::string& path, const SurveyComparison& made, cons
         if (!file) {
             failGdal(path);
         }
-        const Eigen::Vector2d corner = place(grid.cell * Eigen::Vector2d(grid.low.i, grid.low.j + grid.rows));
-        const double step = grid.cell / place.metresPerUnit();
-        std::array<double, 6> transform{corner.x(), step, 0.0, corner.y(), 0.0, -step};
+        std::array<double, 6> transform = place.pixels(grid.cell * Eigen::Vector2d(grid.low.i, grid.low.j + grid.rows), grid.cell);
         file->SetGeoTransform(transform.data());
         file->SetSpatialRef(&place.system());
         for (const auto& [key, value] : origin.facts) {

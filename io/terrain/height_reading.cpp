@@ -191,8 +191,8 @@ std::size_t Reading::factorFor(double nodes, double cell) {
 void Reading::readUpright() {
     const RasterPlace& place = m_file.place();
     const double unit = m_file.metresPerUnit();
-    const Axis x{unit * place.x0 + m_place.shift().x(), unit * place.dx, place.columns};
-    const Axis y{unit * place.y0 + m_place.shift().y(), unit * place.dy, place.rows};
+    const Axis x{unit * place.x0 - m_place.transform().shift.x(), unit * place.dx, place.columns};
+    const Axis y{unit * place.y0 - m_place.transform().shift.y(), unit * place.dy, place.rows};
     checkOverlap({x.low(), y.low()}, {x.high(), y.high()});
     Range columns{0, x.pixels};
     Range rows{0, y.pixels};

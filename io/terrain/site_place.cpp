@@ -1,11 +1,24 @@
 #include "io/terrain/site_place.h"
 
+#include <cmath>
+
 namespace rubble::io {
 
-SitePlace::SitePlace(const Frame& frame, const Site& site) : m_shift(FrameTransform(frame).point(Vec3::Zero())) {
+SitePlace::SitePlace(const Frame& frame, const Site& site) {
     if (usedPoints(site.controlPoints) >= 2) {
-        m_fit = fitControlPoints(site.controlPoints);
+        m_transform = fitControlPoints(site.controlPoints);
+        // A millionth of a metre at a kilometre is rounding, no turn.
+        m_transform.angle = std::abs(m_transform.angle) < 1e-9 ? 0.0 : m_transform.angle;
+    } else {
+        const Vec3 zero = FrameTransform(frame).localZero();
+        m_transform.shift = zero.head<2>();
+        m_transform.height = zero.z();
     }
+}
+
+std::string_view SitePlace::words() const {
+    return upright() ? "metres, z up, origin of the frame added"
+                     : "metres, z up, easting, northing and height by the control points of the site";
 }
 
 }  // namespace rubble::io

@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <optional>
 
 #include "core/base/error.h"
 #include "widgets/figures/draw.h"
+#include "widgets/figures/map_edges.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
 
@@ -274,27 +276,18 @@ private:
         painter.drawRect(m_frame);
         const double step =
             roundLength(m_map.cell / m_cellPixels, std::min({9.0 * m_text, 0.4 * m_frame.width(), 0.4 * m_frame.height()}));
-        const double tick = 0.4 * m_small;
         const double metres = m_map.cell / m_cellPixels;
         // Of a long and narrow map the width would have too many.
         double across = step;
         while (across / metres < leastTickWords * m_small) {
             across *= 2.0;
         }
-        const double west = m_style.origin.x() + m_map.cell * m_window.low.i - (m_cells.left() - m_frame.left()) * metres;
-        const double south = m_style.origin.y() + m_map.cell * m_window.low.j - (m_frame.bottom() - m_cells.bottom()) * metres;
-        for (double x = across * std::ceil(west / across); pixelX(x - m_style.origin.x()) <= m_frame.right(); x += across) {
-            const double at = pixelX(x - m_style.origin.x());
-            painter.drawLine(QPointF(at, m_frame.bottom()), QPointF(at, m_frame.bottom() + tick));
-            write(painter, QRectF(at - 40.0 * m_small, m_frame.bottom() + tick, 80.0 * m_small, 1.6 * m_small), coordinate(x),
-                  static_cast<int>(Qt::AlignHCenter | Qt::AlignTop), m_small);
-        }
-        for (double y = step * std::ceil(south / step); pixelY(y - m_style.origin.y()) >= m_frame.top(); y += step) {
-            const double at = pixelY(y - m_style.origin.y());
-            painter.drawLine(QPointF(m_frame.left() - tick, at), QPointF(m_frame.left(), at));
-            write(painter, QRectF(0.0, at - m_small, m_frame.left() - 1.5 * tick, 2.0 * m_small), coordinate(y),
-                  static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), m_small);
-        }
+        const auto local = [&](const QPointF& pixel) {
+            return Eigen::Vector2d(m_map.cell * (m_window.low.i + (pixel.x() - m_cells.left()) / m_cellPixels),
+                                   m_map.cell * (m_window.low.j + (m_cells.bottom() - pixel.y()) / m_cellPixels));
+        };
+        drawCoordinates(painter, {m_frame, local(m_frame.bottomLeft()), local(m_frame.topRight()), across, step}, m_style.place,
+                        m_small, m_palette.muted, m_palette.text);
     }
 
     void drawRing(QPainter& painter) {
@@ -309,11 +302,6 @@ private:
         painter.setPen(QPen(QColor(0x20, 0x22, 0x26), std::max(1.5, 0.15 * m_text), Qt::DashLine));
         painter.drawEllipse(middle, radius, radius);
         painter.restore();
-    }
-
-    static QString coordinate(double metres) {
-        const double value = std::abs(metres) < 1e-9 ? 0.0 : metres;
-        return QString::number(value, 'g', 10);
     }
 
     void drawScaleBar(QPainter& painter) {
@@ -333,11 +321,15 @@ private:
         painter.drawPolyline(points.data(), static_cast<int>(points.size()));
     }
 
-    /// Without a coordinate system nobody said that y is north.
+    /// Without a coordinate system or control points nobody said that y is north.
     void drawNorth(QPainter& painter) {
         const double x = m_legend.left() + 0.5 * m_line;
         const double top = m_legend.top() + 1.2 * m_line;
-        const QString letter = m_style.system.empty() ? QStringLiteral("y") : tr("N");
+        const QString letter = m_style.system.empty() && m_style.place.angle == 0.0 ? QStringLiteral("y") : tr("N");
+        painter.save();
+        painter.translate(x, top + 0.5 * m_line);
+        painter.rotate(m_style.place.angle / std::numbers::pi * 180.0);
+        painter.translate(-x, -top - 0.5 * m_line);
         write(painter, QRectF(x - m_line, top - 1.2 * m_line, 2.0 * m_line, 1.1 * m_line), letter,
               static_cast<int>(Qt::AlignHCenter | Qt::AlignBottom), m_text);
         painter.setPen(Qt::NoPen);
@@ -345,6 +337,7 @@ private:
         const std::array<QPointF, 4> arrow{QPointF(x, top), QPointF(x + 0.45 * m_line, top + 1.6 * m_line),
                                            QPointF(x, top + 1.25 * m_line), QPointF(x - 0.45 * m_line, top + 1.6 * m_line)};
         painter.drawConvexPolygon(arrow.data(), 4);
+        painter.restore();
     }
 
     void drawLegend(QPainter& painter) {

@@ -8,6 +8,7 @@
 
 #include "core/base/geometry.h"
 #include "core/evidence/debris_map.h"
+#include "core/fe/control_points.h"
 #include "core/fe/orthophoto.h"
 #include "widgets/render/view.h"
 
@@ -22,11 +23,11 @@ struct MapRing {
 /// How a map is drawn.
 struct MapPictureStyle {
     QSize pixels{1600, 1000};
-    double dpi = 200.0;                                ///< decides the size of text: 9 pt
-    Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< m, added to the coordinates along the edges
-    std::string system;                                ///< coordinate system, for people; empty: local, whose y need not be north
-    std::string shown = "simulated";                   ///< class of what is shown
-    std::string provenance;                            ///< one line in 6 pt at the foot, empty for none
+    double dpi = 200.0;               ///< decides the size of text: 9 pt
+    SiteFit place;                    ///< of the local frame: gives the coordinates along the edges and north
+    std::string system;               ///< coordinate system, for people; empty: local, whose y need not be north
+    std::string shown = "simulated";  ///< class of what is shown
+    std::string provenance;           ///< one line in 6 pt at the foot, empty for none
     render::Theme theme = render::Theme::Print;
     std::optional<MapRing> ring;
 };

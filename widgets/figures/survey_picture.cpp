@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "widgets/figures/draw.h"
+#include "widgets/figures/map_edges.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
 
@@ -234,24 +235,9 @@ private:
         painter.drawRect(m_cells);
         const double metres = m_grid.cell / m_cellPixels;
         const double step = roundLength(metres, std::min({9.0 * m_text, 0.4 * m_cells.width(), 0.4 * m_cells.height()}));
-        const double tick = 0.4 * m_small;
-        const double west = m_style.origin.x() + m_grid.cell * (m_grid.low.i + m_window.left);
-        const double south = m_style.origin.y() + m_grid.cell * (m_grid.low.j + m_window.bottom);
-        const auto shown = [](double value) { return QString::number(std::abs(value) < 1e-9 ? 0.0 : value, 'g', 10); };
-        for (double x = step * std::ceil(west / step); step > 0.0 && x <= west + m_grid.cell * m_window.columns(); x += step) {
-            const double at = place(columnOf(x - m_style.origin.x()), 0.0).x();
-            painter.setPen(m_palette.muted);
-            painter.drawLine(QPointF(at, m_cells.bottom()), QPointF(at, m_cells.bottom() + tick));
-            write(painter, QRectF(at - 40.0 * m_small, m_cells.bottom() + tick, 80.0 * m_small, 1.6 * m_small), shown(x),
-                  static_cast<int>(Qt::AlignHCenter | Qt::AlignTop), m_small);
-        }
-        for (double y = step * std::ceil(south / step); step > 0.0 && y <= south + m_grid.cell * m_window.rows(); y += step) {
-            const double at = place(0.0, rowOf(y - m_style.origin.y())).y();
-            painter.setPen(m_palette.muted);
-            painter.drawLine(QPointF(m_cells.left() - tick, at), QPointF(m_cells.left(), at));
-            write(painter, QRectF(0.0, at - m_small, m_cells.left() - 1.5 * tick, 2.0 * m_small), shown(y),
-                  static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), m_small);
-        }
+        const Eigen::Vector2d low = m_grid.cell * Eigen::Vector2d(m_grid.low.i + m_window.left, m_grid.low.j + m_window.bottom);
+        const Eigen::Vector2d high = low + m_grid.cell * Eigen::Vector2d(m_window.columns(), m_window.rows());
+        drawCoordinates(painter, {m_cells, low, high, step, step}, m_style.place, m_small, m_palette.muted, m_palette.text);
     }
 
     void drawScaleBar(QPainter& painter) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/evidence/survey_comparison.h"
+#include "core/fe/control_points.h"
 #include "widgets/render/view.h"
 
 class QPainter;
@@ -18,9 +19,9 @@ struct SurveyPictureStyle {
     QSize pixels{1600, 1000};
     double textPixels = 25.0;  ///< height of the text
     render::Theme theme = render::Theme::Print;
-    Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< m, added to the coordinates along the edges
-    std::string system;                                ///< coordinate system, for people; empty: local
-    std::string provenance;                            ///< one line at the foot, empty for none
+    SiteFit place;           ///< of the local frame: gives the coordinates along the edges and north
+    std::string system;      ///< coordinate system, for people; empty: local
+    std::string provenance;  ///< one line at the foot, empty for none
     bool caption = true;
 };
 

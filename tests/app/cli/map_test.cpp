@@ -1,9 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
+#include "io/case_file.h"
 #include "tests/app/cli/command_run.h"
 #include "tests/app/cli/small_collapse.h"
 
@@ -74,6 +76,73 @@ TEST_F(Map, IsAnExportToo) {
     EXPECT_EQ(map({"--cell", "1", "--out", m_folder / "same.tif"}).exitCode, 0);
     EXPECT_TRUE(textOf(tiff) == textOf(m_folder / "same.tif")) << "two commands, one exporter";
     EXPECT_EQ(cli({"export", m_out, "--export", "footprint=" + tiff}).exitCode, 2);
+}
+
+/// The numbers of a table's columns by name, row by row.
+std::vector<std::vector<double>> columnsOf(const std::string& path, const std::vector<std::string>& names) {
+    std::istringstream in(textOf(path));
+    std::string line;
+    std::getline(in, line);
+    const auto split = [](const std::string& text) {
+        std::vector<std::string> fields;
+        std::istringstream row(text);
+        for (std::string field; std::getline(row, field, ',');) {
+            fields.push_back(field);
+        }
+        return fields;
+    };
+    const std::vector<std::string> heads = split(line);
+    std::vector<std::vector<double>> rows;
+    while (std::getline(in, line)) {
+        const std::vector<std::string> fields = split(line);
+        std::vector<double>& row = rows.emplace_back();
+        for (const std::string& name : names) {
+            const auto head = std::find(heads.begin(), heads.end(), name);
+            EXPECT_NE(head, heads.end()) << name;
+            row.push_back(std::stod(fields.at(static_cast<std::size_t>(head - heads.begin()))));
+        }
+    }
+    return rows;
+}
+
+TEST_F(Map, LiesWhereControlPointsPutTheCase) {
+    // A quarter turn: local x points north, local y west.
+    Case theCase = io::caseForFe(m_path, m_folder / "small.rubble");
+    theCase.frame.crs = "EPSG:25832";
+    for (const Vec3& local : {Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(0, 10, 5)}) {
+        const Vec3 world(600000.0 - local.y(), 5600000.0 + local.x(), local.z() + 120.0);
+        theCase.site.controlPoints.push_back({"P", local, world, true});
+    }
+    io::saveCase(m_folder / "small.rubble", theCase);
+    const std::string placed = m_folder / "placed.run.h5";
+    ASSERT_EQ(cli({"run", m_folder / "small.rubble", "--out", placed, "--set", "settle_time=1"}).exitCode, 0);
+    for (const auto& [run, name] : {std::pair(m_out, "local"), std::pair(placed, "placed")}) {
+        const Outcome outcome = cli({"export", run, "--export", "fragments=" + (m_folder / (std::string(name) + ".csv")),
+                                     "--export", "debris-map=" + (m_folder / (std::string(name) + "-map.csv"))});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    }
+    const std::vector<std::string> finals{"final_x_m", "final_y_m", "final_z_m"};
+    const auto local = columnsOf(m_folder / "local.csv", finals);
+    const auto world = columnsOf(m_folder / "placed.csv", finals);
+    ASSERT_EQ(local.size(), static_cast<std::size_t>(smallDead));
+    ASSERT_EQ(world.size(), local.size());
+    for (std::size_t f = 0; f < local.size(); ++f) {
+        EXPECT_NEAR(world[f][0], 600000.0 - local[f][1], 1e-6);
+        EXPECT_NEAR(world[f][1], 5600000.0 + local[f][0], 1e-6);
+        EXPECT_NEAR(world[f][2], local[f][2] + 120.0, 1e-6);
+    }
+    const auto cells = columnsOf(m_folder / "local-map.csv", {"x_m", "y_m", "fragments"});
+    const auto placedCells = columnsOf(m_folder / "placed-map.csv", {"x_m", "y_m", "fragments"});
+    ASSERT_EQ(cells.size(), placedCells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        EXPECT_NEAR(placedCells[c][0], 600000.0 - cells[c][1], 1e-6);
+        EXPECT_NEAR(placedCells[c][1], 5600000.0 + cells[c][0], 1e-6);
+        EXPECT_EQ(placedCells[c][2], cells[c][2]);
+    }
+    const nlohmann::json said = nlohmann::json::parse(textOf(m_folder / "placed-map.csv.provenance.json"));
+    EXPECT_EQ(said["map"]["crs"], "ETRS89 / UTM zone 32N");
+    EXPECT_THAT(said["coordinates"].get<std::string>(), HasSubstr("control points"));
+    EXPECT_EQ(said["site"]["control_points"].size(), 3u);
 }
 
 TEST_F(Map, FollowsTheTimeAndTheSwitch) {

@@ -44,7 +44,8 @@ TEST_F(EvidenceSurface, HeightsOfAMapComeBack) {
     const std::string path = m_folder / "map.tif";
     writeMapTiff(path, m_map, m_map.present(), m_origin, Execution());
     for (const bool withFallen : {false, true}) {
-        const SurfaceEvidence evidence = readHeights(path, m_frame, 0.5, SurveyedHeights::OfDebris, withFallen, SiteSurface{});
+        const SurfaceEvidence evidence =
+            readHeights(path, m_frame, Site(), 0.5, SurveyedHeights::OfDebris, withFallen, SiteSurface{});
         EXPECT_TRUE(evidence.everywhere);
         std::size_t expected = 0;
         for (std::size_t c = 0; c < m_map.cells.size(); ++c) {
@@ -69,9 +70,9 @@ TEST_F(EvidenceSurface, FootprintOfAPackageComesBack) {
     FragmentSet none;
     Debris nothing;
     writeMapPackage(path, m_map, MapFragments{&none, &nothing, {}, {}, {}}, 0.5, m_origin, Execution());
-    const SurfaceEvidence all = readFootprint(path, m_frame, 0.5, true);
+    const SurfaceEvidence all = readFootprint(path, m_frame, Site(), 0.5, true);
     EXPECT_EQ(all.seen.cells, m_map.cells) << "polygons that overlap do not cancel";
-    const SurfaceEvidence fragments = readFootprint(path, m_frame, 0.5, false);
+    const SurfaceEvidence fragments = readFootprint(path, m_frame, Site(), 0.5, false);
     EXPECT_LT(fragments.seen.cells.size(), all.seen.cells.size());
     EXPECT_GT(fragments.seen.cells.size(), 0u);
 }
@@ -82,26 +83,27 @@ TEST_F(EvidenceSurface, APolygonCoversCellsByTheirMiddles) {
         << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon",
         "coordinates":[[[500000,5600000],[500010,5600000],[500010,5600004],[500000,5600004],[500000,5600000]],
                        [[500002,5600001],[500004,5600001],[500004,5600003],[500002,5600003],[500002,5600001]]]}}]})";
-    const SurfaceEvidence evidence = readFootprint(path, m_frame, 1.0, true);
+    const SurfaceEvidence evidence = readFootprint(path, m_frame, Site(), 1.0, true);
     EXPECT_EQ(evidence.seen.cells.size(), 40u - 4u);
     EXPECT_LT(evidence.seen.find({1, 2}), 0) << "in the hole";
     EXPECT_GE(evidence.seen.find({3, 9}), 0);
 }
 
 TEST_F(EvidenceSurface, WhatIsNoEvidenceIsRefused) {
-    EXPECT_THROW(readFootprint(m_folder / "none.gpkg", m_frame, 0.5, true), WorldError);
-    EXPECT_THROW(readHeights(m_folder / "none.tif", m_frame, 0.5, SurveyedHeights::OfDebris, true, SiteSurface{}), WorldError);
+    EXPECT_THROW(readFootprint(m_folder / "none.gpkg", m_frame, Site(), 0.5, true), WorldError);
+    EXPECT_THROW(readHeights(m_folder / "none.tif", m_frame, Site(), 0.5, SurveyedHeights::OfDebris, true, SiteSurface{}),
+                 WorldError);
     const std::string text = m_folder / "text.tif";
     std::ofstream(text) << "no raster";
-    EXPECT_THROW(readHeights(text, m_frame, 0.5, SurveyedHeights::OfDebris, true, SiteSurface{}), WorldError);
+    EXPECT_THROW(readHeights(text, m_frame, Site(), 0.5, SurveyedHeights::OfDebris, true, SiteSurface{}), WorldError);
     const std::string points = m_folder / "points.geojson";
     std::ofstream(points) << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},
         "geometry":{"type":"Point","coordinates":[1,2]}}]})";
-    EXPECT_THROW(readFootprint(points, m_frame, 0.5, true), ParseError);
+    EXPECT_THROW(readFootprint(points, m_frame, Site(), 0.5, true), ParseError);
     const std::string far = m_folder / "far.geojson";
     std::ofstream(far) << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon",
         "coordinates":[[[0,0],[1e300,0],[1e300,1e300],[0,0]]]}}]})";
-    EXPECT_THROW(readFootprint(far, m_frame, 0.5, true), ParseError);
+    EXPECT_THROW(readFootprint(far, m_frame, Site(), 0.5, true), ParseError);
 }
 
 TEST_F(EvidenceSurface, AMapOfAnEnsembleSaysWhatItIs) {
@@ -113,11 +115,11 @@ TEST_F(EvidenceSurface, AMapOfAnEnsembleSaysWhatItIs) {
         member.surface = std::make_shared<const MemberSurface>(MemberSurface{{{0, 0}, {0, 1}}, {height, height}, {100.0F, 100.0F}});
     }
     const DebrisMap map = probabilityMap(report, usualThresholds);
-    const MapOrigin origin = ensembleOrigin(report, map, m_frame, {{"fe", "a.exo", std::string(64, 'b')}});
+    const MapOrigin origin = ensembleOrigin(report, map, m_frame, Site(), {{"fe", "a.exo", std::string(64, 'b')}});
     const std::string path = m_folder / "probability.tif";
     writeMapTiff(path, map, map.present(), origin, Execution());
     // Its median of heights is evidence too.
-    const SurfaceEvidence evidence = readHeights(path, m_frame, 0.5, SurveyedHeights::OfDebris, true, SiteSurface{});
+    const SurfaceEvidence evidence = readHeights(path, m_frame, Site(), 0.5, SurveyedHeights::OfDebris, true, SiteSurface{});
     ASSERT_EQ(evidence.seen.cells.size(), 2u);
     EXPECT_NEAR(evidence.seen.heights[0], 1.5, 1e-6);
     EXPECT_NE(origin.provenance.find(std::string(64, 'b')), std::string::npos);

@@ -123,7 +123,7 @@ MapPictureStyle mapStyle() {
     MapPictureStyle style;
     style.pixels = {640, 400};
     style.dpi = 90.0;
-    style.origin = {691000.0, 5335000.0};
+    style.place.shift = {691000.0, 5335000.0};
     style.system = "EPSG:25832";
     style.provenance = "run fedcba9876543210, build";
     return style;

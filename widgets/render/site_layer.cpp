@@ -43,6 +43,13 @@ bool over(const Orthophoto& picture, const Vec3& a, const Vec3& b, const Vec3& c
     return !apart(a.x(), b.x(), c.x(), picture.x0, picture.right()) && !apart(a.y(), b.y(), c.y(), picture.y0, picture.top());
 }
 
+/// Whether a picture from above shows a triangle: walls and cliffs would be smeared with the colours of their edges.
+bool seenFromAbove(const Vec3& a, const Vec3& b, const Vec3& c) {
+    constexpr double stretchMost = 2.0;  // of the picture along the slope: 60 degrees
+    const Vec3 normal = (b - a).cross(c - a);
+    return stretchMost * std::abs(normal.z()) >= normal.norm();
+}
+
 }  // namespace
 
 SiteLayer::SiteLayer()
@@ -130,7 +137,7 @@ void SiteLayer::drape(const Orthophoto& picture, const SiteSurface& ground, cons
     }
     for (const auto& triangle : relief.triangles) {
         const auto at = [&](std::size_t k) -> const Vec3& { return relief.points[static_cast<std::size_t>(triangle[k])]; };
-        if (over(picture, at(0), at(1), at(2))) {
+        if (over(picture, at(0), at(1), at(2)) && seenFromAbove(at(0), at(1), at(2))) {
             const std::array<vtkIdType, 3> ids{triangle[0], triangle[1], triangle[2]};
             cells->InsertNextCell(3, ids.data());
         }

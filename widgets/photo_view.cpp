@@ -456,7 +456,8 @@ void PhotoView::paintMasks(QPainter& painter) const {
 }
 
 void PhotoView::paintMarks(QPainter& painter) const {
-    const figures::Palette& colours = tints();
+    // A photograph has no theme: deep colours with a white rim show on all of it.
+    const figures::Palette& colours = figures::palette(render::Theme::Light);
     const auto cross = [&](const QPointF& at, const QColor& colour, double arm, double wide) {
         painter.setPen(QPen(colour, wide));
         painter.drawLine(at - QPointF(arm, 0.0), at + QPointF(arm, 0.0));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/analysis/accuracy_study.h"
 #include "core/analysis/collapse_plan.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
@@ -128,13 +129,31 @@ void addFiles(ReportFacts& facts, const ReportRequest& request) {
     }
 }
 
-void addAccuracy(ReportFacts& facts, const ReportRequest& request) {
+/// The reference of the scene and those of its repeats that a sweep has kept; nothing is simulated.
+std::optional<RepeatFloor> keptReference(const ReportRequest& request, const ReportFacts& facts, StudyFiles& files,
+                                         const Execution& execution) {
+    constexpr int repeatsMost = 16;
+    AccuracyOptions options;
+    options.study.repeats = repeatsMost;
+    options.machine = facts.machine;
+    options.store = &files;
+    options.choice = WorldChoice::none();
+    AccuracyReport kept = accuracyStudy(request.inputs, facts.scenario, {}, options, execution);
+    execution.check();
+    return std::move(kept.floor);
+}
+
+void addAccuracy(ReportFacts& facts, const ReportRequest& request, const Execution& execution) {
     if (request.studyFolder.empty()) {
         return;
     }
     const WorldOrigin reference = originOf(request.inputs, referenceScenario(facts.scenario), 0, 0.0, facts.machine);
     Findings ignored;
-    facts.points = StudyFiles(request.studyFolder).points(sceneDigest(reference, DebrisInstant::AtRest), ignored);
+    StudyFiles files(request.studyFolder);
+    facts.points = files.points(sceneDigest(reference, DebrisInstant::AtRest), ignored);
+    if (!facts.points.empty()) {
+        facts.reference = keptReference(request, facts, files, execution);
+    }
     std::sort(facts.points.begin(), facts.points.end(), [](const KnownPoint& a, const KnownPoint& b) {
         return a.bodies != b.bodies ? a.bodies < b.bodies : a.setting < b.setting;
     });
@@ -249,7 +268,7 @@ ReportFacts reportFacts(const ReportRequest& request, const Execution& execution
     const MappedRun mapped{facts.fe.get(), request.run.get(), facts.fragments, facts.result, facts.terrain, facts.scenario};
     facts.map = mapOfRun(mapped, std::nullopt, {}, true, execution);
     addPhotographs(facts, request, execution);
-    addAccuracy(facts, request);
+    addAccuracy(facts, request, execution);
     addEnsemble(facts, request, execution);
     if (request.repeats > 0) {
         execution.report({"report.repeating", "Simulating the run again, and its repeats", {}}, 0.2);

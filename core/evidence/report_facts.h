@@ -77,10 +77,11 @@ struct ReportFacts {
 
     DebrisFigures atRest;
     DebrisFigures atFeEnd;
-    RunMap map;                        ///< at the end
-    std::optional<RepeatFloor> floor;  ///< of repeats made for the report; unset: none were
-    bool reproduced = false;           ///< the run was simulated again for the floor and came out bit for bit
-    std::vector<KnownPoint> points;    ///< settings of this scene that were compared with the reference
+    RunMap map;                            ///< at the end
+    std::optional<RepeatFloor> floor;      ///< of repeats made for the report; unset: none were
+    bool reproduced = false;               ///< the run was simulated again for the floor and came out bit for bit
+    std::vector<KnownPoint> points;        ///< settings of this scene that were compared with the reference
+    std::optional<RepeatFloor> reference;  ///< that reference with its repeats, as far as they were kept; unset: it was not
     std::vector<ReportPhoto> photographs;
     std::shared_ptr<const EnsembleReport> ensemble;  ///< of the case, as far as its members were simulated; null: none was
     std::shared_ptr<const DebrisMap> probability;    ///< of its members; null: there are none

@@ -98,6 +98,26 @@ TEST_F(ReportCommand, HasTheEnsembleOfTheCaseAsFarAsItWasSimulated) {
     EXPECT_THAT(html(), HasSubstr("No ensemble was simulated of this case"));
 }
 
+TEST_F(ReportCommand, ShowsTheReferenceThatASweepKeptWithItsFloor) {
+    const std::vector<std::string> words{m_out, "--self-test", "none", "--repeats", "0"};
+    ASSERT_EQ(report(words).exitCode, 0);
+    EXPECT_THAT(html(), HasSubstr("No settings of this scene have been compared with the reference"));
+    const Outcome swept = cli({"accuracy", m_path, "--set", "settle_time=0.5", "--cache", m_folder / "cache", "--multiples", "1,2",
+                               "--repeats", "3", "--json"});
+    ASSERT_EQ(swept.exitCode, 0) << swept.err;
+    ASSERT_EQ(report(words).exitCode, 0);
+    const std::string page = html();
+    EXPECT_THAT(page, HasSubstr("The repeat floor of the reference"));
+    EXPECT_THAT(page, HasSubstr("It was repeated 3 times"));
+    EXPECT_THAT(page, HasSubstr("No repeats were made for this report")) << "of the run itself";
+    const nlohmann::json repeats = swept.json()["repeat_floor"]["repeats"];
+    ASSERT_EQ(repeats.size(), 3u);
+    for (const nlohmann::json& repeat : repeats) {
+        EXPECT_THAT(page, HasSubstr(repeat["trajectory_hash"].get<std::string>().substr(0, 16)))
+            << "every number traces to its run";
+    }
+}
+
 TEST_F(ReportCommand, RefusesAStaleRunAndNamesWhatIs) {
     Case theCase = io::caseForFe(m_path, m_folder / "small.rubble");
     theCase.scenarios[0].scenario = io::openRun(m_out)->origin().scenario;

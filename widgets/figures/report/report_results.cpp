@@ -142,7 +142,6 @@ void ReportSections::addConservation() {
 void ReportSections::addAccuracy() {
     heading(tr("Uncertainty, and accuracy against time"));
     if (m_facts.floor) {
-        const DebrisDifference& floor = m_facts.floor->largest;
         text(tr("The run was repeated %1 times with every birth shifted by a micrometre. The largest difference between any two of "
                 "these "
                 "runs is the repeat floor: no smaller difference says anything.")
@@ -151,24 +150,55 @@ void ReportSections::addAccuracy() {
                  ? tr("The run itself was simulated again for this and came out the same, bit for bit.")
                  : tr("<b>The run itself did not come out the same when it was simulated again</b>; the recorded run was made "
                       "by another build or on another machine. Ranges are still those of repeats."));
-        ReportTable table;
-        table.caption = tr("The repeat floor: largest difference between the run and its repeats");
-        table.columns = QStringList{tr("measure"), tr("floor")};
-        table.words = {true, false};
-        table.shares = {0.7, 0.3};
-        table.rows = {
-            {tr("mass-map difference"), reportNumber(floor.of(Measure::MassMap), 2)},
-            {tr("1 − IoU of the core"), reportNumber(floor.departure(Measure::CoreIou), 2)},
-            {tr("1 − IoU of the footprint"), reportNumber(floor.departure(Measure::FootprintIou), 2)},
-            {tr("run-out [m]"), reportNumber(floor.departure(Measure::RunOut), 2)},
-            {tr("mean height [m]"), reportNumber(floor.departure(Measure::MeanHeight), 2)},
-            {tr("median distance of a fragment between two runs [m]"), reportNumber(floor.of(Measure::MedianDistance), 2)}};
-        table.source = source();
-        m_blocks.push_back(std::move(table));
+        addFloor(*m_facts.floor, tr("The repeat floor: largest difference between the run and its repeats"), source());
     } else {
         notice(tr("No repeats were made for this report, so the spread of its figures is not known."));
     }
     addSweep();
+}
+
+void ReportSections::addFloor(const RepeatFloor& floor, const QString& caption, const QString& from) {
+    const DebrisDifference& largest = floor.largest;
+    ReportTable table;
+    table.caption = caption;
+    table.columns = QStringList{tr("measure"), tr("floor")};
+    table.words = {true, false};
+    table.shares = {0.7, 0.3};
+    table.rows = {{tr("mass-map difference"), reportNumber(largest.of(Measure::MassMap), 2)},
+                  {tr("1 − IoU of the core"), reportNumber(largest.departure(Measure::CoreIou), 2)},
+                  {tr("1 − IoU of the footprint"), reportNumber(largest.departure(Measure::FootprintIou), 2)},
+                  {tr("run-out [m]"), reportNumber(largest.departure(Measure::RunOut), 2)},
+                  {tr("mean height [m]"), reportNumber(largest.departure(Measure::MeanHeight), 2)},
+                  {tr("median distance of a fragment between two runs [m]"), reportNumber(largest.of(Measure::MedianDistance), 2)}};
+    table.source = from;
+    m_blocks.push_back(std::move(table));
+}
+
+void ReportSections::addReference() {
+    if (!m_facts.reference) {
+        text(tr("The reference itself is no longer kept, so what it repeats to is not known."));
+        return;
+    }
+    const RepeatFloor& reference = *m_facts.reference;
+    QStringList repeats;
+    for (const RepeatRow& repeat : reference.repeats) {
+        repeats << shortDigest(repeat.trajectoryHash.hex());
+    }
+    const QString from =
+        tr("From the reference that the sweep kept, trajectory %1, and its repeats: %2.")
+            .arg(shortDigest(reference.trajectoryHash.hex()), repeats.isEmpty() ? tr("none") : repeats.join(QStringLiteral(", ")));
+    text(tr("In the reference every fragment is its own body: its debris covers %1 m², 95 % of the mass lies within %2 m of the "
+            "plan "
+            "of what collapsed, and the mass lies at a mean height of %3 m.")
+             .arg(reportNumber(reference.figures.footprintArea), reportNumber(reference.figures.runOut),
+                  reportNumber(reference.figures.meanHeight)));
+    if (reference.repeats.empty()) {
+        text(tr("It was not repeated: its own floor is not known.") + QLatin1Char(' ') + from);
+        return;
+    }
+    text(tr("It was repeated %1 times as the run was. A setting that is no farther from it than this floor cannot be told from it.")
+             .arg(reference.repeats.size()));
+    addFloor(reference, tr("The repeat floor of the reference: largest difference between it and its repeats"), from);
 }
 
 void ReportSections::addSweep() {
@@ -181,6 +211,7 @@ void ReportSections::addSweep() {
                "is from it is not known. The panel Accuracy and rubble-cli accuracy measure it."));
         return;
     }
+    addReference();
     ReportTable table;
     table.caption = tr("Settings of this scene that were compared with the reference, by their number of bodies");
     table.columns = QStringList{tr("setting"),       tr("bodies"),         tr("wall time [s]"), tr("mass-map difference"),
@@ -211,9 +242,10 @@ void ReportSections::addSweep() {
     if (series.points.size() < 2) {
         return;
     }
-    if (m_facts.floor) {
-        chart.band = m_facts.floor->largest.of(Measure::MassMap);
-        chart.bandName = tr("repeat floor of this run");
+    const bool repeated = m_facts.reference && !m_facts.reference->repeats.empty();
+    if (repeated || m_facts.floor) {
+        chart.band = (repeated ? m_facts.reference : m_facts.floor)->largest.of(Measure::MassMap);
+        chart.bandName = repeated ? tr("repeat floor of the reference") : tr("repeat floor of this run");
     }
     chart.series = {series};
     ReportFigure figure;

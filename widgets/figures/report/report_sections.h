@@ -49,6 +49,8 @@ private:
     void addComponentDebris();
     void addCourse();
     void addConservation();
+    void addFloor(const RepeatFloor& floor, const QString& caption, const QString& from);
+    void addReference();
     void addSweep();
 
     const ReportFacts& m_facts;

@@ -187,7 +187,7 @@ TEST_F(Golden, TheToleranceLetsEdgesMoveAndNothingElse) {
     // And in a figure: a map without its coordinate system differs from its reference.
     MapPictureStyle local = mapStyle();
     local.system.clear();
-    local.origin.setZero();
+    local.place = SiteFit();
     const QImage map = mapPicture(ringMap(), MapLayer::Mass, mapStyle());
     EXPECT_GT(differenceOf(mapPicture(ringMap(), MapLayer::Mass, local), map).share, mostOff);
 }

@@ -58,6 +58,29 @@ bool recognisesDeck(const FileHead& head) {
            line.starts_with("*INCLUDE") || line.starts_with("#RADIOSS") || line.starts_with("/VERS/") || line.starts_with("/RUN/");
 }
 
+// Records of Fortran: a title of 84 bytes, then one of 80 that names the program.
+bool recognisesTimeHistory(const FileHead& head) {
+    using namespace std::string_view_literals;
+    constexpr std::size_t behindTitle = 4 + 84;
+    const std::string_view bytes = head.bytes;
+    return bytes.size() > behindTitle && bytes.starts_with("\0\0\0\x54"sv) &&
+           bytes.substr(behindTitle).starts_with("\0\0\0\x54"sv) && bytes.find("RADIOSS") != std::string_view::npos;
+}
+
+// Of OpenRadioss or CalculiX.
+bool recognisesListing(const FileHead& head) {
+    const auto begins = [&head](std::size_t within, std::string_view words) {
+        return std::string_view(head.bytes).substr(0, within).find(words) != std::string_view::npos;
+    };
+    return begins(1024, "OpenRadioss Starter") || begins(1024, "OpenRadioss Engine") || begins(64, "SUMMARY OF JOB INFORMATION") ||
+           (begins(256, " for set ") && begins(256, " and time "));
+}
+
+bool recognisesMacro(const FileHead& head) {
+    const std::string text = '\n' + upperCase(head.bytes);
+    return text.find("\nEKILL,") != std::string::npos || text.find("\nEALIVE,") != std::string::npos;
+}
+
 // A row a format. Files of HDF5 that nobody else claims are taken for Exodus II, whose reader says what they lack.
 constexpr std::array formats{
     FeFormat{"OpenRadioss animation", "RUNA001, RUNA002, ..., also .gz", 1, recognisesAnim, animMembers, readAnim},
@@ -86,6 +109,12 @@ constexpr std::array foreign{
         "OpenSees recorders other than pvd are out of scope: record the analysis with \"recorder pvd\" and give the .pvd file."},
     ForeignFormat{"an input deck", recognisesDeck,
                   "Give the result that the analysis has written from it; a deck that lies beside the result is read with it."},
+    ForeignFormat{"a time history of OpenRadioss", recognisesTimeHistory,
+                  "Give the animation files of the run (RUNA001, RUNA002, ...): curves over time have no mesh."},
+    ForeignFormat{"a listing that the analysis has printed", recognisesListing,
+                  "Give the result that lies beside it: the animation files of OpenRadioss, the .frd of CalculiX."},
+    ForeignFormat{"a macro of Ansys that kills elements", recognisesMacro,
+                  "Give the .cdb with the mesh; a macro of the same name beside it is read with it."},
     ForeignFormat{
         "a collapse log of OpenSees", recognisesCollapseLog,
         "OpenSees recorders other than pvd are out of scope: record the analysis with \"recorder pvd\" and give the .pvd file."},

@@ -180,6 +180,9 @@ std::string canonicalIndex(const std::string& path) {
     try {
         const std::string head = headOf(path);
         const std::vector<std::string> own = isIndex(head) ? listed(path, head) : std::vector<std::string>{path};
+        if (own.empty()) {
+            return path;
+        }
         std::vector<std::string> candidates;
         for (const std::string& other : filesBeside(path)) {
             if (other.ends_with(".pvd") || other.ends_with(".series")) {

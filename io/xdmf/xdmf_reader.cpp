@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <pugixml.hpp>
 #include <set>
 
 #include "core/base/error.h"
+#include "io/series/numbered_files.h"
 #include "io/series/series_result.h"
 #include "io/vtk/grid_series.h"
 #include "io/xdmf/xdmf_item.h"
@@ -322,23 +324,68 @@ private:
     std::vector<double> m_times;
 };
 
+// Files of tables that a text names.
+std::set<std::string> tablesOf(const std::string& path) {
+    const pugi::xml_document document = documentOf(path);
+    const XdmfItems items(path);
+    std::set<std::string> tables;
+    for (const pugi::xpath_node& found : document.select_nodes("//DataItem[@Format='HDF']")) {
+        tables.insert(items.placeOf(found.node()).first);
+    }
+    return tables;
+}
+
+// The text beside a file of tables that names it; empty: there is none.
+std::string textNaming(const std::string& tables) {
+    const auto plain = [](const std::string& path) { return std::filesystem::path(path).lexically_normal(); };
+    for (const std::string& beside : filesBeside(tables)) {
+        if (!beside.ends_with(".xdmf") && !beside.ends_with(".xmf")) {
+            continue;
+        }
+        try {
+            const std::set<std::string> named = tablesOf(beside);
+            if (std::any_of(named.begin(), named.end(), [&](const auto& file) { return plain(file) == plain(tables); })) {
+                return beside;
+            }
+        } catch (const std::exception&) {
+            // A text that cannot be read names nothing.
+        }
+    }
+    return {};
+}
+
+bool isHdf5(std::string_view bytes) {
+    return bytes.starts_with("\x89HDF\r\n\x1a\n");
+}
+
+bool isHdf5File(const std::string& path) {
+    std::string bytes(8, '\0');
+    return std::ifstream(path, std::ios::binary).read(bytes.data(), 8) && isHdf5(bytes);
+}
+
+// HDF5 that is a result by itself: our own files, VTKHDF, Exodus II.
+bool isResultByItself(const FileHead& head) {
+    const auto& names = head.hdf5Names;
+    return !head.hdf5Format.empty() ||
+           std::any_of(names.begin(), names.end(), [](const auto& name) { return name == "VTKHDF" || name == "time_whole"; });
+}
+
 }  // namespace
 
 bool recognisesXdmf(const FileHead& head) {
-    return !head.packed && head.bytes.substr(0, 1024).find("<Xdmf") != std::string::npos;
+    if (head.packed) {
+        return false;
+    }
+    return isHdf5(head.bytes) ? !isResultByItself(head) && !textNaming(head.path).empty()
+                              : head.bytes.substr(0, 1024).find("<Xdmf") != std::string::npos;
 }
 
 std::vector<std::string> xdmfMembers(const std::string& path) {
-    std::vector<std::string> files{path};
+    const std::string text = isHdf5File(path) ? textNaming(path) : std::string();
+    std::vector<std::string> files{text.empty() ? path : text};
     try {
-        const pugi::xml_document document = documentOf(path);
-        const XdmfItems items(path);
-        std::set<std::string> heavy;
-        for (const pugi::xpath_node& found : document.select_nodes("//DataItem[@Format='HDF']")) {
-            heavy.insert(items.placeOf(found.node()).first);
-        }
         std::error_code ignored;
-        for (const std::string& file : heavy) {
+        for (const std::string& file : tablesOf(files.front())) {
             if (std::filesystem::is_regular_file(file, ignored)) {
                 files.push_back(file);
             }

@@ -7,9 +7,9 @@
 
 namespace rubble::io {
 
-/// XML files whose root is Xdmf.
+/// XML files whose root is Xdmf, and files of tables that one beside them names.
 bool recognisesXdmf(const FileHead& head);
-/// The file and the heavy files it names.
+/// The text and the files of tables that it names, of which any may be given.
 std::vector<std::string> xdmfMembers(const std::string& path);
 /// Reads an unstructured grid or a temporal collection of them; see FeFormat::read.
 FeResult::Contents readXdmf(const std::string& path, const ImportSettings& settings, const Execution& execution);

@@ -112,6 +112,17 @@ TEST(FeReader, WhatIsOutOfScopeIsSaid) {
         std::ofstream(folder / "wall.inp") << deck;
         EXPECT_THAT(errorOf(folder / "wall.inp"), AllOf(HasSubstr("an input deck"), HasSubstr("read with it"))) << deck;
     }
+    const std::string title(84, ' ');
+    std::ofstream(folder / "RUNT01") << std::string(3, '\0') + "T" + title + std::string(3, '\0') + "T" + std::string(3, '\0') +
+                                            "P  Fri Nov 20 02:32:25 2026 RADIOSS";
+    EXPECT_THAT(errorOf(folder / "RUNT01"), AllOf(HasSubstr("a time history"), HasSubstr("RUNA001")));
+    for (const char* listing : {" RUN_0001.out\n****\n**   OpenRadioss Engine   **\n", "SUMMARY OF JOB INFORMATION\n  STEP\n",
+                                "\n stresses (elem, integ.pnt.,sxx) for set EALL and time  0.1E+01\n"}) {
+        std::ofstream(folder / "wall.out") << listing;
+        EXPECT_THAT(errorOf(folder / "wall.out"), AllOf(HasSubstr("a listing"), HasSubstr(".frd"))) << listing;
+    }
+    std::ofstream(folder / "wall.mac") << "! step 2\nekill,1\n";
+    EXPECT_THAT(errorOf(folder / "wall.mac"), AllOf(HasSubstr("a macro of Ansys"), HasSubstr(".cdb")));
     std::ofstream(folder / "text") << "12.5 elephants\n";
     EXPECT_THAT(errorOf(folder / "text"), AllOf(HasSubstr("a text"), ::testing::Not(HasSubstr("OpenSees"))));
 }

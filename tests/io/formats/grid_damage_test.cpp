@@ -248,6 +248,23 @@ TEST_F(GridTest, AnIndexThatNamesAMissingFileSaysWhich) {
     }
 }
 
+// A finding of the fuzzer: what lists nothing was compared with what the index beside it lists.
+TEST_F(GridTest, AnIndexThatNamesNothingSaysSoBesideOneThatIsSound) {
+    put(m_folder / "left.vtk", legacy(0.0, false, true, "STATUS"));
+    const std::string head = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\">\n<Collection>\n",
+                      tail = "</Collection>\n</VTKFile>\n";
+    put(m_folder / "sound.pvd", head + "<DataSet timestep=\"0.5\" file=\"left.vtk\"/>\n" + tail);
+    put(m_folder / "empty.pvd", head + tail);
+    try {
+        open("empty.pvd");
+        FAIL();
+    } catch (const ParseError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("empty.pvd"));
+        EXPECT_THAT(error.what(), HasSubstr("it names no files"));
+    }
+    EXPECT_EQ(open("sound.pvd")->times(), (std::vector<double>{0.5}));
+}
+
 // Parts of one time are one state.
 TEST_F(GridTest, PartsOfAnIndexMakeOneState) {
     put(m_folder / "left.vtk", legacy(0.0, false, true, "STATUS"));
@@ -285,6 +302,24 @@ TEST_F(GridTest, PiecesOfAParallelFileMakeOneState) {
 TEST_F(GridTest, AFolderOpensAsTheSeriesThatItHolds) {
     EXPECT_EQ(openFe(fixture("vtu-status"), {}, {}, Execution{})->stateCount(), 16u);
     EXPECT_EQ(openFe(fixture("vtu-status/s007.vtu"), {}, {}, Execution{})->stateCount(), 16u);
+}
+
+TEST_F(GridTest, TablesOpenThroughTheTextThatNamesThem) {
+    const auto fe = openFe(fixture("xdmf/proj.h5"), {}, {}, Execution{});
+    EXPECT_EQ(fe->contents().format, "XDMF");
+    EXPECT_EQ(fe->contents().sha256, openFe(fixture("xdmf/proj.xdmf"), {}, {}, Execution{})->contents().sha256);
+    fs::copy_file(fixture("xdmf/proj.h5"), m_folder / "proj.h5");
+    put(m_folder / "other.xdmf", "<Xdmf><Domain/></Xdmf>");
+    put(m_folder / "broken.xmf", "<Xdmf><Domain");
+    try {
+        open("proj.h5");
+        FAIL();
+    } catch (const ParseError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(".xdmf"));
+    }
+    fs::copy_file(fixture("vtkhdf/transient20.vtkhdf"), m_folder / "grid.hdf");
+    put(m_folder / "grid.xdmf", "<Xdmf><DataItem Format=\"HDF\">grid.hdf:/VTKHDF/Points</DataItem></Xdmf>");
+    EXPECT_EQ(open("grid.hdf")->contents().format, "VTKHDF");
 }
 
 TEST_F(GridTest, AStaticVtkHdfIsOneState) {

@@ -95,13 +95,16 @@ private:
             return;
         }
         if (!spans && ofAnotherLength(file, next)) {
-            m_states.findings.add({"d3plot.foreign_file", "Files whose states have another length were left out", {}},
-                                  {"d3plot.cut_state.remedy", "Copy the files again; check that all are of one analysis.", {}},
-                                  m_family.placeOf(m_word));
+            noteForeign(m_family.placeOf(m_word));
             m_word = next;
             return;
         }
         take(time);
+    }
+
+    void noteForeign(const std::string& place) {
+        m_states.findings.add({"d3plot.foreign_file", "Files whose states have another length were left out", {}},
+                              {"d3plot.cut_state.remedy", "Copy the files again; check that all are of one analysis.", {}}, place);
     }
 
     // A file that was written to its end, where the end does not follow a whole state; asked once for each file.
@@ -156,10 +159,12 @@ private:
     // What is left of a file after its last state: zeros fill it up, anything else is a state that was not written whole.
     void leftOver(std::size_t file, std::int64_t next, double time) {
         if (time != 0.0 || m_family.firstWord(file) == m_word) {
-            const bool last = file + 1 == m_family.files() || m_layout.words > m_longest;
+            const bool spans = m_layout.words > m_longest, last = file + 1 == m_family.files() || spans;
             const std::string place = m_family.placeOf(m_word) + ": " + englishInteger(next - m_word) + " of " +
                                       englishInteger(m_layout.words) + " words";
-            if (last) {
+            if (!spans && closed(next)) {
+                noteForeign(place);
+            } else if (last) {
                 m_states.findings.add({"d3plot.incomplete", "The last state is not complete and was left out", {}},
                                       {"d3plot.incomplete.remedy", "Open the result again once the analysis has gone on.", {}},
                                       place);
@@ -168,7 +173,7 @@ private:
                     {"d3plot.cut_state", "A state within the series is cut off or of another length; it was left out", {}},
                     {"d3plot.cut_state.remedy", "Copy the files again; check that all are of one analysis.", {}}, place);
             }
-            m_done = m_layout.words > m_longest;
+            m_done = spans;
         }
         m_word = next;
     }

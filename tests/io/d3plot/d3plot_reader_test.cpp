@@ -354,6 +354,22 @@ TEST_F(D3plotReader, AFileOfAnotherWordFormatIsLeftOut) {
     }
 }
 
+// One that is shorter than a state is no state that is still being written: it has its end mark.
+TEST_F(D3plotReader, AShortFileOfAnotherAnalysisAtTheEndIsNotCalledUnfinished) {
+    D3plotBuilder builder = everyKind();
+    builder.statesPerFile = 1;
+    builder.write(m_folder / "d3plot");
+    D3plotBuilder foreign;
+    foreign.statesPerFile = 1;
+    foreign.times = {1.1e6};
+    ASSERT_LT(foreign.stateWords(), builder.stateWords());
+    std::ofstream(m_folder / "d3plot05", std::ios::binary) << foreign.files()[1];
+    const auto fe = openFe(m_folder / "d3plot", {}, {}, Execution{});
+    EXPECT_EQ(fe->times(), (std::vector<double>{0, 0.5, 1, 1.5}));
+    EXPECT_EQ(fe->contents().findings.count("d3plot.foreign_file"), 1);
+    EXPECT_EQ(fe->contents().findings.count("d3plot.incomplete"), 0);
+}
+
 TEST_F(D3plotReader, KindsAndOptionsThatAreNotReadAreNamed) {
     const auto with = [](std::size_t word, std::int64_t value) {
         D3plotBuilder builder;

@@ -72,8 +72,8 @@ bool recognisesListing(const FileHead& head) {
     const auto begins = [&head](std::size_t within, std::string_view words) {
         return std::string_view(head.bytes).substr(0, within).find(words) != std::string_view::npos;
     };
-    return begins(1024, "OpenRadioss Starter") || begins(1024, "OpenRadioss Engine") || begins(64, "SUMMARY OF JOB INFORMATION") ||
-           (begins(256, " for set ") && begins(256, " and time "));
+    return (begins(1024, "OpenRadioss") && (begins(1024, "Starter") || begins(1024, "Engine"))) ||
+           begins(64, "SUMMARY OF JOB INFORMATION") || (begins(256, " for set ") && begins(256, " and time "));
 }
 
 bool recognisesMacro(const FileHead& head) {

@@ -88,12 +88,19 @@ TEST_F(FeCopyFile, DamagedTablesAreRefused) {
     EXPECT_EQ(openFe(m_path, {}, {}, Execution{})->stateCount(), 5u);
 }
 
-TEST_F(FeCopyFile, OneThatIsCutOffIsRefused) {
-    const std::string whole = bytesOfFile(m_path);
-    for (std::size_t size = 0; size < whole.size(); size += whole.size() / 60 + 1) {
-        putBytes(m_path, whole.substr(0, size));
-        EXPECT_THAT(errorOfOpening(), HasSubstr("copy.h5")) << size;
+// By its reader alone, since what openFe() does besides takes most of the time.
+TEST_F(FeCopyFile, CutOffAtEveryByteItIsRefused) {
+    for (std::size_t size = std::filesystem::file_size(m_path); size-- > 0;) {
+        std::filesystem::resize_file(m_path, size);
+        try {
+            readFeCopy(m_path, {}, Execution{});
+            FAIL() << "read at byte " << size;
+        } catch (const Error& error) {
+            ASSERT_THAT(error.what(), HasSubstr("copy.h5")) << size;
+            ASSERT_FALSE(error.remedy().empty()) << size;
+        }
     }
+    EXPECT_THAT(errorOfOpening(), HasSubstr("is empty"));
 }
 
 // Whatever byte is wrong: an error of ours, or a result that is right.

@@ -310,6 +310,23 @@ TEST(AnimReader, TheFrameInThreeFormats) {
         << "the deck counts in mm";
 }
 
+TEST(AnimReader, ASmallConvertedFileIsRefusedAtEveryByte) {
+    const TemporaryFolder folder;
+    const std::string whole =
+        "# vtk DataFile Version 3.0\nvtk output\nASCII\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData 2\nTIME 1 1 double\n0.5\n"
+        "CYCLE 1 1 int\n0\nPOINTS 8 float\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\nCELLS 1 9\n8 0 1 2 3 4 5 6 7\n"
+        "CELL_TYPES 1\n12\nPOINT_DATA 8\nSCALARS NODE_ID int 1\nLOOKUP_TABLE default\n1\n2\n3\n4\n5\n6\n7\n8\nCELL_DATA 1\n"
+        "SCALARS ELEMENT_ID int 1\nLOOKUP_TABLE default\n17\nSCALARS PART_ID int 1\nLOOKUP_TABLE default\n1\n"
+        "SCALARS EROSION_STATUS int 1\nLOOKUP_TABLE default\n1\n";
+    putFile(folder / "X_001.vtk", whole);
+    ASSERT_EQ(errorOf(folder / "X_001.vtk"), "");
+    EXPECT_EQ(open(folder / "X_001.vtk")->contents().format, "OpenRadioss animation converted to VTK");
+    for (std::size_t size = whole.size(); size-- > 0;) {
+        std::filesystem::resize_file(folder / "X_001.vtk", size);
+        ASSERT_NE(errorOf(folder / "X_001.vtk"), "") << size << " of " << whole.size();
+    }
+}
+
 TEST(AnimReader, ConvertedFilesCutOffOrDamaged) {
     const TemporaryFolder folder;
     const std::string whole = bytesOf(data + "frame-vtk/FRAMEA003.vtk");

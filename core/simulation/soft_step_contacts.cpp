@@ -252,10 +252,15 @@ void SoftStepWorld::wakeByContact(const SoftContact& contact, std::vector<std::u
 }
 
 bool SoftStepWorld::wakeByContacts() {
+    const auto sleeps = [&](const Collider& c) { return c.kind == ColliderKind::Body && !awake(c); };
+    std::vector<char> hasSleepers(m_partsUsed);
+    m_pool.loop(m_partsUsed, 1, [&](std::size_t part, std::size_t) {
+        hasSleepers[part] = std::ranges::any_of(m_parts[part], [&](const SoftContact& c) { return sleeps(*c.a) || sleeps(*c.b); });
+    });
     std::vector<std::uint32_t> lifted;
     for (std::size_t part = 0; part < m_partsUsed; ++part) {
-        for (const SoftContact& contact : m_parts[part]) {
-            wakeByContact(contact, lifted);
+        for (std::size_t i = 0; hasSleepers[part] != 0 && i < m_parts[part].size(); ++i) {
+            wakeByContact(m_parts[part][i], lifted);
         }
     }
     if (!lifted.empty()) {

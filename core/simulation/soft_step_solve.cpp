@@ -185,6 +185,11 @@ void SoftStepWorld::takeBodies() {
     m_solver.bodies[m_stillSlot] = {};
 }
 
+SoftStepWorld::Kind SoftStepWorld::kindOf(const SoftContact& contact) {
+    const bool piece = contact.a->kind == ColliderKind::Piece || contact.b->kind == ColliderKind::Piece;
+    return contact.a->kind == ColliderKind::Ground ? Ground : piece ? Structure : Fragments;
+}
+
 /// Contacts that the solver gets, from the ground up, so that one pass carries the support of the lower ones to the upper ones.
 std::vector<SoftStepWorld::Taken> SoftStepWorld::takeContacts() {
     const auto slotOf = [&](const Collider& c) {
@@ -201,8 +206,12 @@ std::vector<SoftStepWorld::Taken> SoftStepWorld::takeContacts() {
             if (driven && (contact.depth > -contactMargin || contact.approach > 0.0)) {
                 std::atomic_ref(solidOf(pieceIsA ? *contact.b : *contact.a).drivers).fetch_add(1, std::memory_order_relaxed);
             }
-            all[i] = {heightKey(contact.points[0].position.z()), static_cast<std::uint32_t>(i), slotOf(*contact.a),
-                      slotOf(*contact.b), contact.yielding ? 0 : static_cast<std::uint32_t>(contact.count)};
+            all[i] = {heightKey(contact.points[0].position.z()),
+                      static_cast<std::uint32_t>(i),
+                      slotOf(*contact.a),
+                      slotOf(*contact.b),
+                      contact.yielding ? 0 : static_cast<std::uint32_t>(contact.count),
+                      kindOf(contact)};
         }
     });
     std::erase_if(all, [&](const Taken& x) { return x.points == 0 || (x.a >= m_awake.size() && x.b >= m_awake.size()); });
@@ -221,8 +230,13 @@ void SoftStepWorld::buildSolver(double h) {
     m_solver.firstOfGroup = colours.first;
     m_solver.lastInOrder = colours.lastInOrder;
     std::vector<std::uint32_t> firstPoint(taken.size() + 1, 0);
+    m_points.fill(0.0);
+    m_ends.resize(taken.size());
     for (std::size_t k = 0; k < taken.size(); ++k) {
-        firstPoint[k + 1] = firstPoint[k] + taken[colours.order[k]].points;
+        const Taken& from = taken[colours.order[k]];
+        firstPoint[k + 1] = firstPoint[k] + from.points;
+        m_points[from.kind] += from.points;
+        m_ends[k] = {from.a, from.b};
     }
     m_solver.resize(taken.size(), firstPoint.back());
     const double frequency = std::min(contactFrequency, 0.25 / h);
@@ -475,32 +489,34 @@ void SoftStepWorld::boundSpeeds(double dt) {
     for (std::size_t i = 0; i < m_moving.size(); ++i) {
         reach[movable + i] = speedOf(m_pieces[m_moving[i]]);
     }
-    const std::vector<SolverContact>& contacts = m_solver.contacts;
-    const auto inverse = [&](std::uint32_t slot) { return m_solver.bodies[slot].inverseMass; };
+    std::vector<double> inverse(m_stillSlot + 1);
+    std::transform(m_solver.bodies.begin(), m_solver.bodies.end(), inverse.begin(),
+                   [](const SolverBody& b) { return b.inverseMass; });
     const auto hand = [&](std::uint32_t from, std::uint32_t to) {
         if (to < movable) {
             // Of a blow in the middle, two masses m and M: at most 2 M / (m + M) of the speed.
-            const double share = std::min(1.0, 2.0 * inverse(to) / (inverse(to) + inverse(from)));
+            const double share = std::min(1.0, 2.0 * inverse[to] / (inverse[to] + inverse[from]));
             reach[to] = std::max(reach[to], share * reach[from]);
         }
     };
-    const auto spread = [&](const SolverContact& c) {
-        hand(c.a, c.b);
-        hand(c.b, c.a);
+    const auto spread = [&](const SlotPair& ends) {
+        hand(ends.first, ends.second);
+        hand(ends.second, ends.first);
     };
     for (int sweep = 0; sweep < 2; ++sweep) {
-        std::for_each(contacts.begin(), contacts.end(), spread);
-        std::for_each(contacts.rbegin(), contacts.rend(), spread);
+        std::for_each(m_ends.begin(), m_ends.end(), spread);
+        std::for_each(m_ends.rbegin(), m_ends.rend(), spread);
     }
     std::vector<double> struck(movable, 0.0);  // what is far lighter than what it meets
-    for (const SolverContact& c : contacts) {
-        for (const auto& [to, from] : {std::pair{c.a, c.b}, std::pair{c.b, c.a}}) {
-            if (to < movable && from != m_stillSlot && inverse(to) > mostMassRatio * inverse(from)) {
+    for (std::size_t k = 0; k < m_ends.size(); ++k) {
+        const auto [a, b] = m_ends[k];
+        for (const auto& [to, from] : {SlotPair{a, b}, SlotPair{b, a}}) {
+            if (to < movable && from != m_stillSlot && inverse[to] > mostMassRatio * inverse[from]) {
                 // Seen from what strikes it, it leaves no faster than it came.
                 const Vec3& strikes = m_solver.bodies[from].velocity;
                 const double own = strikes.norm();
                 struck[to] = std::max(struck[to], own + (m_solver.bodies[to].velocity - strikes).norm() +
-                                                      (1.0 + c.restitution) * std::max(0.0, reach[from] - own));
+                                                      (1.0 + m_solver.contacts[k].restitution) * std::max(0.0, reach[from] - own));
             }
         }
     }
@@ -531,20 +547,11 @@ void SoftStepWorld::holdBack(std::size_t slot) {
 }
 
 void SoftStepWorld::shareSolveTime(double seconds) {
-    double points[Kinds] = {0.0, 0.0, 0.0};
-    double all = 0.0;
-    for (const SolverContact& c : m_solver.contacts) {
-        const SoftContact& contact = m_contacts[c.found];
-        const Kind kind = contact.a->kind == ColliderKind::Ground                                            ? Ground
-                          : contact.a->kind == ColliderKind::Piece || contact.b->kind == ColliderKind::Piece ? Structure
-                                                                                                             : Fragments;
-        points[kind] += c.points;
-        all += c.points;
-    }
+    const double all = m_points[Ground] + m_points[Structure] + m_points[Fragments];
     if (all > 0.0) {
-        m_costs.groundContact += seconds * points[Ground] / all;
-        m_costs.structureContact += seconds * points[Structure] / all;
-        m_costs.fragmentContact += seconds * points[Fragments] / all;
+        m_costs.groundContact += seconds * m_points[Ground] / all;
+        m_costs.structureContact += seconds * m_points[Structure] / all;
+        m_costs.fragmentContact += seconds * m_points[Fragments] / all;
         m_costs.motion -= seconds;
     }
 }

@@ -252,25 +252,27 @@ void SoftStepWorld::substeps(double dt) {
     shareSolveTime(since(from) - hook - motion);
 }
 
-int SoftStepWorld::substepsFor(double dt) const {
+int SoftStepWorld::substepsFor(double dt) {
     int substeps = m_settings.substeps;
     if (m_substepLength <= 0.0) {
         return substeps;
     }
-    std::vector<double> needed;  // (rad/s)^2 that a contact takes to carry its load
-    for (const SoftContact& contact : m_contacts) {
-        double load = 0.0;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k) {
-            load += contact.points[k].impulse / m_substepLength;
-        }
-        const double thinnest = std::min(contact.a->kind == ColliderKind::Body ? contact.a->smallestSide : thinSide,
-                                         contact.b->kind == ColliderKind::Body ? contact.b->smallestSide : thinSide);
-        if (load > 0.0 && thinnest < thinSide) {
+    std::vector<double> needed(m_contacts.size(), 0.0);  // (rad/s)^2 that a thin contact takes to carry its load
+    m_pool.loop(m_contacts.size(), 512, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const SoftContact& contact = m_contacts[i];
+            if (std::min(thicknessOf(*contact.a), thicknessOf(*contact.b)) >= thinSide) {
+                continue;
+            }
+            double load = 0.0;
+            for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k) {
+                load += contact.points[k].impulse / m_substepLength;
+            }
             const double inverse = (awake(*contact.a) ? solidOf(*contact.a).inverseMass : 0.0) +
                                    (awake(*contact.b) ? solidOf(*contact.b).inverseMass : 0.0);
-            needed.push_back(pointShare * load * inverse / sinkAllowed(contact));
+            needed[i] = pointShare * load * inverse / sinkAllowed(contact);
         }
-    }
+    });
     for (int doublings = 0; doublings < mostDoublings; ++doublings) {
         const double most = SoftSolver::stiffest * substeps / dt;
         const auto tooSoft = std::count_if(needed.begin(), needed.end(), [&](double x) { return x > most * most; });
@@ -449,7 +451,9 @@ void SoftStepWorld::settle(double dt) {
         }
         body.newborn = false;
     }
-    for (SoftContact& c : m_contacts) {
+    const bool anyFroze = std::find(froze.begin(), froze.end(), 1) != froze.end();
+    for (std::size_t i = 0; anyFroze && i < m_contacts.size(); ++i) {
+        SoftContact& c = m_contacts[i];
         const bool frozenNow = (c.a->kind == ColliderKind::Body && froze[c.a->index] != 0) ||
                                (c.b->kind == ColliderKind::Body && froze[c.b->index] != 0);
         if (frozenNow) {
@@ -457,14 +461,26 @@ void SoftStepWorld::settle(double dt) {
         }
     }
     linkDependants();
-    // What no longer stirs keeps its contacts apart from those that are looked at in every step.
-    std::erase_if(m_contacts, [&](const SoftContact& c) {
-        if (stirs(*c.a) || stirs(*c.b)) {
-            return false;
+    putAsideWhatRests();
+}
+
+/// What no longer stirs keeps its contacts apart from those that are looked at in every step.
+void SoftStepWorld::putAsideWhatRests() {
+    std::vector<char> rests(m_contacts.size());
+    m_pool.loop(m_contacts.size(), 512, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            rests[i] = !stirs(*m_contacts[i].a) && !stirs(*m_contacts[i].b);
         }
-        m_asleep[c.pair].push_back(c);
-        return true;
     });
+    auto kept = static_cast<std::size_t>(std::find(rests.begin(), rests.end(), 1) - rests.begin());
+    for (std::size_t i = kept; i < m_contacts.size(); ++i) {
+        if (rests[i] != 0) {
+            m_asleep[m_contacts[i].pair].push_back(m_contacts[i]);
+        } else {
+            m_contacts[kept++] = m_contacts[i];
+        }
+    }
+    m_contacts.resize(kept);
 }
 
 void SoftStepWorld::freeze(Collider& body) {

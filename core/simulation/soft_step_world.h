@@ -2,6 +2,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <span>
@@ -42,6 +43,7 @@ protected:
     void internalSingleStepSimulation(btScalar dt) override;
 
 private:
+    enum Kind : std::uint32_t { Ground, Structure, Fragments, Kinds };
     /// A body or piece beside its Bullet object.
     struct Solid {
         Collider* collider = nullptr;                                       ///< null once gone
@@ -84,6 +86,7 @@ private:
         std::uint32_t contact = 0;
         std::uint32_t a = 0, b = 0;  ///< slots
         std::uint32_t points = 0;
+        Kind kind = Ground;
     };
     /// What the solver made of a contact.
     struct Outcome {
@@ -92,7 +95,7 @@ private:
         bool unloads = false;      ///< a frozen body
         bool works = false;        ///< its work is accounted for
     };
-    enum Kind : std::size_t { Ground, Structure, Fragments, Kinds };
+    using SlotPair = std::pair<std::uint32_t, std::uint32_t>;
 
     Solid& solidOf(const Collider& c) { return c.kind == ColliderKind::Piece ? m_pieces[c.index] : m_bodies[c.index]; }
     const Solid& solidOf(const Collider& c) const { return c.kind == ColliderKind::Piece ? m_pieces[c.index] : m_bodies[c.index]; }
@@ -140,9 +143,10 @@ private:
     double yieldOf(const SolverContact& c) const;
     void noteSupport(const SolverContact& c);
     Vec3 loadOf(const SoftContact& contact) const;
+    static Kind kindOf(const SoftContact& contact);
     bool unloads(const SoftContact& contact) const;
     void substeps(double dt);
-    int substepsFor(double dt) const;
+    int substepsFor(double dt);
     double sinkAllowed(const SoftContact& contact) const;
     void prepareHook();
     void runHook(double h);
@@ -154,6 +158,7 @@ private:
     double bringApart(std::size_t slot, double dt);
     double keepAboveGround(Solid& solid, double dt) const;
     void settle(double dt);
+    void putAsideWhatRests();
     void freeze(Collider& body);
     void linkDependants();
     void shareSolveTime(double seconds);
@@ -175,6 +180,8 @@ private:
     std::uint32_t m_stillSlot = 0;
     std::vector<char> m_supported, m_supportedNow;  ///< [slots] firm in the step before, in this step; moving pieces never
     std::vector<double> m_fastest;                  ///< m/s, [slots] that a body may get to in this step
+    std::vector<SlotPair> m_ends;                   ///< [contacts of the solver]
+    std::array<double, Kinds> m_points{};           ///< contact points that the solver got, by kind
     bool m_parting = false;                         ///< bodies come apart by position in this step
     int m_substeps = 1;                             ///< of this step
     double m_substepLength = 0.0;                   ///< s, of the step before: what the impulses carried on are for

@@ -133,7 +133,7 @@ private:
             panel.overlay.legend.clear();
             panel.overlay.bars.clear();
         }
-        takeLegendBelow(panel, layout);
+        takeMarksBelow(panel, layout);
         panel.shown = {from.content, scene.status(drawn), {}};
         if (panel.view.captions) {
             panel.shown.caption = captionBelow(index, from.content, panel.shown.status, panel.view.timeOrigin, from.stage);

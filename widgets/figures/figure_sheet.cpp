@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 #include "widgets/figures/draw.h"
@@ -248,9 +249,13 @@ std::string shownAs(render::PaneContent content, const render::PaneStatus& statu
     return status.kind == FrameKind::Interpolated ? "simulated, interpolated between two recorded instants" : "simulated";
 }
 
-void takeLegendBelow(SheetPicture::Panel& panel, const SheetLayout& layout) {
+void takeMarksBelow(SheetPicture::Panel& panel, const SheetLayout& layout) {
     Overlay& over = panel.overlay;
-    if (layout.key == 0 || smallestLegend * legendLineWidth(over.legend, over.bars, layout.text) > panel.place.width()) {
+    if (layout.lineBelow()) {
+        panel.metresPerPixel = std::exchange(over.metresPerPixel, 0.0);
+    }
+    const double room = panel.place.width() - 1.2 * scaleLineWidth(panel.metresPerPixel, panel.place.width(), layout.text);
+    if (layout.key == 0 || smallestLegend * legendLineWidth(over.legend, over.bars, layout.text) > room) {
         return;
     }
     panel.legend = std::move(over.legend);
@@ -281,10 +286,24 @@ void SheetPicture::paint(QPainter& painter) const {
     paintProvenance(painter);
 }
 
+/// Where the pictures share a legend and a scale, one scale bar stands for all.
+double SheetPicture::commonScale() const {
+    const bool same =
+        m_layout.legend > 0 && !m_panels.empty() && std::all_of(m_panels.begin(), m_panels.end(), [&](const Panel& panel) {
+            return std::abs(panel.metresPerPixel - m_panels.front().metresPerPixel) <= 1e-6 * panel.metresPerPixel;
+        });
+    return same ? m_panels.front().metresPerPixel : 0.0;
+}
+
 void SheetPicture::paintCaptions(QPainter& painter) const {
-    painter.setPen(palette(render::Theme::Print).text);
+    const bool scaled = m_layout.key == 0 && !(commonScale() > 0.0);
     for (const Panel& panel : m_panels) {
-        const QRect box(panel.place.left(), panel.place.bottom() + 1 + m_layout.key, panel.place.width(), m_layout.caption);
+        QRect box(panel.place.left(), panel.place.bottom() + 1 + m_layout.key, panel.place.width(), m_layout.caption);
+        if (scaled) {
+            const render::Pane strip{panel.shown.content, box.left(), box.top(), box.width(), box.height()};
+            box.setWidth(box.width() - static_cast<int>(paintScaleLine(painter, panel.metresPerPixel, strip, m_layout.text)));
+        }
+        painter.setPen(palette(render::Theme::Print).text);
         // A narrow panel takes smaller letters before it loses words.
         QFont font = fontOf(m_layout.text, true);
         const double needed = QFontMetricsF(font).horizontalAdvance(panel.shown.caption);
@@ -297,8 +316,10 @@ void SheetPicture::paintCaptions(QPainter& painter) const {
 
 void SheetPicture::paintLegends(QPainter& painter) const {
     for (const Panel& panel : m_panels) {
-        const render::Pane strip{panel.shown.content, panel.place.left(), panel.place.bottom() + 1, panel.place.width(),
-                                 m_layout.key};
+        render::Pane strip{panel.shown.content, panel.place.left(), panel.place.bottom() + 1, panel.place.width(), m_layout.key};
+        if (m_layout.key > 0) {
+            strip.width -= static_cast<int>(paintScaleLine(painter, panel.metresPerPixel, strip, m_layout.text));
+        }
         const double needed = legendLineWidth(panel.legend, panel.bars, m_layout.text);
         paintLegendLine(painter, panel.legend, panel.bars, strip,
                         m_layout.text * std::clamp(0.98 * strip.width / std::max(needed, 1.0), smallestLegend, 1.0));
@@ -307,7 +328,11 @@ void SheetPicture::paintLegends(QPainter& painter) const {
         return;
     }
     const int top = m_pixels.height() - m_layout.provenance - m_layout.legend;
-    const render::Pane strip{render::PaneContent::Fragments, 0, top, m_pixels.width(), m_layout.legend};
+    render::Pane strip{render::PaneContent::Fragments, 0, top, m_pixels.width(), m_layout.legend};
+    render::Pane last = strip;
+    last.width = m_panels.empty() ? strip.width : m_panels.front().place.width();
+    last.x = strip.width - last.width;
+    strip.width -= static_cast<int>(paintScaleLine(painter, commonScale(), last, m_layout.text));
     paintLegendLine(painter, m_legend, m_bars, strip, m_layout.text);
 }
 

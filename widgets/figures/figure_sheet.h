@@ -78,6 +78,8 @@ struct SheetLayout {
     QSize panel;
 
     QRect panelAt(int column, int row) const;
+    /// There is a line of text below each picture.
+    bool lineBelow() const { return key > 0 || caption > text; }
 };
 /// Where the legends of a sheet stand: nothing of the pictures is covered by one that fits into a line.
 enum class SheetLegend : std::uint8_t {
@@ -106,6 +108,7 @@ public:
         Overlay overlay;
         std::vector<LegendEntry> legend;  ///< below the picture
         std::vector<ColourBar> bars;
+        double metresPerPixel = 0.0;  ///< of the scale bar below the picture; 0: none
     };
 
     SheetPicture(QSize pixels, SheetLayout layout) : m_pixels(pixels), m_layout(layout) {}
@@ -122,6 +125,7 @@ private:
     void paintCaptions(QPainter& painter) const;
     void paintLegends(QPainter& painter) const;
     void paintProvenance(QPainter& painter) const;
+    double commonScale() const;
 
     QSize m_pixels;
     SheetLayout m_layout;
@@ -133,8 +137,9 @@ private:
 
 /// Where the legends of a sheet stand.
 SheetLegend legendOf(const Sheet& sheet);
-/// The legend of a panel leaves its picture for the line below, where it fits into that; else it stays in the sky above the debris.
-void takeLegendBelow(SheetPicture::Panel& panel, const SheetLayout& layout);
+/// Scale bar and legend of a panel leave its picture for the lines below; a legend that does not fit stays in the sky above the
+/// debris, a scale bar stays where no line is below.
+void takeMarksBelow(SheetPicture::Panel& panel, const SheetLayout& layout);
 
 /// "a) Conventional FE result (t = 1.68 s)", with what else is to be known in the brackets: simulated, interpolated.
 /// @param stage  instead of the name of what is shown, empty: none

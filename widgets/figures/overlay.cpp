@@ -257,9 +257,23 @@ void paintLegend(QPainter& painter, const Look& look, const QRectF& pane, const 
     }
 }
 
+/// The longest round length that fits, m.
+double barLength(const Look& look, double metresPerPixel, double room) {
+    return roundLength(metresPerPixel, std::min(0.2 * room, 40.0 * look.unit));
+}
+
+/// A bar with ticks at its ends, up from its line.
+void strokeBar(QPainter& painter, const Look& look, double x, double y, double pixels) {
+    painter.setPen(QPen(look.palette.chipText, std::max(1.0, 0.3 * look.unit), Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.setBrush(Qt::NoBrush);
+    const double tick = 1.25 * look.unit;
+    const std::array<QPointF, 4> points{QPointF(x, y - tick), QPointF(x, y), QPointF(x + pixels, y), QPointF(x + pixels, y - tick)};
+    painter.drawPolyline(points.data(), static_cast<int>(points.size()));
+}
+
 /// Returns the width it took.
 double paintScaleBar(QPainter& painter, const Look& look, const QRectF& pane, double metresPerPixel) {
-    const double length = roundLength(metresPerPixel, std::min(0.2 * pane.width(), 40.0 * look.unit));
+    const double length = barLength(look, metresPerPixel, pane.width());
     if (!(length > 0)) {
         return 0.0;
     }
@@ -271,13 +285,7 @@ double paintScaleBar(QPainter& painter, const Look& look, const QRectF& pane, do
                      look.line + 3.5 * look.unit);
     chip(painter, look, box);
     write(painter, look, QRectF(box.left(), box.top() + 0.5 * look.unit, box.width(), look.line), text, Qt::AlignHCenter);
-    const double y = box.bottom() - 1.25 * look.unit;
-    const double x = box.center().x() - 0.5 * pixels;
-    painter.setPen(QPen(look.palette.chipText, std::max(1.0, 0.3 * look.unit), Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
-    painter.setBrush(Qt::NoBrush);
-    const double tick = 1.25 * look.unit;
-    const std::array<QPointF, 4> points{QPointF(x, y - tick), QPointF(x, y), QPointF(x + pixels, y), QPointF(x + pixels, y - tick)};
-    painter.drawPolyline(points.data(), static_cast<int>(points.size()));
+    strokeBar(painter, look, box.center().x() - 0.5 * pixels, box.bottom() - 1.25 * look.unit, pixels);
     return width + pad;
 }
 
@@ -407,6 +415,33 @@ double legendLineWidth(const std::vector<LegendEntry>& legend, const std::vector
         width += barWidth(look, bar) + legendGap * look.unit;
     }
     return std::max(0.0, width - legendGap * look.unit);
+}
+
+double scaleLineWidth(double metresPerPixel, double room, double textHeight) {
+    const Look look = lookFor(render::Theme::Print, textHeight);
+    const double length = metresPerPixel > 0.0 ? barLength(look, metresPerPixel, room) : 0.0;
+    return length > 0.0 ? length / metresPerPixel + 2.0 * look.unit + widthOf(look, lengthText(length)) : 0.0;
+}
+
+double paintScaleLine(QPainter& painter, double metresPerPixel, const render::Pane& strip, double textHeight) {
+    const Look look = lookFor(render::Theme::Print, textHeight);
+    const double width = scaleLineWidth(metresPerPixel, strip.width, textHeight);
+    if (!(width > 0.0)) {
+        return 0.0;
+    }
+    const double length = barLength(look, metresPerPixel, strip.width);
+    const double pixels = length / metresPerPixel;
+    const double pad = 2.0 * look.unit;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(look.font);
+    const double x = strip.x + strip.width - pad - width;
+    const double middle = strip.y + 0.5 * strip.height;
+    strokeBar(painter, look, x, middle + 0.6 * look.unit, pixels);
+    write(painter, look, QRectF(x + pixels + pad, middle - 0.5 * look.line, width - pixels, look.line), lengthText(length),
+          Qt::AlignLeft);
+    painter.restore();
+    return width + 2.0 * pad;
 }
 
 void paintLegendLine(QPainter& painter, const std::vector<LegendEntry>& legend, const std::vector<ColourBar>& bars,

@@ -42,6 +42,11 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
 /// @param textHeight  of the font, device pixels
 void paintOverlay(QPainter& painter, const Overlay& overlay, const render::Pane& pane, render::Theme theme, double textHeight);
 
+/// Width of a scale bar with its length beside it, device pixels; 0: there is none. @param room  that it may be chosen for
+double scaleLineWidth(double metresPerPixel, double room, double textHeight);
+/// The same at the right end of a strip, in print colours. @return the width that it took with a gap, device pixels
+double paintScaleLine(QPainter& painter, double metresPerPixel, const render::Pane& strip, double textHeight);
+
 /// What colours stand for, without counts: for several pictures together.
 std::vector<LegendEntry> commonLegend(const render::View& view, bool released);
 /// Width of a legend in one line, device pixels.

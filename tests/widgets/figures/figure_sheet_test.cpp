@@ -150,7 +150,7 @@ TEST(SheetLegend, StandsBelowThePictureAndCoversNothing) {
     panel.picture.fill(Qt::gray);
     panel.shown.caption = QStringLiteral("a) Fragments");
     panel.overlay.legend = {{QColor(200, 80, 20), QStringLiteral("fragments 9,643"), false}};
-    takeLegendBelow(panel, layout);
+    takeMarksBelow(panel, layout);
     EXPECT_TRUE(panel.overlay.legend.empty());
     SheetPicture figure(pixels, layout);
     figure.add(panel);
@@ -167,10 +167,21 @@ TEST(SheetLegend, StandsBelowThePictureAndCoversNothing) {
         }
     }
     EXPECT_GT(ink, 30);
-    // One that would be too small to be read in a line stays over the picture.
+    // The scale bar stands beside it, clear of picture and legend.
+    panel.overlay.metresPerPixel = 0.01;
+    takeMarksBelow(panel, layout);
+    EXPECT_EQ(panel.overlay.metresPerPixel, 0.0);
+    SheetPicture scaled(pixels, layout);
+    scaled.add(panel);
+    const QImage withBar = scaled.image();
+    EXPECT_EQ(withBar.copy(panel.place), bare.image().copy(panel.place));
+    const QRect end(pixels.width() - 150, panel.place.bottom() + 1, 150, layout.key);
+    EXPECT_NE(withBar.copy(end), image.copy(end));
+    panel.metresPerPixel = 0.0;
+    // A legend that would be too small to be read in a line stays over the picture.
     panel.overlay.legend.assign(12, {QColor(200, 80, 20), QStringLiteral("a component with a long name · 12,345"), false});
     panel.legend.clear();
-    takeLegendBelow(panel, layout);
+    takeMarksBelow(panel, layout);
     EXPECT_TRUE(panel.legend.empty());
     EXPECT_EQ(panel.overlay.legend.size(), 12u);
 }

@@ -5831,10 +5831,6 @@
         <translation>请提供正射影像：三个波段，或一个字节型波段。</translation>
     </message>
     <message>
-        <source>Give it a place with gdal_translate -a_ullr, or turn it upright with gdalwarp.</source>
-        <translation>请用 gdal_translate -a_ullr 给出位置，或用 gdalwarp 转正。</translation>
-    </message>
-    <message>
         <source>Give it a place with gdal_translate -a_ullr.</source>
         <translation>请用 gdal_translate -a_ullr 指定其位置。</translation>
     </message>
@@ -6527,10 +6523,6 @@
         <translation>{0} 没有说明其来源</translation>
     </message>
     <message>
-        <source>{0} does not say where its pixels lie, or is turned</source>
-        <translation>{0} 没有说明像素的位置，或是被旋转过</translation>
-    </message>
-    <message>
         <source>{0} does not show the site</source>
         <translation>{0} 未显示该场地</translation>
     </message>
@@ -6839,10 +6831,6 @@
         <translation>无法写入 {0}。</translation>
     </message>
     <message>
-        <source>{0} has another origin, axes or coordinate system than {1}.</source>
-        <translation>{0} 的原点、坐标轴或坐标系与 {1} 不同。</translation>
-    </message>
-    <message>
         <source>{0} has no scenario &quot;{1}&quot;.</source>
         <translation>{0} 没有方案“{1}”。</translation>
     </message>
@@ -6857,6 +6845,46 @@
     <message>
         <source>{0}: the scenario &quot;{1}&quot; stands on no FE result.</source>
         <translation>{0}：方案“{1}”没有对应的有限元结果。</translation>
+    </message>
+    <message>
+        <source>Frame of the control points</source>
+        <translation>控制点的坐标框架</translation>
+    </message>
+    <message>
+        <source>Give the .cdb with the mesh; a macro of the same name beside it is read with it.</source>
+        <translation>请给出含网格的 .cdb；旁边同名的宏会一并读取。</translation>
+    </message>
+    <message>
+        <source>Give the animation files of the run (RUNA001, RUNA002, ...): curves over time have no mesh.</source>
+        <translation>请给出该计算的动画文件（RUNA001、RUNA002……）：时程曲线不含网格。</translation>
+    </message>
+    <message>
+        <source>Give the result that lies beside it: the animation files of OpenRadioss, the .frd of CalculiX.</source>
+        <translation>请给出旁边的结果文件：OpenRadioss 的动画文件，或 CalculiX 的 .frd。</translation>
+    </message>
+    <message>
+        <source>a listing that the analysis has printed</source>
+        <translation>分析程序输出的文本列表</translation>
+    </message>
+    <message>
+        <source>a macro of Ansys that kills elements</source>
+        <translation>杀死单元的 Ansys 宏</translation>
+    </message>
+    <message>
+        <source>a time history of OpenRadioss</source>
+        <translation>OpenRadioss 的时程文件</translation>
+    </message>
+    <message>
+        <source>metres, z up, easting, northing and height by the control points of the site</source>
+        <translation>米，z 向上，东坐标、北坐标和高程由场地的控制点给出</translation>
+    </message>
+    <message>
+        <source>that of the control points, metres</source>
+        <translation>控制点所属坐标系，米</translation>
+    </message>
+    <message>
+        <source>{0} has another origin, axes, coordinate system or control points than {1}.</source>
+        <translation>{0} 的原点、坐标轴、坐标系或控制点与 {1} 不同。</translation>
     </message>
 </context>
 <context>
@@ -9408,6 +9436,17 @@
     </message>
 </context>
 <context>
+    <name>rubble::figures::MapEdges</name>
+    <message>
+        <source>E %1</source>
+        <translation>东 %1</translation>
+    </message>
+    <message>
+        <source>N %1</source>
+        <translation>北 %1</translation>
+    </message>
+</context>
+<context>
     <name>rubble::figures::PictureSequence</name>
     <message>
         <source>the folder cannot be made</source>
@@ -10223,6 +10262,38 @@
     <message>
         <source>For so few members the probability of a cell may be off by %1 in the mean and by %2 at most (one standard error). That covers what was varied and nothing else: neither what the FE analysis left out nor the size of its mesh.</source>
         <translation>成员数有限，单元的概率平均可能偏差 %1，最多 %2（一个标准误差）。这只涵盖所变动的量：既不含有限元分析忽略的内容，也不含其网格尺寸的影响。</translation>
+    </message>
+    <message>
+        <source>The reference itself is no longer kept, so what it repeats to is not known.</source>
+        <translation>参考计算本身已不再保留，因此其重复性未知。</translation>
+    </message>
+    <message>
+        <source>From the reference that the sweep kept, trajectory %1, and its repeats: %2.</source>
+        <translation>来自参数扫描保留的参考计算（轨迹 %1）及其重复计算：%2。</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>In the reference every fragment is its own body: its debris covers %1 m², 95 % of the mass lies within %2 m of the plan of what collapsed, and the mass lies at a mean height of %3 m.</source>
+        <translation>在参考计算中每个碎块各为一个刚体：其堆积物覆盖 %1 m²，95 % 的质量位于倒塌部分平面轮廓 %2 m 之内，质量的平均高度为 %3 m。</translation>
+    </message>
+    <message>
+        <source>It was not repeated: its own floor is not known.</source>
+        <translation>未对其作重复计算：其自身的重复性下限未知。</translation>
+    </message>
+    <message>
+        <source>It was repeated %1 times as the run was. A setting that is no farther from it than this floor cannot be told from it.</source>
+        <translation>与本次计算一样，对其重复了 %1 次。与其差别不超过此下限的设置无法与之区分。</translation>
+    </message>
+    <message>
+        <source>The repeat floor of the reference: largest difference between it and its repeats</source>
+        <translation>参考计算的重复性下限：它与其重复计算之间的最大差别</translation>
+    </message>
+    <message>
+        <source>repeat floor of the reference</source>
+        <translation>参考计算的重复性下限</translation>
     </message>
 </context>
 <context>

@@ -21,7 +21,7 @@ set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
     "Reads the finished FE result of a collapse, turns deactivated elements into rigid fragments, simulates where they go and shows both
  views on one timeline. With the command line rubble-cli.")
 # Xvfb draws figures where there is no display; the fonts are those of captions and of Chinese.
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "xvfb, libgl1-mesa-dri, fonts-dejavu-core, fonts-wqy-microhei, qt6-translations-l10n")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "xvfb, xauth, libgl1-mesa-dri, fonts-dejavu-core, fonts-wqy-microhei, qt6-translations-l10n")
 if(RUBBLE_PYTHON)
     set(CPACK_COMPONENTS_ALL runtime python development)
     set(CPACK_COMPONENT_PYTHON_GROUP runtime)

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/place_choice.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
@@ -43,6 +44,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
       m_repeats(new QSpinBox),
       m_liveFps(new QCheckBox(tr("Measure live FPS"))),
       m_retimed(new QCheckBox(tr("Measure times again"))),
+      m_place(new PlaceChoice),
       m_compare(new QPushButton(tr("Compare"))),
       m_cancel(new QPushButton(tr("Cancel"))),
       m_why(new QLabel),
@@ -58,9 +60,10 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
     m_compare->setToolTip(
         tr("Simulate the reference, its repeats and every setting, measure them, and time each alone. What was "
            "simulated before is not simulated again"));
-    m_cancel->setToolTip(tr("Stop comparing; what is done is kept, and comparing again goes on from there"));
+    m_cancel->setToolTip(tr("Stop comparing, on a cluster after a question; what is done is kept, and comparing again goes on"));
     m_cancel->setObjectName(QStringLiteral("cancelComparison"));
     addWide(buttons);
+    addWide(m_place);
     m_why->setObjectName(QStringLiteral("muted"));
     m_why->setWordWrap(true);
     addWide(m_why);
@@ -191,7 +194,27 @@ AccuracyPanel::Request AccuracyPanel::request() const {
     request.repeats = m_repeats->value();
     request.liveFps = m_liveFps->isChecked();
     request.retimed = m_retimed->isChecked();
+    request.onCluster = m_place->onCluster();
+    request.sbatchOptions = m_place->sbatchOptions();
     return request;
+}
+
+void AccuracyPanel::setRequest(const Request& request) {
+    const auto joined = [](const std::vector<std::string>& values) {
+        QStringList words;
+        for (const std::string& value : values) {
+            words << QString::fromStdString(value);
+        }
+        return words.join(QStringLiteral(", "));
+    };
+    m_multiples->setText(joined(request.multiples));
+    QStringList varied;
+    for (const VariedParameter& parameter : request.varied) {
+        varied << QString::fromStdString(parameter.key) + u'=' + joined(parameter.values);
+    }
+    m_varied->setText(varied.join(QStringLiteral("; ")));
+    m_repeats->setValue(request.repeats);
+    m_place->setOnCluster(request.onCluster);
 }
 
 void AccuracyPanel::setReady(bool ready, bool running, const QString& why) {
@@ -202,6 +225,7 @@ void AccuracyPanel::setReady(bool ready, bool running, const QString& why) {
          std::initializer_list<QWidget*>{m_multiples, m_varied, m_toleranceField, m_repeats, m_liveFps, m_retimed}) {
         editor->setEnabled(!running);
     }
+    m_place->setEnabled(!running);
     m_why->setText(why);
     m_why->setVisible(!why.isEmpty());
     m_bar->setVisible(running);

@@ -11,6 +11,8 @@ class QSpinBox;
 
 namespace rubble::widgets {
 
+class PlaceChoice;
+
 /// Which settings to compare, and how far the comparison is.
 class AccuracyPanel : public Panel {
     Q_OBJECT
@@ -26,8 +28,13 @@ public:
         std::vector<double> tolerances{0.1, 0.2, 0.3};  ///< m, of the accuracy rate; ascending
         bool liveFps = true;
         bool retimed = false;  ///< times that are kept do not count
+        bool onCluster = false;
+        std::vector<std::string> sbatchOptions;
     };
     Request request() const;
+    /// Shows what was asked for earlier; nothing is announced.
+    void setRequest(const Request& request);
+    PlaceChoice& place() { return *m_place; }
     /// @param why  it cannot be started, or what happens meanwhile
     void setReady(bool ready, bool running, const QString& why);
     /// @param secondsLeft  NaN: not known yet
@@ -60,6 +67,7 @@ private:
     QSpinBox* m_repeats;
     QCheckBox* m_liveFps;
     QCheckBox* m_retimed;
+    PlaceChoice* m_place;
     QPushButton* m_compare;
     QPushButton* m_cancel;
     QLabel* m_why;

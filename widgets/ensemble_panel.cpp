@@ -10,12 +10,14 @@
 #include <cmath>
 
 #include "widgets/number_field.h"
+#include "widgets/place_choice.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
 
 EnsemblePanel::EnsemblePanel(QWidget* parent)
     : Panel(tr("Ensemble"), tr("How sure is it where debris lies, with what is not known drawn anew?"), parent),
+      m_place(new PlaceChoice),
       m_simulate(new QPushButton(tr("Simulate members"))),
       m_cancel(new QPushButton(tr("Cancel"))),
       m_why(new QLabel),
@@ -53,8 +55,9 @@ void EnsemblePanel::buildStart() {
         tr("Simulate every member, with values drawn from the distributions below. Members that were simulated before are taken "
            "from the cache"));
     m_cancel->setObjectName(QStringLiteral("cancelEnsemble"));
-    m_cancel->setToolTip(tr("Stop; members that are done are kept, and simulating again goes on from there"));
+    m_cancel->setToolTip(tr("Stop, on a cluster after a question; members that are done are kept, and simulating again goes on"));
     addWide(buttons);
+    addWide(m_place);
     m_why->setObjectName(QStringLiteral("muted"));
     m_why->setWordWrap(true);
     addWide(m_why);
@@ -137,6 +140,7 @@ void EnsemblePanel::setContent(const Content& content) {
     for (QWidget* editor : std::initializer_list<QWidget*>{m_cell, m_withFallen, m_atFeEnd}) {
         editor->setEnabled(!content.running);
     }
+    m_place->setEnabled(!content.running);
     m_simulate->setEnabled(content.ready && !content.running);
     m_simulate->setVisible(!content.running);
     m_cancel->setVisible(content.running);

@@ -14,6 +14,7 @@ class QSpinBox;
 namespace rubble::widgets {
 
 class NumberField;
+class PlaceChoice;
 
 /// What an ensemble varies, how many members it has, and how far its simulation is. Shows what it is given; an edit of what the
 /// case keeps leaves as a whole.
@@ -37,6 +38,7 @@ public:
     /// How debris is laid on the ground.
     SurfaceSettings surface() const;
     DebrisInstant instant() const;
+    PlaceChoice& place() { return *m_place; }
     /// @param secondsLeft  NaN: not known yet
     void setProgress(const QString& what, double fraction, double secondsLeft);
     /// Where finished members are kept.
@@ -57,6 +59,7 @@ private:
     void showCost();
 
     Content m_content;
+    PlaceChoice* m_place;
     QPushButton* m_simulate;
     QPushButton* m_cancel;
     QLabel* m_why;

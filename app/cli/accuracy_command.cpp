@@ -22,7 +22,7 @@ constexpr int jobsMax = 1024;
 
 std::vector<std::string> parseMultiples(const Arguments& arguments) {
     const auto text = arguments.value("--multiples");
-    return text ? splitAtCommas(*text) : std::vector<std::string>{};
+    return text && !text->empty() ? splitAtCommas(*text) : std::vector<std::string>{};
 }
 
 std::vector<VariedParameter> parseVaried(const Arguments& arguments) {
@@ -38,11 +38,11 @@ std::vector<VariedParameter> parseVaried(const Arguments& arguments) {
 std::vector<AccuracySetting> parseSettings(const Arguments& arguments, const Scenario& scenario) {
     std::vector<std::string> multiples = parseMultiples(arguments);
     const std::vector<VariedParameter> varied = parseVaried(arguments);
-    if (multiples.empty() && varied.empty()) {
+    if (!arguments.has("--multiples") && varied.empty()) {
         if (arguments.has("--check")) {
             return {};
         }
-        multiples = {"1", "1.5", "2", "2.5", "3", "4"};
+        multiples = usualMultiples();
     }
     return sweepSettings(scenario, multiples, varied);
 }
@@ -132,15 +132,12 @@ ExitCode measureAccuracy(const Arguments& arguments, Session& session) {
     const std::vector<KnownPoint> earlier = files.points(scene, kept);
     if (place.elsewhere() && options.simulated) {
         StudyPlace::Study study{accuracyTasks(subject.inputs, subject.scenario, settings, options, session.execution()),
-                                files.folder(),
-                                false,
+                                files.folder(), false,
                                 [&](const WorldOrigin& origin) {
                                     Findings said;
                                     return files.world(origin, said).has_value();
                                 },
-                                {},
                                 subject.files};
-        study.needs = needsOf(subject, study.tasks, options.study.threads);
         if (const auto ended = place.haveMade(std::move(study), session)) {
             return *ended;
         }
@@ -184,7 +181,8 @@ Command accuracyCommand() {
         scenarioOption(),
         cachedOption(),
         terrainOption(),
-        {"--multiples", "A,B", false, "multiples of the mean distance to sweep, auto among them (default: 1,1.5,2,2.5,3,4)"},
+        {"--multiples", "A,B", false,
+         "multiples of the mean distance to sweep, auto among them (default: 1,1.5,2,2.5,3,4); empty: the grid as set"},
         {"--vary", "KEY=A,B", true, "values of a parameter to sweep, in every combination with the others"},
         {"--jobs", "N", false, "worlds at a time for the accuracy (default: one for each thread); no accuracy depends on it"},
         {"--no-fps", "", false, "leave live FPS out: saves drawing each setting once"},

@@ -280,7 +280,7 @@ void printBlind(std::ostream& out, const BlindTest& test, const std::vector<std:
 
 /// Has the members of all causes made elsewhere, in one list or array.
 std::optional<ExitCode> haveMade(const StudyPlace& place, const Causes& causes, const EnsembleRequest& request,
-                                 io::SettledFiles& files, const Arguments& arguments, Session& session) {
+                                 io::SettledFiles& files, Session& session) {
     StudyPlace::Study study;
     study.store = files.worlds().folder();
     study.islands = true;
@@ -291,8 +291,6 @@ std::optional<ExitCode> haveMade(const StudyPlace& place, const Causes& causes, 
     for (std::size_t h = 0; h < causes.subjects.size(); ++h) {
         const EnsembleSubject& subject = causes.subjects[h];
         std::vector<StudyTask> tasks = tasksOf(subject, request, session.execution());
-        const io::JobNeeds needs = needsOf(subject, tasks, arguments);
-        study.needs = {std::max(study.needs.seconds, needs.seconds), std::max(study.needs.bytes, needs.bytes)};
         study.files.insert(study.files.end(), subject.files.begin(), subject.files.end());
         for (StudyTask& task : tasks) {
             task.name = causes.names[h] + ", " + task.name;
@@ -335,7 +333,7 @@ ExitCode compare(const Arguments& arguments, Session& session) {
     }
     const CauseEvidence evidence = readEvidence(arguments, request, causes, findings, session);
     if (place.elsewhere()) {
-        if (const auto ended = haveMade(place, causes, request, files, arguments, session)) {
+        if (const auto ended = haveMade(place, causes, request, files, session)) {
             return *ended;
         }
     }

@@ -59,16 +59,12 @@ ExitCode ensemble(const Arguments& arguments, Session& session) {
     EnsembleOptions options = request.studyOptions(&files);
     options.choice = place.choice();
     if (place.elsewhere()) {
-        StudyPlace::Study study{tasksOf(subject, request, session.execution()),
-                                files.worlds().folder(),
-                                true,
+        StudyPlace::Study study{tasksOf(subject, request, session.execution()), files.worlds().folder(), true,
                                 [&](const WorldOrigin& origin) {
                                     Findings said;
                                     return files.settled(origin, said).has_value();
                                 },
-                                {},
                                 subject.files};
-        study.needs = needsOf(subject, study.tasks, arguments);
         if (const auto ended = place.haveMade(std::move(study), session)) {
             return *ended;
         }

@@ -160,14 +160,6 @@ std::vector<StudyTask> tasksOf(const EnsembleSubject& subject, const EnsembleReq
     return ensembleTasks(subject.scenes, subject.settings, request.studyOptions(nullptr), execution);
 }
 
-io::JobNeeds needsOf(const EnsembleSubject& subject, const std::vector<StudyTask>& tasks, const Arguments& arguments) {
-    double seconds = 0.0;
-    for (const EnsembleScene& scene : subject.scenes) {
-        seconds = std::max(seconds, scene.inputs.fe->times().back() + scene.scenario.simulation.settleTime);
-    }
-    return io::expectedNeeds(tasks, seconds, parseCount(arguments, "--threads", 1, jobsMax, 1));
-}
-
 std::vector<std::string> operandsOf(const Arguments& arguments) {
     std::vector<std::string> operands;
     for (std::size_t i = 0; !arguments.operand(i).empty(); ++i) {

@@ -9,7 +9,6 @@
 #include "app/cli/subject.h"
 #include "core/evidence/probability_map.h"
 #include "io/geo/ensemble_origin.h"
-#include "io/jobs/slurm_jobs.h"
 
 namespace rubble::cli {
 
@@ -55,8 +54,6 @@ EnsembleSubject openEnsembleSubject(const std::string& path, const std::optional
 
 /// The worlds of the members of a subject, for others to make. Throws what ensembleTasks() throws.
 std::vector<StudyTask> tasksOf(const EnsembleSubject& subject, const EnsembleRequest& request, const Execution& execution);
-/// What one of them may take. Each has one thread unless --threads says more.
-io::JobNeeds needsOf(const EnsembleSubject& subject, const std::vector<StudyTask>& tasks, const Arguments& arguments);
 
 /// All operands of a command that takes any number.
 std::vector<std::string> operandsOf(const Arguments& arguments);

@@ -41,15 +41,12 @@ ExitCode measureInfluence(const Arguments& arguments, Session& session) {
     io::StudyFiles files(arguments.value("--cache").value_or(io::cacheFolder()));
     if (place.elsewhere()) {
         StudyPlace::Study study{influenceTasks(subject.inputs, subject.scenario, effects, settings, session.execution()),
-                                files.folder(),
-                                false,
+                                files.folder(), false,
                                 [&](const WorldOrigin& origin) {
                                     Findings said;
                                     return files.world(origin, said).has_value();
                                 },
-                                {},
                                 subject.files};
-        study.needs = needsOf(subject, study.tasks, settings.threads);
         if (const auto ended = place.haveMade(std::move(study), session)) {
             return *ended;
         }

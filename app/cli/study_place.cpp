@@ -25,15 +25,9 @@ constexpr std::array<std::string_view, 18> decidingNone{
     "--executor", "--tasks", "--sbatch", "--detach",  "--world",  "--cache",  "--jobs",      "--csv",   "--json",
     "--errors",   "--out",   "--check",  "--predict", "--retime", "--no-fps", "--no-timing", "--blind", "--threads"};
 
-std::string programPath() {
-    std::error_code failed;
-    const fs::path path = fs::read_symlink("/proc/self/exe", failed);
-    return failed ? "rubble-cli" : path.string();
-}
-
-/// The line of the shell that makes one world of a study: this command again, for that world alone.
-std::string commandOf(const Arguments& arguments, const std::string& store, const std::string& key) {
-    std::vector<std::string> words{programPath(), std::string(arguments.command().name)};
+/// The options of a command that say which worlds its study has.
+std::vector<std::string> decidingWords(const Arguments& arguments) {
+    std::vector<std::string> words;
     for (const Option& option : arguments.command().options) {
         if (std::find(decidingNone.begin(), decidingNone.end(), option.name) != decidingNone.end() || !arguments.has(option.name)) {
             continue;
@@ -45,6 +39,14 @@ std::string commandOf(const Arguments& arguments, const std::string& store, cons
             }
         }
     }
+    return words;
+}
+
+/// The line of the shell that makes one world of a study: this command again, for that world alone.
+std::string commandOf(const Arguments& arguments, const std::string& store, const std::string& key) {
+    std::vector<std::string> words{io::programBeside("rubble-cli"), std::string(arguments.command().name)};
+    const std::vector<std::string> deciding = decidingWords(arguments);
+    words.insert(words.end(), deciding.begin(), deciding.end());
     words.insert(words.end(), {"--threads", arguments.value("--threads").value_or("1"), "--cache", store, "--world", key, "--"});
     for (const std::string& operand : operandsOf(arguments)) {
         words.push_back(operand);
@@ -95,37 +97,31 @@ WorldChoice StudyPlace::choice() const {
     return m_world ? WorldChoice::only(*m_world) : elsewhere() ? WorldChoice::none() : WorldChoice();
 }
 
-std::vector<io::JobTask> StudyPlace::tasksOf(const Study& study) const {
-    std::vector<io::JobTask> tasks;
-    for (const StudyTask& task : study.tasks) {
-        io::JobTask& made = tasks.emplace_back();
-        made.key = task.origin.key.hex();
-        made.name = task.name;
-        made.bodies = task.bodies;
-        made.command = commandOf(m_arguments, study.store, made.key);
+io::DistributedStudy StudyPlace::distributed(const Study& study) const {
+    io::DistributedStudy made;
+    made.name = std::string(m_arguments.command().name);
+    for (const std::string& operand : operandsOf(m_arguments)) {
+        made.subject += (made.subject.empty() ? "" : ", ") + fs::absolute(operand).lexically_normal().string();
     }
-    return tasks;
+    made.store = fs::absolute(study.store).lexically_normal().string();
+    made.tasks = study.tasks;
+    made.islands = study.islands;
+    made.kept = study.kept;
+    made.command = [this, store = made.store](const std::string& key) { return commandOf(m_arguments, store, key); };
+    made.request = decidingWords(m_arguments);
+    made.cpus = parseCount(m_arguments, "--threads", 1, 1024, 1);
+    made.sbatchOptions = m_arguments.values("--sbatch");
+    return made;
 }
 
 std::optional<ExitCode> StudyPlace::haveMade(Study study, Session& session) const {
     study.tasks = distinctTasks(std::move(study.tasks));
-    study.store = fs::absolute(study.store).lexically_normal().string();
-    std::vector<io::JobTask> missing = tasksOf(study);
-    for (std::size_t i = study.tasks.size(); i-- > 0;) {
-        session.execution().check();
-        if (study.kept(study.tasks[i].origin)) {
-            missing.erase(missing.begin() + static_cast<std::ptrdiff_t>(i));
-        } else {
-            // What is damaged or of something else would be taken for the world by its name.
-            std::error_code ignored;
-            const std::string key = study.tasks[i].origin.key.hex();
-            fs::remove(fs::path(study.store) / (study.islands ? "islands/" + key + ".json" : "worlds/" + key + ".world"), ignored);
-        }
-    }
+    const io::DistributedStudy distributed = this->distributed(study);
+    const std::vector<io::JobTask> missing = io::missingTasks(distributed, session.execution());
     if (missing.empty()) {
         return {};
     }
-    return m_executor == Executor::Commands ? writeList(study, missing, session) : submit(study, session);
+    return m_executor == Executor::Commands ? writeList(study, missing, session) : submit(distributed, session);
 }
 
 ExitCode StudyPlace::writeList(const Study& study, const std::vector<io::JobTask>& missing, Session& session) const {
@@ -152,19 +148,10 @@ ExitCode StudyPlace::writeList(const Study& study, const std::vector<io::JobTask
     return ExitCode::Ok;
 }
 
-std::optional<ExitCode> StudyPlace::submit(const Study& study, Session& session) const {
-    io::SlurmJobs jobs(study.store);
-    io::JobRecord record;
-    record.study = std::string(m_arguments.command().name);
-    for (const std::string& operand : operandsOf(m_arguments)) {
-        record.subject += (record.subject.empty() ? "" : ", ") + fs::absolute(operand).lexically_normal().string();
-    }
-    record.islands = study.islands;
-    record.cpus = parseCount(m_arguments, "--threads", 1, 1024, 1);
-    record.sbatchOptions = m_arguments.values("--sbatch");
-    record.tasks = tasksOf(study);
+std::optional<ExitCode> StudyPlace::submit(const io::DistributedStudy& study, Session& session) const {
     std::size_t submitted = 0;
-    const std::string id = jobs.submit(record, study.needs, submitted);
+    const std::string id = io::submitStudy(study, submitted);
+    io::SlurmJobs jobs(study.store);
     session.err() << "job " << id << ": "
                   << (submitted == 0 ? std::string("was submitted before")
                                      : englishInteger(static_cast<std::int64_t>(submitted)) + " of " +
@@ -210,10 +197,6 @@ ExitCode StudyPlace::endSingle(const std::string& store, bool islands, const std
         session.out() << "world " << m_world->hex() << " is made\n";
     }
     return ExitCode::Ok;
-}
-
-io::JobNeeds needsOf(const Subject& subject, const std::vector<StudyTask>& tasks, int threads) {
-    return io::expectedNeeds(tasks, subject.inputs.fe->times().back() + subject.scenario.simulation.settleTime, threads);
 }
 
 void printFailedTasks(const io::JobProgress& progress, Session& session) {

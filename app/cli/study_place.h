@@ -10,7 +10,7 @@
 #include "app/cli/subject.h"
 #include "core/analysis/study_tasks.h"
 #include "core/base/finding.h"
-#include "io/jobs/slurm_jobs.h"
+#include "io/jobs/distributed_study.h"
 
 namespace rubble::cli {
 
@@ -34,8 +34,7 @@ public:
         std::string store;                                    ///< its folder
         bool islands = false;                                 ///< worlds count only with what is kept of released islands
         std::function<bool(const WorldOrigin& origin)> kept;  ///< the store has it, sound and of this origin
-        io::JobNeeds needs;
-        std::vector<std::string> files;  ///< that were read: never written over
+        std::vector<std::string> files;                       ///< that were read: never written over
     };
     /// Has the worlds made that are missing: writes the list of them, or submits and follows. Returns what the command ends with if
     /// there is nothing to report yet. Throws UsageError, WorldError, Cancelled.
@@ -49,17 +48,14 @@ public:
 private:
     enum class Executor { Local, Commands, Slurm };
 
-    std::vector<io::JobTask> tasksOf(const Study& study) const;
+    io::DistributedStudy distributed(const Study& study) const;
     ExitCode writeList(const Study& study, const std::vector<io::JobTask>& missing, Session& session) const;
-    std::optional<ExitCode> submit(const Study& study, Session& session) const;
+    std::optional<ExitCode> submit(const io::DistributedStudy& study, Session& session) const;
 
     const Arguments& m_arguments;
     Executor m_executor = Executor::Local;
     std::optional<Digest> m_world;
 };
-
-/// What the worlds of a subject may take. @param threads  of each; 0: one
-io::JobNeeds needsOf(const Subject& subject, const std::vector<StudyTask>& tasks, int threads);
 
 /// What following a study on the cluster came to: says which worlds failed.
 void printFailedTasks(const io::JobProgress& progress, Session& session);

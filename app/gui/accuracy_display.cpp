@@ -5,6 +5,7 @@
 #include "app/gui/panel_deck.h"
 #include "widgets/accuracy_page.h"
 #include "widgets/accuracy_words.h"
+#include "widgets/place_choice.h"
 
 namespace rubble {
 
@@ -19,7 +20,19 @@ AccuracyDisplay::AccuracyDisplay(Document& document, Computation& computation, P
         showRail();
     });
     connect(&m_deck.accuracy(), &widgets::AccuracyPanel::compareRequested, this, &AccuracyDisplay::compare);
-    connect(&m_deck.accuracy(), &widgets::AccuracyPanel::cancelRequested, &m_work, &AccuracyWork::cancel);
+    connect(&m_deck.accuracy(), &widgets::AccuracyPanel::cancelRequested, this, &AccuracyDisplay::cancel);
+    connect(&m_work, &AccuracyWork::begun, this, [this] {
+        refresh();
+        emit changed();
+    });
+    connect(&m_work, &AccuracyWork::resumed, this, [this](const widgets::AccuracyPanel::Request& request) {
+        m_deck.accuracy().setRequest(request);
+        emit told(tr("Settings of this case were compared on the cluster: here they are"));
+    });
+    widgets::PlaceChoice& place = m_deck.accuracy().place();
+    connect(&place, &widgets::PlaceChoice::shown, &m_work.cluster(), &ClusterWork::probe);
+    connect(&place, &widgets::PlaceChoice::chosen, this, &AccuracyDisplay::showPanel);
+    connect(&m_work.cluster(), &ClusterWork::reached, &place, &widgets::PlaceChoice::setReached);
     connect(&m_page, &widgets::AccuracyPage::rowChosen, this, &AccuracyDisplay::adopt);
     connect(&m_computation, &Computation::prepared, this, &AccuracyDisplay::prepared);
     connect(&m_computation, &Computation::stateChanged, this, &AccuracyDisplay::showPanel);
@@ -36,6 +49,9 @@ void AccuracyDisplay::prepared() {
         m_work.clear();
         m_deck.accuracy().setError({});
         m_deck.accuracy().setFindings({});
+        if (fe != nullptr) {
+            m_work.resume(m_computation.inputs(), m_document.scenario(), m_deck.accuracy().request());
+        }
     }
     refresh();
     const bool ready =
@@ -53,13 +69,15 @@ void AccuracyDisplay::compareWhenReady() {
 
 void AccuracyDisplay::compare() {
     widgets::AccuracyPanel& panel = m_deck.accuracy();
-    if (m_computation.inputs().fe == nullptr || m_work.running() || m_computation.busy(Stage::Simulation) || !m_busy.isEmpty()) {
+    const bool here = !panel.place().onCluster();
+    if (m_computation.inputs().fe == nullptr || m_work.running() ||
+        (here && (m_computation.busy(Stage::Simulation) || !m_busy.isEmpty()))) {
         return;
     }
     panel.setError({});
     panel.setFindings({});
     try {
-        m_work.start(m_computation.inputs(), m_document.scenario(), panel.request());
+        m_work.start(m_computation.inputs(), m_document.scenario(), panel.request(), jobCaseOf(m_document));
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
         panel.setError(failure->what, failure->remedy);
@@ -68,6 +86,14 @@ void AccuracyDisplay::compare() {
     panel.setProgress(tr("Preparing"), 0.0, std::numeric_limits<double>::quiet_NaN());
     refresh();
     emit changed();
+}
+
+void AccuracyDisplay::cancel() {
+    if (m_work.simulatesHere()) {
+        m_work.cancel();
+    } else if (mayCancelJob(&m_deck.accuracy())) {
+        m_work.cluster().cancelJob();
+    }
 }
 
 void AccuracyDisplay::setBusy(const QString& why) {
@@ -143,19 +169,23 @@ void AccuracyDisplay::showPanel() {
     const Results& results = m_computation.results();
     const bool none = results.fragments != nullptr && results.fragments->list.empty();
     const bool simulating = m_computation.busy(Stage::Simulation);
+    const bool here = !m_deck.accuracy().place().onCluster();
     QString why;
     if (fe == nullptr) {
         why = tr("Open a result first.");
     } else if (none) {
         why = tr("No element dies in this result, so there is nothing to compare.");
-    } else if (simulating) {
+    } else if (m_work.cluster().running()) {
+        why = tr(
+            "The cluster simulates. Times are not measured there: compare on this machine for them, no world is simulated again.");
+    } else if (here && simulating) {
         why = tr("A run is being simulated: comparing beside it would spoil the times. Wait for it or cancel it.");
-    } else if (!m_busy.isEmpty()) {
+    } else if (here && !m_busy.isEmpty()) {
         why = m_busy;
     } else if (m_work.running()) {
         why = tr("Simulate waits until the comparison is through, so that its times hold. Settings can be edited meanwhile.");
     }
-    m_deck.accuracy().setReady(fe != nullptr && !none && !simulating && m_busy.isEmpty(), m_work.running(), why);
+    m_deck.accuracy().setReady(fe != nullptr && !none && (!here || (!simulating && m_busy.isEmpty())), m_work.running(), why);
     showRail();
 }
 

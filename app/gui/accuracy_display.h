@@ -43,6 +43,7 @@ signals:
 
 private:
     void prepared();
+    void cancel();
     void ended(const Failure* failure);
     void showPanel();
     void showRail();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/machine.h"
 #include "io/study_files.h"
@@ -10,30 +11,147 @@
 
 namespace rubble {
 
-AccuracyWork::AccuracyWork(QObject* parent) : QObject(parent), m_machine(io::machineText()) {
-    connect(&m_worker, &Worker::progressed, this, [this](Worker::Kind, const Progress& progress) { showProgress(progress); });
+namespace {
+
+std::string joined(const std::vector<std::string>& values) {
+    std::string text;
+    for (const std::string& value : values) {
+        text += (text.empty() ? "" : ",") + value;
+    }
+    return text;
 }
 
-QString AccuracyWork::folder() {
+std::vector<std::string> split(const std::string& text) {
+    std::vector<std::string> values;
+    for (const QString& value : QString::fromStdString(text).split(u',', Qt::SkipEmptyParts)) {
+        values.push_back(value.toStdString());
+    }
+    return values;
+}
+
+/// A request in the words of rubble-cli accuracy.
+std::vector<std::string> wordsOf(const widgets::AccuracyPanel::Request& request) {
+    std::vector<std::string> words{"--multiples", joined(request.multiples), "--repeats", std::to_string(request.repeats)};
+    for (const VariedParameter& varied : request.varied) {
+        words.insert(words.end(), {"--vary", varied.key + "=" + joined(varied.values)});
+    }
+    return words;
+}
+
+/// What such words ask for, and the rest as it was.
+widgets::AccuracyPanel::Request requestFrom(const std::vector<std::string>& words, widgets::AccuracyPanel::Request request) {
+    request.multiples.clear();
+    request.varied.clear();
+    request.repeats = StudySettings().repeats;
+    request.onCluster = true;
+    bool multiples = false;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        const std::string& value = words[i + 1];
+        const std::size_t sign = value.find('=');
+        if (words[i] == "--multiples") {
+            request.multiples = split(value);
+            multiples = true;
+        } else if (words[i] == "--vary" && sign != std::string::npos) {
+            request.varied.push_back({value.substr(0, sign), split(value.substr(sign + 1))});
+        } else if (words[i] == "--repeats") {
+            request.repeats = std::clamp(QString::fromStdString(value).toInt(), 1, 100);
+        }
+    }
+    if (!multiples && request.varied.empty()) {
+        request.multiples = usualMultiples();
+    }
+    return request;
+}
+
+std::string storeFolder() {
     try {
-        return QString::fromStdString(io::cacheFolder());
+        return io::cacheFolder();
     } catch (const WorldError&) {
+        // Whoever needs the folder says that there is none.
         return {};
     }
 }
 
-void AccuracyWork::start(const Inputs& inputs, const Scenario& scenario, const widgets::AccuracyPanel::Request& request) {
-    const std::vector<AccuracySetting> settings = sweepSettings(scenario, request.multiples, request.varied);
-    const int generation = ++m_generation;
+}  // namespace
+
+/// What is compared.
+struct AccuracyWork::Comparison {
+    Inputs inputs;
+    Scenario scenario;
+    widgets::AccuracyPanel::Request request;
+    std::string machine;
+    int generation = 0;
+
+    std::vector<AccuracySetting> settings() const { return sweepSettings(scenario, request.multiples, request.varied); }
+    AccuracyOptions options(io::StudyFiles& files) const {
+        AccuracyOptions options;
+        options.study.repeats = request.repeats;
+        options.study.measures.tolerances = request.tolerances;
+        options.machine = machine;
+        options.store = &files;
+        options.retimed = request.retimed;
+        return options;
+    }
+    /// The same with nothing simulated here. Tasks of a cluster have one thread.
+    AccuracyOptions optionsElsewhere(io::StudyFiles& files) const {
+        AccuracyOptions options = this->options(files);
+        options.study.threads = 1;
+        options.retimed = false;
+        options.choice = WorldChoice::none();
+        return options;
+    }
+    /// Submits the worlds that are missing. Runs on a worker's thread.
+    std::string submit(const JobCase& of, const Execution& execution) const {
+        io::StudyFiles files(io::cacheFolder());
+        io::DistributedStudy study;
+        study.name = "accuracy";
+        study.subject = of.subject;
+        study.store = files.folder();
+        study.tasks = accuracyTasks(inputs, scenario, settings(), optionsElsewhere(files), execution);
+        study.kept = [&files](const WorldOrigin& origin) {
+            Findings ignored;
+            return files.world(origin, ignored).has_value();
+        };
+        study.request = wordsOf(request);
+        study.sbatchOptions = request.sbatchOptions;
+        if (io::missingTasks(study, execution).empty()) {
+            return {};
+        }
+        study.setCommand(commandLineProgram(), keepJobCase(study.store, io::jobId(study.jobTasks()), of));
+        std::size_t submitted = 0;
+        return io::submitStudy(study, submitted);
+    }
+};
+
+AccuracyWork::AccuracyWork(QObject* parent) : QObject(parent), m_machine(io::machineText()), m_cluster(storeFolder()) {
+    connect(&m_worker, &Worker::progressed, this, [this](Worker::Kind, const Progress& progress) { showProgress(progress); });
+    connect(&m_cluster, &ClusterWork::begun, this, &AccuracyWork::begun);
+    connect(&m_cluster, &ClusterWork::progressed, this, &AccuracyWork::progressed);
+    connect(&m_cluster, &ClusterWork::ended, this, &AccuracyWork::ended);
+}
+
+QString AccuracyWork::folder() {
+    return QString::fromStdString(storeFolder());
+}
+
+void AccuracyWork::start(const Inputs& inputs, const Scenario& scenario, const widgets::AccuracyPanel::Request& request,
+                         const JobCase& of) {
+    const auto comparison = std::make_shared<Comparison>(Comparison{inputs, scenario, request, m_machine, 0});
+    comparison->settings();  // says at once what cannot be swept
+    comparison->generation = ++m_generation;
+    if (request.onCluster) {
+        m_cluster.start(
+            {[comparison, of](const Execution& execution) { return comparison->submit(of, execution); }, collecting(comparison)});
+        return;
+    }
     m_running = true;
     m_left.restart();
     auto made = std::make_shared<std::shared_ptr<const AccuracyReport>>();
     m_worker.start({Worker::Kind::Study,
-                    [this, inputs, scenario, settings, request, generation, made](const Execution& execution) {
-                        *made = std::make_shared<const AccuracyReport>(
-                            compare(inputs, scenario, settings, request, generation, execution));
+                    [this, comparison, made](const Execution& execution) {
+                        *made = std::make_shared<const AccuracyReport>(compare(*comparison, execution));
                     },
-                    [this, generation, made](const std::exception_ptr& thrown) {
+                    [this, generation = m_generation, made](const std::exception_ptr& thrown) {
                         if (generation != m_generation) {
                             return;
                         }
@@ -46,26 +164,78 @@ void AccuracyWork::start(const Inputs& inputs, const Scenario& scenario, const w
                     }});
 }
 
-AccuracyReport AccuracyWork::compare(const Inputs& inputs, const Scenario& scenario, const std::vector<AccuracySetting>& settings,
-                                     const widgets::AccuracyPanel::Request& request, int generation, const Execution& execution) {
+void AccuracyWork::resume(const Inputs& inputs, const Scenario& scenario, const widgets::AccuracyPanel::Request& request) {
+    const auto comparison = std::make_shared<Comparison>(Comparison{inputs, scenario, request, m_machine, ++m_generation});
+    const auto found = [this, comparison](const io::JobRecord& record) -> std::string {
+        comparison->request = requestFrom(record.request, comparison->request);
+        QMetaObject::invokeMethod(
+            this,
+            [this, comparison] {
+                if (comparison->generation == m_generation) {
+                    emit resumed(comparison->request);
+                }
+            },
+            Qt::QueuedConnection);
+        return io::allMade(storeFolder(), record) ? std::string() : record.id;
+    };
+    m_cluster.resume({[comparison, found](const Execution& execution) -> std::optional<std::string> {
+                          const Scenario reference = referenceScenario(comparison->scenario);
+                          const std::string key = originOf(comparison->inputs, reference, 0, 0.0, comparison->machine).key.hex();
+                          const auto record = io::newestJob(storeFolder(), "accuracy", [&](const io::JobRecord& each) {
+                              execution.check();
+                              return std::any_of(each.tasks.begin(), each.tasks.end(),
+                                                 [&](const io::JobTask& task) { return task.key == key; });
+                          });
+                          return record ? std::optional(found(*record)) : std::nullopt;
+                      },
+                      collecting(comparison)});
+}
+
+std::function<void(const io::JobProgress&, const Execution&)> AccuracyWork::collecting(
+    const std::shared_ptr<Comparison>& comparison) {
+    return [this, comparison](const io::JobProgress& progress, const Execution& execution) {
+        const auto report = std::make_shared<const AccuracyReport>(collect(*comparison, progress, execution));
+        QMetaObject::invokeMethod(
+            this, [this, report, generation = comparison->generation] { take(generation, report); }, Qt::QueuedConnection);
+    };
+}
+
+AccuracyReport AccuracyWork::collect(const Comparison& comparison, const io::JobProgress& progress,
+                                     const Execution& execution) const {
+    // Its progress would stand in the way of that of the cluster.
+    const Execution silent([&execution](const Progress&) { execution.check(); });
+    io::StudyFiles files(io::cacheFolder());
+    AccuracyReport report = accuracyStudy(comparison.inputs, comparison.scenario, comparison.settings(),
+                                          comparison.optionsElsewhere(files), silent.withThreads(execution.threads()));
+    execution.check();
+    for (const io::JobTask& task : progress.failed) {
+        const auto take = [&](AccuracyPoint& point) {
+            if (!point.done && point.origin.key.hex() == task.key) {
+                point.failure = {"accuracy.on_cluster", "on the cluster: {0}", {task.failure}};
+            }
+        };
+        take(report.reference);
+        std::for_each(report.points.begin(), report.points.end(), take);
+    }
+    report.findings.append(findingsOf(progress));
+    io::keepPoints(files, report);
+    return report;
+}
+
+AccuracyReport AccuracyWork::compare(const Comparison& comparison, const Execution& execution) {
     io::StudyFiles files(io::cacheFolder());
     std::string renderer;
-    AccuracyOptions options;
-    options.study.repeats = request.repeats;
-    options.study.measures.tolerances = request.tolerances;
-    options.machine = m_machine;
-    options.store = &files;
-    options.retimed = request.retimed;
-    if (request.liveFps) {
+    AccuracyOptions options = comparison.options(files);
+    if (comparison.request.liveFps) {
         options.screen = [&renderer](const RunDescription& run, std::shared_ptr<const TrajectoryReader> trajectory) {
             return figures::liveScreen(run, std::move(trajectory), renderer);
         };
     }
-    options.grown = [this, generation](const AccuracyReport& report) {
+    options.grown = [this, generation = comparison.generation](const AccuracyReport& report) {
         auto copy = std::make_shared<const AccuracyReport>(report);
         QMetaObject::invokeMethod(this, [this, generation, copy] { take(generation, copy); }, Qt::QueuedConnection);
     };
-    AccuracyReport report = accuracyStudy(inputs, scenario, settings, options, execution);
+    AccuracyReport report = accuracyStudy(comparison.inputs, comparison.scenario, comparison.settings(), options, execution);
     io::keepPoints(files, report);
     return report;
 }
@@ -80,6 +250,7 @@ void AccuracyWork::take(int generation, std::shared_ptr<const AccuracyReport> re
 void AccuracyWork::clear() {
     ++m_generation;
     m_worker.cancel();
+    m_cluster.forget();
     m_running = false;
     m_report.reset();
     emit grew();

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "app/gui/accuracy_work.h"
+#include "app/gui/cluster_ensemble.h"
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
 #include "app/gui/map_export.h"
@@ -14,12 +15,19 @@
 #include "io/files.h"
 #include "widgets/ensemble_page.h"
 #include "widgets/ensemble_panel.h"
+#include "widgets/place_choice.h"
 
 namespace rubble {
 
 EnsembleDisplay::EnsembleDisplay(Document& document, Computation& computation, StudyWork& work, widgets::EnsemblePanel& panel,
                                  widgets::EnsemblePage& page, QObject* parent)
-    : QObject(parent), m_document(document), m_computation(computation), m_work(work), m_panel(panel), m_page(page) {
+    : QObject(parent),
+      m_document(document),
+      m_computation(computation),
+      m_work(work),
+      m_panel(panel),
+      m_page(page),
+      m_cluster(AccuracyWork::folder().toStdString()) {
     connect(&m_work, &StudyWork::ensembleGrew, this, &EnsembleDisplay::take);
     connect(&m_work, &StudyWork::ended, this, &EnsembleDisplay::ended);
     connect(&m_work, &StudyWork::progressed, this, [this](const QString& what, double fraction, double left) {
@@ -27,10 +35,20 @@ EnsembleDisplay::EnsembleDisplay(Document& document, Computation& computation, S
             m_panel.setProgress(what, fraction, left);
         }
     });
+    connect(&m_cluster, &ClusterWork::progressed, &m_panel, &widgets::EnsemblePanel::setProgress);
+    connect(&m_cluster, &ClusterWork::begun, this, [this] {
+        m_startedKey = m_key = keyNow();
+        m_panel.place().setOnCluster(true);
+        showPanel();
+    });
+    connect(&m_cluster, &ClusterWork::ended, this, &EnsembleDisplay::ended);
+    connect(&m_cluster, &ClusterWork::reached, &m_panel.place(), &widgets::PlaceChoice::setReached);
+    connect(&m_panel.place(), &widgets::PlaceChoice::shown, &m_cluster, &ClusterWork::probe);
+    connect(&m_panel.place(), &widgets::PlaceChoice::chosen, this, &EnsembleDisplay::showPanel);
     connect(&m_panel, &widgets::EnsemblePanel::settingsEdited, &m_document, &Document::setEnsemble);
     connect(&m_panel, &widgets::EnsemblePanel::surfaceChanged, this, &EnsembleDisplay::refresh);
     connect(&m_panel, &widgets::EnsemblePanel::simulateRequested, this, &EnsembleDisplay::simulate);
-    connect(&m_panel, &widgets::EnsemblePanel::cancelRequested, &m_work, &StudyWork::cancel);
+    connect(&m_panel, &widgets::EnsemblePanel::cancelRequested, this, &EnsembleDisplay::cancel);
     connect(&m_page, &widgets::EnsemblePage::layerChanged, this, &EnsembleDisplay::showGround);
     connect(&m_page, &widgets::EnsemblePage::onGroundChanged, this, &EnsembleDisplay::showGround);
     connect(&m_page, &widgets::EnsemblePage::saveMapRequested, this, &EnsembleDisplay::saveMap);
@@ -49,6 +67,10 @@ EnsembleDisplay::EnsembleDisplay(Document& document, Computation& computation, S
             m_panel.setError({});
             if (m_work.simulating()) {
                 m_work.forget();
+            }
+            m_cluster.forget();
+            if (fe != nullptr) {
+                m_cluster.resume(onCluster(false));
             }
             showGround();
         }
@@ -106,7 +128,9 @@ Digest EnsembleDisplay::keyNow() const {
 }
 
 void EnsembleDisplay::simulate() {
-    if (m_computation.inputs().fe == nullptr || m_work.running() || m_computation.busy(Stage::Simulation) || !m_busy.isEmpty()) {
+    const bool here = !m_panel.place().onCluster();
+    if (m_computation.inputs().fe == nullptr || running() ||
+        (here && (m_work.running() || m_computation.busy(Stage::Simulation) || !m_busy.isEmpty()))) {
         return;
     }
     m_panel.setError({});
@@ -114,8 +138,34 @@ void EnsembleDisplay::simulate() {
     m_map = nullptr;
     m_startedKey = m_key = keyNow();
     m_panel.setProgress(tr("Preparing"), 0.0, std::numeric_limits<double>::quiet_NaN());
-    m_work.simulate(openCase(), order());
+    if (here) {
+        m_work.simulate(openCase(), order());
+    } else {
+        m_cluster.start(onCluster(true));
+    }
     refresh();
+}
+
+ClusterWork::Study EnsembleDisplay::onCluster(bool submits) {
+    const auto take = [this, generation = ++m_generation](const MadeEnsemble& made) {
+        QMetaObject::invokeMethod(
+            this,
+            [this, generation, made] {
+                if (generation == m_generation) {
+                    this->take(made);
+                }
+            },
+            Qt::QueuedConnection);
+    };
+    return clusterStudy({openCase(), order(), jobCaseOf(m_document), m_panel.place().sbatchOptions(), submits, take});
+}
+
+void EnsembleDisplay::cancel() {
+    if (!m_cluster.running()) {
+        m_work.cancel();
+    } else if (mayCancelJob(&m_panel)) {
+        m_cluster.cancelJob();
+    }
 }
 
 void EnsembleDisplay::take(const MadeEnsemble& made) {
@@ -168,14 +218,15 @@ void EnsembleDisplay::showPanel() {
         content.scenarios.push_back({QString::fromStdString(each.id), QString::fromStdString(each.name)});
     }
     content.available = !m_document.empty();
-    content.running = m_work.simulating();
-    content.ready = open && !none && !simulating && m_busy.isEmpty() && !m_work.running();
-    content.why = !open                                 ? tr("Open a result first.")
-                  : none                                ? tr("No element dies in this result, so there is nothing to simulate.")
-                  : simulating                          ? tr("A run is being simulated: wait for it or cancel it.")
-                  : m_work.comparing()                  ? tr("Causes are being compared: wait for that or cancel it.")
-                  : content.running || m_busy.isEmpty() ? QString()
-                                                        : m_busy;
+    const bool here = !m_panel.place().onCluster();
+    content.running = running();
+    content.ready = open && !none && !running() && (!here || (!simulating && m_busy.isEmpty() && !m_work.running()));
+    content.why = !open                        ? tr("Open a result first.")
+                  : none                       ? tr("No element dies in this result, so there is nothing to simulate.")
+                  : here && simulating         ? tr("A run is being simulated: wait for it or cancel it.")
+                  : here && m_work.comparing() ? tr("Causes are being compared: wait for that or cancel it.")
+                  : content.running || !here || m_busy.isEmpty() ? QString()
+                                                                 : m_busy;
     const RunRecord* record = m_computation.currentRun();
     if (record != nullptr && record->outcome != nullptr && !record->live && record->wallSeconds > 0.0) {
         content.runSeconds = record->wallSeconds;
@@ -194,7 +245,7 @@ void EnsembleDisplay::showPage() {
         content.place = pictureStyle(io::ensembleOrigin(*m_made.report, *m_map, m_made.frame, m_made.site, m_made.inputs));
     }
     content.stale = stale();
-    content.running = m_work.simulating();
+    content.running = running();
     m_page.setContent(content);
 }
 

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <memory>
 
+#include "app/gui/cluster_work.h"
 #include "app/gui/study_work.h"
 #include "core/base/hash.h"
 #include "core/fe/orthophoto.h"
@@ -29,6 +30,8 @@ public:
     StudyOrder order() const;
     StudyCase openCase() const;
     void simulate();
+    /// Members are made on a cluster.
+    ClusterWork& cluster() { return m_cluster; }
     /// Other work runs beside which nothing can be simulated; empty: none does.
     void setBusy(const QString& why);
     void refresh();
@@ -49,6 +52,10 @@ signals:
     void groundChanged();
 
 private:
+    /// The ensemble for a cluster. @param submits  false: only what was submitted earlier is gone on with
+    ClusterWork::Study onCluster(bool submits);
+    void cancel();
+    bool running() const { return m_work.simulating() || m_cluster.running(); }
     void take(const MadeEnsemble& made);
     void ended(const Failure* failure);
     void showPanel();
@@ -71,6 +78,9 @@ private:
     Digest m_startedKey;
     bool m_simulating = false;  // a run, as the panel was last told
     QString m_busy;
+    int m_generation = 0;  // what a cluster made for an older start is not taken
+    // Last, so that it has ended before anything it uses goes.
+    ClusterWork m_cluster;
 };
 
 }  // namespace rubble

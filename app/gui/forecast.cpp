@@ -24,15 +24,6 @@ std::vector<KnownPoint> keptPoints(const Digest& scene) {
     }
 }
 
-/// From the first birth to the last FE state, s.
-double spanOf(const FragmentSet& fragments, double feEnd) {
-    double first = feEnd;
-    for (const Fragment& fragment : fragments.list) {
-        first = std::min(first, fragment.birthTime);
-    }
-    return feEnd - first;
-}
-
 }  // namespace
 
 Forecast::Forecast(std::string machine, QObject* parent) : QObject(parent), m_machine(std::move(machine)) {}
@@ -53,7 +44,7 @@ Forecast::Answer Forecast::answer(const Question& question, const std::string& m
     }
     KnownPoint open = openPoint(scene, machine, threads, question.scenario, static_cast<std::int64_t>(question.fragments->size()),
                                 question.bodies);
-    open.span = spanOf(*question.fragments, question.inputs.fe->times().back());
+    open.span = collapseSpan(*question.fragments, question.inputs.fe->times().back());
     Answer answer{question.scenario, question.bodies, {}, false};
     for (const Predicted what : shownFigures) {
         answer.figures.push_back({what, predict(what, open, earlier.points, calibration), std::nullopt});

@@ -480,11 +480,11 @@ void MainWindow::setView(const render::View& view) {
 }
 
 QString MainWindow::costlyWork() const {
-    return m_accuracy->work().running()      ? tr("Settings are being compared: work beside it would spoil the times.")
-           : m_calibration->work().running() ? tr("This machine is being calibrated: work beside it would spoil the times.")
-           : m_errors->work().running()      ? tr("A reference is being computed.")
-           : m_studies->work().running()     ? tr("Members of an ensemble are being simulated.")
-                                             : QString();
+    return m_accuracy->work().simulatesHere() ? tr("Settings are being compared: work beside it would spoil the times.")
+           : m_calibration->work().running()  ? tr("This machine is being calibrated: work beside it would spoil the times.")
+           : m_errors->work().running()       ? tr("A reference is being computed.")
+           : m_studies->work().running()      ? tr("Members of an ensemble are being simulated.")
+                                              : QString();
 }
 
 void MainWindow::showBusy() {

@@ -10,8 +10,6 @@
 
 namespace rubble {
 
-namespace {
-
 EnsembleOptions optionsOf(const StudyOrder& order, const std::string& machine, SettledStore& store) {
     EnsembleOptions options;
     options.instant = order.instant;
@@ -20,6 +18,8 @@ EnsembleOptions optionsOf(const StudyOrder& order, const std::string& machine, S
     options.store = &store;
     return options;
 }
+
+namespace {
 
 /// The causes, opened. They must be of one site.
 std::vector<io::EnsembleSource> openCauses(const CauseOrder& causes, const StudyOrder& order, const Execution& execution) {

@@ -30,6 +30,9 @@ struct StudyOrder {
     bool copies = false;  ///< FE results through compressed copies
 };
 
+/// How the members are made and measured. @param machine  in words
+EnsembleOptions optionsOf(const StudyOrder& order, const std::string& machine, SettledStore& store);
+
 /// An ensemble, and what it was made from.
 struct MadeEnsemble {
     std::shared_ptr<const EnsembleReport> report;

@@ -76,6 +76,10 @@ void checkDistinct(std::vector<std::string> names, std::string_view what) {
 
 }  // namespace
 
+std::vector<std::string> usualMultiples() {
+    return {"1", "1.5", "2", "2.5", "3", "4"};
+}
+
 std::vector<AccuracySetting> sweepSettings(const Scenario& scenario, std::span<const std::string> multiples,
                                            std::span<const VariedParameter> varied) {
     std::vector<VariedParameter> all;

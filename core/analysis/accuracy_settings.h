@@ -14,6 +14,9 @@ inline constexpr std::string_view referenceSetting = "reference";  ///< a body p
 inline constexpr std::string_view floorSetting = "floor";          ///< how far the reference repeats
 inline constexpr std::string_view paperSetting = "paper";          ///< the published method as printed
 
+/// Multiples of the mean distance that a sweep has where nobody says which.
+std::vector<std::string> usualMultiples();
+
 /// One row of a sweep: a scenario and what to call it.
 struct AccuracySetting {
     std::string name;  ///< "multiple=2 cluster_shape=hull": what departs from the subject's scenario

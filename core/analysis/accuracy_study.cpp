@@ -28,15 +28,6 @@ double middleOf(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-/// From the first birth to the end of the FE result, s; 0 without fragments.
-double spanOf(const FragmentSet& fragments, double feEnd) {
-    double first = feEnd;
-    for (const Fragment& fragment : fragments.list) {
-        first = std::min(first, fragment.birthTime);
-    }
-    return feEnd - first;
-}
-
 /// One world of a sweep: the reference, one of its repeats, or a setting.
 struct SweepWorld {
     AccuracyPoint* point = nullptr;  ///< null: a repeat
@@ -62,7 +53,7 @@ public:
         m_base = beginStudy(m_inputs, reference, m_options.study, m_execution);
         report.instant = m_options.study.instant;
         report.elements = static_cast<std::int64_t>(m_inputs.fe->mesh().elementCount());
-        report.span = spanOf(*m_base.results.fragments, m_inputs.fe->times().back());
+        report.span = collapseSpan(*m_base.results.fragments, m_inputs.fe->times().back());
         report.reference.setting = std::string(referenceSetting);
         report.reference.scenario = reference;
         report.points.resize(settings.size());
@@ -95,7 +86,8 @@ public:
         for (std::size_t i = 0; i < m_worlds.size(); ++i) {
             const SweepWorld& world = m_worlds[i];
             if (world.twin == i) {
-                list.push_back({world.origin, world.name, static_cast<std::int64_t>(world.results.clustering->list.size())});
+                list.push_back(studyTask(m_inputs, world.point ? world.point->scenario : m_base.scenario, &world.results,
+                                         world.origin, world.name));
             }
         }
         return list;

@@ -98,9 +98,10 @@ public:
             const std::string name = i == 0   ? "as it is"
                                      : repeat ? "repeat " + std::to_string(i)
                                               : std::string(effectName(kindOf(i))) + " switched";
-            list.push_back(
-                {originOf(m_base.inputs, scenario, repeat ? static_cast<std::int64_t>(i) : 0, m_settings.birthShift, machine), name,
-                 static_cast<std::int64_t>(m_base.results.clustering->list.size())});
+            list.push_back(studyTask(
+                m_base.inputs, scenario, &m_base.results,
+                originOf(m_base.inputs, scenario, repeat ? static_cast<std::int64_t>(i) : 0, m_settings.birthShift, machine),
+                name));
         }
         return list;
     }

@@ -175,6 +175,13 @@ KnownPoint openPoint(const Digest& scene, const std::string& machine, int thread
     return point;
 }
 
+KnownPoint openPoint(const StudyTask& task, const std::string& machine, int threads) {
+    KnownPoint point =
+        openPoint(sceneDigest(task.reference, DebrisInstant::AtRest), machine, threads, task.scenario, task.fragments, task.bodies);
+    point.span = task.span;
+    return point;
+}
+
 std::vector<KnownPoint> pointsBut(const KnownPoint& setting, std::span<const KnownPoint> known) {
     std::vector<KnownPoint> others(known.begin(), known.end());
     std::erase_if(others, [&](const KnownPoint& point) {

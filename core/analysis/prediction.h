@@ -41,6 +41,8 @@ KnownPoint knownPoint(const AccuracyPoint& point, const AccuracyReport& report);
 /// A setting to be predicted: as a known point, without values.
 KnownPoint openPoint(const Digest& scene, const std::string& machine, int threads, const Scenario& scenario, std::int64_t fragments,
                      std::int64_t bodies);
+/// The same for a world of a study. @param threads  that it is to have
+KnownPoint openPoint(const StudyTask& task, const std::string& machine, int threads);
 /// All points but those of the same setting of the same scene: what it could be predicted from, had nobody measured it.
 std::vector<KnownPoint> pointsBut(const KnownPoint& setting, std::span<const KnownPoint> known);
 /// The scene that a reference and an instant stand for.

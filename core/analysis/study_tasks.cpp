@@ -3,9 +3,34 @@
 #include <algorithm>
 #include <set>
 
+#include "core/analysis/accuracy_settings.h"
 #include "core/base/error.h"
 
 namespace rubble {
+
+double collapseSpan(const FragmentSet& fragments, double feEnd) {
+    double first = feEnd;
+    for (const Fragment& fragment : fragments.list) {
+        first = std::min(first, fragment.birthTime);
+    }
+    return feEnd - first;
+}
+
+StudyTask studyTask(const Inputs& inputs, const Scenario& scenario, const Results* results, WorldOrigin origin, std::string name) {
+    StudyTask task;
+    task.reference = originOf(inputs, referenceScenario(scenario), 0, 0.0, origin.machine);
+    task.origin = std::move(origin);
+    task.name = std::move(name);
+    task.scenario = scenario;
+    const double feEnd = inputs.fe->times().back();
+    task.collapse = feEnd + scenario.simulation.settleTime;
+    if (results != nullptr) {
+        task.bodies = static_cast<std::int64_t>(results->clustering->list.size());
+        task.fragments = static_cast<std::int64_t>(results->fragments->size());
+        task.span = collapseSpan(*results->fragments, feEnd);
+    }
+    return task;
+}
 
 void WorldChoice::check(const std::vector<StudyTask>& tasks) const {
     const auto wanted = [&](const StudyTask& task) { return task.origin.key == *m_only; };

@@ -15,7 +15,19 @@ struct StudyTask {
     WorldOrigin origin;
     std::string name;         ///< "reference", "repeat 1", "multiple=2", "member 12"
     std::int64_t bodies = 0;  ///< clusters that it starts from; of a member of an ensemble those of its scene
+    // What its cost can be predicted from.
+    Scenario scenario;
+    WorldOrigin reference;       ///< of the same scene
+    std::int64_t fragments = 0;  ///< likewise
+    double span = 0.0;           ///< s, from the first birth to the last FE state
+    double collapse = 0.0;       ///< s, all that is simulated: FE result and settling
 };
+
+/// @param results  of its scene, up to the clusters; null: they are not known, and nothing is said of bodies and span
+StudyTask studyTask(const Inputs& inputs, const Scenario& scenario, const Results* results, WorldOrigin origin, std::string name);
+
+/// From the first birth to the end of the FE result, s; 0 without fragments.
+double collapseSpan(const FragmentSet& fragments, double feEnd);
 
 /// Which worlds of a study are simulated: all that the store lacks, or only these. The others are taken from the store or left
 /// open, and count as neither done nor failed.

@@ -66,8 +66,9 @@ public:
         std::vector<StudyTask> list;
         for (const EnsembleMember& member : report.members) {
             const std::optional<StudyBase>& base = m_bases[member.scene];
-            list.push_back({m_origins[static_cast<std::size_t>(member.number)], "member " + std::to_string(member.number),
-                            base ? static_cast<std::int64_t>(base->results.clustering->list.size()) : 0});
+            list.push_back(studyTask(m_scenes[member.scene].inputs, member.scenario, base ? &base->results : nullptr,
+                                     m_origins[static_cast<std::size_t>(member.number)],
+                                     "member " + std::to_string(member.number)));
         }
         return list;
     }

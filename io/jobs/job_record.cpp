@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "io/files.h"
@@ -72,9 +73,9 @@ void keepJob(const std::string& store, const JobRecord& record) {
                          {"io.cache.folder.remedy", "Name another folder, or check its rights.", {}});
     }
     json object{
-        {"version", formatVersion},      {"id", record.id},           {"study", record.study}, {"subject", record.subject},
-        {"build", record.build},         {"islands", record.islands}, {"cpus", record.cpus},   {"submitted", record.submitted},
-        {"sbatch", record.sbatchOptions}};
+        {"version", formatVersion},       {"id", record.id},           {"study", record.study}, {"subject", record.subject},
+        {"build", record.build},          {"islands", record.islands}, {"cpus", record.cpus},   {"submitted", record.submitted},
+        {"sbatch", record.sbatchOptions}, {"request", record.request}};
     object["tasks"] = json::array();
     for (const JobTask& task : record.tasks) {
         object["tasks"].push_back(taskJson(task));
@@ -107,6 +108,12 @@ JobRecord loadJob(const std::string& store, const std::string& id) {
     for (const JsonCursor& option : cursor["sbatch"].elements()) {
         record.sbatchOptions.push_back(option.text());
     }
+    // Older ones do not say it.
+    if (cursor.has("request")) {
+        for (const JsonCursor& word : cursor["request"].elements()) {
+            record.request.push_back(word.text());
+        }
+    }
     for (const JsonCursor& task : cursor["tasks"].elements()) {
         record.tasks.push_back(taskFrom(task));
     }
@@ -130,10 +137,31 @@ std::vector<std::string> jobIds(const std::string& store) {
     return ids;
 }
 
+std::optional<JobRecord> newestJob(const std::string& store, const std::string& study,
+                                   const std::function<bool(const JobRecord&)>& wanted) {
+    for (const std::string& id : jobIds(store)) {
+        try {
+            JobRecord record = loadJob(store, id);
+            if (record.study == study && record.build == buildText() && wanted(record)) {
+                return record;
+            }
+        } catch (const ParseError&) {
+            // Nothing can be learned from it.
+        } catch (const WorldError&) {
+            // Somebody has just cleared it.
+        }
+    }
+    return {};
+}
+
 bool isMade(const std::string& store, const JobRecord& record, const JobTask& task) {
     std::error_code ignored;
     return fs::exists(fs::path(store) / "worlds" / (task.key + ".world"), ignored) &&
            (!record.islands || fs::exists(fs::path(store) / "islands" / (task.key + ".json"), ignored));
+}
+
+bool allMade(const std::string& store, const JobRecord& record) {
+    return std::all_of(record.tasks.begin(), record.tasks.end(), [&](const JobTask& task) { return isMade(store, record, task); });
 }
 
 }  // namespace rubble::io

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,7 @@ struct JobRecord {
     bool islands = false;   ///< worlds count only with what is kept of released islands
     int cpus = 1;           ///< of each task
     std::vector<std::string> sbatchOptions;
+    std::vector<std::string> request;  ///< options of its command that say which worlds it has, in words
     std::vector<JobTask> tasks;
 };
 
@@ -45,7 +48,14 @@ JobRecord loadJob(const std::string& store, const std::string& id);
 /// Names of all records, the newest first.
 std::vector<std::string> jobIds(const std::string& store);
 
+/// The newest record of a kind of study and of this build that `wanted` says yes to; unset if there is none. Damaged ones are
+/// passed over.
+std::optional<JobRecord> newestJob(const std::string& store, const std::string& study,
+                                   const std::function<bool(const JobRecord&)>& wanted);
+
 /// The world is in the store, whole.
 bool isMade(const std::string& store, const JobRecord& record, const JobTask& task);
+/// All worlds of the study are.
+bool allMade(const std::string& store, const JobRecord& record);
 
 }  // namespace rubble::io

@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 #include "core/base/error.h"
 
@@ -103,6 +104,12 @@ std::optional<ProgramOutcome> runProgram(const std::vector<std::string>& words) 
     }
     outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     return outcome;
+}
+
+std::string programBeside(const std::string& name) {
+    std::error_code failed;
+    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", failed);
+    return failed ? name : (own.parent_path() / name).string();
 }
 
 std::string shellWord(std::string_view text) {

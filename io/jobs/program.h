@@ -18,6 +18,9 @@ struct ProgramOutcome {
 /// cannot be started.
 std::optional<ProgramOutcome> runProgram(const std::vector<std::string>& words);
 
+/// Where a program lies that was installed beside the one that runs; its bare name if that is not known.
+std::string programBeside(const std::string& name);
+
 /// A text as one word of the shell: as it is where it is plain, else in quotes.
 std::string shellWord(std::string_view text);
 /// Words as one line of the shell.

@@ -15,6 +15,7 @@ namespace {
 
 // What a cluster that says nothing of it allows.
 constexpr std::size_t arrayLimitUsual = 1001;
+constexpr const char* secondsToAnswer = "8";
 
 ProgramOutcome outcomeOf(const std::vector<std::string>& words) {
     std::optional<ProgramOutcome> outcome = runProgram(words);
@@ -68,6 +69,17 @@ SlurmState stateFrom(std::string_view word) {
 
 void Slurm::check() {
     outcomeOf({"sbatch", "--version"});
+}
+
+void Slurm::reach() {
+    check();
+    // A controller that is away is waited for up to minutes.
+    const ProgramOutcome outcome = outcomeOf({"timeout", secondsToAnswer, "sinfo", "--noheader", "--format=%D"});
+    if (outcome.exitCode != 0) {
+        const std::string said = trimmed(outcome.err);
+        throw WorldError({"io.slurm_unreachable", "Slurm does not answer: {0}", {said.empty() ? "sinfo waits in vain" : said}},
+                         {"io.slurm_unreachable.remedy", "Ask whoever runs the cluster, or simulate on this machine.", {}});
+    }
 }
 
 std::size_t Slurm::arrayLimit() {

@@ -29,6 +29,8 @@ class Slurm {
 public:
     /// Throws WorldError where Slurm is not installed.
     static void check();
+    /// Throws WorldError where it is not installed or does not answer within seconds.
+    static void reach();
     /// Tasks that one array may have.
     static std::size_t arrayLimit();
     /// @return  the number of the job. Throws WorldError with what sbatch said

@@ -14,6 +14,7 @@
 #include <set>
 #include <thread>
 
+#include "core/analysis/prediction.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/files.h"
@@ -92,18 +93,51 @@ std::string scriptText(const std::string& listPath) {
            ")\"\n";
 }
 
+/// The longest that a world is predicted to take, s; unset if nothing can be said. What is known of more threads bounds what one
+/// with fewer takes.
+std::optional<double> predictedSeconds(const StudyTask& task, int threads, const std::string& machine,
+                                       const std::vector<KnownPoint>& points, const std::optional<Calibration>& calibration) {
+    std::set<int> measured{threads};
+    for (const KnownPoint& point : points) {
+        measured.insert(std::max(threads, point.threads));
+    }
+    if (calibration) {
+        measured.insert(std::max(threads, calibration->threads));
+    }
+    for (const int with : measured) {
+        const Prediction prediction =
+            predict(Predicted::WallSeconds, openPoint(task, machine, with), points, calibration ? &*calibration : nullptr);
+        if (prediction.known) {
+            return prediction.high * with / threads;
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
-JobNeeds expectedNeeds(const std::vector<StudyTask>& tasks, double seconds, int threads) {
+JobNeeds expectedNeeds(const std::vector<StudyTask>& tasks, int threads, const StudyFiles& known, const std::string& machine) {
+    Findings ignored;
+    const std::optional<Calibration> calibration = known.calibration(machine, ignored);
+    std::map<Digest, std::vector<KnownPoint>> points;
+    JobNeeds needs;
     std::int64_t bodies = 0;
     for (const StudyTask& task : tasks) {
+        const Digest scene = sceneDigest(task.reference, DebrisInstant::AtRest);
+        const auto [earlier, first] = points.try_emplace(scene);
+        if (first) {
+            earlier->second = known.points(scene, ignored);
+        }
+        const std::optional<double> predicted = predictedSeconds(task, threads, machine, earlier->second, calibration);
+        const double byRule = secondsPerBodyStep * stepsPerSecond * task.collapse * static_cast<double>(task.bodies) / threads;
+        needs.seconds = std::max(needs.seconds, predicted.value_or(byRule));
+        needs.predicted += predicted.has_value();
         bodies = std::max(bodies, task.bodies);
     }
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
-    const double work = secondsPerBodyStep * stepsPerSecond * seconds * static_cast<double>(bodies);
-    return {work / std::max(1, threads),
-            1024.0 * static_cast<double>(usage.ru_maxrss) + bytesPerBody * static_cast<double>(bodies)};
+    needs.bytes = 1024.0 * static_cast<double>(usage.ru_maxrss) + bytesPerBody * static_cast<double>(bodies);
+    return needs;
 }
 
 std::optional<SlurmJobs::States> SlurmJobs::states() const {
@@ -218,8 +252,24 @@ std::string SlurmJobs::submit(JobRecord wanted, const JobNeeds& needs, std::size
     return wanted.id;
 }
 
+std::string SlurmJobs::logPath(const std::string& id, const JobTask& task) const {
+    return (fs::path(jobsFolder(m_store)) / id / (task.slurm + ".log")).string();
+}
+
+bool SlurmJobs::toldOutOfMemory(const std::string& id, const JobTask& task) const {
+    static constexpr std::array<std::string_view, 4> words{"exceeded memory limit", "Exceeded job memory limit", "oom_kill event",
+                                                           "not enough memory"};
+    std::ifstream stream(logPath(id, task));
+    for (std::string line; std::getline(stream, line);) {
+        if (std::any_of(words.begin(), words.end(), [&](std::string_view each) { return line.find(each) != std::string::npos; })) {
+            return true;
+        }
+    }
+    return false;
+}
+
 std::string SlurmJobs::lastWords(const std::string& id, const JobTask& task) const {
-    std::ifstream stream(fs::path(jobsFolder(m_store)) / id / (task.slurm + ".log"));
+    std::ifstream stream(logPath(id, task));
     std::string last;
     for (std::string line; std::getline(stream, line);) {
         last = line.find_first_not_of(' ') == std::string::npos ? last : line.substr(line.find_first_not_of(' '));
@@ -233,6 +283,9 @@ bool SlurmJobs::again(const std::string& id, JobTask& task, std::optional<SlurmS
         if (first || std::chrono::steady_clock::now() - seen->second < shownAfter) {
             return false;
         }
+    }
+    if (state == SlurmState::Failed && toldOutOfMemory(id, task)) {
+        state = SlurmState::OutOfMemory;
     }
     if (state == SlurmState::Cancelled || task.attempts >= attemptsMax) {
         const std::string words = lastWords(id, task);
@@ -294,12 +347,13 @@ JobProgress SlurmJobs::follow(const std::string& id, const std::function<void(co
     for (;;) {
         JobProgress progress = look(id);
         const double share = static_cast<double>(progress.made) / static_cast<double>(std::max<std::size_t>(1, progress.total));
-        execution.report(progress.reachable ? Message{"jobs.following",
-                                                      "{0} of {1} worlds are made on the cluster; {2} run, {3} wait",
-                                                      {progress.made, progress.total, progress.running, progress.waiting}}
-                                            : Message{"jobs.silent",
-                                                      "{0} of {1} worlds are made; the cluster does not answer",
-                                                      {progress.made, progress.total}},
+        execution.report(progress.reachable
+                             ? Message{"jobs.following",
+                                       "{0} of {1} worlds are made on the cluster; {2} run, {3} wait, {4} failed",
+                                       {progress.made, progress.total, progress.running, progress.waiting, progress.failed.size()}}
+                             : Message{"jobs.silent",
+                                       "{0} of {1} worlds are made; the cluster does not answer",
+                                       {progress.made, progress.total}},
                          share);
         if (looked) {
             looked(progress);

@@ -10,6 +10,7 @@
 #include "core/base/execution.h"
 #include "io/jobs/job_record.h"
 #include "io/jobs/slurm.h"
+#include "io/study_files.h"
 
 namespace rubble::io {
 
@@ -28,15 +29,17 @@ struct JobProgress {
 
 /// What a task of a study may take. Twice the time or memory is asked for where that was too little.
 struct JobNeeds {
-    double seconds = 0.0;  ///< expected of the longest world
-    double bytes = 0.0;    ///< expected of the largest
+    double seconds = 0.0;       ///< expected of the longest world
+    double bytes = 0.0;         ///< expected of the largest
+    std::size_t predicted = 0;  ///< tasks whose time was predicted; that of the others is a rule of thumb
 };
 
-/// What the worlds of a study may take at most: time by rule of thumb from bodies and steps, memory from that of this process,
-/// which has read and clustered the same.
-/// @param seconds  of the collapse, with the time to settle
+/// What the worlds of a study may take at most. Time: the upper end of what predict() says from earlier points of the same scene
+/// and from the calibration of this machine, else by rule of thumb from bodies and steps. Memory: that of this process, which has
+/// read and clustered the same, and what each body takes.
 /// @param threads  of each task
-JobNeeds expectedNeeds(const std::vector<StudyTask>& tasks, double seconds, int threads);
+/// @param known  has points and calibration; @param machine  in words
+JobNeeds expectedNeeds(const std::vector<StudyTask>& tasks, int threads, const StudyFiles& known, const std::string& machine);
 
 /// Studies on Slurm: an array of one task a world, with a record beside the store. All that decides is in the record and the store,
 /// so any number of programs may submit, follow and end; a lock lets one at a time decide what is submitted again. A task that
@@ -68,7 +71,10 @@ private:
     void submitTasks(JobRecord& record, const std::vector<std::size_t>& which, const JobNeeds& least);
     /// What is to become of a task that ended without its world: true if it is submitted again.
     bool again(const std::string& id, JobTask& task, std::optional<SlurmState> state);
+    std::string logPath(const std::string& id, const JobTask& task) const;
     std::string lastWords(const std::string& id, const JobTask& task) const;
+    /// Its log says that memory was short: only with control groups does Slurm say so itself.
+    bool toldOutOfMemory(const std::string& id, const JobTask& task) const;
 
     std::string m_store;
     std::map<std::string, std::chrono::steady_clock::time_point> m_ended;  ///< tasks whose world may still be on its way here

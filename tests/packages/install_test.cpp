@@ -159,12 +159,29 @@ TEST_F(Packaged, TheDebianPackagesHoldAllAndNameWhatTheyNeed) {
     }
     EXPECT_THAT(content, Not(HasSubstr(".runs.json")));
     EXPECT_THAT(content, Not(testing::ContainsRegex("[^/]/usr/include")));
-    // Unpacked into a root of its own, as dpkg does it, and started there.
+    // Alone with what it asks for, in a root that has nothing else.
     const std::string root = m_folder / "root";
-    expectOk(CommandRun().run({"dpkg-deb", "-x", programs, root}));
-    const Outcome version = CommandRun().in("/").run({root + "/usr/bin/rubble-cli", "--version"});
+    const std::string script = sourcePath("tests/packages/clean_root.sh");
+    expectOk(CommandRun().run({script, "make", programs, root}));
+    const auto there = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {script, "run", root});
+        return CommandRun().run(words);
+    };
+    EXPECT_NE(there({"test", "-e", build}).exitCode, 0) << "it is no root of its own";
+    const Outcome version = there({"rubble-cli", "--version"});
     expectOk(version);
     EXPECT_EQ(version.out, cli({"--version"}).out);
+    const std::string fe = writeSmallCollapse(root + "/root/small.exo");
+    const Outcome run =
+        there({"rubble-cli", "run", "/root/small.exo", "--set", "settle_time=0.5", "--json", "--out", "/root/s.run.h5"});
+    expectOk(run);
+    EXPECT_EQ(run.json()["trajectory_hash"], cli({"run", fe, "--set", "settle_time=0.5", "--json"}).json()["trajectory_hash"]);
+    expectOk(there({"rubble-cli", "figure", "/root/s.run.h5", "--out", "/root/s.png"}));
+    const Outcome shown =
+        there({"xvfb-run", "-a", "-s", "-screen 0 1280x800x24", "rubble", "/usr/share/rubble/samples/river-arch.rubble",
+               "--screenshot", "/root/window.png", "--size", "1280x800"});
+    expectOk(shown);
+    EXPECT_GT(fs::file_size(root + "/root/window.png"), 50000u);
 }
 
 }  // namespace

@@ -8,11 +8,14 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <future>
+#include <optional>
 #include <thread>
 
 #include "tests/app/cli/command_run.h"
 #include "tests/app/cli/small_collapse.h"
 #include "tests/app/cli/study_comparison.h"
+#include "tests/app/slurm/one_node.h"
 #include "tests/io/temporary_folder.h"
 
 namespace rubble::cli {
@@ -25,21 +28,12 @@ namespace fs = std::filesystem;
 /// Sweeps on a Slurm of one node with two processors.
 class SlurmSweep : public testing::Test {
 protected:
-    void TearDown() override {
-        slurm({"scancel", "--user=root"});
-        slurm({"scontrol", "update", "nodename=" + node(), "state=resume"});
-    }
-    static std::string slurm(const std::vector<std::string>& words) { return CommandRun().run(words).out; }
-    static std::string node() {
-        const std::string out = slurm({"sinfo", "--noheader", "--format=%n"});
-        return out.substr(0, out.find('\n'));
-    }
-    static std::size_t tasksIn(const std::string& state) {
-        const std::string out = slurm({"squeue", "--noheader", "--array", "--states=" + state, "--format=%i"});
-        return static_cast<std::size_t>(std::count(out.begin(), out.end(), '\n'));
-    }
-    static void drain() { slurm({"scontrol", "update", "nodename=" + node(), "state=drain", "reason=test"}); }
-    static void resume() { slurm({"scontrol", "update", "nodename=" + node(), "state=resume"}); }
+    void TearDown() override { OneNode::restore(); }
+    static std::string slurm(const std::vector<std::string>& words) { return OneNode::slurm(words); }
+    static std::string node() { return OneNode::node(); }
+    static std::size_t tasksIn(const std::string& state) { return OneNode::tasksIn(state); }
+    static void drain() { OneNode::drain(); }
+    static void resume() { OneNode::resume(); }
 
     /// A sweep of six worlds, each of which takes a second or two.
     std::vector<std::string> sweep(std::vector<std::string> more, const std::string& cache = "cache") const {
@@ -62,6 +56,55 @@ protected:
         return count;
     }
     nlohmann::json jobs() const { return cli({"jobs", "list", "--json", "--cache", m_folder / "cache"}).json()["jobs"]; }
+
+    /// A task of this sweep that runs, with the process that makes its world.
+    struct Running {
+        std::string task;  ///< "12_3"
+        pid_t process = -1;
+    };
+    std::optional<Running> running() const {
+        std::error_code ignored;
+        for (fs::directory_iterator it("/proc", ignored), end; it != end; it.increment(ignored)) {
+            // Processes come and go: what cannot be read is not ours.
+            const auto read = [&](const char* name) {
+                std::ifstream stream(it->path() / name, std::ios::binary);
+                return std::string(std::istreambuf_iterator<char>(stream), {});
+            };
+            const std::string words = read("cmdline");
+            const std::string variables = read("environ");
+            const bool ours = words.find("--world") != std::string::npos && words.find(m_folder / "cache") != std::string::npos &&
+                              words.find("rubble-cli") < words.find('\0');
+            const auto variable = [&](const std::string& name) {
+                const std::size_t at = variables.find('\0' + name + '=');
+                return at == std::string::npos ? std::string() : std::string(variables.c_str() + at + name.size() + 2);
+            };
+            if (ours && !variable("SLURM_ARRAY_TASK_ID").empty()) {
+                return Running{variable("SLURM_ARRAY_JOB_ID") + "_" + variable("SLURM_ARRAY_TASK_ID"),
+                               static_cast<pid_t>(std::stoi(it->path().filename()))};
+            }
+        }
+        return {};
+    }
+    /// What was asked for a world in its latest submission.
+    nlohmann::json task(const std::string& slurmId) const {
+        for (const nlohmann::json& each : record()["tasks"]) {
+            if (each["slurm"] == slurmId) {
+                return each;
+            }
+        }
+        return {};
+    }
+    nlohmann::json taskOfKey(const std::string& key) const {
+        for (const nlohmann::json& each : record()["tasks"]) {
+            if (each["key"] == key) {
+                return each;
+            }
+        }
+        return {};
+    }
+    nlohmann::json record() const {
+        return nlohmann::json::parse(textOf(m_folder / ("cache/jobs/" + jobs()[0]["job"].get<std::string>() + "/record.json")));
+    }
 
     io::TemporaryFolder m_folder;
     std::string m_fe = writeSmallCollapse(m_folder / "small.exo");
@@ -176,6 +219,91 @@ TEST_F(SlurmSweep, JobsListFollowsAndCancels) {
     EXPECT_EQ(made(), 6u);
     EXPECT_THAT(cli({"jobs", "clear", "--cache", cache}).out, HasSubstr(id + " is forgotten"));
     EXPECT_TRUE(jobs().empty());
+}
+
+// Somebody's work of a partition that goes first takes both processors: Slurm sends the tasks back to the queue.
+TEST_F(SlurmSweep, TasksThatArePreemptedRunAgain) {
+    std::string preempted;
+    bool back = false;
+    const Outcome outcome = onSlurm([&](pid_t) {
+        const auto now = running();
+        if (preempted.empty() && now) {
+            preempted = now->task;
+            slurm({"sbatch", "--partition=urgent", "--cpus-per-task=2", "--output=/dev/null", "--wrap=sleep 2"});
+        } else if (!preempted.empty() && !back) {
+            // Slurm lets what it sent back wait for two minutes; nobody needs to here.
+            const std::string state = slurm({"squeue", "--noheader", "--array", "--jobs=" + preempted, "--format=%T %r"});
+            if (state.starts_with("PENDING")) {
+                slurm({"scontrol", "update", "jobid=" + preempted, "starttime=now"});
+                back = true;
+            }
+        }
+    });
+    EXPECT_TRUE(back) << preempted << " was not sent back";
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(withoutTimes(outcome.json()), withoutTimes(local()));
+    for (const nlohmann::json& each : record()["tasks"]) {
+        EXPECT_EQ(each["attempts"], 1) << "Slurm starts it again by itself";
+    }
+}
+
+// A process that hangs until the least limit that Slurm knows: a minute.
+TEST_F(SlurmSweep, ATaskThatRunsOutOfTimeIsGivenTwiceAsMuch) {
+    nlohmann::json stopped;
+    const Outcome outcome = onSlurm([&](pid_t) {
+        if (const auto now = running(); stopped.is_null() && now) {
+            stopped = task(now->task);
+            if (!stopped.is_null()) {
+                kill(now->process, SIGSTOP);
+                slurm({"scontrol", "update", "jobid=" + now->task, "timelimit=1"});
+            }
+        }
+    });
+    ASSERT_FALSE(stopped.is_null());
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(withoutTimes(outcome.json()), withoutTimes(local()));
+    const nlohmann::json after = taskOfKey(stopped["key"]);
+    EXPECT_NE(after["slurm"], stopped["slurm"]);
+    EXPECT_EQ(after["attempts"], 2);
+    EXPECT_EQ(after["minutes"], 2 * stopped["minutes"].get<int>());
+    EXPECT_EQ(after["mebibytes"], stopped["mebibytes"]);
+}
+
+TEST_F(SlurmSweep, ATaskThatRunsOutOfMemoryIsGivenTwiceAsMuch) {
+    drain();
+    ASSERT_EQ(onSlurm({}, {"--detach"}).exitCode, 0);
+    const nlohmann::json first = record()["tasks"][0];
+    // Ten mebibytes hold no world.
+    slurm({"scontrol", "update", "jobid=" + first["slurm"].get<std::string>(), "minmemorynode=10"});
+    bool resumed = false;
+    const Outcome outcome = onSlurm([&](pid_t) {
+        if (!resumed) {
+            resumed = true;
+            resume();
+        }
+    });
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(withoutTimes(outcome.json()), withoutTimes(local()));
+    const nlohmann::json after = taskOfKey(first["key"]);
+    EXPECT_EQ(after["attempts"], 2);
+    EXPECT_EQ(after["mebibytes"], 2 * first["mebibytes"].get<int>());
+    EXPECT_EQ(after["minutes"], first["minutes"]);
+}
+
+TEST_F(SlurmSweep, TwoSubmissionsAtOnceAreOne) {
+    drain();
+    auto beside = std::async(std::launch::async, [this] { return onSlurm({}, {"--detach"}); });
+    const Outcome one = onSlurm({}, {"--detach"});
+    const Outcome other = beside.get();
+    ASSERT_EQ(one.exitCode, 0) << one.err;
+    ASSERT_EQ(other.exitCode, 0) << other.err;
+    EXPECT_EQ(one.json()["submitted"].get<int>() + other.json()["submitted"].get<int>(), 6);
+    EXPECT_EQ(one.json()["job"], other.json()["job"]);
+    EXPECT_EQ(tasksIn("PENDING"), 6u);
+    resume();
+    const Outcome collected = onSlurm();
+    ASSERT_EQ(collected.exitCode, 0) << collected.err;
+    EXPECT_EQ(withoutTimes(collected.json()), withoutTimes(local()));
 }
 
 TEST_F(SlurmSweep, AFullDiskEndsItWithTheReasonAndRoomMendsIt) {

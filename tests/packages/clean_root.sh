@@ -89,8 +89,9 @@ case $what in
     run)
         root=$2
         shift 2
-        exec unshare --mount --pid --fork --kill-child sh -c 'mount -t proc proc "$0/proc" && exec chroot "$0" /usr/bin/env -i PATH=/usr/bin:/usr/sbin HOME=/root "$@"' \
-            "$root" "$@"
+        # The command must not be the first process of its namespace: Xvfb tells no such process that it is ready.
+        exec unshare --mount --pid --fork --kill-child sh -c \
+            'mount -t proc proc "$0/proc" && chroot "$0" /usr/bin/env -i PATH=/usr/bin:/usr/sbin HOME=/root "$@"; exit $?' "$root" "$@"
         ;;
     *) usage ;;
 esac

@@ -85,23 +85,13 @@ protected:
         }
         return {};
     }
-    /// What was asked for a world in its latest submission.
-    nlohmann::json task(const std::string& slurmId) const {
-        for (const nlohmann::json& each : record()["tasks"]) {
-            if (each["slurm"] == slurmId) {
-                return each;
-            }
-        }
-        return {};
+    /// What was asked for the world of which a value is this, "slurm" or "key", in its latest submission; null if there is none.
+    nlohmann::json task(const char* name, const nlohmann::json& value) const {
+        const nlohmann::json all = tasks();
+        const auto found = std::find_if(all.begin(), all.end(), [&](const nlohmann::json& each) { return each[name] == value; });
+        return found == all.end() ? nlohmann::json() : *found;
     }
-    nlohmann::json taskOfKey(const std::string& key) const {
-        for (const nlohmann::json& each : record()["tasks"]) {
-            if (each["key"] == key) {
-                return each;
-            }
-        }
-        return {};
-    }
+    nlohmann::json tasks() const { return record()["tasks"]; }
     nlohmann::json record() const {
         return nlohmann::json::parse(textOf(m_folder / ("cache/jobs/" + jobs()[0]["job"].get<std::string>() + "/record.json")));
     }
@@ -234,7 +224,7 @@ TEST_F(SlurmSweep, TasksThatArePreemptedRunAgain) {
             // Slurm lets what it sent back wait for two minutes; nobody needs to here.
             const std::string state = slurm({"squeue", "--noheader", "--array", "--jobs=" + preempted, "--format=%T %r"});
             if (state.starts_with("PENDING")) {
-                slurm({"scontrol", "update", "jobid=" + preempted, "starttime=now"});
+                slurm({"scontrol", "update", "jobid=" + preempted.substr(0, preempted.find('_')), "starttime=now"});
                 back = true;
             }
         }
@@ -242,7 +232,8 @@ TEST_F(SlurmSweep, TasksThatArePreemptedRunAgain) {
     EXPECT_TRUE(back) << preempted << " was not sent back";
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(withoutTimes(outcome.json()), withoutTimes(local()));
-    for (const nlohmann::json& each : record()["tasks"]) {
+    const nlohmann::json all = tasks();
+    for (const nlohmann::json& each : all) {
         EXPECT_EQ(each["attempts"], 1) << "Slurm starts it again by itself";
     }
 }
@@ -252,7 +243,7 @@ TEST_F(SlurmSweep, ATaskThatRunsOutOfTimeIsGivenTwiceAsMuch) {
     nlohmann::json stopped;
     const Outcome outcome = onSlurm([&](pid_t) {
         if (const auto now = running(); stopped.is_null() && now) {
-            stopped = task(now->task);
+            stopped = task("slurm", now->task);
             if (!stopped.is_null()) {
                 kill(now->process, SIGSTOP);
                 slurm({"scontrol", "update", "jobid=" + now->task, "timelimit=1"});
@@ -262,7 +253,7 @@ TEST_F(SlurmSweep, ATaskThatRunsOutOfTimeIsGivenTwiceAsMuch) {
     ASSERT_FALSE(stopped.is_null());
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(withoutTimes(outcome.json()), withoutTimes(local()));
-    const nlohmann::json after = taskOfKey(stopped["key"]);
+    const nlohmann::json after = task("key", stopped["key"]);
     EXPECT_NE(after["slurm"], stopped["slurm"]);
     EXPECT_EQ(after["attempts"], 2);
     EXPECT_EQ(after["minutes"], 2 * stopped["minutes"].get<int>());
@@ -272,7 +263,7 @@ TEST_F(SlurmSweep, ATaskThatRunsOutOfTimeIsGivenTwiceAsMuch) {
 TEST_F(SlurmSweep, ATaskThatRunsOutOfMemoryIsGivenTwiceAsMuch) {
     drain();
     ASSERT_EQ(onSlurm({}, {"--detach"}).exitCode, 0);
-    const nlohmann::json first = record()["tasks"][0];
+    const nlohmann::json first = tasks()[0];
     // Ten mebibytes hold no world.
     slurm({"scontrol", "update", "jobid=" + first["slurm"].get<std::string>(), "minmemorynode=10"});
     bool resumed = false;
@@ -284,7 +275,7 @@ TEST_F(SlurmSweep, ATaskThatRunsOutOfMemoryIsGivenTwiceAsMuch) {
     });
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(withoutTimes(outcome.json()), withoutTimes(local()));
-    const nlohmann::json after = taskOfKey(first["key"]);
+    const nlohmann::json after = task("key", first["key"]);
     EXPECT_EQ(after["attempts"], 2);
     EXPECT_EQ(after["mebibytes"], 2 * first["mebibytes"].get<int>());
     EXPECT_EQ(after["minutes"], first["minutes"]);

@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>ClusterWork</name>
+    <message>
+        <source>Cancel on the cluster?</source>
+        <translation>在集群上取消？</translation>
+    </message>
+    <message>
+        <source>The worlds that wait or run are taken from the cluster. What is made is kept, and starting again submits only what is missing.</source>
+        <translation>等待或运行的世界将从集群撤去。已生成的保留，再次开始只提交缺少的。</translation>
+    </message>
+</context>
+<context>
     <name>actions</name>
     <message>
         <source>Open…</source>
@@ -6835,10 +6846,6 @@
         <translation>{0} 没有方案“{1}”。</translation>
     </message>
     <message>
-        <source>{0} of {1} worlds are made on the cluster; {2} run, {3} wait</source>
-        <translation>集群上已完成 {0}/{1} 个模拟；{2} 个在运行，{3} 个在等待</translation>
-    </message>
-    <message>
         <source>{0} of {1} worlds are made; the cluster does not answer</source>
         <translation>已完成 {0}/{1} 个模拟；集群没有应答</translation>
     </message>
@@ -6885,6 +6892,42 @@
     <message>
         <source>{0} has another origin, axes, coordinate system or control points than {1}.</source>
         <translation>{0} 的原点、坐标轴、坐标系或控制点与 {1} 不同。</translation>
+    </message>
+    <message>
+        <source>A world was not made on the cluster.</source>
+        <translation>有一个世界没有在集群上生成。</translation>
+    </message>
+    <message>
+        <source>Ask whoever runs the cluster, or simulate on this machine.</source>
+        <translation>请询问集群的管理者，或在本机模拟。</translation>
+    </message>
+    <message>
+        <source>Install rubble-cli beside rubble.</source>
+        <translation>请将 rubble-cli 与 rubble 安装在一起。</translation>
+    </message>
+    <message>
+        <source>Slurm does not answer: {0}</source>
+        <translation>Slurm 没有应答：{0}</translation>
+    </message>
+    <message>
+        <source>Start again: only what is missing is submitted.</source>
+        <translation>请再次开始：只提交缺少的。</translation>
+    </message>
+    <message>
+        <source>There is no {0}, which makes the worlds on the cluster.</source>
+        <translation>没有 {0}，它在集群上生成世界。</translation>
+    </message>
+    <message>
+        <source>on the cluster: {0}</source>
+        <translation>在集群上：{0}</translation>
+    </message>
+    <message>
+        <source>sinfo waits in vain</source>
+        <translation>sinfo 没有应答</translation>
+    </message>
+    <message>
+        <source>{0} of {1} worlds are made on the cluster; {2} run, {3} wait, {4} failed</source>
+        <translation>集群上已生成 {1} 个世界中的 {0} 个；{2} 个在运行，{3} 个在等待，{4} 个失败</translation>
     </message>
 </context>
 <context>
@@ -7743,6 +7786,14 @@
     <message>
         <source>Simulate waits until the comparison is through, so that its times hold. Settings can be edited meanwhile.</source>
         <translation>比较完成之前不能模拟，以保证计时有效。其间可以编辑设置。</translation>
+    </message>
+    <message>
+        <source>Settings of this case were compared on the cluster: here they are</source>
+        <translation>本案例的设置曾在集群上比较：结果在此</translation>
+    </message>
+    <message>
+        <source>The cluster simulates. Times are not measured there: compare on this machine for them, no world is simulated again.</source>
+        <translation>集群正在模拟。那里不测量时间：需要时在本机比较，不会重新模拟任何世界。</translation>
     </message>
 </context>
 <context>
@@ -10826,10 +10877,6 @@
         <translation>模拟基准、其重复计算和每项设置，进行测量并分别单独计时。已模拟过的不再重复模拟</translation>
     </message>
     <message>
-        <source>Stop comparing; what is done is kept, and comparing again goes on from there</source>
-        <translation>停止比较；已完成的部分保留，再次比较从该处继续</translation>
-    </message>
-    <message>
         <source>Progress of the comparison</source>
         <translation>比较进度</translation>
     </message>
@@ -10912,6 +10959,10 @@
     <message>
         <source>What is done is kept in %1, so that a second start goes on from there.</source>
         <translation>已完成的内容保留在 %1 中，再次启动可从该处继续。</translation>
+    </message>
+    <message>
+        <source>Stop comparing, on a cluster after a question; what is done is kept, and comparing again goes on</source>
+        <translation>停止比较，在集群上会先询问；已完成的保留，再次比较时继续</translation>
     </message>
 </context>
 <context>
@@ -12283,10 +12334,6 @@ What the file fits: %2.</source>
         <translation>模拟每个成员，取值按下面的分布抽取。先前模拟过的成员从缓存中取用</translation>
     </message>
     <message>
-        <source>Stop; members that are done are kept, and simulating again goes on from there</source>
-        <translation>停止；已完成的成员予以保留，再次模拟时从此继续</translation>
-    </message>
-    <message>
         <source>Progress of the ensemble</source>
         <translation>系综的进度</translation>
     </message>
@@ -12357,6 +12404,10 @@ What the file fits: %2.</source>
     <message>
         <source>Members that are done are kept in %1, so that a second start goes on from there.</source>
         <translation>已完成的成员保存在 %1，再次开始时从此继续。</translation>
+    </message>
+    <message>
+        <source>Stop, on a cluster after a question; members that are done are kept, and simulating again goes on</source>
+        <translation>停止，在集群上会先询问；已完成的成员保留，再次模拟时继续</translation>
     </message>
 </context>
 <context>
@@ -14559,6 +14610,45 @@ What the file fits: %2.</source>
     <message>
         <source>Photographs of the site appear here: drop them on the window, or add them at the left.</source>
         <translation>现场照片显示在此：拖放到窗口，或在左侧添加。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::PlaceChoice</name>
+    <message>
+        <source>Asking Slurm…</source>
+        <translation>正在询问 Slurm…</translation>
+    </message>
+    <message>
+        <source>Run on</source>
+        <translation>运行于</translation>
+    </message>
+    <message>
+        <source>this machine</source>
+        <translation>本机</translation>
+    </message>
+    <message>
+        <source>Slurm cluster</source>
+        <translation>Slurm 集群</translation>
+    </message>
+    <message>
+        <source>Who simulates: this machine, or a Slurm cluster that shares the cache folder with it, with one task for each world</source>
+        <translation>由谁模拟：本机，或与本机共用缓存文件夹的 Slurm 集群，每个世界一项任务</translation>
+    </message>
+    <message>
+        <source>Options of sbatch</source>
+        <translation>sbatch 选项</translation>
+    </message>
+    <message>
+        <source>More options for sbatch, separated by spaces. Time and memory are asked for by themselves</source>
+        <translation>更多 sbatch 选项，以空格分隔。时间和内存会自动请求</translation>
+    </message>
+    <message>
+        <source>Slurm cluster: %1</source>
+        <translation>Slurm 集群：%1</translation>
+    </message>
+    <message>
+        <source>The window may be closed meanwhile: the worlds go on, and the case finds them again.</source>
+        <translation>其间可以关闭窗口：各世界继续进行，案例会再次找到它们。</translation>
     </message>
 </context>
 <context>

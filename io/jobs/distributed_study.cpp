@@ -40,9 +40,12 @@ std::vector<JobTask> missingTasks(const DistributedStudy& study, const Execution
         execution.check();
         if (!study.kept(distinct[i].origin)) {
             std::error_code ignored;
-            fs::remove(
-                fs::path(study.store) / (study.islands ? "islands/" + all[i].key + ".json" : "worlds/" + all[i].key + ".world"),
-                ignored);
+            // What lies there is of no use and must not count as made.
+            if (study.islands) {
+                fs::remove(fs::path(study.store) / "islands" / (all[i].key + ".json"), ignored);
+            } else {
+                fs::remove(fs::path(study.store) / "worlds" / (all[i].key + ".world"), ignored);
+            }
             missing.push_back(std::move(all[i]));
         }
     }

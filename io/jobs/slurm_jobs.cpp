@@ -257,11 +257,11 @@ std::string SlurmJobs::logPath(const std::string& id, const JobTask& task) const
 }
 
 bool SlurmJobs::toldOutOfMemory(const std::string& id, const JobTask& task) const {
-    static constexpr std::array<std::string_view, 4> words{"exceeded memory limit", "Exceeded job memory limit", "oom_kill event",
-                                                           "not enough memory"};
     std::ifstream stream(logPath(id, task));
     for (std::string line; std::getline(stream, line);) {
-        if (std::any_of(words.begin(), words.end(), [&](std::string_view each) { return line.find(each) != std::string::npos; })) {
+        // In the words of the kernel, of Slurm and of the program itself.
+        const auto has = [&line](std::string_view word) { return line.find(word) != std::string::npos; };
+        if (has("oom_kill") || (has("memory") && (has("xceeded") || has("enough")))) {
             return true;
         }
     }

@@ -76,7 +76,9 @@ void Slurm::reach() {
     // A controller that is away is waited for up to minutes.
     const ProgramOutcome outcome = outcomeOf({"timeout", secondsToAnswer, "sinfo", "--noheader", "--format=%D"});
     if (outcome.exitCode != 0) {
-        const std::string said = trimmed(outcome.err);
+        // The last line is the reason, those before it lead there.
+        const std::string all = trimmed(outcome.err);
+        const std::string said = all.substr(all.rfind('\n') + 1);
         throw WorldError({"io.slurm_unreachable", "Slurm does not answer: {0}", {said.empty() ? "sinfo waits in vain" : said}},
                          {"io.slurm_unreachable.remedy", "Ask whoever runs the cluster, or simulate on this machine.", {}});
     }

@@ -261,7 +261,7 @@ bool SlurmJobs::toldOutOfMemory(const std::string& id, const JobTask& task) cons
     for (std::string line; std::getline(stream, line);) {
         // In the words of the kernel, of Slurm and of the program itself.
         const auto has = [&line](std::string_view word) { return line.find(word) != std::string::npos; };
-        if (has("oom_kill") || (has("memory") && (has("xceeded") || has("enough")))) {
+        if (has("oom_kill") || has("oom-kill") || (has("memory") && (has("xceeded") || has("enough")))) {
             return true;
         }
     }

@@ -78,16 +78,21 @@ TEST_F(Map, IsAnExportToo) {
     EXPECT_EQ(cli({"export", m_out, "--export", "footprint=" + tiff}).exitCode, 2);
 }
 
-/// The numbers of a table's columns by name, row by row.
+/// The numbers of a table's columns by name, row by row; an empty field is zero.
 std::vector<std::vector<double>> columnsOf(const std::string& path, const std::vector<std::string>& names) {
     std::istringstream in(textOf(path));
     std::string line;
     std::getline(in, line);
     const auto split = [](const std::string& text) {
-        std::vector<std::string> fields;
-        std::istringstream row(text);
-        for (std::string field; std::getline(row, field, ',');) {
-            fields.push_back(field);
+        std::vector<std::string> fields(1);
+        bool quoted = false;
+        for (const char c : text) {
+            quoted = quoted != (c == '"');
+            if (c == ',' && !quoted) {
+                fields.emplace_back();
+            } else {
+                fields.back() += c;
+            }
         }
         return fields;
     };
@@ -99,7 +104,8 @@ std::vector<std::vector<double>> columnsOf(const std::string& path, const std::v
         for (const std::string& name : names) {
             const auto head = std::find(heads.begin(), heads.end(), name);
             EXPECT_NE(head, heads.end()) << name;
-            row.push_back(std::stod(fields.at(static_cast<std::size_t>(head - heads.begin()))));
+            const std::string& text = fields.at(static_cast<std::size_t>(head - heads.begin()));
+            row.push_back(text.empty() ? 0.0 : std::stod(text));
         }
     }
     return rows;

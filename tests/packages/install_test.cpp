@@ -171,17 +171,17 @@ TEST_F(Packaged, TheDebianPackagesHoldAllAndNameWhatTheyNeed) {
     const Outcome version = there({"rubble-cli", "--version"});
     expectOk(version);
     EXPECT_EQ(version.out, cli({"--version"}).out);
-    const std::string fe = writeSmallCollapse(root + "/opt/small.exo");
+    const std::string fe = writeSmallCollapse(root + "/tmp/small.exo");
     const Outcome run =
-        there({"rubble-cli", "run", "/opt/small.exo", "--set", "settle_time=0.5", "--json", "--out", "/opt/s.run.h5"});
+        there({"rubble-cli", "run", "/tmp/small.exo", "--set", "settle_time=0.5", "--json", "--out", "/tmp/s.run.h5"});
     expectOk(run);
     EXPECT_EQ(run.json()["trajectory_hash"], cli({"run", fe, "--set", "settle_time=0.5", "--json"}).json()["trajectory_hash"]);
-    expectOk(there({"rubble-cli", "figure", "/opt/s.run.h5", "--out", "/opt/s.png"}));
+    expectOk(there({"rubble-cli", "figure", "/tmp/s.run.h5", "--out", "/tmp/s.png"}));
     const Outcome shown =
         there({"xvfb-run", "-a", "-s", "-screen 0 1280x800x24", "rubble", "/usr/share/rubble/samples/river-arch.rubble",
-               "--screenshot", "/opt/window.png", "--size", "1280x800"});
+               "--screenshot", "/tmp/window.png", "--size", "1280x800"});
     expectOk(shown);
-    EXPECT_GT(fs::file_size(root + "/opt/window.png"), 50000u);
+    EXPECT_GT(fs::file_size(root + "/tmp/window.png"), 50000u);
 }
 
 }  // namespace

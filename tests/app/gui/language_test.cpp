@@ -95,7 +95,8 @@ const std::set<QString>& sameEverywhere() {
     static const std::set<QString> words = [] {
         std::set<QString> list;
         const QString plain = QStringLiteral(
-            "Rubble rubble cli ParaView Bullet bullet Exodus II CSV PVD SVG PNG JSON VTU HDF GTX NVIDIA IoU RMS FPS FE MB MiB GiB "
+            "Rubble rubble cli Slurm sbatch ParaView Bullet bullet Exodus II CSV PVD SVG PNG JSON VTU HDF GTX NVIDIA IoU RMS FPS "
+            "FE MB MiB GiB "
             "kB kg mm ms "
             "min kJ MJ GJ TJ nbsp amp lt gt quot Ctrl Shift Enter Delete Esc Home End Space Tab Alt auto Auto English "
             "NAVFAC DM ACI Wyllie Asteriou Tsiambaos Baltay Gjelsvik Rabbat Russell Avallone Baumeister STATUS "
@@ -135,6 +136,9 @@ QStringList strangeWords(QString text, const QStringList& names) {
     }
     text.replace(tag, QStringLiteral(" "));
     text.remove(path);
+    // What Slurm itself says.
+    static const QRegularExpression told(QStringLiteral("sinfo: .*"));
+    text.remove(told);
     QStringList found;
     for (auto at = word.globalMatch(text); at.hasNext();) {
         const QString latin = at.next().captured();

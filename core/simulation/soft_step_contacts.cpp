@@ -254,8 +254,11 @@ void SoftStepWorld::wakeByContact(const SoftContact& contact, std::vector<std::u
 bool SoftStepWorld::wakeByContacts() {
     const auto sleeps = [&](const Collider& c) { return c.kind == ColliderKind::Body && !awake(c); };
     std::vector<char> hasSleepers(m_partsUsed);
-    m_pool.loop(m_partsUsed, 1, [&](std::size_t part, std::size_t) {
-        hasSleepers[part] = std::ranges::any_of(m_parts[part], [&](const SoftContact& c) { return sleeps(*c.a) || sleeps(*c.b); });
+    m_pool.loop(m_partsUsed, 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t part = first; part < last; ++part) {
+            hasSleepers[part] =
+                std::ranges::any_of(m_parts[part], [&](const SoftContact& c) { return sleeps(*c.a) || sleeps(*c.b); });
+        }
     });
     std::vector<std::uint32_t> lifted;
     for (std::size_t part = 0; part < m_partsUsed; ++part) {

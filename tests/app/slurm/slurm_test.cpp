@@ -221,13 +221,21 @@ TEST_F(SlurmSweep, JobsListFollowsAndCancels) {
 // Somebody's work of a partition that goes first takes both processors: Slurm sends the tasks back to the queue.
 TEST_F(SlurmSweep, TasksThatArePreemptedRunAgain) {
     std::string preempted;
+    pid_t process = -1;
     bool back = false;
     const Outcome outcome = onSlurm([&](pid_t) {
-        const auto now = running();
-        if (preempted.empty() && now) {
-            preempted = now->task;
-            slurm({"sbatch", "--partition=urgent", "--cpus-per-task=2", "--output=/dev/null", "--wrap=sleep 2"});
-        } else if (!preempted.empty() && !back) {
+        if (preempted.empty()) {
+            if (const auto now = running()) {
+                // Held, since it could come to its end before Slurm looks at the urgent work.
+                process = now->process;
+                hold(process);
+                preempted = now->task;
+                slurm({"sbatch", "--partition=urgent", "--cpus-per-task=2", "--output=/dev/null", "--wrap=sleep 2"});
+            }
+        } else if (!back) {
+            if (running(preempted)) {
+                hold(process);
+            }
             // Slurm lets what it sent back wait for two minutes; nobody needs to here.
             const std::string state = slurm({"squeue", "--noheader", "--array", "--jobs=" + preempted, "--format=%T %r"});
             if (state.starts_with("PENDING")) {

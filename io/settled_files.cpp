@@ -90,6 +90,11 @@ std::optional<SettledWorld> SettledFiles::settled(const WorldOrigin& origin, Fin
     }
 }
 
+bool SettledFiles::keeps(const WorldOrigin& origin) {
+    Findings ignored;
+    return settled(origin, ignored).has_value();
+}
+
 void SettledFiles::keep(const WorldOrigin& origin, const SettledWorld& settled) {
     const std::string path = islandsPath(origin);
     std::error_code failed;

@@ -16,6 +16,8 @@ public:
 
     std::optional<SettledWorld> settled(const WorldOrigin& origin, Findings& findings) override;
     void keep(const WorldOrigin& origin, const SettledWorld& settled) override;
+    /// Whether a whole world with its islands is kept.
+    bool keeps(const WorldOrigin& origin);
 
     /// Where the islands of a world are kept.
     std::string islandsPath(const WorldOrigin& origin) const;

@@ -241,6 +241,11 @@ void StudyFiles::keep(const WorldOrigin& origin, const SimulatedWorld& world) {
     writeIn(worldPath(origin), worldBytes(origin, world));
 }
 
+bool StudyFiles::keeps(const WorldOrigin& origin) {
+    Findings ignored;
+    return world(origin, ignored).has_value();
+}
+
 std::optional<SettingCost> StudyFiles::cost(const WorldOrigin& origin, int threads) {
     Findings ignored;
     return readKept(costPath(origin, threads), ignored, [&](const JsonCursor& cursor) {

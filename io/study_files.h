@@ -20,6 +20,8 @@ public:
 
     std::optional<SimulatedWorld> world(const WorldOrigin& origin, Findings& findings) override;
     void keep(const WorldOrigin& origin, const SimulatedWorld& world) override;
+    /// Whether a whole world is kept.
+    bool keeps(const WorldOrigin& origin);
     std::optional<SettingCost> cost(const WorldOrigin& origin, int threads) override;
     void keep(const WorldOrigin& origin, const SettingCost& cost) override;
 

@@ -132,11 +132,7 @@ ExitCode measureAccuracy(const Arguments& arguments, Session& session) {
     const std::vector<KnownPoint> earlier = files.points(scene, kept);
     if (place.elsewhere() && options.simulated) {
         StudyPlace::Study study{accuracyTasks(subject.inputs, subject.scenario, settings, options, session.execution()),
-                                files.folder(), false,
-                                [&](const WorldOrigin& origin) {
-                                    Findings said;
-                                    return files.world(origin, said).has_value();
-                                },
+                                files.folder(), false, [&](const WorldOrigin& origin) { return files.keeps(origin); },
                                 subject.files};
         if (const auto ended = place.haveMade(std::move(study), session)) {
             return *ended;

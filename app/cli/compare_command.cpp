@@ -284,10 +284,7 @@ std::optional<ExitCode> haveMade(const StudyPlace& place, const Causes& causes, 
     StudyPlace::Study study;
     study.store = files.worlds().folder();
     study.islands = true;
-    study.kept = [&](const WorldOrigin& origin) {
-        Findings said;
-        return files.settled(origin, said).has_value();
-    };
+    study.kept = [&](const WorldOrigin& origin) { return files.keeps(origin); };
     for (std::size_t h = 0; h < causes.subjects.size(); ++h) {
         const EnsembleSubject& subject = causes.subjects[h];
         std::vector<StudyTask> tasks = tasksOf(subject, request, session.execution());

@@ -60,11 +60,7 @@ ExitCode ensemble(const Arguments& arguments, Session& session) {
     options.choice = place.choice();
     if (place.elsewhere()) {
         StudyPlace::Study study{tasksOf(subject, request, session.execution()), files.worlds().folder(), true,
-                                [&](const WorldOrigin& origin) {
-                                    Findings said;
-                                    return files.settled(origin, said).has_value();
-                                },
-                                subject.files};
+                                [&](const WorldOrigin& origin) { return files.keeps(origin); }, subject.files};
         if (const auto ended = place.haveMade(std::move(study), session)) {
             return *ended;
         }

@@ -41,11 +41,7 @@ ExitCode measureInfluence(const Arguments& arguments, Session& session) {
     io::StudyFiles files(arguments.value("--cache").value_or(io::cacheFolder()));
     if (place.elsewhere()) {
         StudyPlace::Study study{influenceTasks(subject.inputs, subject.scenario, effects, settings, session.execution()),
-                                files.folder(), false,
-                                [&](const WorldOrigin& origin) {
-                                    Findings said;
-                                    return files.world(origin, said).has_value();
-                                },
+                                files.folder(), false, [&](const WorldOrigin& origin) { return files.keeps(origin); },
                                 subject.files};
         if (const auto ended = place.haveMade(std::move(study), session)) {
             return *ended;

@@ -108,10 +108,7 @@ struct AccuracyWork::Comparison {
         study.subject = of.subject;
         study.store = files.folder();
         study.tasks = accuracyTasks(inputs, scenario, settings(), optionsElsewhere(files), execution);
-        study.kept = [&files](const WorldOrigin& origin) {
-            Findings ignored;
-            return files.world(origin, ignored).has_value();
-        };
+        study.kept = [&files](const WorldOrigin& origin) { return files.keeps(origin); };
         study.request = wordsOf(request);
         study.sbatchOptions = request.sbatchOptions;
         if (io::missingTasks(study, execution).empty()) {

@@ -42,10 +42,7 @@ struct Making {
         study.store = store;
         study.islands = true;
         study.tasks = ensembleTasks(source.scenes, order.settings, options(files), execution);
-        study.kept = [&files](const WorldOrigin& origin) {
-            Findings ignored;
-            return files.settled(origin, ignored).has_value();
-        };
+        study.kept = [&files](const WorldOrigin& origin) { return files.keeps(origin); };
         study.sbatchOptions = ensemble.sbatchOptions;
         const std::string id = io::jobId(study.jobTasks());
         if (!ensemble.submits) {

@@ -1,18 +1,16 @@
 #include "widgets/accuracy_panel.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStyle>
 #include <algorithm>
-#include <cmath>
 
 #include "widgets/place_choice.h"
+#include "widgets/study_start.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
@@ -45,43 +43,23 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
       m_liveFps(new QCheckBox(tr("Measure live FPS"))),
       m_retimed(new QCheckBox(tr("Measure times again"))),
       m_place(new PlaceChoice),
-      m_compare(new QPushButton(tr("Compare"))),
-      m_cancel(new QPushButton(tr("Cancel"))),
-      m_why(new QLabel),
-      m_bar(new QProgressBar),
-      m_progress(new QLabel),
+      m_start(
+          new StudyStart({tr("Compare"),
+                          tr("Simulate the reference, its repeats and every setting, measure them, and time each alone. What was "
+                             "simulated before is not simulated again"),
+                          tr("Stop comparing, on a cluster after a question; what is done is kept, and comparing again goes on"),
+                          QStringLiteral("cancelComparison"), tr("Progress of the comparison")},
+                         m_place)),
       m_findings(new FindingList) {
-    auto* buttons = new QWidget;
-    auto* row = new QHBoxLayout(buttons);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(m_compare, 1);
-    row->addWidget(m_cancel, 1);
-    m_compare->setObjectName(QStringLiteral("primary"));
-    m_compare->setToolTip(
-        tr("Simulate the reference, its repeats and every setting, measure them, and time each alone. What was "
-           "simulated before is not simulated again"));
-    m_cancel->setToolTip(tr("Stop comparing, on a cluster after a question; what is done is kept, and comparing again goes on"));
-    m_cancel->setObjectName(QStringLiteral("cancelComparison"));
-    addWide(buttons);
-    addWide(m_place);
-    m_why->setObjectName(QStringLiteral("muted"));
-    m_why->setWordWrap(true);
-    addWide(m_why);
-    m_bar->setTextVisible(false);
-    m_bar->setRange(0, 1000);
-    m_bar->setAccessibleName(tr("Progress of the comparison"));
-    m_progress->setObjectName(QStringLiteral("muted"));
-    m_progress->setWordWrap(true);
-    addWide(m_bar);
-    addWide(m_progress);
+    addWide(m_start);
     addPrediction();
     buildChoices();
     buildMachine();
     addWide(m_findings);
-    connect(m_compare, &QPushButton::clicked, this, &AccuracyPanel::compareRequested);
-    connect(m_multiples, &QLineEdit::returnPressed, m_compare, &QPushButton::click);
-    connect(m_varied, &QLineEdit::returnPressed, m_compare, &QPushButton::click);
-    connect(m_cancel, &QPushButton::clicked, this, &AccuracyPanel::cancelRequested);
+    connect(m_start, &StudyStart::startRequested, this, &AccuracyPanel::compareRequested);
+    connect(m_start, &StudyStart::cancelRequested, this, &AccuracyPanel::cancelRequested);
+    connect(m_multiples, &QLineEdit::returnPressed, m_start, &StudyStart::start);
+    connect(m_varied, &QLineEdit::returnPressed, m_start, &StudyStart::start);
     setReady(false, false, tr("Open a result first."));
 }
 
@@ -110,6 +88,7 @@ void AccuracyPanel::buildChoices() {
              "semicolons. The manual lists all parameters"));
     m_repeats->setRange(1, 100);
     m_repeats->setValue(2);
+    m_repeats->setAlignment(Qt::AlignRight);
     field(tr("Repeats of the reference"), m_repeats,
           tr("How often the reference is repeated with births shifted by a micrometre: what its own debris differs by says what a "
              "difference means. Each takes as long as the reference"));
@@ -218,27 +197,15 @@ void AccuracyPanel::setRequest(const Request& request) {
 }
 
 void AccuracyPanel::setReady(bool ready, bool running, const QString& why) {
-    m_compare->setEnabled(ready && !running);
-    m_compare->setVisible(!running);
-    m_cancel->setVisible(running);
+    m_start->setReady(ready, running, why);
     for (QWidget* editor :
          std::initializer_list<QWidget*>{m_multiples, m_varied, m_toleranceField, m_repeats, m_liveFps, m_retimed}) {
         editor->setEnabled(!running);
     }
-    m_place->setEnabled(!running);
-    m_why->setText(why);
-    m_why->setVisible(!why.isEmpty());
-    m_bar->setVisible(running);
-    m_progress->setVisible(running);
 }
 
 void AccuracyPanel::setProgress(const QString& what, double fraction, double secondsLeft) {
-    m_bar->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
-    QString text = what.left(1).toUpper() + what.mid(1);
-    if (std::isfinite(secondsLeft)) {
-        text += tr(" · about %1 left").arg(shownDuration(secondsLeft));
-    }
-    m_progress->setText(text);
+    m_start->setProgress(what, fraction, secondsLeft);
 }
 
 void AccuracyPanel::setFindings(const Findings& findings) {

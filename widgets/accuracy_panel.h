@@ -5,13 +5,12 @@
 
 class QCheckBox;
 class QLineEdit;
-class QProgressBar;
-class QPushButton;
 class QSpinBox;
 
 namespace rubble::widgets {
 
 class PlaceChoice;
+class StudyStart;
 
 /// Which settings to compare, and how far the comparison is.
 class AccuracyPanel : public Panel {
@@ -68,11 +67,7 @@ private:
     QCheckBox* m_liveFps;
     QCheckBox* m_retimed;
     PlaceChoice* m_place;
-    QPushButton* m_compare;
-    QPushButton* m_cancel;
-    QLabel* m_why;
-    QProgressBar* m_bar;
-    QLabel* m_progress;
+    StudyStart* m_start;
     QLabel* m_folder = nullptr;
     FindingList* m_findings;
 };

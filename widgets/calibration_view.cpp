@@ -142,11 +142,7 @@ void CalibrationView::showFacts(const Content& content) {
 
 void CalibrationView::setProgress(double fraction, double secondsLeft) {
     m_bar->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
-    QString text = tr("Measuring this machine");
-    if (std::isfinite(secondsLeft)) {
-        text += tr(" · about %1 left").arg(shownDuration(secondsLeft));
-    }
-    m_progress->setText(text);
+    m_progress->setText(shownProgress(tr("Measuring this machine"), secondsLeft));
 }
 
 void CalibrationView::setError(const QString& what, const QString& remedy) {

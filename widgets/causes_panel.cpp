@@ -5,12 +5,10 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
-#include <QProgressBar>
 #include <QPushButton>
 #include <algorithm>
-#include <cmath>
 
-#include "widgets/wording.h"
+#include "widgets/study_start.h"
 
 namespace rubble::widgets {
 
@@ -32,11 +30,12 @@ QWidget* rowOf(QPushButton* first, QPushButton* second) {
 
 CausesPanel::CausesPanel(QWidget* parent)
     : Panel(tr("Which cause?"), tr("Which of several supposed causes explains what was found?"), parent),
-      m_compare(new QPushButton(tr("Compare causes"))),
-      m_cancel(new QPushButton(tr("Cancel"))),
-      m_why(new QLabel),
-      m_bar(new QProgressBar),
-      m_progress(new QLabel),
+      m_start(new StudyStart({tr("Compare causes"),
+                              tr("Simulate the ensemble of every cause that is ticked and hold it against the evidence that is "
+                                 "ticked. Members that were "
+                                 "simulated before are taken from the cache"),
+                              tr("Stop; members that are done are kept, and comparing again goes on from there"),
+                              QStringLiteral("cancelCauses"), tr("Progress of the comparison of causes")})),
       m_causes(new QListWidget),
       m_addCauses(new QPushButton(tr("Add cases…"))),
       m_removeCause(new QPushButton(tr("Remove"))),
@@ -45,33 +44,13 @@ CausesPanel::CausesPanel(QWidget* parent)
       m_removeEvidence(new QPushButton(tr("Remove"))),
       m_blind(new QCheckBox(tr("Blind test as well"))),
       m_findings(new FindingList) {
-    buildStart();
+    addWide(m_start);
     buildCauses();
     buildEvidence();
     addWide(m_findings);
+    connect(m_start, &StudyStart::startRequested, this, &CausesPanel::compareRequested);
+    connect(m_start, &StudyStart::cancelRequested, this, &CausesPanel::cancelRequested);
     setContent({});
-}
-
-void CausesPanel::buildStart() {
-    m_compare->setObjectName(QStringLiteral("primary"));
-    m_compare->setToolTip(
-        tr("Simulate the ensemble of every cause that is ticked and hold it against the evidence that is ticked. Members that were "
-           "simulated before are taken from the cache"));
-    m_cancel->setObjectName(QStringLiteral("cancelCauses"));
-    m_cancel->setToolTip(tr("Stop; members that are done are kept, and comparing again goes on from there"));
-    addWide(rowOf(m_compare, m_cancel));
-    m_why->setObjectName(QStringLiteral("muted"));
-    m_why->setWordWrap(true);
-    addWide(m_why);
-    m_bar->setTextVisible(false);
-    m_bar->setRange(0, 1000);
-    m_bar->setAccessibleName(tr("Progress of the comparison of causes"));
-    addWide(m_bar);
-    m_progress->setObjectName(QStringLiteral("muted"));
-    m_progress->setWordWrap(true);
-    addWide(m_progress);
-    connect(m_compare, &QPushButton::clicked, this, &CausesPanel::compareRequested);
-    connect(m_cancel, &QPushButton::clicked, this, &CausesPanel::cancelRequested);
 }
 
 void CausesPanel::buildCauses() {
@@ -170,25 +149,14 @@ void CausesPanel::setContent(const Content& content) {
         editor->setEnabled(content.available && !content.running);
     }
     showRemovable();
-    m_compare->setEnabled(content.ready && !content.running);
-    m_compare->setVisible(!content.running);
-    m_cancel->setVisible(content.running);
-    m_bar->setVisible(content.running);
-    m_progress->setVisible(content.running);
-    m_why->setText(content.why);
-    m_why->setVisible(!content.why.isEmpty());
+    m_start->setReady(content.ready, content.running, content.why);
     m_members->setText(content.members);
     m_members->setVisible(!content.members.isEmpty());
     m_findings->set(content.findings);
 }
 
 void CausesPanel::setProgress(const QString& what, double fraction, double secondsLeft) {
-    m_bar->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
-    QString text = what.left(1).toUpper() + what.mid(1);
-    if (std::isfinite(secondsLeft)) {
-        text += tr(" · about %1 left").arg(shownDuration(secondsLeft));
-    }
-    m_progress->setText(text);
+    m_start->setProgress(what, fraction, secondsLeft);
 }
 
 }  // namespace rubble::widgets

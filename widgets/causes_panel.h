@@ -7,10 +7,11 @@
 
 class QCheckBox;
 class QListWidget;
-class QProgressBar;
 class QPushButton;
 
 namespace rubble::widgets {
+
+class StudyStart;
 
 /// Which supposed causes are held against which evidence, and how far that is.
 class CausesPanel : public Panel {
@@ -56,7 +57,6 @@ signals:
     void cancelRequested();
 
 private:
-    void buildStart();
     void buildCauses();
     void buildEvidence();
     void fill(QListWidget& list, const std::vector<Entry>& entries, const QString& none);
@@ -64,11 +64,7 @@ private:
 
     Content m_content;
     bool m_filling = false;
-    QPushButton* m_compare;
-    QPushButton* m_cancel;
-    QLabel* m_why;
-    QProgressBar* m_bar;
-    QLabel* m_progress;
+    StudyStart* m_start;
     QListWidget* m_causes;
     QPushButton* m_addCauses;
     QPushButton* m_removeCause;

@@ -1,16 +1,14 @@
 #include "widgets/ensemble_panel.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QSpinBox>
 #include <cmath>
 
 #include "widgets/number_field.h"
 #include "widgets/place_choice.h"
+#include "widgets/study_start.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
@@ -18,11 +16,13 @@ namespace rubble::widgets {
 EnsemblePanel::EnsemblePanel(QWidget* parent)
     : Panel(tr("Ensemble"), tr("How sure is it where debris lies, with what is not known drawn anew?"), parent),
       m_place(new PlaceChoice),
-      m_simulate(new QPushButton(tr("Simulate members"))),
-      m_cancel(new QPushButton(tr("Cancel"))),
-      m_why(new QLabel),
-      m_bar(new QProgressBar),
-      m_progress(new QLabel),
+      m_start(new StudyStart(
+          {tr("Simulate members"),
+           tr("Simulate every member, with values drawn from the distributions below. Members that were simulated before are taken "
+              "from the cache"),
+           tr("Stop, on a cluster after a question; members that are done are kept, and simulating again goes on"),
+           QStringLiteral("cancelEnsemble"), tr("Progress of the ensemble")},
+          m_place)),
       m_varied(new VariedTable),
       m_members(new QSpinBox),
       m_seed(new NumberField(tr("Seed"))),
@@ -30,7 +30,7 @@ EnsemblePanel::EnsemblePanel(QWidget* parent)
       m_withFallen(new QCheckBox(tr("Fallen structure counts as debris"))),
       m_atFeEnd(new QCheckBox(tr("At the end of the FE result"))),
       m_findings(new FindingList) {
-    buildStart();
+    addWide(m_start);
     PanelGroup* varied = addGroup(tr("What is varied"));
     varied->addWide(m_varied);
     buildMembers();
@@ -41,35 +41,9 @@ EnsemblePanel::EnsemblePanel(QWidget* parent)
         settings.varied = after;
         emit settingsEdited(settings, what);
     });
+    connect(m_start, &StudyStart::startRequested, this, &EnsemblePanel::simulateRequested);
+    connect(m_start, &StudyStart::cancelRequested, this, &EnsemblePanel::cancelRequested);
     setContent({});
-}
-
-void EnsemblePanel::buildStart() {
-    auto* buttons = new QWidget;
-    auto* row = new QHBoxLayout(buttons);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(m_simulate, 1);
-    row->addWidget(m_cancel, 1);
-    m_simulate->setObjectName(QStringLiteral("primary"));
-    m_simulate->setToolTip(
-        tr("Simulate every member, with values drawn from the distributions below. Members that were simulated before are taken "
-           "from the cache"));
-    m_cancel->setObjectName(QStringLiteral("cancelEnsemble"));
-    m_cancel->setToolTip(tr("Stop, on a cluster after a question; members that are done are kept, and simulating again goes on"));
-    addWide(buttons);
-    addWide(m_place);
-    m_why->setObjectName(QStringLiteral("muted"));
-    m_why->setWordWrap(true);
-    addWide(m_why);
-    m_bar->setTextVisible(false);
-    m_bar->setRange(0, 1000);
-    m_bar->setAccessibleName(tr("Progress of the ensemble"));
-    addWide(m_bar);
-    m_progress->setObjectName(QStringLiteral("muted"));
-    m_progress->setWordWrap(true);
-    addWide(m_progress);
-    connect(m_simulate, &QPushButton::clicked, this, &EnsemblePanel::simulateRequested);
-    connect(m_cancel, &QPushButton::clicked, this, &EnsemblePanel::cancelRequested);
 }
 
 void EnsemblePanel::buildMembers() {
@@ -78,12 +52,13 @@ void EnsemblePanel::buildMembers() {
     m_members->setRange(1, static_cast<int>(ensembleMembersMax));
     m_members->setAccessibleName(tr("Members"));
     m_members->setKeyboardTracking(false);
+    m_members->setAlignment(Qt::AlignRight);
     group->addField(
-        tr("members"), m_members, {},
+        tr("Members"), m_members, {},
         tr("How often the collapse is simulated, 1 to 10,000. The probability of a cell is sure to about 0.5 / √(n + 4): "
            "0.11 with 16 members, 0.06 with 64"));
     m_seed->setRange(0.0, 4294967295.0);
-    group->addField(tr("seed"), m_seed, {}, tr("Of what is drawn: the same seed gives the same members. 0 to 4,294,967,295"));
+    group->addField(tr("Seed"), m_seed, {}, tr("Of what is drawn: the same seed gives the same members. 0 to 4,294,967,295"));
     m_cost = group->addNote({});
     m_folder = group->addNote({});
     m_folder->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -104,7 +79,7 @@ void EnsemblePanel::buildDebris() {
     m_cell->setRange(0.05, 100.0);
     m_cell->setUnit("m");
     m_cell->setNumber(SurfaceSettings().cell);
-    group->addField(tr("cells"), m_cell, tr("m"), tr("Side of the cells of the maps. From 0.05 to 100 m"));
+    group->addField(tr("Cells"), m_cell, tr("m"), tr("Side of the cells of the maps. From 0.05 to 100 m"));
     m_withFallen->setChecked(true);
     m_withFallen->setToolTip(tr("Live elements that moved farther than %1 are debris").arg(shownLength(1.0)));
     group->addWide(m_withFallen);
@@ -140,14 +115,7 @@ void EnsemblePanel::setContent(const Content& content) {
     for (QWidget* editor : std::initializer_list<QWidget*>{m_cell, m_withFallen, m_atFeEnd}) {
         editor->setEnabled(!content.running);
     }
-    m_place->setEnabled(!content.running);
-    m_simulate->setEnabled(content.ready && !content.running);
-    m_simulate->setVisible(!content.running);
-    m_cancel->setVisible(content.running);
-    m_bar->setVisible(content.running);
-    m_progress->setVisible(content.running);
-    m_why->setText(content.why);
-    m_why->setVisible(!content.why.isEmpty());
+    m_start->setReady(content.ready, content.running, content.why);
     m_findings->set(content.findings);
     showCost();
 }
@@ -161,12 +129,7 @@ void EnsemblePanel::showCost() {
 }
 
 void EnsemblePanel::setProgress(const QString& what, double fraction, double secondsLeft) {
-    m_bar->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
-    QString text = what.left(1).toUpper() + what.mid(1);
-    if (std::isfinite(secondsLeft)) {
-        text += tr(" · about %1 left").arg(shownDuration(secondsLeft));
-    }
-    m_progress->setText(text);
+    m_start->setProgress(what, fraction, secondsLeft);
 }
 
 void EnsemblePanel::setFolder(const QString& folder) {

@@ -7,14 +7,13 @@
 #include "widgets/varied_table.h"
 
 class QCheckBox;
-class QProgressBar;
-class QPushButton;
 class QSpinBox;
 
 namespace rubble::widgets {
 
 class NumberField;
 class PlaceChoice;
+class StudyStart;
 
 /// What an ensemble varies, how many members it has, and how far its simulation is. Shows what it is given; an edit of what the
 /// case keeps leaves as a whole.
@@ -53,18 +52,13 @@ signals:
     void cancelRequested();
 
 private:
-    void buildStart();
     void buildMembers();
     void buildDebris();
     void showCost();
 
     Content m_content;
     PlaceChoice* m_place;
-    QPushButton* m_simulate;
-    QPushButton* m_cancel;
-    QLabel* m_why;
-    QProgressBar* m_bar;
-    QLabel* m_progress;
+    StudyStart* m_start;
     QLabel* m_cost = nullptr;
     VariedTable* m_varied;
     QSpinBox* m_members;

@@ -151,8 +151,20 @@ QString shownDuration(double seconds) {
         return QLocale().toString(seconds, 'f', 1) + QStringLiteral(" s");
     }
     const auto whole = static_cast<std::int64_t>(std::llround(seconds));
-    return whole < 60 ? QStringLiteral("%1 s").arg(whole)
-                      : QStringLiteral("%1 min %2 s").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
+    const auto two = [](const char* form, std::int64_t large, std::int64_t small) {
+        return QString::fromLatin1(form).arg(large).arg(small, 2, 10, QLatin1Char('0'));
+    };
+    return whole < 60     ? QStringLiteral("%1 s").arg(whole)
+           : whole < 3600 ? two("%1 min %2 s", whole / 60, whole % 60)
+                          : two("%1 h %2 min", (whole + 30) / 3600, (whole + 30) / 60 % 60);
+}
+
+QString shownProgress(const QString& what, double secondsLeft) {
+    QString text = what.left(1).toUpper() + what.mid(1);
+    if (std::isfinite(secondsLeft)) {
+        text += QCoreApplication::translate("rubble", " · about %1 left").arg(shownDuration(secondsLeft));
+    }
+    return text;
 }
 
 QString shownName(std::string_view name) {

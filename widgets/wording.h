@@ -30,8 +30,10 @@ QString shownEnergy(double joules);
 QString shownCount(std::int64_t value);
 /// A share as percent: "98.4 %".
 QString shownShare(double share, int decimals = 1);
-/// A length of time for people: "12 s", "3 min 05 s".
+/// A length of time for people: "12 s", "3 min 05 s", "2 h 40 min".
 QString shownDuration(double seconds);
+/// What is being done and how long it still takes: "Simulating · about 12 s left". @param secondsLeft  NaN: not known yet
+QString shownProgress(const QString& what, double secondsLeft);
 /// A value of a parameter for people: choices without underscores, "auto", "on", "off".
 QString shownValue(const ParameterValue& value);
 /// A choice or a stable name for people: "oriented_box" becomes "oriented box".

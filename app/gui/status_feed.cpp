@@ -4,6 +4,7 @@
 
 #include <QLocale>
 #include <fstream>
+#include <limits>
 
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
@@ -54,12 +55,10 @@ void StatusFeed::showProgress(const QString& what, double fraction) {
         m_sinceStart.start();
     }
     m_lastFraction = fraction;
-    QString text = what.left(1).toUpper() + what.mid(1);
     const double spent = static_cast<double>(m_sinceStart.elapsed()) / 1000.0;
-    if (fraction > 0.02 && fraction < 1.0 && spent > 1.0) {
-        text += tr(" · about %1 left").arg(widgets::shownDuration(spent * (1.0 - fraction) / fraction));
-    }
-    m_line.setActivity(text, fraction);
+    const bool known = fraction > 0.02 && fraction < 1.0 && spent > 1.0;
+    const double left = known ? spent * (1.0 - fraction) / fraction : std::numeric_limits<double>::quiet_NaN();
+    m_line.setActivity(widgets::shownProgress(what, left), fraction);
 }
 
 void StatusFeed::showBodies() {

@@ -11,6 +11,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "widgets/accuracy_chart.h"
 #include "widgets/accuracy_table.h"
@@ -91,9 +93,10 @@ QWidget* AccuracyPage::buildChoices() {
     row->addWidget(m_accuracy);
     row->addSpacing(12);
     row->addWidget(new QLabel(tr("Cost")));
-    const std::array<QString, costKindCount> tips{tr("Milliseconds per step, mean from the first to the last birth"),
-                                                  tr("Wall time of the simulation from start to end, seconds"),
-                                                  tr("Frames per second of live mode: the more the better")};
+    const std::array<QString, costKindCount> tips{
+        tr("Clusters: each is moved by one rigid body. Known without a measurement of time"),
+        tr("Milliseconds per step, mean from the first to the last birth"),
+        tr("Wall time of the simulation from start to end, seconds"), tr("Frames per second of live mode: the more the better")};
     auto* segments = new QHBoxLayout;
     segments->setSpacing(0);
     for (std::size_t c = 0; c < costKindCount; ++c) {
@@ -102,7 +105,7 @@ QWidget* AccuracyPage::buildChoices() {
         button->setToolTip(tips[c]);
         button->setAccessibleName(tr("Cost: %1").arg(button->text()));
         button->setCheckable(true);
-        button->setChecked(c == 0);
+        button->setChecked(static_cast<CostKind>(c) == m_cost);
         button->setFocusPolicy(Qt::TabFocus);
         m_costs->addButton(button, static_cast<int>(c));
         segments->addWidget(button);
@@ -112,10 +115,7 @@ QWidget* AccuracyPage::buildChoices() {
     fillKinds();
     setAccuracy({Measure::FootprintIou, std::nullopt});
     connect(m_accuracy, &QComboBox::currentIndexChanged, this, &AccuracyPage::showPlot);
-    connect(m_costs, &QButtonGroup::idClicked, this, [this](int id) {
-        m_cost = static_cast<CostKind>(id);
-        showPlot();
-    });
+    connect(m_costs, &QButtonGroup::idClicked, this, [this](int id) { setCost(static_cast<CostKind>(id)); });
     return choices;
 }
 
@@ -176,12 +176,29 @@ void AccuracyPage::setAccuracy(const AccuracyKind& kind) {
 void AccuracyPage::setCost(CostKind kind) {
     m_costs->button(static_cast<int>(kind))->setChecked(true);
     m_cost = kind;
+    m_costChosen = true;
     showPlot();
+}
+
+void AccuracyPage::takeKnownCost() {
+    if (m_costChosen || m_content.report == nullptr) {
+        return;
+    }
+    const AccuracyReport& report = *m_content.report;
+    const auto known = [&report](CostKind kind) {
+        const auto has = [kind](const AccuracyPoint& point) { return point.done && std::isfinite(costOf(point, kind)); };
+        return has(report.reference) || std::any_of(report.points.begin(), report.points.end(), has);
+    };
+    static constexpr std::array wanted{CostKind::StepMean, CostKind::Wall, CostKind::Fps, CostKind::Bodies};
+    const auto* const found = std::find_if(wanted.begin(), wanted.end(), known);
+    m_cost = found != wanted.end() ? *found : wanted.front();
+    m_costs->button(static_cast<int>(m_cost))->setChecked(true);
 }
 
 void AccuracyPage::setContent(const Content& content) {
     m_content = content;
     fillKinds();
+    takeKnownCost();
     const bool have = content.report != nullptr;
     m_splitter->setVisible(have);
     static const AccuracyReport nothing;
@@ -214,15 +231,20 @@ void AccuracyPage::showPlot() {
     const AccuracyKind kind = accuracy();
     m_accuracy->setToolTip(accuracyTip(kind));
     const QString across = m_cost == CostKind::Fps ? tr("further right") : tr("further left");
-    m_sentence->setText(tr("Each point is one setting, run on this machine. Click a point to use it. %1 and %2 is better; "
-                           "differences inside the band "
-                           "mean nothing.")
+    m_sentence->setText((m_cost == CostKind::Bodies
+                             ? tr("Each point is one setting. Click a point to use it. %1 and %2 is better; differences inside the "
+                                  "band mean nothing.")
+                             : tr("Each point is one setting, run on this machine. Click a point to use it. %1 and %2 is better; "
+                                  "differences inside the band mean nothing."))
                             .arg(kind.moreIsBetter() ? tr("Higher") : tr("Lower"), across));
     PlotContent content;
     if (m_content.report != nullptr) {
         content = plotContent(*m_content.report, m_cost, kind, m_content.inUse, m_content.fpsTarget);
     }
     QStringList notes;
+    if (m_cost == CostKind::Bodies && !m_costChosen) {
+        notes << tr("No time was measured on this machine: bodies stand for the cost.");
+    }
     if (content.left > 0) {
         const QString left = shownCount(static_cast<std::int64_t>(content.left));
         notes << (m_content.running ? tr("Settings without both figures yet: %1.").arg(left)

@@ -36,6 +36,7 @@ public:
     void setContent(const Content& content);
     AccuracyChart& chart() { return *m_chart; }
     AccuracyTable& table() { return *m_table; }
+    /// Chooses a cost, as a click on its button; until then one that is known is taken, the bodies if no other is.
     void setCost(CostKind kind);
     void setAccuracy(const AccuracyKind& kind);
 
@@ -52,12 +53,14 @@ private:
     QWidget* buildChoices();
     QWidget* buildTable();
     void fillKinds();
+    void takeKnownCost();
     void showPlot();
     AccuracyKind accuracy() const;
 
     Content m_content;
     std::vector<AccuracyKind> m_kinds;
     CostKind m_cost = CostKind::StepMean;
+    bool m_costChosen = false;
     QComboBox* m_accuracy;
     QButtonGroup* m_costs;
     QLabel* m_sentence;

@@ -27,9 +27,8 @@ PlotContent plotContent(const AccuracyReport& report, CostKind cost, const Accur
     content.accuracy = accuracy;
     content.band = floorBand(report, accuracy);
     content.fpsTarget = fpsTarget;
-    std::vector<SettingCost> costs;
     const auto add = [&](const AccuracyPoint& point, int row) {
-        PlotPoint shown{row, settingWords(point.setting), pointWords(point), {costOf(point.cost, cost), 0.0}};
+        PlotPoint shown{row, settingWords(point.setting), pointWords(point), {costOf(point, cost), 0.0}};
         shown.at.accuracy = point.done ? accuracyOf(point.difference, accuracy) : std::numeric_limits<double>::quiet_NaN();
         shown.published = row != referenceRow && point.setting == paperSetting;
         shown.inUse = inUse == row;
@@ -38,7 +37,6 @@ PlotContent plotContent(const AccuracyReport& report, CostKind cost, const Accur
         } else {
             ++content.left;
         }
-        costs.push_back(point.cost);
     };
     add(report.reference, referenceRow);
     for (std::size_t i = 0; i < report.points.size(); ++i) {
@@ -57,7 +55,7 @@ PlotContent plotContent(const AccuracyReport& report, CostKind cost, const Accur
     for (const std::size_t i : paretoFront(places, cost == CostKind::Fps, accuracy.moreIsBetter())) {
         content.points[i].front = true;
     }
-    content.target = costAtRate(costs, cost, fpsTarget);
+    content.target = costAtRate(report, cost, fpsTarget);
     return content;
 }
 

@@ -16,16 +16,18 @@ namespace {
 
 constexpr int rowRole = Qt::UserRole;
 constexpr int floorRow = -2;  // cannot be chosen
-constexpr int bodiesColumn = 1;
-constexpr int costColumn = 2;
+constexpr int costColumn = 1;
 constexpr int accuracyColumn = costColumn + static_cast<int>(costKindCount);
 
 CostKind costKind(int column) {
-    // As in the chart's choices: ms per step, wall time, live FPS.
+    // As in the chart's choices.
     return static_cast<CostKind>(column - costColumn);
 }
 
 /// Without its unit, which stands in the heading.
+QString bare(CostKind kind, double value) {
+    return kind == CostKind::Bodies && std::isfinite(value) ? shownCount(std::llround(value)) : shownNumber(value);
+}
 QString bare(const AccuracyKind& kind, double value) {
     return kind.tolerance && std::isfinite(value) ? shownNumber(100.0 * value) : shownNumber(value);
 }
@@ -58,9 +60,9 @@ void AccuracyTable::setHeadings(const std::vector<double>& tolerances) {
         setHorizontalHeaderItem(column, item);
     };
     head(0, tr("setting"), tr("What departs from the settings of the case"));
-    head(bodiesColumn, tr("bodies"), tr("Clusters: each is moved by one rigid body"));
     const std::array<std::pair<QString, QString>, costKindCount> costs{
-        {{tr("ms a step"), tr("Milliseconds per step, mean from the first to the last birth, with nothing beside it")},
+        {{tr("bodies"), tr("Clusters: each is moved by one rigid body")},
+         {tr("ms a step"), tr("Milliseconds per step, mean from the first to the last birth, with nothing beside it")},
          {tr("wall, s"), tr("Wall time of the simulation from start to end, seconds")},
          {tr("live FPS"), tr("Frames per second of live mode, mean from the first to the last birth")}}};
     for (std::size_t c = 0; c < costs.size(); ++c) {
@@ -99,9 +101,8 @@ void AccuracyTable::addPoint(const AccuracyPoint& point, int row, bool inUse) {
         font.setBold(true);
         item(line, 0)->setFont(font);
     }
-    put(line, bodiesColumn, shownCount(point.bodies), words);
     for (int column = costColumn; column < accuracyColumn; ++column) {
-        put(line, column, shownNumber(costOf(point.cost, costKind(column))), words);
+        put(line, column, bare(costKind(column), costOf(point, costKind(column))), words);
     }
     for (std::size_t k = 0; k < m_kinds.size(); ++k) {
         const double value = point.done ? accuracyOf(point.difference, m_kinds[k]) : std::numeric_limits<double>::quiet_NaN();
@@ -120,7 +121,7 @@ void AccuracyTable::addFloor(const AccuracyReport& report) {
                             .arg(report.floor->repeats.size());
     put(line, 0, settingWords(std::string(floorSetting)), tip);
     item(line, 0)->setData(rowRole, floorRow);
-    for (int column = bodiesColumn; column < accuracyColumn; ++column) {
+    for (int column = costColumn; column < accuracyColumn; ++column) {
         put(line, column, {}, tip);
     }
     for (std::size_t k = 0; k < m_kinds.size(); ++k) {

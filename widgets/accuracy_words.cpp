@@ -80,13 +80,17 @@ QString settingWords(const std::string& setting) {
 }
 
 QString costWords(CostKind kind) {
-    return kind == CostKind::StepMean ? tr("ms per step") : kind == CostKind::Wall ? tr("wall time") : tr("live FPS");
+    return kind == CostKind::Bodies     ? tr("bodies")
+           : kind == CostKind::StepMean ? tr("ms per step")
+           : kind == CostKind::Wall     ? tr("wall time")
+                                        : tr("live FPS");
 }
 
 QString costAxisWords(CostKind kind) {
-    return kind == CostKind::StepMean ? tr("cost: milliseconds per step, mean")
-           : kind == CostKind::Wall   ? tr("cost: wall time of the run, s")
-                                      : tr("live frames per second, mean");
+    return kind == CostKind::Bodies     ? tr("cost: bodies that the engine moves")
+           : kind == CostKind::StepMean ? tr("cost: milliseconds per step, mean")
+           : kind == CostKind::Wall     ? tr("cost: wall time of the run, s")
+                                        : tr("live frames per second, mean");
 }
 
 QString accuracyWords(const AccuracyKind& kind) {
@@ -105,10 +109,11 @@ QString accuracyTip(const AccuracyKind& kind) {
 }
 
 QString shownCost(CostKind kind, double value) {
-    return !std::isfinite(value)    ? shownNumber(value)
-           : kind == CostKind::Wall ? shownDuration(value)
-           : kind == CostKind::Fps  ? shownNumber(value) + tr(" FPS")
-                                    : shownNumber(value) + tr(" ms");
+    return !std::isfinite(value)      ? shownNumber(value)
+           : kind == CostKind::Bodies ? tr("%1 bodies").arg(shownCount(std::llround(value)))
+           : kind == CostKind::Wall   ? shownDuration(value)
+           : kind == CostKind::Fps    ? shownNumber(value) + tr(" FPS")
+                                      : shownNumber(value) + tr(" ms");
 }
 
 QString shownAccuracy(const AccuracyKind& kind, double value) {
@@ -134,7 +139,10 @@ std::vector<AccuracyKind> accuracyKinds(const std::vector<double>& tolerances) {
 }
 
 QString pointWords(const AccuracyPoint& point) {
-    QStringList lines{settingWords(point.setting), tr("%1 bodies").arg(shownCount(point.bodies))};
+    QStringList lines{settingWords(point.setting)};
+    if (const double bodies = costOf(point, CostKind::Bodies); std::isfinite(bodies)) {
+        lines << shownCost(CostKind::Bodies, bodies);
+    }
     if (!point.failure.empty()) {
         lines << tr("not simulated: %1").arg(worded(point.failure));
         return lines.join(u'\n');
@@ -143,9 +151,8 @@ QString pointWords(const AccuracyPoint& point) {
         lines << tr("not done yet");
         return lines.join(u'\n');
     }
-    for (std::size_t c = 0; c < costKindCount; ++c) {
-        const auto kind = static_cast<CostKind>(c);
-        const double value = costOf(point.cost, kind);
+    for (const CostKind kind : {CostKind::StepMean, CostKind::Wall, CostKind::Fps}) {
+        const double value = costOf(point, kind);
         lines << QStringLiteral("%1: %2").arg(costWords(kind), std::isfinite(value) ? shownCost(kind, value) : tr("not measured"));
     }
     for (const AccuracyKind& kind : accuracyKinds(point.difference.tolerances)) {

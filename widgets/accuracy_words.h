@@ -9,7 +9,7 @@ namespace rubble::widgets {
 
 /// A setting of a sweep for people: "multiple 2, cluster shape hull", "as published", "reference".
 QString settingWords(const std::string& setting);
-/// "ms per step", "wall time", "live FPS"
+/// "bodies", "ms per step", "wall time", "live FPS"
 QString costWords(CostKind kind);
 /// With its unit, for an axis: "cost: milliseconds per step, mean"
 QString costAxisWords(CostKind kind);

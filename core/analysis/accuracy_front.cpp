@@ -19,14 +19,16 @@ bool AccuracyKind::moreIsBetter() const {
     return tolerance.has_value() || overlap(measure);
 }
 
-double costOf(const SettingCost& cost, CostKind kind) {
+double costOf(const AccuracyPoint& point, CostKind kind) {
     switch (kind) {
+        case CostKind::Bodies:
+            return point.bodies > 0 ? static_cast<double>(point.bodies) : none;
         case CostKind::StepMean:
-            return cost.stepMeanMs;
+            return point.cost.stepMeanMs;
         case CostKind::Wall:
-            return cost.wallSeconds;
+            return point.cost.wallSeconds;
         case CostKind::Fps:
-            return cost.fps;
+            return point.cost.fps;
     }
     return none;
 }
@@ -75,17 +77,19 @@ std::vector<std::size_t> paretoFront(std::span<const CostAccuracy> points, bool 
     return front;
 }
 
-std::optional<double> costAtRate(std::span<const SettingCost> costs, CostKind kind, double target) {
+std::optional<double> costAtRate(const AccuracyReport& report, CostKind kind, double target) {
     if (kind == CostKind::Fps) {
         return target;
     }
     std::vector<std::pair<double, double>> known;  // cost, FPS
-    for (const SettingCost& each : costs) {
-        const double cost = costOf(each, kind);
-        if (std::isfinite(cost) && cost > 0.0 && std::isfinite(each.fps) && each.fps > 0.0) {
-            known.emplace_back(cost, each.fps);
+    const auto add = [&](const AccuracyPoint& point) {
+        const double cost = costOf(point, kind);
+        if (std::isfinite(cost) && cost > 0.0 && std::isfinite(point.cost.fps) && point.cost.fps > 0.0) {
+            known.emplace_back(cost, point.cost.fps);
         }
-    }
+    };
+    add(report.reference);
+    std::for_each(report.points.begin(), report.points.end(), add);
     std::sort(known.begin(), known.end());
     for (std::size_t i = 1; i < known.size(); ++i) {
         const auto [lowCost, highRate] = known[i - 1];

@@ -11,11 +11,12 @@ namespace rubble {
 
 /// What a setting costs, in one figure.
 enum class CostKind : std::uint8_t {
+    Bodies,    ///< clusters: known of every setting, wherever it was simulated
     StepMean,  ///< ms per step
     Wall,      ///< s, wall time of the run
     Fps,       ///< live frames per second: the more the better
 };
-inline constexpr std::size_t costKindCount = 3;
+inline constexpr std::size_t costKindCount = 4;
 
 /// How accurate a setting is, in one figure: a measure of debris as an amount, or the share of fragments within a tolerance.
 struct AccuracyKind {
@@ -27,8 +28,8 @@ struct AccuracyKind {
     bool moreIsBetter() const;
 };
 
-/// NaN where it was not measured.
-double costOf(const SettingCost& cost, CostKind kind);
+/// NaN where it is not known.
+double costOf(const AccuracyPoint& point, CostKind kind);
 /// NaN where the debris has no such figure, or the tolerance was not measured.
 double accuracyOf(const DebrisDifference& difference, const AccuracyKind& kind);
 
@@ -48,6 +49,6 @@ std::vector<std::size_t> paretoFront(std::span<const CostAccuracy> points, bool 
 /// Where a rate lies on an axis of cost: between the two settings, next to each other in cost, whose live FPS enclose it,
 /// interpolated in logarithms. Unset if no two do.
 /// @param target  frames per second
-std::optional<double> costAtRate(std::span<const SettingCost> costs, CostKind kind, double target);
+std::optional<double> costAtRate(const AccuracyReport& report, CostKind kind, double target);
 
 }  // namespace rubble

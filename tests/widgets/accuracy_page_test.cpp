@@ -273,6 +273,37 @@ TEST_F(AccuracyWidgets, ThePageSaysWhatIsMissingAndWhatIsStale) {
     EXPECT_TRUE(says("Lower and further right"));
 }
 
+/// Worlds of a cluster have no times of this machine.
+TEST_F(AccuracyWidgets, BodiesStandForTheCostWhereNoneWasMeasured) {
+    report->reference.bodies = 900;
+    std::int64_t bodies = 100;
+    for (AccuracyPoint* point : {&report->reference, &report->points[0], &report->points[1], &report->points[2]}) {
+        point->cost = {};
+    }
+    for (AccuracyPoint& point : report->points) {
+        point.bodies = point.done ? bodies *= 2 : 0;
+    }
+    AccuracyPage page;
+    page.resize(1000, 600);
+    page.show();
+    page.setContent({report, std::nullopt, 24.0, false, false});
+    EXPECT_EQ(page.chart().content().cost, CostKind::Bodies);
+    ASSERT_EQ(page.chart().content().points.size(), 5u);
+    EXPECT_EQ(page.chart().content().points.front().at.cost, 200.0);
+    EXPECT_EQ(page.chart().content().points[2].at.cost, 800.0);
+    EXPECT_EQ(page.chart().content().points[2].row, 2);
+    EXPECT_EQ(page.table().item(0, 1)->text(), QStringLiteral("900"));
+    EXPECT_EQ(page.table().item(6, 1)->text(), QString(QChar(0x2013))) << "bodies that nobody counted are not none";
+    // The first time that is known takes its place, until somebody chooses.
+    report->points[0].cost.wallSeconds = 3.0;
+    page.setContent({report, std::nullopt, 24.0, false, false});
+    EXPECT_EQ(page.chart().content().cost, CostKind::Wall);
+    page.setCost(CostKind::Bodies);
+    report->points[0].cost.stepMeanMs = 4.0;
+    page.setContent({report, std::nullopt, 24.0, false, false});
+    EXPECT_EQ(page.chart().content().cost, CostKind::Bodies);
+}
+
 TEST_F(AccuracyWidgets, ThePanelReadsWhatIsAskedFor) {
     AccuracyPanel panel;
     panel.findChild<QLineEdit*>(QStringLiteral("multiples"))->setText(QStringLiteral(" 2, auto,,3 "));

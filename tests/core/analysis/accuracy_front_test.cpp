@@ -10,12 +10,13 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-SettingCost costing(double stepMs, double fps) {
-    SettingCost cost;
-    cost.stepMeanMs = stepMs;
-    cost.wallSeconds = 100.0 * stepMs;
-    cost.fps = fps;
-    return cost;
+AccuracyPoint costing(std::int64_t bodies, double stepMs, double fps) {
+    AccuracyPoint point;
+    point.bodies = bodies;
+    point.cost.stepMeanMs = stepMs;
+    point.cost.wallSeconds = 100.0 * stepMs;
+    point.cost.fps = fps;
+    return point;
 }
 
 /// On the front by its definition: no other is at least as good in both and better in one; of equals the first.
@@ -67,13 +68,17 @@ TEST(AccuracyFront, WhatIsNoNumberIsOnNoFront) {
 }
 
 TEST(AccuracyFront, TheRateLiesBetweenTheSettingsThatEncloseIt) {
-    const std::vector<SettingCost> costs{costing(20.0, 12.0), costing(5.0, 48.0), costing(none, 30.0), costing(2.0, none)};
+    AccuracyReport report;
+    report.reference = costing(4000, 20.0, 12.0);
+    report.points = {costing(1000, 5.0, 48.0), costing(0, none, 30.0), costing(500, 2.0, none)};
     // FPS fall as one over the cost here, so in logarithms the place is exact.
-    EXPECT_NEAR(costAtRate(costs, CostKind::StepMean, 24.0).value(), 10.0, 1e-12);
-    EXPECT_NEAR(costAtRate(costs, CostKind::Wall, 24.0).value(), 1000.0, 1e-9);
-    EXPECT_EQ(costAtRate(costs, CostKind::Fps, 24.0), 24.0);
-    EXPECT_FALSE(costAtRate(costs, CostKind::StepMean, 60.0).has_value()) << "nothing is said beyond what was measured";
-    EXPECT_FALSE(costAtRate({}, CostKind::StepMean, 24.0).has_value());
+    EXPECT_NEAR(costAtRate(report, CostKind::StepMean, 24.0).value(), 10.0, 1e-12);
+    EXPECT_NEAR(costAtRate(report, CostKind::Wall, 24.0).value(), 1000.0, 1e-9);
+    EXPECT_EQ(costAtRate(report, CostKind::Fps, 24.0), 24.0);
+    EXPECT_NEAR(costAtRate(report, CostKind::Bodies, 24.0).value(), 2000.0, 1e-9)
+        << "a setting whose bodies are not known counts for none";
+    EXPECT_FALSE(costAtRate(report, CostKind::StepMean, 60.0).has_value()) << "nothing is said beyond what was measured";
+    EXPECT_FALSE(costAtRate(AccuracyReport(), CostKind::StepMean, 24.0).has_value());
 }
 
 TEST(AccuracyFront, SignedMeasuresAreAmountsAndRatesGoByTheirTolerance) {

@@ -6,7 +6,6 @@
 #include <vtkCellArray.h>
 #include <vtkCullerCollection.h>
 #include <vtkDataObject.h>
-#include <vtkEDLShading.h>
 #include <vtkFloatArray.h>
 #include <vtkLight.h>
 #include <vtkLightsPass.h>
@@ -32,6 +31,7 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/render/edge_shading.h"
 #include "widgets/render/grain_shader.h"
 
 namespace rubble::render {
@@ -105,7 +105,8 @@ PaneRenderer::PaneRenderer()
       m_model(vtkSmartPointer<vtkPolyData>::New()),
       m_selection(vtkSmartPointer<vtkPolyData>::New()),
       m_clipPlane(vtkSmartPointer<vtkPlane>::New()),
-      m_grain(vtkSmartPointer<vtkFloatArray>::New()) {
+      m_grain(vtkSmartPointer<vtkFloatArray>::New()),
+      m_edges(vtkSmartPointer<EdgeShading>::New()) {
     makeActors();
     m_renderer->AddActor(m_modelActor);
     m_renderer->AddActor(m_selectionActor);
@@ -217,9 +218,8 @@ void PaneRenderer::setShading(bool shaded) {
     sequence->SetPasses(passes);
     vtkNew<vtkCameraPass> camera;
     camera->SetDelegatePass(sequence);
-    vtkNew<vtkEDLShading> edges;
-    edges->SetDelegatePass(camera);
-    m_renderer->SetPass(edges);
+    m_edges->SetDelegatePass(camera);
+    m_renderer->SetPass(m_edges);
 }
 
 void PaneRenderer::setOutline(const std::vector<Eigen::Vector3f>& ends) {
@@ -322,6 +322,7 @@ void PaneRenderer::look(const Camera& camera, const Aabb& bounds) {
     const double far = 1.02 * away + std::max(7.0 * m_ground.reach(), 3.0 * size);
     const double near = camera.parallel ? away - far : std::max({0.02 * distance, away - 2.0 * size, 1e-4 * far});
     target->SetClippingRange(near, far);
+    m_edges->setFading(away + 0.5 * size, away + 1.5 * size);
 }
 
 }  // namespace rubble::render

@@ -22,6 +22,8 @@ class vtkUnsignedCharArray;
 
 namespace rubble::render {
 
+class EdgeShading;
+
 /// One pane in VTK: a renderer with one polydata for all that moves, one for the selection, and the ground.
 class PaneRenderer {
 public:
@@ -73,6 +75,7 @@ private:
     bool m_shaded = false;
     vtkSmartPointer<vtkFloatArray> m_grain;
     bool m_grained = false;
+    vtkSmartPointer<EdgeShading> m_edges;
     const PaneGeometry* m_shown = nullptr;
     std::uint64_t m_pointsVersion = 0;
     std::uint64_t m_coloursVersion = 0;

@@ -243,6 +243,21 @@ TEST_F(GlFigures, ShadingDarkensAndLeavesNothingBehind) {
     EXPECT_EQ(studio.picture(m_view, m_window), plain);
 }
 
+/// Ground at a flat angle falls away as fast as what lies behind an edge.
+TEST_F(GlFigures, ShadingFadesTowardsTheHorizon) {
+    Studio studio(m_data);
+    m_view.layout = render::Layout::FeOnly;
+    m_view.cameras[0].position = Vec3(2, -14, 2);
+    m_view.cameras[0].focalPoint = Vec3(2, 0, 2);
+    const QImage plain = studio.picture(m_view, m_window);
+    m_view.shading = true;
+    const QImage shaded = studio.picture(m_view, m_window);
+    EXPECT_GT(differentPixels(plain, shaded), 0.001) << "the wall has its outline";
+    // The horizon runs through the middle; the wall stands there in the middle third.
+    EXPECT_EQ(differentPixels(plain.copy(0, 0, 160, 212), shaded.copy(0, 0, 160, 212)), 0.0);
+    EXPECT_EQ(differentPixels(plain.copy(480, 0, 160, 212), shaded.copy(480, 0, 160, 212)), 0.0);
+}
+
 TEST_F(GlFigures, FourPanesShowFourThings) {
     Studio studio(m_data);
     m_view.layout = render::Layout::Four;

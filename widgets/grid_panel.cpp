@@ -124,7 +124,7 @@ void GridPanel::buildSize() {
 }
 
 void GridPanel::buildTable(PanelGroup* group) {
-    m_table->setHorizontalHeaderLabels({tr("axis"), tr("d"), tr("size"), tr("size/d"), tr("fragment"), tr("comp.")});
+    m_table->setHorizontalHeaderLabels({tr("axis"), tr("d"), tr("size"), tr("size/d"), tr("frag."), tr("comp.")});
     const std::array tips = {tr("Axis of the model"),
                              tr("Mean distance of adjacent fragments"),
                              tr("Chosen size of the Basic Grid"),

@@ -21,6 +21,14 @@ QString nameOf(const UnitSystem& system) {
     return QString::fromUtf8(system.id.data(), static_cast<qsizetype>(system.id.size()));
 }
 
+QString reasonsOf(const UnitFit& fit) {
+    QStringList reasons;
+    for (const Message& reason : fit.reasons) {
+        reasons << worded(reason);
+    }
+    return reasons.join(QStringLiteral("; "));
+}
+
 }  // namespace
 
 NewCaseUnits::NewCaseUnits(QWidget* parent)
@@ -133,7 +141,12 @@ void NewCaseUnits::showProposals() {
         button.setVisible(open);
         button.setText(offer.arg(QString::fromStdString(proposal.choice)));
     };
-    show(*m_unitsProposal, *m_takeUnits, m_evidence.units, m_taken, tr("Take %1"));
+    Proposal units = m_evidence.units;
+    if (!m_evidence.fits.empty() && units.reason.arguments.size() > 1) {
+        // With units as in the table: the proposal carries the reasons of the best fit as one English text.
+        units.reason.arguments[1] = reasonsOf(m_evidence.fits.front()).toStdString();
+    }
+    show(*m_unitsProposal, *m_takeUnits, units, m_taken, tr("Take %1"));
     show(*m_axisProposal, *m_takeAxis, m_evidence.upAxis, m_axis, tr("Let %1 point up"));
     m_takeUnits->setToolTip(tr("Read the file again in the units that it fits best"));
     m_takeAxis->setToolTip(tr("Read the file again with the axis against which free nodes fall pointing up"));
@@ -146,10 +159,7 @@ void NewCaseUnits::showFits() {
     int height = m_fits->horizontalHeader()->sizeHint().height() + 4;
     for (int row = 0; row < rows; ++row) {
         const UnitFit& fit = m_evidence.fits[static_cast<std::size_t>(row)];
-        QStringList reasons;
-        for (const Message& reason : fit.reasons) {
-            reasons << worded(reason);
-        }
+        const QString reasons = reasonsOf(fit);
         const bool taken = fit.system->id == m_taken;
         auto* name = new QTableWidgetItem(taken ? tr("%1 (taken)").arg(nameOf(*fit.system)) : nameOf(*fit.system));
         name->setToolTip(spokenText(std::string(fit.system->words)));
@@ -157,8 +167,7 @@ void NewCaseUnits::showFits() {
         QFont font = headingFont();
         font.setBold(taken);
         name->setFont(font);
-        auto* why = new QTableWidgetItem(reasons.isEmpty() ? tr("nothing in the file speaks for or against them")
-                                                           : reasons.join(QStringLiteral("; ")));
+        auto* why = new QTableWidgetItem(reasons.isEmpty() ? tr("nothing in the file speaks for or against them") : reasons);
         why->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
         why->setToolTip(why->text());
         m_fits->setItem(row, 0, name);

@@ -27,11 +27,16 @@ ReportPanel::ReportPanel(QWidget* parent)
     m_question->setFixedHeight(84);
     asked->addWide(m_question);
     m_author->setObjectName(QStringLiteral("reportAuthor"));
-    asked->addField(tr("Made by"), m_author, {}, tr("Who makes the report; stands on its first page"));
+    // A name with its office needs the whole width.
+    m_author->setPlaceholderText(tr("Who makes the report"));
+    m_author->setAccessibleName(tr("Made by"));
+    m_author->setToolTip(tr("Who makes the report; stands on its first page"));
+    asked->addWide(m_author);
     PanelGroup* made = addGroup(tr("Made for the report"));
     m_repeats->setObjectName(QStringLiteral("reportRepeats"));
     m_repeats->setRange(0, 20);
     m_repeats->setValue(2);
+    m_repeats->setAlignment(Qt::AlignRight);
     made->addField(
         tr("Repeats"), m_repeats, {},
         tr("How often the run is simulated again with births shifted by a micrometre, 0 to 20: the spread of every result. "

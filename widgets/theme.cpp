@@ -1,8 +1,10 @@
 #include "widgets/theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
-#include <QStyleFactory>
+#include <QProxyStyle>
+#include <QStyleOption>
 
 namespace rubble::widgets {
 
@@ -12,6 +14,24 @@ render::Theme& themeInForce() {
     static render::Theme theme = render::Theme::Light;
     return theme;
 }
+
+/// Fusion, with boxes to tick that can be seen in the dark: it outlines them darker than what they stand on.
+class BoxStyle : public QProxyStyle {
+public:
+    BoxStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck) {
+            painter->save();
+            painter->setBrush(Qt::NoBrush);
+            painter->setPen(option->state.testFlag(State_Enabled) ? option->palette.color(QPalette::Dark)
+                                                                  : option->palette.color(QPalette::Mid));
+            painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+            painter->restore();
+        }
+    }
+};
 
 QFont sized(double factor, QFont::Weight weight) {
     QFont font = QApplication::font();
@@ -83,6 +103,7 @@ QToolButton#fold:focus { border: 1px dotted %accent%; }
 QLineEdit { border: 1px solid %hairline%; border-radius: 4px; padding: 3px 6px; background: %field%; color: %text%;
   selection-background-color: %accent%; selection-color: %accentText%; }
 QLineEdit:focus { border-color: %accent%; }
+QLineEdit:disabled, QPlainTextEdit:disabled { color: %muted%; background: transparent; }
 QLineEdit[wrong="true"] { border-color: %error%; }
 QComboBox QAbstractItemView { background: %field%; color: %text%; border: 1px solid %hairline%; selection-background-color: %accentTint%;
   selection-color: %text%; outline: none; }
@@ -154,7 +175,7 @@ render::Theme systemTheme() {
 void applyTheme(render::Theme theme) {
     systemTheme();
     themeInForce() = theme == render::Theme::Dark ? render::Theme::Dark : render::Theme::Light;
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(new BoxStyle);
     QApplication::setPalette(paletteOf(tints()));
     qApp->setStyleSheet(sheetOf(tints()));
 }

@@ -19,18 +19,18 @@ constexpr double shareOfFallers = 0.25;
 
 /// Densities of what is built and shot at, kg/m3; `usual` is what collapses are made of.
 struct KnownMaterial {
-    std::string_view name;
+    std::string_view words;
     double low, high;
     bool usual;
 };
 
 constexpr std::array materials{
-    KnownMaterial{"concrete", 2150.0, 2550.0, true},     KnownMaterial{"steel", 7600.0, 8100.0, true},
-    KnownMaterial{"stone", 2550.0, 3100.0, true},        KnownMaterial{"masonry", 1400.0, 2150.0, true},
-    KnownMaterial{"timber", 350.0, 900.0, true},         KnownMaterial{"cast iron", 7000.0, 7400.0, true},
-    KnownMaterial{"soil or fill", 900.0, 1400.0, false}, KnownMaterial{"titanium", 4400.0, 4600.0, false},
-    KnownMaterial{"copper", 8700.0, 9000.0, false},      KnownMaterial{"lead", 11200.0, 11450.0, false},
-    KnownMaterial{"tungsten", 17000.0, 19400.0, false},
+    KnownMaterial{"usual for concrete", 2150.0, 2550.0, true},     KnownMaterial{"usual for steel", 7600.0, 8100.0, true},
+    KnownMaterial{"usual for stone", 2550.0, 3100.0, true},        KnownMaterial{"usual for masonry", 1400.0, 2150.0, true},
+    KnownMaterial{"usual for timber", 350.0, 900.0, true},         KnownMaterial{"usual for cast iron", 7000.0, 7400.0, true},
+    KnownMaterial{"usual for soil or fill", 900.0, 1400.0, false}, KnownMaterial{"usual for titanium", 4400.0, 4600.0, false},
+    KnownMaterial{"usual for copper", 8700.0, 9000.0, false},      KnownMaterial{"usual for lead", 11200.0, 11450.0, false},
+    KnownMaterial{"usual for tungsten", 17000.0, 19400.0, false},
 };
 
 // Nodes that belong to elements, all of which are inactive at a state although they were active at the first.
@@ -226,7 +226,7 @@ private:
                                          {density.value,
                                           density.part,
                                           {si, "kg/m3"},
-                                          known != materials.end() ? known->name
+                                          known != materials.end() ? known->words
                                           : possible               ? "no usual material"
                                                                    : "no material"}});
             }

@@ -356,8 +356,12 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
                 overlay.legend.push_back({p.released, tr("released structure %1").arg(countText(status.released))});
             }
         } else {
-            overlay.legend.push_back(
-                {p.structure, tr("active %1 of %2 elements").arg(countText(status.active), countText(status.elements))});
+            const bool material = view.style == render::Style::Presentation;
+            overlay.legend.push_back({material ? QColor() : p.structure,
+                                      tr("active %1 of %2 elements").arg(countText(status.active), countText(status.elements))});
+            if (material) {
+                addMaterials(overlay.legend, data, sceneColours(view.theme));
+            }
         }
         if (view.clip) {
             overlay.legend.push_back({QColor(), tr("cut open")});

@@ -86,6 +86,19 @@ TEST_F(Legends, CountWhatTheViewShows) {
     EXPECT_EQ(fe.legend[0].text, "active 4 of 16 elements");
 }
 
+TEST_F(Legends, MaterialsAreNamedInTheirColoursInBothViews) {
+    m_view.style = render::Style::Presentation;
+    for (const render::PaneContent content : {render::PaneContent::Fe, render::PaneContent::Fragments}) {
+        const Overlay overlay = overlayFor(render::ColourBy::Highlight, content);
+        ASSERT_GE(overlay.legend.size(), 2u);
+        EXPECT_EQ(overlay.legend.back().text, QStringLiteral("masonry"));
+        EXPECT_TRUE(overlay.legend.back().colour.isValid());
+        for (std::size_t i = 0; i + 1 < overlay.legend.size(); ++i) {
+            EXPECT_FALSE(overlay.legend[i].colour.isValid()) << "a colour that is not in the view";
+        }
+    }
+}
+
 TEST_F(Legends, ReleasedStructureIsCountedApart) {
     scenes::ReleasedSlab run;
     run.runToFeEnd();

@@ -30,6 +30,12 @@ Screenshot::Screenshot(MainWindow& window, const Options& options) : QObject(&wi
     m_timer.start();
     m_dialogs.setInterval(100);
     connect(&m_dialogs, &QTimer::timeout, this, &Screenshot::watchDialogs);
+    // Where nothing could be read, what was open stays: there is nothing to take a picture of.
+    connect(&window.computation(), &Computation::opened, this, [this](const Opened& opened) {
+        if (opened.fe == nullptr && opened.failure) {
+            giveUp(*opened.failure);
+        }
+    });
 }
 
 void Screenshot::watchDialogs() {
@@ -45,9 +51,7 @@ void Screenshot::watchDialogs() {
 void Screenshot::look() {
     Computation& computation = m_window.computation();
     if (computation.failure() && !computation.busy()) {
-        std::fprintf(stderr, "rubble: %s %s\n", qPrintable(computation.failure()->what), qPrintable(computation.failure()->remedy));
-        m_timer.stop();
-        QCoreApplication::exit(1);
+        giveUp(*computation.failure());
         return;
     }
     const NewCase* making = m_window.caseInTheMaking();
@@ -67,8 +71,7 @@ void Screenshot::look() {
             prepare();
         }
     } catch (...) {
-        m_timer.stop();
-        fail(std::current_exception());
+        giveUp(*failureOf(std::current_exception()));
         return;
     }
     if (m_taken) {
@@ -83,9 +86,9 @@ void Screenshot::look() {
     QTimer::singleShot(1000, this, &Screenshot::take);
 }
 
-void Screenshot::fail(const std::exception_ptr& thrown) {
-    const auto failure = failureOf(thrown);
-    std::fprintf(stderr, "rubble: %s %s\n", qPrintable(failure->what), qPrintable(failure->remedy));
+void Screenshot::giveUp(const Failure& failure) {
+    m_timer.stop();
+    std::fprintf(stderr, "rubble: %s %s\n", qPrintable(failure.what), qPrintable(failure.remedy));
     QCoreApplication::exit(1);
 }
 
@@ -150,7 +153,7 @@ void Screenshot::take() {
         figures::writePng(m_options.screenshot.toStdString(), picture);
         QCoreApplication::exit(0);
     } catch (...) {
-        fail(std::current_exception());
+        giveUp(*failureOf(std::current_exception()));
     }
 }
 

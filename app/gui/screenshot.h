@@ -2,13 +2,13 @@
 
 #include <QObject>
 #include <QTimer>
-#include <exception>
 
 #include "app/gui/options.h"
 
 namespace rubble {
 
 class MainWindow;
+struct Failure;
 
 /// Takes a picture of the window once what was asked for is there (opened, and simulated if the window was told to), saves it and
 /// leaves the program: exit code 0, or 1 if something failed. Where an action asks something in a dialog, the picture shows it.
@@ -23,7 +23,7 @@ private:
     void look();
     void prepare();
     void watchDialogs();
-    void fail(const std::exception_ptr& thrown);
+    void giveUp(const Failure& failure);
     void take();
 
     MainWindow& m_window;

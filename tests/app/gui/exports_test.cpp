@@ -82,6 +82,22 @@ TEST_F(Exports, AMovieIsWrittenInTheBackground) {
     EXPECT_FALSE(QFile::exists(QString::fromStdString(m_folder / "frames/frame-00006.png")));
 }
 
+/// What is half written goes with the window.
+TEST_F(Exports, ClosingWhileAMovieIsWrittenLeavesNoHalfOfIt) {
+    simulated();
+    widgets::MovieChoice choice;
+    choice.settings = {0.0, 0.5, 1000.0, 1.0};
+    choice.pixels = {320, 200};
+    choice.encoded = false;
+    window->pictures().exportMovieTo(QString::fromStdString(m_folder / "frames"), choice, window->area().views().view(),
+                                     window->sceneData());
+    ASSERT_TRUE(window->computation().busy());
+    window->document().undoStack().setClean();
+    window.reset();
+    QTest::qWait(50);
+    EXPECT_FALSE(QFile::exists(QString::fromStdString(m_folder / "frames/frame-00001.png")));
+}
+
 TEST_F(Exports, AReportIsMadeOfTheRunAndNotOfAStaleOne) {
     widgets::ReportPanel& panel = window->deck().report();
     auto* write = panel.findChild<QPushButton*>(QStringLiteral("writeReport"));

@@ -1,6 +1,7 @@
 #include "app/gui/screenshot.h"
 
 #include <QApplication>
+#include <QFile>
 #include <QImage>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -18,15 +19,18 @@ protected:
     QImage taken(const QStringList& actions) {
         Options options;
         options.path = arch();
-        options.screenshot = m_folder.filePath(QStringLiteral("a.png"));
         options.actions = actions;
+        EXPECT_EQ(leavesWith(options), 0);
+        return QImage(options.screenshot);
+    }
+    int leavesWith(Options& options) {
+        options.screenshot = m_folder.filePath(QStringLiteral("a.png"));
         Screenshot screenshot(*window, options);
         QTimer hangs;
         hangs.setSingleShot(true);
         QObject::connect(&hangs, &QTimer::timeout, [] { QCoreApplication::exit(7); });
         hangs.start(patience);
-        EXPECT_EQ(QApplication::exec(), 0);
-        return QImage(options.screenshot);
+        return QApplication::exec();
     }
     QTemporaryDir m_folder;
 };
@@ -46,6 +50,16 @@ TEST_F(Pictured, AnActionThatAsksIsPicturedWithItsDialogAndHangsNothing) {
     EXPECT_GT(different, plain.width() * plain.height() / 16 / 10) << "the dialog covers a tenth of the window";
     EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
     EXPECT_NE(window->area().views().view().layout, render::Layout::FeOnly) << "what would come after the dialog is not done";
+}
+
+TEST_F(Pictured, AFileThatCannotBeReadEndsTheProgramInsteadOfHoldingIt) {
+    for (const char* name : {"gone.rubble", "gone.exo"}) {
+        Options options;
+        options.path = m_folder.filePath(QLatin1String(name));
+        window->open(options.path);
+        EXPECT_EQ(leavesWith(options), 1) << name;
+        EXPECT_FALSE(QFile::exists(options.screenshot)) << name;
+    }
 }
 
 }  // namespace

@@ -3362,10 +3362,6 @@
         <translation>末尾具有该摘要的字节</translation>
     </message>
     <message>
-        <source>cast iron</source>
-        <translation>铸铁</translation>
-    </message>
-    <message>
         <source>cells of {0} by {1} were resampled to {2}</source>
         <translation>{0} x {1} 的单元格已重采样为 {2}</translation>
     </message>
@@ -4032,10 +4028,6 @@
     <message>
         <source>slugs, feet, seconds (stress in psf)</source>
         <translation>斯勒格、英尺、秒（应力 psf）</translation>
-    </message>
-    <message>
-        <source>soil or fill</source>
-        <translation>土或填料</translation>
     </message>
     <message>
         <source>solids and their values</source>
@@ -6929,6 +6921,50 @@
         <source>{0} of {1} worlds are made on the cluster; {2} run, {3} wait, {4} failed</source>
         <translation>集群上已生成 {1} 个世界中的 {0} 个；{2} 个在运行，{3} 个在等待，{4} 个失败</translation>
     </message>
+    <message>
+        <source>usual for cast iron</source>
+        <translation>铸铁的常见值</translation>
+    </message>
+    <message>
+        <source>usual for concrete</source>
+        <translation>混凝土的常见值</translation>
+    </message>
+    <message>
+        <source>usual for copper</source>
+        <translation>铜的常见值</translation>
+    </message>
+    <message>
+        <source>usual for lead</source>
+        <translation>铅的常见值</translation>
+    </message>
+    <message>
+        <source>usual for masonry</source>
+        <translation>砌体的常见值</translation>
+    </message>
+    <message>
+        <source>usual for soil or fill</source>
+        <translation>土或填料的常见值</translation>
+    </message>
+    <message>
+        <source>usual for steel</source>
+        <translation>钢的常见值</translation>
+    </message>
+    <message>
+        <source>usual for stone</source>
+        <translation>石材的常见值</translation>
+    </message>
+    <message>
+        <source>usual for timber</source>
+        <translation>木材的常见值</translation>
+    </message>
+    <message>
+        <source>usual for titanium</source>
+        <translation>钛的常见值</translation>
+    </message>
+    <message>
+        <source>usual for tungsten</source>
+        <translation>钨的常见值</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -7747,6 +7783,10 @@
     <message>
         <source>off</source>
         <translation>关</translation>
+    </message>
+    <message>
+        <source> · about %1 left</source>
+        <translation> · 约剩 %1</translation>
     </message>
 </context>
 <context>
@@ -9032,10 +9072,6 @@
 </context>
 <context>
     <name>rubble::StatusFeed</name>
-    <message>
-        <source> · about %1 left</source>
-        <translation> · 约剩 %1</translation>
-    </message>
     <message>
         <source>Bodies</source>
         <translation>刚体</translation>
@@ -10715,6 +10751,14 @@
         <source>%1: the mean distance (%2) exceeds the smallest component (%3, %4).</source>
         <translation>%1：平均间距（%2）超过最小构件（%3，%4）。</translation>
     </message>
+    <message>
+        <source>bodies</source>
+        <translation>刚体</translation>
+    </message>
+    <message>
+        <source>cost: bodies that the engine moves</source>
+        <translation>代价：引擎移动的刚体数</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::AccuracyChart</name>
@@ -10845,6 +10889,18 @@
         <source>The current setting is none of the points.</source>
         <translation>当前设置不在这些点之中。</translation>
     </message>
+    <message>
+        <source>Clusters: each is moved by one rigid body. Known without a measurement of time</source>
+        <translation>聚类：每个由一个刚体移动。无需计时即可得知</translation>
+    </message>
+    <message>
+        <source>Each point is one setting. Click a point to use it. %1 and %2 is better; differences inside the band mean nothing.</source>
+        <translation>每个点是一项设置。单击某点即可采用。%1、%2越好；带内的差异没有意义。</translation>
+    </message>
+    <message>
+        <source>No time was measured on this machine: bodies stand for the cost.</source>
+        <translation>本机没有计时数据：以刚体数表示代价。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::AccuracyPanel</name>
@@ -10867,10 +10923,6 @@
     <message>
         <source>Compare</source>
         <translation>比较</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
     </message>
     <message>
         <source>Simulate the reference, its repeats and every setting, measure them, and time each alone. What was simulated before is not simulated again</source>
@@ -10951,10 +11003,6 @@
     <message>
         <source>One to %1 distances from %2 to %3 m, separated by commas, please. In force: %4.</source>
         <translation>请输入 1 至 %1 个从 %2 到 %3 m 的距离，以逗号分隔。当前有效：%4。</translation>
-    </message>
-    <message>
-        <source> · about %1 left</source>
-        <translation> · 约剩 %1</translation>
     </message>
     <message>
         <source>What is done is kept in %1, so that a second start goes on from there.</source>
@@ -11213,10 +11261,6 @@
     <message>
         <source>Measuring this machine</source>
         <translation>正在测量本机</translation>
-    </message>
-    <message>
-        <source> · about %1 left</source>
-        <translation> · 约剩 %1</translation>
     </message>
 </context>
 <context>
@@ -11697,10 +11741,6 @@ What the file fits: %2.</source>
         <translation>比较原因</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Add cases…</source>
         <translation>添加案例…</translation>
     </message>
@@ -11783,10 +11823,6 @@ What the file fits: %2.</source>
     <message>
         <source>none: a blind test</source>
         <translation>无：进行盲测</translation>
-    </message>
-    <message>
-        <source> · about %1 left</source>
-        <translation> · 约剩 %1</translation>
     </message>
 </context>
 <context>
@@ -12306,10 +12342,6 @@ What the file fits: %2.</source>
         <translation>模拟成员</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Seed</source>
         <translation>随机种子</translation>
     </message>
@@ -12342,16 +12374,8 @@ What the file fits: %2.</source>
         <translation>成员</translation>
     </message>
     <message>
-        <source>members</source>
-        <translation>成员数</translation>
-    </message>
-    <message>
         <source>How often the collapse is simulated, 1 to 10,000. The probability of a cell is sure to about 0.5 / √(n + 4): 0.11 with 16 members, 0.06 with 64</source>
         <translation>倒塌被模拟的次数，1 至 10,000。单元概率的精度约为 0.5 / √(n + 4)：16 个成员为 0.11，64 个为 0.06</translation>
-    </message>
-    <message>
-        <source>seed</source>
-        <translation>种子</translation>
     </message>
     <message>
         <source>Of what is drawn: the same seed gives the same members. 0 to 4,294,967,295</source>
@@ -12368,10 +12392,6 @@ What the file fits: %2.</source>
     <message>
         <source>Debris on the ground</source>
         <translation>地面上的堆积物</translation>
-    </message>
-    <message>
-        <source>cells</source>
-        <translation>单元边长</translation>
     </message>
     <message>
         <source>m</source>
@@ -12396,10 +12416,6 @@ What the file fits: %2.</source>
     <message>
         <source>Each member takes about as long as the last run: %1 in all, unless members are kept from before.</source>
         <translation>每个成员约需上次计算的时间：共 %1，除非已有先前保留的成员。</translation>
-    </message>
-    <message>
-        <source> · about %1 left</source>
-        <translation> · 约剩 %1</translation>
     </message>
     <message>
         <source>Members that are done are kept in %1, so that a second start goes on from there.</source>
@@ -13211,10 +13227,6 @@ What the file fits: %2.</source>
         <translation>尺寸/d</translation>
     </message>
     <message>
-        <source>fragment</source>
-        <translation>最大块</translation>
-    </message>
-    <message>
         <source>comp.</source>
         <translation>构件</translation>
     </message>
@@ -13325,6 +13337,10 @@ What the file fits: %2.</source>
     <message>
         <source>in %1; d is the mean distance of adjacent fragments</source>
         <translation>单位 %1；d 为相邻碎块的平均间距</translation>
+    </message>
+    <message>
+        <source>frag.</source>
+        <translation>最大块</translation>
     </message>
 </context>
 <context>
@@ -15046,6 +15062,10 @@ What the file fits: %2.</source>
         <source>Written to &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;</source>
         <translation>已写入 &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;</translation>
     </message>
+    <message>
+        <source>Who makes the report</source>
+        <translation>报告编制者</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::RunList</name>
@@ -15935,6 +15955,13 @@ Program: %3</source>
     <message>
         <source>Stop what runs (Esc); what is computed is kept</source>
         <translation>停止正在运行的工作（Esc）；已计算的内容保留</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::widgets::StudyStart</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>

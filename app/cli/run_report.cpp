@@ -108,6 +108,7 @@ void addSimulationJson(Json& object, const SimulationResult& run) {
     object["occupied_births"] = {{"births", run.births.births},
                                  {"occupied", run.births.occupied},
                                  {"median_depth", run.births.medianDepth},
+                                 {"left", run.births.left},
                                  {"work_j", run.births.work},
                                  {"piece_push_work_j", run.births.piecePushWork},
                                  {"pieces_yielded", run.births.piecesYielded}};
@@ -193,9 +194,10 @@ void printRun(std::ostream& out, const SimulationResult& run, const std::array<d
     }
     facts.add("wall time", stages);
     facts.add("at the end", percent(run.asleepAtEnd) + " asleep, " + englishInteger(run.stillMoving) + " bodies still move");
-    facts.add("births in occupied space", englishInteger(run.births.occupied) + " of " + englishInteger(run.births.births) +
-                                              ", median depth " + percent(run.births.medianDepth) +
-                                              " of the smallest side, resolving them did " + withUnit(run.births.work, "J"));
+    facts.add("births in occupied space",
+              englishInteger(run.births.occupied) + " of " + englishInteger(run.births.births) + ", median depth " +
+                  percent(run.births.medianDepth) + " of the smallest side, resolving them did " + withUnit(run.births.work, "J") +
+                  "; at the end " + englishInteger(run.births.left) + " bodies still lie deeper than 5 % in others from birth");
     facts.add("pieces", "did " + withUnit(run.births.piecePushWork, "J") + " on bodies, gave way " +
                             englishInteger(run.births.piecesYielded) + " times");
     facts.add("deepest penetration", withUnit(run.penetrationMax, "m"));

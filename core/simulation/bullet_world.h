@@ -32,6 +32,7 @@ public:
     double lifted(BodyId body) const override { return m_bodies[at(body)]->lifted; }
     double penetration(BodyId body) const override { return removed(body) ? 0.0 : m_bodies[at(body)]->penetration; }
     double birthDepth(BodyId body) const override;
+    double overlapLeft(BodyId body) const override { return removed(body) ? 0.0 : m_bodies[at(body)]->overlapLeft; }
     bool pushedByPiece(BodyId body) const override { return m_bodies[at(body)]->pushed; }
 
 protected:

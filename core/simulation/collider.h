@@ -30,6 +30,7 @@ struct Collider {
     double radius = 0.0;        ///< m, of the farthest corner
     double birthDepth = 0.0;    ///< m, inside older colliders
     double penetration = 0.0;   ///< m, of a body: its deepest contact in its latest step awake, overlap at birth excepted
+    double overlapLeft = 0.0;   ///< m, of a body: what is left of overlap at birth with other bodies, in its latest step awake
     double lifted = 0.0;        ///< m, of a body: by being brought out of overlap at birth
     double smallestSide = 0.0;  ///< m, of a body
     double volume = 0.0;        ///< m3, of its material

@@ -51,8 +51,8 @@ constexpr double touchingDepth = 1e-4;
 /// Share of the smallest side that others may press a body into something; deeper, the two come apart by position like overlap at
 /// birth. Lower: what carries its load trembles; higher: light bodies stay jammed in heavy ones.
 constexpr double jammedDepth = 0.04;
-/// m in a step. Where overlap at birth pushes the lighter one of two bodies less than this, contact alone keeps them apart. Lower:
-/// columns that only touch stand too high; higher: more stays jammed.
+/// m in a step. Where overlap at birth pushes the lighter one of two bodies, or presses two together, less than this, contact alone
+/// keeps them apart. Lower: columns that only touch stand too high; higher: more stays jammed.
 constexpr double jammingPush = 0.002;
 /// Way of a body in a step over that of one contact, at most, where many bring overlap at birth apart. Lower: deep piles stay
 /// squeezed; higher: single bodies jump.

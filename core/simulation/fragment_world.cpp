@@ -163,7 +163,7 @@ void FragmentWorld::offsetContacts(double dt) {
     m_stock.clear();
     for (Collider* body : m_bodies) {
         if (body != nullptr && awake(*body)) {
-            body->penetration = 0.0;
+            body->penetration = body->overlapLeft = 0.0;
         }
     }
     for (Contact& contact : m_contacts) {
@@ -176,6 +176,12 @@ void FragmentWorld::offsetContacts(double dt) {
         }
         contact.offset = m_overlaps.offset(contact.pair, contact.depth, newborn);
         limitPiece(contact, dt);
+        const bool piece = contact.a->kind == ColliderKind::Piece || contact.b->kind == ColliderKind::Piece;
+        for (Collider* side : {contact.a, contact.b}) {
+            if (!piece && awake(*side)) {
+                side->overlapLeft = std::max(side->overlapLeft, contact.offset);
+            }
+        }
         if (!contact.yielding) {
             const double depth = contact.depth - contact.offset;
             m_report.penetrationMax = std::max(m_report.penetrationMax, depth);

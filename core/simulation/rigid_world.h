@@ -130,6 +130,8 @@ public:
     virtual double penetration(BodyId body) const = 0;
     /// How deep a body was inside older bodies and pieces when it entered, over its own smallest side; 0 before its first step.
     virtual double birthDepth(BodyId body) const = 0;
+    /// m, of overlap at birth with other bodies: the deepest that has not come apart yet.
+    virtual double overlapLeft(BodyId body) const = 0;
     /// m, by which bringing it out of overlap at birth has lifted a body so far, by position only.
     virtual double lifted(BodyId body) const = 0;
     /// A moving piece has pushed this body at some time.

@@ -427,6 +427,7 @@ void Collapse::measureBirths(OccupiedBirths& births) const {
             continue;
         }
         ++births.births;
+        births.left += m_world->overlapLeft(record.body) > occupiedShare * m_world->smallestSide(record.body);
         const double depth = m_world->birthDepth(record.body);
         if (depth > occupiedShare) {
             depths.push_back(depth);

@@ -34,11 +34,12 @@ struct LedgerErrors {
 
 /// Births in space that older bodies or pieces occupy already.
 struct OccupiedBirths {
-    std::int64_t births = 0;         ///< bodies that entered
-    std::int64_t occupied = 0;       ///< of these, deeper than 5 % of their own smallest side inside another body or piece
-    double medianDepth = 0.0;        ///< of the occupied ones: depth over the own smallest side
-    double work = 0.0;               ///< J, done by resolving all overlap at birth
-    double piecePushWork = 0.0;      ///< J, done by moving pieces on bodies
+    std::int64_t births = 0;     ///< bodies that entered
+    std::int64_t occupied = 0;   ///< of these, deeper than 5 % of their own smallest side inside another body or piece
+    double medianDepth = 0.0;    ///< of the occupied ones: depth over the own smallest side
+    std::int64_t left = 0;       ///< bodies that at the end still lie deeper than 5 % of their smallest side in others from birth
+    double work = 0.0;           ///< J, done by resolving all overlap at birth
+    double piecePushWork = 0.0;  ///< J, done by moving pieces on bodies
     std::int64_t piecesYielded = 0;  ///< contacts in which a moving piece gave way
 };
 

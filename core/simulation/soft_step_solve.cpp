@@ -92,6 +92,7 @@ void SoftStepWorld::restPair(std::size_t first, std::size_t last, double dt) {
             }
         }
     }
+    const bool piece = a.kind == ColliderKind::Piece || b.kind == ColliderKind::Piece;
     limitPiece(first, last);
     for (std::size_t i = first; i < last; ++i) {
         SoftContact& contact = m_contacts[i];
@@ -99,6 +100,11 @@ void SoftStepWorld::restPair(std::size_t first, std::size_t last, double dt) {
         if (contact.offset > 0.0) {
             std::atomic_ref(a.overlapping).store(true, std::memory_order_relaxed);
             std::atomic_ref(b.overlapping).store(true, std::memory_order_relaxed);
+        }
+        for (Collider* side : {&a, &b}) {
+            if (!piece && awake(*side)) {
+                raise(side->overlapLeft, contact.offset);
+            }
         }
         // How deep a piece sweeps into what may not resist it is how far it went, not what the solver let through.
         const bool swept = contact.pressed > 0.0 && (a.moving || b.moving);
@@ -388,6 +394,30 @@ bool SoftStepWorld::unloads(const SoftContact& contact) const {
     return lost > thawLoad * (m_settings.gravity / sleeper.inverseMass + rest);
 }
 
+/// m by which what came apart elsewhere has pressed these two together, by position only: overlap at birth that has moved here. It
+/// comes apart like all of it; taken for a load, it would be fought by impulses. The ground does not take any: what is pressed into
+/// it is pushed up again. Nor does less than jammingPush count: columns that only touch would stand and spread otherwise than
+/// grains.
+double SoftStepWorld::pressedByParting(const SolverContact& c, const SoftContact& contact) const {
+    if (contact.a->kind == ColliderKind::Ground) {
+        return 0.0;
+    }
+    const auto wayOf = [&](std::uint32_t slot, const Vec3& arm) {
+        if (slot >= m_awake.size()) {
+            return Vec3(Vec3::Zero());
+        }
+        const LaneBody& parted = m_solver.parted()[slot];
+        return Vec3(Vec3(parted.velocity) + Vec3(parted.spin).cross(arm));
+    };
+    double pressed = 0.0;
+    for (std::uint32_t k = 0; k < c.points; ++k) {
+        const SolverPoint& p = m_solver.points[c.firstPoint + k];
+        const double closed = c.normal.dot(wayOf(c.a, p.fromA) - wayOf(c.b, p.fromB));
+        pressed = std::max(pressed, closed - std::max(0.0, contact.points[k].separation));
+    }
+    return pressed > jammingPush ? pressed : 0.0;
+}
+
 void SoftStepWorld::takeResult(const SolverContact& c, Outcome& outcome) {
     SoftContact& contact = m_contacts[c.found];
     contact.yield = yieldOf(c);
@@ -402,6 +432,9 @@ void SoftStepWorld::takeResult(const SolverContact& c, Outcome& outcome) {
     }
     if (outcome.points > 0) {
         noteSupport(c);
+    }
+    if (m_parting) {
+        contact.offset += pressedByParting(c, contact);
     }
     contact.load += loadMemory * (loadOf(contact) - contact.load);
     outcome.unloads = (c.a == m_stillSlot || c.b == m_stillSlot) && unloads(contact);

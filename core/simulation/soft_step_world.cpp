@@ -158,7 +158,7 @@ void SoftStepWorld::takeSlots(double dt) {
             sweep(body, dt);
             body.active = false;
             body.collider->overlapping = false;
-            body.collider->penetration = 0.0;
+            body.collider->penetration = body.collider->overlapLeft = 0.0;
         }
     });
     for (Solid& piece : m_pieces) {

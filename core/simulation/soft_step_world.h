@@ -153,6 +153,7 @@ private:
     void moveBodies(double h);
     void takeResult(const SolverContact& c, Outcome& outcome);
     void takeResults();
+    double pressedByParting(const SolverContact& c, const SoftContact& contact) const;
     void bookPiece(SoftContact& contact, const SolverContact& c, double pushed);
     void writeBack(double dt);
     double bringApart(std::size_t slot, double dt);

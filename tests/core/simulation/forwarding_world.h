@@ -31,6 +31,7 @@ public:
     double lifted(BodyId body) const override { return m_world->lifted(body); }
     double penetration(BodyId body) const override { return m_world->penetration(body); }
     double birthDepth(BodyId body) const override { return m_world->birthDepth(body); }
+    double overlapLeft(BodyId body) const override { return m_world->overlapLeft(body); }
     bool pushedByPiece(BodyId body) const override { return m_world->pushedByPiece(body); }
     const ContactReport& contacts() const override { return m_world->contacts(); }
     const StepCosts& costs() const override { return m_world->costs(); }

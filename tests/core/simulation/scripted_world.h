@@ -38,6 +38,7 @@ public:
     double lifted(BodyId body) const override { return scripted[at(body)].lifted; }
     double penetration(BodyId body) const override { return scripted[at(body)].penetration; }
     double birthDepth(BodyId) const override { return 0.0; }
+    double overlapLeft(BodyId) const override { return 0.0; }
     bool pushedByPiece(BodyId body) const override { return scripted[at(body)].pushed; }
     const ContactReport& contacts() const override { return report; }
     const StepCosts& costs() const override { return m_costs; }

@@ -66,7 +66,8 @@ TEST(ArchSimulation, OverlapThatMovesToAnotherPairIsNoLoad) {
     Scenario scenario;
     scenario.grid.bodiesMax = 1000;
     scenario.simulation.settleTime = 1.0;
-    const SimulationResult result = *run({arch.fe, {}}, scenario, Stage::Simulation, {}, nullptr, Execution()).simulation;
+    MemoryTrajectory trajectory;
+    const SimulationResult result = *run({arch.fe, {}}, scenario, Stage::Simulation, {}, &trajectory, Execution()).simulation;
     EXPECT_LT(result.health.crowdShare, 0.13);
     EXPECT_GT(result.births.left, 0);
     EXPECT_LT(result.births.left, result.births.births);

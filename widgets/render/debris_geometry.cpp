@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/fe/mesh.h"
+#include "widgets/render/vertex_cells.h"
 
 namespace rubble::render {
 namespace {
@@ -211,6 +212,84 @@ void DebrisGeometry::addGroup(std::span<const FragmentId> members) {
     }
     group.vertexCount = static_cast<std::uint32_t>(m_vertices.size()) - group.firstVertex;
     m_groups.push_back(group);
+}
+
+DebrisGeometry DebrisGeometry::simplified(double cell) const {
+    DebrisGeometry coarse(*this);
+    coarse.m_vertices.clear();
+    coarse.m_faces.clear();
+    VertexCells cells(cell);
+    std::vector<Eigen::Vector3f> own;
+    auto face = m_faces.begin();
+    for (std::size_t g = 0; g < m_groups.size(); ++g) {
+        const Group& group = m_groups[g];
+        own.clear();
+        Eigen::AlignedBox3f box;
+        for (std::uint32_t i = 0; i < group.vertexCount; ++i) {
+            own.push_back(m_vertices[group.firstVertex + i].local);
+            box.extend(own.back());
+        }
+        // Faces stand group by group, as their vertices do.
+        const auto first = face;
+        while (face != m_faces.end() && face->vertices[0] < group.firstVertex + group.vertexCount) {
+            ++face;
+        }
+        coarse.m_groups[g].firstVertex = static_cast<std::uint32_t>(coarse.m_vertices.size());
+        const std::span<const Face> faces(first, face);
+        constexpr double cellsAcross = 2.0;
+        const bool narrow = static_cast<double>(box.sizes().minCoeff()) < cellsAcross * cell;
+        if (narrow && faces.size() > facesOf(ElementShape::Hexahedron).size()) {
+            coarse.addBox(box, group.first);
+        } else {
+            std::vector<std::uint32_t> joined(own.size());
+            std::iota(joined.begin(), joined.end(), 0u);
+            coarse.addJoined(m_vertices, faces, group.firstVertex, narrow ? joined : cells.join(own));
+        }
+        coarse.m_groups[g].vertexCount = static_cast<std::uint32_t>(coarse.m_vertices.size()) - coarse.m_groups[g].firstVertex;
+    }
+    return coarse;
+}
+
+void DebrisGeometry::addBox(const Eigen::AlignedBox3f& box, FragmentId fragment) {
+    const auto first = static_cast<std::uint32_t>(m_vertices.size());
+    for (const int corner : {0, 1, 3, 2, 4, 5, 7, 6}) {  // Eigen counts binary, Exodus II round about
+        m_vertices.push_back({box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner)), fragment,
+                              static_cast<std::uint32_t>(m_vertices.size()) - first});
+    }
+    for (const auto& local : facesOf(ElementShape::Hexahedron)) {
+        Face face;
+        face.fragment = fragment;
+        for (std::size_t i = 0; i < 4; ++i) {
+            face.vertices[i] = first + static_cast<std::uint32_t>(local[i]);
+        }
+        m_faces.push_back(face);
+    }
+}
+
+/// Takes over what is left of a group's faces, with the vertices that they use.
+/// @param joined  for each vertex of the group the one that stands for it
+void DebrisGeometry::addJoined(std::span<const Vertex> vertices, std::span<const Face> faces, std::uint32_t first,
+                               const std::vector<std::uint32_t>& joined) {
+    std::vector<std::uint32_t> drawn(joined.size(), none);
+    for (Face face : faces) {
+        for (std::uint32_t& vertex : face.vertices) {
+            vertex = vertex == none ? none : joined[vertex - first];
+        }
+        if (!withoutRepeats(face.vertices, none)) {
+            continue;
+        }
+        for (std::uint32_t& vertex : face.vertices) {
+            if (vertex == none) {
+                continue;
+            }
+            if (drawn[vertex] == none) {
+                drawn[vertex] = static_cast<std::uint32_t>(m_vertices.size());
+                m_vertices.push_back(vertices[first + vertex]);
+            }
+            vertex = drawn[vertex];
+        }
+        m_faces.push_back(face);
+    }
 }
 
 void DebrisGeometry::bind(std::span<const Carrier> carriers) {

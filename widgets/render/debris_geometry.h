@@ -46,6 +46,11 @@ public:
     /// fragments part company are split.
     void bind(std::span<const Carrier> carriers);
 
+    /// The same groups with less detail: vertices of a group in one cell are one, faces that vanish are left out, and a group that
+    /// is narrower than two cells is a box in its axes at hand-over, so that none vanishes. To be made anew after bind().
+    /// @param cell  edge of a cell, m
+    DebrisGeometry simplified(double cell) const;
+
     std::span<const Vertex> vertices() const { return m_vertices; }
     std::span<const Face> faces() const { return m_faces; }
     /// In the order of their first fragments.
@@ -73,6 +78,9 @@ private:
     void noteGroups();
     void build(const std::vector<std::vector<FragmentId>>& members);
     void addGroup(std::span<const FragmentId> members);
+    void addBox(const Eigen::AlignedBox3f& box, FragmentId fragment);
+    void addJoined(std::span<const Vertex> vertices, std::span<const Face> faces, std::uint32_t first,
+                   const std::vector<std::uint32_t>& joined);
 
     const FragmentSet& m_fragments;
     const Clustering* m_clusters;

@@ -6,6 +6,7 @@
 
 #include "core/analysis/debris_measures.h"
 #include "widgets/render/colour_choice.h"
+#include "widgets/render/vertex_cells.h"
 
 namespace rubble::render {
 namespace {
@@ -87,6 +88,9 @@ void PaneGeometry::makeFaces(bool carried) {
     m_debrisEvents.assign(events.begin(), events.end());
     m_structureSlot = m_debrisSlot = ~std::uint64_t{0};
     m_placed = false;
+    m_coarse.reset();
+    m_cellsWanted.reset();
+    m_cells = {};
 }
 
 void PaneGeometry::setHidden(std::vector<std::uint8_t> hidden) {
@@ -128,6 +132,8 @@ void PaneGeometry::bindBodies() {
         }
     }
     m_debrisSlot = ~std::uint64_t{0};
+    m_coarse.reset();
+    m_cells = {};
 }
 
 double PaneGeometry::shownTime(double time) {
@@ -169,7 +175,8 @@ void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& sca
     const bool otherLooks = settleLooks(scale);
     const std::size_t structureSlot = m_structure->slotAt(shown);
     const std::size_t debrisSlot = slotAt(m_debrisEvents, shown);
-    const bool changed = otherLooks || structureSlot != m_structureSlot || debrisSlot != m_debrisSlot;
+    const bool otherDetail = settleDetail();
+    const bool changed = otherLooks || otherDetail || structureSlot != m_structureSlot || debrisSlot != m_debrisSlot;
     if (changed) {
         m_structureSlot = structureSlot;
         m_debrisSlot = debrisSlot;
@@ -255,9 +262,9 @@ void PaneGeometry::addDebris(double time) {
         shown[f] = from <= time && time < list[f].endTime;
         m_born[f] = list[f].birthTime <= time && time < list[f].endTime;
     }
-    const auto groups = m_debris->groups();
+    const auto groups = drawnDebris().groups();
     std::uint32_t lastVertex = 0;
-    for (const auto& face : m_debris->faces()) {
+    for (const auto& face : drawnDebris().faces()) {
         if (!shown[at(face.fragment)]) {
             continue;
         }
@@ -299,8 +306,18 @@ void PaneGeometry::addStructure(double time) {
         }
         return point;
     };
-    for (const std::uint32_t index : m_structure->visible(m_structureSlot)) {
-        const StructureFaces::Face& face = m_structure->faces()[index];
+    const std::vector<std::uint32_t> visible = m_structure->visible(m_structureSlot);
+    const std::vector<std::uint32_t> joined = m_cells.structure > 0.0 ? joinedNodes(visible) : std::vector<std::uint32_t>();
+    for (const std::uint32_t index : visible) {
+        StructureFaces::Face face = m_structure->faces()[index];
+        if (!joined.empty() && face.nodes[2] != StructureFaces::none) {
+            for (std::uint32_t& node : face.nodes) {
+                node = node == StructureFaces::none ? node : joined[node];
+            }
+            if (!withoutRepeats(face.nodes, StructureFaces::none)) {
+                continue;
+            }
+        }
         const std::uint32_t look = m_lookOf[componentOf(face.element)];
         std::array<std::int32_t, 4> p{};
         std::size_t n = 0;
@@ -320,17 +337,19 @@ void PaneGeometry::addStructure(double time) {
     }
 }
 
+Eigen::Vector3f PaneGeometry::placeOf(std::uint32_t node, std::uint32_t island) const {
+    const Eigen::Vector3f x = m_motion[node];
+    return island != IslandMotion::none ? m_islands.place(island, x) : x;
+}
+
 void PaneGeometry::place(double time) {
     m_points.resize(3 * (m_debrisPoints + m_structurePoints.size()));
     if (m_groupsShown > 0) {
-        m_debris->place(m_frame, time, m_groupsShown, m_points.data());
+        drawnDebris().place(m_frame, time, m_groupsShown, m_points.data());
     }
     float* p = m_points.data() + 3 * m_debrisPoints;
     for (const StructurePoint& point : m_structurePoints) {
-        Eigen::Vector3f x = m_motion[point.node];
-        if (point.island != IslandMotion::none) {
-            x = m_islands.place(point.island, x);
-        }
+        const Eigen::Vector3f x = placeOf(point.node, point.island);
         p[0] = x.x();
         p[1] = x.y();
         p[2] = x.z();
@@ -427,10 +446,10 @@ void PaneGeometry::colour(ColourBy colourBy, const ColourScale& scale) {
     };
     std::vector<float> speeds;
     if (m_groupsShown > 0 && colourBy == ColourBy::Speed) {
-        speeds = m_debris->speeds(m_frame, m_placedTime, m_groupsShown);
+        speeds = drawnDebris().speeds(m_frame, m_placedTime, m_groupsShown);
     }
     for (std::size_t i = 0; i < m_debrisPoints; ++i) {
-        put(debrisColour(m_debris->vertices()[i].fragment, m_groupOfPoint[i], speeds, colourBy, scale));
+        put(debrisColour(drawnDebris().vertices()[i].fragment, m_groupOfPoint[i], speeds, colourBy, scale));
     }
     for (const StructurePoint& point : m_structurePoints) {
         const bool plain = point.island == IslandMotion::none || scale.style == Style::Presentation;
@@ -456,7 +475,7 @@ void PaneGeometry::takeGrain() {
                                        roughness[std::min<std::size_t>(look, materialCount - 1)]});
     };
     for (std::size_t i = 0; i < m_debrisPoints; ++i) {
-        const DebrisGeometry::Vertex& vertex = m_debris->vertices()[i];
+        const DebrisGeometry::Vertex& vertex = drawnDebris().vertices()[i];
         const Fragment& f = m_data.fragments->list[at(vertex.fragment)];
         const auto corners = mesh.cornersOf(f.element);
         put(corners[vertex.corner % corners.size()], m_lookOf[at(f.component)]);

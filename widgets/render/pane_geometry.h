@@ -44,6 +44,11 @@ public:
     /// Leaves elements and their fragments out; what they covered is drawn instead.
     /// @param hidden  [elements], 1 for those, or empty: none
     void setHidden(std::vector<std::uint8_t> hidden);
+    /// Draws no more than a screen can follow while it moves: vertices of the structure that share a cell are one, and so are those
+    /// of clusters, the small ones of which become boxes. Cells are so large that about `simplifiedFaces` faces are left of each;
+    /// what has no more stays as it is. Picking needs full detail; counts and places of elements do not.
+    void setSimplified(bool simplified);
+    static constexpr std::size_t simplifiedFaces = 30000;
     /// A plane that opens the model needs the faces inside it too. What draws the triangles cuts them.
     void setClip(const std::optional<ClipPlane>& clip);
 
@@ -81,6 +86,19 @@ private:
     double shownTime(double time);
     void followTrajectory();
     void bindBodies();
+    /// Edges of the cells in which vertices are joined, m; 0: none are.
+    struct Cells {
+        double structure = 0.0;
+        double debris = 0.0;
+
+        bool join() const { return structure > 0.0 || debris > 0.0; }
+    };
+    Cells cellsWanted() const;
+    void makeCoarse();
+    bool settleDetail();
+    const DebrisGeometry& drawnDebris() const { return m_cells.debris > 0.0 ? *m_coarse : *m_debris; }
+    std::vector<std::uint32_t> joinedNodes(const std::vector<std::uint32_t>& visible) const;
+    Eigen::Vector3f placeOf(std::uint32_t node, std::uint32_t island) const;
     void rebuildTriangles(double time);
     void addStructure(double time);
     void addDebris(double time);
@@ -116,6 +134,10 @@ private:
     ShowTimes m_showTimes;
     std::unique_ptr<StructureFaces> m_structure;
     std::unique_ptr<DebrisGeometry> m_debris;
+    bool m_simplify = false;
+    std::optional<Cells> m_cellsWanted;        ///< made when first needed
+    Cells m_cells;                             ///< of what is drawn
+    std::unique_ptr<DebrisGeometry> m_coarse;  ///< drawn in place of m_debris while its vertices are joined; kept from then on
     std::vector<double> m_debrisEvents;
     IslandMotion m_islands;
     TrajectoryFrame m_frame;

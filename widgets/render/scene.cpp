@@ -85,6 +85,7 @@ struct Scene::Impl {
     SceneData other;
     std::string otherScenario;
     bool allFaces = false;
+    bool simplified = false;
     Aabb bounds;
     ColourScale scale;
     bool coloursChanged = true;
@@ -203,7 +204,9 @@ struct Scene::Impl {
         }
     }
 
-    PaneGeometry* geometryFor(PaneContent content) {
+    void update(bool simple);
+
+    PaneGeometry* geometryFor(PaneContent content, bool simple) {
         auto& geometry = geometries[indexOf(content)];
         const SceneData& shown = content == PaneContent::Other ? other : data;
         if (!geometry && shown.fe) {
@@ -213,6 +216,7 @@ struct Scene::Impl {
         if (geometry) {
             geometry->setHidden(hidden);
             geometry->setClip(view.clip);
+            geometry->setSimplified(simple);
         }
         return geometry.get();
     }
@@ -311,39 +315,46 @@ void Scene::setAllFaces(bool all) {
     }
 }
 
+void Scene::setSimplified(bool simplified) {
+    m_impl->simplified = simplified;
+}
+
 void Scene::update(const View& view, int width, int height) {
     m_impl->view = view;
     m_impl->width = width;
     m_impl->height = height;
-    if (m_impl->coloursChanged) {
-        m_impl->applyColours();
+    m_impl->update(m_impl->simplified);
+}
+
+void Scene::Impl::update(bool simple) {
+    if (coloursChanged) {
+        applyColours();
     }
-    m_impl->scale.errorSteps = view.errorSteps;
-    m_impl->scale.style = view.style;
-    m_impl->scale.componentColours = view.componentColours;
-    m_impl->settleHidden();
-    m_impl->showGrid();
-    for (PaneRenderer& renderer : m_impl->renderers) {
+    scale.errorSteps = view.errorSteps;
+    scale.style = view.style;
+    scale.componentColours = view.componentColours;
+    settleHidden();
+    showGrid();
+    for (PaneRenderer& renderer : renderers) {
         renderer.renderer().DrawOff();
     }
     for (const Pane& pane : panesOf(view.layout, width, height)) {
-        const std::size_t i = indexOf(pane.content);
-        PaneRenderer& renderer = m_impl->renderers[rendererOf(pane.content)];
-        PaneGeometry* geometry = m_impl->geometryFor(pane.content);
+        PaneRenderer& renderer = renderers[rendererOf(pane.content)];
+        PaneGeometry* geometry = geometryFor(pane.content, simple);
         if (geometry) {
-            geometry->update(view.time, view.colourBy, m_impl->scale, view.selection);
-            m_impl->statuses[i] = geometry->status();
+            geometry->update(view.time, view.colourBy, scale, view.selection);
+            statuses[indexOf(pane.content)] = geometry->status();
         }
         renderer.renderer().DrawOn();
         renderer.show(geometry);
         if (pane.content == PaneContent::Overlay) {
-            m_impl->showOutline();
+            showOutline();
         }
         renderer.setClip(view.clip);
         renderer.setShading(view.shading);
         renderer.setGround(view.ground && geometry, view.groundGrid);
         renderer.place(pane, width, height);
-        renderer.look(cameraOf(view, pane.content), m_impl->bounds);
+        renderer.look(cameraOf(view, pane.content), bounds);
     }
 }
 
@@ -355,6 +366,9 @@ std::optional<Pick> Scene::pick(int x, int y) const {
     const auto pane = paneAt(m_impl->view.layout, m_impl->width, m_impl->height, x, y);
     if (!pane || !m_impl->geometries[indexOf(pane->content)]) {
         return std::nullopt;
+    }
+    if (m_impl->statuses[indexOf(pane->content)].simplifiedTo > 0.0) {
+        m_impl->update(false);
     }
     const Ray ray = m_impl->rayAt(*pane, x, y);
     auto hit = m_impl->geometries[indexOf(pane->content)]->cast(ray);

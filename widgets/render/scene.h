@@ -34,6 +34,7 @@ struct PaneStatus {
     std::vector<std::size_t> errors;           ///< fragments shown as born, by the steps of the error; empty: not coloured by it
     std::size_t errorsUnknown = 0;             ///< of them, those that the reference does not have at this time
     std::size_t faces = 0;                     ///< drawn
+    double simplifiedTo = 0.0;                 ///< m: shapes are drawn to within this; 0: as they are
     std::size_t hidden = 0;                    ///< elements left out of the picture; the counts above hold them all the same
 };
 
@@ -73,6 +74,10 @@ public:
     /// Draw every face, hidden ones too (what leaving them out brings is measured with this). Default off.
     void setAllFaces(bool all);
 
+    /// Draw large models with less detail, for as long as they move. Counts, picking and what elementsWhere() finds stay the same,
+    /// and PaneStatus::simplifiedTo tells of it. Default off: figures and movies never ask for it.
+    void setSimplified(bool simplified);
+
     /// Brings all panes to a view: positions, colours, cameras, layout. Draws nothing; call the window's Render() after.
     /// @param width, height  of the window, device pixels
     /// Throws what reading a state or a frame throws (WorldError, ParseError); the picture before then stays.
@@ -80,6 +85,7 @@ public:
     /// As of the last update().
     const PaneStatus& status(PaneContent content) const;
     /// The element or fragment under a pixel (y downwards) as of the last update(); nothing where there is only ground or sky.
+    /// A simplified picture is brought to full detail first, and stays so until the next update().
     std::optional<Pick> pick(int x, int y) const;
     /// The elements shown in a pane, active or as fragments, whose centres lie in a rectangle of pixels, seen or covered,
     /// ascending.

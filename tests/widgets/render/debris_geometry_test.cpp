@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <random>
 
@@ -57,16 +58,53 @@ TEST(DebrisGeometry, AClusterKeepsItsOuterFacesOnly) {
     EXPECT_EQ(DebrisGeometry(*data.fragments, data.clustering.get(), false).faces().size(), 48u);
 }
 
-TEST(DebrisGeometry, FacesLookOutwards) {
-    const SceneData data = dyingCube();
-    const DebrisGeometry geometry(*data.fragments, data.clustering.get());
+/// Volume that faces enclose, m3; negative where they look inwards.
+double enclosed(const DebrisGeometry& geometry) {
     double volume = 0.0;
     const auto p = [&](std::uint32_t v) { return geometry.vertices()[v].local.cast<double>(); };
     for (const auto& face : geometry.faces()) {
         volume += p(face.vertices[0]).dot(p(face.vertices[1]).cross(p(face.vertices[2]))) / 6.0;
-        volume += p(face.vertices[0]).dot(p(face.vertices[2]).cross(p(face.vertices[3]))) / 6.0;
+        if (face.vertices[3] != DebrisGeometry::none) {
+            volume += p(face.vertices[0]).dot(p(face.vertices[2]).cross(p(face.vertices[3]))) / 6.0;
+        }
     }
-    EXPECT_NEAR(volume, 8.0, 1e-5);  // the closed surface of the cube, in single precision
+    return volume;
+}
+
+TEST(DebrisGeometry, FacesLookOutwards) {
+    const SceneData data = dyingCube();
+    // The closed surface of the cube, in single precision.
+    EXPECT_NEAR(enclosed(DebrisGeometry(*data.fragments, data.clustering.get())), 8.0, 1e-5);
+}
+
+TEST(DebrisGeometry, WithLessDetailNoGroupVanishes) {
+    const SceneData data = dyingCube();
+    const DebrisGeometry geometry(*data.fragments, data.clustering.get());
+    const DebrisGeometry fine = geometry.simplified(0.01);
+    EXPECT_EQ(fine.faces().size(), geometry.faces().size());
+    EXPECT_EQ(fine.vertices().size(), geometry.vertices().size());
+    const DebrisGeometry box = geometry.simplified(5.0);
+    EXPECT_EQ(box.faces().size(), 6u);
+    EXPECT_EQ(box.vertices().size(), 8u);
+    EXPECT_NEAR(enclosed(box), 8.0, 1e-5);
+    EXPECT_EQ(box.groups().size(), 1u);
+    // A fragment on its own is no more than a box anyhow.
+    const DebrisGeometry loose(*data.fragments, nullptr);
+    EXPECT_EQ(loose.simplified(5.0).faces().size(), 48u);
+}
+
+TEST(DebrisGeometry, JoinedVerticesKeepWhatIsLargerThanACell) {
+    scenes::Block block{.low = Vec3(0, 0, 5), .size = Vec3(2, 2, 2), .cells = {8, 8, 8}};
+    block.deathState = [](std::size_t) { return std::size_t{2}; };
+    const SceneData data = scenes::withoutRun(scenes::makeScene({block}, 4, 0.1));
+    ASSERT_EQ(data.clustering->list.size(), 1u);
+    const DebrisGeometry geometry(*data.fragments, data.clustering.get());
+    const DebrisGeometry coarse = geometry.simplified(0.6);
+    EXPECT_LT(coarse.faces().size(), geometry.faces().size() / 2);
+    EXPECT_GT(coarse.faces().size(), 6u);
+    // A corner moves by less than a cell.
+    EXPECT_GT(enclosed(coarse), std::pow(2.0 - 2 * 0.6, 3));
+    EXPECT_LE(enclosed(coarse), 8.0 + 1e-5);
 }
 
 TEST(DebrisGeometry, FragmentsLieWhereTheirBodyCarriesThem) {

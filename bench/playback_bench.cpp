@@ -98,12 +98,13 @@ private:
 Playback* playback = nullptr;
 
 enum Motion { Still, Moving, Collapse };
-enum Look { Plain, Cut, Presentation, Shaded };
-constexpr std::array lookNames{"", ", cut", ", presentation style", ", shaded edges"};
+enum Look { Plain, Cut, Presentation, Shaded, Simplified };
+constexpr std::array lookNames{"", ", cut", ", presentation style", ", shaded edges", ", simplified"};
 
 /// @param state  range 0: hidden faces drawn too; range 1: what moves; range 2: how it looks
 void playBothViews(benchmark::State& state) {
     playback->scene().setAllFaces(state.range(0) != 0);
+    playback->scene().setSimplified(state.range(2) == Simplified);
     const render::View plain = playback->view();
     render::View& view = playback->view();
     if (state.range(2) == Cut) {
@@ -152,6 +153,9 @@ BENCHMARK(playBothViews)
     ->Args({0, Collapse, Cut})
     ->Args({0, Collapse, Presentation})
     ->Args({0, Collapse, Shaded})
+    ->Args({0, Still, Simplified})
+    ->Args({0, Moving, Simplified})
+    ->Args({0, Collapse, Simplified})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime()

@@ -37,7 +37,8 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, QWidget* parent)
       m_threads(new QSpinBox),
       m_memory(new QSpinBox),
       m_autosave(new QSpinBox),
-      m_copies(new QCheckBox) {
+      m_copies(new QCheckBox),
+      m_simplify(new QCheckBox) {
     setWindowTitle(tr("Preferences"));
     setObjectName(QStringLiteral("preferences"));
     setProperty("help", QStringLiteral("Preferences"));
@@ -94,9 +95,14 @@ void PreferencesDialog::buildLook(QFormLayout& form) {
     addRow(form, tr("Units on screen"), m_units,
            tr("Units of quantities that panels, docks and views show and take. Cases, runs, tables and figures stay in SI, and so "
               "do the comparisons of the Accuracy panel"));
+    m_simplify->setObjectName(QStringLiteral("simplify"));
+    addRow(form, tr("Simplify moving views"), m_simplify,
+           tr("Draw large models with less detail while they move, where this machine draws fewer than 24 pictures a second; the "
+              "legend says so. Counts, picking and figures keep every detail"));
     for (QComboBox* box : {m_language, m_theme, m_colours, m_units}) {
         connect(box, &QComboBox::activated, this, &PreferencesDialog::take);
     }
+    connect(m_simplify, &QCheckBox::clicked, this, &PreferencesDialog::take);
 }
 
 void PreferencesDialog::buildWork(QFormLayout& form) {
@@ -146,6 +152,7 @@ void PreferencesDialog::show(const Preferences& preferences) {
     m_memory->setValue(preferences.memoryMib);
     m_autosave->setValue(preferences.autosaveSeconds);
     m_copies->setChecked(preferences.keepCopies);
+    m_simplify->setChecked(preferences.simplify);
     m_showing = false;
 }
 
@@ -162,6 +169,7 @@ void PreferencesDialog::take() {
     next.memoryMib = m_memory->value();
     next.autosaveSeconds = m_autosave->value();
     next.keepCopies = m_copies->isChecked();
+    next.simplify = m_simplify->isChecked();
     if (!(next == m_now)) {
         m_now = next;
         emit changed(m_now);

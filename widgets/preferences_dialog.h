@@ -24,6 +24,7 @@ struct Preferences {
     int memoryMib = 2048;                           ///< MiB that states and frames may take, so that they need not be read again
     int autosaveSeconds = 60;                       ///< s between two autosaves; 0: none
     bool keepCopies = false;                        ///< of FE results that are read
+    bool simplify = true;                           ///< views with less detail while they move, where they are slow
 
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
@@ -63,6 +64,7 @@ private:
     QSpinBox* m_memory;
     QSpinBox* m_autosave;
     QCheckBox* m_copies;
+    QCheckBox* m_simplify;
 };
 
 }  // namespace rubble::widgets

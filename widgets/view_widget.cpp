@@ -18,6 +18,17 @@
 
 namespace rubble::widgets {
 
+namespace {
+
+constexpr int restAfter = 250;  // ms
+
+double& slowestDraw() {
+    static double seconds = ViewWidget::slowDraw;
+    return seconds;
+}
+
+}  // namespace
+
 struct ViewWidget::Window {
     vtkNew<vtkGenericOpenGLRenderWindow> gl;
 };
@@ -81,6 +92,13 @@ ViewWidget::ViewWidget(QWidget* parent) : QOpenGLWidget(parent), m_window(std::m
     m_window->gl->SetMultiSamples(0);
     m_window->gl->SetReadyForRendering(false);
     m_flight.setInterval(12);
+    m_rest.setInterval(restAfter);
+    m_rest.setSingleShot(true);
+    connect(&m_rest, &QTimer::timeout, this, [this] {
+        if (m_simplified) {
+            update();
+        }
+    });
     connect(&m_flight, &QTimer::timeout, this, &ViewWidget::stepFlight);
     connect(this, &QOpenGLWidget::frameSwapped, this, [this] { emit shown(m_view.time); });
 }
@@ -122,11 +140,35 @@ void ViewWidget::paintGL() {
     const QSize size = devicePixels();
     m_window->gl->SetSize(size.width(), size.height());
     Target target(*this);
+    m_simplified = m_rest.isActive() && std::min(m_drawSeconds[0], m_drawSeconds[1]) > slowestDraw();
+    m_scene.setSimplified(m_simplified);
     figures::draw(m_view, m_scene, target);
-    m_drawSeconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+    if (m_simplified) {
+        m_rest.start();  // a picture that took long is not yet rest
+    } else if (m_rest.isActive()) {
+        // At rest a picture may have been kept up by what had to be built anew.
+        context()->functions()->glFinish();
+        m_drawSeconds = {m_drawSeconds[1], static_cast<double>(clock.nsecsElapsed()) * 1e-9};
+    }
+}
+
+void ViewWidget::noteMove() {
+    m_rest.start();
+}
+
+void ViewWidget::simplifyAbove(double seconds) {
+    slowestDraw() = seconds;
+}
+
+QImage ViewWidget::picture() {
+    m_rest.stop();
+    return grabFramebuffer();
 }
 
 void ViewWidget::setData(const render::SceneData& scene) {
+    if (scene.fe != m_scene.data().fe) {
+        m_drawSeconds = {};
+    }
     m_scene.setData(scene);
     update();
 }
@@ -152,6 +194,7 @@ void ViewWidget::setView(const render::View& view) {
 
 void ViewWidget::setTime(double time) {
     if (time != m_view.time) {
+        noteMove();
         m_view.time = time;
         update();
     }
@@ -168,6 +211,7 @@ std::vector<ElementIndex> ViewWidget::elementsWhere(const std::function<bool(con
 
 void ViewWidget::setCamera(std::size_t index, const render::Camera& camera) {
     m_flight.stop();
+    noteMove();
     m_view.cameras[index] = camera;
     update();
     emit viewChanged(m_view);
@@ -207,6 +251,7 @@ void ViewWidget::centreOn(const Vec3& point) {
 
 void ViewWidget::centreNow(const Vec3& point) {
     m_flight.stop();
+    noteMove();
     for (render::Camera& camera : m_view.cameras) {
         camera = render::centreOn(camera, point);
     }
@@ -266,6 +311,7 @@ void ViewWidget::flyTo(const Cameras& cameras) {
     if (m_animated) {
         m_flight.start();
     } else {
+        noteMove();
         m_view.cameras = cameras;
         update();
         emit viewChanged(m_view);
@@ -280,6 +326,7 @@ void ViewWidget::stepFlight() {
     if (t >= 1.0) {
         m_flight.stop();
     }
+    noteMove();
     update();
     emit viewChanged(m_view);
 }

@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -59,6 +60,14 @@ public:
     bool dropMeasurement();
     /// Camera moves are animated (200 ms) unless the user asks for reduced motion.
     void setAnimated(bool animated) { m_animated = animated; }
+    /// While time or camera move, all such widgets draw large models with less detail after two pictures in a row that took longer
+    /// than this, s; full detail comes back as soon as they rest. Infinite: always full detail.
+    static void simplifyAbove(double seconds);
+    static constexpr double slowDraw = 1.0 / 24.0;
+    /// The last picture was asked for with less detail; PaneStatus::simplifiedTo says where it has less.
+    bool simplified() const { return m_simplified; }
+    /// What the widget shows, with full detail even on the move.
+    QImage picture();
 
     /// The point of the model or the ground under a place in this widget, drawn onto a node of the model if one is near.
     struct Hit {
@@ -72,8 +81,6 @@ public:
     const render::PaneStatus& status(render::PaneContent content) const;
     /// As Scene::elementsWhere(), in the pane with fragments where there is one.
     std::vector<ElementIndex> elementsWhere(const std::function<bool(const Vec3&)>& inside) const;
-    /// Wall time of the last draw, s.
-    double drawSeconds() const { return m_drawSeconds; }
 
 signals:
     /// The user moved a camera.
@@ -115,13 +122,16 @@ private:
     void flyTo(const Cameras& cameras);
     void stepFlight();
     void releaseGraphics();
+    void noteMove();
 
     std::unique_ptr<Window> m_window;
     render::Scene m_scene;
     render::View m_view;
     bool m_ready = false;
     bool m_animated = true;
-    double m_drawSeconds = 0.0;
+    bool m_simplified = false;
+    std::array<double, 2> m_drawSeconds{};  ///< of the last two draws on the move at full detail
+    QTimer m_rest;                          ///< runs from the last move until the views count as resting
     QPointF m_pressed;
     QPointF m_grabbed;
     bool m_dragged = false;

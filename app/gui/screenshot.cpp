@@ -136,7 +136,7 @@ void Screenshot::take() {
         for (widgets::ViewWidget* views : {&m_window.area().views(), &m_window.evidencePage().model()}) {
             if (views->isVisible()) {
                 QPainter painter(&picture);
-                painter.drawImage(QRect(views->mapTo(&m_window, QPoint(0, 0)), views->size()), views->grabFramebuffer());
+                painter.drawImage(QRect(views->mapTo(&m_window, QPoint(0, 0)), views->size()), views->picture());
             }
         }
         // Windows of their own lie over it, as they do on the screen.
@@ -146,7 +146,7 @@ void Screenshot::take() {
                 const QPoint corner = other->mapToGlobal(QPoint(0, 0)) - m_window.mapToGlobal(QPoint(0, 0));
                 painter.drawPixmap(corner, other->grab());
                 for (auto* views : other->findChildren<widgets::ViewWidget*>()) {
-                    painter.drawImage(QRect(corner + views->mapTo(other, QPoint(0, 0)), views->size()), views->grabFramebuffer());
+                    painter.drawImage(QRect(corner + views->mapTo(other, QPoint(0, 0)), views->size()), views->picture());
                 }
             }
         }

@@ -17,6 +17,7 @@ constexpr const char* threadsKey = "threads";
 constexpr const char* memoryKey = "memory_mib";
 constexpr const char* autosaveKey = "autosave_seconds";
 constexpr const char* copiesKey = "keep_copies";
+constexpr const char* simplifyKey = "simplify_moving";
 
 const QStringList& colourNames() {
     static const QStringList names{QStringLiteral("vermilion"), QStringLiteral("yellow")};
@@ -85,6 +86,7 @@ widgets::Preferences readPreferences(QSettings& settings, QStringList* complaint
     found.memoryMib = reader.number(memoryKey, widgets::leastMemoryMib, widgets::mostMemoryMib, delivered.memoryMib);
     found.autosaveSeconds = reader.number(autosaveKey, 0, widgets::mostAutosaveSeconds, delivered.autosaveSeconds);
     found.keepCopies = reader.flag(copiesKey, delivered.keepCopies);
+    found.simplify = reader.flag(simplifyKey, delivered.simplify);
     return found;
 }
 
@@ -97,6 +99,7 @@ void writePreferences(QSettings& settings, const widgets::Preferences& preferenc
     settings.setValue(QLatin1String(memoryKey), preferences.memoryMib);
     settings.setValue(QLatin1String(autosaveKey), preferences.autosaveSeconds);
     settings.setValue(QLatin1String(copiesKey), preferences.keepCopies);
+    settings.setValue(QLatin1String(simplifyKey), preferences.simplify);
 }
 
 }  // namespace rubble

@@ -129,7 +129,7 @@ void StartDisplay::noteOpened() {
 
 void StartDisplay::takePicture() {
     if (!m_document.empty() && m_computation.inputs().fe != nullptr && m_area.views().isVisible()) {
-        m_recent.setPicture(openPath(), m_area.views().grabFramebuffer());
+        m_recent.setPicture(openPath(), m_area.views().picture());
     }
 }
 

@@ -3,6 +3,7 @@
 #include <QMenuBar>
 #include <QSettings>
 #include <QTimer>
+#include <limits>
 
 #include "app/gui/accuracy_display.h"
 #include "app/gui/autosave.h"
@@ -61,6 +62,8 @@ void MainWindow::applyPreferences(const widgets::Preferences& preferences) {
     if (m_project != nullptr) {
         m_project->autosave().setInterval(preferences.autosaveSeconds);
     }
+    widgets::ViewWidget::simplifyAbove(preferences.simplify ? widgets::ViewWidget::slowDraw
+                                                            : std::numeric_limits<double>::infinity());
     m_actions["keep_copies"].setChecked(preferences.keepCopies);
     setTheme(preferences.theme);
     m_area->views().update();

@@ -61,6 +61,12 @@ void addComponents(std::vector<LegendEntry>& legend, const render::View& view, c
     }
 }
 
+/// The next number with two digits, for what need not be told more finely.
+double twoDigitsUp(double value) {
+    const double step = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+    return std::ceil(value / step) * step;
+}
+
 /// One entry for each material that a component has.
 void addMaterials(std::vector<LegendEntry>& legend, const render::SceneData& data, const render::SceneColours& colours) {
     std::array<bool, materialCount> present{};
@@ -372,6 +378,10 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
         if (!view.selection.empty()) {
             overlay.legend.push_back({p.accent, tr("selected %1").arg(countText(view.selection.size())), true});
         }
+    }
+    if (status.simplifiedTo > 0.0) {
+        overlay.legend.push_back(
+            {QColor(), tr("simplified while moving: shapes to within %1").arg(lengthText(twoDigitsUp(status.simplifiedTo)))});
     }
     if (view.scaleBar && status.states > 0) {
         overlay.metresPerPixel = render::metresPerPixel(render::cameraOf(view, pane.content), pane.height);

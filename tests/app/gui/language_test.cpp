@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemView>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
@@ -355,7 +356,9 @@ TEST_F(Languages, PreferencesAreInForceAtOnceAndKept) {
     auto* theme = dialog->findChild<QComboBox*>(QStringLiteral("theme"));
     QTest::keyClick(theme, Qt::Key_End);
     EXPECT_EQ(window->area().views().view().theme, render::Theme::Dark);
+    QTest::keyClick(dialog->findChild<QCheckBox*>(QStringLiteral("simplify")), Qt::Key_Space);
     QSettings settings;
+    EXPECT_FALSE(settings.value(QStringLiteral("simplify_moving")).toBool());
     EXPECT_EQ(readPreferences(settings), window->preferences());
     QTest::mouseClick(dialog->findChild<QAbstractButton*>(QStringLiteral("defaults")), Qt::LeftButton);
     EXPECT_EQ(window->preferences(), widgets::Preferences());

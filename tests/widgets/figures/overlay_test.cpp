@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/scenes/fe_scenes.h"
@@ -146,6 +147,32 @@ TEST_F(Legends, WhatTheViewSwitchesOffIsGone) {
     EXPECT_TRUE(overlay.legend.empty());
     EXPECT_TRUE(overlay.bars.empty());
     EXPECT_EQ(overlay.metresPerPixel, 0.0);
+}
+
+TEST_F(Legends, TellThatAMovingViewIsSimplified) {
+    m_scene.setData(scenes::ballisticRun(scenes::collapsingWall(200, 110), 0.7));
+    m_view = render::defaultView(m_scene.data(), 1280, 800);
+    const auto told = [&] {
+        const Overlay overlay = overlayFor(render::ColourBy::BirthTime);
+        return std::count_if(overlay.legend.begin(), overlay.legend.end(), [](const LegendEntry& entry) {
+            return entry.text.startsWith(QStringLiteral("simplified while moving"));
+        });
+    };
+    EXPECT_EQ(told(), 0);
+    const auto full = m_scene.pick(640, 200);
+    m_scene.setSimplified(true);
+    EXPECT_EQ(told(), 1);
+    // What is picked is what is there, not what is drawn meanwhile.
+    const auto less = m_scene.pick(640, 200);
+    ASSERT_EQ(less.has_value(), full.has_value());
+    if (full) {
+        EXPECT_EQ(less->element, full->element);
+        EXPECT_EQ(less->position, full->position);
+    }
+    m_view.legends = false;
+    EXPECT_EQ(told(), 1) << "said even where legends are off";
+    m_scene.setSimplified(false);
+    EXPECT_EQ(told(), 0);
 }
 
 TEST_F(Legends, AnEmptySceneSaysOnlyWhatWouldBeThere) {

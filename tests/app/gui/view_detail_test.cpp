@@ -1,0 +1,78 @@
+#include <QCheckBox>
+#include <QSettings>
+#include <QTest>
+#include <limits>
+
+#include "app/gui/settings.h"
+#include "app/gui/view_area.h"
+#include "tests/app/gui/workbench.h"
+#include "widgets/preferences_dialog.h"
+
+namespace rubble {
+namespace {
+
+class ViewDetail : public Workbench {
+protected:
+    void SetUp() override {
+        Workbench::SetUp();
+        openArch();
+        views().setAnimated(false);
+    }
+    void TearDown() override { widgets::ViewWidget::simplifyAbove(widgets::ViewWidget::slowDraw); }
+    widgets::ViewWidget& views() { return window->area().views(); }
+
+    /// Orbits picture by picture; true as soon as one is drawn with less detail.
+    bool simplifiedInOrbit() {
+        for (int picture = 0; picture < 8; ++picture) {
+            views().turn(0.02, 0.0);
+            views().grab();
+            if (views().simplified()) {
+                return true;
+            }
+        }
+        return false;
+    }
+};
+
+TEST_F(ViewDetail, SlowViewsAreSimplifiedWhileTheyMoveAndNotAtRest) {
+    widgets::ViewWidget::simplifyAbove(0.0);  // every picture counts as slow
+    ASSERT_TRUE(simplifiedInOrbit());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !views().simplified(); }, patience)) << "full detail comes back by itself";
+    EXPECT_EQ(views().status(render::PaneContent::Fe).simplifiedTo, 0.0);
+}
+
+TEST_F(ViewDetail, WhatIsFastEnoughOrNotAllowedKeepsItsDetail) {
+    // Switched off on the move, too.
+    widgets::ViewWidget::simplifyAbove(0.0);
+    ASSERT_TRUE(simplifiedInOrbit());
+    widgets::ViewWidget::simplifyAbove(std::numeric_limits<double>::infinity());
+    EXPECT_FALSE(simplifiedInOrbit());
+}
+
+TEST_F(ViewDetail, APictureThatIsTakenHasEveryDetail) {
+    widgets::ViewWidget::simplifyAbove(0.0);
+    ASSERT_TRUE(simplifiedInOrbit());
+    EXPECT_FALSE(views().picture().isNull());
+    EXPECT_FALSE(views().simplified());
+}
+
+TEST_F(ViewDetail, ThePreferenceSwitchesItOff) {
+    widgets::ViewWidget::simplifyAbove(0.0);
+    ASSERT_TRUE(simplifiedInOrbit());
+    window->actions()["preferences"].trigger();
+    auto* dialog = window->findChild<widgets::PreferencesDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog, patience));
+    auto* simplify = dialog->findChild<QCheckBox*>(QStringLiteral("simplify"));
+    ASSERT_TRUE(simplify->isChecked());
+    QTest::keyClick(simplify, Qt::Key_Space);
+    EXPECT_FALSE(simplifiedInOrbit());
+    QSettings settings;
+    EXPECT_FALSE(readPreferences(settings).simplify);
+    EXPECT_FALSE(MainWindow().preferences().simplify) << "the next window has it, too";
+    QTest::keyClick(simplify, Qt::Key_Space);
+    EXPECT_TRUE(readPreferences(settings).simplify);
+}
+
+}  // namespace
+}  // namespace rubble

@@ -9514,6 +9514,10 @@
         <source>a file has the name of the folder</source>
         <translation>有一个文件与该文件夹同名</translation>
     </message>
+    <message>
+        <source>simplified while moving: shapes to within %1</source>
+        <translation>运动中已简化：形状精确到 %1</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::EncodedMovie</name>
@@ -14855,6 +14859,14 @@ What the file fits: %2.</source>
     <message>
         <source>Units of quantities that panels, docks and views show and take. Cases, runs, tables and figures stay in SI, and so do the comparisons of the Accuracy panel</source>
         <translation>面板、停靠窗和视图显示及接受的量的单位。案例、计算、表格和图保持 SI，“精度”面板的比较也是如此</translation>
+    </message>
+    <message>
+        <source>Simplify moving views</source>
+        <translation>简化运动中的视图</translation>
+    </message>
+    <message>
+        <source>Draw large models with less detail while they move, where this machine draws fewer than 24 pictures a second; the legend says so. Counts, picking and figures keep every detail</source>
+        <translation>若本机每秒绘制不足 24 幅，大模型在运动时以较少细节绘制，图例会注明。计数、拾取和图保留全部细节</translation>
     </message>
 </context>
 <context>

@@ -176,9 +176,9 @@ void FragmentWorld::offsetContacts(double dt) {
         }
         contact.offset = m_overlaps.offset(contact.pair, contact.depth, newborn);
         limitPiece(contact, dt);
-        const bool piece = contact.a->kind == ColliderKind::Piece || contact.b->kind == ColliderKind::Piece;
+        const bool bodies = contact.a->kind == ColliderKind::Body && contact.b->kind == ColliderKind::Body;
         for (Collider* side : {contact.a, contact.b}) {
-            if (!piece && awake(*side)) {
+            if (bodies && awake(*side)) {
                 side->overlapLeft = std::max(side->overlapLeft, contact.offset);
             }
         }

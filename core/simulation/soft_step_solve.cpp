@@ -92,7 +92,7 @@ void SoftStepWorld::restPair(std::size_t first, std::size_t last, double dt) {
             }
         }
     }
-    const bool piece = a.kind == ColliderKind::Piece || b.kind == ColliderKind::Piece;
+    const bool bodies = a.kind == ColliderKind::Body && b.kind == ColliderKind::Body;
     limitPiece(first, last);
     for (std::size_t i = first; i < last; ++i) {
         SoftContact& contact = m_contacts[i];
@@ -102,7 +102,7 @@ void SoftStepWorld::restPair(std::size_t first, std::size_t last, double dt) {
             std::atomic_ref(b.overlapping).store(true, std::memory_order_relaxed);
         }
         for (Collider* side : {&a, &b}) {
-            if (!piece && awake(*side)) {
+            if (bodies && awake(*side)) {
                 raise(side->overlapLeft, contact.offset);
             }
         }

@@ -14,7 +14,7 @@ std::span<const ExportKind> exportKinds() {
     static constexpr std::array<ExportKind, 7> kinds{
         {{"fragments", "*.csv", "table of all fragments: birth, rest, speeds, mass", "any spreadsheet, pandas, R"},
          {"series", "*.pvd", "fragments and structure over time, a folder of VTU files", "ParaView, VisIt, VTK"},
-         {"bodies", "*.xdmf", "bodies as points over time, read out of the run file itself", "ParaView, VisIt"},
+         {"bodies", "*.xdmf", "bodies as points over time, read out of the run file itself", "ParaView (its XDMF Reader), VisIt"},
          {"gltf", "*.glb", "fragments with their motion, glTF 2.0, metres, y up", "Blender, three.js, web viewers"},
          {"debris-map", "*.tif, *.gpkg, *.csv, *.png", "a debris map: height, volume, mass and more by cells",
           "QGIS, ArcGIS, GDAL"},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 #include <tuple>
 
 namespace rubble {
@@ -12,12 +13,29 @@ namespace {
 constexpr double spreadOfBox = 0.25;
 /// A box that is just full is not cut for rounding.
 constexpr double slack = 1.0 + 1e-9;
+/// Fewer are sorted by comparing, which is quicker then.
+constexpr std::size_t fewRanks = 512;
+constexpr unsigned digitBits = 11;
 
 }  // namespace
 
 NestedCuts::NestedCuts(const FragmentSet& fragments, const Mesh& mesh) {
     for (const Fragment& fragment : fragments.list) {
-        m_solids.push_back({fragment.centre, fragment.bounds.sizes(), fragment.mass, mesh.elementIds[at(fragment.element)]});
+        m_solids.push_back({fragment.centre, fragment.bounds.sizes(), fragment.mass});
+    }
+    std::vector<std::tuple<double, std::int64_t, std::uint32_t>> keys(fragments.size());
+    for (int axis = 0; axis < 3; ++axis) {
+        for (std::uint32_t f = 0; f < keys.size(); ++f) {
+            const Fragment& fragment = fragments.list[f];
+            keys[f] = {fragment.centre[axis], mesh.elementIds[at(fragment.element)], f};
+        }
+        std::ranges::sort(keys);
+        AxisRanks& ranks = m_ranks[static_cast<std::size_t>(axis)];
+        ranks.rank.resize(keys.size());
+        for (const auto& [centre, element, f] : keys) {
+            ranks.rank[f] = static_cast<std::uint32_t>(ranks.at.size());
+            ranks.at.push_back(f);
+        }
     }
 }
 
@@ -45,12 +63,33 @@ NestedCuts::Spread NestedCuts::spreadOf(std::span<const std::uint32_t> members, 
     return spread;
 }
 
+/// Digit by digit from the least where there are many: then the time grows as their number does.
+void NestedCuts::sortRanks(std::span<std::uint32_t> ranks) {
+    if (ranks.size() < fewRanks) {
+        std::ranges::sort(ranks);
+        return;
+    }
+    m_sorted.resize(ranks.size());
+    for (unsigned shift = 0; (m_solids.size() - 1) >> shift > 0; shift += digitBits) {
+        std::array<std::size_t, (std::size_t{1} << digitBits) + 1> first{};
+        const auto digit = [shift](std::uint32_t rank) { return (rank >> shift) & ((1u << digitBits) - 1u); };
+        for (const std::uint32_t rank : ranks) {
+            ++first[digit(rank) + 1];
+        }
+        std::partial_sum(first.begin(), first.end(), first.begin());
+        for (const std::uint32_t rank : ranks) {
+            m_sorted[first[digit(rank)]++] = rank;
+        }
+        std::ranges::copy(m_sorted, ranks.begin());
+    }
+}
+
 /// Orders the members along the axis; returns how many stand before the cut that leaves the least spread on its two sides.
 std::size_t NestedCuts::bestCut(std::span<std::uint32_t> members, int axis) {
-    std::ranges::sort(members, [&](std::uint32_t a, std::uint32_t b) {
-        return std::make_tuple(m_solids[a].centre[axis], m_solids[a].element, a) <
-               std::make_tuple(m_solids[b].centre[axis], m_solids[b].element, b);
-    });
+    const AxisRanks& ranks = m_ranks[static_cast<std::size_t>(axis)];
+    std::ranges::transform(members, members.begin(), [&](std::uint32_t f) { return ranks.rank[f]; });
+    sortRanks(members);
+    std::ranges::transform(members, members.begin(), [&](std::uint32_t rank) { return ranks.at[rank]; });
     const double origin = m_solids[members.front()].centre[axis];
     double mass = 0.0;
     double moment = 0.0;

@@ -22,7 +22,7 @@ class NestedCuts {
 public:
     NestedCuts(const FragmentSet& fragments, const Mesh& mesh);
 
-    /// Cuts one set. O(n log n) a level, about log n levels.
+    /// Cuts one set. O(n) a level, about log n levels.
     /// @param size     [3] m, positive
     /// @param members  at least one fragment index; reordered part by part, ascending within each
     /// @param sizes    the sizes of the parts are appended
@@ -33,16 +33,24 @@ private:
         Vec3 centre = Vec3::Zero();   ///< m, of mass
         Vec3 extents = Vec3::Zero();  ///< m, of its bounds
         double mass = 0.0;            ///< kg
-        std::int64_t element = 0;     ///< user's number
     };
     struct Spread {
         double perMass = 0.0;  ///< D / m
         int axis = 0;          ///< along which the centres lie furthest apart in terms of the grid
     };
+    /// The order of all fragments along an axis, by centre, element, index. Parts are sorted by their ranks, which are numbers side
+    /// by side, where centres would have to be fetched from all over the memory.
+    struct AxisRanks {
+        std::vector<std::uint32_t> rank;  ///< [fragments]
+        std::vector<std::uint32_t> at;    ///< fragment of each rank
+    };
     Spread spreadOf(std::span<const std::uint32_t> members, const std::array<double, 3>& size) const;
     std::size_t bestCut(std::span<std::uint32_t> members, int axis);
+    void sortRanks(std::span<std::uint32_t> ranks);
 
     std::vector<Solid> m_solids;                   ///< [fragments]
+    std::array<AxisRanks, 3> m_ranks;              ///< by axis
+    std::vector<std::uint32_t> m_sorted;           ///< working copy of ranks
     std::vector<std::span<std::uint32_t>> m_open;  ///< parts to be looked at, the next one last
 };
 

@@ -112,6 +112,24 @@ TEST(NestedCuts, AFullBoxIsOnePartAndTwiceAsMuchIsTwo) {
     EXPECT_EQ(partsOf(bar, {0.9, 0.9, 0.9}).size(), 8u);
 }
 
+TEST(NestedCuts, ManyInAnyOrderAreCutIntoFullBoxes) {
+    std::vector<int> places(4096);
+    std::iota(places.begin(), places.end(), 0);
+    std::mt19937 random(7);
+    std::ranges::shuffle(places, random);
+    FragmentBlocks bar;
+    for (const int x : places) {
+        bar.add(Vec3(x, 0, 0), Vec3::Ones());
+    }
+    const std::vector<Members> parts = partsOf(bar, {1024.0, 1.0, 1.0});
+    ASSERT_EQ(parts.size(), 4u);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        EXPECT_EQ(parts[k].size(), 1024u);
+        EXPECT_TRUE(std::ranges::all_of(
+            parts[k], [&](std::uint32_t f) { return static_cast<std::size_t>(bar.set.list[f].centre.x()) / 1024 == k; }));
+    }
+}
+
 TEST(NestedCuts, CutsWhereTheGapIs) {
     FragmentBlocks blocks;
     for (const double x : {0.0, 1.0, 2.0, 10.0, 11.0}) {

@@ -1,8 +1,10 @@
 #include "widgets/accuracy_plot.h"
 
 #include <QCoreApplication>
+#include <QLineF>
 #include <QLocale>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/analysis/accuracy_settings.h"
@@ -17,6 +19,20 @@ namespace {
 
 constexpr double reach = 14.0;      // px, of the mouse
 constexpr double tickSpace = 56.0;  // px, that one tick of an axis takes at least
+
+/// Whether a line of pieces goes through a rectangle.
+bool crosses(const QPolygonF& line, const QRectF& area) {
+    const std::array<QPointF, 5> around{area.topLeft(), area.topRight(), area.bottomRight(), area.bottomLeft(), area.topLeft()};
+    for (qsizetype i = 0; i + 1 < line.size(); ++i) {
+        const QLineF piece(line[i], line[i + 1]);
+        for (std::size_t k = 0; k + 1 < around.size(); ++k) {
+            if (piece.intersects(QLineF(around[k], around[k + 1])) == QLineF::BoundedIntersection) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
 
 }  // namespace
 
@@ -233,16 +249,20 @@ void AccuracyPlot::paintTarget(QPainter& painter, std::vector<QRectF>& taken) co
     }
 }
 
-void AccuracyPlot::paintFront(QPainter& painter) const {
+QPolygonF AccuracyPlot::frontLine() const {
     QPolygonF front;
     for (const PlotPoint& point : m_content.points) {
         if (point.front) {
             front << place(point.at);
         }
     }
+    return front;
+}
+
+void AccuracyPlot::paintFront(QPainter& painter) const {
     painter.setPen(QPen(m_palette.muted, 1.4));
     painter.setBrush(Qt::NoBrush);
-    painter.drawPolyline(front);
+    painter.drawPolyline(frontLine());
 }
 
 void AccuracyPlot::paintPoint(QPainter& painter, const PlotPoint& point) const {
@@ -277,6 +297,7 @@ void AccuracyPlot::paintNames(QPainter& painter, std::vector<QRectF>& taken) con
         return p->inUse ? 0 : p->published ? 1 : p->row == referenceRow ? 2 : p->front ? 3 : 4;
     };
     std::stable_sort(order.begin(), order.end(), [&](const PlotPoint* a, const PlotPoint* b) { return rank(a) < rank(b); });
+    const QPolygonF front = frontLine();
     for (const PlotPoint* point : order) {
         QFont font = m_font;
         font.setBold(point->inUse);
@@ -285,22 +306,27 @@ void AccuracyPlot::paintNames(QPainter& painter, std::vector<QRectF>& taken) con
         const QSizeF size(metrics.horizontalAdvance(name) + 2.0, metrics.height());
         const QPointF at = place(point->at);
         const double gap = radius + (point->inUse ? 8.0 : 4.0);
-        const std::array<QPointF, 5> corners{{{at.x() + gap, at.y() - 0.5 * size.height()},
-                                              {at.x() - 0.5 * size.width(), at.y() - gap - size.height()},
-                                              {at.x() - 0.5 * size.width(), at.y() + gap},
-                                              {at.x() - gap - size.width(), at.y() - 0.5 * size.height()},
-                                              {at.x() - gap - size.width(), at.y() + 2.0}}};
-        for (const QPointF& corner : corners) {
+        const double left = at.x() - gap - size.width(), right = at.x() + gap, middle = at.x() - 0.5 * size.width();
+        const double above = at.y() - gap - size.height(), beside = at.y() - 0.5 * size.height(), below = at.y() + gap;
+        std::vector<QRectF> places;
+        for (const QPointF& corner : {QPointF(right, beside), QPointF(middle, above), QPointF(middle, below), QPointF(left, beside),
+                                      QPointF(right, at.y() + 2.0), QPointF(left, at.y() + 2.0), QPointF(left, above)}) {
             const QRectF where(corner, size);
-            const bool free = m_frame.contains(where) && std::none_of(taken.begin(), taken.end(),
-                                                                      [&](const QRectF& other) { return other.intersects(where); });
-            if (free) {
-                painter.setFont(font);
-                painter.setPen(point->published ? m_palette.fragment : point->inUse ? m_palette.text : m_palette.muted);
-                painter.drawText(where, Qt::AlignCenter, name);
-                taken.push_back(where);
-                break;
+            if (m_frame.contains(where) &&
+                std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(where); })) {
+                places.push_back(where);
             }
+        }
+        // On the line of the front only where there is no other place.
+        auto chosen = std::find_if(places.begin(), places.end(), [&](const QRectF& where) { return !crosses(front, where); });
+        if (chosen == places.end()) {
+            chosen = places.begin();
+        }
+        if (chosen != places.end()) {
+            painter.setFont(font);
+            painter.setPen(point->published ? m_palette.fragment : point->inUse ? m_palette.text : m_palette.muted);
+            painter.drawText(*chosen, Qt::AlignCenter, name);
+            taken.push_back(*chosen);
         }
     }
     painter.setFont(m_font);

@@ -171,8 +171,8 @@ private:
         }
         if (death < m_coarse.stateCount() && pieces() > 1) {
             const std::uint8_t chance = Hasher().text("scatter of deaths").value(at(piece)).finish().bytes[0];
-            const std::size_t shifted = death + (chance < 64 ? 1 : 0) - (chance >= 192 ? 1 : 0);
-            death = std::clamp<std::size_t>(shifted, 1, m_coarse.stateCount() - 1);
+            const std::size_t earlier = chance < 64 ? 2 : chance < 128 ? 1 : 0;
+            death = std::max<std::size_t>(1, death - std::min(death, earlier));
         }
         for (std::size_t k = 0; k < std::min(death, states); ++k) {
             m_activity.set(k, piece, true);

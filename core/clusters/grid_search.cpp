@@ -34,7 +34,7 @@ public:
     bool suffices(double multiple) {
         const double done = m_last > 1.0 ? std::clamp(std::log(multiple) / std::log(m_last), 0.0, 1.0) : 1.0;
         m_execution.report({"sizing.search", "Searching the Basic Grid", {}}, done);
-        return at(multiple) <= static_cast<std::size_t>(m_sizing.bodiesMax);
+        return m_partitioner.atMost(static_cast<std::size_t>(m_sizing.bodiesMax), sizesAt(multiple), m_settings, m_execution);
     }
 
     /// The multiple at which every axis has reached its upper bound, at least 1.

@@ -1,6 +1,7 @@
 #include "core/clusters/partition.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -32,6 +33,19 @@ Partitioner::Partitioner(const FragmentSet& fragments, const Mesh& mesh) : m_cut
 }
 
 const Partition& Partitioner::at(const std::array<double, 3>& size, const GridSettings& settings, const Execution& execution) {
+    divide(size, settings, std::numeric_limits<std::size_t>::max(), execution);
+    return m_partition;
+}
+
+bool Partitioner::atMost(std::size_t clusters, const std::array<double, 3>& size, const GridSettings& settings,
+                         const Execution& execution) {
+    divide(size, settings, clusters, execution);
+    return m_partition.clusters() <= clusters;
+}
+
+/// Divides birth by birth; goes no further once there are more clusters than enough.
+void Partitioner::divide(const std::array<double, 3>& size, const GridSettings& settings, std::size_t enough,
+                         const Execution& execution) {
     m_partition.members.clear();
     m_partition.sizes.clear();
     m_partition.productGroups = m_partition.splitByComponent = m_partition.splitByVelocity = 0;
@@ -40,25 +54,22 @@ const Partition& Partitioner::at(const std::array<double, 3>& size, const GridSe
         std::iota(m_partition.members.begin(), m_partition.members.end(), 0u);
         m_partition.sizes.assign(m_masses.size(), 1u);
         m_partition.productGroups = m_masses.size();
-        return m_partition;
+        return;
     }
-    if (settings.grouping == Grouping::Nested) {
-        for (const Birth& birth : m_births) {
-            execution.check();
-            cutBirth(birth, size, settings);
-        }
-        return m_partition;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
+    const bool nested = settings.grouping == Grouping::Nested;
+    for (int axis = 0; axis < 3 && !nested; ++axis) {
         groupAxis(axis, size[static_cast<std::size_t>(axis)], execution);
     }
     std::size_t offset = 0;
-    for (std::size_t birth = 0; birth < m_births.size(); ++birth) {
+    for (std::size_t birth = 0; birth < m_births.size() && m_partition.clusters() <= enough; ++birth) {
         execution.check();
-        divideBirth(birth, offset, settings);
+        if (nested) {
+            cutBirth(m_births[birth], size, settings);
+        } else {
+            divideBirth(birth, offset, settings);
+        }
         offset += m_births[birth].fragments.size();
     }
-    return m_partition;
 }
 
 void Partitioner::groupAxis(int axis, double size, const Execution& execution) {

@@ -37,6 +37,10 @@ public:
     /// The reference stays valid until the next call. Throws Cancelled.
     const Partition& at(const std::array<double, 3>& size, const GridSettings& settings, const Execution& execution);
 
+    /// True if at() would give no more clusters than this. Stops at the birth that exceeds them, so that the grids a search turns
+    /// down cost a part of one that it takes; latest() is unspecified then. Throws Cancelled.
+    bool atMost(std::size_t clusters, const std::array<double, 3>& size, const GridSettings& settings, const Execution& execution);
+
     /// What at() gave last.
     const Partition& latest() const { return m_partition; }
 
@@ -56,6 +60,7 @@ private:
         std::vector<std::uint32_t> groups;  ///< [births]
     };
 
+    void divide(const std::array<double, 3>& size, const GridSettings& settings, std::size_t enough, const Execution& execution);
     void groupAxis(int axis, double size, const Execution& execution);
     void orderByComponent(std::span<const std::uint32_t> fragments, const GridSettings& settings);
     void divideBirth(std::size_t birth, std::size_t offset, const GridSettings& settings);

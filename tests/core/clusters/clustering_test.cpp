@@ -214,6 +214,12 @@ TEST(Partitioner, WhatItKeepsBetweenGridsChangesNothing) {
         const Partition& b = fresh.at(size, settings, Execution());
         ASSERT_EQ(a.members, b.members);
         ASSERT_EQ(a.sizes, b.sizes);
+        // A count that stops early answers as a whole one does, and leaves nothing behind.
+        const std::size_t clusters = b.clusters();
+        EXPECT_TRUE(kept.atMost(clusters, size, settings, Execution()));
+        EXPECT_FALSE(kept.atMost(clusters - 1, size, settings, Execution()));
+        EXPECT_FALSE(kept.atMost(0, size, settings, Execution()));
+        EXPECT_EQ(kept.at(size, settings, Execution()).sizes, b.sizes);
     }
 }
 

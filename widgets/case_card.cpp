@@ -22,12 +22,13 @@ QFont nameFont() {
     return font;
 }
 
-/// Words on so many lines at most, the last one elided.
-void drawWrapped(QPainter& painter, const QRect& at, const QString& words, int linesMax) {
+/// Words on so many lines at most, the last one elided. @return how many lines they took
+int drawWrapped(QPainter& painter, const QRect& at, const QString& words, int linesMax) {
     const QFontMetrics metrics = painter.fontMetrics();
     QTextLayout layout(words, painter.font());
     layout.beginLayout();
-    for (int line = 0; line < linesMax; ++line) {
+    int line = 0;
+    for (; line < linesMax; ++line) {
         QTextLine next = layout.createLine();
         if (!next.isValid()) {
             break;
@@ -40,6 +41,7 @@ void drawWrapped(QPainter& painter, const QRect& at, const QString& words, int l
         painter.drawText(start, text.trimmed());
     }
     layout.endLayout();
+    return line;
 }
 
 }  // namespace
@@ -58,7 +60,7 @@ CaseCard::CaseCard(Form form, const Content& content, QWidget* parent) : QAbstra
 QSize CaseCard::sizeHint() const {
     const int text = QFontMetrics(textFont()).lineSpacing();
     const int small = QFontMetrics(headingFont()).lineSpacing();
-    return m_form == Form::Tall ? QSize(tallPicture.width(), tallPicture.height() + 3 * padding + text + 3 * small)
+    return m_form == Form::Tall ? QSize(tallPicture.width(), tallPicture.height() + 3 * padding + 2 * text + 3 * small)
                                 : QSize(420, std::max(widePicture.height(), text + small) + 2 * padding);
 }
 
@@ -122,11 +124,10 @@ void CaseCard::paintWords(QPainter& painter, const QRect& at) const {
                      aside);
     painter.setFont(nameFont());
     painter.setPen(isEnabled() ? tints().text : tints().muted);
-    painter.drawText(QPoint(at.left(), at.top() + name.ascent()),
-                     name.elidedText(m_content.name, Qt::ElideRight, at.width() - asideWidth));
+    const int nameLines = drawWrapped(painter, at.adjusted(0, 0, -asideWidth, 0), m_content.name, m_form == Form::Tall ? 2 : 1);
     painter.setFont(headingFont());
     painter.setPen(tints().muted);
-    const QRect below(at.left(), at.top() + name.lineSpacing() + 2, at.width(), at.height());
+    const QRect below(at.left(), at.top() + nameLines * name.lineSpacing() + 2, at.width(), at.height());
     if (m_form == Form::Tall) {
         drawWrapped(painter, below, m_content.words, 3);
     } else {

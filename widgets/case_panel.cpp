@@ -109,6 +109,7 @@ void CasePanel::buildTable() {
     m_table->setFont(headingFont());
     m_table->setShowGrid(false);
     m_table->setWordWrap(false);
+    m_table->setTextElideMode(Qt::ElideMiddle);  // numbers at the end of names tell them apart
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setAccessibleName(tr("Components"));
@@ -208,9 +209,9 @@ void CasePanel::showFile(const FeResult* fe) {
     m_span->setText(QStringLiteral("%1 – %2").arg(QLocale().toString(fe->times().front(), 'f', 2),
                                                   QLocale().toString(fe->times().back(), 'f', 2)));
     showUnits(c);
-    const QString flag = spokenText(c.activityFrom);
-    m_flag->setText(flag.section(u'(', 0, 0).trimmed());
-    m_flag->setToolTip(flag);
+    // What is in brackets says how it was recognised: the tip has room for that.
+    m_flag->setText(spokenText(c.activityFrom.substr(0, c.activityFrom.find(" ("))));
+    m_flag->setToolTip(spokenText(c.activityFrom));
     m_velocity->setText(c.hasVelocity ? tr("in the file") : tr("from positions"));
     std::int64_t dead = 0;
     for (std::size_t e = 0; e < fe->mesh().elementCount(); ++e) {
@@ -246,6 +247,7 @@ void CasePanel::showComponents(const FeResult* fe, const Components* components)
             dead += fe != nullptr && !fe->activity().active(fe->stateCount() - 1, e) ? 1 : 0;
         }
         m_table->setItem(row, Name, cell(QString::fromStdString(component.name), false));
+        m_table->item(row, Name)->setToolTip(QString::fromStdString(component.name));
         m_table->setItem(row, Kind, cell(spokenText(component.kind), false));
         m_table->setItem(row, Elements, cell(shownCount(static_cast<std::int64_t>(component.elements.size())), true));
         m_table->setItem(row, Dead, cell(shownCount(dead), true));

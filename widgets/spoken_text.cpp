@@ -29,6 +29,7 @@ constexpr std::array madeTexts = {
     QT_TRANSLATE_NOOP("messages", "the pile has {0} times the volume of its material, less than {1}: it is squeezed into itself"),
     QT_TRANSLATE_NOOP("messages", "the pile has {0} times the volume of its material, more than {1}: its shapes are inflated"),
     QT_TRANSLATE_NOOP("messages", "{0} ({1}), up is {2} ({3})"),
+    QT_TRANSLATE_NOOP("messages", "{0}; {1} of {2} active at the first state"),
     QT_TRANSLATE_NOOP("messages", "{0} of {1} active at the first state"),
     QT_TRANSLATE_NOOP("messages", "{0}, {1} is active ({2})"),
     QT_TRANSLATE_NOOP("messages", "{0}, {1} is active"),

@@ -89,6 +89,7 @@ QToolButton:hover, QPushButton:hover { border-color: %muted%; }
 QToolButton:focus, QPushButton:focus { border-color: %accent%; }
 QToolButton:checked { background: %accentTint%; border-color: %accent%; color: %accent%; }
 QToolButton:disabled, QPushButton:disabled { color: %muted%; background: transparent; }
+QToolButton:checked:disabled { border-color: %muted%; }
 QPushButton#primary, QToolButton#primary { background: %accent%; border-color: %accent%; color: %accentText%; font-weight: 600; }
 QPushButton#primary:disabled, QToolButton#primary:disabled { background: transparent; border-color: %hairline%; color: %muted%; }
 QToolButton#autoMark { padding: 1px 5px; border-radius: 8px; color: %muted%; background: transparent; }

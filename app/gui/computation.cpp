@@ -417,7 +417,7 @@ void Computation::ended(const std::shared_ptr<RunRecord>& record, const std::sha
 }
 
 void Computation::write(std::function<void(const Execution&)> work, std::function<void(std::exception_ptr)> done) {
-    m_worker.start({Worker::Kind::Write, std::move(work), std::move(done)});
+    m_worker.queue({Worker::Kind::Write, std::move(work), std::move(done)});
 }
 
 bool Computation::stale(Stage stage, const Scenario& scenario) const {

@@ -89,13 +89,15 @@ public:
     /// Opens a kept run of the FE result that is open to be shown beside the current one; answers with otherRunsChanged() or
     /// failed().
     void openOther(const QString& path);
-    /// Long work that writes a file, with progress and cancel; `done` gets what it threw.
+    /// Long work that writes a file, with progress and cancel, after what is being written; `done` gets what it threw.
     void write(std::function<void(const Execution&)> work, std::function<void(std::exception_ptr)> done);
     void cancel();
     /// Someone vouches for the last run in spite of its breaches; answers with acknowledged() or failed().
     void acknowledge(const QString& name, const QString& note);
 
     bool busy() const { return m_worker.busy(); }
+    /// How many pieces of work wait for the one that runs.
+    int waiting() const { return m_worker.waiting(); }
     /// Work for this stage runs or waits.
     bool busy(Stage stage) const {
         return m_worker.busy(stage == Stage::Simulation ? Worker::Kind::Simulate : Worker::Kind::Update);

@@ -64,7 +64,7 @@ void Computation::readRun(const QString& path, double wallSeconds,
     record->path = path;
     record->kept = true;
     record->wallSeconds = wallSeconds;
-    m_worker.start({Worker::Kind::Write,
+    m_worker.start({Worker::Kind::Reopen,
                     [record, inputs = m_inputs, previous = m_results](const Execution& execution) {
                         execution.report({"gui.opening_run", "Opening the run", {}}, 0.0);
                         readKept(*record, inputs, previous, execution);

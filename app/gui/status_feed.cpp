@@ -58,7 +58,9 @@ void StatusFeed::showProgress(const QString& what, double fraction) {
     const double spent = static_cast<double>(m_sinceStart.elapsed()) / 1000.0;
     const bool known = fraction > 0.02 && fraction < 1.0 && spent > 1.0;
     const double left = known ? spent * (1.0 - fraction) / fraction : std::numeric_limits<double>::quiet_NaN();
-    m_line.setActivity(widgets::shownProgress(what, left), fraction);
+    const int waiting = m_computation.waiting();
+    const QString queue = waiting > 0 ? QStringLiteral(" · ") + tr("%1 waiting").arg(waiting) : QString();
+    m_line.setActivity(widgets::shownProgress(what, left) + queue, fraction);
 }
 
 void StatusFeed::showBodies() {

@@ -17,6 +17,7 @@
 #include "app/gui/calibration_display.h"
 #include "app/gui/causes_display.h"
 #include "app/gui/dock_area.h"
+#include "app/gui/done_notice.h"
 #include "app/gui/ensemble_display.h"
 #include "app/gui/error_display.h"
 #include "app/gui/evidence_display.h"
@@ -504,6 +505,7 @@ void MainWindow::connectStudies() {
     connect(m_studies, &EvidenceStudies::changed, this, &MainWindow::showState);
     connect(&m_studies->ensemble(), &EnsembleDisplay::groundChanged, this, &MainWindow::showScene);
     connect(m_studies, &EvidenceStudies::told, m_status, &widgets::StatusLine::setMessage);
+    new DoneNotice(*this);
     connect(m_studies, &EvidenceStudies::failed, this,
             [this](const QString& what, const QString& remedy) { showFailure({what, remedy, "gui.write"}); });
     connect(m_studies, &EvidenceStudies::saveChartRequested, this,

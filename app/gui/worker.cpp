@@ -38,24 +38,31 @@ Worker::~Worker() {
 }
 
 void Worker::start(Job job) {
-    enqueue(std::move(job), true);
+    cancel(job.kind);
+    enqueue(std::move(job));
 }
 
 void Worker::startNext(Job job) {
-    enqueue(std::move(job), false);
+    dropWaiting(job.kind);
+    enqueue(std::move(job));
 }
 
-void Worker::enqueue(Job job, bool cancelsRunning) {
+void Worker::queue(Job job) {
+    enqueue(std::move(job));
+}
+
+void Worker::enqueue(Job job) {
     {
         const std::lock_guard lock(m_mutex);
-        std::erase_if(m_waiting, [&](const Job& waiting) { return waiting.kind == job.kind; });
-        if (cancelsRunning && m_running == job.kind) {
-            m_execution.cancel();
-        }
         m_waiting.push_back(std::move(job));
     }
     m_wake.notify_all();
     emit changed();
+}
+
+void Worker::dropWaiting(Kind kind) {
+    const std::lock_guard lock(m_mutex);
+    std::erase_if(m_waiting, [&](const Job& waiting) { return waiting.kind == kind; });
 }
 
 void Worker::cancel() {
@@ -65,8 +72,8 @@ void Worker::cancel() {
 }
 
 void Worker::cancel(Kind kind) {
+    dropWaiting(kind);
     const std::lock_guard lock(m_mutex);
-    std::erase_if(m_waiting, [&](const Job& waiting) { return waiting.kind == kind; });
     if (m_running == kind) {
         m_execution.cancel();
     }
@@ -75,6 +82,11 @@ void Worker::cancel(Kind kind) {
 bool Worker::busy() const {
     const std::lock_guard lock(m_mutex);
     return m_running.has_value() || !m_waiting.empty() || !m_finishing.empty();
+}
+
+int Worker::waiting() const {
+    const std::lock_guard lock(m_mutex);
+    return static_cast<int>(m_waiting.size());
 }
 
 bool Worker::busy(Kind kind) const {

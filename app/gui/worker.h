@@ -21,7 +21,7 @@ class Worker : public QObject {
 
 public:
     /// Kinds of work; a new job supersedes an older one of its kind.
-    enum class Kind { Open, Update, Simulate, Write, Study };
+    enum class Kind { Open, Update, Simulate, Reopen, Write, Study };
 
     struct Job {
         Kind kind;
@@ -43,12 +43,16 @@ public:
     /// The same, but what runs of its kind comes to its end first: for work so short that a stream of it would cancel itself for
     /// ever.
     void startNext(Job job);
+    /// The same, but nothing gives way to it: what was asked for before is done first.
+    void queue(Job job);
     /// Cancels what runs and drops what waits.
     void cancel();
     /// The same for one kind.
     void cancel(Kind kind);
     bool busy() const;
     bool busy(Kind kind) const;
+    /// How many jobs wait for the one that runs.
+    int waiting() const;
 
 signals:
     void progressed(rubble::Worker::Kind kind, const rubble::Progress& progress);
@@ -56,7 +60,8 @@ signals:
     void changed();
 
 private:
-    void enqueue(Job job, bool cancelsRunning);
+    void enqueue(Job job);
+    void dropWaiting(Kind kind);
     void loop();
     void runOne(Job& job, const Execution& execution);
 

@@ -19,6 +19,7 @@
 #include "widgets/figure_dialog.h"
 #include "widgets/movie_dialog.h"
 #include "widgets/report_panel.h"
+#include "widgets/status_line.h"
 
 namespace rubble {
 namespace {
@@ -80,6 +81,23 @@ TEST_F(Exports, AMovieIsWrittenInTheBackground) {
     ASSERT_TRUE(idle());
     EXPECT_TRUE(QFile::exists(QString::fromStdString(m_folder / "frames/frame-00005.png")));
     EXPECT_FALSE(QFile::exists(QString::fromStdString(m_folder / "frames/frame-00006.png")));
+}
+
+TEST_F(Exports, AFigureWaitsForTheMovieBeforeItAndBothAreWritten) {
+    simulated();
+    widgets::MovieChoice choice;
+    choice.settings = {0.0, 0.4, 100.0, 1.0};
+    choice.pixels = {320, 200};
+    choice.encoded = false;
+    const render::View view = window->area().views().view();
+    window->pictures().exportMovieTo(QString::fromStdString(m_folder / "frames"), choice, view, window->sceneData());
+    const QString figure = QString::fromStdString(m_folder / "figure.png");
+    window->pictures().exportFigureTo(figure, {{}, {640, 400}, 100}, view, window->sceneData());
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return window->statusLine().activityText().contains(QStringLiteral("1 waiting")); }, patience));
+    ASSERT_TRUE(idle());
+    EXPECT_TRUE(QFile::exists(QString::fromStdString(m_folder / "frames/frame-00041.png")));
+    EXPECT_TRUE(QFile::exists(figure));
 }
 
 /// What is half written goes with the window.

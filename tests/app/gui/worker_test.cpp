@@ -41,6 +41,28 @@ TEST(Worker, RunsOneJobAfterAnotherAndFinishesOnThisThread) {
     EXPECT_FALSE(worker.busy());
 }
 
+TEST(Worker, WhatIsQueuedIsAllDone) {
+    Worker worker;
+    std::atomic<bool> go = false;
+    std::vector<int> done;
+    for (int i = 0; i < 3; ++i) {
+        worker.queue({Worker::Kind::Write,
+                      [&](const Execution&) {
+                          while (!go) {
+                              std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                          }
+                      },
+                      [&, i](std::exception_ptr thrown) {
+                          EXPECT_EQ(thrown, nullptr);
+                          done.push_back(i);
+                      }});
+    }
+    ASSERT_TRUE(QTest::qWaitFor([&] { return worker.waiting() == 2; }));
+    go = true;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !worker.busy(); }));
+    EXPECT_EQ(done, (std::vector<int>{0, 1, 2}));
+}
+
 TEST(Worker, TheLatestOfAKindWins) {
     Worker worker;
     std::atomic<int> last = 0;

@@ -1,0 +1,80 @@
+#include "app/gui/done_notice.h"
+
+#include <QApplication>
+#include <QDBusConnection>
+#include <QDBusMessage>
+#include <QVariantMap>
+
+#include "app/gui/accuracy_display.h"
+#include "app/gui/calibration_display.h"
+#include "app/gui/error_display.h"
+#include "app/gui/evidence_studies.h"
+#include "app/gui/main_window.h"
+#include "app/gui/report_work.h"
+#include "app/gui/survey_display.h"
+#include "widgets/status_line.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr int lookEvery = 250;       // ms
+constexpr int longWork = 10 * 1000;  // ms
+
+}  // namespace
+
+DoneNotice::DoneNotice(MainWindow& window)
+    : DoneNotice(window, longWork,
+                 [](const QString& what, const QString& about) { notifyDesktop(QDBusConnection::sessionBus(), what, about); }) {}
+
+DoneNotice::DoneNotice(MainWindow& window, int longMs, Show show)
+    : QObject(&window), m_window(window), m_longMs(longMs), m_show(std::move(show)) {
+    connect(&m_timer, &QTimer::timeout, this, &DoneNotice::look);
+    connect(&window.computation(), &Computation::stateChanged, this, &DoneNotice::look);
+    m_timer.start(lookEvery);
+}
+
+bool DoneNotice::working() const {
+    return m_window.computation().busy() || m_window.accuracy().work().running() || m_window.calibration().work().running() ||
+           m_window.errors().work().running() || m_window.studies().work().running() || m_window.survey().busy() ||
+           m_window.report().writing();
+}
+
+void DoneNotice::look() {
+    if (working()) {
+        if (!m_since.isValid()) {
+            m_since.start();
+        }
+        return;
+    }
+    const bool ended = m_since.isValid() && m_since.elapsed() >= m_longMs;
+    m_since.invalidate();
+    if (ended) {
+        // By then the window has said what came of it.
+        QTimer::singleShot(lookEvery, this, &DoneNotice::tell);
+    }
+}
+
+void DoneNotice::tell() {
+    if (QApplication::activeWindow() == nullptr) {
+        QApplication::alert(&m_window);
+        m_show(m_window.statusLine().activityText(), QString::fromStdString(m_window.document().theCase().title));
+    }
+}
+
+void notifyDesktop(const QDBusConnection& bus, const QString& what, const QString& about) {
+    if (!bus.isConnected() || what.isEmpty()) {
+        return;
+    }
+    QDBusMessage message = QDBusMessage::createMethodCall(
+        QStringLiteral("org.freedesktop.Notifications"), QStringLiteral("/org/freedesktop/Notifications"),
+        QStringLiteral("org.freedesktop.Notifications"), QStringLiteral("Notify"));
+    const QString icon = QGuiApplication::desktopFileName();
+    constexpr uint newOne = 0;
+    constexpr int asTheDesktopLikes = -1;
+    message << QStringLiteral("Rubble") << newOne << icon << what << about.toHtmlEscaped() << QStringList()
+            << QVariantMap{{QStringLiteral("desktop-entry"), icon}} << asTheDesktopLikes;
+    bus.send(message);
+}
+
+}  // namespace rubble

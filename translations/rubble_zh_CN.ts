@@ -6965,6 +6965,10 @@
         <source>usual for tungsten</source>
         <translation>钨的常见值</translation>
     </message>
+    <message>
+        <source>{0}; {1} of {2} active at the first state</source>
+        <translation>{0}；初始状态 {2} 个中 {1} 个激活</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -9143,6 +9147,10 @@
     <message>
         <source> GiB</source>
         <translation> GiB</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 项等待中</translation>
     </message>
 </context>
 <context>

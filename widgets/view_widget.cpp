@@ -105,6 +105,10 @@ ViewWidget::ViewWidget(QWidget* parent) : QOpenGLWidget(parent), m_window(std::m
 
 ViewWidget::~ViewWidget() {
     releaseGraphics();
+    // The base takes the context down, when this is no view any more.
+    if (context() != nullptr) {
+        disconnect(context(), nullptr, this, nullptr);
+    }
 }
 
 void ViewWidget::releaseGraphics() {

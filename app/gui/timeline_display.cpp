@@ -77,16 +77,18 @@ void TimelineDisplay::connectActions(Actions& actions) {
     on("next_bookmark", [this] { jump(true); });
     connect(&m_playback, &Playback::loopChanged, this, [this, &actions] { actions["loop"].setChecked(m_playback.looping()); });
     // How times are counted and where scrubbing stops are habits of the user.
-    for (const auto& [id, set] : {std::pair("snap", &Playback::setSnapping), std::pair("time_from_zero", &Playback::setFromZero)}) {
+    const auto habit = [&](const char* id, auto set) {
         QAction& action = actions[id];
         const QString key = QLatin1String(id);
         action.setChecked(QSettings().value(key, false).toBool());
-        (m_playback.*set)(action.isChecked());
-        connect(&action, &QAction::triggered, this, [this, key, apply = set](bool checked) {
+        set(action.isChecked());
+        connect(&action, &QAction::triggered, this, [key, set](bool checked) {
             QSettings().setValue(key, checked);
-            (m_playback.*apply)(checked);
+            set(checked);
         });
-    }
+    };
+    habit("snap", [this](bool snaps) { m_playback.setSnapping(snaps); });
+    habit("time_from_zero", [this](bool fromZero) { m_playback.setFromZero(fromZero); });
 }
 
 void TimelineDisplay::refresh() {

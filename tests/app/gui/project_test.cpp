@@ -36,6 +36,7 @@
 #include "widgets/notice_bar.h"
 #include "widgets/scenario_comparison.h"
 #include "widgets/start_page.h"
+#include "widgets/status_line.h"
 #include "widgets/tour.h"
 
 namespace rubble {
@@ -284,6 +285,40 @@ TEST_F(Project, RunsAreListedKeptAndShownAgain) {
     ASSERT_TRUE(QFile::remove(kept));
     window->project().runs().show(0);
     ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().failure().has_value(); }, patience)) << "told, not crashed";
+}
+
+// Cut off, emptied, garbled, of another kind or of a newer program: each is told with its name, and what is open stays.
+TEST_F(Project, ADamagedCaseIsToldAndLeavesWhatIsOpen) {
+    openCase();
+    const std::string whole = textOf(caseFile());
+    const QString damaged = folder.filePath(QStringLiteral("damaged.rubble"));
+    std::vector<std::string> texts{"", "{", "[]", "null", "{}", std::string(4096, '\0'), whole + "}"};
+    for (std::size_t part = 1; part < 8; ++part) {
+        texts.push_back(whole.substr(0, whole.size() * part / 8));
+    }
+    const auto with = [&](const std::string& before, const std::string& after) {
+        std::string text = whole;
+        const std::size_t place = text.find(before);
+        ASSERT_NE(place, std::string::npos) << before;
+        texts.push_back(text.replace(place, before.size(), after));
+    };
+    with("\"format\": \"rubble-case\"", "\"format\": 7");
+    with("\"version\": ", "\"version\": 99");
+    with("\"scenarios\": [", "\"scenarios\": [3, ");
+    with("\"inputs\": [", "\"inputs\": [{}, ");
+    for (const std::string& text : texts) {
+        SCOPED_TRACE(text.substr(0, 60));
+        std::ofstream(damaged.toStdString(), std::ios::binary) << text;
+        window->statusLine().setMessage({});
+        window->open(damaged);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy() && !window->statusLine().activityText().isEmpty(); },
+                                    patience));
+        EXPECT_TRUE(window->statusLine().activityText().contains(QStringLiteral("damaged.rubble")))
+            << window->statusLine().activityText().toStdString();
+        EXPECT_EQ(window->document().path(), caseFile());
+        EXPECT_NE(window->computation().inputs().fe, nullptr);
+        EXPECT_FALSE(window->document().modified());
+    }
 }
 
 TEST_F(Project, ADamagedHistoryIsSetAside) {

@@ -14,7 +14,6 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QMutex>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -26,6 +25,7 @@
 #include "app/gui/file_commands.h"
 #include "app/gui/view_area.h"
 #include "tests/app/cli/small_collapse.h"
+#include "tests/app/gui/complaints.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/timeline.h"
 
@@ -33,36 +33,9 @@ namespace rubble {
 
 namespace {
 
-/// What Qt complains of while one lives.
-class Complaints {
-public:
-    Complaints() {
-        list().clear();
-        m_before = qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
-            if (type != QtDebugMsg && type != QtInfoMsg) {
-                const QMutexLocker lock(&mutex());
-                list() << text;
-                std::fprintf(stderr, "%s\n", qPrintable(text));
-            }
-        });
-    }
-    ~Complaints() { qInstallMessageHandler(m_before); }
-    static QStringList all() {
-        const QMutexLocker lock(&mutex());
-        return list();
-    }
-
-private:
-    static QStringList& list() {
-        static QStringList complaints;
-        return complaints;
-    }
-    static QMutex& mutex() {
-        static QMutex mutex;
-        return mutex;
-    }
-    QtMessageHandler m_before;
-};
+#ifndef RUBBLE_WALK_LENGTH
+#define RUBBLE_WALK_LENGTH 300
+#endif
 
 int fromEnvironment(const char* name, int otherwise) {
     bool ok = false;
@@ -348,7 +321,7 @@ protected:
 }  // namespace
 
 TEST_F(RandomWalk, HarmsNothing) {
-    const int steps = fromEnvironment("RUBBLE_WALK_STEPS", 300);
+    const int steps = fromEnvironment("RUBBLE_WALK_STEPS", RUBBLE_WALK_LENGTH);
     const int seed = fromEnvironment("RUBBLE_WALK_SEED", 6);
     random.seed(static_cast<unsigned>(seed));
     const Complaints complaints;

@@ -5,6 +5,7 @@
 
 #include <QDir>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -155,35 +156,71 @@ TEST(Settings, AFileThatIsNoneIsSetAside) {
     QFile::remove(kept);
 }
 
-TEST_F(Workbench, WorkOfAKilledSessionComesBack) {
+/// A session in a process of its own that opens a result and changes a setting, and a window that comes after it.
+class LeftSession : public Workbench {
+protected:
+    void SetUp() override {
+        Workbench::SetUp();
+        fe = QString::fromStdString(cli::writeSmallCollapse(folder.filePath(QStringLiteral("small.exo")).toStdString()));
+    }
+    /// @param display  that it opens its window on; empty: this one
+    void begin(const QString& display = {}) {
+        session.setProcessChannelMode(QProcess::ForwardedChannels);
+        if (!display.isEmpty()) {
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            environment.insert(QStringLiteral("DISPLAY"), display);
+            session.setProcessEnvironment(environment);
+        }
+        session.start(QCoreApplication::applicationFilePath(), {leftSessionWord, fe, QStringLiteral("friction=0.37")});
+        ASSERT_TRUE(session.waitForStarted(patience));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !keptIn(unsaved).isEmpty(); }, patience));
+    }
+    /// What it left is offered, and comes back by a click.
+    void recover() {
+        window->project().recovery().look();
+        ASSERT_EQ(window->project().recovery().offered(), 1U);
+        EXPECT_TRUE(window->project().recovery().text().contains(QStringLiteral("small")))
+            << window->project().recovery().text().toStdString();
+        auto* bar = window->findChild<widgets::NoticeBar*>();
+        auto* recover = bar->findChild<QPushButton*>(QStringLiteral("primary"));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return recover->isVisible(); }, patience));
+        QTest::mouseClick(recover, Qt::LeftButton);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+        EXPECT_EQ(window->document().scenario().simulation.friction, 0.37);
+        EXPECT_TRUE(window->document().modified()) << "it is still not saved";
+        EXPECT_EQ(window->project().recovery().offered(), 0U);
+        EXPECT_EQ(keptIn(unsaved).size(), 1) << "kept by this session now";
+        ASSERT_TRUE(window->files().saveTo(folder.filePath(QStringLiteral("small.rubble"))));
+        EXPECT_TRUE(keptIn(unsaved).isEmpty());
+    }
+
     const QTemporaryDir folder;
-    const QString fe = QString::fromStdString(cli::writeSmallCollapse(folder.filePath(QStringLiteral("small.exo")).toStdString()));
+    QString fe;
     QProcess session;
-    session.setProcessChannelMode(QProcess::ForwardedChannels);
-    session.start(QCoreApplication::applicationFilePath(), {leftSessionWord, fe, QStringLiteral("friction=0.37")});
-    ASSERT_TRUE(session.waitForStarted(patience));
     const QString unsaved = qEnvironmentVariable("RUBBLE_STATE") + QStringLiteral("/unsaved");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !keptIn(unsaved).isEmpty(); }, patience));
+};
+
+TEST_F(LeftSession, ThatWasKilledComesBack) {
+    begin();
     window->project().begin();
     EXPECT_EQ(window->project().recovery().offered(), 0U) << "the session is alive: its work is its own";
     ::kill(static_cast<pid_t>(session.processId()), SIGKILL);
     ASSERT_TRUE(session.waitForFinished(patience));
+    recover();
+}
 
-    window->project().recovery().look();
-    ASSERT_EQ(window->project().recovery().offered(), 1U);
-    EXPECT_TRUE(window->project().recovery().text().contains(QStringLiteral("small")))
-        << window->project().recovery().text().toStdString();
-    auto* bar = window->findChild<widgets::NoticeBar*>();
-    auto* recover = bar->findChild<QPushButton*>(QStringLiteral("primary"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return recover->isVisible(); }, patience));
-    QTest::mouseClick(recover, Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    EXPECT_EQ(window->document().scenario().simulation.friction, 0.37);
-    EXPECT_TRUE(window->document().modified()) << "it is still not saved";
-    EXPECT_EQ(window->project().recovery().offered(), 0U);
-    EXPECT_EQ(keptIn(unsaved).size(), 1) << "kept by this session now";
-    ASSERT_TRUE(window->files().saveTo(folder.filePath(QStringLiteral("small.rubble"))));
-    EXPECT_TRUE(keptIn(unsaved).isEmpty());
+TEST_F(LeftSession, ThatLostItsDisplayEndsByItselfAndComesBack) {
+    QProcess display;
+    display.start(QStringLiteral("Xvfb"),
+                  QStringLiteral("-displayfd 1 -screen 0 1280x800x24 -nolisten tcp").split(u' '));
+    ASSERT_TRUE(display.waitForReadyRead(patience)) << display.errorString().toStdString();
+    begin(QStringLiteral(":") + QString::fromLatin1(display.readAllStandardOutput().trimmed()));
+    display.kill();
+    ASSERT_TRUE(display.waitForFinished(patience));
+    ASSERT_TRUE(session.waitForFinished(patience)) << "it goes on without a display";
+    EXPECT_EQ(session.exitStatus(), QProcess::NormalExit);
+    EXPECT_NE(session.exitCode(), 0);
+    recover();
 }
 
 }  // namespace rubble

@@ -1,0 +1,248 @@
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <fstream>
+#include <functional>
+
+#include "app/gui/accuracy_display.h"
+#include "app/gui/calibration_display.h"
+#include "app/gui/causes_display.h"
+#include "app/gui/ensemble_display.h"
+#include "app/gui/error_display.h"
+#include "app/gui/evidence_studies.h"
+#include "app/gui/file_commands.h"
+#include "app/gui/new_case.h"
+#include "app/gui/picture_export.h"
+#include "app/gui/report_work.h"
+#include "app/gui/survey_display.h"
+#include "app/gui/view_area.h"
+#include "tests/app/cli/small_collapse.h"
+#include "tests/app/gui/complaints.h"
+#include "tests/app/gui/workbench.h"
+#include "widgets/accuracy_panel.h"
+#include "widgets/calibration_view.h"
+#include "widgets/error_bar.h"
+
+namespace rubble {
+
+namespace {
+
+class Closing;
+
+/// A kind of work: starts it and tells whether it runs.
+struct WorkKind {
+    const char* name;
+    std::function<bool(Closing&)> start;
+};
+void PrintTo(const WorkKind& kind, std::ostream* out) {
+    *out << kind.name;
+}
+
+/// A window with a run of the small collapse, and a cache of its own.
+class Closing : public Workbench, public testing::WithParamInterface<WorkKind> {
+public:
+    QString at(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+    MainWindow& shown() { return *window; }
+
+    bool figure() {
+        shown().pictures().exportFigureTo(at("figure.png"), {{}, {1600, 1000}, 100}, shown().area().views().view(),
+                                          shown().sceneData());
+        return shown().computation().busy();
+    }
+    bool calibration() {
+        shown().calibration().open();
+        shown().calibration().work().setBodies({8});
+        shown().calibration().view().findChild<QPushButton*>(QStringLiteral("primary"))->click();
+        return shown().calibration().work().running();
+    }
+    bool reference() {
+        shown().area().errorBar().findChild<QPushButton*>(QStringLiteral("computeReference"))->click();
+        return shown().errors().work().running();
+    }
+    bool comparison() {
+        shown().deck().choose(PanelDeck::Accuracy);
+        shown().deck().accuracy().findChild<QLineEdit*>(QStringLiteral("multiples"))->setText(QStringLiteral("auto, 1, 2.5"));
+        shown().deck().accuracy().findChild<QPushButton*>(QStringLiteral("primary"))->click();
+        return shown().accuracy().work().running();
+    }
+    bool members() {
+        shown().actions()["simulate_ensemble"].trigger();
+        return shown().studies().work().running();
+    }
+    bool causes() {
+        io::ExodusBuilder builder = cli::smallCollapse();
+        for (Vec3& node : builder.nodes) {
+            node.x() += 6.0;
+        }
+        builder.write(at("east.exo").toStdString());
+        shown().studies().causes().addCauses({at("east.exo")});
+        shown().actions()["compare_causes"].trigger();
+        return shown().studies().work().running();
+    }
+    bool survey() {
+        std::ofstream(at("after.asc").toStdString())
+            << "ncols 2\nnrows 2\nxllcorner -10\nyllcorner -10\ncellsize 10\nNODATA_value -9999\n0 1\n1 0\n";
+        shown().survey().add(at("after.asc"));
+        shown().survey().compare();
+        return shown().survey().busy();
+    }
+
+protected:
+    void SetUp() override {
+        qputenv("RUBBLE_CACHE", m_folder.filePath(QStringLiteral("cache")).toUtf8());
+        Workbench::SetUp();
+        cli::writeSmallCollapse(at("small.exo").toStdString());
+        window->open(at("small.exo"));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+        window->document().setParameter(QStringLiteral("settle_time"), 0.5);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+        window->simulate(false);
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] {
+                const RunRecord* record = window->computation().currentRun();
+                return record != nullptr && record->outcome != nullptr && !window->computation().busy();
+            },
+            patience));
+        window->files().saveRunTo(at("kept.run.h5"));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+    }
+    void TearDown() override {
+        window.reset();
+        qunsetenv("RUBBLE_CACHE");
+    }
+
+    QTemporaryDir m_folder;
+};
+
+const WorkKind kinds[] = {
+    {"Live",
+     [](Closing& at) {
+         at.shown().simulate(true);
+         return at.shown().computation().busy();
+     }},
+    {"Preparing",
+     [](Closing& at) {
+         at.shown().document().setParameter(QStringLiteral("multiple"), 2.0);
+         return at.shown().computation().busy();
+     }},
+    {"Refreshing",
+     [](Closing& at) {
+         cli::writeSmallCollapse(at.at("small.exo").toStdString());
+         at.shown().refreshResult();
+         return at.shown().computation().busy();
+     }},
+    {"ShowingAKeptRun",
+     [](Closing& at) {
+         at.shown().computation().showRun(at.at("kept.run.h5"), 1.0);
+         return at.shown().computation().busy();
+     }},
+    {"MakingANewCase",
+     [](Closing& at) {
+         at.shown().newCase(at.at("small.exo"));
+         return at.shown().caseInTheMaking() != nullptr && !at.shown().caseInTheMaking()->settled();
+     }},
+    {"SavingARun",
+     [](Closing& at) {
+         at.shown().files().saveRunTo(at.at("other.run.h5"));
+         return at.shown().computation().busy();
+     }},
+    {"WritingAFigure", [](Closing& at) { return at.figure(); }},
+    {"WritingAReport",
+     [](Closing& at) {
+         at.shown().report().writeTo(at.at("report"));
+         return at.shown().report().writing();
+     }},
+    {"Calibrating", [](Closing& at) { return at.calibration(); }},
+    {"ComputingAReference", [](Closing& at) { return at.reference(); }},
+    {"ComparingSettings", [](Closing& at) { return at.comparison(); }},
+    {"SimulatingMembers", [](Closing& at) { return at.members(); }},
+    {"ComparingCauses", [](Closing& at) { return at.causes(); }},
+    {"ComparingWithASurvey", [](Closing& at) { return at.survey(); }},
+};
+
+TEST_P(Closing, InTheMiddleOfWorkIsClean) {
+    const Complaints complaints;
+    ASSERT_TRUE(GetParam().start(*this));
+    const QString scratch = window->computation().currentRun() != nullptr ? window->computation().currentRun()->path : QString();
+    window->document().undoStack().setClean();
+    EXPECT_TRUE(window->close());
+    window.reset();
+    QTest::qWait(100);
+    EXPECT_TRUE(Complaints::all().isEmpty()) << Complaints::all().join(u'\n').toStdString();
+    EXPECT_TRUE(scratch == at("kept.run.h5") || !QFile::exists(scratch)) << "the temporary run is left behind";
+    // What was being written is whole or not there; what was there before is.
+    EXPECT_TRUE(!QFile::exists(at("figure.png")) || !QImage(at("figure.png")).isNull());
+    EXPECT_TRUE(QFile::exists(at("kept.run.h5")));
+    EXPECT_TRUE(QDir(m_folder.path()).entryList({QStringLiteral("*.part*"), QStringLiteral("*.tmp*")}).isEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Work, Closing, testing::ValuesIn(kinds),
+                         [](const testing::TestParamInfo<WorkKind>& kind) { return std::string(kind.param.name); });
+
+/// Answers the question that comes up by one of its buttons, and tells whether one came.
+class Answer {
+public:
+    explicit Answer(QMessageBox::StandardButton button) {
+        m_timer.setInterval(50);
+        QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this, button] {
+            if (auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                m_asked = true;
+                QTest::mouseClick(question->button(button), Qt::LeftButton);
+            }
+        });
+        m_timer.start();
+    }
+    bool asked() const { return m_asked; }
+
+private:
+    QTimer m_timer;
+    bool m_asked = false;
+};
+
+TEST_F(Workbench, ClosingWithUnsavedChangesAsksAndDoesWhatIsAnswered) {
+    const QTemporaryDir folder;
+    const QString fe = QString::fromStdString(cli::writeSmallCollapse(folder.filePath(QStringLiteral("small.exo")).toStdString()));
+    const QString path = folder.filePath(QStringLiteral("small.rubble"));
+    window->open(fe);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    ASSERT_TRUE(window->files().saveTo(path));
+    window->document().setParameter(QStringLiteral("friction"), 0.31);
+    const std::string before = textOf(path);
+    {
+        const Answer stay(QMessageBox::Cancel);
+        EXPECT_FALSE(window->close());
+        EXPECT_TRUE(stay.asked());
+        EXPECT_TRUE(window->isVisible());
+        EXPECT_TRUE(window->document().modified());
+    }
+    {
+        const Answer save(QMessageBox::Save);
+        EXPECT_TRUE(window->close());
+        EXPECT_TRUE(save.asked());
+        EXPECT_NE(textOf(path), before);
+        EXPECT_NE(textOf(path).find("0.31"), std::string::npos);
+    }
+    window->show();
+    const std::string saved = textOf(path);
+    window->document().setParameter(QStringLiteral("friction"), 0.9);
+    {
+        const Answer leave(QMessageBox::Discard);
+        EXPECT_TRUE(window->close());
+        EXPECT_TRUE(leave.asked());
+        EXPECT_EQ(textOf(path), saved);
+    }
+    window->document().undoStack().setClean();
+}
+
+}  // namespace
+
+}  // namespace rubble

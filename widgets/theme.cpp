@@ -92,6 +92,7 @@ QToolButton:disabled, QPushButton:disabled { color: %muted%; background: transpa
 QToolButton:checked:disabled { border-color: %muted%; }
 QPushButton#primary, QToolButton#primary { background: %accent%; border-color: %accent%; color: %accentText%; font-weight: 600; }
 QPushButton#primary:disabled, QToolButton#primary:disabled { background: transparent; border-color: %hairline%; color: %muted%; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QToolButton#autoMark { padding: 1px 5px; border-radius: 8px; color: %muted%; background: transparent; }
 QToolButton#autoMark:checked { color: %accent%; background: %accentTint%; border-color: %accentTint%; }
 QToolButton#segment { border-radius: 0; padding: 1px 6px; font-size: %small%pt; margin-left: -1px; color: %muted%; }

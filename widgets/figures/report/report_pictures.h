@@ -9,7 +9,8 @@
 
 namespace rubble::figures {
 
-/// Draws the pictures of a report off screen: the arrangements of the published figures 11, 12 and 14, and the map of its mass.
+/// Draws the pictures of a report off screen: the arrangements of the published figures 11, 12 and 14, the map of its mass,
+/// photographs and surveys.
 /// @param place  of the map: origin, coordinate system
 /// Throws what a Studio throws, and Cancelled.
 ReportPictures drawReportPictures(const render::SceneData& data, const ReportFacts& facts, const MapPictureStyle& place,

@@ -40,6 +40,21 @@ QString reportNumber(double value, int digits) {
     return numbers().toString(rounded, 'f', std::max(0, digits - 1 - power)).replace(u'-', QStringLiteral("−"));
 }
 
+QString reportSeconds(double seconds) {
+    return std::isfinite(seconds) ? numbers().toString(seconds, 'f', 2).replace(u'-', QStringLiteral("−")) : QStringLiteral("–");
+}
+
+QString unitShown(QString unit) {
+    for (const auto& [plain, raised] : {std::pair("m2", "m²"), std::pair("m3", "m³"), std::pair("s2", "s²")}) {
+        unit.replace(QString::fromUtf8(plain), QString::fromUtf8(raised));
+    }
+    return unit.startsWith(QLatin1String("x ")) ? QStringLiteral("× ") + unit.mid(2) : unit;
+}
+
+QString escaped(const std::string& text) {
+    return QString::fromStdString(text).toHtmlEscaped();
+}
+
 QString rangedNumber(double value, const FigureRange& range) {
     const double width = range.high - range.low;
     if (!std::isfinite(width) || width <= 0.0) {

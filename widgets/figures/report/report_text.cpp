@@ -60,9 +60,9 @@ QString rangedNumber(double value, const FigureRange& range) {
     if (!std::isfinite(width) || width <= 0.0) {
         return reportNumber(value);
     }
-    // Down to the first two figures of the range, and at least two of the value.
+    // Down to the first two figures of the range, of the value at least two and no more than four.
     const double digits = std::floor(std::log10(std::max(std::abs(value), 1e-300))) - std::floor(std::log10(width)) + 2.0;
-    const int shown = static_cast<int>(std::clamp(digits, 2.0, 6.0));
+    const int shown = static_cast<int>(std::clamp(digits, 2.0, 4.0));
     return QCoreApplication::translate("rubble::figures::ReportSections", "%1 (%2 to %3)")
         .arg(reportNumber(value, shown), reportNumber(range.low, shown), reportNumber(range.high, shown));
 }

@@ -34,7 +34,7 @@ constexpr const char* provenanceKey = "Rubble-Provenance";
 constexpr int samples = 4;  // per pixel; figures are for the eye, not for speed
 
 [[noreturn]] void failWriting(const std::string& path, const QString& why) {
-    throw WorldError({"figure.write", "{0}: the picture cannot be written: {1}", {path, why.toStdString()}},
+    throw WorldError({"figure.write", "{0} cannot be written: {1}", {path, why.toStdString()}},
                      {"figure.write.remedy", "Check that the folder exists, may be written and has room.", {}});
 }
 

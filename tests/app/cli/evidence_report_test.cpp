@@ -137,6 +137,7 @@ TEST_F(ShownEvidence, AFullDiskLeavesNoHalfOfAFigureAMovieOrAReport) {
                                    m_folder / "report", "--cache", m_folder / "cache"});
     EXPECT_EQ(paper.exitCode, 1);
     EXPECT_THAT(paper.err, HasSubstr("report.html"));
+    EXPECT_FALSE(fs::exists(m_folder / "report"));
     std::vector<std::string> left;
     for (const auto& entry : fs::recursive_directory_iterator(m_folder.path())) {
         const std::string name = entry.path().filename().string();

@@ -1,6 +1,7 @@
 #include "widgets/figures/report/report_pictures.h"
 
 #include <QDir>
+#include <QFile>
 
 #include <algorithm>
 
@@ -80,6 +81,7 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
 std::vector<std::string> writeReport(const std::string& folder, const ReportFacts& facts, const ReportPictures& pictures,
                                      const std::string& metadata) {
     const QDir place(QString::fromStdString(folder));
+    const bool made = !place.exists();
     if (!place.mkpath(QStringLiteral("."))) {
         throw WorldError({"report.folder", "The folder {0} cannot be made", {folder}},
                          {"report.folder.remedy", "Choose a folder that you may write to.", {}});
@@ -87,8 +89,17 @@ std::vector<std::string> writeReport(const std::string& folder, const ReportFact
     const ReportDocument document = composeReport(facts, pictures);
     const std::string html = place.filePath(QStringLiteral("report.html")).toStdString();
     const std::string pdf = place.filePath(QStringLiteral("report.pdf")).toStdString();
-    writeBytes(html, reportHtml(document, metadata));
-    writeReportPdf(pdf, document, metadata);
+    try {
+        writeBytes(html, reportHtml(document, metadata));
+        writeReportPdf(pdf, document, metadata);
+    } catch (...) {
+        // A folder of this report alone goes with it.
+        if (made) {
+            QFile::remove(QString::fromStdString(html));
+            place.rmdir(place.absolutePath());
+        }
+        throw;
+    }
     return {html, pdf};
 }
 

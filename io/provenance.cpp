@@ -133,6 +133,15 @@ std::string_view shownClass(FrameKind kind) {
     return "illustrative";
 }
 
+std::vector<ShownFile> shownFiles(const TerrainInput& around) {
+    std::vector<ShownFile> files;
+    for (const SiteFile& file : around.files) {
+        files.push_back(
+            {file.input == around.orthophotoInput ? "orthophoto" : "surroundings", absolutePath(file.path), file.sha256});
+    }
+    return files;
+}
+
 std::string exportProvenance(const ExportRecord& record, const RunOrigin& origin, const RunReader* run) {
     json about = json::parse(provenanceText(origin, run));
     about["kind"] = record.kind;
@@ -146,6 +155,13 @@ std::string exportProvenance(const ExportRecord& record, const RunOrigin& origin
             entry["until_s"] = *part.until;
         }
         about["shown"].push_back(std::move(entry));
+    }
+    for (const ShownFile& file : record.around) {
+        json input = {{"role", file.role}, {"path", file.path}, {"sha256", file.sha256}};
+        // Meshes that debris fell on are among the inputs of the run already.
+        if (std::find(about["inputs"].begin(), about["inputs"].end(), input) == about["inputs"].end()) {
+            about["inputs"].push_back(std::move(input));
+        }
     }
     about["settings_of_export"] = objectOf(record.settings);
     about["view"] = objectOf(record.view);

@@ -8,6 +8,7 @@
 #include "core/base/execution.h"
 #include "core/trajectory/trajectory.h"
 #include "io/run_file.h"
+#include "io/terrain_reader.h"
 
 namespace rubble::io {
 
@@ -22,14 +23,25 @@ struct ShownPart {
 /// "FE", "simulated", "simulated, interpolated between two recorded instants", "illustrative".
 std::string_view shownClass(FrameKind kind);
 
+/// A file that a picture shows and no result rests on.
+struct ShownFile {
+    std::string role;  ///< "orthophoto", "surroundings"
+    std::string path;  ///< absolute
+    std::string sha256;
+};
+
 /// What an export was made from and how; everything that an exported file carries.
 struct ExportRecord {
     std::string kind;  ///< "figure", "movie", "map", "table", "report"
     std::vector<ShownPart> shown;
-    std::string settings;  ///< of the export, one JSON object; empty: none
-    std::string view;      ///< JSON of figures::toJson(); empty: none
-    std::string casePath;  ///< of the case it was made in, absolute; empty: none
+    std::string settings;             ///< of the export, one JSON object; empty: none
+    std::string view;                 ///< JSON of figures::toJson(); empty: none
+    std::string casePath;             ///< of the case it was made in, absolute; empty: none
+    std::vector<ShownFile> around{};  ///< drawn around the structure
 };
+
+/// Orthophoto and meshes as they were read.
+std::vector<ShownFile> shownFiles(const TerrainInput& around);
 
 /// The record as one line of JSON in ASCII that begins with {"rubble_provenance":1. Inputs with SHA-256, scenario with all settings
 /// that differ from the defaults, build, fingerprint and outcome of the run.

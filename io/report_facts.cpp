@@ -1,6 +1,7 @@
 #include "io/report_facts.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "core/analysis/accuracy_study.h"
@@ -15,15 +16,22 @@
 #include "io/fe_reader.h"
 #include "io/files.h"
 #include "io/geo/photograph_file.h"
+#include "io/geo/survey_file.h"
 #include "io/machine.h"
 #include "io/settled_files.h"
 #include "io/study_files.h"
+#include "io/terrain/site_place.h"
+#include "io/terrain_reader.h"
 
 namespace rubble::io {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int photographSide = 1400;  // px, the longest of a photograph in a report
+constexpr std::array<std::pair<InputRole, std::string_view>, 2> evidenceRoles{
+    {{InputRole::Photograph, "photograph"}, {InputRole::Survey, "survey"}}};
 
 const CaseScenario* scenarioOf(const ReportRequest& request) {
     if (request.theCase == nullptr) {
@@ -75,6 +83,31 @@ void addStaleSettings(std::vector<Message>& stale, const ReportRequest& request)
     }
 }
 
+std::vector<CaseInput> evidenceFiles(const ReportRequest& request, InputRole role) {
+    std::vector<CaseInput> files;
+    for (CaseInput input : request.theCase != nullptr ? request.theCase->inputs : std::vector<CaseInput>()) {
+        if (input.role == role) {
+            input.path = inputPath(request.basePath, input);
+            files.push_back(std::move(input));
+        }
+    }
+    return files;
+}
+
+/// Photographs and surveys that are other files now than when the case was saved.
+void addStaleEvidence(std::vector<Message>& stale, const ReportRequest& request) {
+    for (const auto& [role, name] : evidenceRoles) {
+        for (const CaseInput& input : evidenceFiles(request, role)) {
+            const std::string found = sha256OfFile(input.path);
+            if (!input.sha256.empty() && found != input.sha256) {
+                stale.push_back({"report.stale_evidence",
+                                 "the {0} {1} has the SHA-256 {2} now, the case names {3}",
+                                 {name, input.path, found, input.sha256}});
+            }
+        }
+    }
+}
+
 DebrisFigures figuresAt(const ReportFacts& facts, const ReportRequest& request, DebrisInstant instant) {
     const double time = instant == DebrisInstant::AtRest ? facts.result->endTime : facts.result->feEndTime;
     const MappedRun mapped{facts.fe.get(), request.run.get(), facts.fragments, facts.result, facts.terrain, facts.scenario};
@@ -87,26 +120,56 @@ std::string digestOfInput(const std::string& path, InputRole role) {
     return role == InputRole::Fe ? sha256OfFe(path) : sha256OfFile(path);
 }
 
-void addPhotographs(ReportFacts& facts, const ReportRequest& request, const Execution& execution) {
-    if (request.theCase == nullptr) {
-        return;
+/// Runs what may fail for one piece of evidence; the report says why it did.
+template <class Attempt>
+void attempt(Message& problem, Attempt attempt) {
+    try {
+        attempt();
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const Error& error) {
+        problem = error.message();
     }
+}
+
+void addPhotographs(ReportFacts& facts, const ReportRequest& request, const Execution& execution) {
     const MappedRun mapped{facts.fe.get(), request.run.get(), facts.fragments, facts.result, facts.terrain, facts.scenario};
-    for (const Photograph& photograph : request.theCase->photographs) {
+    for (const CaseInput& input : evidenceFiles(request, InputRole::Photograph)) {
+        const std::vector<Photograph>& all = request.theCase->photographs;
+        const auto drawn = std::find_if(all.begin(), all.end(), [&](const Photograph& each) { return each.input == input.id; });
+        if (drawn == all.end()) {
+            continue;
+        }
         ReportPhoto photo;
-        for (const CaseInput& input : request.theCase->inputs) {
-            if (input.id == photograph.input) {
-                photo.name = fs::path(input.path).filename().string();
-                photo.sha256 = input.sha256;
-            }
-        }
-        try {
-            photo.match = matchCamera(photograph.pairs, photograph.camera, execution);
-            photo.comparison = compareRunWithPhoto(mapped, photograph, *photo.match, {}, execution);
-        } catch (const UsageError& error) {
-            photo.problem = error.message();
-        }
+        photo.name = fs::path(input.path).filename().string();
+        photo.photograph = *drawn;
+        attempt(photo.problem, [&] {
+            PhotoPicture picture = readPicture(input.path, photographSide, execution);
+            photo.width = picture.width;
+            photo.height = picture.height;
+            photo.rgb = std::move(picture.rgb);
+            photo.match = matchCamera(drawn->pairs, drawn->camera, execution);
+            photo.comparison = compareRunWithPhoto(mapped, *drawn, *photo.match, {}, execution);
+        });
         facts.photographs.push_back(std::move(photo));
+    }
+}
+
+void addSurveys(ReportFacts& facts, const ReportRequest& request, const Execution& execution) {
+    const MappedRun mapped{facts.fe.get(), request.run.get(), facts.fragments, facts.result, facts.terrain, facts.scenario};
+    for (const CaseInput& input : evidenceFiles(request, InputRole::Survey)) {
+        ReportSurvey survey;
+        survey.name = fs::path(input.path).filename().string();
+        attempt(survey.problem, [&] {
+            const SurveyInput read =
+                readSurvey(input.path, request.inputs.frame, request.theCase->site, boundsAtRest(facts.fe->mesh()), execution);
+            SurveySettings settings;
+            settings.turn = SitePlace(read.frame, read.site).transform().angle;
+            survey.comparison = compareRunWithSurvey(mapped, std::nullopt, read.survey, settings, execution);
+            facts.findings.append(read.findings);
+            facts.findings.append(survey.comparison->findings);
+        });
+        facts.surveys.push_back(std::move(survey));
     }
 }
 
@@ -116,11 +179,9 @@ void addFiles(ReportFacts& facts, const ReportRequest& request) {
     if (!origin.terrainPath.empty()) {
         facts.files.push_back({"terrain", request.terrainPath, origin.terrainSha256});
     }
-    if (request.theCase != nullptr) {
-        for (const CaseInput& input : request.theCase->inputs) {
-            if (input.role == InputRole::Photograph || input.role == InputRole::Survey) {
-                facts.files.push_back({input.role == InputRole::Photograph ? "photograph" : "survey", input.path, input.sha256});
-            }
+    for (const auto& [role, name] : evidenceRoles) {
+        for (const CaseInput& input : evidenceFiles(request, role)) {
+            facts.files.push_back({std::string(name), input.path, sha256OfFile(input.path)});
         }
     }
     facts.files.push_back({"run", request.run->path(), sha256OfFile(request.run->path())});
@@ -225,6 +286,7 @@ std::vector<Message> staleParts(const ReportRequest& request, const Execution& e
                      digestOfInput(request.terrainPath, InputRole::Terrain));
     }
     addStaleSettings(stale, request);
+    addStaleEvidence(stale, request);
     // Of another build the fingerprint is another one in any case.
     const Digest now = stageKey(request.inputs, origin.scenario, Stage::Simulation);
     if (stale.empty() && origin.build == buildText() && !(now == origin.fingerprint)) {
@@ -268,6 +330,7 @@ ReportFacts reportFacts(const ReportRequest& request, const Execution& execution
     const MappedRun mapped{facts.fe.get(), request.run.get(), facts.fragments, facts.result, facts.terrain, facts.scenario};
     facts.map = mapOfRun(mapped, std::nullopt, {}, true, execution);
     addPhotographs(facts, request, execution);
+    addSurveys(facts, request, execution);
     addAccuracy(facts, request, execution);
     addEnsemble(facts, request, execution);
     if (request.repeats > 0) {

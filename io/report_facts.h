@@ -20,6 +20,7 @@ struct ReportRequest {
     std::string terrainPath;        ///< likewise; empty: none
     const Case* theCase = nullptr;  ///< that the run must agree with; null: the run alone
     std::string casePath;           ///< of a case that lies in a file, empty otherwise
+    std::string basePath;           ///< file that the paths of the case are relative to: the case, unsaved its FE result
     std::string scenarioId;         ///< of the case; empty: its active one
     std::string title;              ///< empty: that of the case
     std::string question;

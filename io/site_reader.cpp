@@ -128,6 +128,18 @@ TerrainInput openSiteOfCase(const Case& theCase, const std::string& casePath, co
     return site;
 }
 
+TerrainInput openSurroundingsOfCase(Case theCase, const std::string& casePath, const Mesh& fe, const Frame& frame, const Site& site,
+                                    const Execution& execution) {
+    theCase.frame = frame;
+    theCase.site = site;
+    theCase.site.collide = false;
+    TerrainInput around;
+    const SiteReading reading(theCase, casePath, fe, execution);
+    reading.addOrthophoto(around);
+    reading.addSurroundings(around);
+    return around;
+}
+
 std::shared_ptr<const TerrainGrid> raisedTerrain(const TerrainGrid& terrain, std::span<const std::string> meshes,
                                                  const Frame& frame, const Site& site, const Execution& execution) {
     std::vector<SiteMesh> read;

@@ -14,6 +14,11 @@ namespace rubble::io {
 /// Throws as openTerrain(), and as readSiteMesh() where debris is to fall on them.
 TerrainInput openSiteOfCase(const Case& theCase, const std::string& casePath, const Mesh& fe, const Execution& execution);
 
+/// Only what is drawn around the structure: orthophoto and meshes, without terrain. What cannot be read is a finding.
+/// @param site  of the local frame, as a run had it
+TerrainInput openSurroundingsOfCase(Case theCase, const std::string& casePath, const Mesh& fe, const Frame& frame, const Site& site,
+                                    const Execution& execution);
+
 /// A terrain raised by meshes as a run had it. Throws as readSiteMesh().
 std::shared_ptr<const TerrainGrid> raisedTerrain(const TerrainGrid& terrain, std::span<const std::string> meshes,
                                                  const Frame& frame, const Site& site, const Execution& execution);

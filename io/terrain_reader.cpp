@@ -118,7 +118,7 @@ void TerrainReading::checkSite(const TerrainGrid& grid) {
     if (lowest > high.z() || low.z() - highest > windowHeights * std::max(size.z(), 1.0)) {
         find("terrain.far_off", "the terrain lies {0} {1} the whole structure",
              {{apart, "m"}, lowest > high.z() ? "above" : "below"},
-             "check the vertical datum, the unit of the heights and the origin of the case's frame");
+             "check the vertical datum, the unit of the heights and the height shift of the site");
     }
 }
 

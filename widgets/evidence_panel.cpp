@@ -332,6 +332,9 @@ void EvidencePanel::showTime() {
     m_time->setNumber(photograph.time);
     m_uncertainty->setNumber(photograph.time ? std::optional(photograph.timeUncertainty) : std::nullopt);
     m_note->setText(QString::fromStdString(photograph.note));
+    if (!m_note->hasFocus()) {
+        m_note->setCursorPosition(0);
+    }
 }
 
 void EvidencePanel::showCamera() {

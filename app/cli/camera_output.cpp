@@ -84,21 +84,21 @@ Json matchJson(const CameraMatch& match, const std::vector<PointPair>& pairs) {
 
 void printMatch(std::ostream& out, const CameraMatch& match, const std::vector<PointPair>& pairs) {
     const CameraModel& camera = match.camera;
-    const auto deviation = [&](std::size_t of) {
-        return " ± " + englishNumber(std::sqrt(match.covariance(static_cast<Eigen::Index>(of), static_cast<Eigen::Index>(of))));
+    const auto found = [&](double value, std::size_t of) {
+        const auto at = static_cast<Eigen::Index>(of);
+        return spreadText(value, std::sqrt(match.covariance(at, at)));
     };
     FactList facts;
     static constexpr const char* axes[] = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
-        facts.add(std::string("place ") + axes[axis],
-                  englishNumber(camera.place[axis]) + deviation(static_cast<std::size_t>(axis)) + " m");
+        facts.add(std::string("place ") + axes[axis], found(camera.place[axis], static_cast<std::size_t>(axis)) + " m");
     }
     const auto [bearing, elevation] = directionOf(camera);
     facts.add("looks towards", englishNumber(bearing) + " degrees from y over x, " + englishNumber(elevation) + " degrees up");
     for (std::size_t k = 6; k < match.found.size(); ++k) {
         const int number = match.found[k];
         const double value = number == 6 ? camera.focal : number < 9 ? camera.principal[number - 7] : camera.radial[number - 9];
-        facts.add(std::string(numberNames[number]), englishNumber(value) + deviation(k));
+        facts.add(std::string(numberNames[number]), found(value, k));
     }
     facts.add("residuals", englishNumber(match.rms) + " px RMS, " + englishNumber(match.sigma) + " px of one coordinate");
     facts.print(out);

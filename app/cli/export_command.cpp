@@ -60,10 +60,12 @@ ExitCode exportRun(const Arguments& arguments, Session& session) {
     }
     const std::shared_ptr<io::RunReader> run = io::openRun(arguments.operand());
     Inputs of;
+    RunSurroundings around;
     if (exports.needsFe()) {
         of = openInputsOfRun(run->origin(), arguments, session);
+        around = surroundingsOfRun(run->origin(), of, arguments, session);
     }
-    exports.perform(run, of, session);
+    exports.perform(run, of, around, session);
     reportFiles(arguments, session, *run, exports.paths());
     return ExitCode::Ok;
 }
@@ -78,7 +80,8 @@ ExitCode figure(const Arguments& arguments, Session& session) {
     FigureRequest::checkFormat("--out", *path);
     checkOutputPath(*path, std::vector<std::string>{arguments.operand()});
     const std::shared_ptr<io::RunReader> run = io::openRun(arguments.operand());
-    request.write(*path, run, openInputsOfRun(run->origin(), arguments, session));
+    const Inputs inputs = openInputsOfRun(run->origin(), arguments, session);
+    request.write(*path, run, inputs, surroundingsOfRun(run->origin(), inputs, arguments, session));
     reportFiles(arguments, session, *run, {*path});
     return ExitCode::Ok;
 }
@@ -106,6 +109,7 @@ Command exportCommand() {
             "Writes files from a recorded run. The FE file is found by its path and SHA-256.",
             withMapOptions(withFigureOptions({ExportRequest::option(),
                                               {"--list", "", false, "print the kinds, and what opens them"},
+                                              caseOption(),
                                               feOption(),
                                               runTerrainOption()})),
             exportRun};
@@ -118,7 +122,8 @@ Command figureCommand() {
         "one figure of a run for print: PNG, SVG or PDF",
         "Draws the conventional FE view, the fragment view or both at one instant, or the arrangement of a published figure. The "
         "file carries what it was made from. Where no display answers, Xvfb is started for the purpose.",
-        withFigureOptions({{"--out", "FILE", false, "the figure to write: .png, .svg or .pdf"}, feOption(), runTerrainOption()}),
+        withFigureOptions(
+            {{"--out", "FILE", false, "the figure to write: .png, .svg or .pdf"}, caseOption(), feOption(), runTerrainOption()}),
         figure};
 }
 

@@ -75,7 +75,8 @@ void ExportRequest::checkKept() const {
     }
 }
 
-void ExportRequest::perform(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, Session& session) const {
+void ExportRequest::perform(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, const RunSurroundings& around,
+                            Session& session) const {
     std::optional<RunMap> map;
     const Execution& execution = session.execution();
     for (const Row& row : m_rows) {
@@ -90,7 +91,7 @@ void ExportRequest::perform(const std::shared_ptr<const io::RunReader>& run, con
             io::exportGltf(row.path, *run, execution);
         } else if (row.kind == "figure") {
             execution.report({"cli.stage.figure", "Drawing the figure", {}}, 0.0);
-            m_figure.write(row.path, run, inputs);
+            m_figure.write(row.path, run, inputs, around);
             execution.report({"cli.stage.figure", "Drawing the figure", {}}, 1.0);
         } else {
             if (!map) {

@@ -40,7 +40,8 @@ public:
     void checkKept() const;
     /// Writes the files in the order given; throws what the exporters throw, and Cancelled.
     /// @param inputs  of the run; without FE result unless needsFe()
-    void perform(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, Session& session) const;
+    void perform(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, const RunSurroundings& around,
+                 Session& session) const;
     /// Paths in the order given.
     std::vector<std::string> paths() const;
 

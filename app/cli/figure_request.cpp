@@ -10,6 +10,7 @@
 #include "app/cli/option_value.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/virtual_display.h"
+#include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/fe/components.h"
 #include "core/fe/frame_transform.h"
@@ -275,8 +276,9 @@ std::string FigureRequest::settingsText() const {
     return settings.dump();
 }
 
-void FigureRequest::write(const std::string& path, const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs) const {
-    const render::SceneData data = sceneOfRun(run, inputs);
+void FigureRequest::write(const std::string& path, const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs,
+                          const RunSurroundings& around) const {
+    const render::SceneData data = sceneOfRun(run, inputs, around);
     quietQt();
     figures::ensureGuiApplication();
     const VirtualDisplay display;
@@ -285,7 +287,7 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
     style.provenance = provenanceLine(run->origin());
     figures::Studio studio(data);
     const figures::SheetPicture picture = studio.sheet(sheet, style);
-    io::ExportRecord record{"figure", {}, settingsText(), {}, {}};
+    io::ExportRecord record{"figure", {}, settingsText(), {}, around.casePath, io::shownFiles(around.shown)};
     for (const figures::SheetPicture::Panel& panel : picture.panels()) {
         const figures::ShownPanel& shown = panel.shown;
         record.shown.push_back(
@@ -297,7 +299,7 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
     figures::writeSheet(path, picture, style, io::exportProvenance(record, run->origin(), run.get()));
 }
 
-render::SceneData sceneOfRun(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs) {
+render::SceneData sceneOfRun(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, const RunSurroundings& around) {
     const std::shared_ptr<const FeResult>& fe = inputs.fe;
     const Scenario& scenario = run->origin().scenario;
     render::SceneData data;
@@ -308,6 +310,8 @@ render::SceneData sceneOfRun(const std::shared_ptr<const io::RunReader>& run, co
     data.clustering = run->clustering();
     data.trajectory = run;
     data.setSurroundings(scenario, inputs.terrain, run->result().get());
+    data.orthophoto = around.shown.orthophoto;
+    data.surroundings = around.shown.surroundings;
     return data;
 }
 
@@ -317,7 +321,8 @@ std::pair<double, double> spanOfRun(const io::RunReader& run, const FeResult& fe
 }
 
 std::string provenanceLine(const io::RunOrigin& origin) {
-    return "FE " + origin.feSha256.substr(0, 16) + ", run " + origin.fingerprint.hex().substr(0, 16) + ", " + origin.build;
+    return "FE " + origin.feSha256.substr(0, 16) + ", run " + origin.fingerprint.hex().substr(0, 16) + ", " +
+           std::string(shortBuild(origin.build));
 }
 
 }  // namespace rubble::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/cli/arguments.h"
+#include "app/cli/run_surroundings.h"
 #include "core/pipeline/pipeline.h"
 #include "io/run_file.h"
 #include "widgets/figures/figure_file.h"
@@ -30,7 +31,8 @@ public:
 
     /// Draws the run and writes the figure; starts a virtual display where none answers. Throws UsageError when the instant lies
     /// outside the run, WorldError.
-    void write(const std::string& path, const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs) const;
+    void write(const std::string& path, const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs,
+               const RunSurroundings& around) const;
     /// The view that was asked for, at its own time. @param pixels  of the picture
     render::View viewOf(const render::SceneData& data, QSize pixels) const;
     const figures::FigureStyle& style() const { return m_style; }
@@ -67,8 +69,8 @@ private:
     figures::FigureStyle m_style;
 };
 
-/// What the pictures of a run show, with its surroundings.
-render::SceneData sceneOfRun(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs);
+/// What the pictures of a run show.
+render::SceneData sceneOfRun(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, const RunSurroundings& around);
 /// First and last instant of a run that can be shown, s.
 std::pair<double, double> spanOfRun(const io::RunReader& run, const FeResult& fe);
 /// The line at the foot of a figure.

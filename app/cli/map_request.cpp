@@ -8,6 +8,7 @@
 
 #include "app/cli/option_value.h"
 #include "app/cli/picture_options.h"
+#include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/geo/map_files.h"
 #include "io/terrain/site_place.h"
@@ -148,7 +149,7 @@ void MapRequest::write(const std::string& path, const RunMap& made, const io::Ru
         style.system = origin.frame.crs;
         style.shown = origin.facts.front().second;
         style.provenance = "FE " + run.origin().feSha256.substr(0, 16) + ", run " + run.origin().fingerprint.hex().substr(0, 16) +
-                           ", " + run.origin().build;
+                           ", " + std::string(shortBuild(run.origin().build));
         figures::writePng(path, figures::mapPicture(made.map, layers.front(), style));
         io::writeMapProvenance(path, origin);
     } else {

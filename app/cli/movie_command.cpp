@@ -46,9 +46,10 @@ figures::MovieSettings settingsOf(const Arguments& arguments, const io::RunReade
     return settings;
 }
 
-std::string recordOf(const io::RunReader& run, const render::View& view, const figures::MovieSettings& settings, QSize pixels) {
+std::string recordOf(const io::RunReader& run, const RunSurroundings& around, const render::View& view,
+                     const figures::MovieSettings& settings, QSize pixels) {
     const Json made{{"pixels", {pixels.width(), pixels.height()}}, {"fps", settings.fps}, {"pace", settings.pace}};
-    io::ExportRecord record{"movie", {}, made.dump(), figures::toJson(view), {}};
+    io::ExportRecord record{"movie", {}, made.dump(), figures::toJson(view), around.casePath, io::shownFiles(around.shown)};
     record.shown = {{"Conventional FE result", settings.from, settings.to, "FE, interpolated between two states"},
                     {"Fragments", settings.from, settings.to, std::string(io::shownClass(FrameKind::Interpolated))}};
     return io::exportProvenance(record, run.origin(), &run);
@@ -71,7 +72,8 @@ ExitCode movie(const Arguments& arguments, Session& session) {
     figures::FigureStyle style = request.style();
     style.pixels = figures::evenSize(arguments.has("--size") ? style.pixels : usualPixels);
     style.dpi = arguments.has("--dpi") ? style.dpi : usualDpi;
-    const render::SceneData data = sceneOfRun(run, inputs);
+    const RunSurroundings around = surroundingsOfRun(run->origin(), inputs, arguments, session);
+    const render::SceneData data = sceneOfRun(run, inputs, around);
     quietQt();
     figures::ensureGuiApplication();
     const VirtualDisplay display;
@@ -79,7 +81,8 @@ ExitCode movie(const Arguments& arguments, Session& session) {
     view.theme = render::Theme::Light;
     view.captions = true;
     view.time = settings.from;
-    const auto target = figures::movieTarget(*path, style.pixels, settings.fps, recordOf(*run, view, settings, style.pixels));
+    const auto target =
+        figures::movieTarget(*path, style.pixels, settings.fps, recordOf(*run, around, view, settings, style.pixels));
     figures::Studio studio(data);
     figures::makeMovie(studio, view, style, settings, *target, session.execution());
     const std::size_t pictures = figures::movieLength(settings);
@@ -114,6 +117,7 @@ Command movieCommand() {
     for (const Option& option : FigureRequest::viewOptions()) {
         options.push_back(option);
     }
+    options.push_back(caseOption());
     options.push_back(feOption());
     options.push_back(runTerrainOption());
     return {

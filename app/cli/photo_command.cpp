@@ -12,6 +12,7 @@
 #include "app/cli/run_inputs.h"
 #include "app/cli/text_output.h"
 #include "core/base/error.h"
+#include "core/evidence/confidence.h"
 #include "core/evidence/photo_comparison.h"
 #include "io/case_file.h"
 #include "io/geo/photograph_file.h"
@@ -160,9 +161,9 @@ Json seenJson(const Seen& seen) {
     return object;
 }
 
-std::string spreadText(const SpreadNumber& number, const std::string& unit) {
-    return englishNumber(number.best) + unit + ", " + englishNumber(number.mean) + " ± " + englishNumber(number.spread) + unit +
-           " over the cameras that the match allows";
+std::string overCameras(const SpreadNumber& number, const std::string& unit) {
+    return englishNumber(roundedToSpread(number.best, number.spread).first) + unit + ", " + spreadText(number.mean, number.spread) +
+           unit + " over the cameras that the match allows";
 }
 
 void printSeen(std::ostream& out, const Seen& seen) {
@@ -184,12 +185,12 @@ void printSeen(std::ostream& out, const Seen& seen) {
         const PhotoComparison& made = *seen.comparison;
         FactList scores;
         scores.add("debris at", englishNumber(made.time) + " s, fallen live structure " + (made.withFallen ? "with it" : "apart"));
-        scores.add("overlap", spreadText(made.iou, ""));
+        scores.add("overlap", overCameras(made.iou, ""));
         if (made.iouOverTime) {
             scores.add("over the time", englishNumber((*made.iouOverTime)[0]) + " to " + englishNumber((*made.iouOverTime)[1]));
         }
-        scores.add("edges apart", spreadText(made.edgePixels, " px"));
-        scores.add("", spreadText(made.edgeMetres, " m"));
+        scores.add("edges apart", overCameras(made.edgePixels, " px"));
+        scores.add("", overCameras(made.edgeMetres, " m"));
         scores.print(out);
         out << englishText(made.words) << '\n';
     }

@@ -122,7 +122,7 @@ io::ReportRequest requestOf(const Arguments& arguments, const ReportSubject& sub
     request.fePath = inputs.fe->contents().path;
     request.terrainPath = arguments.value("--terrain").value_or(subject.run->origin().terrainPath);
     request.theCase = subject.theCase ? &*subject.theCase : nullptr;
-    request.casePath = subject.casePath;
+    request.casePath = request.basePath = subject.casePath;
     request.scenarioId = arguments.value("--scenario").value_or("");
     request.title = arguments.value("--title").value_or("");
     request.question = arguments.value("--question").value_or("");
@@ -154,10 +154,17 @@ ExitCode report(const Arguments& arguments, Session& session) {
     quietQt();
     figures::ensureGuiApplication();
     const VirtualDisplay display;
+    const RunSurroundings around =
+        subject.theCase ? surroundingsOfRun(*subject.theCase, subject.casePath, subject.run->origin(), inputs, session)
+                        : RunSurroundings();
     const figures::ReportPictures pictures =
-        figures::drawReportPictures(sceneOfRun(subject.run, inputs), facts, mapStyle(*subject.run), session.execution());
-    const io::ExportRecord record{
-        "report", {{"Debris at the end", facts.result->endTime, std::nullopt, "simulated"}}, {}, {}, subject.casePath};
+        figures::drawReportPictures(sceneOfRun(subject.run, inputs, around), facts, mapStyle(*subject.run), session.execution());
+    const io::ExportRecord record{"report",
+                                  {{"Debris at the end", facts.result->endTime, std::nullopt, "simulated"}},
+                                  {},
+                                  {},
+                                  subject.casePath,
+                                  io::shownFiles(around.shown)};
     const std::vector<std::string> files =
         figures::writeReport(*folder, facts, pictures, io::exportProvenance(record, subject.run->origin(), subject.run.get()));
     const io::Taint taint = io::taintOf(*subject.run);

@@ -83,7 +83,7 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
     }
     file.reset();
     if (!exports.empty()) {
-        exports.perform(io::openRun(runPath), subject.inputs, session);
+        exports.perform(io::openRun(runPath), subject.inputs, {subject.casePath, subject.terrain}, session);
     }
     writeCsv(arguments, ledgerTable(recorder.ledger()));
     const io::Taint taint =

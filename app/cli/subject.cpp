@@ -85,6 +85,7 @@ Subject openSubject(const Arguments& arguments, Session& session) {
     Case theCase;
     if (io::isCaseFile(path)) {
         theCase = io::loadCase(path);
+        subject.casePath = path;
         const CaseScenario& chosen = chooseScenario(theCase, path, wantedScenario);
         const CaseInput& input = feInputOf(theCase, chosen, path);
         subject.scenario = chosen.scenario;

@@ -19,6 +19,7 @@ namespace rubble::cli {
 struct Subject {
     Inputs inputs;
     Scenario scenario;
+    std::string casePath;            ///< empty: the FE file alone
     std::string fePath;              ///< absolute
     io::TerrainInput terrain;        ///< as read; its grid is that of `inputs`, null without one
     Site site;                       ///< how it was brought to the local frame

@@ -12,6 +12,7 @@
 #include "app/cli/output_file.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/text_output.h"
+#include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/evidence/survey_comparison.h"
 #include "io/acknowledgements.h"
@@ -203,7 +204,7 @@ void writePicture(const std::string& path, const SurveyComparison& made, const i
     style.place = io::SitePlace(input.frame, input.site).transform();
     style.system = input.frame.crs;
     style.provenance = "survey " + input.sha256.substr(0, 16) + ", FE " + run.origin().feSha256.substr(0, 16) + ", run " +
-                       run.origin().fingerprint.hex().substr(0, 16) + ", " + run.origin().build;
+                       run.origin().fingerprint.hex().substr(0, 16) + ", " + std::string(shortBuild(run.origin().build));
     figures::writePng(path, figures::surveyPicture(made, style));
     io::writeProvenance(path, io::surveyOrigin(run, made, input).provenance);
 }

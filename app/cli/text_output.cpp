@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/base/message.h"
+#include "core/evidence/confidence.h"
 
 namespace rubble::cli {
 
@@ -97,6 +98,11 @@ void printSizing(std::ostream& out, const Sizing& sizing, const FragmentSet& fra
     facts.add("common multiple", englishNumber(sizing.commonMultiple) + " d");
     facts.add("stopped by", stoppedText(sizing));
     facts.print(out);
+}
+
+std::string spreadText(double number, double spread) {
+    const auto [shown, off] = roundedToSpread(number, spread);
+    return englishNumber(shown) + " ± " + englishNumber(off);
 }
 
 std::string tonnesText(double kilograms) {

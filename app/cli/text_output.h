@@ -32,6 +32,9 @@ TextTable boundsTable(const Sizing& sizing, const FragmentSet& fragments, const 
 void printSizing(std::ostream& out, const Sizing& sizing, const FragmentSet& fragments, const Components& components,
                  const Mesh& mesh);
 
+/// "1.23 ± 0.05", as far as the spread deserves.
+std::string spreadText(double number, double spread);
+
 /// "12,345.6 t" and the like, from kg.
 std::string tonnesText(double kilograms);
 

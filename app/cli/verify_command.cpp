@@ -46,8 +46,10 @@ ExitCode report(const Arguments& arguments, Session& session, const std::vector<
     } else {
         FactList facts;
         for (const Check& check : checks) {
-            facts.add(check.name,
-                      check.same ? "same: " + check.found : "differs: recorded " + check.recorded + ", now " + check.found);
+            facts.add(check.name, check.found == "none" && check.same
+                                      ? "none, so it cannot be told whether the case itself was altered"
+                                  : check.same ? "same: " + check.found
+                                               : "differs: recorded " + check.recorded + ", now " + check.found);
         }
         session.out() << arguments.operand() << ": " << verdict << '\n';
         facts.print(session.out());
@@ -67,7 +69,7 @@ void addJournal(std::vector<Check>& checks, const io::JournalCheck& journal) {
     const std::string whole = "entries chained: " + englishInteger(static_cast<std::int64_t>(journal.entries));
     Check chain = compare("journal", whole, whole);
     if (journal.entries == 0) {
-        chain.found = chain.recorded = "none: saved by a version without";
+        chain.found = chain.recorded = "none";
     }
     for (const std::size_t number : journal.broken) {
         chain.same = false;

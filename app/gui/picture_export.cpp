@@ -2,6 +2,9 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <algorithm>
 
 #include "app/gui/computation.h"
@@ -37,7 +40,7 @@ figures::Sheet sheetFor(const widgets::FigureChoice& choice, const render::View&
 
 std::string footLine(const io::RunOrigin& origin, bool simulated) {
     return "FE " + origin.feSha256.substr(0, 16) + (simulated ? ", run " + origin.fingerprint.hex().substr(0, 16) : std::string()) +
-           ", " + origin.build;
+           ", " + std::string(shortBuild(origin.build));
 }
 
 /// What a figure or movie is made of, kept alive while that takes.
@@ -45,11 +48,36 @@ struct Made {
     io::RunOrigin origin;
     std::shared_ptr<io::RunReader> run;
     std::string casePath;
+    std::vector<io::ShownFile> around;
 };
 
-Made madeNow(const Document& document, const Computation& computation) {
+Made madeNow(const Document& document, const Computation& computation, const render::SceneData& data) {
     const RunRecord* record = computation.currentRun();
-    return {shownOrigin(document, computation), record != nullptr ? record->reader : nullptr, document.path().toStdString()};
+    std::vector<io::ShownFile> around = io::shownFiles(computation.terrain());
+    // A map may lie on the ground in place of the orthophoto.
+    if (data.orthophoto != computation.terrain().orthophoto) {
+        std::erase_if(around, [](const io::ShownFile& file) { return file.role == "orthophoto"; });
+    }
+    return {shownOrigin(document, computation), record != nullptr ? record->reader : nullptr, document.path().toStdString(),
+            std::move(around)};
+}
+
+/// As `rubble-cli figure` and `rubble-cli movie` put it down.
+std::string settingsText(const widgets::FigureChoice& choice) {
+    QJsonObject settings{{"pixels", QJsonArray{choice.pixels.width(), choice.pixels.height()}}, {"dpi", choice.dpi}};
+    for (const auto& [name, preset] : figures::figurePresets) {
+        if (choice.preset == preset) {
+            settings.insert("preset", QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size())));
+        }
+    }
+    return QJsonDocument(settings).toJson(QJsonDocument::Compact).toStdString();
+}
+
+std::string settingsText(const widgets::MovieChoice& choice) {
+    const QJsonObject settings{{"pixels", QJsonArray{choice.pixels.width(), choice.pixels.height()}},
+                               {"fps", choice.settings.fps},
+                               {"pace", choice.settings.pace}};
+    return QJsonDocument(settings).toJson(QJsonDocument::Compact).toStdString();
 }
 
 void writeFigureFile(const std::string& path, const widgets::FigureChoice& choice, const render::View& view,
@@ -60,7 +88,8 @@ void writeFigureFile(const std::string& path, const widgets::FigureChoice& choic
     style.provenance = footLine(made.origin, made.run != nullptr);
     figures::Studio studio(data);
     const figures::SheetPicture picture = studio.sheet(sheetFor(choice, view, data, style.pixels, style.dpi), style);
-    io::ExportRecord record{"figure", {}, {}, figures::toJson(choice.preset ? picture.panels().back().view : view), made.casePath};
+    const std::string drawn = figures::toJson(choice.preset ? picture.panels().back().view : view);
+    io::ExportRecord record{"figure", {}, settingsText(choice), drawn, made.casePath, made.around};
     for (const figures::SheetPicture::Panel& panel : picture.panels()) {
         record.shown.push_back({panel.shown.caption.toStdString(), panel.shown.status.time, std::nullopt,
                                 figures::shownAs(panel.shown.content, panel.shown.status)});
@@ -73,7 +102,7 @@ std::string writeMovieFile(const std::string& path, const widgets::MovieChoice& 
                            const render::SceneData& data, const Made& made, const Execution& execution) {
     view.captions = true;
     view.time = choice.settings.from;
-    io::ExportRecord record{"movie", {}, {}, figures::toJson(view), made.casePath};
+    io::ExportRecord record{"movie", {}, settingsText(choice), figures::toJson(view), made.casePath, made.around};
     record.shown = {{"views", choice.settings.from, choice.settings.to,
                      made.run != nullptr ? std::string(io::shownClass(FrameKind::Interpolated)) : "FE"}};
     figures::FigureStyle style;
@@ -164,7 +193,7 @@ void PictureExport::exportFigure(const render::View& view, const render::SceneDa
 
 void PictureExport::exportFigureTo(const QString& path, const widgets::FigureChoice& choice, const render::View& view,
                                    const render::SceneData& data) {
-    const Made made = madeNow(m_document, m_computation);
+    const Made made = madeNow(m_document, m_computation, data);
     m_computation.write(
         [path, choice, view, data, made](const Execution& execution) {
             execution.report({"gui.drawing_figure", "Drawing the figure", {}}, 0.0);
@@ -200,7 +229,7 @@ void PictureExport::exportMovie(const render::View& view, const render::SceneDat
 
 void PictureExport::exportMovieTo(const QString& path, const widgets::MovieChoice& choice, const render::View& view,
                                   const render::SceneData& data) {
-    const Made made = madeNow(m_document, m_computation);
+    const Made made = madeNow(m_document, m_computation, data);
     const auto lies = std::make_shared<std::string>();
     m_computation.write(
         [path, choice, view, data, made, lies](const Execution& execution) {

@@ -25,6 +25,7 @@ namespace {
 /// Everything that the worker needs, as it was when it was asked for.
 struct Order {
     io::ReportRequest request;
+    std::vector<io::ShownFile> around;
     Case theCase;
     widgets::ReportWishes wishes;
     render::SceneData scene;
@@ -62,7 +63,8 @@ void makeReport(Order& order, const Execution& execution) {
     figures::ReportPictures pictures = figures::drawReportPictures(order.scene, facts, map, execution);
     pictures.say = [](const Message& message) { return widgets::worded(message); };
     const io::ExportRecord record{
-        "report", {{"Debris at the end", facts.result->endTime, std::nullopt, "simulated"}}, {}, {}, order.request.casePath};
+        "report",    {{"Debris at the end", facts.result->endTime, std::nullopt, "simulated"}}, {}, {}, order.request.casePath,
+        order.around};
     figures::writeReport(order.folder, facts, pictures, io::exportProvenance(record, run.origin(), &run));
 }
 
@@ -131,10 +133,12 @@ void ReportWork::writeTo(const QString& folder) {
     request.fePath = request.inputs.fe->contents().path;
     request.terrainPath = m_computation.terrain().path;
     request.casePath = m_document.path().toStdString();
+    request.basePath = m_document.base().toStdString();
     request.question = order->wishes.question.toStdString();
     request.author = order->wishes.author.toStdString();
     request.repeats = order->wishes.repeats;
     request.studyFolder = studyFolder();
+    order->around = io::shownFiles(m_computation.terrain());
     m_writing = true;
     refresh();
     m_computation.write([order](const Execution& execution) { makeReport(*order, execution); },

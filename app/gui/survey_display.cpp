@@ -8,6 +8,7 @@
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
 #include "app/gui/panel_deck.h"
+#include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/case_file.h"
 #include "io/files.h"
@@ -197,7 +198,8 @@ void SurveyDisplay::saveTo(const QString& path) {
             style.place = io::SitePlace(origin.frame, origin.site).transform();
             style.system = origin.frame.crs;
             style.provenance = "survey " + m_input->sha256.substr(0, 16) + ", run " +
-                               record->reader->origin().fingerprint.hex().substr(0, 16) + ", " + record->reader->origin().build;
+                               record->reader->origin().fingerprint.hex().substr(0, 16) + ", " +
+                               std::string(shortBuild(record->reader->origin().build));
             figures::writePng(path.toStdString(), figures::surveyPicture(*m_comparison, style));
             io::writeProvenance(path.toStdString(), origin.provenance);
         } else {

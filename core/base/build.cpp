@@ -55,4 +55,9 @@ std::string_view buildText() {
     return text;
 }
 
+std::string_view shortBuild(std::string_view build) {
+    const std::size_t first = build.find(',');
+    return build.substr(0, first == std::string_view::npos ? first : build.find(',', first + 1));
+}
+
 }  // namespace rubble

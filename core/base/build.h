@@ -12,4 +12,7 @@ std::string_view versionText();
 /// Part of every fingerprint.
 std::string_view buildText();
 
+/// What people need of such a text: program and sources, "Rubble 0.1.0, sources 1a2b3c4d".
+std::string_view shortBuild(std::string_view build);
+
 }  // namespace rubble

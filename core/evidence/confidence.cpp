@@ -56,4 +56,17 @@ double fisherQuantile(double p, double m, double n) {
     return n * x / (m * (1.0 - x));
 }
 
+std::pair<double, double> roundedToSpread(double number, double spread) {
+    if (!(spread > 0.0) || !std::isfinite(number) || !std::isfinite(spread)) {
+        return {number, spread};
+    }
+    const double digits = 1.0 - std::floor(std::log10(spread));
+    const auto rounded = [digits](double value) {
+        // A whole power divides, so that 0.1 comes out as the nearest number to it.
+        const double power = std::pow(10.0, std::abs(digits));
+        return digits >= 0.0 ? std::round(value * power) / power : std::round(value / power) * power;
+    };
+    return {rounded(number), rounded(spread)};
+}
+
 }  // namespace rubble

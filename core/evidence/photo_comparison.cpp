@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/evidence/confidence.h"
 
 namespace rubble {
 
@@ -181,15 +182,15 @@ PhotoComparison compareWithPhoto(const SiteShape& site, const Photograph& photog
     made.iou = spreadOf(best.iou, draws, &Draw::iou);
     made.edgePixels = spreadOf(best.edge, draws, &Draw::edge);
     made.edgeMetres = spreadOf(best.edgeMetres, draws, &Draw::edgeMetres);
+    const auto [iou, iouSpread] = roundedToSpread(made.iou.best, made.iou.spread);
     if (std::isfinite(made.edgeMetres.best)) {
-        made.words = {
-            "photo.agreement",
-            "The silhouettes overlap by {0} ± {1}; their edges are {2} ± {3} apart in the mean, {4} from the camera.",
-            {{made.iou.best}, {made.iou.spread}, {made.edgeMetres.best, "m"}, {made.edgeMetres.spread, "m"}, {made.distance, "m"}}};
+        const auto [edge, edgeSpread] = roundedToSpread(made.edgeMetres.best, made.edgeMetres.spread);
+        made.words = {"photo.agreement",
+                      "The silhouettes overlap by {0} ± {1}; their edges are {2} ± {3} apart in the mean, {4} from the camera.",
+                      {{iou}, {iouSpread}, {edge, "m"}, {edgeSpread, "m"}, {made.distance, "m"}}};
     } else {
-        made.words = {"photo.no_edges",
-                      "The silhouettes overlap by {0} ± {1}; there are no two edges to compare.",
-                      {{made.iou.best}, {made.iou.spread}}};
+        made.words = {
+            "photo.no_edges", "The silhouettes overlap by {0} ± {1}; there are no two edges to compare.", {{iou}, {iouSpread}}};
     }
     return made;
 }

@@ -13,6 +13,7 @@
 #include "core/evidence/ensemble.h"
 #include "core/evidence/photo_comparison.h"
 #include "core/evidence/run_map.h"
+#include "core/evidence/survey_comparison.h"
 #include "core/scenario/journal.h"
 #include "core/simulation/acknowledgement.h"
 
@@ -28,10 +29,20 @@ struct ReportFile {
 /// A photograph of the case and what came of holding the debris against it.
 struct ReportPhoto {
     std::string name;
-    std::string sha256;
+    Photograph photograph;
+    int width = 0;  ///< px, of the pixels below
+    int height = 0;
+    std::vector<std::uint8_t> rgb;  ///< [height * width * 3], the photograph made smaller, upright; empty: it cannot be read
     std::optional<CameraMatch> match;
     std::optional<PhotoComparison> comparison;
-    Message problem;  ///< why there is no match or no comparison; empty if there is
+    Message problem;  ///< why there is no match, no comparison or no picture; empty if there is
+};
+
+/// A survey of the case and what came of holding the debris against it.
+struct ReportSurvey {
+    std::string name;
+    std::optional<SurveyComparison> comparison;
+    Message problem;  ///< why there is none; empty if there is
 };
 
 /// One case of the self-test on this machine.
@@ -83,6 +94,7 @@ struct ReportFacts {
     std::vector<KnownPoint> points;        ///< settings of this scene that were compared with the reference
     std::optional<RepeatFloor> reference;  ///< that reference with its repeats, as far as they were kept; unset: it was not
     std::vector<ReportPhoto> photographs;
+    std::vector<ReportSurvey> surveys;
     std::shared_ptr<const EnsembleReport> ensemble;  ///< of the case, as far as its members were simulated; null: none was
     std::shared_ptr<const DebrisMap> probability;    ///< of its members; null: there are none
     std::vector<ReportCheck> selfTest;               ///< empty: not run

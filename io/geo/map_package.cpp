@@ -123,20 +123,27 @@ void writeContours(GDALDataset& file, const MapPlace& place, const DebrisMap& ma
     }
 }
 
-/// The outline of a box, or the point of its centre where it has none.
-std::unique_ptr<OGRGeometry> outlineShape(const MapPlace& place, const DebrisFragment& lies) {
-    const SmallPolygon outline = outlineOf(lies.box);
+constexpr double leastSide = 1e-3;  // m, of what has no outline: a layer holds shapes of one kind
+
+/// The outline of a box, or a tiny square about its centre where it has none.
+OGRPolygon outlineShape(const MapPlace& place, const DebrisFragment& lies) {
+    SmallPolygon outline = outlineOf(lies.box);
     if (!(outline.area() > 0.0)) {
-        const Eigen::Vector2d at = place(lies.centre.head<2>());
-        return std::make_unique<OGRPoint>(at.x(), at.y());
+        const Eigen::Vector2d at = lies.centre.head<2>();
+        const double half = 0.5 * leastSide;
+        outline.size = 0;
+        for (const auto& [x, y] :
+             {std::pair(-half, -half), std::pair(half, -half), std::pair(half, half), std::pair(-half, half)}) {
+            outline.add(at + Eigen::Vector2d(x, y));
+        }
     }
-    auto polygon = std::make_unique<OGRPolygon>();
+    OGRPolygon polygon;
     OGRLinearRing ring;
     for (std::size_t k = 0; k < outline.size; ++k) {
         addPoint(ring, place, outline.corners[k]);
     }
     ring.closeRings();
-    polygon->addRing(&ring);
+    polygon.addRing(&ring);
     return polygon;
 }
 
@@ -152,7 +159,7 @@ void writeFragments(GDALDataset& file, const MapPlace& place, const DebrisMap& m
                                                    {"birth_time_s", OFTReal},
                                                    {"arrival_s", OFTReal},
                                                    {"impact_energy_j", OFTReal}}};
-    PackageLayer layer(file, place, "fragments", wkbUnknown, fields, path);
+    PackageLayer layer(file, place, "fragments", wkbPolygon, fields, path);
     const std::size_t count = fragments.set->size();
     for (std::size_t f = 0; f < count; ++f) {
         if (f % 1024 == 0) {
@@ -163,7 +170,7 @@ void writeFragments(GDALDataset& file, const MapPlace& place, const DebrisMap& m
             continue;
         }
         const Fragment& fragment = fragments.set->list[f];
-        layer.add(*outlineShape(place, lies), [&](OGRFeature& feature) {
+        layer.add(outlineShape(place, lies), [&](OGRFeature& feature) {
             feature.SetField("fragment_id", static_cast<GIntBig>(f));
             if (f < fragments.elementIds.size()) {
                 feature.SetField("element_id", static_cast<GIntBig>(fragments.elementIds[f]));

@@ -39,9 +39,8 @@ std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const 
     }
     const Eigen::Vector2d size = high - low;
     if (!(size.minCoeff() > 0.0) || !size.allFinite()) {
-        throw ParseError(
-            {"orthophoto.elsewhere", "{0} does not show the site", {path}},
-            {"orthophoto.elsewhere.remedy", "Check the coordinate system, the origin of the case and the control points.", {}});
+        throw ParseError({"orthophoto.elsewhere", "{0} does not show the site", {path}},
+                         {"orthophoto.elsewhere.remedy", "Check the coordinate system and the control points of the case.", {}});
     }
     auto picture = std::make_shared<Orthophoto>();
     const double fine = sampling.pixelSize(0.5 * (low + high));

@@ -128,11 +128,10 @@ void Reading::checkCrs() {
 void Reading::checkDatum() {
     m_result.verticalDatum = m_file.verticalDatum();
     const std::string ofCase = RasterFile::verticalDatum(m_frame.crs);
-    const bool brought = m_site.heightShift != 0.0 || !m_place.upright();
-    if (!m_result.verticalDatum.empty() && !ofCase.empty() && m_result.verticalDatum != ofCase && !brought) {
+    if (!m_result.verticalDatum.empty() && !ofCase.empty() && m_result.verticalDatum != ofCase && m_site.heightShift == 0.0) {
         find("terrain.other_datum",
              "heights of the terrain count from \"{0}\", those of the case from \"{1}\"; they were not converted",
-             {m_result.verticalDatum, ofCase}, "set the height shift of the site to the difference there, or use control points");
+             {m_result.verticalDatum, ofCase}, "set the height shift of the site to the difference there");
     }
 }
 
@@ -164,7 +163,7 @@ void Reading::checkOverlap(const Eigen::Vector2d& least, const Eigen::Vector2d& 
             "terrain.elsewhere",
             "{0} covers x = {1} to {2}, y = {3} to {4} of the local frame; the structure stands at x = {5} to {6}, y = {7} to {8}",
             {least.x(), {most.x(), "m"}, least.y(), {most.y(), "m"}, low.x(), {high.x(), "m"}, low.y(), {high.y(), "m"}},
-            "Set the origin of the case's frame, in whole metres, to where the FE model's zero lies, or give the right raster.");
+            "Tie the FE model to the coordinate system by control points (Site… in the Case menu), or give the right raster.");
     }
     const double missing = std::max({least.x() - low.x(), high.x() - most.x(), least.y() - low.y(), high.y() - most.y()});
     if (missing > 0.0) {

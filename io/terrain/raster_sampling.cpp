@@ -72,7 +72,7 @@ double RasterSampling::pixelSize(const Eigen::Vector2d& local) const {
     const double most = std::max(std::hypot(east.x(), north.x()), std::hypot(east.y(), north.y()));
     if (!(most > 0.0) || !std::isfinite(most)) {
         throw UsageError({"terrain.no_scale", "The raster has no place at the site in the system of the case", {}},
-                         {"terrain.no_scale.remedy", "Check the coordinate system and the origin of the case.", {}});
+                         {"terrain.no_scale.remedy", "Check the coordinate system and the control points of the case.", {}});
     }
     return 1.0 / most;
 }

@@ -181,6 +181,11 @@ TEST_F(TerrainSite, AnotherVerticalDatumIsNamed) {
     const TerrainInput terrain = read();
     EXPECT_NE(terrain.verticalDatum.find("EGM96"), std::string::npos) << terrain.verticalDatum;
     EXPECT_EQ(terrain.findings.count("terrain.other_datum"), 1);
+    // Heights of control points count from the datum of the case: they do not bridge the two either.
+    site.controlPoints = {{"west", Vec3(0.0, 0.0, 0.0), Vec3(east, north, 100.0), true},
+                          {"east", Vec3(10.0, 0.0, 0.0), Vec3(east + 10.0, north, 100.0), true}};
+    EXPECT_EQ(read().findings.count("terrain.other_datum"), 1);
+    site.controlPoints.clear();
     site.heightShift = 0.75;
     const TerrainInput shifted = read();
     EXPECT_EQ(shifted.findings.count("terrain.other_datum"), 0);

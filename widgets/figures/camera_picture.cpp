@@ -111,7 +111,7 @@ QImage CameraStudio::picture(const render::View& like, const CameraModel& camera
     const PlainView plain(camera, photograph, scale);
     render::View view = like;
     view.layout = render::Layout::FragmentsOnly;
-    view.captions = view.legends = view.scaleBar = false;
+    view.captions = view.legends = view.scaleBar = view.axes = false;
     view.basicGrid.reset();
     view.selection.clear();
     view.cameras.fill(viewCamera(camera, 1, distance));

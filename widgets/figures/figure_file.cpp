@@ -13,11 +13,14 @@
 #include <QSvgGenerator>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <system_error>
 
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "widgets/figures/draw.h"
+#include "widgets/figures/marks.h"
 #include "widgets/figures/overlay.h"
 #include "widgets/figures/palette.h"
 #include "widgets/figures/shown_units.h"
@@ -31,7 +34,7 @@ constexpr const char* provenanceKey = "Rubble-Provenance";
 constexpr int samples = 4;  // per pixel; figures are for the eye, not for speed
 
 [[noreturn]] void failWriting(const std::string& path, const QString& why) {
-    throw WorldError({"figure.write", "{0}: the picture cannot be written: {1}", {path, why.toStdString()}},
+    throw WorldError({"figure.write", "{0} cannot be written: {1}", {path, why.toStdString()}},
                      {"figure.write.remedy", "Check that the folder exists, may be written and has room.", {}});
 }
 
@@ -134,6 +137,9 @@ private:
             panel.overlay.bars.clear();
         }
         takeMarksBelow(panel, layout);
+        if (panel.overlay.legend.empty() && panel.overlay.bars.empty() && panel.overlay.metresPerPixel == 0.0) {
+            panel.axes = axesCorner(panel.view, pane, render::boundsOf(scene.dataOf(drawn)), layout.text);
+        }
         panel.shown = {from.content, scene.status(drawn), {}};
         if (panel.view.captions) {
             panel.shown.caption = captionBelow(index, from.content, panel.shown.status, panel.view.timeOrigin, from.stage);
@@ -218,11 +224,13 @@ void writePng(const std::string& path, const QImage& image, const std::string& m
     if (!metadata.empty()) {
         tagged.setText(QString::fromLatin1(provenanceKey), QString::fromStdString(metadata));
     }
-    QSaveFile file(QString::fromStdString(path));
-    QImageWriter writer(&file, "png");
-    if (!(file.open(QIODevice::WriteOnly) && writer.write(tagged) && file.commit())) {
-        failWriting(path, file.errorString());
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    QImageWriter writer(&buffer, "png");
+    if (!(buffer.open(QIODevice::WriteOnly) && writer.write(tagged))) {
+        failWriting(path, writer.errorString());
     }
+    writeBytes(path, bytes);
 }
 
 void writeFigure(const std::string& path, const render::View& view, const render::SceneData& data, const FigureStyle& style) {
@@ -298,7 +306,17 @@ bool isFigurePath(const std::string& path) {
 
 void writeBytes(const std::string& path, const QByteArray& bytes) {
     QSaveFile file(QString::fromStdString(path));
-    if (!(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())) {
+    if (!file.open(QIODevice::WriteOnly)) {
+        failWriting(path, file.errorString());
+    }
+    // Qt forgets why the last of its buffer could not be written.
+    errno = 0;
+    if (file.write(bytes) != bytes.size() || !file.flush()) {
+        const int why = errno;
+        file.cancelWriting();
+        failWriting(path, why != 0 ? QString::fromStdString(std::generic_category().message(why)) : file.errorString());
+    }
+    if (!file.commit()) {
         failWriting(path, file.errorString());
     }
 }

@@ -277,7 +277,7 @@ void SheetPicture::paint(QPainter& painter) const {
         painter.save();
         painter.translate(panel.place.topLeft());
         const render::Pane pane{panel.shown.content, 0, 0, panel.place.width(), panel.place.height()};
-        paintMarks(painter, panel.view, pane, m_layout.text);
+        paintMarks(painter, panel.view, pane, m_layout.text, panel.axes);
         paintOverlay(painter, panel.overlay, pane, render::Theme::Print, m_layout.text);
         painter.restore();
     }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "widgets/figures/marks.h"
 #include "widgets/figures/overlay.h"
 #include "widgets/render/camera.h"
 #include "widgets/render/scene.h"
@@ -109,6 +110,7 @@ public:
         std::vector<LegendEntry> legend;  ///< below the picture
         std::vector<ColourBar> bars;
         double metresPerPixel = 0.0;  ///< of the scale bar below the picture; 0: none
+        std::optional<Corner> axes = Corner::UpperRight;
     };
 
     SheetPicture(QSize pixels, SheetLayout layout) : m_pixels(pixels), m_layout(layout) {}

@@ -8,6 +8,12 @@
 
 namespace rubble::figures {
 
+namespace {
+
+constexpr double leastTickWords = 4.0;  // sizes of small text that a coordinate needs
+
+}  // namespace
+
 std::vector<EdgeTick> edgeTicks(const SiteFit& site, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double step) {
     const Vec3 first = site.toWorld(Vec3(from.x(), from.y(), 0.0));
     const Vec3 way = site.toWorld(Vec3(to.x(), to.y(), 0.0)) - first;
@@ -26,6 +32,13 @@ std::vector<EdgeTick> edgeTicks(const SiteFit& site, const Eigen::Vector2d& from
         ticks.push_back({(value - first[axis]) / way[axis], letter.arg(QString::number(shown, 'g', 10))});
     }
     return ticks;
+}
+
+double stepAcross(double step, double metres, double small) {
+    while (step > 0.0 && step / metres < leastTickWords * small) {
+        step *= 2.0;
+    }
+    return step;
 }
 
 void drawCoordinates(QPainter& painter, const MapEdges& edges, const SiteFit& site, double small, const QColor& line,
@@ -52,6 +65,9 @@ void drawCoordinates(QPainter& painter, const MapEdges& edges, const SiteFit& si
         draw({frame.left(), y}, {-tick, 0.0}, QRectF(0.0, y - small, frame.left() - 1.5 * tick, 2.0 * small),
              static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), mark.text);
     }
+    // The unit stands once, in the corner between both axes.
+    painter.drawText(QRectF(0.0, frame.bottom() + tick, std::max(frame.left() - 2.6 * small, 2.0 * small), 1.6 * small),
+                     static_cast<int>(Qt::AlignRight | Qt::AlignTop | Qt::TextSingleLine), QStringLiteral("[m]"));
 }
 
 }  // namespace rubble::figures

@@ -32,6 +32,10 @@ struct MapEdges {
     double up = 0.0;                                 ///< m, along the left edge
 };
 
+/// The step along the lower edge, doubled until there is room for its numbers: a long and narrow map would have too many.
+/// @param metres  m, that a pixel covers; @param small  px, of the text
+double stepAcross(double step, double metres, double small);
+
 /// Writes the coordinates below and to the left of a map. @param small  px, of the text
 void drawCoordinates(QPainter& painter, const MapEdges& edges, const SiteFit& site, double small, const QColor& line,
                      const QColor& text);

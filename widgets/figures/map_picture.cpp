@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -23,7 +24,6 @@ namespace {
 
 constexpr double textPoints = 9.0;
 constexpr double smallPoints = 6.0;
-constexpr double leastTickWords = 4.0;  // sizes of small text that a coordinate needs
 constexpr std::size_t longestLegend = 9;
 /// Of the mass, shown whatever the rest does.
 constexpr double shownShare = 0.999;
@@ -101,22 +101,32 @@ Window windowOf(const DebrisMap& map) {
     return {{south, west}, {north, east}};
 }
 
-/// What the colours of a layer run from and to.
+/// What the colours of a layer run from and to, in steps that read well.
 struct Range {
     double low = 0.0;
     double high = 1.0;
     bool cut = false;  ///< some values are higher
+    double step = 0.25;
 
     double place(double value) const { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
 };
 
-/// The next number of two digits, so that the legend reads well.
-double roundedUp(double value) {
-    if (!(value > 0.0)) {
-        return value;
+/// The shortest range of three to five steps of 1, 2, 2.5 or 5 times a power of ten, from a whole number of steps, that holds two
+/// numbers.
+Range steppedRange(double low, double high) {
+    Range best;
+    best.high = std::numeric_limits<double>::infinity();
+    best.low = 0.0;
+    const double power = std::pow(10.0, std::floor(std::log10(high - low)) - 1.0);
+    for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0, 20.0, 25.0, 50.0}) {
+        const double step = factor * power;
+        const double from = std::floor(low / step + 1e-9);
+        const double steps = std::max(3.0, std::ceil(high / step - 1e-9) - from);
+        if (steps <= 5.0 && steps * step < (1.0 - 1e-9) * (best.high - best.low)) {
+            best = {from * step, (from + steps) * step, false, step};
+        }
     }
-    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-    return unit * std::ceil(value / unit - 1e-9);
+    return best;
 }
 
 /// A number of the legend, without powers of ten where thousands will do.
@@ -137,17 +147,16 @@ Range rangeOf(const std::vector<double>& values, MapLayer layer) {
         return range;
     }
     if (layer == MapLayer::Separation) {
-        const double most = roundedUp(std::max({std::abs(known.front()), std::abs(known.back()), 1e-6}));
-        return {-most, most, false};
+        const double most = steppedRange(0.0, std::max({std::abs(known.front()), std::abs(known.back()), 1e-6})).high;
+        return {-most, most, false, 0.5 * most};
     }
-    range.low = layer == MapLayer::Arrival ? known.front() : 0.0;
-    range.high = known[static_cast<std::size_t>(topShare * static_cast<double>(known.size() - 1))];
-    range.high = roundedUp(range.high);
+    const double low = layer == MapLayer::Arrival ? known.front() : 0.0;
+    double high = known[static_cast<std::size_t>(topShare * static_cast<double>(known.size() - 1))];
+    if (!(high > low)) {
+        high = known.back() > low ? known.back() : low + 1.0;
+    }
+    range = steppedRange(low, high);
     range.cut = known.back() > range.high;
-    if (!(range.high > range.low)) {
-        range.high = known.back() > range.low ? known.back() : range.low + 1.0;
-        range.cut = false;
-    }
     return range;
 }
 
@@ -277,17 +286,13 @@ private:
         const double step =
             roundLength(m_map.cell / m_cellPixels, std::min({9.0 * m_text, 0.4 * m_frame.width(), 0.4 * m_frame.height()}));
         const double metres = m_map.cell / m_cellPixels;
-        // Of a long and narrow map the width would have too many.
-        double across = step;
-        while (across / metres < leastTickWords * m_small) {
-            across *= 2.0;
-        }
         const auto local = [&](const QPointF& pixel) {
             return Eigen::Vector2d(m_map.cell * (m_window.low.i + (pixel.x() - m_cells.left()) / m_cellPixels),
                                    m_map.cell * (m_window.low.j + (m_cells.bottom() - pixel.y()) / m_cellPixels));
         };
-        drawCoordinates(painter, {m_frame, local(m_frame.bottomLeft()), local(m_frame.topRight()), across, step}, m_style.place,
-                        m_small, m_palette.muted, m_palette.text);
+        drawCoordinates(painter,
+                        {m_frame, local(m_frame.bottomLeft()), local(m_frame.topRight()), stepAcross(step, metres, m_small), step},
+                        m_style.place, m_small, m_palette.muted, m_palette.text);
     }
 
     void drawRing(QPainter& painter) {
@@ -413,12 +418,13 @@ private:
         painter.setPen(QPen(m_palette.muted, 1.0));
         painter.setBrush(ramp);
         painter.drawRect(bar);
-        const int marks = height < 5.0 * m_line ? 2 : 4;
-        for (int k = 0; k <= marks; ++k) {
-            const double share = static_cast<double>(k) / marks;
-            const QString number = legendNumber(m_range.low + share * (m_range.high - m_range.low));
+        const int steps = std::max(1, static_cast<int>(std::lround((m_range.high - m_range.low) / m_range.step)));
+        const int every = height < 1.1 * m_line * steps ? steps : 1;
+        for (int k = 0; k <= steps; k += every) {
+            const double share = static_cast<double>(k) / steps;
+            const QString number = legendNumber(m_range.low + k * m_range.step);
             write(painter, QRectF(bar.right() + 0.4 * m_line, bar.bottom() - share * height - 0.5 * m_line, 8.0 * m_line, m_line),
-                  k == marks && m_range.cut ? QStringLiteral("≥ ") + number : number,
+                  k == steps && m_range.cut ? QStringLiteral("≥ ") + number : number,
                   static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), m_text);
         }
         return bar.bottom() + 1.2 * m_line;

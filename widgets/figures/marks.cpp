@@ -26,12 +26,20 @@ struct Pen {
     double unit;  ///< 4 px of a 13 px font
 };
 
-std::optional<QPointF> pixelOf(const Pen& pen, const Vec3& point) {
-    const auto place = render::project(render::cameraOf(pen.view, pen.pane.content), point, pen.pane.aspect());
+double unitOf(double textHeight) {
+    return 4.0 * textHeight / 13.0;
+}
+
+std::optional<QPointF> pixelOf(const render::View& view, const render::Pane& pane, const Vec3& point) {
+    const auto place = render::project(render::cameraOf(view, pane.content), point, pane.aspect());
     if (!place) {
         return std::nullopt;
     }
-    return QPointF(pen.pane.x + place->u * pen.pane.width, pen.pane.y + place->v * pen.pane.height);
+    return QPointF(pane.x + place->u * pane.width, pane.y + place->v * pane.height);
+}
+
+std::optional<QPointF> pixelOf(const Pen& pen, const Vec3& point) {
+    return pixelOf(pen.view, pen.pane, point);
 }
 
 /// A line that is seen on any background.
@@ -107,8 +115,18 @@ void paintPath(QPainter& painter, const Pen& pen) {
     painter.drawEllipse(*last, 1.0 * pen.unit, 1.0 * pen.unit);
 }
 
-/// The directions of x, y and z as the camera sees them, in the upper right corner.
-void paintAxes(QPainter& painter, const Pen& pen) {
+constexpr double axesRoom = 21.0;    // units, side of the square in a corner that they take
+constexpr double axesMiddle = 11.0;  // units, from the corner to where they meet
+
+QRectF axesSquare(const render::Pane& pane, double unit, Corner corner) {
+    const double side = axesRoom * unit;
+    const bool right = corner == Corner::UpperRight || corner == Corner::LowerRight;
+    const bool upper = corner == Corner::UpperRight || corner == Corner::UpperLeft;
+    return {right ? pane.x + pane.width - side : pane.x, upper ? pane.y : pane.y + pane.height - side, side, side};
+}
+
+/// The directions of x, y and z as the camera sees them, in a corner.
+void paintAxes(QPainter& painter, const Pen& pen, Corner corner) {
     const render::Camera& camera = render::cameraOf(pen.view, pen.pane.content);
     const Vec3 forward = (camera.focalPoint - camera.position).normalized();
     const Vec3 right = forward.cross(camera.up).normalized();
@@ -116,7 +134,11 @@ void paintAxes(QPainter& painter, const Pen& pen) {
     if (!right.allFinite() || pen.pane.width < 60.0 * pen.unit || pen.pane.height < 40.0 * pen.unit) {
         return;
     }
-    const QPointF origin(pen.pane.x + pen.pane.width - 11.0 * pen.unit, pen.pane.y + 11.0 * pen.unit);
+    const bool atRight = corner == Corner::UpperRight || corner == Corner::LowerRight;
+    const bool above = corner == Corner::UpperRight || corner == Corner::UpperLeft;
+    const double in = axesMiddle * pen.unit;
+    const QPointF origin(atRight ? pen.pane.x + pen.pane.width - in : pen.pane.x + in,
+                         above ? pen.pane.y + in : pen.pane.y + pen.pane.height - in);
     const double length = 6.5 * pen.unit;
     struct Arm {
         char name;
@@ -143,14 +165,32 @@ void paintAxes(QPainter& painter, const Pen& pen) {
 
 }  // namespace
 
+std::optional<Corner> axesCorner(const render::View& view, const render::Pane& pane, const Aabb& box, double textHeight) {
+    QPolygonF corners;
+    for (int k = 0; k < 8 && !box.isEmpty(); ++k) {
+        const auto pixel = pixelOf(view, pane, box.corner(static_cast<Aabb::CornerType>(k)));
+        if (!pixel) {
+            return Corner::UpperRight;
+        }
+        corners << *pixel;
+    }
+    for (const Corner corner : {Corner::UpperRight, Corner::UpperLeft, Corner::LowerRight, Corner::LowerLeft}) {
+        if (!corners.boundingRect().intersects(axesSquare(pane, unitOf(textHeight), corner))) {
+            return corner;
+        }
+    }
+    return std::nullopt;
+}
+
 QString measuredText(double length) {
     const ShownUnit unit = shownUnit("m");
     const int decimals = (length < 100.0 ? 2 : 1) - (unit.perSi > 100.0 ? 3 : 0);
     return QLocale().toString(length * unit.perSi, 'f', std::max(0, decimals)) + u' ' + unit.name;
 }
 
-void paintMarks(QPainter& painter, const render::View& view, const render::Pane& pane, double textHeight) {
-    Pen pen{view, pane, palette(view.theme), {}, 4.0 * textHeight / 13.0};
+void paintMarks(QPainter& painter, const render::View& view, const render::Pane& pane, double textHeight,
+                std::optional<Corner> axes) {
+    Pen pen{view, pane, palette(view.theme), {}, unitOf(textHeight)};
     pen.font.setPixelSize(std::max(6, static_cast<int>(std::lround(textHeight))));
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -162,8 +202,8 @@ void paintMarks(QPainter& painter, const render::View& view, const render::Pane&
     for (const render::Measurement& measured : view.measurements) {
         paintMeasurement(painter, pen, measured);
     }
-    if (view.axes) {
-        paintAxes(painter, pen);
+    if (view.axes && axes) {
+        paintAxes(painter, pen, *axes);
     }
     painter.restore();
 }

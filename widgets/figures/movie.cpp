@@ -205,7 +205,10 @@ private:
     bool m_finished = false;
 };
 
-/// "t = 5.76 s", and how fast the movie runs where that is not real time, at the upper right.
+constexpr double axesRoom = 6.5;  // heights of text, from the right edge
+
+/// "t = 5.76 s", and how fast the movie runs where that is not real time, at the upper right, beside the directions of
+/// the axes.
 void printTime(QImage& picture, double time, double pace, render::Theme theme, double textHeight) {
     QString text = QStringLiteral("t = ") + timeText(time);
     if (std::abs(pace - 1.0) > 1e-9) {
@@ -216,8 +219,9 @@ void printTime(QImage& picture, double time, double pace, render::Theme theme, d
     font.setPixelSize(std::max(8, static_cast<int>(std::lround(1.4 * textHeight))));
     const QFontMetricsF metrics(font);
     const double pad = 0.5 * textHeight;
-    const QRectF box(picture.width() - metrics.horizontalAdvance(text) - 3.0 * pad, pad,
-                     metrics.horizontalAdvance(text) + 2.0 * pad, metrics.height() + 0.6 * pad);
+    const double width = metrics.horizontalAdvance(text) + 2.0 * pad;
+    const double right = picture.width() - axesRoom * textHeight;
+    const QRectF box(std::max(pad, right - width), pad, width, metrics.height() + 0.6 * pad);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);

@@ -359,7 +359,9 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
                 overlay.legend.push_back({p.outline, tr("intact structure"), true});
             }
             if (status.released > 0) {
-                overlay.legend.push_back({p.released, tr("released structure %1").arg(countText(status.released))});
+                const bool marked = view.style != render::Style::Presentation;
+                overlay.legend.push_back(
+                    {marked ? p.released : QColor(), tr("released structure %1").arg(countText(status.released))});
             }
         } else {
             const bool material = view.style == render::Style::Presentation;
@@ -413,7 +415,7 @@ std::vector<LegendEntry> commonLegend(const render::View& view, bool released) {
         }
         legend.push_back({p.structure, tr("active structure")});
     }
-    if (released) {
+    if (released && view.style == render::Style::Analysis) {
         legend.push_back({p.released, tr("released structure")});
     }
     return legend;

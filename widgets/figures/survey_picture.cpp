@@ -120,9 +120,13 @@ private:
             return;
         }
         std::sort(sizes.begin(), sizes.end());
-        m_reach = sizes[static_cast<std::size_t>(topShare * static_cast<double>(sizes.size() - 1))];
-        const double unit = std::pow(10.0, std::floor(std::log10(m_reach)) - 1.0);
-        m_reach = unit * std::ceil(m_reach / unit - 1e-9);
+        const auto at = static_cast<std::size_t>(topShare * static_cast<double>(sizes.size() - 1));
+        m_reach = sizes[at];
+        // Half of it is a number that reads well too.
+        const double power = std::pow(10.0, std::floor(std::log10(m_reach)));
+        for (const double factor : {10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0}) {
+            m_reach = factor * power >= sizes[at] * (1.0 - 1e-9) ? factor * power : m_reach;
+        }
         m_cut = sizes.back() > m_reach;
     }
 
@@ -132,7 +136,7 @@ private:
         const double height = m_style.pixels.height();
         m_foot = QRectF(0.0, height - foot, width, foot);
         m_legend = QRectF(width - 15.0 * m_line, 0.6 * m_line, 14.5 * m_line, height - foot - m_line);
-        const double left = 5.0 * m_small;
+        const double left = 6.5 * m_small;
         const QRectF field(left, 0.6 * m_line, m_legend.left() - left - m_line, height - foot - 0.6 * m_line - 2.2 * m_small);
         m_cellPixels = std::max(1e-3, std::min(field.width() / m_window.columns(), field.height() / m_window.rows()));
         const QSizeF size(m_cellPixels * m_window.columns(), m_cellPixels * m_window.rows());
@@ -237,7 +241,8 @@ private:
         const double step = roundLength(metres, std::min({9.0 * m_text, 0.4 * m_cells.width(), 0.4 * m_cells.height()}));
         const Eigen::Vector2d low = m_grid.cell * Eigen::Vector2d(m_grid.low.i + m_window.left, m_grid.low.j + m_window.bottom);
         const Eigen::Vector2d high = low + m_grid.cell * Eigen::Vector2d(m_window.columns(), m_window.rows());
-        drawCoordinates(painter, {m_cells, low, high, step, step}, m_style.place, m_small, m_palette.muted, m_palette.text);
+        drawCoordinates(painter, {m_cells, low, high, stepAcross(step, metres, m_small), step}, m_style.place, m_small,
+                        m_palette.muted, m_palette.text);
     }
 
     void drawScaleBar(QPainter& painter) {

@@ -4,76 +4,13 @@
 #include <cmath>
 #include <fstream>
 
-#include "io/case_file.h"
-#include "io/files.h"
-#include "tests/app/cli/command_run.h"
-#include "tests/app/cli/small_collapse.h"
-#include "tests/core/evidence/camera_scene.h"
+#include "tests/app/cli/photographed_case.h"
 
 namespace rubble::cli {
 
 namespace {
 
 using testing::HasSubstr;
-
-/// An uncompressed grey TIFF.
-void writeTiff(const std::string& path, std::uint16_t width, std::uint16_t height) {
-    std::vector<std::uint8_t> bytes{'I', 'I', 42, 0, 8, 0, 0, 0, 8, 0};
-    const auto put = [&](std::uint32_t value, int count) {
-        for (int k = 0; k < count; ++k) {
-            bytes.push_back(static_cast<std::uint8_t>(value >> (8 * k)));
-        }
-    };
-    const std::uint32_t pixels = std::uint32_t{width} * height;
-    const std::uint32_t begin = 8 + 2 + 8 * 12 + 4;
-    const std::array<std::array<std::uint32_t, 2>, 8> tags{
-        {{256, width}, {257, height}, {258, 8}, {259, 1}, {262, 1}, {273, begin}, {278, height}, {279, pixels}}};
-    for (const auto& [tag, value] : tags) {
-        put(tag, 2);
-        put(4, 2);
-        put(1, 4);
-        put(value, 4);
-    }
-    put(0, 4);
-    bytes.resize(begin + pixels, 128);
-    std::ofstream(path, std::ios::binary)
-        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-}
-
-/// A case of the small collapse with one photograph of it, taken by a camera that is known.
-class PhotoOfCase : public SmallRun {
-protected:
-    void SetUp() override {
-        run({}, "2");
-        writeTiff(m_folder / "site.tif", 800, 600);
-        m_case = io::caseForFe(m_path, m_folder / "small.rubble");
-        m_case.inputs.push_back({"photograph-1", InputRole::Photograph, "site.tif", io::sha256OfFile(m_folder / "site.tif")});
-        CameraScene scene(3, 4, 0.0);
-        scene.camera.focal = 900.0;
-        scene.camera.principal = {400.0, 300.0};
-        scene.camera.place = {-4.0, -12.0, 4.0};
-        scene.look({3.0, 0.5, 1.0}, 0.01);
-        Photograph photograph;
-        photograph.input = "photograph-1";
-        photograph.facts.width = photograph.camera.width = 800;
-        photograph.facts.height = photograph.camera.height = 600;
-        photograph.camera.focal = 900.0;
-        const std::array clicks{0.4, -0.7, 0.3, 0.8, -0.5, -0.2, 0.6, -0.6};
-        for (int k = 0; k < 8; ++k) {
-            const Vec3 point(6.0 * (k & 1), 2.0 * ((k >> 1) & 1), 3.0 * (k >> 2));
-            const std::size_t i = static_cast<std::size_t>(k);
-            photograph.pairs.push_back({"corner", *scene.camera.project(point) + Eigen::Vector2d(clicks[i], clicks[7 - i]), point});
-        }
-        photograph.masks = {{MaskClass::Debris, {{250.0, 250.0}, {650.0, 250.0}, {650.0, 450.0}, {250.0, 450.0}}}};
-        m_case.photographs = {photograph};
-    }
-    std::string save() {
-        const std::string path = m_folder / "small.rubble";
-        io::saveCase(path, m_case);
-        return path;
-    }
-    Case m_case;
-};
 
 TEST_F(PhotoOfCase, TellsCameraAndAgreementWithTheirUncertainty) {
     const Outcome outcome = cli({"photo", save(), "--run", m_out, "--json", "--csv", m_folder / "scores.csv"});
@@ -113,7 +50,7 @@ TEST_F(PhotoOfCase, SaysWhatKeepsItFromComparing) {
 
 TEST_F(PhotoOfCase, AChangedFileIsPointedOut) {
     const std::string path = save();
-    writeTiff(m_folder / "site.tif", 801, 600);
+    writeGreyTiff(m_folder / "site.tif", 801, 600);
     const Outcome outcome = cli({"photo", path});
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_THAT(outcome.out, HasSubstr("is another file than the case names"));

@@ -44,7 +44,7 @@ TEST_F(ReportCommand, SaysTheNumbersOfTheRun) {
     EXPECT_THAT(page, HasSubstr(m_ran["trajectory_hash"].get<std::string>()));
     EXPECT_THAT(page, HasSubstr(m_ran["fe"]["sha256"].get<std::string>()));
     EXPECT_THAT(page, HasSubstr(std::to_string(smallDead) + " elements of " + std::to_string(smallElements) + " were deactivated"));
-    EXPECT_THAT(page, HasSubstr("together 10.0 t")) << "five cubes of 1 m with 2,000 kg/m3";
+    EXPECT_THAT(page, HasSubstr("together 10.00 t")) << "five cubes of 1 m with 2,000 kg/m3";
     const auto run = io::openRun(m_out);
     // Every table of results names the run under it.
     std::size_t tables = 0, sources = 0;

@@ -79,6 +79,13 @@ TEST(ThreePointPose, PointsOnALineGiveNone) {
 }
 
 // Printed tables of Fisher's F at 95 %, four digits.
+TEST(Confidence, ANumberIsRoundedToItsSpread) {
+    EXPECT_EQ(roundedToSpread(0.83061, 0.001382), std::pair(0.8306, 0.0014));
+    EXPECT_EQ(roundedToSpread(-25.2034, 0.3349), std::pair(-25.2, 0.33));
+    EXPECT_EQ(roundedToSpread(12345.6, 678.9), std::pair(12350.0, 680.0));
+    EXPECT_EQ(roundedToSpread(1.23456, 0.0), std::pair(1.23456, 0.0));
+}
+
 TEST(Confidence, QuantilesAreThoseOfTheTables) {
     EXPECT_NEAR(fisherQuantile(0.95, 1, 1), 161.4476, 1e-3);
     EXPECT_NEAR(fisherQuantile(0.95, 3, 10), 3.7083, 1e-4);

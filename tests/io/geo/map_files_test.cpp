@@ -234,6 +234,7 @@ TEST_F(MapFiles, APackageHoldsFootprintContoursAndFragments) {
     }
     EXPECT_NEAR(area["fragments"], m_map.ledger.footprintArea, 1e-9);
     EXPECT_NEAR(area["live structure"], m_map.ledger.liveFootprintArea, 1e-9);
+    EXPECT_EQ(file->GetLayerByName("fragments")->GetGeomType(), wkbPolygon) << "programs ask what to show of a mixed layer";
     double mass = 0.0;
     std::int64_t count = 0;
     for (const OGRFeatureUniquePtr& feature : *file->GetLayerByName("fragments")) {

@@ -111,6 +111,11 @@ TEST_F(Legends, ReleasedStructureIsCountedApart) {
     EXPECT_EQ(fragments.legend[2].text, "released structure 6");
     EXPECT_EQ(fragments.legend[2].colour, palette(render::Theme::Light).released);
     EXPECT_EQ(overlayFor(render::ColourBy::Highlight, render::PaneContent::Fe).legend[0].text, "active 9 of 10 elements");
+    // In the look of its material it has no colour of its own, and a legend must not promise one.
+    render::View view;
+    EXPECT_EQ(commonLegend(view, true).size(), 3u);
+    view.style = render::Style::Presentation;
+    EXPECT_TRUE(commonLegend(view, true).empty());
 }
 
 TEST_F(Legends, EveryColouringExplainsItself) {

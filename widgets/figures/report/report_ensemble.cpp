@@ -8,10 +8,6 @@ namespace rubble::figures {
 
 namespace {
 
-QString escaped(const std::string& text) {
-    return QString::fromStdString(text).toHtmlEscaped();
-}
-
 /// "uniform from 0.4 to 0.8", as a member gets it.
 QString distributionWords(const VariedSetting& varied) {
     switch (varied.distribution) {

@@ -29,6 +29,7 @@ constexpr double width = pageWidth - left - right;
 constexpr double textPoints = 9.5;
 constexpr double smallPoints = 8.0;
 constexpr double sourcePoints = 6.5;
+constexpr std::size_t leastRows = 3;  // of a table that stand together on a page
 
 const QColor ink(0x1f, 0x24, 0x28);
 const QColor grey(0x5d, 0x66, 0x6e);
@@ -309,9 +310,22 @@ private:
         const std::vector<double> widths = columnWidths(table, points);
         const auto caption =
             textOf(QStringLiteral("<b>%1.</b> %2").arg(m_document.table.arg(++m_table), table.caption), smallPoints, width);
-        const RowCells head = rowOf(table, table.columns, widths, points, true);
-        const double firstRow = table.rows.empty() ? 0.0 : rowOf(table, table.rows.front(), widths, points, false).height;
-        need(caption->size().height() + head.height + 2.0 * firstRow + 24.0 * dot);
+        QStringList names = table.columns;
+        // A unit such as m/s stays in one line.
+        names.replaceInStrings(QStringLiteral("/"), QStringLiteral("/\u2060"));
+        const RowCells head = rowOf(table, names, widths, points, true);
+        std::vector<RowCells> rows;
+        for (const QStringList& each : table.rows) {
+            rows.push_back(rowOf(table, each, widths, points, false));
+        }
+        const auto heightOf = [&rows](std::size_t from, std::size_t to) {
+            double height = 0.0;
+            for (std::size_t k = from; k < std::min(to, rows.size()); ++k) {
+                height += rows[k].height;
+            }
+            return height;
+        };
+        need(caption->size().height() + head.height + heightOf(0, leastRows) + 24.0 * dot);
         m_y += 6.0 * dot;
         paint(*caption, left);
         m_y += caption->size().height() + 4.0 * dot;
@@ -322,14 +336,17 @@ private:
             m_y += 1.0 * dot;
         };
         setHead();
-        for (const QStringList& each : table.rows) {
-            const RowCells row = rowOf(table, each, widths, points, false);
-            if (row.height > room() - 4.0 * dot) {
+        std::size_t onPage = 0;
+        for (std::size_t k = 0; k < rows.size(); ++k, ++onPage) {
+            // The last rows stay together, so that none stands alone on the next page.
+            const bool lastFew = onPage >= leastRows && k + leastRows == rows.size();
+            if (heightOf(k, lastFew ? rows.size() : k + 1) > room() - 4.0 * dot) {
                 rule(1.0);
                 newPage();
                 setHead();
+                onPage = 0;
             }
-            paintRow(row, widths);
+            paintRow(rows[k], widths);
         }
         m_y += 1.0 * dot;
         rule(1.0);

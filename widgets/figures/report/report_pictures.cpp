@@ -1,11 +1,14 @@
 #include "widgets/figures/report/report_pictures.h"
 
 #include <QDir>
+#include <QFile>
 
 #include <algorithm>
 
 #include "core/base/error.h"
 #include "widgets/figures/figure_file.h"
+#include "widgets/figures/report/report_photograph.h"
+#include "widgets/figures/survey_picture.h"
 
 namespace rubble::figures {
 namespace {
@@ -14,6 +17,10 @@ constexpr QSize widePixels(1800, 1150);
 constexpr QSize endPixels(1800, 1100);
 constexpr QSize mapPixels(1800, 1050);
 constexpr double dpi = 250.0;
+constexpr int rowHeight = 380;  // px, of pictures that stand one below the other
+constexpr int lowestMap = 620;  // px, that its legend needs
+constexpr int tallest = 2200;   // px
+constexpr double textPixels = 9.0 / 72.0 * dpi;
 
 }  // namespace
 
@@ -30,7 +37,13 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
         request.preset = preset;
         request.end = std::max(facts.result->endTime, facts.fe->times().back());
         const render::View view = render::defaultView(data, pixels.width(), pixels.height());
-        return studio.sheet(presetSheet(request, view, data, pixels, dpi), style).image();
+        Sheet sheet = presetSheet(request, view, data, pixels, dpi);
+        if (sheet.columns == 1 && sheet.rows() > 2) {
+            // One below the other they need height.
+            style.pixels.setHeight(std::min(tallest, sheet.rows() * rowHeight));
+            sheet = presetSheet(request, view, data, style.pixels, dpi);
+        }
+        return studio.sheet(sheet, style).image();
     };
     pictures.pairs = draw(FigurePreset::Pairs, widePixels, 0.0);
     pictures.end = draw(FigurePreset::End, endPixels, 0.4);
@@ -40,6 +53,24 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
     map.pixels = mapPixels;
     map.dpi = dpi;
     pictures.map = mapPicture(facts.map.map, MapLayer::Mass, map);
+    for (const ReportPhoto& photo : facts.photographs) {
+        pictures.photographs.push_back(photographPicture(photo, widePixels.width()));
+    }
+    for (const ReportSurvey& survey : facts.surveys) {
+        SurveyPictureStyle drawn;
+        drawn.pixels = mapPixels;
+        if (survey.comparison) {
+            // A long bridge makes a low map.
+            const CellGrid& cells = survey.comparison->difference;
+            const double shape = static_cast<double>(cells.rows) / std::max(1, cells.columns);
+            drawn.pixels.setHeight(std::clamp(static_cast<int>(mapPixels.width() * shape), lowestMap, mapPixels.height()));
+        }
+        drawn.textPixels = textPixels;
+        drawn.place = place.place;
+        drawn.system = place.system;
+        drawn.caption = false;
+        pictures.surveys.push_back(survey.comparison ? surveyPicture(*survey.comparison, drawn) : QImage());
+    }
     if (facts.probability != nullptr) {
         map.shown = "simulated, at rest";
         pictures.probability = mapPicture(*facts.probability, MapLayer::Probability, map);
@@ -50,6 +81,7 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
 std::vector<std::string> writeReport(const std::string& folder, const ReportFacts& facts, const ReportPictures& pictures,
                                      const std::string& metadata) {
     const QDir place(QString::fromStdString(folder));
+    const bool made = !place.exists();
     if (!place.mkpath(QStringLiteral("."))) {
         throw WorldError({"report.folder", "The folder {0} cannot be made", {folder}},
                          {"report.folder.remedy", "Choose a folder that you may write to.", {}});
@@ -57,8 +89,17 @@ std::vector<std::string> writeReport(const std::string& folder, const ReportFact
     const ReportDocument document = composeReport(facts, pictures);
     const std::string html = place.filePath(QStringLiteral("report.html")).toStdString();
     const std::string pdf = place.filePath(QStringLiteral("report.pdf")).toStdString();
-    writeBytes(html, reportHtml(document, metadata));
-    writeReportPdf(pdf, document, metadata);
+    try {
+        writeBytes(html, reportHtml(document, metadata));
+        writeReportPdf(pdf, document, metadata);
+    } catch (...) {
+        // A folder of this report alone goes with it.
+        if (made) {
+            QFile::remove(QString::fromStdString(html));
+            place.rmdir(place.absolutePath());
+        }
+        throw;
+    }
     return {html, pdf};
 }
 

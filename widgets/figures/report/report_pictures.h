@@ -9,7 +9,8 @@
 
 namespace rubble::figures {
 
-/// Draws the pictures of a report off screen: the arrangements of the published figures 11, 12 and 14, and the map of its mass.
+/// Draws the pictures of a report off screen: the arrangements of the published figures 11, 12 and 14, the map of its mass,
+/// photographs and surveys.
 /// @param place  of the map: origin, coordinate system
 /// Throws what a Studio throws, and Cancelled.
 ReportPictures drawReportPictures(const render::SceneData& data, const ReportFacts& facts, const MapPictureStyle& place,
@@ -17,7 +18,7 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
 
 /// Writes report.html and report.pdf into a folder, which is made if it is not there. Returns their paths.
 /// @param metadata  JSON of their provenance
-/// Throws WorldError naming the path.
+/// Throws WorldError naming the path; a folder that was made for it is then gone again.
 std::vector<std::string> writeReport(const std::string& folder, const ReportFacts& facts, const ReportPictures& pictures,
                                      const std::string& metadata);
 

@@ -10,6 +10,9 @@ namespace rubble::figures {
 
 void ReportSections::addResults() {
     heading(tr("Results"));
+    text(
+        tr("The first figures set what the FE result alone shows against the fragments. The tables and the map after them say how "
+           "much lies where; brackets hold what the repeats came to."));
     const auto figure = [this](const QImage& picture, const QString& caption) {
         if (!picture.isNull()) {
             ReportFigure made;
@@ -40,23 +43,23 @@ void ReportSections::addMeasures() {
     table.columns = QStringList{tr("measure"), tr("unit"), tr("at rest (range)"), tr("at the FE end")};
     table.words = {true, true, false, false};
     table.shares = {0.4, 0.1, 0.32, 0.18};
-    const auto row = [&](const QString& name, const QString& unit, double DebrisFigures::* figure, double scale = 1.0) {
-        FigureRange range = rangeOver(m_facts, figure);
-        range = {scale * range.low, scale * range.high};
+    const auto row = [&](const QString& name, const QString& unit, double DebrisFigures::* figure) {
         table.rows.push_back(
-            {name, unit, rangedNumber(scale * (m_facts.atRest.*figure), range), reportNumber(scale * (m_facts.atFeEnd.*figure))});
+            {name, unit, rangedNumber(m_facts.atRest.*figure, rangeOver(m_facts, figure)), reportNumber(m_facts.atFeEnd.*figure)});
     };
-    row(tr("mass of the fragments"), QStringLiteral("t"), &DebrisFigures::mass, 1e-3);
+    table.rows.push_back({tr("mass of the fragments"), QStringLiteral("t"), reportNumber(1e-3 * m_facts.atRest.mass, ledgerDigits),
+                          reportNumber(1e-3 * m_facts.atFeEnd.mass, ledgerDigits)});
     row(tr("footprint, 1 m cells"), QStringLiteral("m²"), &DebrisFigures::footprintArea);
     row(tr("core, 95 % of the mass in 2 m cells"), QStringLiteral("m²"), &DebrisFigures::coreArea);
     row(tr("run-out of 95 % of the mass"), QStringLiteral("m"), &DebrisFigures::runOut);
     row(tr("mean height of the mass"), QStringLiteral("m"), &DebrisFigures::meanHeight);
     row(tr("height of the pile"), QStringLiteral("m"), &DebrisFigures::pileHeight);
     const MapLedger& ledger = m_facts.map.map.ledger;
-    table.rows.push_back({tr("volume of material"), QStringLiteral("m³"), reportNumber(ledger.volume), QStringLiteral("–")});
+    table.rows.push_back(
+        {tr("volume of material"), QStringLiteral("m³"), reportNumber(ledger.volume, ledgerDigits), QStringLiteral("–")});
     if (m_facts.map.map.live) {
         table.rows.push_back({tr("fallen live structure, apart from the fragments"), QStringLiteral("t"),
-                              reportNumber(ledger.liveMass / 1000.0), QStringLiteral("–")});
+                              reportNumber(ledger.liveMass / 1000.0, ledgerDigits), QStringLiteral("–")});
     }
     table.source = source();
     m_blocks.push_back(std::move(table));
@@ -85,7 +88,7 @@ void ReportSections::addComponentDebris() {
     for (std::size_t c = 0; c < components; ++c) {
         if (mass[c] > 0.0) {
             table.rows.push_back({QString::fromStdString(m_facts.components->list[c].name).toHtmlEscaped(),
-                                  reportNumber(mass[c] / 1000.0), reportNumber(first[c]), reportNumber(last[c]),
+                                  reportNumber(mass[c] / 1000.0, ledgerDigits), reportSeconds(first[c]), reportSeconds(last[c]),
                                   reportNumber(farthest[c]), reportNumber(hardest[c])});
         }
     }
@@ -109,7 +112,8 @@ void ReportSections::addCourse() {
     }
     chart.series = {kinetic, potential};
     ReportFigure figure;
-    figure.caption = figure.words = tr("Energy of the bodies over time; they enter as their elements are deactivated");
+    figure.caption = figure.words =
+        tr("Energy of the bodies over time; they enter as their elements are deactivated, or released at the end of the FE result");
     figure.paint = [chart](QPainter& painter, const QRectF& area, double text) { chart.paint(painter, area, text); };
     figure.aspect = 2.2;
     figure.source = source();

@@ -1,6 +1,6 @@
 #include "widgets/figures/report/report_sections.h"
 
-#include <QFileInfo>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -13,14 +13,6 @@
 namespace rubble::figures {
 namespace {
 
-QString escaped(const std::string& text) {
-    return QString::fromStdString(text).toHtmlEscaped();
-}
-
-QString fileName(const std::string& path) {
-    return QFileInfo(QString::fromStdString(path)).fileName().toHtmlEscaped();
-}
-
 QString code(const QString& text) {
     return QStringLiteral("<code>") + text.toHtmlEscaped() + QStringLiteral("</code>");
 }
@@ -30,7 +22,18 @@ QString count(std::int64_t number) {
 }
 
 QString tonnes(double kilograms) {
-    return reportNumber(kilograms / 1000.0);
+    return reportNumber(kilograms / 1000.0, ledgerDigits);
+}
+
+/// A criterion of the self-test, which is plain text for terminals, as print has it.
+QString criterionShown(QString text) {
+    static const QRegularExpression square(QStringLiteral("\\b([ev])2\\b"));
+    static const QRegularExpression power(QStringLiteral("\\^(\\(?[0-9./]+\\)?)"));
+    static const QRegularExpression friction(QStringLiteral("\\bmu\\b"));
+    text.replace(square, QStringLiteral("\\1²"));
+    text.replace(power, QStringLiteral("<sup>\\1</sup>"));
+    text.replace(friction, QStringLiteral("µ"));
+    return text.replace(QStringLiteral("+-"), QStringLiteral("±")).replace(QStringLiteral(" - "), QStringLiteral(" − "));
 }
 
 QString valueOf(const ParameterValue& value) {
@@ -68,7 +71,7 @@ void ReportSections::addSummary() {
                     tr("At the end, %1 s on the clock of the FE result, the debris covers %2 m²; 95 % of its mass lies within %3 m "
                        "of the plan of "
                        "what collapsed.")
-                        .arg(reportNumber(run.endTime),
+                        .arg(reportSeconds(run.endTime),
                              rangedNumber(m_facts.atRest.footprintArea, rangeOver(m_facts, &DebrisFigures::footprintArea)),
                              rangedNumber(m_facts.atRest.runOut, rangeOver(m_facts, &DebrisFigures::runOut))),
                     tr("The highest point of the pile is %1 m above the ground; %2 % of the bodies are at rest.")
@@ -86,54 +89,6 @@ void ReportSections::addSummary() {
                         "not be relied on (see section Health).")
                          .arg(m_facts.breaches));
     }
-}
-
-void ReportSections::addEvidence() {
-    heading(tr("Evidence"));
-    addFiles();
-    const FeResult::Contents& fe = m_facts.fe->contents();
-    text(tr("The FE result (%1) holds %2 elements and %3 states from %4 s to %5 s. Activity is decided by: %6. Units: %7.")
-             .arg(escaped(fe.format), count(static_cast<std::int64_t>(m_facts.fe->mesh().elementCount())),
-                  count(static_cast<std::int64_t>(fe.times.size())), reportNumber(fe.times.front()), reportNumber(fe.times.back()),
-                  escaped(fe.activityFrom), escaped(fe.unitsFrom)));
-    addPhotographs();
-}
-
-void ReportSections::addFiles() {
-    ReportTable table;
-    table.caption = tr("Files that this report rests on, as they were when it was made");
-    table.columns = QStringList{tr("role"), tr("file"), tr("SHA-256")};
-    table.words = {true, true, true};
-    table.shares = {0.12, 0.26, 0.62};
-    table.small = true;
-    for (const ReportFile& file : m_facts.files) {
-        table.rows.push_back({escaped(file.role), fileName(file.path), code(QString::fromStdString(file.sha256))});
-    }
-    m_blocks.push_back(std::move(table));
-}
-
-void ReportSections::addPhotographs() {
-    if (m_facts.photographs.empty()) {
-        text(tr("The case has no photographs; the simulated debris was not held against pictures of the site."));
-        return;
-    }
-    ReportTable table;
-    table.caption = tr("Photographs: camera match, and the silhouette of the simulated debris against the outline drawn on them");
-    table.columns = QStringList{tr("photograph"),        tr("match, RMS [px]"),   tr("IoU"),
-                                tr("spread of the IoU"), tr("edge distance [m]"), tr("remark")};
-    table.words = {true, false, false, false, false, true};
-    table.shares = {0.22, 0.12, 0.1, 0.12, 0.14, 0.3};
-    for (const ReportPhoto& photo : m_facts.photographs) {
-        const PhotoComparison* made = photo.comparison ? &*photo.comparison : nullptr;
-        const double none = std::nan("");
-        table.rows.push_back({escaped(photo.name), reportNumber(photo.match ? photo.match->rms : none),
-                              reportNumber(made != nullptr ? made->iou.best : none, 2),
-                              reportNumber(made != nullptr ? made->iou.spread : none, 2),
-                              reportNumber(made != nullptr ? made->edgeMetres.best : none, 2),
-                              made != nullptr ? said(made->words) : said(photo.problem)});
-    }
-    table.source = source();
-    m_blocks.push_back(std::move(table));
 }
 
 void ReportSections::addInputs() {
@@ -238,7 +193,7 @@ void ReportSections::addHealth() {
     table.words = {false, false, true, false, false, false};
     table.shares = {0.1, 0.1, 0.46, 0.12, 0.12, 0.1};
     for (const HealthBreach& breach : health.breaches) {
-        table.rows.push_back({reportNumber(breach.from), reportNumber(breach.to), said(breach.what), reportNumber(breach.worst),
+        table.rows.push_back({reportSeconds(breach.from), reportSeconds(breach.to), said(breach.what), reportNumber(breach.worst),
                               reportNumber(breach.limit), count(breach.bodies)});
     }
     table.source = source();
@@ -269,9 +224,9 @@ void ReportSections::addSelfTest() {
     table.shares = {0.2, 0.42, 0.15, 0.13, 0.1};
     table.small = true;
     for (const ReportCheck& check : m_facts.selfTest) {
-        table.rows.push_back({escaped(check.id), escaped(check.criterion), reportNumber(check.measured, 2),
-                              reportNumber(check.limit, 2) + QStringLiteral(" ") + escaped(check.unit),
-                              check.passed ? tr("passed") : tr("<b>failed</b>")});
+        const QString unit = QLatin1Char(' ') + unitShown(escaped(check.unit));
+        table.rows.push_back({escaped(check.id), criterionShown(escaped(check.criterion)), reportNumber(check.measured, 2) + unit,
+                              reportNumber(check.limit, 2) + unit, check.passed ? tr("passed") : tr("<b>failed</b>")});
     }
     m_blocks.push_back(std::move(table));
 }
@@ -305,7 +260,7 @@ void ReportSections::addParameters() {
     for (const Parameter& row : parameterTable()) {
         for (const std::string& subject : row.subjectsIn(m_facts.scenario)) {
             table.rows.push_back({code(QString::fromStdString(row.keyFor(subject))), valueOf(row.get(m_facts.scenario, subject)),
-                                  QString::fromUtf8(row.unit.data(), static_cast<qsizetype>(row.unit.size())),
+                                  unitShown(QString::fromUtf8(row.unit.data(), static_cast<qsizetype>(row.unit.size()))),
                                   valueOf(row.get(delivered, subject))});
         }
     }

@@ -38,6 +38,9 @@ private:
     void equation(const char* notation, const QString& words, const QString& where);
     void addFiles();
     void addPhotographs();
+    void addPhotograph(const ReportPhoto& photo, const QImage& picture);
+    void addSurveys();
+    void addSurveyRows(ReportTable& table, const QString& name, const SurveyComparison& made) const;
     void addFragmentMethod();
     void addGridMethod();
     void addMotionMethod();
@@ -60,6 +63,14 @@ private:
 
 /// A number of so many significant digits with thousands grouped; a dash where it is none.
 QString reportNumber(double value, int digits = 3);
+/// Seconds to the hundredth, without unit.
+QString reportSeconds(double seconds);
+/// Of sums that are known to rounding, such as masses of the ledger.
+inline constexpr int ledgerDigits = 4;
+/// A unit as print has it: powers raised, a sign for times.
+QString unitShown(QString unit);
+/// Text in which a reader of HTML finds no tag.
+QString escaped(const std::string& text);
 /// With as many digits as its range deserves: "12.3 (11.9 to 12.6)"; the number alone where both ends are the same.
 QString rangedNumber(double value, const FigureRange& range);
 /// A digest of which the first sixteen figures tell it from others, as code.

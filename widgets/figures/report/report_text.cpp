@@ -40,14 +40,29 @@ QString reportNumber(double value, int digits) {
     return numbers().toString(rounded, 'f', std::max(0, digits - 1 - power)).replace(u'-', QStringLiteral("−"));
 }
 
+QString reportSeconds(double seconds) {
+    return std::isfinite(seconds) ? numbers().toString(seconds, 'f', 2).replace(u'-', QStringLiteral("−")) : QStringLiteral("–");
+}
+
+QString unitShown(QString unit) {
+    for (const auto& [plain, raised] : {std::pair("m2", "m²"), std::pair("m3", "m³"), std::pair("s2", "s²")}) {
+        unit.replace(QString::fromUtf8(plain), QString::fromUtf8(raised));
+    }
+    return unit.startsWith(QLatin1String("x ")) ? QStringLiteral("× ") + unit.mid(2) : unit;
+}
+
+QString escaped(const std::string& text) {
+    return QString::fromStdString(text).toHtmlEscaped();
+}
+
 QString rangedNumber(double value, const FigureRange& range) {
     const double width = range.high - range.low;
     if (!std::isfinite(width) || width <= 0.0) {
         return reportNumber(value);
     }
-    // Down to the first two figures of the range, and at least two of the value.
+    // Down to the first two figures of the range, of the value at least two and no more than four.
     const double digits = std::floor(std::log10(std::max(std::abs(value), 1e-300))) - std::floor(std::log10(width)) + 2.0;
-    const int shown = static_cast<int>(std::clamp(digits, 2.0, 6.0));
+    const int shown = static_cast<int>(std::clamp(digits, 2.0, 4.0));
     return QCoreApplication::translate("rubble::figures::ReportSections", "%1 (%2 to %3)")
         .arg(reportNumber(value, shown), reportNumber(range.low, shown), reportNumber(range.high, shown));
 }

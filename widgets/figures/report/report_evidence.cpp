@@ -1,0 +1,172 @@
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "widgets/figures/number_text.h"
+#include "widgets/figures/report/report_sections.h"
+
+namespace rubble::figures {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+void ReportSections::addEvidence() {
+    heading(tr("Evidence"));
+    addFiles();
+    const FeResult::Contents& fe = m_facts.fe->contents();
+    text(tr("The FE result (%1) holds %2 elements and %3 states from %4 s to %5 s. Activity is decided by: %6. Units: %7.")
+             .arg(escaped(fe.format), countText(m_facts.fe->mesh().elementCount()), countText(fe.times.size()),
+                  reportSeconds(fe.times.front()), reportSeconds(fe.times.back()), escaped(fe.activityFrom),
+                  unitShown(escaped(fe.unitsFrom))));
+    addPhotographs();
+    addSurveys();
+}
+
+void ReportSections::addFiles() {
+    ReportTable table;
+    table.caption = tr("Files that this report rests on, as they were when it was made");
+    table.columns = QStringList{tr("role"), tr("file"), tr("SHA-256")};
+    table.words = {true, true, true};
+    table.shares = {0.12, 0.26, 0.62};
+    table.small = true;
+    for (const ReportFile& file : m_facts.files) {
+        table.rows.push_back({escaped(file.role), QFileInfo(QString::fromStdString(file.path)).fileName().toHtmlEscaped(),
+                              QStringLiteral("<code>%1</code>").arg(QString::fromStdString(file.sha256))});
+    }
+    m_blocks.push_back(std::move(table));
+}
+
+void ReportSections::addPhotographs() {
+    if (m_facts.photographs.empty()) {
+        text(tr("The case has no photographs; the simulated debris was not held against pictures of the site."));
+        return;
+    }
+    heading(tr("Photographs"), 2);
+    text(
+        tr("The camera of a photograph is found from points that were picked on it and in the model. The silhouette of the "
+           "simulated debris is then held against the outline that was drawn on the photograph; spreads are those over the cameras "
+           "that the points allow."));
+    ReportTable table;
+    table.caption = tr("Photographs: camera match, and the silhouette of the simulated debris against the outline drawn on them");
+    table.columns = QStringList{tr("photograph"), tr("points used"),       tr("RMS [px]"),        tr("camera within, 95 % [m]"),
+                                tr("IoU"),        tr("spread of the IoU"), tr("edges apart [m]"), tr("spread [m]")};
+    table.words = {true, false, false, false, false, false, false, false};
+    table.shares = {0.2, 0.11, 0.1, 0.15, 0.09, 0.12, 0.12, 0.11};
+    for (const ReportPhoto& photo : m_facts.photographs) {
+        const CameraMatch* match = photo.match ? &*photo.match : nullptr;
+        const PhotoComparison* made = photo.comparison ? &*photo.comparison : nullptr;
+        const auto used = match != nullptr ? std::count(match->used.begin(), match->used.end(), true) : 0;
+        table.rows.push_back(
+            {escaped(photo.name), tr("%1 of %2").arg(used).arg(photo.photograph.pairs.size()),
+             reportNumber(match != nullptr ? match->rms : none, 2), reportNumber(match != nullptr ? match->placeRadius : none, 2),
+             reportNumber(made != nullptr ? made->iou.best : none, 2), reportNumber(made != nullptr ? made->iou.spread : none, 2),
+             reportNumber(made != nullptr ? made->edgeMetres.best : none, 2),
+             reportNumber(made != nullptr ? made->edgeMetres.spread : none, 2)});
+    }
+    table.source = source();
+    m_blocks.push_back(std::move(table));
+    for (std::size_t i = 0; i < m_facts.photographs.size(); ++i) {
+        addPhotograph(m_facts.photographs[i], i < m_pictures.photographs.size() ? m_pictures.photographs[i] : QImage());
+    }
+}
+
+void ReportSections::addPhotograph(const ReportPhoto& photo, const QImage& picture) {
+    const QString name = escaped(photo.name);
+    if (!photo.problem.empty()) {
+        text(tr("%1: %2").arg(name, said(photo.problem)));
+    }
+    if (picture.isNull()) {
+        return;
+    }
+    QStringList caption{name};
+    if (!photo.photograph.note.empty()) {
+        caption << escaped(photo.photograph.note);
+    }
+    if (!photo.photograph.masks.empty()) {
+        caption << tr("White: the outline drawn on it; dotted, what was left out.");
+    }
+    if (photo.comparison) {
+        caption << tr("Orange: the outline of the simulated debris at %1 s, %2.")
+                       .arg(reportSeconds(photo.comparison->time), photo.comparison->withFallen
+                                                                       ? tr("fallen live structure with it")
+                                                                       : tr("without fallen live structure"));
+    }
+    ReportFigure figure;
+    figure.picture = picture;
+    // Sentences of their own keep their full stop.
+    caption.front() += QStringLiteral(".");
+    figure.caption = figure.words = caption.join(QLatin1Char(' '));
+    figure.source = source();
+    m_blocks.push_back(std::move(figure));
+}
+
+void ReportSections::addSurveys() {
+    if (m_facts.surveys.empty()) {
+        text(tr("The case has no survey of the debris; heights and outline were not held against one."));
+        return;
+    }
+    heading(tr("Surveys"), 2);
+    text(tr(
+        "A survey is compared cell by cell where it was taken, without moving it; volumes lie between ground and top and hold the "
+        "voids."));
+    ReportTable table;
+    table.caption = tr("Surveys: surveyed debris against the simulated");
+    table.columns = QStringList{tr("survey"), tr("measure"), tr("unit"), tr("surveyed"), tr("simulated")};
+    table.words = {true, true, true, false, false};
+    table.shares = {0.24, 0.36, 0.1, 0.15, 0.15};
+    for (const ReportSurvey& survey : m_facts.surveys) {
+        if (survey.comparison) {
+            addSurveyRows(table, escaped(survey.name), *survey.comparison);
+        }
+    }
+    table.source = source();
+    if (!table.rows.empty()) {
+        m_blocks.push_back(std::move(table));
+    }
+    for (std::size_t i = 0; i < m_facts.surveys.size(); ++i) {
+        const ReportSurvey& survey = m_facts.surveys[i];
+        if (!survey.comparison) {
+            text(tr("%1: %2").arg(escaped(survey.name), said(survey.problem)));
+        } else if (i < m_pictures.surveys.size() && !m_pictures.surveys[i].isNull()) {
+            ReportFigure figure;
+            figure.picture = m_pictures.surveys[i];
+            figure.caption = figure.words = tr("%1: difference map. %2").arg(escaped(survey.name), said(survey.comparison->words));
+            figure.source = source();
+            m_blocks.push_back(std::move(figure));
+        }
+    }
+}
+
+void ReportSections::addSurveyRows(ReportTable& table, const QString& name, const SurveyComparison& made) const {
+    const QString dash = QStringLiteral("–");
+    const auto both = [&](const QString& measure, const QString& unit, double surveyed, double simulated) {
+        table.rows.push_back({table.rows.empty() || measure == tr("area") ? name : QString(), measure, unit, reportNumber(surveyed),
+                              reportNumber(simulated)});
+    };
+    const auto one = [&](const QString& measure, const QString& unit, double value) {
+        table.rows.push_back({QString(), measure, unit, dash, reportNumber(value)});
+    };
+    both(tr("area"), QStringLiteral("m²"), made.survey.area, made.simulated.area);
+    if (!made.isFootprint) {
+        both(tr("volume with voids"), QStringLiteral("m³"), made.survey.volume, made.simulated.volume);
+    }
+    double surveyed = 0.0;
+    double simulated = 0.0;
+    for (std::size_t s = 0; s < made.survey.runOut.size(); ++s) {
+        surveyed = std::max(surveyed, made.survey.runOut[s]);
+        simulated = std::max(simulated, made.simulated.runOut[s]);
+    }
+    both(tr("farthest run-out of 95 % of the area"), QStringLiteral("m"), surveyed, simulated);
+    one(tr("overlap of the footprints (IoU)"), QString(), made.iou);
+    one(tr("centroids apart"), QStringLiteral("m"), made.centroidDistance);
+    if (!made.isFootprint) {
+        one(tr("heights differ, RMS"), QStringLiteral("m"), made.heightRms);
+        one(tr("heights differ, mean"), QStringLiteral("m"), made.heightMean);
+    }
+}
+
+}  // namespace rubble::figures

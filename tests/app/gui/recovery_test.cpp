@@ -211,8 +211,7 @@ TEST_F(LeftSession, ThatWasKilledComesBack) {
 
 TEST_F(LeftSession, ThatLostItsDisplayEndsByItselfAndComesBack) {
     QProcess display;
-    display.start(QStringLiteral("Xvfb"),
-                  QStringLiteral("-displayfd 1 -screen 0 1280x800x24 -nolisten tcp").split(u' '));
+    display.start(QStringLiteral("Xvfb"), QStringLiteral("-displayfd 1 -screen 0 1280x800x24 -nolisten tcp").split(u' '));
     ASSERT_TRUE(display.waitForReadyRead(patience)) << display.errorString().toStdString();
     begin(QStringLiteral(":") + QString::fromLatin1(display.readAllStandardOutput().trimmed()));
     display.kill();

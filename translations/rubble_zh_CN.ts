@@ -2578,10 +2578,6 @@
         <translation>请将 revival 设为 latch（失效即永久失效）或 follow（其碎块结束）。</translation>
     </message>
     <message>
-        <source>Set the origin of the case&apos;s frame, in whole metres, to where the FE model&apos;s zero lies, or give the right raster.</source>
-        <translation>请将案例坐标框架的原点（整米）设在有限元模型零点处，或给出正确的栅格。</translation>
-    </message>
-    <message>
         <source>Set the up axis of the case&apos;s frame to x, y, z, -x, -y or -z.</source>
         <translation>请将案例坐标框架的竖直轴设为 x、y、z、-x、-y 或 -z。</translation>
     </message>
@@ -3364,10 +3360,6 @@
     <message>
         <source>cells of {0} by {1} were resampled to {2}</source>
         <translation>{0} x {1} 的单元格已重采样为 {2}</translation>
-    </message>
-    <message>
-        <source>check the vertical datum, the unit of the heights and the origin of the case&apos;s frame</source>
-        <translation>请检查高程基准、高程单位和案例坐标框架的原点</translation>
     </message>
     <message>
         <source>clustering {0} settings</source>
@@ -5278,10 +5270,6 @@
         <translation>{0}：字节 {2} 之前的 {1} 数为 {3}；应为：0 至 {4}，即文件所能容纳</translation>
     </message>
     <message>
-        <source>{0}: the picture cannot be written: {1}</source>
-        <translation>{0}：无法写入图片：{1}</translation>
-    </message>
-    <message>
         <source>{0}: the record at byte {1} is compressed</source>
         <translation>{0}：字节 {1} 处的记录经过压缩</translation>
     </message>
@@ -5704,14 +5692,6 @@
     <message>
         <source>Check its coordinate system and that of the case, or choose larger cells.</source>
         <translation>请检查其坐标系与案例的坐标系，或选用更大的单元格。</translation>
-    </message>
-    <message>
-        <source>Check the coordinate system and the origin of the case.</source>
-        <translation>请检查案例的坐标系和原点。</translation>
-    </message>
-    <message>
-        <source>Check the coordinate system, the origin of the case and the control points.</source>
-        <translation>请检查坐标系、案例原点和控制点。</translation>
     </message>
     <message>
         <source>Check the coordinate systems of survey and case, the origin of the frame and the control points.</source>
@@ -6358,10 +6338,6 @@
         <translation>没有说明数值的位置</translation>
     </message>
     <message>
-        <source>set the height shift of the site to the difference there, or use control points</source>
-        <translation>请将场地的高程平移设为当地差值，或使用控制点</translation>
-    </message>
-    <message>
         <source>share of the members of the ensemble whose debris reaches into the cell</source>
         <translation>碎块触及该单元格的系综成员所占比例</translation>
     </message>
@@ -6968,6 +6944,26 @@
     <message>
         <source>{0}; {1} of {2} active at the first state</source>
         <translation>{0}；初始状态 {2} 个中 {1} 个激活</translation>
+    </message>
+    <message>
+        <source>Check the coordinate system and the control points of the case.</source>
+        <translation>请检查案例的坐标系和控制点。</translation>
+    </message>
+    <message>
+        <source>Tie the FE model to the coordinate system by control points (Site… in the Case menu), or give the right raster.</source>
+        <translation>请用控制点（“案例”菜单中的“场地…”）将有限元模型与坐标系联系起来，或给出正确的栅格。</translation>
+    </message>
+    <message>
+        <source>check the vertical datum, the unit of the heights and the height shift of the site</source>
+        <translation>请检查高程基准、高程单位和场地的高程偏移</translation>
+    </message>
+    <message>
+        <source>set the height shift of the site to the difference there</source>
+        <translation>请将场地的高程偏移设为当地的差值</translation>
+    </message>
+    <message>
+        <source>the {0} {1} has the SHA-256 {2} now, the case names {3}</source>
+        <translation>{0} {1} 现在的 SHA-256 为 {2}，而案例记录的是 {3}</translation>
     </message>
 </context>
 <context>
@@ -9763,10 +9759,6 @@
         <translation>势能</translation>
     </message>
     <message>
-        <source>Energy of the bodies over time; they enter as their elements are deactivated</source>
-        <translation>刚体能量随时间的变化；单元停用时刚体进入</translation>
-    </message>
-    <message>
         <source>What must be conserved when elements are handed over to bodies, and the energy of the run</source>
         <translation>单元交给刚体时必须守恒的量，以及计算的能量</translation>
     </message>
@@ -9987,24 +9979,12 @@
         <translation>照片</translation>
     </message>
     <message>
-        <source>match, RMS [px]</source>
-        <translation>匹配，均方根 [px]</translation>
-    </message>
-    <message>
         <source>IoU</source>
         <translation>交并比</translation>
     </message>
     <message>
         <source>spread of the IoU</source>
         <translation>交并比的离散</translation>
-    </message>
-    <message>
-        <source>edge distance [m]</source>
-        <translation>边缘距离 [m]</translation>
-    </message>
-    <message>
-        <source>remark</source>
-        <translation>备注</translation>
     </message>
     <message>
         <source>Inputs, settings and assumptions</source>
@@ -10393,6 +10373,126 @@
     <message>
         <source>repeat floor of the reference</source>
         <translation>参考计算的重复性下限</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translation>照片</translation>
+    </message>
+    <message>
+        <source>The camera of a photograph is found from points that were picked on it and in the model. The silhouette of the simulated debris is then held against the outline that was drawn on the photograph; spreads are those over the cameras that the points allow.</source>
+        <translation>照片的相机由在照片上和模型中选取的点求得。然后将模拟堆积物的剪影与照片上所画的轮廓对照；离散为这些点所允许的各相机之间的离散。</translation>
+    </message>
+    <message>
+        <source>points used</source>
+        <translation>所用的点</translation>
+    </message>
+    <message>
+        <source>RMS [px]</source>
+        <translation>RMS [px]</translation>
+    </message>
+    <message>
+        <source>camera within, 95 % [m]</source>
+        <translation>相机位置，95 % [m]</translation>
+    </message>
+    <message>
+        <source>edges apart [m]</source>
+        <translation>边缘相距 [m]</translation>
+    </message>
+    <message>
+        <source>spread [m]</source>
+        <translation>离散 [m]</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>White: the outline drawn on it; dotted, what was left out.</source>
+        <translation>白色：照片上所画的轮廓；点线：不计入的部分。</translation>
+    </message>
+    <message>
+        <source>Orange: the outline of the simulated debris at %1 s, %2.</source>
+        <translation>橙色：%1 s 时模拟堆积物的轮廓，%2。</translation>
+    </message>
+    <message>
+        <source>fallen live structure with it</source>
+        <translation>含坠落的未失效结构</translation>
+    </message>
+    <message>
+        <source>without fallen live structure</source>
+        <translation>不含坠落的未失效结构</translation>
+    </message>
+    <message>
+        <source>The case has no survey of the debris; heights and outline were not held against one.</source>
+        <translation>案例没有堆积物的测量；高度和轮廓未与测量对照。</translation>
+    </message>
+    <message>
+        <source>Surveys</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>A survey is compared cell by cell where it was taken, without moving it; volumes lie between ground and top and hold the voids.</source>
+        <translation>测量在其所在位置逐单元比较，不作移动；体积为地面与顶面之间的体积，含空隙。</translation>
+    </message>
+    <message>
+        <source>Surveys: surveyed debris against the simulated</source>
+        <translation>测量：测得的堆积物与模拟的堆积物</translation>
+    </message>
+    <message>
+        <source>survey</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>surveyed</source>
+        <translation>测得</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>%1: difference map. %2</source>
+        <translation>%1：差异图。%2</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>volume with voids</source>
+        <translation>体积（含空隙）</translation>
+    </message>
+    <message>
+        <source>farthest run-out of 95 % of the area</source>
+        <translation>95 % 面积的最大散落距离</translation>
+    </message>
+    <message>
+        <source>overlap of the footprints (IoU)</source>
+        <translation>覆盖范围的重合度（IoU）</translation>
+    </message>
+    <message>
+        <source>centroids apart</source>
+        <translation>质心相距</translation>
+    </message>
+    <message>
+        <source>heights differ, RMS</source>
+        <translation>高度差，RMS</translation>
+    </message>
+    <message>
+        <source>heights differ, mean</source>
+        <translation>高度差，平均</translation>
+    </message>
+    <message>
+        <source>The first figures set what the FE result alone shows against the fragments. The tables and the map after them say how much lies where; brackets hold what the repeats came to.</source>
+        <translation>前几幅图将有限元结果单独所示与碎块对照。其后的表格和分布图说明何处有多少堆积物；括号内为各次重复的结果。</translation>
+    </message>
+    <message>
+        <source>Energy of the bodies over time; they enter as their elements are deactivated, or released at the end of the FE result</source>
+        <translation>刚体能量随时间的变化；刚体在其单元失效时加入，或在有限元结果结束时被释放而加入</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <future>
 #include <optional>
+#include <sstream>
 #include <thread>
 
 #include "tests/app/cli/command_run.h"
@@ -68,8 +69,10 @@ protected:
         for (fs::directory_iterator it("/proc", ignored), end; it != end; it.increment(ignored)) {
             // Processes come and go: what cannot be read is not ours.
             const auto read = [&](const char* name) {
-                std::ifstream stream(it->path() / name, std::ios::binary);
-                return std::string(std::istreambuf_iterator<char>(stream), {});
+                const std::ifstream stream(it->path() / name, std::ios::binary);
+                std::ostringstream text;
+                text << stream.rdbuf();
+                return text.str();
             };
             const std::string words = read("cmdline");
             const std::string variables = read("environ");

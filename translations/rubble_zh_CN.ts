@@ -10376,7 +10376,7 @@
     </message>
     <message>
         <source>Photographs</source>
-        <translation>照片</translation>
+        <translation>照片对照</translation>
     </message>
     <message>
         <source>The camera of a photograph is found from points that were picked on it and in the model. The silhouette of the simulated debris is then held against the outline that was drawn on the photograph; spreads are those over the cameras that the points allow.</source>
@@ -10432,7 +10432,7 @@
     </message>
     <message>
         <source>Surveys</source>
-        <translation>测量</translation>
+        <translation>测量对照</translation>
     </message>
     <message>
         <source>A survey is compared cell by cell where it was taken, without moving it; volumes lie between ground and top and hold the voids.</source>

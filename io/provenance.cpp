@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/acknowledgements.h"
 #include "io/case_file.h"
@@ -131,6 +132,12 @@ std::string_view shownClass(FrameKind kind) {
             break;
     }
     return "illustrative";
+}
+
+std::string footLine(const RunOrigin& origin, bool simulated) {
+    constexpr std::size_t figures = 16;  // tell one digest from another
+    const std::string run = simulated ? ", run " + origin.fingerprint.hex().substr(0, figures) : std::string();
+    return "FE " + origin.feSha256.substr(0, figures) + run + ", " + std::string(shortBuild(origin.build));
 }
 
 std::vector<ShownFile> shownFiles(const TerrainInput& around) {

@@ -40,6 +40,10 @@ struct ExportRecord {
     std::vector<ShownFile> around{};  ///< drawn around the structure
 };
 
+/// What stands at the foot of a picture: the first figures of the FE result and the run, and the program. @param simulated  false:
+/// the FE result alone is shown
+std::string footLine(const RunOrigin& origin, bool simulated = true);
+
 /// Orthophoto and meshes as they were read.
 std::vector<ShownFile> shownFiles(const TerrainInput& around);
 

@@ -10,7 +10,6 @@
 #include "app/cli/option_value.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/virtual_display.h"
-#include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/fe/components.h"
 #include "core/fe/frame_transform.h"
@@ -284,7 +283,7 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
     const VirtualDisplay display;
     const figures::Sheet sheet = sheetOf(data, *run);
     figures::FigureStyle style = m_style;
-    style.provenance = provenanceLine(run->origin());
+    style.provenance = io::footLine(run->origin());
     figures::Studio studio(data);
     const figures::SheetPicture picture = studio.sheet(sheet, style);
     io::ExportRecord record{"figure", {}, settingsText(), {}, around.casePath, io::shownFiles(around.shown)};
@@ -318,11 +317,6 @@ render::SceneData sceneOfRun(const std::shared_ptr<const io::RunReader>& run, co
 std::pair<double, double> spanOfRun(const io::RunReader& run, const FeResult& fe) {
     const double last = run.frameCount() > 0 ? std::max(fe.times().back(), run.frameTime(run.frameCount() - 1)) : fe.times().back();
     return {fe.times().front(), last};
-}
-
-std::string provenanceLine(const io::RunOrigin& origin) {
-    return "FE " + origin.feSha256.substr(0, 16) + ", run " + origin.fingerprint.hex().substr(0, 16) + ", " +
-           std::string(shortBuild(origin.build));
 }
 
 }  // namespace rubble::cli

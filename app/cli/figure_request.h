@@ -73,7 +73,5 @@ private:
 render::SceneData sceneOfRun(const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs, const RunSurroundings& around);
 /// First and last instant of a run that can be shown, s.
 std::pair<double, double> spanOfRun(const io::RunReader& run, const FeResult& fe);
-/// The line at the foot of a figure.
-std::string provenanceLine(const io::RunOrigin& origin);
 
 }  // namespace rubble::cli

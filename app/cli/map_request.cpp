@@ -8,9 +8,9 @@
 
 #include "app/cli/option_value.h"
 #include "app/cli/picture_options.h"
-#include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/geo/map_files.h"
+#include "io/provenance.h"
 #include "io/terrain/site_place.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/map_picture.h"
@@ -148,8 +148,7 @@ void MapRequest::write(const std::string& path, const RunMap& made, const io::Ru
         style.place = io::SitePlace(origin.frame, origin.site).transform();
         style.system = origin.frame.crs;
         style.shown = origin.facts.front().second;
-        style.provenance = "FE " + run.origin().feSha256.substr(0, 16) + ", run " + run.origin().fingerprint.hex().substr(0, 16) +
-                           ", " + std::string(shortBuild(run.origin().build));
+        style.provenance = io::footLine(run.origin());
         figures::writePng(path, figures::mapPicture(made.map, layers.front(), style));
         io::writeMapProvenance(path, origin);
     } else {

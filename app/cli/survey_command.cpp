@@ -12,13 +12,13 @@
 #include "app/cli/output_file.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/text_output.h"
-#include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/evidence/survey_comparison.h"
 #include "io/acknowledgements.h"
 #include "io/case_file.h"
 #include "io/files.h"
 #include "io/geo/survey_files.h"
+#include "io/provenance.h"
 #include "io/terrain/site_place.h"
 #include "io/terrain_reader.h"
 #include "widgets/figures/figure_file.h"
@@ -203,8 +203,7 @@ void writePicture(const std::string& path, const SurveyComparison& made, const i
     style.textPixels = 25.0 * std::min(style.pixels.width() / 1600.0, style.pixels.height() / 800.0);
     style.place = io::SitePlace(input.frame, input.site).transform();
     style.system = input.frame.crs;
-    style.provenance = "survey " + input.sha256.substr(0, 16) + ", FE " + run.origin().feSha256.substr(0, 16) + ", run " +
-                       run.origin().fingerprint.hex().substr(0, 16) + ", " + std::string(shortBuild(run.origin().build));
+    style.provenance = "survey " + input.sha256.substr(0, 16) + ", " + io::footLine(run.origin());
     figures::writePng(path, figures::surveyPicture(made, style));
     io::writeProvenance(path, io::surveyOrigin(run, made, input).provenance);
 }

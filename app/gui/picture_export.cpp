@@ -38,11 +38,6 @@ figures::Sheet sheetFor(const widgets::FigureChoice& choice, const render::View&
     return figures::presetSheet(request, view, data, pixels, dpi);
 }
 
-std::string footLine(const io::RunOrigin& origin, bool simulated) {
-    return "FE " + origin.feSha256.substr(0, 16) + (simulated ? ", run " + origin.fingerprint.hex().substr(0, 16) : std::string()) +
-           ", " + std::string(shortBuild(origin.build));
-}
-
 /// What a figure or movie is made of, kept alive while that takes.
 struct Made {
     io::RunOrigin origin;
@@ -85,7 +80,7 @@ void writeFigureFile(const std::string& path, const widgets::FigureChoice& choic
     figures::FigureStyle style;
     style.pixels = choice.pixels;
     style.dpi = choice.dpi;
-    style.provenance = footLine(made.origin, made.run != nullptr);
+    style.provenance = io::footLine(made.origin, made.run != nullptr);
     figures::Studio studio(data);
     const figures::SheetPicture picture = studio.sheet(sheetFor(choice, view, data, style.pixels, style.dpi), style);
     const std::string drawn = figures::toJson(choice.preset ? picture.panels().back().view : view);
@@ -168,7 +163,7 @@ void PictureExport::exportFigure(const render::View& view, const render::SceneDa
             style.pixels = {std::max(100, static_cast<int>(scale * choice.pixels.width())),
                             std::max(100, static_cast<int>(scale * choice.pixels.height()))};
             style.dpi = std::max(20.0, scale * choice.dpi);
-            style.provenance = footLine(shownOrigin(m_document, m_computation), data.trajectory != nullptr);
+            style.provenance = io::footLine(shownOrigin(m_document, m_computation), data.trajectory != nullptr);
             figures::Studio studio(data);
             dialog.setPreview(studio.sheet(sheetFor(choice, view, data, style.pixels, style.dpi), style).image());
         } catch (...) {

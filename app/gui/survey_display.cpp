@@ -8,11 +8,11 @@
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
 #include "app/gui/panel_deck.h"
-#include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/case_file.h"
 #include "io/files.h"
 #include "io/geo/survey_files.h"
+#include "io/provenance.h"
 #include "io/terrain/site_place.h"
 #include "io/terrain_reader.h"
 #include "widgets/evidence_page.h"
@@ -197,9 +197,7 @@ void SurveyDisplay::saveTo(const QString& path) {
             figures::SurveyPictureStyle style;
             style.place = io::SitePlace(origin.frame, origin.site).transform();
             style.system = origin.frame.crs;
-            style.provenance = "survey " + m_input->sha256.substr(0, 16) + ", run " +
-                               record->reader->origin().fingerprint.hex().substr(0, 16) + ", " +
-                               std::string(shortBuild(record->reader->origin().build));
+            style.provenance = "survey " + m_input->sha256.substr(0, 16) + ", " + io::footLine(record->reader->origin());
             figures::writePng(path.toStdString(), figures::surveyPicture(*m_comparison, style));
             io::writeProvenance(path.toStdString(), origin.provenance);
         } else {

@@ -14,7 +14,7 @@ constexpr double spreadOfBox = 0.25;
 /// A box that is just full is not cut for rounding.
 constexpr double slack = 1.0 + 1e-9;
 /// Fewer are sorted by comparing, which is quicker then.
-constexpr std::size_t fewRanks = 512;
+constexpr std::size_t few = 512;
 constexpr unsigned digitBits = 11;
 
 }  // namespace
@@ -63,24 +63,25 @@ NestedCuts::Spread NestedCuts::spreadOf(std::span<const std::uint32_t> members, 
     return spread;
 }
 
-/// Digit by digit from the least where there are many: then the time grows as their number does.
-void NestedCuts::sortRanks(std::span<std::uint32_t> ranks) {
-    if (ranks.size() < fewRanks) {
-        std::ranges::sort(ranks);
+/// Sorts numbers below that of the fragments, digit by digit from the least where there are many: then the time grows as their
+/// number does.
+void NestedCuts::sort(std::span<std::uint32_t> numbers) {
+    if (numbers.size() < few) {
+        std::ranges::sort(numbers);
         return;
     }
-    m_sorted.resize(ranks.size());
+    m_sorted.resize(numbers.size());
     for (unsigned shift = 0; (m_solids.size() - 1) >> shift > 0; shift += digitBits) {
         std::array<std::size_t, (std::size_t{1} << digitBits) + 1> first{};
-        const auto digit = [shift](std::uint32_t rank) { return (rank >> shift) & ((1u << digitBits) - 1u); };
-        for (const std::uint32_t rank : ranks) {
-            ++first[digit(rank) + 1];
+        const auto digit = [shift](std::uint32_t number) { return (number >> shift) & ((1u << digitBits) - 1u); };
+        for (const std::uint32_t number : numbers) {
+            ++first[digit(number) + 1];
         }
         std::partial_sum(first.begin(), first.end(), first.begin());
-        for (const std::uint32_t rank : ranks) {
-            m_sorted[first[digit(rank)]++] = rank;
+        for (const std::uint32_t number : numbers) {
+            m_sorted[first[digit(number)]++] = number;
         }
-        std::ranges::copy(m_sorted, ranks.begin());
+        std::ranges::copy(m_sorted, numbers.begin());
     }
 }
 
@@ -88,7 +89,7 @@ void NestedCuts::sortRanks(std::span<std::uint32_t> ranks) {
 std::size_t NestedCuts::bestCut(std::span<std::uint32_t> members, int axis) {
     const AxisRanks& ranks = m_ranks[static_cast<std::size_t>(axis)];
     std::ranges::transform(members, members.begin(), [&](std::uint32_t f) { return ranks.rank[f]; });
-    sortRanks(members);
+    sort(members);
     std::ranges::transform(members, members.begin(), [&](std::uint32_t rank) { return ranks.at[rank]; });
     const double origin = m_solids[members.front()].centre[axis];
     double mass = 0.0;
@@ -124,7 +125,7 @@ void NestedCuts::cut(const std::array<double, 3>& size, std::span<std::uint32_t>
         m_open.pop_back();
         const Spread spread = spreadOf(part, size);
         if (part.size() < 2 || spread.perMass <= spreadOfBox * slack) {
-            std::ranges::sort(part);
+            sort(part);
             sizes.push_back(static_cast<std::uint32_t>(part.size()));
             continue;
         }

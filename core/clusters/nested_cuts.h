@@ -46,11 +46,11 @@ private:
     };
     Spread spreadOf(std::span<const std::uint32_t> members, const std::array<double, 3>& size) const;
     std::size_t bestCut(std::span<std::uint32_t> members, int axis);
-    void sortRanks(std::span<std::uint32_t> ranks);
+    void sort(std::span<std::uint32_t> numbers);
 
     std::vector<Solid> m_solids;                   ///< [fragments]
     std::array<AxisRanks, 3> m_ranks;              ///< by axis
-    std::vector<std::uint32_t> m_sorted;           ///< working copy of ranks
+    std::vector<std::uint32_t> m_sorted;           ///< working copy of what is sorted
     std::vector<std::span<std::uint32_t>> m_open;  ///< parts to be looked at, the next one last
 };
 

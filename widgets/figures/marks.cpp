@@ -115,11 +115,11 @@ void paintPath(QPainter& painter, const Pen& pen) {
     painter.drawEllipse(*last, 1.0 * pen.unit, 1.0 * pen.unit);
 }
 
-constexpr double axesRoom = 21.0;    // units, side of the square in a corner that they take
+constexpr double axesSide = 21.0;    // units, of the square in a corner that they take
 constexpr double axesMiddle = 11.0;  // units, from the corner to where they meet
 
 QRectF axesSquare(const render::Pane& pane, double unit, Corner corner) {
-    const double side = axesRoom * unit;
+    const double side = axesSide * unit;
     const bool right = corner == Corner::UpperRight || corner == Corner::LowerRight;
     const bool upper = corner == Corner::UpperRight || corner == Corner::UpperLeft;
     return {right ? pane.x + pane.width - side : pane.x, upper ? pane.y : pane.y + pane.height - side, side, side};
@@ -164,6 +164,10 @@ void paintAxes(QPainter& painter, const Pen& pen, Corner corner) {
 }
 
 }  // namespace
+
+double axesRoom(double textHeight) {
+    return axesSide * unitOf(textHeight);
+}
 
 std::optional<Corner> axesCorner(const render::View& view, const render::Pane& pane, const Aabb& box, double textHeight) {
     QPolygonF corners;

@@ -21,6 +21,9 @@ enum class Corner { UpperRight, UpperLeft, LowerRight, LowerLeft };
 void paintMarks(QPainter& painter, const render::View& view, const render::Pane& pane, double textHeight,
                 std::optional<Corner> axes = Corner::UpperRight);
 
+/// What the directions of the axes take of a corner along each of its sides, device pixels.
+double axesRoom(double textHeight);
+
 /// The first corner of a pane where the directions of the axes cover nothing of a box; nothing if there is none.
 std::optional<Corner> axesCorner(const render::View& view, const render::Pane& pane, const Aabb& box, double textHeight);
 

@@ -16,6 +16,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "widgets/figures/marks.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
 
@@ -205,11 +206,9 @@ private:
     bool m_finished = false;
 };
 
-constexpr double axesRoom = 6.5;  // heights of text, from the right edge
-
-/// "t = 5.76 s", and how fast the movie runs where that is not real time, at the upper right, beside the directions of
-/// the axes.
-void printTime(QImage& picture, double time, double pace, render::Theme theme, double textHeight) {
+/// "t = 5.76 s", and how fast the movie runs where that is not real time, at the upper right. @param besideAxes  the directions of
+/// the axes stand in the corner
+void printTime(QImage& picture, double time, double pace, render::Theme theme, double textHeight, bool besideAxes) {
     QString text = QStringLiteral("t = ") + timeText(time);
     if (std::abs(pace - 1.0) > 1e-9) {
         text += QStringLiteral(" · ") +
@@ -220,7 +219,7 @@ void printTime(QImage& picture, double time, double pace, render::Theme theme, d
     const QFontMetricsF metrics(font);
     const double pad = 0.5 * textHeight;
     const double width = metrics.horizontalAdvance(text) + 2.0 * pad;
-    const double right = picture.width() - axesRoom * textHeight;
+    const double right = picture.width() - (besideAxes ? axesRoom(textHeight) : pad);
     const QRectF box(std::max(pad, right - width), pad, width, metrics.height() + 0.6 * pad);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -287,7 +286,7 @@ void makeMovie(Studio& studio, render::View view, FigureStyle style, const Movie
         execution.check();
         view.time = movieTime(settings, i);
         QImage picture = studio.picture(view, style);
-        printTime(picture, view.time - view.timeOrigin, settings.pace, view.theme, 9.0 / 72.0 * style.dpi);
+        printTime(picture, view.time - view.timeOrigin, settings.pace, view.theme, 9.0 / 72.0 * style.dpi, view.axes);
         target.add(picture);
         execution.report({"movie.drawing", "Drawing the movie: picture {0} of {1}", {i + 1, pictures}},
                          static_cast<double>(i + 1) / static_cast<double>(pictures));

@@ -22,12 +22,17 @@ int main(int argc, char** argv) {
     QCoreApplication::setOrganizationName(QStringLiteral("rubble-tests"));
     QApplication application(argc, argv);
     QLocale::setDefault(QLocale(QLocale::English));
+    // Processes of this program run side by side: each has settings of its own, and a session left early those of its test.
+    const auto keepSettingsIn = [](const QString& folder) {
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder);
+    };
     if (const QStringList words = QCoreApplication::arguments(); words.value(1) == rubble::leftSessionWord) {
+        keepSettingsIn(qEnvironmentVariable("RUBBLE_STATE"));
         return rubble::leaveSession(words.mid(2));
     }
     const QTemporaryDir state;
     qputenv("RUBBLE_STATE", state.path().toUtf8());
-    QSettings().clear();
+    keepSettingsIn(state.path());
     testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();
 }

@@ -105,13 +105,7 @@ protected:
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
         window->document().setParameter(QStringLiteral("settle_time"), 0.5);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-        window->simulate(false);
-        ASSERT_TRUE(QTest::qWaitFor(
-            [&] {
-                const RunRecord* record = window->computation().currentRun();
-                return record != nullptr && record->outcome != nullptr && !window->computation().busy();
-            },
-            patience));
+        simulateToEnd();
         window->files().saveRunTo(at("kept.run.h5"));
         ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
     }

@@ -48,15 +48,6 @@ protected:
         window->document().setParameter(QStringLiteral("settle_time"), 0.5);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     }
-    void simulateToEnd() {
-        window->simulate(false);
-        ASSERT_TRUE(QTest::qWaitFor(
-            [&] {
-                const RunRecord* record = window->computation().currentRun();
-                return record != nullptr && record->outcome != nullptr && !window->computation().busy();
-            },
-            patience));
-    }
     bool answered() const { return window->forecast().answer().has_value(); }
     QString predictionOf(widgets::Panel& panel) { return panel.prediction()->text(); }
     QTemporaryDir m_folder;

@@ -55,13 +55,7 @@ protected:
     void simulated() {
         openArch();
         makeCheap();
-        window->simulate(false);
-        ASSERT_TRUE(QTest::qWaitFor(
-            [&] {
-                const RunRecord* record = window->computation().currentRun();
-                return record != nullptr && record->outcome != nullptr && !window->computation().busy();
-            },
-            patience));
+        simulateToEnd();
     }
     /// What a camera sees at the end of the run, as a photograph.
     QString photograph(const CameraModel& camera, const QString& name) {

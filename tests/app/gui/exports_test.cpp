@@ -31,12 +31,7 @@ protected:
         setParameterText(theCase.scenarios[0].scenario, "settle_time", "0.5");
         io::saveCase(m_folder / "small.rubble", theCase);
         window->open(QString::fromStdString(m_folder / "small.rubble"), true);
-        ASSERT_TRUE(QTest::qWaitFor(
-            [&] {
-                const RunRecord* record = window->computation().currentRun();
-                return record != nullptr && record->outcome != nullptr && !window->computation().busy();
-            },
-            patience));
+        awaitRun();
     }
     bool idle() {
         return QTest::qWaitFor([&] { return !window->computation().busy(); }, patience);

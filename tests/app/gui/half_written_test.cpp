@@ -39,12 +39,7 @@ protected:
         setParameterText(saved.scenarios[0].scenario, "settle_time", std::to_string(settle));
         io::saveCase(m_path, saved);
         window->open(QString::fromStdString(m_path), true);
-        ASSERT_TRUE(QTest::qWaitFor(
-            [&] {
-                const RunRecord* record = window->computation().currentRun();
-                return record != nullptr && record->outcome != nullptr && !window->computation().busy();
-            },
-            patience));
+        awaitRun();
     }
     void openSmall() { openCase(io::caseForFe(cli::writeSmallCollapse(m_folder / "small.exo"), m_path), 0.5); }
     void close() {

@@ -152,23 +152,8 @@ QStringList strangeWords(QString text, const QStringList& names) {
 
 }  // namespace
 
-/// A workbench that speaks English again afterwards.
-class Languages : public Workbench {
+class Languages : public FreshWorkbench {
 protected:
-    void SetUp() override {
-        // What other tests have opened and run is not to be listed.
-        qputenv("RUBBLE_STATE", m_state.path().toUtf8());
-        QSettings().clear();
-        widgets::speak(QStringLiteral("en"));
-        Workbench::SetUp();
-    }
-    void TearDown() override {
-        window.reset();
-        qputenv("RUBBLE_STATE", m_stateBefore);
-        widgets::speak(QStringLiteral("en"));
-    }
-    QTemporaryDir m_state;
-    const QByteArray m_stateBefore = qgetenv("RUBBLE_STATE");
     void speak(const char* language) {
         widgets::speak(QLatin1String(language));
         QTest::qWait(50);

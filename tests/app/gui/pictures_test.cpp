@@ -38,17 +38,11 @@ protected:
         return QStringLiteral(RUBBLE_SOURCE_DIR "/resources/manual/pictures/") + name + QStringLiteral(".png");
     }
 
-    QImage pictureOf(QWidget& shown) {
+    static QImage smallPictureOf(QWidget& shown) {
         QTest::qWait(400);
-        QImage picture = shown.grab().toImage();
-        // A widget that is grabbed paints its captions elsewhere: the views are taken from their own frame buffer.
-        for (auto* views : shown.findChildren<widgets::ViewWidget*>()) {
-            if (views->isVisible()) {
-                QPainter painter(&picture);
-                painter.drawImage(QRect(views->mapTo(&shown, QPoint(0, 0)), views->size()), views->grabFramebuffer());
-            }
-        }
-        return picture.scaled(pictureSize, Qt::KeepAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGB32);
+        return pictureOf(shown)
+            .scaled(pictureSize, Qt::KeepAspectRatio, Qt::SmoothTransformation)
+            .convertToFormat(QImage::Format_RGB32);
     }
     static double shareOfOthers(const QImage& a, const QImage& b) {
         int others = 0;
@@ -86,7 +80,7 @@ protected:
     }
     /// Compares, or takes the picture anew where RUBBLE_TAKE_PICTURES is set.
     void hold(const QString& name, QWidget& shown) {
-        const QImage now = pictureOf(shown);
+        const QImage now = smallPictureOf(shown);
         if (qEnvironmentVariableIsSet("RUBBLE_TAKE_PICTURES")) {
             ASSERT_TRUE(thrifty(now).save(kept(name), "PNG", 0)) << kept(name).toStdString();
             return;
@@ -116,13 +110,7 @@ TEST_F(Pictures, OfTheManualShowTheWindowAsItIs) {
     hold(QStringLiteral("grid"), *window);
     window->deck().choose(PanelDeck::Effects);
     hold(QStringLiteral("effects"), *window);
-    window->simulate(false);
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] {
-            const RunRecord* record = window->computation().currentRun();
-            return record != nullptr && record->outcome != nullptr && !window->computation().busy();
-        },
-        patience));
+    simulateToEnd();
     window->playback().clock().pause();
     window->showInstant(window->playback().clock().last());
     hold(QStringLiteral("run"), *window);
@@ -144,18 +132,18 @@ TEST_F(Pictures, TellAMissingViewAnotherPanelAndAnotherTheme) {
     window->setTheme(QStringLiteral("light"));
     openArch();
     window->showInstant(window->playback().clock().last());
-    const QImage whole = pictureOf(*window);
-    EXPECT_LT(shareOfOthers(whole, pictureOf(*window)), shareTolerance / 4.0);
+    const QImage whole = smallPictureOf(*window);
+    EXPECT_LT(shareOfOthers(whole, smallPictureOf(*window)), shareTolerance / 4.0);
     EXPECT_LT(shareOfOthers(whole, thrifty(whole)), shareTolerance / 4.0);
     QImage without = whole;
     const QPoint corner = window->area().mapTo(window.get(), QPoint(0, 0)) * whole.width() / window->width();
     QPainter(&without).fillRect(QRect(corner, window->area().size() * whole.width() / window->width()), Qt::white);
     EXPECT_GT(shareOfOthers(whole, without), 2.0 * shareTolerance);
     window->deck().choose(PanelDeck::Grid);
-    EXPECT_GT(shareOfOthers(whole, pictureOf(*window)), shareTolerance);
+    EXPECT_GT(shareOfOthers(whole, smallPictureOf(*window)), shareTolerance);
     window->deck().choose(PanelDeck::Case);
     window->setTheme(QStringLiteral("dark"));
-    EXPECT_GT(shareOfOthers(whole, pictureOf(*window)), 10.0 * shareTolerance);
+    EXPECT_GT(shareOfOthers(whole, smallPictureOf(*window)), 10.0 * shareTolerance);
     window->setTheme(QStringLiteral("light"));
 }
 

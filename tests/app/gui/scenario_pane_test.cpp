@@ -27,13 +27,7 @@ protected:
     }
     void simulate() {
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-        window->simulate(false);
-        ASSERT_TRUE(QTest::qWaitFor(
-            [&] {
-                const RunRecord* record = window->computation().currentRun();
-                return record != nullptr && record->outcome != nullptr && !window->computation().busy();
-            },
-            patience));
+        simulateToEnd();
     }
     widgets::ViewWidget& views() { return window->area().views(); }
     const std::vector<std::shared_ptr<const RunRecord>>& others() { return window->computation().otherRuns(); }

@@ -1,8 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <QPainter>
-#include <QSettings>
-#include <QTemporaryDir>
 #include <QTest>
 #include <array>
 #include <functional>
@@ -21,21 +18,8 @@ namespace {
 /// The panels of an empty window and the steps of the wizard, in both languages and at the sizes that the window is made for: what
 /// stands on them can be read whole.
 /// RUBBLE_TAKE_SCREENS names a folder for pictures of all of them, in both themes, to be looked at.
-class Screens : public Workbench {
+class Screens : public FreshWorkbench {
 protected:
-    void SetUp() override {
-        qputenv("RUBBLE_STATE", m_state.path().toUtf8());
-        QSettings().clear();
-        widgets::speak(QStringLiteral("en"));
-        Workbench::SetUp();
-    }
-    void TearDown() override {
-        window->document().undoStack().setClean();
-        window.reset();
-        qputenv("RUBBLE_STATE", m_stateBefore);
-        widgets::speak(QStringLiteral("en"));
-    }
-
     /// Looks at one screen at every size, in every language and theme.
     void look(const QString& name, const std::function<QWidget*()>& screen) {
         static const std::array sizes{QSize(1280, 800), QSize(1920, 1080)};
@@ -66,18 +50,8 @@ protected:
     }
     static void keep(QWidget& shown, const QString& path) {
         QTest::qWait(150);
-        QImage picture = shown.grab().toImage();
-        // A widget that is grabbed paints its captions elsewhere: the views are taken from their own frame buffer.
-        for (auto* views : shown.findChildren<widgets::ViewWidget*>()) {
-            if (views->isVisible()) {
-                QPainter painter(&picture);
-                painter.drawImage(QRect(views->mapTo(&shown, QPoint(0, 0)), views->size()), views->picture());
-            }
-        }
-        ASSERT_TRUE(picture.save(path)) << path.toStdString();
+        ASSERT_TRUE(pictureOf(shown).save(path)) << path.toStdString();
     }
-    QTemporaryDir m_state;
-    const QByteArray m_stateBefore = qgetenv("RUBBLE_STATE");
 };
 
 constexpr std::array panels{"case", "fragments", "grid", "effects", "run", "accuracy", "evidence", "report", "ensemble", "causes"};

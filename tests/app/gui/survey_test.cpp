@@ -28,13 +28,7 @@ protected:
     void simulated() {
         openArch();
         makeCheap();
-        window->simulate(false);
-        ASSERT_TRUE(QTest::qWaitFor(
-            [&] {
-                const RunRecord* record = window->computation().currentRun();
-                return record != nullptr && record->outcome != nullptr && !window->computation().busy();
-            },
-            patience));
+        simulateToEnd();
     }
     /// An ESRI ASCII grid of heights every metre around the arch.
     QString heights(const char* name, const std::function<double(double, double)>& height) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QImage>
+#include <QTemporaryDir>
 #include <QTest>
 #include <fstream>
 #include <sstream>
@@ -20,6 +22,9 @@ inline std::string textOf(const QString& path) {
     text << in.rdbuf();
     return text.str();
 }
+
+/// What a widget looks like.
+QImage pictureOf(QWidget& shown);
 
 /// A window of the smallest size, and the steps that tests begin with.
 class Workbench : public testing::Test {
@@ -51,9 +56,32 @@ protected:
         window->document().setParameter(QStringLiteral("settle_time"), 0.0);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     }
+    /// The run at hand is whole, and nothing else is computed.
+    void awaitRun() {
+        const auto whole = [&] {
+            const RunRecord* record = window->computation().currentRun();
+            return record != nullptr && record->outcome != nullptr && !window->computation().busy();
+        };
+        ASSERT_TRUE(QTest::qWaitFor(whole, patience));
+    }
+    void simulateToEnd() {
+        window->simulate(false);
+        awaitRun();
+    }
     widgets::StageState rail(PanelDeck::Entry entry) { return window->deck().rail().state(entry); }
 
     std::unique_ptr<MainWindow> window;
+};
+
+/// A workbench without a past: nothing was opened or run before, no preferences. It speaks English at its begin and afterwards.
+class FreshWorkbench : public Workbench {
+protected:
+    void SetUp() override;
+    void TearDown() override;
+
+private:
+    QTemporaryDir m_state;
+    const QByteArray m_stateBefore = qgetenv("RUBBLE_STATE");
 };
 
 }  // namespace rubble

@@ -1,0 +1,37 @@
+#include "tests/app/gui/workbench.h"
+
+#include <QPainter>
+#include <QSettings>
+
+#include "widgets/language.h"
+#include "widgets/view_widget.h"
+
+namespace rubble {
+
+QImage pictureOf(QWidget& shown) {
+    QImage picture = shown.grab().toImage();
+    // A widget that is grabbed paints its captions elsewhere: the views are taken from their own frame buffer.
+    for (auto* views : shown.findChildren<widgets::ViewWidget*>()) {
+        if (views->isVisible()) {
+            QPainter painter(&picture);
+            painter.drawImage(QRect(views->mapTo(&shown, QPoint(0, 0)), views->size()), views->grabFramebuffer());
+        }
+    }
+    return picture;
+}
+
+void FreshWorkbench::SetUp() {
+    qputenv("RUBBLE_STATE", m_state.path().toUtf8());
+    QSettings().clear();
+    widgets::speak(QStringLiteral("en"));
+    Workbench::SetUp();
+}
+
+void FreshWorkbench::TearDown() {
+    window->document().undoStack().setClean();
+    window.reset();
+    qputenv("RUBBLE_STATE", m_stateBefore);
+    widgets::speak(QStringLiteral("en"));
+}
+
+}  // namespace rubble

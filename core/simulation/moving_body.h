@@ -17,7 +17,7 @@ struct MovingBody {
     Quat orientation = Quat::Identity();  ///< principal axes of inertia
     Vec3 velocity = Vec3::Zero();         ///< m/s
     Vec3 spin = Vec3::Zero();             ///< rad/s
-    double inverseMass = 0.0;             ///< 1/kg; zero: immovable
+    double inverseMass = 0.0;             ///< 1/kg, as its contacts take it to be; zero: immovable
     Vec3 inertia = Vec3::Zero();          ///< kg m2, principal
     Mat3 inverseInertia = Mat3::Zero();   ///< 1/(kg m2)
     OrientedBox box;                      ///< around its collision shape, in its own frame

@@ -298,7 +298,7 @@ void SoftStepWorld::prepareHook() {
             m_slotOf[m_awake[i]] = static_cast<std::int32_t>(i);
             MovingBody& hooked = m_hooked[i];
             hooked.id = idAt<BodyId>(m_awake[i]);
-            hooked.inverseMass = solid.inverseMass;
+            hooked.inverseMass = m_solver.bodies[i].inverseMass;
             hooked.inertia = solid.inertia;
             hooked.inverseInertia = m_solver.bodies[i].inverseInertia;
             hooked.box = solid.collider->box;

@@ -102,6 +102,27 @@ TEST(ClosedFormMotion, HitsKeepMomentumAndPartAsRestitutionSays) {
     }
 }
 
+TEST(ClosedFormMotion, AForceBelowTheFrictionUnderAHeavyBlockMovesNothing) {
+    // A block of 65 kg carries one of 37 t. Friction below and above holds 2 mu m g, 370 kN; 47 kN pull at it sideways. So light a
+    // body under so heavy a one counts as heavier in its contacts: a force must find it as heavy as they do.
+    WorldScene press = fresh();
+    press.settings.pairs = PairTable::uniform(0.5, 0.0);
+    const BodyId small = press.box({0, 0, 0.15}, {0.3, 0.3, 0.3});
+    press.box({0, 0, 0.3 + 1.25}, {2.5, 2.5, 2.5});
+    double force = 0.0;
+    press.world().onSubstep([&](const SubstepBodies& bodies, double h) {
+        MovingBody* pulled = bodies.find(small);
+        ASSERT_NE(pulled, nullptr);
+        pulled->push({force * h, 0, 0}, pulled->position);
+    });
+    press.run(0.25);
+    const double before = press.place(small).x();
+    force = 47e3;
+    press.run(0.25);
+    // Free, it would be 22 m away.
+    EXPECT_NEAR(press.place(small).x(), before, 0.001);
+}
+
 TEST(ClosedFormMotion, FreeSpinKeepsMomentumAndEnergyAboutEveryAxis) {
     const Vec3 spins[]{{8, 0.01, 0.01}, {0.01, 8, 0.01}, {0.01, 0.01, 8}, {3, 4, 5}};
     for (const Vec3& spin : spins) {

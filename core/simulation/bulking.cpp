@@ -37,12 +37,7 @@ std::optional<double> topOf(const OrientedBox& box, double x, double y) {
     return low <= high ? std::optional(high) : std::nullopt;
 }
 
-Aabb outline(const OrientedBox& box) {
-    const Vec3 half = box.orientation.toRotationMatrix().cwiseAbs() * box.halfExtents;
-    return Aabb(Vec3(box.centre - half), Vec3(box.centre + half));
-}
-
-/// Heights above ground on a raster; NaN where the structure stands.
+/// Heights above ground on a raster; NaN where structure stands or lies.
 class Raster {
 public:
     Raster(const Aabb& area, const SiteSurface& ground) : m_low(area.min()), m_ground(ground) {
@@ -68,8 +63,8 @@ public:
             }
         }
     }
-    void blot(const Aabb& standing) {
-        visit(standing, [](double& height, double, double) { height = std::numeric_limits<double>::quiet_NaN(); });
+    void blot(const Aabb& structure) {
+        visit(structure, [](double& height, double, double) { height = std::numeric_limits<double>::quiet_NaN(); });
     }
     void cover(const OrientedBox& box) {
         visit(outline(box), [&](double& height, double x, double y) {
@@ -109,7 +104,12 @@ private:
 
 }  // namespace
 
-PileMeasure measurePile(const std::vector<DebrisBox>& debris, const std::vector<Aabb>& standing, const SiteSurface& ground) {
+Aabb outline(const OrientedBox& box) {
+    const Vec3 half = box.orientation.toRotationMatrix().cwiseAbs() * box.halfExtents;
+    return Aabb(Vec3(box.centre - half), Vec3(box.centre + half));
+}
+
+PileMeasure measurePile(const std::vector<DebrisBox>& debris, const std::vector<Aabb>& structure, const SiteSurface& ground) {
     Aabb area;
     for (const DebrisBox& d : debris) {
         area.extend(outline(d.box));
@@ -118,7 +118,7 @@ PileMeasure measurePile(const std::vector<DebrisBox>& debris, const std::vector<
         return {};
     }
     Raster raster(area, ground);
-    for (const Aabb& box : standing) {
+    for (const Aabb& box : structure) {
         raster.blot(box);
     }
     double material = 0.0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/simulation/bulking.h"
 #include "core/simulation/constants.h"
 
 namespace rubble {
@@ -103,22 +104,21 @@ void Islands::close(const LedgerRow& row) {
     m_count.droppedKineticEnergy = row.fe.kineticEnergy - row.bodies.kineticEnergy;
 }
 
-std::vector<DebrisBox> Islands::debris(const RigidWorld& world) const {
-    std::vector<DebrisBox> debris;
+std::vector<Aabb> Islands::outlines(const RigidWorld& world) const {
+    std::vector<Aabb> outlines;
     for (const Body& body : m_bodies) {
         if (world.state(body.id) == BodyState::Removed) {
             continue;
         }
         const Pose now = world.motion(body.id).pose;
         const Quat turn = now.orientation * body.island.pose.orientation.conjugate();
-        for (std::size_t i = 0; i < body.island.elements.size(); ++i) {
-            OrientedBox box = body.island.boxes[i];
+        for (OrientedBox box : body.island.boxes) {
             box.centre = now.position + turn * (box.centre - body.island.pose.position);
             box.orientation = turn * box.orientation;
-            debris.push_back({box, m_description.components->volume[at(body.island.elements[i])]});
+            outlines.push_back(outline(box));
         }
     }
-    return debris;
+    return outlines;
 }
 
 std::int64_t Islands::awake(const RigidWorld& world) const {

@@ -6,7 +6,6 @@
 #include "core/base/finding.h"
 #include "core/fe/activity.h"
 #include "core/fe/site_surface.h"
-#include "core/simulation/bulking.h"
 #include "core/simulation/island_bodies.h"
 #include "core/simulation/pieces.h"
 
@@ -34,8 +33,8 @@ public:
     /// An element of a released island is no part of the standing structure any more.
     bool released(ElementIndex element) const { return !m_gone.empty() && m_gone[at(element)]; }
     std::int64_t bodies() const { return static_cast<std::int64_t>(m_bodies.size()); }
-    /// The elements of the released islands where their bodies are now.
-    std::vector<DebrisBox> debris(const RigidWorld& world) const;
+    /// Outlines of the elements of the released islands where their bodies are now.
+    std::vector<Aabb> outlines(const RigidWorld& world) const;
     /// True once 99 % of the released islands sleep.
     bool atRest(const RigidWorld& world) const;
     /// What became of them, and the finding that says so.

@@ -446,7 +446,7 @@ void Collapse::measureBirths(OccupiedBirths& births) const {
 }
 
 PileMeasure Collapse::pile() const {
-    std::vector<DebrisBox> debris = m_islands.debris(*m_world);
+    std::vector<DebrisBox> debris;
     for (const Carrier& carrier : m_outcomes.carriers()) {
         if (m_world->state(carrier.body) == BodyState::Removed) {
             continue;
@@ -460,7 +460,7 @@ PileMeasure Collapse::pile() const {
     }
     const Mesh& mesh = m_description.fe->mesh();
     const auto last = m_description.fe->state(m_times.size() - 1);
-    std::vector<Aabb> standing;
+    std::vector<Aabb> structure = m_islands.outlines(*m_world);
     for (std::size_t i = 0; i < mesh.elementCount(); ++i) {
         const ElementIndex e = idAt<ElementIndex>(i);
         if (m_activity.active(m_times.size() - 1, e) && !m_islands.released(e)) {
@@ -468,10 +468,10 @@ PileMeasure Collapse::pile() const {
             for (const std::uint32_t node : mesh.cornersOf(e)) {
                 box.extend(last->positions[node]);
             }
-            standing.push_back(box);
+            structure.push_back(box);
         }
     }
-    return measurePile(debris, standing, m_surface);
+    return measurePile(debris, structure, m_surface);
 }
 
 void Collapse::warn() {

@@ -15,7 +15,7 @@ render::Theme& themeInForce() {
     return theme;
 }
 
-/// Fusion, with boxes to tick that can be seen in the dark: it outlines them darker than what they stand on.
+/// Fusion, with boxes to tick and number fields that can be seen in the dark: it outlines them darker than what they stand on.
 class BoxStyle : public QProxyStyle {
 public:
     BoxStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -28,6 +28,20 @@ public:
             painter->setPen(option->state.testFlag(State_Enabled) ? option->palette.color(QPalette::Dark)
                                                                   : option->palette.color(QPalette::Mid));
             painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+            painter->restore();
+        }
+    }
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                            const QWidget* widget) const override {
+        QProxyStyle::drawComplexControl(control, option, painter, widget);
+        const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
+        const bool faint = themeInForce() == render::Theme::Dark && !option->state.testFlag(State_HasFocus);
+        if (control == CC_SpinBox && spin != nullptr && spin->frame && faint) {
+            painter->save();
+            painter->setRenderHint(QPainter::Antialiasing);
+            painter->setBrush(Qt::NoBrush);
+            painter->setPen(option->palette.color(QPalette::Mid));
+            painter->drawRoundedRect(QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5), 2.0, 2.0);
             painter->restore();
         }
     }

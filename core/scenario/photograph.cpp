@@ -27,18 +27,19 @@ std::optional<double> focalFrom(const PhotoFacts& facts) {
 }
 
 std::string clockTime(std::string_view text) {
-    constexpr std::string_view form = "dddd-dd-dd dd:dd:dd";
+    constexpr std::string_view form = "dddd-dd-dd_dd:dd:dd";
     if (text.size() < form.size()) {
         return {};
     }
     std::string time(text.substr(0, form.size()));
     for (std::size_t i = 0; i < form.size(); ++i) {
         const bool digit = time[i] >= '0' && time[i] <= '9';
-        const bool fits = form[i] == 'd' ? digit : time[i] == form[i] || (form[i] == '-' && time[i] == ':');
+        const char mark = form[i] == '_' ? ' ' : form[i];
+        const bool fits = mark == 'd' ? digit : time[i] == mark || (mark == '-' && time[i] == ':');
         if (!fits) {
             return {};
         }
-        time[i] = form[i] == 'd' ? time[i] : form[i];
+        time[i] = mark == 'd' ? time[i] : mark;
     }
     const auto number = [&](std::size_t from, std::size_t count) {
         int value = 0;

@@ -117,6 +117,9 @@ json caseJson(const Case& theCase) {
     json inputs = json::array();
     for (const CaseInput& input : theCase.inputs) {
         inputs.push_back({{"id", input.id}, {"role", roleName(input.role)}, {"path", input.path}, {"sha256", input.sha256}});
+        if (input.showsFallen) {
+            inputs.back()["shows_fallen"] = *input.showsFallen;
+        }
     }
     json scenarios = json::array();
     for (const CaseScenario& scenario : theCase.scenarios) {
@@ -155,8 +158,12 @@ Case caseFromJson(const JsonCursor& top) {
     theCase.title = top["title"].text();
     theCase.frame = frameFromJson(top["frame"]);
     for (const JsonCursor& input : top["inputs"].elements()) {
-        input.allowOnly({"id", "role", "path", "sha256"});
-        theCase.inputs.push_back({input["id"].text(), roleFrom(input["role"]), input["path"].text(), input["sha256"].text()});
+        input.allowOnly({"id", "role", "path", "sha256", "shows_fallen"});
+        CaseInput& read = theCase.inputs.emplace_back(
+            CaseInput{input["id"].text(), roleFrom(input["role"]), input["path"].text(), input["sha256"].text()});
+        if (input.has("shows_fallen")) {
+            read.showsFallen = input["shows_fallen"].flag();
+        }
     }
     for (const JsonCursor& entry : top["scenarios"].elements()) {
         entry.allowOnly({"id", "name", "note", "fe_input", "settings", "regrouping"});

@@ -30,8 +30,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int photographSide = 1400;  // px, the longest of a photograph in a report
-constexpr std::array<std::pair<InputRole, std::string_view>, 2> evidenceRoles{
-    {{InputRole::Photograph, "photograph"}, {InputRole::Survey, "survey"}}};
+constexpr std::array<std::pair<InputRole, std::string_view>, 4> evidenceRoles{{{InputRole::Photograph, "photograph"},
+                                                                               {InputRole::Survey, "survey"},
+                                                                               {InputRole::Orthophoto, "orthophoto"},
+                                                                               {InputRole::Surroundings, "surroundings"}}};
 
 const CaseScenario* scenarioOf(const ReportRequest& request) {
     if (request.theCase == nullptr) {
@@ -94,7 +96,7 @@ std::vector<CaseInput> evidenceFiles(const ReportRequest& request, InputRole rol
     return files;
 }
 
-/// Photographs and surveys that are other files now than when the case was saved.
+/// Photographs, surveys and surroundings that are other files now than when the case was saved.
 void addStaleEvidence(std::vector<Message>& stale, const ReportRequest& request) {
     for (const auto& [role, name] : evidenceRoles) {
         for (const CaseInput& input : evidenceFiles(request, role)) {
@@ -164,6 +166,7 @@ void addSurveys(ReportFacts& facts, const ReportRequest& request, const Executio
             const SurveyInput read =
                 readSurvey(input.path, request.inputs.frame, request.theCase->site, boundsAtRest(facts.fe->mesh()), execution);
             SurveySettings settings;
+            settings.showsFallen = input.showsFallen;
             settings.turn = SitePlace(read.frame, read.site).transform().angle;
             survey.comparison = compareRunWithSurvey(mapped, std::nullopt, read.survey, settings, execution);
             facts.findings.append(read.findings);

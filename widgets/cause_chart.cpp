@@ -42,7 +42,8 @@ public:
         double high = 0.0;
         bool begun = false;
         double names = 0.0;
-        for (const RankedCause& cause : made.ranking.causes) {
+        for (std::size_t rank = 0; rank < made.ranking.causes.size(); ++rank) {
+            const RankedCause& cause = made.ranking.causes[rank];
             for (const double score : cause.scores) {
                 if (std::isfinite(score)) {
                     low = begun ? std::min(low, score) : score;
@@ -51,7 +52,8 @@ public:
                 }
             }
             const QString name = QString::fromStdString(made.hypotheses[cause.hypothesis]);
-            names = std::max(names, 1.0 + QFontMetricsF(boldened(font)).horizontalAdvance(name));
+            names = std::max({names, 1.0 + QFontMetricsF(boldened(font)).horizontalAdvance(name),
+                              1.0 + m_metrics.horizontalAdvance(standingWords(made, rank))});
         }
         m_step = stepFor(std::max(high - low, 1e-6), 6.0);
         m_low = m_step * std::floor(low / m_step - 0.2);

@@ -199,7 +199,8 @@ void CausesPage::showVerdict() {
         return;
     }
     m_sentence->setText(tr("Each dot is one member of an ensemble, held against the evidence that was chosen."));
-    m_verdict->set(made->ranking.decided() ? Notice::Kind::Note : Notice::Kind::Finding, worded(made->verdict));
+    m_verdict->set(made->ranking.decided() && !made->unexplained ? Notice::Kind::Note : Notice::Kind::Finding,
+                   worded(made->verdict));
 }
 
 void CausesPage::showTelling() {

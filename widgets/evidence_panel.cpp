@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDateTime>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -72,9 +73,12 @@ QString factsText(const PhotoFacts& facts, const QString& unchanged) {
     if (!facts.camera.empty()) {
         parts << QString::fromStdString(facts.camera);
     }
-    if (!facts.taken.empty()) {
-        parts << EvidencePanel::tr("taken %1 by its clock").arg(QString::fromStdString(facts.taken));
-    }
+    const QDateTime taken =
+        QDateTime::fromString(QString::fromStdString(clockTime(facts.taken)), QStringLiteral("yyyy-MM-dd HH:mm:ss"));
+    parts << (taken.isValid() ? EvidencePanel::tr("taken %1 by its clock")
+                                    .arg(QLocale().toString(taken.date(), QLocale::LongFormat) + u' ' +
+                                         taken.time().toString(QStringLiteral("HH:mm:ss")))
+                              : EvidencePanel::tr("time taken unknown"));
     if (facts.position) {
         parts << EvidencePanel::tr("%1° N, %2° E")
                      .arg(QLocale().toString((*facts.position)[0], 'f', 5), QLocale().toString((*facts.position)[1], 'f', 5));

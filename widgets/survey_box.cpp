@@ -71,6 +71,7 @@ SurveyBox::SurveyBox(QWidget* parent)
       m_cell(new NumberField(tr("Cells of the survey comparison"))),
       m_least(new NumberField(tr("Least height of debris"))),
       m_fit(new QComboBox),
+      m_showsFallen(new QComboBox),
       m_withFallen(new QCheckBox(tr("Fallen structure counts as debris"))),
       m_compare(new QPushButton(tr("Compare with survey"))),
       m_cancel(new QPushButton(tr("Cancel"))),
@@ -134,6 +135,15 @@ void SurveyBox::buildFields() {
         tr("Where the survey is taken to lie: as it is, shifted by least squares to the ground beside the debris (errors "
            "of its place go), or to the simulated debris, at most 5 m (only the shape is compared then)"));
     form->addRow(tr("Registration"), m_fit);
+    for (const QString& shows : {tr("not known"), tr("yes"), tr("no")}) {
+        m_showsFallen->addItem(shows);
+    }
+    m_showsFallen->setAccessibleName(tr("Whether the survey shows fallen structure"));
+    m_showsFallen->setToolTip(
+        tr("Whether structure that fell whole lies in the survey: yes of a scan of all that was there, no where such pieces were "
+           "taken "
+           "out; kept in the case"));
+    form->addRow(tr("Fallen structure in it"), m_showsFallen);
     m_withFallen->setChecked(usual.withFallen);
     m_withFallen->setToolTip(
         tr("Whether live structure that moved farther than 1 m belongs to the simulated debris, as it does to the "
@@ -145,6 +155,11 @@ void SurveyBox::buildFields() {
     }
     connect(m_fit, &QComboBox::currentIndexChanged, this, &SurveyBox::settingsChanged);
     connect(m_withFallen, &QCheckBox::toggled, this, &SurveyBox::settingsChanged);
+    connect(m_showsFallen, &QComboBox::currentIndexChanged, this, [this](int shows) {
+        if (!m_showing) {
+            emit showsFallenChosen(shows == 0 ? std::nullopt : std::optional<bool>(shows == 1));
+        }
+    });
 }
 
 void SurveyBox::buildResults() {
@@ -191,10 +206,12 @@ void SurveyBox::setContent(const Content& content) {
     m_surveys->clear();
     m_surveys->addItems(content.names);
     m_surveys->setCurrentIndex(content.chosen);
+    m_showsFallen->setCurrentIndex(!content.showsFallen ? 0 : *content.showsFallen ? 1 : 2);
     m_showing = false;
     const bool some = content.chosen >= 0;
     m_add->setEnabled(content.available);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_surveys, m_remove, m_cell, m_least, m_fit, m_withFallen, m_compare}) {
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_surveys, m_remove, m_cell, m_least, m_fit, m_showsFallen, m_withFallen, m_compare}) {
         widget->setEnabled(some);
     }
     m_compare->setEnabled(some && content.noComparison.isEmpty() && !content.comparing);

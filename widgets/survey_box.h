@@ -29,8 +29,9 @@ public:
         bool available = false;  ///< a case is open
         QStringList names;       ///< of all surveys
         int chosen = -1;
-        QString noComparison;  ///< why none can be made; empty: it can
-        QString complaint;     ///< what went wrong with the last one
+        std::optional<bool> showsFallen;  ///< whether the chosen survey shows live structure that fell; unset: not known
+        QString noComparison;             ///< why none can be made; empty: it can
+        QString complaint;                ///< what went wrong with the last one
         bool comparing = false;
         bool stale = false;  ///< the comparison is of another run or of other settings
         Findings findings;
@@ -47,6 +48,7 @@ signals:
     void compareRequested();
     void cancelRequested();
     void settingsChanged();
+    void showsFallenChosen(std::optional<bool> shows);
     void saveRequested();
 
 private:
@@ -62,6 +64,7 @@ private:
     NumberField* m_cell;
     NumberField* m_least;
     QComboBox* m_fit;
+    QComboBox* m_showsFallen;
     QCheckBox* m_withFallen;
     QPushButton* m_compare;
     QPushButton* m_cancel;

@@ -241,6 +241,7 @@ Json comparisonJson(const CauseComparison& made) {
         object["telling_place"] = {{"x_m", made.place->middle.x()}, {"y_m", made.place->middle.y()}, {"area_m2", made.place->area}};
     }
     object["fit"] = made.fit;
+    object["unexplained"] = made.unexplained;
     return object;
 }
 

@@ -126,7 +126,8 @@ Json factsJson(const PhotoFacts& facts) {
     object["focal_length_mm"] = optionalJson(facts.focalLength);
     object["focal_px"] = optionalJson(focalFrom(facts));
     object["camera"] = facts.camera;
-    object["taken"] = facts.taken;
+    const std::string taken = clockTime(facts.taken);
+    object["taken"] = taken.empty() ? Json() : Json(taken);
     object["position_deg"] = facts.position ? Json{(*facts.position)[0], (*facts.position)[1]} : Json();
     return object;
 }
@@ -172,9 +173,8 @@ void printSeen(std::ostream& out, const Seen& seen) {
     FactList facts;
     facts.add("file", seen.path + (seen.unchanged ? ", as the case names it" : ""));
     facts.add("size", englishInteger(photograph.facts.width) + " x " + englishInteger(photograph.facts.height) + " px");
-    if (!photograph.facts.taken.empty()) {
-        facts.add("taken", photograph.facts.taken + " by the clock of the camera");
-    }
+    const std::string taken = clockTime(photograph.facts.taken);
+    facts.add("taken", taken.empty() ? "unknown" : taken + " by the clock of the camera");
     facts.add("shows", photograph.time ? englishNumber(*photograph.time) + " ± " + englishNumber(photograph.timeUncertainty) + " s"
                                        : "all at rest");
     facts.print(out);

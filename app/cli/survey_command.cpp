@@ -53,6 +53,12 @@ SurveySettings settingsFrom(const Arguments& arguments) {
         }
         settings.withFallen = *live == "on";
     }
+    if (const auto shown = arguments.value("--survey-live")) {
+        if (*shown != "on" && *shown != "off") {
+            throw wrongValue("--survey-live", *shown, "on or off");
+        }
+        settings.showsFallen = *shown == "on";
+    }
     if (const auto fit = arguments.value("--register")) {
         if (*fit != "none" && *fit != "ground" && *fit != "debris") {
             throw wrongValue("--register", *fit, "none, ground or debris");
@@ -84,6 +90,7 @@ struct SurveyFile {
     std::string path;
     std::string sha256;  ///< that the case names; empty: none
     Site site;
+    std::optional<bool> showsFallen = std::nullopt;  ///< as the case states
 };
 
 SurveyFile surveyFile(const Arguments& arguments, const io::RunReader& run) {
@@ -95,6 +102,7 @@ SurveyFile surveyFile(const Arguments& arguments, const io::RunReader& run) {
             if (input.role == InputRole::Survey && file.path.empty()) {
                 file.path = io::inputPath(arguments.operand(), input);
                 file.sha256 = input.sha256;
+                file.showsFallen = input.showsFallen;
             }
         }
     }
@@ -143,6 +151,8 @@ Json surveyJson(const SurveyComparison& made, const io::SurveyInput& input) {
     object["cell_m"] = made.settings.cell;
     object["least_height_m"] = made.settings.leastHeight;
     object["live_structure"] = made.settings.withFallen;
+    object["survey_live_structure"] = made.surveyShowsFallen ? Json(*made.surveyShowsFallen) : Json();
+    object["fallen"] = {{"elements", made.fallen.elements}, {"volume_m3", made.fallen.volume}, {"held_parts", made.fallen.held}};
     object["registration"] = {{"to", fitText(made.settings.fit)},
                               {"shift_m", {made.shift.by.x(), made.shift.by.y(), made.shift.by.z()}},
                               {"cells", made.shift.cells},
@@ -224,6 +234,7 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     const SurveyFile file = surveyFile(arguments, *subject.run);
     const io::SurveyInput input = io::readSurvey(file.path, subject.inputs.frame, file.site,
                                                  io::boundsAtRest(subject.inputs.fe->mesh()), session.execution());
+    settings.showsFallen = settings.showsFallen ? settings.showsFallen : file.showsFallen;
     settings.turn = io::SitePlace(input.frame, input.site).transform().angle;
     const MappedRun mapped{subject.inputs.fe.get(), subject.run.get(),      subject.run->fragments(),
                            subject.run->result(),   subject.inputs.terrain, subject.run->origin().scenario};
@@ -264,6 +275,8 @@ Command surveyCommand() {
              {"--cell", "M", false, "side of the cells that are compared, m (default: 0.5)"},
              {"--least-height", "M", false, "height above the ground from which there is debris, m (default: 0.2)"},
              {"--live", "on|off", false, "whether fallen live structure counts as debris (default: on)"},
+             {"--survey-live", "on|off", false,
+              "whether the survey shows fallen live structure (default: as the case or the file says, else not known)"},
              {"--live-threshold", "M", false, "live structure has fallen if it moved farther than this, m (default: 1)"},
              {"--register", "none|ground|debris", false, "what the survey is moved to before, by least squares (default: none)"},
              {"--shift-most", "M", false, "that it is moved in plan at most, m (default: 5)"},

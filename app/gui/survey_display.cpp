@@ -33,6 +33,7 @@ SurveyDisplay::SurveyDisplay(Document& document, Computation& computation, Panel
     connect(&box, &widgets::SurveyBox::cancelRequested, this, &SurveyDisplay::cancel);
     connect(&box, &widgets::SurveyBox::saveRequested, this, &SurveyDisplay::save);
     connect(&box, &widgets::SurveyBox::settingsChanged, this, &SurveyDisplay::refresh);
+    connect(&box, &widgets::SurveyBox::showsFallenChosen, this, &SurveyDisplay::setShowsFallen);
     connect(&box, &widgets::SurveyBox::chosen, this, [this](int survey) {
         m_chosen = survey;
         refresh();
@@ -115,6 +116,16 @@ void SurveyDisplay::remove() {
     }
 }
 
+void SurveyDisplay::setShowsFallen(std::optional<bool> shows) {
+    if (const CaseInput* survey = current(); survey != nullptr && survey->showsFallen != shows) {
+        std::vector<CaseInput> inputs = m_document.theCase().inputs;
+        for (CaseInput& input : inputs) {
+            input.showsFallen = input.id == survey->id ? shows : input.showsFallen;
+        }
+        m_document.setSurveys(std::move(inputs), tr("what the survey shows"));
+    }
+}
+
 QString SurveyDisplay::whyNot() const {
     const RunRecord* record = m_computation.currentRun();
     return record == nullptr || record->reader == nullptr || record->running ? tr("Simulate first: there is no debris yet.")
@@ -141,6 +152,7 @@ void SurveyDisplay::compare() {
     m_complaint.clear();
     m_comparedWith = *survey;
     m_comparedSettings = m_deck.evidence().survey().settings();
+    m_comparedSettings.showsFallen = survey->showsFallen;
     m_comparedRun = record->reader.get();
     m_made = std::make_shared<SurveyComparison>();
     m_read = std::make_shared<io::SurveyInput>();
@@ -219,6 +231,7 @@ void SurveyDisplay::refresh() {
     }
     m_chosen = std::clamp(m_chosen, 0, std::max(0, static_cast<int>(all.size()) - 1));
     content.chosen = all.empty() ? -1 : m_chosen;
+    content.showsFallen = all.empty() ? std::nullopt : all[static_cast<std::size_t>(m_chosen)]->showsFallen;
     content.noComparison = whyNot();
     content.complaint = m_complaint;
     content.comparing = m_comparing;

@@ -51,6 +51,7 @@ private:
     QString whyNot() const;
     bool stale() const;
     void remove();
+    void setShowsFallen(std::optional<bool> shows);
     void save();
     void take(const std::exception_ptr& thrown);
 

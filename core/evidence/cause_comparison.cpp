@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/analysis/interval_fit.h"
 #include "core/base/error.h"
 
 namespace rubble {
@@ -18,6 +19,8 @@ constexpr int longestSide = 500;  // px, of the pictures that members are compar
 
 /// Members that are needed before it is said that a hypothesis does not fit.
 constexpr std::size_t membersToJudge = 8;
+/// Chance below which the evidence lies outside of what the members of a hypothesis do.
+constexpr double leastFit = 0.01;
 /// Share of what speaks for a hypothesis that the telling place holds.
 constexpr double tellingMost = 0.5;
 
@@ -87,10 +90,11 @@ SurfaceEvidence asEvidence(const MemberSurface& surface, EvidenceKind kind) {
     return evidence;
 }
 
-/// Share of the members from which the others depart in the mean as much as they all do from the evidence.
+/// Chance that one more member, taken as evidence, would depart from the others in the mean as much as the evidence does from all:
+/// prediction from the members themselves, each in turn taken as evidence, by Student's distribution.
 double fitOf(const Hypothesis& hypothesis, const SurfaceEvidence& evidence, double departure) {
     const std::vector<const EnsembleMember*> members = hypothesis.ensemble->done();
-    double as = 0.0;
+    std::vector<double> among;
     for (const EnsembleMember* seen : members) {
         SurfaceEvidence own = asEvidence(*seen->surface, evidence.kind);
         own.everywhere = evidence.everywhere;
@@ -101,9 +105,18 @@ double fitOf(const Hypothesis& hypothesis, const SurfaceEvidence& evidence, doub
                 departures.push_back(departureFrom(own, *other->surface));
             }
         }
-        as += spreadOf(departures).mean >= departure ? 1.0 : 0.0;
+        among.push_back(spreadOf(departures).mean);
     }
-    return as / static_cast<double>(members.size());
+    const FigureSpread spread = spreadOf(among);
+    if (spread.count < 2) {
+        return none;
+    }
+    const double count = static_cast<double>(spread.count);
+    const double scale = spread.deviation * std::sqrt(1.0 + 1.0 / count);
+    if (scale == 0.0) {
+        return departure > spread.mean ? 0.0 : 1.0;
+    }
+    return studentBelow((spread.mean - departure) / scale, count - 1.0);
 }
 
 /// Height of a surface in a cell, m; 0 where it has nothing.
@@ -186,11 +199,32 @@ std::optional<TellingPlace> placeOf(const DebrisMap& map) {
     return place;
 }
 
+std::string listOf(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& each : names) {
+        list += (list.empty() ? "" : ", ") + each;
+    }
+    return list;
+}
+
 Message verdictOf(const CauseComparison& made) {
     const RankedCause& best = made.ranking.causes.front();
     const std::string& name = made.hypotheses[best.hypothesis];
     if (made.ranking.causes.size() < 2) {
         return {"causes.alone", "There is only {0}: nothing to tell it from.", {name}};
+    }
+    if (made.unexplained) {
+        if (made.ranking.decided()) {
+            return {
+                "causes.closest_only",
+                "{0} is closer to the evidence than the others, but the evidence lies outside of what its members do: perhaps none "
+                "of the hypotheses is the cause.",
+                {name}};
+        }
+        return {"causes.not_told_none",
+                "This evidence cannot tell {0} from {1}, and it lies outside of what the members of {0} do: perhaps none of the "
+                "hypotheses is the cause.",
+                {name, listOf(made.alike)}};
     }
     const RankedCause& next = made.ranking.causes[1];
     if (made.ranking.decided()) {
@@ -200,11 +234,8 @@ Message verdictOf(const CauseComparison& made) {
             "with 95 % confidence.",
             {name, made.hypotheses[next.hypothesis], 100.0 * next.bestOver.share, 100.0 * next.bestOver.low}};
     }
-    std::string others;
-    for (const std::string& each : made.alike) {
-        others += (others.empty() ? "" : ", ") + each;
-    }
-    return {"causes.not_told", "This evidence cannot tell {0} from {1}: {0} is closest, but not surely.", {name, others}};
+    return {
+        "causes.not_told", "This evidence cannot tell {0} from {1}: {0} is closest, but not surely.", {name, listOf(made.alike)}};
 }
 
 void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const CauseEvidence& evidence) {
@@ -213,9 +244,12 @@ void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const 
     for (std::size_t s = 0; s < evidence.surfaces.size(); ++s) {
         made.fit = std::fmin(made.fit, fitOf(hypotheses[best.hypothesis], evidence.surfaces[s], best.departures[s].mean));
     }
-    if (made.fit == 0.0 && best.score.count >= membersToJudge) {
+    // With more pieces the worst of them is worse by chance.
+    made.fit = std::isnan(made.fit) ? none : std::min(1.0, made.fit * static_cast<double>(evidence.surfaces.size()));
+    made.unexplained = made.fit < leastFit && best.score.count >= membersToJudge;
+    if (made.unexplained) {
         made.findings.add({"causes.no_fit",
-                           "The evidence lies farther from every member of the closest hypothesis than these lie from each other: "
+                           "The evidence lies farther from the members of the closest hypothesis than these lie from each other: "
                            "perhaps none of the hypotheses is the cause.",
                            {}},
                           {"causes.no_fit.remedy",

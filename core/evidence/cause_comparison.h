@@ -76,9 +76,11 @@ struct CauseComparison {
     CauseRanking ranking;
     std::vector<std::string> alike;  ///< hypotheses that cannot be told from the closest one, that one not among them
     std::size_t telling = 0;         ///< piece of evidence that tells the first two apart best
-    /// Share of the closest hypothesis's members from which its others depart as much as from the evidence, least over the pieces
-    /// of surface evidence; NaN without those. 0: the evidence lies outside of what that hypothesis does.
+    /// Chance that one more member of the closest hypothesis would be as far from the others as the evidence is, least over the
+    /// pieces of surface evidence times their number, at most 1; NaN without those or with fewer than two members.
     double fit = 0.0;
+    /// The evidence lies outside of what the closest hypothesis does: fit below 1 %, where there are members enough to judge by.
+    bool unexplained = false;
     std::optional<DebrisMap> separation;  ///< of the first two hypotheses; unset without surface evidence
     std::optional<TellingPlace> place;
     Message verdict;

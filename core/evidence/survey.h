@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct Survey {
     bool isFootprint = false;
     SurveyHeights heights;
     SurveyFootprint footprint;
+    std::optional<bool> showsFallen;  ///< whether live structure that fell is in it; unset: the file does not say
 
     /// Box around what was surveyed, m.
     std::pair<Eigen::Vector2d, Eigen::Vector2d> bounds() const;

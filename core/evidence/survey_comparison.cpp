@@ -145,6 +145,66 @@ void findFlaws(SurveyComparison& made, std::size_t surveyedCells) {
     }
 }
 
+/// What the two sides hold of live structure that fell.
+Message wordsOf(const SurveyComparison& made) {
+    const bool with = made.settings.withFallen;
+    const Argument threshold{made.settings.liveThreshold, "m"};
+    if (!made.surveyShowsFallen) {
+        return with ? Message{"survey.words.with",
+                              "The simulated side holds fallen live structure, what moved farther than {0}; whether the survey "
+                              "does is "
+                              "not known.",
+                              {threshold}}
+                    : Message{"survey.words.without",
+                              "Fallen live structure is left out of the simulated side; whether the survey shows it is not known.",
+                              {}};
+    }
+    if (with) {
+        return *made.surveyShowsFallen
+                   ? Message{"survey.words.both",
+                             "Both sides hold fallen live structure: simulated, what moved farther than {0}.",
+                             {threshold}}
+                   : Message{"survey.words.simulated_only",
+                             "The simulated side holds fallen live structure, what moved farther than {0}; the survey does not.",
+                             {threshold}};
+    }
+    return *made.surveyShowsFallen ? Message{"survey.words.surveyed_only",
+                                             "Fallen live structure is left out of the simulated side; the survey shows it.",
+                                             {}}
+                                   : Message{"survey.words.neither", "Both sides leave out fallen live structure.", {}};
+}
+
+/// Live structure that fell and that one side holds and the other does not, or may not.
+void compareFallen(SurveyComparison& made, const std::string& survey) {
+    const FallenStructure& fallen = made.fallen;
+    const std::vector<Argument> amount{fallen.elements, {fallen.volume, "m3"}};
+    if (fallen.elements > 0 && !made.surveyShowsFallen) {
+        made.findings.add(
+            {"survey.fallen_unknown",
+             "live structure fell, {0} elements of {1}, and it is not known whether the survey shows such structure", amount},
+            {"survey.fallen_unknown.remedy", "say what the survey shows (--survey-live, or beside the survey in the window)", {}},
+            survey, fallen.elements);
+    } else if (fallen.elements > 0 && *made.surveyShowsFallen != made.settings.withFallen) {
+        made.findings.add(
+            made.settings.withFallen
+                ? Message{"survey.fallen_simulated_only",
+                          "fallen live structure counts as simulated debris, {0} elements of {1}, and the survey "
+                          "does not hold such structure",
+                          amount}
+                : Message{"survey.fallen_surveyed_only",
+                          "the survey shows fallen live structure, and that of the simulation, {0} elements of {1}, is "
+                          "left out",
+                          amount},
+            {"survey.fallen.remedy", "count it on both sides or on neither (--live)", {}}, survey, fallen.elements);
+    }
+    if (fallen.held > 0 && made.surveyShowsFallen.value_or(true)) {
+        made.findings.add({"survey.held",
+                           "{0} loose parts of live structure were held where the FE result ends; in the survey they have fallen",
+                           {fallen.held}},
+                          {"survey.held.remedy", "set live_islands=released and simulate again", {}}, survey, fallen.held);
+    }
+}
+
 }  // namespace
 
 SurveyComparison compareWithSurvey(const PieceRaster& debris, const Survey& survey, const SiteSurface& ground,
@@ -153,6 +213,7 @@ SurveyComparison compareWithSurvey(const PieceRaster& debris, const Survey& surv
     SurveyComparison made;
     made.isFootprint = survey.isFootprint;
     made.settings = settings;
+    made.surveyShowsFallen = settings.showsFallen ? settings.showsFallen : survey.showsFallen;
     made.centre = centre;
     const CellGrid grid = gridAround(survey, debris, settings.cell, 2);
     const CellGrid laid = laidOn(grid, debris);
@@ -164,11 +225,7 @@ SurveyComparison compareWithSurvey(const PieceRaster& debris, const Survey& surv
     made.simulatedCells = laid;
     compareCells(made);
     findFlaws(made, static_cast<std::size_t>(known));
-    made.words = {settings.withFallen ? "survey.words.with" : "survey.words.without",
-                  settings.withFallen
-                      ? "Both sides are taken to hold fallen live structure: simulated, what moved farther than {0}."
-                      : "Fallen live structure is left out of the simulated side; a survey that shows it holds more.",
-                  settings.withFallen ? std::vector<Argument>{{settings.liveThreshold, "m"}} : std::vector<Argument>{}};
+    made.words = wordsOf(made);
     return made;
 }
 
@@ -178,9 +235,9 @@ SurveyComparison compareRunWithSurvey(const MappedRun& run, std::optional<double
     MapSettings map;
     map.cell = settings.cell;
     map.liveThreshold = settings.liveThreshold;
-    const RunMap made = mapOfRun(run, time, map, settings.withFallen, execution);
+    const RunMap made = mapOfRun(run, time, map, true, execution);
     std::vector<MapPiece> pieces = mapPieces(*run.fragments, made.debris, made.arrivals, made.energies);
-    if (made.live) {
+    if (settings.withFallen) {
         pieces.insert(pieces.end(), made.live->pieces.begin(), made.live->pieces.end());
     }
     const SiteSurface ground = groundOf(run);
@@ -194,6 +251,9 @@ SurveyComparison compareRunWithSurvey(const MappedRun& run, std::optional<double
                                                   plan.center().head<2>(), settings, execution);
     compared.time = made.map.time;
     compared.shown = made.shown;
+    compared.fallen = {static_cast<std::int64_t>(made.live->pieces.size()), made.live->volume,
+                       run.result ? run.result->islands.held() : 0};
+    compareFallen(compared, survey.name);
     return compared;
 }
 

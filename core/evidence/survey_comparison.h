@@ -9,10 +9,11 @@
 namespace rubble {
 
 struct SurveySettings {
-    double cell = 0.5;           ///< m
-    double leastHeight = 0.2;    ///< m above the ground from which a surveyed height is debris; what lies lower is noise
-    bool withFallen = true;      ///< fallen live structure is debris
-    double liveThreshold = 1.0;  ///< m, farther than this live structure has fallen
+    double cell = 0.5;                ///< m
+    double leastHeight = 0.2;         ///< m above the ground from which a surveyed height is debris; what lies lower is noise
+    bool withFallen = true;           ///< fallen live structure is debris
+    double liveThreshold = 1.0;       ///< m, farther than this live structure has fallen
+    std::optional<bool> showsFallen;  ///< whether the survey holds such structure too, as stated; unset: as its file says
     SurveyFit fit = SurveyFit::None;
     double shiftMost = 5.0;  ///< m, that the survey is moved in plan at most
     int sectors = 8;         ///< directions in which run-out is measured
@@ -37,12 +38,21 @@ struct SurveySide {
     std::vector<double> runOut;                          ///< m, [sectors]; 0 where nothing lies in the sector
 };
 
+/// Live structure of a run that fell, whether it is counted or not.
+struct FallenStructure {
+    std::int64_t elements = 0;  ///< that moved farther than the threshold
+    double volume = 0.0;        ///< m3, of material
+    std::int64_t held = 0;      ///< loose parts that the run held where the FE result ends
+};
+
 /// The simulated debris held against a survey. Only cells that were surveyed count, on both sides alike.
 struct SurveyComparison {
     double time = 0.0;  ///< s, of the simulated debris
     FrameKind shown = FrameKind::Simulated;
     bool isFootprint = false;
     SurveySettings settings;
+    std::optional<bool> surveyShowsFallen;  ///< as stated, else as its file says; unset: not known
+    FallenStructure fallen;                 ///< of the simulated side
     SurveyShift shift;
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< m, of the structure's plan at rest: run-out counts from here
     SurveySide survey;

@@ -20,6 +20,8 @@ struct CaseInput {
     InputRole role = InputRole::Fe;
     std::string path;    ///< relative to the case file, with forward slashes
     std::string sha256;  ///< hex; empty until first read
+    /// Of a survey: whether it shows live structure that fell; unset: not known.
+    std::optional<bool> showsFallen = std::nullopt;
     friend bool operator==(const CaseInput&, const CaseInput&) = default;
 };
 

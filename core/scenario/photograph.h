@@ -56,7 +56,7 @@ struct PhotoFacts {
     std::optional<double> focalLength;           ///< mm
     std::optional<double> focalLength35;         ///< mm, on a frame of 36 x 24 mm
     std::string camera;                          ///< maker and model
-    std::string taken;                           ///< by the clock of the camera, as in the file: "2026:03:14 17:05:12"
+    std::string taken;  ///< by the clock of the camera, see clockTime(); older cases have the colons of EXIF; empty: unknown
     std::optional<std::array<double, 2>> position;  ///< degrees north and east, WGS 84
     std::optional<double> altitude;                 ///< m
     friend bool operator==(const PhotoFacts&, const PhotoFacts&) = default;
@@ -80,6 +80,10 @@ bool cropped(const PhotoFacts& facts);
 /// Focal length in pixels that the file of a photograph tells by its equivalent on a frame of 36 x 24 mm; nothing if it does not. A
 /// cropped picture is taken to have the pixels of what was recorded, any other to show all of it.
 std::optional<double> focalFrom(const PhotoFacts& facts);
+
+/// "2026-03-14 17:05:12" of a time as EXIF writes it, "2026:03:14 17:05:12", or as it is written here; empty if that is no time
+/// that there was, as "0000:00:00 00:00:00" of a camera whose clock was never set.
+std::string clockTime(std::string_view text);
 
 /// "debris", "moved", "hidden", "not_debris": names of the classes in files.
 std::string_view maskName(MaskClass kind);

@@ -129,7 +129,7 @@ PhotoFacts factsOf(GDALDataset& dataset) {
     const std::string make = textOf(dataset, "EXIF_Make");
     const std::string model = textOf(dataset, "EXIF_Model");
     facts.camera = model.starts_with(make) || make.empty() ? model : make + " " + model;
-    facts.taken = textOf(dataset, "EXIF_DateTimeOriginal");
+    facts.taken = clockTime(textOf(dataset, "EXIF_DateTimeOriginal"));
     const auto north = angleOf(dataset, "EXIF_GPSLatitude", 90.0);
     const auto east = angleOf(dataset, "EXIF_GPSLongitude", 180.0);
     if (north && east) {

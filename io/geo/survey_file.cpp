@@ -71,6 +71,7 @@ private:
             }
         }
         if (m_live > 0) {
+            m_input.survey.showsFallen = false;
             m_input.findings.add({"survey.live", "{0} outlines of live structure in the file were left out", {m_live}},
                                  {"survey.live.remedy", "remove the attribute \"of\" where they belong to the debris", {}},
                                  m_input.path, m_live);
@@ -196,6 +197,7 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
         HeightReading heights = readHeights(path, frame, site, around, execution);
         HeightRaster& raster = heights.raster;
         input.survey.heights = {raster.x0, raster.y0, raster.dx, raster.dy, raster.nx, raster.ny, std::move(raster.heights)};
+        input.survey.showsFallen = heights.showsFallen;
         input.crs = heights.crs;
         input.findings = std::move(heights.findings);
     }

@@ -47,12 +47,14 @@ MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const
     const std::string crs = MapPlace(survey.frame, survey.site).name();
     const std::string fallen =
         made.settings.withFallen ? "counted, moved farther than " + exactNumber(made.settings.liveThreshold) + " m" : "left out";
+    const std::string surveyed = !made.surveyShowsFallen ? "not known" : *made.surveyShowsFallen ? "shown" : "left out";
     nlohmann::json json = nlohmann::json::parse(provenanceText(run));
     json["inputs"].push_back({{"role", "survey"}, {"path", survey.path}, {"sha256", survey.sha256}});
     json["survey_comparison"] = {{"time_s", made.time},
                                  {"cell_m", made.settings.cell},
                                  {"least_height_m", made.settings.leastHeight},
                                  {"live_structure", fallen},
+                                 {"survey_live_structure", surveyed},
                                  {"registration", fitName(made.settings.fit)},
                                  {"shift_m", {made.shift.by.x(), made.shift.by.y(), made.shift.by.z()}},
                                  {"iou", jsonNumber(made.iou)},
@@ -69,6 +71,7 @@ MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const
                     {"RUBBLE_BUILD", from.build},
                     {"RUBBLE_TAINTED", taintOf(run).tainted() ? "yes" : "no"},
                     {"RUBBLE_LIVE_STRUCTURE", fallen},
+                    {"RUBBLE_SURVEY_LIVE_STRUCTURE", surveyed},
                     {"RUBBLE_REGISTRATION", std::string(fitName(made.settings.fit))}};
     return origin;
 }

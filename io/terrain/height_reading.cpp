@@ -119,6 +119,9 @@ void Reading::checkCrs() {
         find("terrain.projected", "the terrain was projected from \"{0}\" to the system of the case", {m_file.crsName()},
              "none is needed; heights are interpolated between those of the file");
     }
+    if (!m_file.entry("RUBBLE_LIVE_STRUCTURE").empty()) {
+        m_result.showsFallen = false;
+    }
     if (m_file.bands() > 1) {
         find("terrain.bands", "the terrain has {0} bands; the first is taken as heights", {m_file.bands()},
              "give a raster with one band if that is not right");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/execution.h"
@@ -19,6 +20,8 @@ struct HeightReading {
     HeightRaster raster;  ///< m; rows and columns along x and y
     std::string crs;      ///< name of the file's system
     std::string verticalDatum;
+    /// Of a debris map of our own false: fallen live structure lies in another band. Unset of all others.
+    std::optional<bool> showsFallen;
     Findings findings;
 };
 

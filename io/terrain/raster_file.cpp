@@ -200,6 +200,12 @@ RasterFile::SameCrs RasterFile::sameCrs(const std::string& text) const {
     return plain.IsSame(&other, options.data()) ? SameCrs::Yes : SameCrs::No;
 }
 
+std::string RasterFile::entry(const std::string& name) const {
+    const Session session;
+    const char* text = m_handles->dataset->GetMetadataItem(name.c_str());
+    return text != nullptr ? text : "";
+}
+
 std::string RasterFile::verticalDatum() const {
     const Session session;
     const OGRSpatialReference* own = m_handles->dataset->GetSpatialRef();

@@ -49,6 +49,8 @@ public:
     /// Its rows do not run along the axes of its system.
     bool turned() const { return m_turned; }
     int bands() const { return m_bands; }
+    /// A named entry of its metadata; empty if it has none.
+    std::string entry(const std::string& name) const;
     /// Name of the coordinate reference system, empty if the file states none.
     const std::string& crsName() const { return m_crsName; }
     /// Coordinates are degrees.

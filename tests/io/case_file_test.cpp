@@ -107,7 +107,7 @@ Photograph randomPhotograph(std::mt19937& engine) {
         photograph.time = 5.76;
         photograph.timeUncertainty = 0.1;
     }
-    photograph.facts.taken = "2026:03:14 17:05:12";
+    photograph.facts.taken = "2026-03-14 17:05:12";
     photograph.camera.radialTerms = static_cast<int>(engine() % 3);
     for (std::size_t i = engine() % 5; i > 0; --i) {
         photograph.pairs.push_back(
@@ -130,7 +130,7 @@ Case randomCase(std::mt19937& engine, double share) {
                       {"fe-2", InputRole::Fe, "../c.exo", ""},
                       {"t", InputRole::Terrain, "dem.tif", ""},
                       {"p", InputRole::Photograph, "p.jpg", ""},
-                      {"s", InputRole::Survey, "s.csv", ""}};
+                      {"s", InputRole::Survey, "s.csv", "", true}};
     for (int i = 0; i < 3; ++i) {
         theCase.scenarios.push_back(
             {"scenario-" + std::to_string(i), "Name", "note", i == 1 ? "fe-2" : "fe-1", randomScenario(engine, share)});

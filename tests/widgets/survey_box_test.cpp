@@ -100,7 +100,7 @@ TEST_F(SurveyForm, FieldsAreTheSettings) {
     type(1, QStringLiteral("99"));
     QComboBox* fit = nullptr;
     for (auto* each : box.findChildren<QComboBox*>()) {
-        fit = each->count() == 3 ? each : fit;
+        fit = each->accessibleName() == QStringLiteral("Registration of the survey") ? each : fit;
     }
     ASSERT_NE(fit, nullptr);
     fit->setFocus();
@@ -112,6 +112,29 @@ TEST_F(SurveyForm, FieldsAreTheSettings) {
     EXPECT_EQ(settings.fit, SurveyFit::Ground);
     EXPECT_FALSE(settings.withFallen);
     EXPECT_EQ(changed.count(), 4);
+}
+
+TEST_F(SurveyForm, WhatTheSurveyShowsIsAskedAndShown) {
+    content.showsFallen = false;
+    box.setContent(content);
+    QComboBox* shows = nullptr;
+    for (auto* each : box.findChildren<QComboBox*>()) {
+        shows = each->accessibleName() == QStringLiteral("Whether the survey shows fallen structure") ? each : shows;
+    }
+    ASSERT_NE(shows, nullptr);
+    EXPECT_EQ(shows->currentText(), QStringLiteral("no"));
+    std::optional<bool> asked = false;
+    int count = 0;
+    QObject::connect(&box, &SurveyBox::showsFallenChosen, &box, [&](std::optional<bool> chosen) {
+        asked = chosen;
+        ++count;
+    });
+    shows->setFocus();
+    QTest::keyClick(shows, Qt::Key_Up);
+    EXPECT_EQ(asked, std::optional<bool>(true));
+    QTest::keyClick(shows, Qt::Key_Up);
+    EXPECT_EQ(asked, std::nullopt);
+    EXPECT_EQ(count, 2) << "setting the content asks for nothing";
 }
 
 TEST_F(SurveyForm, AComparisonStandsInTablesAndWords) {

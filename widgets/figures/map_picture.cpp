@@ -431,13 +431,14 @@ private:
     }
 
     void drawFoot(QPainter& painter) {
-        QString caption = m_map.members > 0 ? tr("%1; %2 members of an ensemble, %3, cells of %4")
-                                                  .arg(layerName(m_map, m_layer))
-                                                  .arg(m_map.members)
-                                                  .arg(tr(m_style.shown.c_str()), lengthText(m_map.cell))
-                                            : tr("%1, t = %2, %3, cells of %4")
-                                                  .arg(layerName(m_map, m_layer), timeText(m_map.time), tr(m_style.shown.c_str()),
-                                                       lengthText(m_map.cell));
+        const QString shown = QCoreApplication::translate("messages", m_style.shown.c_str());
+        QString caption = m_map.members > 0
+                              ? tr("%1; %2 members of an ensemble, %3, cells of %4")
+                                    .arg(layerName(m_map, m_layer))
+                                    .arg(m_map.members)
+                                    .arg(shown, lengthText(m_map.cell))
+                              : tr("%1, t = %2, %3, cells of %4")
+                                    .arg(layerName(m_map, m_layer), timeText(m_map.time), shown, lengthText(m_map.cell));
         if (m_outside > 0) {
             caption += tr("; %1 cells with debris lie outside the picture").arg(countText(m_outside));
         }

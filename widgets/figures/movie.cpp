@@ -9,8 +9,10 @@
 #include <QProcess>
 #include <QRegularExpression>
 #include <QStandardPaths>
+#include <QtEndian>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -25,7 +27,9 @@ namespace {
 
 constexpr std::size_t longest = 100000;
 constexpr int startTimeoutMs = 20000;
-constexpr int writeTimeoutMs = 120000;  // an encoder that takes nothing for so long hangs
+constexpr int writeTimeoutMs = 120000;   // an encoder that takes nothing for so long hangs
+constexpr int finishTimeoutMs = 600000;  // as does one that is not done so long after the last picture
+constexpr qsizetype saidMost = 4096;     // of what an encoder says, the end
 
 QString tr(const char* text) {
     return QCoreApplication::translate("rubble::figures", text);
@@ -112,6 +116,48 @@ bool hasH264(const QString& program) {
     return asked.waitForFinished(startTimeoutMs) && asked.readAllStandardOutput().contains("libx264");
 }
 
+/// What an encoder said last, fit to be read: three lines of printable letters.
+QString lastWords(const QByteArray& said) {
+    QStringList lines;
+    for (QString line : QString::fromLocal8Bit(said).split(QLatin1Char('\n'))) {
+        std::replace_if(line.begin(), line.end(), [](QChar c) { return !c.isPrint() || c == QChar::ReplacementCharacter; }, u' ');
+        if (line = line.simplified(); !line.isEmpty()) {
+            constexpr int longestLine = 200;
+            lines << line.left(longestLine);
+        }
+    }
+    return lines.mid(std::max<qsizetype>(0, lines.size() - 3)).join(QStringLiteral("; "));
+}
+
+/// True if a file consists of whole boxes of an MP4, the index of its pictures among them.
+bool wholeMp4(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return false;
+    }
+    bool index = false;
+    qint64 at = 0;
+    while (at < file.size()) {
+        std::array<uchar, 16> head{};
+        if (!file.seek(at) || file.read(reinterpret_cast<char*>(head.data()), 8) != 8) {
+            return false;
+        }
+        quint64 length = qFromBigEndian<quint32>(head.data());
+        if (length == 1) {
+            if (file.read(reinterpret_cast<char*>(head.data() + 8), 8) != 8) {
+                return false;
+            }
+            length = qFromBigEndian<quint64>(head.data() + 8);
+        }
+        if (length < 8 || length > static_cast<quint64>(file.size() - at)) {
+            return false;
+        }
+        index = index || std::equal(head.begin() + 4, head.begin() + 8, "moov");
+        at += static_cast<qint64>(length);
+    }
+    return index;
+}
+
 /// Pictures handed to ffmpeg through a pipe; the file is beside its place until it is whole.
 class EncodedMovie : public MovieTarget {
 public:
@@ -130,14 +176,24 @@ public:
         }
         room.close();
         const QString size = QStringLiteral("%1x%2").arg(pixels.width()).arg(pixels.height());
-        QStringList words{QStringLiteral("-hide_banner"), QStringLiteral("-loglevel"),
-                          QStringLiteral("error"),        QStringLiteral("-y"),
-                          QStringLiteral("-f"),           QStringLiteral("rawvideo"),
-                          QStringLiteral("-pix_fmt"),     QStringLiteral("bgr0"),
-                          QStringLiteral("-s"),           size,
-                          QStringLiteral("-framerate"),   QString::number(fps, 'g', 10),
-                          QStringLiteral("-i"),           QStringLiteral("pipe:0"),
-                          QStringLiteral("-an"),          QStringLiteral("-pix_fmt"),
+        // Without -xerror a file whose end found no room counts as written.
+        QStringList words{QStringLiteral("-xerror"),
+                          QStringLiteral("-hide_banner"),
+                          QStringLiteral("-loglevel"),
+                          QStringLiteral("error"),
+                          QStringLiteral("-y"),
+                          QStringLiteral("-f"),
+                          QStringLiteral("rawvideo"),
+                          QStringLiteral("-pix_fmt"),
+                          QStringLiteral("bgr0"),
+                          QStringLiteral("-s"),
+                          size,
+                          QStringLiteral("-framerate"),
+                          QString::number(fps, 'g', 10),
+                          QStringLiteral("-i"),
+                          QStringLiteral("pipe:0"),
+                          QStringLiteral("-an"),
+                          QStringLiteral("-pix_fmt"),
                           QStringLiteral("yuv420p")};
         words += hasH264(program)
                      ? QStringList{QStringLiteral("-c:v"),     QStringLiteral("libx264"), QStringLiteral("-preset"),
@@ -174,12 +230,14 @@ public:
             if (m_encoder.state() != QProcess::Running || !m_encoder.waitForBytesWritten(writeTimeoutMs)) {
                 fail();
             }
+            listen();
         }
     }
 
     void finish() override {
         m_encoder.closeWriteChannel();
-        if (!m_encoder.waitForFinished(-1) || m_encoder.exitStatus() != QProcess::NormalExit || m_encoder.exitCode() != 0) {
+        if (!m_encoder.waitForFinished(finishTimeoutMs) || m_encoder.exitStatus() != QProcess::NormalExit ||
+            m_encoder.exitCode() != 0 || !wholeMp4(m_part)) {
             fail();
         }
         std::error_code failed;
@@ -192,17 +250,26 @@ public:
     std::string path() const override { return m_path; }
 
 private:
+    /// Keeps the end of what it says: it may say the same for every picture.
+    void listen() { m_said = (m_said + m_encoder.readAllStandardError()).right(saidMost); }
+
     [[noreturn]] void fail() {
         m_encoder.closeWriteChannel();
-        m_encoder.waitForFinished(startTimeoutMs);
-        const QString said = QString::fromLocal8Bit(m_encoder.readAllStandardError()).trimmed();
-        throw movieError(m_path, said.isEmpty() ? tr("ffmpeg ended before the movie did") : said.section(QLatin1Char('\n'), 0, 2));
+        const bool ended = m_encoder.state() == QProcess::NotRunning || m_encoder.waitForFinished(startTimeoutMs);
+        listen();
+        const QString words = lastWords(m_said);
+        QString why = !ended                                          ? tr("ffmpeg does not answer")
+                      : m_encoder.exitStatus() == QProcess::CrashExit ? tr("ffmpeg was killed, or crashed")
+                      : m_encoder.exitCode() == 0                     ? tr("ffmpeg left no whole MP4")
+                                                                      : tr("ffmpeg ended before the movie did");
+        throw movieError(m_path, words.isEmpty() ? why : why + QStringLiteral(" (") + words + u')');
     }
 
     std::string m_path;
     QString m_part;
     QSize m_pixels;
     QProcess m_encoder;
+    QByteArray m_said;
     bool m_finished = false;
 };
 

@@ -58,7 +58,8 @@ TEST_F(ReportCommand, SaysTheNumbersOfTheRun) {
     EXPECT_GE(tables, 8u);
     EXPECT_GE(sources, tables - 1);
     for (const char* part : {"Method", "Assumptions and findings", "Effects", "Health of the run", "Limits",
-                             "All settings of the run", "repeat floor"}) {
+                             "All settings of the run", "repeat floor", "kinetic energy with which fragments became bodies",
+                             "work of parting what overlapped at birth", "<td class=\"w\">FE result</td>"}) {
         EXPECT_THAT(page, HasSubstr(part));
     }
     for (const char* name : {"report.html", "report.pdf"}) {

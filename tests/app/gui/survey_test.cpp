@@ -104,7 +104,7 @@ TEST_F(SiteAndSurvey, ASurveyIsAddedComparedSavedAndUndone) {
     // Other settings make it stale, and a stale one is not saved.
     auto& box = window->deck().evidence().survey();
     for (auto* each : box.findChildren<QComboBox*>()) {
-        if (each->count() == 3) {
+        if (each->accessibleName() == QStringLiteral("Registration of the survey")) {
             each->setCurrentIndex(1);
         }
     }
@@ -113,8 +113,23 @@ TEST_F(SiteAndSurvey, ASurveyIsAddedComparedSavedAndUndone) {
     compare();
     EXPECT_EQ(window->survey().comparison()->settings.fit, SurveyFit::Ground);
 
+    // What the survey shows is kept in the case and said on the result.
+    for (auto* each : box.findChildren<QComboBox*>()) {
+        if (each->accessibleName() == QStringLiteral("Whether the survey shows fallen structure")) {
+            each->setCurrentIndex(1);
+        }
+    }
+    EXPECT_EQ(window->document().theCase().inputs.back().showsFallen, std::optional<bool>(true));
+    window->survey().saveTo(QString::fromStdString(m_folder / "stale.tif"));
+    EXPECT_FALSE(std::filesystem::exists(m_folder / "stale.tif"));
+    compare();
+    EXPECT_EQ(window->survey().comparison()->surveyShowsFallen, std::optional<bool>(true));
+
     ASSERT_TRUE(window->files().saveTo(QString::fromStdString(m_folder / "case.rubble")));
     EXPECT_EQ(io::loadCase(m_folder / "case.rubble").inputs.back().path, "after.asc");
+    EXPECT_EQ(io::loadCase(m_folder / "case.rubble").inputs.back().showsFallen, std::optional<bool>(true));
+    window->actions()["undo"].trigger();
+    EXPECT_EQ(window->document().theCase().inputs.back().showsFallen, std::nullopt);
     window->actions()["undo"].trigger();
     EXPECT_NE(window->document().theCase().inputs.back().role, InputRole::Survey);
     EXPECT_FALSE(window->actions()["compare_survey"].isEnabled());

@@ -191,7 +191,7 @@ TEST_F(Photo, SaysWhatItsExifSaysAndStaysAsItIs) {
     EXPECT_EQ(file.facts.width, 120);
     EXPECT_EQ(file.facts.height, 80);
     EXPECT_EQ(file.facts.camera, "Maker Model 3");
-    EXPECT_EQ(file.facts.taken, "2026:03:14 17:05:12");
+    EXPECT_EQ(file.facts.taken, "2026-03-14 17:05:12");
     ASSERT_TRUE(file.facts.focalLength && file.facts.focalLength35 && file.facts.position && file.facts.altitude);
     EXPECT_DOUBLE_EQ(*file.facts.focalLength, 24.0);
     EXPECT_DOUBLE_EQ(*file.facts.focalLength35, 36.0);

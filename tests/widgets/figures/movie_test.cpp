@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -57,6 +59,21 @@ protected:
         std::ofstream(program) << "#!/bin/sh\ncase \"$*\" in *-encoders*) echo libx264; exit 0;; esac\n" << script;
         ::chmod(program.c_str(), 0755);
         ::setenv("PATH", (m_folder / "bin" + ":/usr/bin:/bin").c_str(), 1);
+    }
+
+    /// What is said of a movie of 200 pictures that this program should write: error and remedy, nothing if it was written.
+    std::string complaintAbout(const std::string& script) {
+        install(script);
+        try {
+            const auto target = mp4Movie(m_movie, {64, 48}, 25.0, {});
+            for (int i = 0; i < 200; ++i) {
+                target->add(grey(i));
+            }
+            target->finish();
+        } catch (const WorldError& error) {
+            return englishText(error.message()) + ' ' + englishText(error.remedy());
+        }
+        return {};
     }
 
     io::TemporaryFolder m_folder;
@@ -122,13 +139,16 @@ TEST_F(MovieFile, AnUnfinishedSequenceLeavesNothingAndAForeignFolderIsRefused) {
 }
 
 TEST_F(MovieFile, EveryPixelReachesTheEncoder) {
-    install("for last; do :; done\ncat > \"$last\"\n");
+    // A box around everything that comes in, and an empty index behind it.
+    install(
+        "for last; do :; done\nprintf '\\000\\000\\140\\010mdat' > \"$last\"\ncat >> \"$last\"\n"
+        "printf '\\000\\000\\000\\010moov' >> \"$last\"\n");
     const auto target = mp4Movie(m_movie, {64, 48}, 25.0, "{}");
     target->add(grey(7));
     target->add(grey(9));
     EXPECT_FALSE(fs::exists(m_movie)) << "it has its name only when it is whole";
     target->finish();
-    EXPECT_EQ(fs::file_size(m_movie), 2u * 64u * 48u * 4u);
+    EXPECT_EQ(fs::file_size(m_movie), 8u + 2u * 64u * 48u * 4u + 8u);
     EXPECT_THAT(namesIn(m_folder.path()), testing::ElementsAre("a.mp4", "bin"));
 }
 
@@ -144,17 +164,50 @@ TEST_F(MovieFile, WithoutFfmpegTheRemedyIsNamed) {
 }
 
 TEST_F(MovieFile, TheDeathOfFfmpegIsToldInItsWordsAndLeavesNothing) {
-    install("head -c 100 > /dev/null\necho 'No space left on device' >&2\nexit 1\n");
-    try {
+    EXPECT_THAT(complaintAbout("head -c 100 > /dev/null\necho 'No space left on device' >&2\nexit 1\n"),
+                testing::AllOf(testing::HasSubstr("No space left on device"), testing::HasSubstr(m_movie)));
+    EXPECT_THAT(namesIn(m_folder.path()), testing::ElementsAre("bin"));
+}
+
+TEST_F(MovieFile, AKilledFfmpegIsToldAndLeavesNothing) {
+    EXPECT_THAT(complaintAbout("for last; do :; done\nhead -c 30000 > \"$last\"\nkill -9 $$\n"),
+                testing::AllOf(testing::HasSubstr("killed"), testing::HasSubstr(m_movie), testing::HasSubstr("Make room")));
+    EXPECT_THAT(namesIn(m_folder.path()), testing::ElementsAre("bin"));
+}
+
+TEST_F(MovieFile, NonsenseThatFfmpegSaysIsCutToItsLastWords) {
+    // A megabyte of bytes that are no text, before and while pictures come in, then the reason.
+    const std::string said = complaintAbout(
+        "head -c 1000000 /dev/zero | tr '\\000' '\\377' >&2\nhead -c 100000 > /dev/null\nhead -c 500000 /dev/urandom >&2\n"
+        "printf '\\n\\033[31mmuxer: no room\\033[0m\\n' >&2\nexit 1\n");
+    EXPECT_THAT(said, testing::HasSubstr("muxer: no room"));
+    EXPECT_LT(said.size(), 2000u);
+    EXPECT_TRUE(std::none_of(said.begin(), said.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; })) << said;
+    EXPECT_THAT(namesIn(m_folder.path()), testing::ElementsAre("bin"));
+}
+
+TEST_F(MovieFile, AMovieWithoutItsEndIsNone) {
+    // As of an encoder whose last write found no room and who ends as if all were well.
+    install("for last; do :; done\nprintf '\\000\\000\\377\\377mdat' > \"$last\"\ncat >> \"$last\"\n");
+    {
         const auto target = mp4Movie(m_movie, {64, 48}, 25.0, {});
-        for (int i = 0; i < 200; ++i) {
-            target->add(grey(i));
-        }
-        target->finish();
-        FAIL() << "the encoder was dead";
-    } catch (const WorldError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("No space left on device"));
+        target->add(grey(1));
+        EXPECT_THROW(target->finish(), WorldError);
     }
+    EXPECT_THAT(namesIn(m_folder.path()), testing::ElementsAre("bin"));
+}
+
+TEST_F(MovieFile, AFullDiskIsTold) {
+    // Files end here as on a full disk.
+    rlimit whole{};
+    ::getrlimit(RLIMIT_FSIZE, &whole);
+    const auto old = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit less{20000, whole.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &less);
+    const std::string said = complaintAbout("for last; do :; done\nexec cat > \"$last\"\n");
+    ::setrlimit(RLIMIT_FSIZE, &whole);
+    std::signal(SIGXFSZ, old);
+    EXPECT_THAT(said, testing::AllOf(testing::HasSubstr(m_movie), testing::HasSubstr("File too large")));
     EXPECT_THAT(namesIn(m_folder.path()), testing::ElementsAre("bin"));
 }
 

@@ -105,6 +105,53 @@ TEST_F(Report, HtmlNeedsNothingElse) {
         EXPECT_FALSE(html.contains(outside)) << outside;
     }
     EXPECT_TRUE(html.contains("href=\"#s2\"") && html.contains("id=\"s2\""));
+    EXPECT_TRUE(html.contains("<th scope=\"col\" class=\"w\">name</th><th scope=\"col\">value</th>")) << "columns have their heads";
+}
+
+std::size_t pagesOf(const std::string& pdf) {
+    std::size_t pages = 0;
+    for (std::size_t at = pdf.find("/Type /Page\n"); at != std::string::npos; at = pdf.find("/Type /Page\n", at + 1)) {
+        ++pages;
+    }
+    return pages;
+}
+
+/// Pages of a report of so many lines, a heading and a table of so many rows.
+std::size_t pagesOf(int lines, int rows) {
+    ReportDocument document = smallReport();
+    ReportTable table;
+    table.columns = QStringList{"name", "value"};
+    for (int i = 0; i < rows; ++i) {
+        table.rows.push_back({"row", "1"});
+    }
+    document.blocks.clear();
+    for (int i = 0; i < lines; ++i) {
+        document.blocks.emplace_back(ReportText{"One line."});
+    }
+    document.blocks.insert(document.blocks.end(), {ReportHeading{1, "Heading", false}, table});
+    const io::TemporaryFolder folder;
+    writeReportPdf(folder / "report.pdf", document, "{}");
+    std::ifstream in(folder / "report.pdf", std::ios::binary);
+    return pagesOf(std::string(std::istreambuf_iterator<char>(in), {}));
+}
+
+TEST_F(Report, AHeadingGoesWithItsTableAndAShortTableIsNotBroken) {
+    // First page, contents, text. How many lines fit on the page with the heading and a table of one row, and of ten?
+    const auto mostLines = [](int rows) {
+        int lines = 1;
+        while (pagesOf(lines + 1, rows) == 3) {
+            ++lines;
+        }
+        return lines;
+    };
+    const int withOne = mostLines(1);
+    const int withTen = mostLines(10);
+    EXPECT_GT(withTen, 10);
+    // Nine rows more take the place of lines: none of them goes to the next page alone.
+    EXPECT_GT(withOne - withTen, 5);
+    EXPECT_LT(withOne - withTen, 10);
+    // A long table fills the page that it begins on.
+    EXPECT_EQ(pagesOf(20, 60), 4U) << "from below the lines to the next page";
 }
 
 TEST_F(Report, PdfHasItsPagesAndItsProvenance) {
@@ -115,11 +162,7 @@ TEST_F(Report, PdfHasItsPagesAndItsProvenance) {
     const std::string pdf(std::istreambuf_iterator<char>(in), {});
     EXPECT_TRUE(pdf.starts_with("%PDF"));
     EXPECT_NE(pdf.find(R"({"rubble_provenance":1,"kind":"report"})"), std::string::npos);
-    std::size_t pages = 0;
-    for (std::size_t at = pdf.find("/Type /Page\n"); at != std::string::npos; at = pdf.find("/Type /Page\n", at + 1)) {
-        ++pages;
-    }
-    EXPECT_GE(pages, 5u) << "first page, contents, and a table of 120 rows over several pages";
+    EXPECT_GE(pagesOf(pdf), 5u) << "first page, contents, and a table of 120 rows over several pages";
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ double roundStep(double span, int marks) {
 class Sheet {
 public:
     Sheet(const ReportChart& chart, const QRectF& area, double text)
-        : m_chart(chart), m_text(text), m_palette(palette(render::Theme::Print)) {
+        : m_chart(chart), m_text(text), m_left(area.left()), m_palette(palette(render::Theme::Print)) {
         m_font.setPixelSize(std::max(5, static_cast<int>(std::lround(text))));
         findRange();
         const QFontMetricsF metrics(m_font);
@@ -113,7 +113,7 @@ private:
         }
         painter.drawText(QRectF(m_plot.left(), m_plot.bottom() + 2.0 * m_text, m_plot.width(), 1.6 * m_text),
                          static_cast<int>(Qt::AlignCenter), m_chart.xTitle);
-        painter.drawText(QRectF(m_plot.left() - 6.0 * m_text, m_plot.top() - 2.0 * m_text, 40.0 * m_text, 1.6 * m_text),
+        painter.drawText(QRectF(m_left, m_plot.top() - 2.0 * m_text, 40.0 * m_text, 1.6 * m_text),
                          static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), m_chart.yTitle);
     }
 
@@ -171,6 +171,7 @@ private:
 
     const ReportChart& m_chart;
     double m_text;
+    double m_left;  // of the area
     const Palette& m_palette;
     QFont m_font;
     QPointF m_low, m_high;

@@ -1,6 +1,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,30 @@ namespace rubble::figures {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// What a file is to the case, in words.
+QString roleShown(const std::string& role) {
+    const std::array<std::pair<std::string_view, QString>, 8> names{{{"fe", ReportSections::tr("FE result")},
+                                                                     {"terrain", ReportSections::tr("terrain")},
+                                                                     {"photograph", ReportSections::tr("photograph")},
+                                                                     {"survey", ReportSections::tr("survey")},
+                                                                     {"orthophoto", ReportSections::tr("orthophoto")},
+                                                                     {"surroundings", ReportSections::tr("surroundings")},
+                                                                     {"run", ReportSections::tr("run")},
+                                                                     {"case", ReportSections::tr("case")}}};
+    const auto found = std::find_if(names.begin(), names.end(), [&](const auto& name) { return name.first == role; });
+    return found != names.end() ? found->second : escaped(role);
+}
+
+/// "+12 %": how much more the simulated is than the surveyed.
+QString shareShown(double simulated, double surveyed) {
+    const double share = 100.0 * (simulated - surveyed) / surveyed;
+    if (!std::isfinite(share)) {
+        return QStringLiteral("–");
+    }
+    const int whole = static_cast<int>(std::lround(share));
+    return (whole < 0 ? QStringLiteral("−") : QStringLiteral("+")) + QString::number(std::abs(whole)) + QStringLiteral(" %");
+}
 
 }  // namespace
 
@@ -34,7 +59,7 @@ void ReportSections::addFiles() {
     table.shares = {0.12, 0.26, 0.62};
     table.small = true;
     for (const ReportFile& file : m_facts.files) {
-        table.rows.push_back({escaped(file.role), QFileInfo(QString::fromStdString(file.path)).fileName().toHtmlEscaped(),
+        table.rows.push_back({roleShown(file.role), QFileInfo(QString::fromStdString(file.path)).fileName().toHtmlEscaped(),
                               QStringLiteral("<code>%1</code>").arg(QString::fromStdString(file.sha256))});
     }
     m_blocks.push_back(std::move(table));
@@ -63,8 +88,8 @@ void ReportSections::addPhotographs() {
         table.rows.push_back(
             {escaped(photo.name), tr("%1 of %2").arg(used).arg(photo.photograph.pairs.size()),
              reportNumber(match != nullptr ? match->rms : none, 2), reportNumber(match != nullptr ? match->placeRadius : none, 2),
-             reportNumber(made != nullptr ? made->iou.best : none, 2), reportNumber(made != nullptr ? made->iou.spread : none, 2),
-             reportNumber(made != nullptr ? made->edgeMetres.best : none, 2),
+             reportNumber(made != nullptr ? made->iou.best : none), reportNumber(made != nullptr ? made->iou.spread : none, 2),
+             reportNumber(made != nullptr ? made->edgeMetres.best : none),
              reportNumber(made != nullptr ? made->edgeMetres.spread : none, 2)});
     }
     table.source = source();
@@ -115,9 +140,9 @@ void ReportSections::addSurveys() {
         "voids."));
     ReportTable table;
     table.caption = tr("Surveys: surveyed debris against the simulated");
-    table.columns = QStringList{tr("survey"), tr("measure"), tr("unit"), tr("surveyed"), tr("simulated")};
-    table.words = {true, true, true, false, false};
-    table.shares = {0.24, 0.36, 0.1, 0.15, 0.15};
+    table.columns = QStringList{tr("survey"), tr("measure"), tr("unit"), tr("surveyed"), tr("simulated"), tr("compared")};
+    table.words = {true, true, true, false, false, false};
+    table.shares = {0.2, 0.33, 0.08, 0.13, 0.13, 0.13};
     for (const ReportSurvey& survey : m_facts.surveys) {
         if (survey.comparison) {
             addSurveyRows(table, escaped(survey.name), *survey.comparison);
@@ -145,10 +170,10 @@ void ReportSections::addSurveyRows(ReportTable& table, const QString& name, cons
     const QString dash = QStringLiteral("–");
     const auto both = [&](const QString& measure, const QString& unit, double surveyed, double simulated) {
         table.rows.push_back({table.rows.empty() || measure == tr("area") ? name : QString(), measure, unit, reportNumber(surveyed),
-                              reportNumber(simulated)});
+                              reportNumber(simulated), shareShown(simulated, surveyed)});
     };
     const auto one = [&](const QString& measure, const QString& unit, double value) {
-        table.rows.push_back({QString(), measure, unit, dash, reportNumber(value)});
+        table.rows.push_back({QString(), measure, unit, dash, dash, reportNumber(value)});
     };
     both(tr("area"), QStringLiteral("m²"), made.survey.area, made.simulated.area);
     if (!made.isFootprint) {

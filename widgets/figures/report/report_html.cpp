@@ -31,7 +31,9 @@ dl{display:grid;grid-template-columns:max-content 1fr;gap:.25rem 1.2rem;border-t
 dt{color:#5d666e}dd{margin:0;overflow-wrap:anywhere}
 nav{margin:1.6rem 0}nav ol{list-style:none;padding:0}nav .l2{padding-left:1.6rem}nav a{color:inherit;text-decoration:none}
 nav a:hover{text-decoration:underline}
-@media print{body{max-width:none;margin:0}h2{break-after:avoid}figure,.notice{break-inside:avoid}}
+@media screen and (max-width:46rem){figure.table{overflow-x:auto}}
+@media print{body{max-width:none;margin:0;font-size:10pt}h2,h3,figcaption{break-after:avoid}figure:not(.table),.notice,tr{break-inside:avoid}
+thead{display:table-header-group}.source{break-before:avoid}}
 )";
 
 QString imageTag(const QImage& picture, const QString& words) {
@@ -114,8 +116,9 @@ private:
     void add(const ReportTable& table) {
         const auto cell = [&](const char* tag, std::size_t column, const QString& text) {
             const bool words = column < table.words.size() ? bool(table.words[column]) : column == 0;
-            return QStringLiteral("<%1%2>%3</%1>")
-                .arg(QLatin1String(tag), words ? QStringLiteral(" class=\"w\"") : QString(), text);
+            const QString scope = qstrcmp(tag, "th") == 0 ? QStringLiteral(" scope=\"col\"") : QString();
+            return QStringLiteral("<%1%2%3>%4</%1>")
+                .arg(QLatin1String(tag), scope, words ? QStringLiteral(" class=\"w\"") : QString(), text);
         };
         m_html +=
             QStringLiteral("<figure class=\"table\"><figcaption><b>%1.</b> %2</figcaption>\n<table%3><thead><tr>")

@@ -29,7 +29,8 @@ constexpr double width = pageWidth - left - right;
 constexpr double textPoints = 9.5;
 constexpr double smallPoints = 8.0;
 constexpr double sourcePoints = 6.5;
-constexpr std::size_t leastRows = 3;  // of a table that stand together on a page
+constexpr std::size_t leastRows = 3;                                 // of a table that stand together on a page
+constexpr double longestWhole = 0.45 * (pageHeight - top - bottom);  // of a table that is not broken
 
 const QColor ink(0x1f, 0x24, 0x28);
 const QColor grey(0x5d, 0x66, 0x6e);
@@ -80,8 +81,9 @@ public:
         setFirstPage();
         setContents();
         newPage();
-        for (const ReportBlock& block : m_document.blocks) {
-            std::visit([this](const auto& each) { set(each); }, block);
+        for (std::size_t k = 0; k < m_document.blocks.size(); ++k) {
+            m_next = k + 1 < m_document.blocks.size() ? &m_document.blocks[k + 1] : nullptr;
+            std::visit([this](const auto& each) { set(each); }, m_document.blocks[k]);
         }
         m_painter.end();
     }
@@ -154,12 +156,28 @@ private:
         }
     }
 
+    // Height that a block takes before it can go on on another page.
+    double least(const ReportHeading& heading) const {
+        return (heading.level == 1 ? 60.0 : 46.0) * dot + 3.0 * QFontMetricsF(fontOf(textPoints)).height();
+    }
+    double least(const ReportText& text) const { return textOf(text.html, textPoints, width)->size().height(); }
+    double least(const ReportList& list) const {
+        return list.items.empty() ? 0.0 : textOf(list.items.front(), textPoints, width - 14.0 * dot)->size().height();
+    }
+    double least(const ReportNotice& notice) const {
+        return textOf(notice.html, textPoints, width - 24.0 * dot)->size().height() + 14.0 * dot;
+    }
+    double least(const ReportEquation&) const { return 80.0 * dot; }
+    double least(const ReportFigure& figure) const { return heightOf(figure) + 60.0 * dot; }
+    double least(const ReportTable& table) const { return cellsOf(table, 1).together(); }
+
     void set(const ReportHeading& heading) {
         const bool first = heading.level == 1;
         const double points = first ? 15.0 : 11.0;
         const QString text = m_headings[m_heading].second;
-        // A heading does not stand alone at the foot of a page.
-        need((first ? 60.0 : 46.0) * dot + 60.0 * dot);
+        // A heading does not stand alone at the foot of a page: what begins below it fits there too.
+        const double below = m_next != nullptr ? std::visit([this](const auto& each) { return least(each); }, *m_next) : 0.0;
+        need((first ? 60.0 : 46.0) * dot + below);
         if (m_y > top + 1.0) {
             m_y += (first ? 20.0 : 11.0) * dot;
         }
@@ -210,11 +228,16 @@ private:
         }
     }
 
+    static double aspectOf(const ReportFigure& figure) {
+        return figure.picture.isNull() ? figure.aspect : static_cast<double>(figure.picture.width()) / figure.picture.height();
+    }
+    static double heightOf(const ReportFigure& figure) {
+        return std::min(figure.share * width / aspectOf(figure), 0.8 * (pageHeight - top - bottom));
+    }
+
     void set(const ReportFigure& figure) {
-        const double wide = figure.share * width;
-        const double aspect =
-            figure.picture.isNull() ? figure.aspect : static_cast<double>(figure.picture.width()) / figure.picture.height();
-        const double high = std::min(wide / aspect, 0.8 * (pageHeight - top - bottom));
+        const double aspect = aspectOf(figure);
+        const double high = heightOf(figure);
         const auto caption =
             textOf(QStringLiteral("<b>%1.</b> %2").arg(m_document.figure.arg(++m_figure), figure.caption), smallPoints, width);
         const auto source = textOf(figure.source, sourcePoints, width, grey);
@@ -305,27 +328,47 @@ private:
     }
     void rule(double thickness) { m_painter.fillRect(QRectF(left, m_y - 0.5 * thickness * dot, width, thickness * dot), ink); }
 
-    void set(const ReportTable& table) {
-        const double points = table.small ? 7.0 : smallPoints;
-        const std::vector<double> widths = columnWidths(table, points);
-        const auto caption =
-            textOf(QStringLiteral("<b>%1.</b> %2").arg(m_document.table.arg(++m_table), table.caption), smallPoints, width);
-        QStringList names = table.columns;
-        // A unit such as m/s stays in one line.
-        names.replaceInStrings(QStringLiteral("/"), QStringLiteral("/\u2060"));
-        const RowCells head = rowOf(table, names, widths, points, true);
+    /// A table, ready to be painted.
+    struct TableCells {
+        std::vector<double> widths;
+        std::unique_ptr<QTextDocument> caption;
+        RowCells head;
         std::vector<RowCells> rows;
-        for (const QStringList& each : table.rows) {
-            rows.push_back(rowOf(table, each, widths, points, false));
-        }
-        const auto heightOf = [&rows](std::size_t from, std::size_t to) {
+
+        double heightOf(std::size_t from, std::size_t to) const {
             double height = 0.0;
             for (std::size_t k = from; k < std::min(to, rows.size()); ++k) {
                 height += rows[k].height;
             }
             return height;
-        };
-        need(caption->size().height() + head.height + heightOf(0, leastRows) + 24.0 * dot);
+        }
+        /// What stands on one page: all of a table that is not long, else its first rows.
+        double together() const {
+            const double before = caption->size().height() + head.height + 24.0 * dot;
+            const double whole = before + heightOf(0, rows.size());
+            return whole <= longestWhole ? whole : before + heightOf(0, leastRows);
+        }
+    };
+    static double pointsOf(const ReportTable& table) { return table.small ? 7.0 : smallPoints; }
+    TableCells cellsOf(const ReportTable& table, int number) const {
+        const double points = pointsOf(table);
+        TableCells made;
+        made.widths = columnWidths(table, points);
+        made.caption = textOf(QStringLiteral("<b>%1.</b> %2").arg(m_document.table.arg(number), table.caption), smallPoints, width);
+        QStringList names = table.columns;
+        // A unit such as m/s stays in one line.
+        names.replaceInStrings(QStringLiteral("/"), QStringLiteral("/\u2060"));
+        made.head = rowOf(table, names, made.widths, points, true);
+        for (const QStringList& each : table.rows) {
+            made.rows.push_back(rowOf(table, each, made.widths, points, false));
+        }
+        return made;
+    }
+
+    void set(const ReportTable& table) {
+        const TableCells cells = cellsOf(table, ++m_table);
+        const auto& [widths, caption, head, rows] = cells;
+        need(cells.together());
         m_y += 6.0 * dot;
         paint(*caption, left);
         m_y += caption->size().height() + 4.0 * dot;
@@ -340,7 +383,7 @@ private:
         for (std::size_t k = 0; k < rows.size(); ++k, ++onPage) {
             // The last rows stay together, so that none stands alone on the next page.
             const bool lastFew = onPage >= leastRows && k + leastRows == rows.size();
-            if (heightOf(k, lastFew ? rows.size() : k + 1) > room() - 4.0 * dot) {
+            if (cells.heightOf(k, lastFew ? rows.size() : k + 1) > room() - 4.0 * dot) {
                 rule(1.0);
                 newPage();
                 setHead();
@@ -364,6 +407,7 @@ private:
     int m_pages;
     std::vector<std::pair<int, QString>> m_headings;
     std::vector<ContentsRow> m_found;
+    const ReportBlock* m_next = nullptr;  ///< that follows what is set
     std::size_t m_heading = 0;
     int m_page = 1;
     double m_y = top;

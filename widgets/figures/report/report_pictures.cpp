@@ -22,6 +22,20 @@ constexpr int lowestMap = 620;  // px, that its legend needs
 constexpr int tallest = 2200;   // px
 constexpr double textPixels = 9.0 / 72.0 * dpi;
 
+/// Pixels for a map of so many cells: a long bridge makes a low one.
+int mapHeight(int columns, int rows) {
+    const double shape = static_cast<double>(rows) / std::max(1, columns);
+    return std::clamp(static_cast<int>(mapPixels.width() * shape), lowestMap, mapPixels.height());
+}
+
+int mapHeight(const DebrisMap& map) {
+    if (map.cells.empty()) {
+        return mapPixels.height();
+    }
+    const auto [west, east] = std::minmax_element(map.cells.begin(), map.cells.end(), [](auto a, auto b) { return a.i < b.i; });
+    return mapHeight(east->i - west->i + 1, map.cells.back().j - map.cells.front().j + 1);
+}
+
 }  // namespace
 
 ReportPictures drawReportPictures(const render::SceneData& data, const ReportFacts& facts, const MapPictureStyle& place,
@@ -52,6 +66,7 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
     MapPictureStyle map = place;
     map.pixels = mapPixels;
     map.dpi = dpi;
+    map.pixels.setHeight(mapHeight(facts.map.map));
     pictures.map = mapPicture(facts.map.map, MapLayer::Mass, map);
     for (const ReportPhoto& photo : facts.photographs) {
         pictures.photographs.push_back(photographPicture(photo, widePixels.width()));
@@ -60,10 +75,8 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
         SurveyPictureStyle drawn;
         drawn.pixels = mapPixels;
         if (survey.comparison) {
-            // A long bridge makes a low map.
             const CellGrid& cells = survey.comparison->difference;
-            const double shape = static_cast<double>(cells.rows) / std::max(1, cells.columns);
-            drawn.pixels.setHeight(std::clamp(static_cast<int>(mapPixels.width() * shape), lowestMap, mapPixels.height()));
+            drawn.pixels.setHeight(mapHeight(cells.columns, cells.rows));
         }
         drawn.textPixels = textPixels;
         drawn.place = place.place;
@@ -73,6 +86,7 @@ ReportPictures drawReportPictures(const render::SceneData& data, const ReportFac
     }
     if (facts.probability != nullptr) {
         map.shown = "simulated, at rest";
+        map.pixels.setHeight(mapHeight(*facts.probability));
         pictures.probability = mapPicture(*facts.probability, MapLayer::Probability, map);
     }
     return pictures;

@@ -35,12 +35,17 @@ void ReportSections::addResults() {
 
 void ReportSections::addMeasures() {
     ReportTable table;
-    table.caption =
-        m_facts.floor
-            ? tr("Debris at rest, with the least and the largest over the run and its %1 repeats, and at the end of the FE result")
-                  .arg(m_facts.floor->repeats.size())
-            : tr("Debris at rest and at the end of the FE result");
-    table.columns = QStringList{tr("measure"), tr("unit"), tr("at rest (range)"), tr("at the FE end")};
+    table.caption = m_facts.floor
+                        ? tr("Debris at the end of the run, with the least and the largest over it and its %1 repeats, and at "
+                             "the end of the FE result")
+                              .arg(m_facts.floor->repeats.size())
+                        : tr("Debris at the end of the run and at the end of the FE result");
+    const std::int64_t moving = m_facts.result->stillMoving;
+    table.caption +=
+        QLatin1Char(' ') +
+        (moving == 0 ? tr("(all at rest at the end of the run)")
+                     : tr("(%1 bodies still move at the end of the run)").arg(countText(static_cast<std::size_t>(moving))));
+    table.columns = QStringList{tr("measure"), tr("unit"), tr("at the end (range)"), tr("at the FE end")};
     table.words = {true, true, false, false};
     table.shares = {0.4, 0.1, 0.32, 0.18};
     const auto row = [&](const QString& name, const QString& unit, double DebrisFigures::* figure) {
@@ -134,8 +139,13 @@ void ReportSections::addConservation() {
     row(tr("mass, bodies against the FE result, largest relative error"), errors.bodyMass, {});
     row(tr("momentum, likewise"), errors.bodyMomentum, {});
     row(tr("angular momentum, likewise"), errors.bodyAngularMomentum, {});
+    row(tr("kinetic energy with which fragments became bodies"), energy.kineticIn / 1e6, QStringLiteral("MJ"));
     row(tr("work of gravity"), energy.gravityWork / 1e6, QStringLiteral("MJ"));
+    row(tr("work of water, air and ties; below zero they took energy"), energy.effectWork / 1e6, QStringLiteral("MJ"));
+    row(tr("work of parting what overlapped at birth"), m_facts.result->births.work / 1e6, QStringLiteral("MJ"));
+    row(tr("work of the structure that moved against bodies"), m_facts.result->births.piecePushWork / 1e6, QStringLiteral("MJ"));
     row(tr("lost in contacts"), energy.dissipated / 1e6, QStringLiteral("MJ"));
+    row(tr("kinetic energy left at the end"), energy.kineticNow / 1e6, QStringLiteral("MJ"));
     row(tr("gain beyond all sources, share of the work of gravity"), energy.drift, {});
     row(tr("deepest overlap that lasted over 0.5 s"), m_facts.result->health.penetrationSustained, QStringLiteral("m"));
     row(tr("bulking factor of the pile"), m_facts.result->bulkingFactor, {});

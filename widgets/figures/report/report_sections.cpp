@@ -37,7 +37,8 @@ QString criterionShown(QString text) {
 }
 
 QString valueOf(const ParameterValue& value) {
-    return code(QString::fromStdString(valueText(value)));
+    const std::string text = valueText(value);
+    return text.empty() ? QStringLiteral("–") : code(QString::fromStdString(text));
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ QString ReportSections::said(const Message& message) const {
 }
 
 QString ReportSections::source() const {
-    return tr("From run %1, trajectory %2.")
+    return tr("From run %1, trajectory %2")
         .arg(shortDigest(m_facts.fingerprint), shortDigest(m_facts.result->trajectoryHash.hex()));
 }
 
@@ -102,7 +103,7 @@ void ReportSections::addInputs() {
         table.caption = tr("Settings that depart from those delivered");
         table.columns = QStringList{tr("setting"), tr("key"), tr("delivered"), tr("in this run")};
         table.words = {true, true, false, false};
-        table.shares = {0.36, 0.28, 0.18, 0.18};
+        table.shares = {0.26, 0.44, 0.15, 0.15};
         for (const SettingDifference& difference : differences) {
             table.rows.push_back({said({"", std::string(difference.row->label), {}}),
                                   code(QString::fromStdString(difference.row->keyFor(difference.subject))),
@@ -194,7 +195,7 @@ void ReportSections::addHealth() {
     table.shares = {0.1, 0.1, 0.46, 0.12, 0.12, 0.1};
     for (const HealthBreach& breach : health.breaches) {
         table.rows.push_back({reportSeconds(breach.from), reportSeconds(breach.to), said(breach.what), reportNumber(breach.worst),
-                              reportNumber(breach.limit), count(breach.bodies)});
+                              reportNumber(breach.limit), breach.bodies > 0 ? count(breach.bodies) : QStringLiteral("–")});
     }
     table.source = source();
     m_blocks.push_back(std::move(table));

@@ -88,7 +88,9 @@ ReportDocument composeReport(const ReportFacts& facts, const ReportPictures& pic
         }
     };
     fact(tr("Made by"), QString::fromStdString(facts.author).toHtmlEscaped());
-    fact(tr("Made on (UTC)"), QString::fromStdString(facts.when));
+    // ISO 8601, as a reader has it.
+    fact(tr("Made on (UTC)"),
+         QString::fromStdString(facts.when).replace(QLatin1Char('T'), QLatin1Char(' ')).remove(QLatin1Char('Z')));
     fact(tr("Scenario"), QString::fromStdString(facts.scenarioName).toHtmlEscaped());
     fact(tr("FE result"), QFileInfo(QString::fromStdString(facts.fe->contents().path)).fileName().toHtmlEscaped());
     fact(tr("SHA-256 of the FE result"), code(facts.fe->contents().sha256));

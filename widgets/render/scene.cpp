@@ -92,6 +92,7 @@ struct Scene::Impl {
     vtkRenderWindow* window = nullptr;
     vtkSmartPointer<vtkRenderer> backdrop;             ///< colours what lies between the panes
     std::array<PaneRenderer, paneContents> renderers;  ///< by content
+    std::shared_ptr<StateReadAhead> states;            ///< of the FE result, for all panes
     std::array<std::unique_ptr<PaneGeometry>, geometryCount> geometries;
     std::array<PaneStatus, geometryCount> statuses;
     std::optional<std::array<double, 3>> gridShown;
@@ -206,12 +207,23 @@ struct Scene::Impl {
 
     void update(bool simple);
 
+    /// Brings a picture that is simplified to full detail.
+    void settle(PaneContent content) {
+        const PaneStatus& status = statuses[indexOf(content)];
+        if (status.simplifiedTo > 0.0 || status.statesApart > 1) {
+            update(false);
+        }
+    }
+
     PaneGeometry* geometryFor(PaneContent content, bool simple) {
         auto& geometry = geometries[indexOf(content)];
         const SceneData& shown = content == PaneContent::Other ? other : data;
         if (!geometry && shown.fe) {
-            geometry =
-                std::make_unique<PaneGeometry>(indexOf(content) == 0 ? PaneContent::Fe : PaneContent::Fragments, shown, allFaces);
+            if (!states || states->fe() != shown.fe) {
+                states = std::make_shared<StateReadAhead>(shown.fe);
+            }
+            geometry = std::make_unique<PaneGeometry>(indexOf(content) == 0 ? PaneContent::Fe : PaneContent::Fragments, shown,
+                                                      allFaces, states);
         }
         if (geometry) {
             geometry->setHidden(hidden);
@@ -264,6 +276,7 @@ void Scene::setData(const SceneData& data) {
         m_impl->drop(0);
     }
     if (data.fe != m_impl->data.fe) {
+        m_impl->states.reset();
         m_impl->drop(2);
         m_impl->other = {};
     }
@@ -367,9 +380,7 @@ std::optional<Pick> Scene::pick(int x, int y) const {
     if (!pane || !m_impl->geometries[indexOf(pane->content)]) {
         return std::nullopt;
     }
-    if (m_impl->statuses[indexOf(pane->content)].simplifiedTo > 0.0) {
-        m_impl->update(false);
-    }
+    m_impl->settle(pane->content);
     const Ray ray = m_impl->rayAt(*pane, x, y);
     auto hit = m_impl->geometries[indexOf(pane->content)]->cast(ray);
     // Seen from above, the ground hides what lies below it.
@@ -395,6 +406,7 @@ std::vector<ElementIndex> Scene::elementsIn(const Pane& pane, int left, int top,
 }
 
 std::vector<ElementIndex> Scene::elementsWhere(PaneContent content, const std::function<bool(const Vec3&)>& inside) const {
+    m_impl->settle(content);
     const auto& geometry = m_impl->geometries[indexOf(content)];
     return geometry ? geometry->elementsWhere(inside) : std::vector<ElementIndex>();
 }

@@ -210,6 +210,7 @@ void StateReadAhead::ask(const Interval& interval) {
 }
 
 StateReadAhead::Interval StateReadAhead::nearest(double time) {
+    const std::lock_guard calls(m_calls);
     if (!m_reader) {
         m_reader = std::make_unique<Reader>(*m_fe);
     }
@@ -222,6 +223,7 @@ StateReadAhead::Interval StateReadAhead::nearest(double time) {
 }
 
 std::size_t StateReadAhead::atHand() const {
+    const std::lock_guard calls(m_calls);
     if (!m_reader) {
         return 0;
     }
@@ -230,6 +232,7 @@ std::size_t StateReadAhead::atHand() const {
 }
 
 void StateReadAhead::settle() const {
+    const std::lock_guard calls(m_calls);
     if (m_reader) {
         std::unique_lock lock(m_reader->mutex);
         m_reader->changed.wait(lock, [&] { return !m_reader->reading && !m_reader->wanted; });

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include "core/fe/fe_result.h"
@@ -10,7 +11,7 @@ namespace rubble {
 
 /// The states between which a moving picture is drawn. While it moves, states come from a thread that reads ahead, so that no
 /// picture waits for a file; where the file cannot keep up, states are left out evenly and the interval gets wider, up to `widest`.
-/// To be used from one thread.
+/// May be called from several threads that show the same times.
 class StateReadAhead {
 public:
     /// Two states around a time, and one before them where one is at hand.
@@ -24,7 +25,7 @@ public:
     };
 
     static constexpr double widest = 0.5;  ///< s of the collapse that an interval spans at most, unless states lie further apart
-    static constexpr double readingShare = 0.25;  ///< of the wall time that reading ahead may take
+    static constexpr double readingShare = 0.15;  ///< of the wall time that reading ahead may take
 
     explicit StateReadAhead(std::shared_ptr<const FeResult> fe);
     /// Waits for a reading that has begun; one that has not is dropped.
@@ -57,9 +58,10 @@ private:
     void ask(const Interval& interval);
 
     std::shared_ptr<const FeResult> m_fe;
-    double m_time = 0.0;       ///< s, of the last call
-    double m_calledAt = -1.0;  ///< s of the wall clock; negative: never
-    double m_pace = 0.0;       ///< seconds of the collapse in one of the wall clock; negative backwards
+    mutable std::mutex m_calls;  ///< held by whoever asks for the nearest states
+    double m_time = 0.0;         ///< s, of the last call
+    double m_calledAt = -1.0;    ///< s of the wall clock; negative: never
+    double m_pace = 0.0;         ///< seconds of the collapse in one of the wall clock; negative backwards
     std::unique_ptr<Reader> m_reader;
 };
 

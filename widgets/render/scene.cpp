@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
 #include <limits>
 
 #include "core/clusters/grid_outline.h"
@@ -206,6 +207,7 @@ struct Scene::Impl {
     }
 
     void update(bool simple);
+    void updateGeometries(const std::vector<Pane>& panes, bool simple);
 
     /// Brings a picture that is simplified to full detail.
     void settle(PaneContent content) {
@@ -339,6 +341,33 @@ void Scene::update(const View& view, int width, int height) {
     m_impl->update(m_impl->simplified);
 }
 
+/// Brings what panes show to the view, each geometry on a thread of its own: they share nothing that changes but the states'
+/// source.
+void Scene::Impl::updateGeometries(const std::vector<Pane>& panes, bool simple) {
+    std::array<PaneGeometry*, geometryCount> shown{};
+    for (const Pane& pane : panes) {
+        shown[indexOf(pane.content)] = geometryFor(pane.content, simple);
+    }
+    std::vector<std::future<void>> others;
+    for (auto geometry = shown.begin(); geometry != shown.end(); ++geometry) {
+        const auto bring = [&, own = *geometry] { own->update(view.time, view.colourBy, scale, view.selection); };
+        const bool last = std::all_of(geometry + 1, shown.end(), [](const PaneGeometry* later) { return later == nullptr; });
+        if (*geometry && !last) {
+            others.push_back(std::async(std::launch::async, bring));
+        } else if (*geometry) {
+            bring();
+        }
+    }
+    for (std::future<void>& brought : others) {
+        brought.get();
+    }
+    for (std::size_t i = 0; i < geometryCount; ++i) {
+        if (shown[i]) {
+            statuses[i] = shown[i]->status();
+        }
+    }
+}
+
 void Scene::Impl::update(bool simple) {
     if (coloursChanged) {
         applyColours();
@@ -351,13 +380,11 @@ void Scene::Impl::update(bool simple) {
     for (PaneRenderer& renderer : renderers) {
         renderer.renderer().DrawOff();
     }
-    for (const Pane& pane : panesOf(view.layout, width, height)) {
+    const std::vector<Pane> panes = panesOf(view.layout, width, height);
+    updateGeometries(panes, simple);
+    for (const Pane& pane : panes) {
         PaneRenderer& renderer = renderers[rendererOf(pane.content)];
-        PaneGeometry* geometry = geometryFor(pane.content, simple);
-        if (geometry) {
-            geometry->update(view.time, view.colourBy, scale, view.selection);
-            statuses[indexOf(pane.content)] = geometry->status();
-        }
+        const PaneGeometry* geometry = geometries[indexOf(pane.content)].get();
         renderer.renderer().DrawOn();
         renderer.show(geometry);
         if (pane.content == PaneContent::Overlay) {

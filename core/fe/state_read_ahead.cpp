@@ -68,6 +68,12 @@ struct StateReadAhead::Reader {
         }
     }
 
+    /// What was read or asked for is of no use any more. Under the lock.
+    void forget() {
+        ++jumps;
+        states.clear();
+        wanted.reset();
+    }
     /// A state that is still of use is to come. Under the lock.
     bool underWay() const { return wanted || (reading && readingFor == jumps); }
 
@@ -94,7 +100,18 @@ std::size_t StateReadAhead::stateAt(double time) const {
     return after == times.begin() ? 0 : static_cast<std::size_t>(after - times.begin()) - 1;
 }
 
-StateReadAhead::Interval StateReadAhead::next(double time) const {
+StateReadAhead::Interval StateReadAhead::next(double time) {
+    {
+        const std::lock_guard calls(m_calls);
+        if (m_reader) {
+            const std::lock_guard lock(m_reader->mutex);
+            m_reader->forget();
+        }
+    }
+    return read(time);
+}
+
+StateReadAhead::Interval StateReadAhead::read(double time) const {
     const std::size_t k = stateAt(time);
     Interval interval{k, k, k, m_fe->state(k), nullptr, nullptr};
     if (k + 1 < m_fe->stateCount()) {
@@ -120,9 +137,7 @@ void StateReadAhead::notePace(double time) {
     if (m_calledAt < 0.0 || wall > longestPause || std::abs(step) > longestPause || turned) {
         m_pace = 0.0;
         const std::lock_guard lock(m_reader->mutex);
-        ++m_reader->jumps;
-        m_reader->states.clear();
-        m_reader->wanted.reset();
+        m_reader->forget();
     } else {
         const double pace = step / std::max(wall, sameTime);
         m_pace = m_pace == 0.0 ? pace : (1.0 - smoothing) * m_pace + smoothing * pace;
@@ -167,7 +182,7 @@ StateReadAhead::Interval StateReadAhead::waitFor(double time, std::size_t state)
     if (auto interval = around(state)) {
         return *interval;
     }
-    const Interval interval = next(time);
+    const Interval interval = read(time);
     const std::lock_guard lock(m_reader->mutex);
     m_reader->states[interval.from] = interval.atFrom;
     if (interval.atTo) {

@@ -36,13 +36,13 @@ public:
     const std::shared_ptr<const FeResult>& fe() const { return m_fe; }
     /// Last state at or before a time, 0 before the first.
     std::size_t stateAt(double time) const;
-    /// The states next to a time, read if need be. Throws what the state source throws.
-    Interval next(double time) const;
+    /// The states next to a time, read if need be; lets go of those that were read ahead. Throws what the state source throws.
+    Interval next(double time);
     /// The nearest states around a time that are at hand, and has those read that will be needed if time goes on as it did since
     /// the last call. After a jump, and where reading fell behind, it waits for a state. Throws what the state source throws.
     Interval nearest(double time);
 
-    /// States kept at most, the interval included.
+    /// States kept at most, the interval included, whether or not the FE result still keeps them too.
     static constexpr std::size_t kept = 5;
     /// States at hand now.
     std::size_t atHand() const;
@@ -53,6 +53,7 @@ private:
     struct Reader;
     void notePace(double time);
     double gap() const;
+    Interval read(double time) const;
     std::optional<Interval> around(std::size_t state) const;
     Interval waitFor(double time, std::size_t state);
     void ask(const Interval& interval);

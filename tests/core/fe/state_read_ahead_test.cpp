@@ -124,6 +124,8 @@ TEST(StateReadAhead, WhatIsReadInTimeIsReadAhead) {
     EXPECT_EQ(found.before, 10u);
     ahead.settle();
     EXPECT_LE(series.source->reads, reads + 1) << "what is at hand is not read again";
+    ahead.next(1.11);
+    EXPECT_EQ(ahead.atHand(), 0u) << "at rest nothing is held";
 }
 
 TEST(StateReadAhead, ClosingDropsWhatHasNotBegun) {

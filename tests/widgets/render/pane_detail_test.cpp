@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "tests/scenes/fe_scenes.h"
 #include "tests/widgets/scenes/ballistic_run.h"
 #include "widgets/render/pane_geometry.h"
@@ -95,6 +97,27 @@ TEST_F(PaneDetail, WhatIsBroughtFromTimeToTimeIsWhatIsMadeAnew) {
             }
             EXPECT_GT(compared, simplified ? 2 : 7);
         }
+    }
+}
+
+TEST_F(PaneDetail, PanesMoveAtOnceOnThreadsOfTheirOwn) {
+    const auto states = std::make_shared<StateReadAhead>(m_fe);
+    PaneGeometry fe(PaneContent::Fe, m_data, false, states);
+    PaneGeometry fragments(PaneContent::Fragments, m_data, false, states);
+    for (PaneGeometry* pane : {&fe, &fragments}) {
+        pane->setSimplified(true);
+    }
+    for (int i = 0; i < 30; ++i) {
+        const double time = 0.02 * (i % 20 + i / 20);
+        std::thread other([&] { show(fe, time); });
+        show(fragments, time);
+        other.join();
+        EXPECT_EQ(fe.status().state, fragments.status().state);
+    }
+    for (PaneGeometry* pane : {&fe, &fragments}) {
+        pane->setSimplified(false);
+        show(*pane, 0.33);
+        EXPECT_EQ(pane->status().statesApart, 1u);
     }
 }
 

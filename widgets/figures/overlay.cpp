@@ -385,6 +385,10 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
         overlay.legend.push_back(
             {QColor(), tr("simplified while moving: shapes to within %1").arg(lengthText(twoDigitsUp(status.simplifiedTo)))});
     }
+    if (status.statesApart > 1) {
+        overlay.legend.push_back(
+            {QColor(), tr("simplified while moving: structure interpolated over %1 FE intervals").arg(status.statesApart)});
+    }
     if (view.scaleBar && status.states > 0) {
         overlay.metresPerPixel = render::metresPerPixel(render::cameraOf(view, pane.content), pane.height);
     }

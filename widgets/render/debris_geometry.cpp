@@ -1,6 +1,7 @@
 #include "widgets/render/debris_geometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -239,7 +240,14 @@ DebrisGeometry DebrisGeometry::simplified(double cell) const {
         constexpr double cellsAcross = 2.0;
         const bool narrow = static_cast<double>(box.sizes().minCoeff()) < cellsAcross * cell;
         if (narrow && faces.size() > facesOf(ElementShape::Hexahedron).size()) {
-            coarse.addBox(box, group.first);
+            // Fragments that lie apart fill a part of it: drawn in until it holds no more than they do, boxes of a pile stand as
+            // high as the pile, and cover each other less.
+            double material = 0.0;
+            for (const FragmentId f : m_members[g]) {
+                material += std::abs(signedVolume(m_fragments.verticesOf(f), m_fragments.solid[at(f)])) / 6.0;
+            }
+            const double share = std::cbrt(material / std::max(static_cast<double>(box.volume()), material));
+            coarse.addBox({static_cast<float>(share) * box.min(), static_cast<float>(share) * box.max()}, group.first);
         } else {
             std::vector<std::uint32_t> joined(own.size());
             std::iota(joined.begin(), joined.end(), 0u);

@@ -47,7 +47,8 @@ public:
     void bind(std::span<const Carrier> carriers);
 
     /// The same groups with less detail: vertices of a group in one cell are one, faces that vanish are left out, and a group that
-    /// is narrower than two cells is a box in its axes at hand-over, so that none vanishes. To be made anew after bind().
+    /// is narrower than two cells is a box in its axes at hand-over with the volume of its fragments, so that none vanishes. To be
+    /// made anew after bind().
     /// @param cell  edge of a cell, m
     DebrisGeometry simplified(double cell) const;
 

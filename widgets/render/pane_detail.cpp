@@ -87,27 +87,25 @@ bool PaneGeometry::settleDetail() {
     return changed;
 }
 
-/// For each node of the mesh the one that is drawn in its place: the first of those seen that lie in its cell now. Nodes at rest
-/// would not do, since what lay together may have parted.
-std::vector<std::uint32_t> PaneGeometry::joinedNodes(const std::vector<std::uint32_t>& visible) const {
-    std::vector<std::uint32_t> joined(m_data.fe->mesh().nodeCount(), none);
+/// Settles for each node that is seen the one that is drawn in its place: the first of those seen that lie in its cell now. Nodes
+/// at rest would not do, since what lay together may have parted.
+void PaneGeometry::joinNodes() {
     std::vector<std::uint32_t> nodes;
     std::vector<Eigen::Vector3f> places;
-    const bool afloat = released(m_status.time);
-    for (const std::uint32_t index : visible) {
+    m_joined.assign(m_data.fe->mesh().nodeCount(), none);
+    for (const std::uint32_t index : m_visible) {
         for (const std::uint32_t node : m_structure->faces()[index].nodes) {
-            if (node != StructureFaces::none && joined[node] == none) {
-                joined[node] = node;
+            if (node != StructureFaces::none && m_joined[node] == none) {
+                m_joined[node] = node;
                 nodes.push_back(node);
-                places.push_back(placeOf(node, afloat ? m_islands.of(node) : IslandMotion::none));
+                places.push_back(placeOf(node, m_afloat ? m_islands.of(node) : IslandMotion::none));
             }
         }
     }
     const std::vector<std::uint32_t> first = VertexCells(m_cells.structure).join(places);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        joined[nodes[i]] = nodes[first[i]];
+        m_joined[nodes[i]] = nodes[first[i]];
     }
-    return joined;
 }
 
 }  // namespace rubble::render

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/analysis/debris_measures.h"
 #include "widgets/render/colour_choice.h"
@@ -33,10 +32,6 @@ double snapped(const FeResult& fe, double time) {
     return time;
 }
 
-std::size_t slotAt(const std::vector<double>& events, double time) {
-    return static_cast<std::size_t>(std::upper_bound(events.begin(), events.end(), time) - events.begin());
-}
-
 /// The times of the elements that are not hidden; the others have none.
 ShowTimes without(const ShowTimes& times, const std::vector<std::uint8_t>& hidden) {
     ShowTimes left;
@@ -53,8 +48,11 @@ ShowTimes without(const ShowTimes& times, const std::vector<std::uint8_t>& hidde
 
 }  // namespace
 
-PaneGeometry::PaneGeometry(PaneContent content, const SceneData& data, bool allFaces)
-    : m_content(content), m_data(data), m_allFaces(allFaces), m_motion(data.fe) {
+PaneGeometry::PaneGeometry(PaneContent content, const SceneData& data, bool allFaces, std::shared_ptr<StateReadAhead> states)
+    : m_content(content),
+      m_data(data),
+      m_allFaces(allFaces),
+      m_motion(data.fe, states ? std::move(states) : std::make_shared<StateReadAhead>(data.fe)) {
     if (content == PaneContent::Fe) {
         m_data.fragments = nullptr;
         m_data.clustering = nullptr;
@@ -79,13 +77,12 @@ void PaneGeometry::makeFaces(bool carried) {
         m_debris = std::make_unique<DebrisGeometry>(*m_data.fragments, m_data.clustering.get(), hideInner, left);
         m_boundBodies = 0;
     }
-    std::set<double> events;
+    m_elementCounts = std::make_unique<ElementCounts>(m_showTimes);
     if (m_data.fragments) {
-        for (const Fragment& f : m_data.fragments->list) {
-            events.insert({carried ? f.handOverTime : f.birthTime, f.birthTime, f.endTime});
-        }
+        m_slots = std::make_unique<FragmentSlots>(*m_data.fragments, m_data.clustering.get(),
+                                                  m_data.components ? m_data.components->list.size() : 0, carried);
     }
-    m_debrisEvents.assign(events.begin(), events.end());
+    m_visible.clear();
     m_structureSlot = m_debrisSlot = ~std::uint64_t{0};
     m_placed = false;
     m_coarse.reset();
@@ -125,12 +122,6 @@ void PaneGeometry::bindBodies() {
         m_boundBodies = std::max(m_boundBodies, at(carrier.body) + 1);
     }
     m_islands.bind(m_data.fe->mesh(), m_data.trajectory->islands(), m_data.trajectory->bodies());
-    if (!m_islands.empty()) {
-        const auto place = std::lower_bound(m_debrisEvents.begin(), m_debrisEvents.end(), m_islands.from());
-        if (place == m_debrisEvents.end() || *place != m_islands.from()) {
-            m_debrisEvents.insert(place, m_islands.from());
-        }
-    }
     m_debrisSlot = ~std::uint64_t{0};
     m_coarse.reset();
     m_cells = {};
@@ -158,8 +149,9 @@ double PaneGeometry::shownTime(double time) {
 void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& scale, const std::vector<ElementIndex>& selection) {
     followTrajectory();
     const double shown = shownTime(time);
-    if (!m_placed || shown != m_placedTime) {
-        m_motion.moveTo(shown);
+    const bool moved = !m_placed || shown != m_placedTime || (!m_simplify && m_motion.statesApart() > 1);
+    if (moved) {
+        m_motion.moveTo(shown, !m_simplify);
         if (m_carried) {
             m_frame = frameAtTime(*m_data.trajectory, shown);
             if (m_frame.bodies() > m_boundBodies) {
@@ -169,21 +161,25 @@ void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& sca
         }
     }
     m_status.state = static_cast<std::uint32_t>(m_motion.state());
+    m_status.statesApart = m_motion.statesApart();
     m_status.interpolated = m_carried ? m_frame.kind == FrameKind::Interpolated : m_motion.interpolated();
     m_status.kind = m_carried ? m_frame.kind : (m_motion.interpolated() ? FrameKind::Interpolated : FrameKind::Fe);
 
     const bool otherLooks = settleLooks(scale);
     const std::size_t structureSlot = m_structure->slotAt(shown);
-    const std::size_t debrisSlot = slotAt(m_debrisEvents, shown);
+    const std::size_t debrisSlot = m_slots ? m_slots->slotAt(shown) : 0;
+    const bool otherIslands = released(shown) != m_afloat;
     const bool otherDetail = settleDetail();
-    const bool changed = otherLooks || otherDetail || structureSlot != m_structureSlot || debrisSlot != m_debrisSlot;
+    const bool changed =
+        otherLooks || otherDetail || otherIslands || structureSlot != m_structureSlot || debrisSlot != m_debrisSlot;
     if (changed) {
-        m_structureSlot = structureSlot;
+        findVisible(structureSlot);
         m_debrisSlot = debrisSlot;
-        rebuildTriangles(shown);
+        m_afloat = released(shown);
+        rebuildTriangles();
         countShown(shown);
     }
-    if (changed || !m_placed || shown != m_placedTime) {
+    if (changed || moved) {
         place(shown);
         m_placedTime = shown;
         m_placed = true;
@@ -239,7 +235,19 @@ std::uint32_t PaneGeometry::componentOf(ElementIndex element) const {
     return m_data.components ? static_cast<std::uint32_t>(m_data.components->of[at(element)]) : m_data.fe->mesh().part[at(element)];
 }
 
-void PaneGeometry::rebuildTriangles(double time) {
+/// Faces of the structure that can be seen in a slot; from one to a near one by what changes between them.
+void PaneGeometry::findVisible(std::size_t slot) {
+    constexpr std::size_t near = 8;
+    const bool known = m_structureSlot < m_structure->slotCount();
+    if (known && std::max(slot, m_structureSlot) - std::min(slot, m_structureSlot) <= near) {
+        m_structure->follow(m_visible, m_structureSlot, slot);
+    } else {
+        m_visible = m_structure->visible(slot);
+    }
+    m_structureSlot = slot;
+}
+
+void PaneGeometry::rebuildTriangles() {
     m_triangles.clear();
     m_lines.clear();
     m_owners.clear();
@@ -247,25 +255,18 @@ void PaneGeometry::rebuildTriangles(double time) {
     m_groupsShown = 0;
     m_debrisPoints = 0;
     if (m_debris) {
-        addDebris(time);
+        addDebris();
     }
-    addStructure(time);
+    addStructure();
     ++m_trianglesVersion;
 }
 
-void PaneGeometry::addDebris(double time) {
+void PaneGeometry::addDebris() {
     const auto& list = m_data.fragments->list;
-    std::vector<std::uint8_t> shown(list.size(), 0);
-    m_born.assign(list.size(), 0);
-    for (std::size_t f = 0; f < list.size(); ++f) {
-        const double from = m_carried ? list[f].handOverTime : list[f].birthTime;
-        shown[f] = from <= time && time < list[f].endTime;
-        m_born[f] = list[f].birthTime <= time && time < list[f].endTime;
-    }
     const auto groups = drawnDebris().groups();
     std::uint32_t lastVertex = 0;
     for (const auto& face : drawnDebris().faces()) {
-        if (!shown[at(face.fragment)]) {
+        if (!m_slots->drawn(at(face.fragment), m_debrisSlot)) {
             continue;
         }
         const Owner owner{list[at(face.fragment)].element, static_cast<std::uint32_t>(face.fragment)};
@@ -293,26 +294,27 @@ void PaneGeometry::addDebris(double time) {
     }
 }
 
-void PaneGeometry::addStructure(double time) {
+void PaneGeometry::addStructure() {
     // One point for each node and look, so that components keep crisp borders.
     const std::size_t looks = m_looks.size();
-    const bool afloat = released(time);
-    std::vector<std::int32_t> pointOf(m_data.fe->mesh().nodeCount() * looks, -1);
+    m_pointOf.resize(m_data.fe->mesh().nodeCount() * looks, -1);
     const auto pointFor = [&](std::uint32_t node, std::uint32_t look) {
-        std::int32_t& point = pointOf[std::size_t{node} * looks + look];
+        std::int32_t& point = m_pointOf[std::size_t{node} * looks + look];
         if (point < 0) {
             point = static_cast<std::int32_t>(m_debrisPoints + m_structurePoints.size());
-            m_structurePoints.push_back({node, look, afloat ? m_islands.of(node) : IslandMotion::none});
+            m_structurePoints.push_back({node, look, m_afloat ? m_islands.of(node) : IslandMotion::none});
         }
         return point;
     };
-    const std::vector<std::uint32_t> visible = m_structure->visible(m_structureSlot);
-    const std::vector<std::uint32_t> joined = m_cells.structure > 0.0 ? joinedNodes(visible) : std::vector<std::uint32_t>();
-    for (const std::uint32_t index : visible) {
+    const bool join = m_cells.structure > 0.0;
+    if (join) {
+        joinNodes();
+    }
+    for (const std::uint32_t index : m_visible) {
         StructureFaces::Face face = m_structure->faces()[index];
-        if (!joined.empty() && face.nodes[2] != StructureFaces::none) {
+        if (join && face.nodes[2] != StructureFaces::none) {
             for (std::uint32_t& node : face.nodes) {
-                node = node == StructureFaces::none ? node : joined[node];
+                node = node == StructureFaces::none ? node : m_joined[node];
             }
             if (!withoutRepeats(face.nodes, StructureFaces::none)) {
                 continue;
@@ -334,6 +336,9 @@ void PaneGeometry::addStructure(double time) {
             m_triangles.insert(m_triangles.end(), {p[0], p[2], p[3]});
             m_owners.push_back({face.element, none});
         }
+    }
+    for (const StructurePoint& point : m_structurePoints) {
+        m_pointOf[std::size_t{point.node} * looks + point.look] = -1;
     }
 }
 
@@ -361,7 +366,7 @@ void PaneGeometry::place(double time) {
 Rgb PaneGeometry::debrisColour(FragmentId fragment, std::size_t group, const std::vector<float>& speeds, ColourBy colourBy,
                                const ColourScale& scale) const {
     const Fragment& f = m_data.fragments->list[at(fragment)];
-    if (!m_born[at(fragment)] || (scale.style == Style::Presentation && colourBy == ColourBy::Highlight)) {
+    if (!born(at(fragment)) || (scale.style == Style::Presentation && colourBy == ColourBy::Highlight)) {
         return m_looks[m_lookOf[at(f.component)]];
     }
     switch (colourBy) {
@@ -407,7 +412,7 @@ void PaneGeometry::countErrors(const ColourScale& scale) {
     }
     m_status.errors.assign(scale.errorSteps.size() + 1, 0);
     for (std::size_t f = 0; f < m_errors.size(); ++f) {
-        if (!m_born[f]) {
+        if (!born(f)) {
             continue;
         }
         if (std::isfinite(m_errors[f])) {
@@ -504,38 +509,22 @@ void PaneGeometry::select(const std::vector<ElementIndex>& selection) {
 }
 
 void PaneGeometry::countShown(double time) {
-    m_status.active = m_status.fragments = m_status.clusters = 0;
-    m_status.released = released(time) ? m_islands.elements() : 0;
+    m_status.fragments = m_status.clusters = 0;
+    m_status.released = m_afloat ? m_islands.elements() : 0;
     m_status.bornByComponent.clear();
     m_status.faces = m_triangles.size() / 3;
     m_status.hidden = static_cast<std::size_t>(std::count(m_hidden.begin(), m_hidden.end(), 1));
-    for (std::size_t e = 0; e < m_status.elements; ++e) {
-        for (const TimeSpan& span : m_showTimes.of(idAt<ElementIndex>(e))) {
-            m_status.active += span.from <= time && time < span.to;
-        }
-    }
+    m_status.active = m_elementCounts->at(time);
     m_status.active -= std::min(m_status.active, m_status.released);
-    if (!m_data.fragments) {
+    if (!m_slots) {
         return;
     }
-    const auto& list = m_data.fragments->list;
-    m_status.bornByComponent.assign(m_data.components ? m_data.components->list.size() : 0, 0);
-    std::vector<std::uint8_t> clusterBorn(m_data.clustering ? m_data.clustering->list.size() : 0, 0);
-    for (std::size_t f = 0; f < list.size(); ++f) {
-        // An element on its way from hand-over to birth still counts as structure.
-        m_status.active += m_carried && !m_born[f] && list[f].handOverTime <= time && time < list[f].birthTime;
-        if (!m_born[f]) {
-            continue;
-        }
-        ++m_status.fragments;
-        if (at(list[f].component) < m_status.bornByComponent.size()) {
-            ++m_status.bornByComponent[at(list[f].component)];
-        }
-        if (m_data.clustering) {
-            clusterBorn[at(m_data.clustering->of[f])] = 1;
-        }
-    }
-    m_status.clusters = static_cast<std::size_t>(std::count(clusterBorn.begin(), clusterBorn.end(), 1));
+    const FragmentSlots::Counts& counts = m_slots->countsAt(m_debrisSlot);
+    // An element on its way from hand-over to birth still counts as structure.
+    m_status.active += counts.onTheWay;
+    m_status.fragments = counts.born;
+    m_status.bornByComponent = counts.bornByComponent;
+    m_status.clusters = counts.clusters;
 }
 
 }  // namespace rubble::render

@@ -15,6 +15,7 @@
 #include "widgets/render/node_motion.h"
 #include "widgets/render/scene.h"
 #include "widgets/render/scene_data.h"
+#include "widgets/render/shown_counts.h"
 #include "widgets/render/structure_faces.h"
 
 namespace rubble::render {
@@ -36,7 +37,8 @@ class PaneGeometry {
 public:
     static constexpr std::uint32_t none = 0xffffffffu;
 
-    PaneGeometry(PaneContent content, const SceneData& data, bool allFaces);
+    /// @param states  where the states come from while the picture is simplified, shared with other panes; null: of its own
+    PaneGeometry(PaneContent content, const SceneData& data, bool allFaces, std::shared_ptr<StateReadAhead> states = nullptr);
 
     /// Moves to a time on the file's clock, s. Throws what reading a state or a frame throws; the picture before then stays.
     void update(double time, ColourBy colourBy, const ColourScale& scale, const std::vector<ElementIndex>& selection);
@@ -46,7 +48,8 @@ public:
     void setHidden(std::vector<std::uint8_t> hidden);
     /// Draws no more than a screen can follow while it moves: vertices of the structure that share a cell are one, and so are those
     /// of clusters, the small ones of which become boxes. Cells are so large that about `simplifiedFaces` faces are left of each;
-    /// what has no more stays as it is. Picking needs full detail; counts and places of elements do not.
+    /// what has no more stays as it is. The structure moves between the nearest FE states at hand (NodeMotion). Picking and places
+    /// of elements need full detail; counts do not.
     void setSimplified(bool simplified);
     static constexpr std::size_t simplifiedFaces = 30000;
     /// A plane that opens the model needs the faces inside it too. What draws the triangles cuts them.
@@ -97,11 +100,13 @@ private:
     void makeCoarse();
     bool settleDetail();
     const DebrisGeometry& drawnDebris() const { return m_cells.debris > 0.0 ? *m_coarse : *m_debris; }
-    std::vector<std::uint32_t> joinedNodes(const std::vector<std::uint32_t>& visible) const;
+    void findVisible(std::size_t slot);
+    void joinNodes();
+    bool born(std::size_t fragment) const { return m_slots->born(fragment, m_debrisSlot); }
     Eigen::Vector3f placeOf(std::uint32_t node, std::uint32_t island) const;
-    void rebuildTriangles(double time);
-    void addStructure(double time);
-    void addDebris(double time);
+    void rebuildTriangles();
+    void addStructure();
+    void addDebris();
     void place(double time);
     void colour(ColourBy colourBy, const ColourScale& scale);
     void takeErrors();
@@ -138,7 +143,8 @@ private:
     std::optional<Cells> m_cellsWanted;        ///< made when first needed
     Cells m_cells;                             ///< of what is drawn
     std::unique_ptr<DebrisGeometry> m_coarse;  ///< drawn in place of m_debris while its vertices are joined; kept from then on
-    std::vector<double> m_debrisEvents;
+    std::unique_ptr<ElementCounts> m_elementCounts;
+    std::unique_ptr<FragmentSlots> m_slots;
     IslandMotion m_islands;
     TrajectoryFrame m_frame;
     std::size_t m_boundBodies = 0;
@@ -147,7 +153,10 @@ private:
     std::uint64_t m_debrisSlot = ~std::uint64_t{0};
     std::size_t m_groupsShown = 0;
     std::size_t m_debrisPoints = 0;
-    std::vector<std::uint8_t> m_born;  ///< by fragment
+    std::vector<std::uint32_t> m_visible;  ///< faces of the structure in m_structureSlot
+    std::vector<std::uint32_t> m_joined;   ///< by node: the one that is drawn in its place; `none` of those that are not drawn
+    std::vector<std::int32_t> m_pointOf;   ///< by node and look, -1 outside addStructure()
+    bool m_afloat = false;                 ///< islands are drawn as released
     std::vector<std::uint32_t> m_groupOfPoint;
     std::vector<StructurePoint> m_structurePoints;
     std::vector<Owner> m_owners;  ///< by triangle

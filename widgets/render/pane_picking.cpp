@@ -82,7 +82,7 @@ std::optional<Pick> PaneGeometry::cast(const Ray& ray) const {
     Pick pick;
     pick.pane = m_content;
     pick.element = m_owners[hit].element;
-    if (m_owners[hit].fragment != none && m_born[m_owners[hit].fragment]) {
+    if (m_owners[hit].fragment != none && born(m_owners[hit].fragment)) {
         pick.fragment = idAt<FragmentId>(m_owners[hit].fragment);
     }
     pick.position = ray.origin + static_cast<double>(nearest) * ray.direction;

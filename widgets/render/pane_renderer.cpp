@@ -61,6 +61,12 @@ private:
     std::array<vtkMTimeType, 2> m_sent{};
 };
 
+/// VTK drops fragments without opacity after it has shaded them, so what lies behind others cannot be left out before. Opaque
+/// actors have none to drop.
+void testDepthFirst(vtkActor& opaque) {
+    opaque.GetShaderProperty()->AddFragmentShaderReplacement("discard;", true, "", false);
+}
+
 vtkSmartPointer<vtkActor> modelActor(vtkPolyData* data) {
     vtkNew<SteadyTriangleMapper> mapper;
     mapper->SetInputData(data);
@@ -73,6 +79,7 @@ vtkSmartPointer<vtkActor> modelActor(vtkPolyData* data) {
     actor->GetProperty()->SetInterpolationToFlat();
     actor->GetProperty()->BackfaceCullingOn();
     actor->GetProperty()->SetSpecular(0.0);
+    testDepthFirst(*actor);
     return actor;
 }
 
@@ -244,6 +251,7 @@ void PaneRenderer::setGrain(const std::vector<float>& grain) {
     if (!m_grained) {
         mapper->RemoveVertexAttributeMapping("grainMC");
         shader->ClearAllShaderReplacements();
+        testDepthFirst(*m_modelActor);
         m_model->GetPointData()->RemoveArray(m_grain->GetName());
         return;
     }

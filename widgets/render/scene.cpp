@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
 #include <limits>
 
 #include "core/clusters/grid_outline.h"
@@ -92,6 +93,7 @@ struct Scene::Impl {
     vtkRenderWindow* window = nullptr;
     vtkSmartPointer<vtkRenderer> backdrop;             ///< colours what lies between the panes
     std::array<PaneRenderer, paneContents> renderers;  ///< by content
+    std::shared_ptr<StateReadAhead> states;            ///< of the FE result, for all panes
     std::array<std::unique_ptr<PaneGeometry>, geometryCount> geometries;
     std::array<PaneStatus, geometryCount> statuses;
     std::optional<std::array<double, 3>> gridShown;
@@ -205,13 +207,25 @@ struct Scene::Impl {
     }
 
     void update(bool simple);
+    void updateGeometries(const std::vector<Pane>& panes, bool simple);
+
+    /// Brings a picture that is simplified to full detail.
+    void settle(PaneContent content) {
+        const PaneStatus& status = statuses[indexOf(content)];
+        if (status.simplifiedTo > 0.0 || status.statesApart > 1) {
+            update(false);
+        }
+    }
 
     PaneGeometry* geometryFor(PaneContent content, bool simple) {
         auto& geometry = geometries[indexOf(content)];
         const SceneData& shown = content == PaneContent::Other ? other : data;
         if (!geometry && shown.fe) {
-            geometry =
-                std::make_unique<PaneGeometry>(indexOf(content) == 0 ? PaneContent::Fe : PaneContent::Fragments, shown, allFaces);
+            if (!states || states->fe() != shown.fe) {
+                states = std::make_shared<StateReadAhead>(shown.fe);
+            }
+            geometry = std::make_unique<PaneGeometry>(indexOf(content) == 0 ? PaneContent::Fe : PaneContent::Fragments, shown,
+                                                      allFaces, states);
         }
         if (geometry) {
             geometry->setHidden(hidden);
@@ -264,6 +278,7 @@ void Scene::setData(const SceneData& data) {
         m_impl->drop(0);
     }
     if (data.fe != m_impl->data.fe) {
+        m_impl->states.reset();
         m_impl->drop(2);
         m_impl->other = {};
     }
@@ -326,6 +341,33 @@ void Scene::update(const View& view, int width, int height) {
     m_impl->update(m_impl->simplified);
 }
 
+/// Brings what panes show to the view, each geometry on a thread of its own: they share nothing that changes but the states'
+/// source.
+void Scene::Impl::updateGeometries(const std::vector<Pane>& panes, bool simple) {
+    std::array<PaneGeometry*, geometryCount> shown{};
+    for (const Pane& pane : panes) {
+        shown[indexOf(pane.content)] = geometryFor(pane.content, simple);
+    }
+    std::vector<std::future<void>> others;
+    for (auto geometry = shown.begin(); geometry != shown.end(); ++geometry) {
+        const auto bring = [&, own = *geometry] { own->update(view.time, view.colourBy, scale, view.selection); };
+        const bool last = std::all_of(geometry + 1, shown.end(), [](const PaneGeometry* later) { return later == nullptr; });
+        if (*geometry && !last) {
+            others.push_back(std::async(std::launch::async, bring));
+        } else if (*geometry) {
+            bring();
+        }
+    }
+    for (std::future<void>& brought : others) {
+        brought.get();
+    }
+    for (std::size_t i = 0; i < geometryCount; ++i) {
+        if (shown[i]) {
+            statuses[i] = shown[i]->status();
+        }
+    }
+}
+
 void Scene::Impl::update(bool simple) {
     if (coloursChanged) {
         applyColours();
@@ -338,13 +380,11 @@ void Scene::Impl::update(bool simple) {
     for (PaneRenderer& renderer : renderers) {
         renderer.renderer().DrawOff();
     }
-    for (const Pane& pane : panesOf(view.layout, width, height)) {
+    const std::vector<Pane> panes = panesOf(view.layout, width, height);
+    updateGeometries(panes, simple);
+    for (const Pane& pane : panes) {
         PaneRenderer& renderer = renderers[rendererOf(pane.content)];
-        PaneGeometry* geometry = geometryFor(pane.content, simple);
-        if (geometry) {
-            geometry->update(view.time, view.colourBy, scale, view.selection);
-            statuses[indexOf(pane.content)] = geometry->status();
-        }
+        const PaneGeometry* geometry = geometries[indexOf(pane.content)].get();
         renderer.renderer().DrawOn();
         renderer.show(geometry);
         if (pane.content == PaneContent::Overlay) {
@@ -367,9 +407,7 @@ std::optional<Pick> Scene::pick(int x, int y) const {
     if (!pane || !m_impl->geometries[indexOf(pane->content)]) {
         return std::nullopt;
     }
-    if (m_impl->statuses[indexOf(pane->content)].simplifiedTo > 0.0) {
-        m_impl->update(false);
-    }
+    m_impl->settle(pane->content);
     const Ray ray = m_impl->rayAt(*pane, x, y);
     auto hit = m_impl->geometries[indexOf(pane->content)]->cast(ray);
     // Seen from above, the ground hides what lies below it.
@@ -395,6 +433,7 @@ std::vector<ElementIndex> Scene::elementsIn(const Pane& pane, int left, int top,
 }
 
 std::vector<ElementIndex> Scene::elementsWhere(PaneContent content, const std::function<bool(const Vec3&)>& inside) const {
+    m_impl->settle(content);
     const auto& geometry = m_impl->geometries[indexOf(content)];
     return geometry ? geometry->elementsWhere(inside) : std::vector<ElementIndex>();
 }

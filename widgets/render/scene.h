@@ -35,7 +35,8 @@ struct PaneStatus {
     std::size_t errorsUnknown = 0;             ///< of them, those that the reference does not have at this time
     std::size_t faces = 0;                     ///< drawn
     double simplifiedTo = 0.0;                 ///< m: shapes are drawn to within this; 0: as they are
-    std::size_t hidden = 0;                    ///< elements left out of the picture; the counts above hold them all the same
+    std::size_t statesApart = 1;  ///< FE states from one to the next between which nodes move; more while simplified only
+    std::size_t hidden = 0;       ///< elements left out of the picture; the counts above hold them all the same
 };
 
 /// What lies under a pixel.
@@ -74,8 +75,9 @@ public:
     /// Draw every face, hidden ones too (what leaving them out brings is measured with this). Default off.
     void setAllFaces(bool all);
 
-    /// Draw large models with less detail, for as long as they move. Counts, picking and what elementsWhere() finds stay the same,
-    /// and PaneStatus::simplifiedTo tells of it. Default off: figures and movies never ask for it.
+    /// Draw large models with less detail, for as long as they move, and their structure between the FE states at hand rather than
+    /// wait for those next to the time. Counts, picking and what elementsWhere() finds stay the same, and PaneStatus (simplifiedTo,
+    /// statesApart) tells of it. Default off: figures and movies never ask for it.
     void setSimplified(bool simplified);
 
     /// Brings all panes to a view: positions, colours, cameras, layout. Draws nothing; call the window's Render() after.
@@ -90,7 +92,8 @@ public:
     /// The elements shown in a pane, active or as fragments, whose centres lie in a rectangle of pixels, seen or covered,
     /// ascending.
     std::vector<ElementIndex> elementsIn(const Pane& pane, int left, int top, int right, int bottom) const;
-    /// The elements shown in a pane, active or as fragments, whose centres [m] pass a test, ascending; as of the last update().
+    /// The elements shown in a pane, active or as fragments, whose centres [m] pass a test, ascending; as of the last update(), a
+    /// simplified picture at full detail.
     std::vector<ElementIndex> elementsWhere(PaneContent content, const std::function<bool(const Vec3&)>& inside) const;
     /// The point of the ground under a pixel, as of the last update().
     std::optional<Vec3> groundAt(int x, int y) const;

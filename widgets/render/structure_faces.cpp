@@ -206,6 +206,26 @@ StructureFaces::StructureFaces(const Mesh& mesh, const ShowTimes& times, bool hi
     std::sort(m_faces.begin(), m_faces.end(), [](const Face& a, const Face& b) {
         return std::tie(a.element, a.nodes, a.fromSlot) < std::tie(b.element, b.nodes, b.fromSlot);
     });
+    m_beginning = sorted([](const Face& face) { return face.fromSlot; });
+    m_ending = sorted([](const Face& face) { return face.toSlot; });
+}
+
+template <class SlotOf>
+StructureFaces::BySlot StructureFaces::sorted(SlotOf slotOf) const {
+    BySlot by;
+    by.offsets.assign(slotCount() + 2, 0);
+    for (const Face& face : m_faces) {
+        ++by.offsets[slotOf(face) + 1];
+    }
+    for (std::size_t slot = 1; slot < by.offsets.size(); ++slot) {
+        by.offsets[slot] += by.offsets[slot - 1];
+    }
+    std::vector<std::uint32_t> next(by.offsets.begin(), by.offsets.end() - 1);
+    by.faces.resize(m_faces.size());
+    for (std::size_t i = 0; i < m_faces.size(); ++i) {
+        by.faces[next[slotOf(m_faces[i])]++] = static_cast<std::uint32_t>(i);
+    }
+    return by;
 }
 
 std::uint32_t StructureFaces::slotFrom(double time) const {
@@ -227,6 +247,23 @@ std::vector<std::uint32_t> StructureFaces::visible(std::size_t slot) const {
         }
     }
     return indices;
+}
+
+void StructureFaces::follow(std::vector<std::uint32_t>& visible, std::size_t from, std::size_t to) const {
+    const auto seen = [&](std::uint32_t index) { return m_faces[index].fromSlot <= to && to < m_faces[index].toSlot; };
+    std::erase_if(visible, [&](std::uint32_t index) { return !seen(index); });
+    // Forwards what begins on the way comes in, backwards what ends there.
+    const BySlot& entering = from < to ? m_beginning : m_ending;
+    const std::size_t first = entering.offsets[std::min(from, to) + 1];
+    const std::size_t last = entering.offsets[std::max(from, to) + 1];
+    const auto middle = static_cast<std::ptrdiff_t>(visible.size());
+    for (std::size_t i = first; i < last; ++i) {
+        if (seen(entering.faces[i])) {
+            visible.push_back(entering.faces[i]);
+        }
+    }
+    std::sort(visible.begin() + middle, visible.end());
+    std::inplace_merge(visible.begin(), visible.begin() + middle, visible.end());
 }
 
 }  // namespace rubble::render

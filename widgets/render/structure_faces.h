@@ -58,12 +58,24 @@ public:
     std::size_t slotCount() const { return m_events.size() + 1; }
     /// Indices into faces() of what can be seen in a slot, ascending.
     std::vector<std::uint32_t> visible(std::size_t slot) const;
+    /// Brings what visible() gave in one slot to what it gives in another.
+    void follow(std::vector<std::uint32_t>& visible, std::size_t from, std::size_t to) const;
 
 private:
     std::uint32_t slotFrom(double time) const;
 
+    /// Faces by the slot with which they begin or end, ascending in each.
+    struct BySlot {
+        std::vector<std::uint32_t> offsets;  ///< first of each slot [slots + 2]
+        std::vector<std::uint32_t> faces;
+    };
+    template <class SlotOf>
+    BySlot sorted(SlotOf slotOf) const;
+
     std::vector<double> m_events;
     std::vector<Face> m_faces;
+    BySlot m_beginning;
+    BySlot m_ending;
 };
 
 }  // namespace rubble::render

@@ -1,30 +1,68 @@
 #include "widgets/render/vertex_cells.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
 
 namespace rubble::render {
+
+namespace {
+
+constexpr std::size_t fewest = 256;  // places in the table
+
+std::size_t hashOf(const std::array<std::int32_t, 3>& cell) {
+    std::uint64_t hash = 0;
+    for (const std::int32_t axis : cell) {
+        hash = (hash ^ static_cast<std::uint32_t>(axis)) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 32;
+    }
+    return static_cast<std::size_t>(hash);
+}
+
+}  // namespace
+
+/// Where a cell stands in the table, or is to stand.
+VertexCells::Place& VertexCells::placeOf(const std::array<std::int32_t, 3>& cell) {
+    const std::size_t mask = m_places.size() - 1;
+    std::size_t i = hashOf(cell) & mask;
+    while (m_places[i].point != nobody && m_places[i].cell != cell) {
+        i = (i + 1) & mask;
+    }
+    return m_places[i];
+}
+
+void VertexCells::grow() {
+    std::vector<Place> before(2 * m_places.size());
+    before.swap(m_places);
+    for (const Place& place : before) {
+        if (place.point != nobody) {
+            placeOf(place.cell) = place;
+        }
+    }
+}
 
 std::vector<std::uint32_t> VertexCells::join(const std::vector<Eigen::Vector3f>& points) {
     constexpr double furthest = 1e9;  // cells from the origin that a number can count
     std::vector<std::uint32_t> first(points.size());
-    std::iota(first.begin(), first.end(), 0u);
-    m_places.clear();
+    m_places.assign(fewest, {});
+    m_taken = 0;
     for (std::uint32_t i = 0; i < points.size(); ++i) {
+        first[i] = i;
         const Vec3 place = points[i].cast<double>() * m_perCell;
-        if (!place.allFinite() || place.cwiseAbs().maxCoeff() > furthest) {
+        if (!(place.cwiseAbs().maxCoeff() <= furthest) || !place.allFinite()) {
             continue;
         }
-        const auto cell = [&](int axis) { return static_cast<std::int32_t>(std::floor(place[axis])); };
-        m_places.push_back({{cell(0), cell(1), cell(2)}, i});
-    }
-    std::sort(m_places.begin(), m_places.end(),
-              [](const Place& a, const Place& b) { return std::tie(a.cell, a.point) < std::tie(b.cell, b.point); });
-    for (std::size_t i = 1; i < m_places.size(); ++i) {
-        if (m_places[i].cell == m_places[i - 1].cell) {
-            first[m_places[i].point] = first[m_places[i - 1].point];
+        const auto cell = [&](int axis) {
+            const auto towardsZero = static_cast<std::int32_t>(place[axis]);
+            return towardsZero - (place[axis] < towardsZero ? 1 : 0);
+        };
+        const std::array<std::int32_t, 3> own{cell(0), cell(1), cell(2)};
+        Place& taken = placeOf(own);
+        if (taken.point != nobody) {
+            first[i] = taken.point;
+            continue;
+        }
+        taken = {own, i};
+        if (2 * ++m_taken > m_places.size()) {
+            grow();
         }
     }
     return first;

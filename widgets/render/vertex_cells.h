@@ -22,10 +22,15 @@ public:
 private:
     struct Place {
         std::array<std::int32_t, 3> cell{};
-        std::uint32_t point = 0;
+        std::uint32_t point = nobody;
     };
+    static constexpr std::uint32_t nobody = 0xffffffffu;
+    Place& placeOf(const std::array<std::int32_t, 3>& cell);
+    void grow();
+
     double m_perCell;
-    std::vector<Place> m_places;
+    std::vector<Place> m_places;  ///< a hash table, a power of two long
+    std::size_t m_taken = 0;
 };
 
 /// What is left of a triangle (fourth `none`) or quadrilateral whose corners were joined: corners that stand twice in a row are

@@ -93,6 +93,21 @@ TEST(DebrisGeometry, WithLessDetailNoGroupVanishes) {
     EXPECT_EQ(loose.simplified(5.0).faces().size(), 48u);
 }
 
+TEST(DebrisGeometry, BoxesHoldNoMoreThanTheirFragments) {
+    // Every third of the cells dies: clusters fill about a third of their boxes.
+    scenes::Block block{.low = Vec3(0, 0, 5), .size = Vec3(2, 2, 2), .cells = {8, 8, 8}};
+    block.deathState = [](std::size_t e) { return e % 3 == 0 ? std::size_t{2} : std::size_t{9}; };
+    const SceneData data = scenes::withoutRun(scenes::makeScene({block}, 4, 0.1));
+    const DebrisGeometry box = DebrisGeometry(*data.fragments, data.clustering.get()).simplified(5.0);
+    EXPECT_EQ(box.faces().size(), 6 * data.clustering->list.size());
+    EXPECT_NEAR(enclosed(box), std::pow(0.25, 3) * static_cast<double>(data.fragments->size()), 1e-4);
+    Eigen::AlignedBox3f drawn;
+    for (const auto& vertex : box.vertices()) {
+        drawn.extend(vertex.local);
+    }
+    EXPECT_TRUE(drawn.contains(Eigen::Vector3f::Zero()));
+}
+
 TEST(DebrisGeometry, JoinedVerticesKeepWhatIsLargerThanACell) {
     scenes::Block block{.low = Vec3(0, 0, 5), .size = Vec3(2, 2, 2), .cells = {8, 8, 8}};
     block.deathState = [](std::size_t) { return std::size_t{2}; };

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "tests/scenes/fe_scenes.h"
 #include "tests/widgets/scenes/ballistic_run.h"
 #include "widgets/render/pane_geometry.h"
@@ -66,6 +68,57 @@ TEST_F(PaneDetail, FullDetailComesBack) {
     EXPECT_EQ(pane.points(), never.points());
     EXPECT_EQ(pane.colours(), never.colours());
     EXPECT_EQ(pane.status().faces, never.status().faces);
+}
+
+TEST_F(PaneDetail, WhatIsBroughtFromTimeToTimeIsWhatIsMadeAnew) {
+    for (const PaneContent content : {PaneContent::Fe, PaneContent::Fragments}) {
+        for (const bool simplified : {false, true}) {
+            PaneGeometry pane(content, m_data, false);
+            pane.setSimplified(simplified);
+            int compared = 0;
+            // Each on another side of an event than the one before: vertices stay joined as they were until the next one.
+            for (const double time : {0.0, 0.3, 0.45, 0.3, 0.05, 0.45, 0.1, 0.3}) {
+                show(pane, time);
+                PaneGeometry anew(content, m_data, false);
+                anew.setSimplified(simplified);
+                show(anew, time);
+                if (pane.status().statesApart > 1) {
+                    continue;
+                }
+                ++compared;
+                EXPECT_EQ(pane.triangles(), anew.triangles()) << time;
+                EXPECT_EQ(pane.points(), anew.points()) << time;
+                EXPECT_EQ(pane.colours(), anew.colours()) << time;
+                EXPECT_EQ(pane.lines(), anew.lines()) << time;
+                EXPECT_EQ(pane.status().active, anew.status().active) << time;
+                EXPECT_EQ(pane.status().fragments, anew.status().fragments) << time;
+                EXPECT_EQ(pane.status().clusters, anew.status().clusters) << time;
+                EXPECT_EQ(pane.status().bornByComponent, anew.status().bornByComponent) << time;
+            }
+            EXPECT_GT(compared, simplified ? 2 : 7);
+        }
+    }
+}
+
+TEST_F(PaneDetail, PanesMoveAtOnceOnThreadsOfTheirOwn) {
+    const auto states = std::make_shared<StateReadAhead>(m_fe);
+    PaneGeometry fe(PaneContent::Fe, m_data, false, states);
+    PaneGeometry fragments(PaneContent::Fragments, m_data, false, states);
+    for (PaneGeometry* pane : {&fe, &fragments}) {
+        pane->setSimplified(true);
+    }
+    for (int i = 0; i < 30; ++i) {
+        const double time = 0.02 * (i % 20 + i / 20);
+        std::thread other([&] { show(fe, time); });
+        show(fragments, time);
+        other.join();
+        EXPECT_EQ(fe.status().state, fragments.status().state);
+    }
+    for (PaneGeometry* pane : {&fe, &fragments}) {
+        pane->setSimplified(false);
+        show(*pane, 0.33);
+        EXPECT_EQ(pane->status().statesApart, 1u);
+    }
 }
 
 TEST_F(PaneDetail, ASmallModelStaysAsItIs) {

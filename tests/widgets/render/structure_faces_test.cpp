@@ -143,5 +143,23 @@ TEST(ShowTimes, AFragmentThatEndsGivesItsElementBack) {
     EXPECT_EQ(showTimes(revived, fragments, false).spans, (std::vector<TimeSpan>{{-infinity, 2.0}}));
 }
 
+TEST(StructureFaces, FollowFromSlotToSlotWhatIsVisibleInEach) {
+    scenes::Block block{.size = Vec3(4, 3, 3), .cells = {4, 3, 3}};
+    block.deathState = [](std::size_t e) { return 1 + e * 5 % 11; };
+    const auto fe = scenes::makeScene({block}, 12, 0.1);
+    const StructureFaces faces(fe->mesh(), showTimes(*fe));
+    ASSERT_GT(faces.slotCount(), 8u);
+    std::mt19937 random(23);
+    std::uniform_int_distribution<std::size_t> any(0, faces.slotCount() - 1);
+    std::size_t slot = 0;
+    std::vector<std::uint32_t> visible = faces.visible(slot);
+    for (int i = 0; i < 100; ++i) {
+        const std::size_t to = any(random);
+        faces.follow(visible, slot, to);
+        EXPECT_EQ(visible, faces.visible(to)) << slot << " to " << to;
+        slot = to;
+    }
+}
+
 }  // namespace
 }  // namespace rubble::render

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 
 namespace rubble::render {
@@ -38,6 +41,27 @@ TEST(VertexCells, JoinedPointsLieWithinACell) {
         joined += first[i] != i;
     }
     EXPECT_GT(joined, 400u);
+}
+
+TEST(VertexCells, AreThoseOfThePlainDefinition) {
+    std::mt19937 random(31);
+    std::uniform_real_distribution<float> place(-40.0f, 40.0f);
+    std::vector<Eigen::Vector3f> points;
+    for (int i = 0; i < 20000; ++i) {
+        points.emplace_back(place(random), place(random), place(random));
+    }
+    for (const double cell : {0.3, 3.0, 100.0}) {
+        std::map<std::array<double, 3>, std::uint32_t> firstIn;
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t i = 0; i < points.size(); ++i) {
+            std::array<double, 3> own{};
+            for (int axis = 0; axis < 3; ++axis) {
+                own[static_cast<std::size_t>(axis)] = std::floor(static_cast<double>(points[i][axis]) * (1.0 / cell));
+            }
+            expected.push_back(firstIn.emplace(own, i).first->second);
+        }
+        EXPECT_EQ(VertexCells(cell).join(points), expected) << cell;
+    }
 }
 
 TEST(VertexCells, FacesLoseWhatIsRepeated) {

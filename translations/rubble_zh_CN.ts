@@ -5670,10 +5670,6 @@
         <translation>二进制 glTF (*.glb)</translation>
     </message>
     <message>
-        <source>Both sides are taken to hold fallen live structure: simulated, what moved farther than {0}.</source>
-        <translation>双方均计入坠落的存活结构：模拟侧为位移超过 {0} 的部分。</translation>
-    </message>
-    <message>
         <source>Bring it over with gdalwarp -t_srs.</source>
         <translation>请用 gdalwarp -t_srs 转换。</translation>
     </message>
@@ -5776,10 +5772,6 @@
     <message>
         <source>FE result of the case</source>
         <translation>案例的有限元结果</translation>
-    </message>
-    <message>
-        <source>Fallen live structure is left out of the simulated side; a survey that shows it holds more.</source>
-        <translation>模拟侧未计入坠落的存活结构；若测量包含它，则测量值偏大。</translation>
     </message>
     <message>
         <source>Figures (*.png *.svg *.pdf)</source>
@@ -6076,10 +6068,6 @@
     <message>
         <source>The ensembles of {0} and {1} are not mapped alike.</source>
         <translation>{0} 与 {1} 的系综制图方式不同。</translation>
-    </message>
-    <message>
-        <source>The evidence lies farther from every member of the closest hypothesis than these lie from each other: perhaps none of the hypotheses is the cause.</source>
-        <translation>证据与最接近假设的每个成员的差异都大于这些成员彼此之间的差异：也许这些假设都不是原因。</translation>
     </message>
     <message>
         <source>The folder {0} cannot be made</source>
@@ -6964,6 +6952,74 @@
     <message>
         <source>the {0} {1} has the SHA-256 {2} now, the case names {3}</source>
         <translation>{0} {1} 现在的 SHA-256 为 {2}，而案例记录的是 {3}</translation>
+    </message>
+    <message>
+        <source>Both sides hold fallen live structure: simulated, what moved farther than {0}.</source>
+        <translation>两侧都包含坠落的未失效结构：模拟的为移动超过 {0} 的部分。</translation>
+    </message>
+    <message>
+        <source>Both sides leave out fallen live structure.</source>
+        <translation>两侧都略去坠落的未失效结构。</translation>
+    </message>
+    <message>
+        <source>Fallen live structure is left out of the simulated side; the survey shows it.</source>
+        <translation>模拟一侧略去坠落的未失效结构；测量显示它。</translation>
+    </message>
+    <message>
+        <source>Fallen live structure is left out of the simulated side; whether the survey shows it is not known.</source>
+        <translation>模拟一侧略去坠落的未失效结构；测量是否显示它未知。</translation>
+    </message>
+    <message>
+        <source>The evidence lies farther from the members of the closest hypothesis than these lie from each other: perhaps none of the hypotheses is the cause.</source>
+        <translation>证据与最接近假设的成员的距离大于这些成员彼此之间的距离：这些假设可能都不是原因。</translation>
+    </message>
+    <message>
+        <source>The simulated side holds fallen live structure, what moved farther than {0}; the survey does not.</source>
+        <translation>模拟一侧包含坠落的未失效结构，即移动超过 {0} 的部分；测量不包含。</translation>
+    </message>
+    <message>
+        <source>The simulated side holds fallen live structure, what moved farther than {0}; whether the survey does is not known.</source>
+        <translation>模拟一侧包含坠落的未失效结构，即移动超过 {0} 的部分；测量是否包含未知。</translation>
+    </message>
+    <message>
+        <source>This evidence cannot tell {0} from {1}, and it lies outside of what the members of {0} do: perhaps none of the hypotheses is the cause.</source>
+        <translation>此证据无法区分 {0} 与 {1}，并且超出了 {0} 成员的范围：这些假设可能都不是原因。</translation>
+    </message>
+    <message>
+        <source>count it on both sides or on neither (--live)</source>
+        <translation>请在两侧都计入或都不计入（--live）</translation>
+    </message>
+    <message>
+        <source>fallen live structure counts as simulated debris, {0} elements of {1}, and the survey does not hold such structure</source>
+        <translation>坠落的未失效结构计为模拟的堆积物（{0} 个单元，{1}），而测量不包含这类结构</translation>
+    </message>
+    <message>
+        <source>live structure fell, {0} elements of {1}, and it is not known whether the survey shows such structure</source>
+        <translation>有未失效结构坠落：{0} 个单元，{1}；测量是否显示这类结构未知</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>say what the survey shows (--survey-live, or beside the survey in the window)</source>
+        <translation>请说明测量显示什么（--survey-live，或在窗口中测量旁边）</translation>
+    </message>
+    <message>
+        <source>set live_islands=released and simulate again</source>
+        <translation>请设 live_islands=released 并重新模拟</translation>
+    </message>
+    <message>
+        <source>the survey shows fallen live structure, and that of the simulation, {0} elements of {1}, is left out</source>
+        <translation>测量显示坠落的未失效结构，而模拟的（{0} 个单元，{1}）被略去</translation>
+    </message>
+    <message>
+        <source>{0} is closer to the evidence than the others, but the evidence lies outside of what its members do: perhaps none of the hypotheses is the cause.</source>
+        <translation>{0} 比其他假设更接近证据，但证据超出了其成员的范围：这些假设可能都不是原因。</translation>
+    </message>
+    <message>
+        <source>{0} loose parts of live structure were held where the FE result ends; in the survey they have fallen</source>
+        <translation>{0} 个松脱的未失效部分被固定在有限元结果结束处；在测量中它们已坠落</translation>
     </message>
 </context>
 <context>
@@ -9198,6 +9254,10 @@
         <source>Saved %1</source>
         <translation>已保存 %1</translation>
     </message>
+    <message>
+        <source>what the survey shows</source>
+        <translation>测量显示的内容</translation>
+    </message>
 </context>
 <context>
     <name>rubble::TimelineDisplay</name>
@@ -9522,12 +9582,28 @@
         <source>simplified while moving: shapes to within %1</source>
         <translation>运动中已简化：形状精确到 %1</translation>
     </message>
+    <message>
+        <source>simplified while moving: structure interpolated over %1 FE intervals</source>
+        <translation>运动中已简化：结构跨 %1 个有限元时间间隔插值</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::EncodedMovie</name>
     <message>
         <source>ffmpeg ended before the movie did</source>
         <translation>ffmpeg 在动画完成前已结束</translation>
+    </message>
+    <message>
+        <source>ffmpeg does not answer</source>
+        <translation>ffmpeg 没有响应</translation>
+    </message>
+    <message>
+        <source>ffmpeg was killed, or crashed</source>
+        <translation>ffmpeg 被终止或崩溃</translation>
+    </message>
+    <message>
+        <source>ffmpeg left no whole MP4</source>
+        <translation>ffmpeg 未留下完整的 MP4</translation>
     </message>
 </context>
 <context>
@@ -9659,24 +9735,12 @@
         <translation>倒塌的四个阶段，碎块为红色</translation>
     </message>
     <message>
-        <source>Debris at rest, with the least and the largest over the run and its %1 repeats, and at the end of the FE result</source>
-        <translation>静止时的碎块堆(本次计算及其 %1 次重复计算中的最小值和最大值),以及有限元结果结束时</translation>
-    </message>
-    <message>
-        <source>Debris at rest and at the end of the FE result</source>
-        <translation>静止时与有限元结果结束时的碎块堆</translation>
-    </message>
-    <message>
         <source>measure</source>
         <translation>度量</translation>
     </message>
     <message>
         <source>unit</source>
         <translation>单位</translation>
-    </message>
-    <message>
-        <source>at rest (range)</source>
-        <translation>静止时(范围)</translation>
     </message>
     <message>
         <source>at the FE end</source>
@@ -9897,10 +9961,6 @@
     <message>
         <source>What accuracy costs in time; beside each point its number of bodies</source>
         <translation>精度所费的时间；每点旁为其刚体数</translation>
-    </message>
-    <message>
-        <source>From run %1, trajectory %2.</source>
-        <translation>来自计算 %1,轨迹 %2。</translation>
     </message>
     <message>
         <source>Question and answer</source>
@@ -10493,6 +10553,74 @@
     <message>
         <source>Energy of the bodies over time; they enter as their elements are deactivated, or released at the end of the FE result</source>
         <translation>刚体能量随时间的变化；刚体在其单元失效时加入，或在有限元结果结束时被释放而加入</translation>
+    </message>
+    <message>
+        <source>FE result</source>
+        <translation>有限元结果</translation>
+    </message>
+    <message>
+        <source>terrain</source>
+        <translation>地形</translation>
+    </message>
+    <message>
+        <source>orthophoto</source>
+        <translation>正射影像</translation>
+    </message>
+    <message>
+        <source>surroundings</source>
+        <translation>周边</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>计算</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Debris at the end of the run, with the least and the largest over it and its %1 repeats, and at the end of the FE result</source>
+        <translation>计算结束时的堆积物（附计算及其 %1 次重复的最小和最大值）以及有限元结果结束时的堆积物</translation>
+    </message>
+    <message>
+        <source>Debris at the end of the run and at the end of the FE result</source>
+        <translation>计算结束时和有限元结果结束时的堆积物</translation>
+    </message>
+    <message>
+        <source>(all at rest at the end of the run)</source>
+        <translation>（计算结束时全部静止）</translation>
+    </message>
+    <message>
+        <source>(%1 bodies still move at the end of the run)</source>
+        <translation>（计算结束时仍有 %1 个刚体在运动）</translation>
+    </message>
+    <message>
+        <source>at the end (range)</source>
+        <translation>结束时（范围）</translation>
+    </message>
+    <message>
+        <source>kinetic energy with which fragments became bodies</source>
+        <translation>碎块成为刚体时带入的动能</translation>
+    </message>
+    <message>
+        <source>work of water, air and ties; below zero they took energy</source>
+        <translation>水、空气和连系所作的功；负值表示吸收能量</translation>
+    </message>
+    <message>
+        <source>work of parting what overlapped at birth</source>
+        <translation>分开出生时重叠部分所作的功</translation>
+    </message>
+    <message>
+        <source>work of the structure that moved against bodies</source>
+        <translation>运动的结构推动刚体所作的功</translation>
+    </message>
+    <message>
+        <source>kinetic energy left at the end</source>
+        <translation>结束时剩余的动能</translation>
+    </message>
+    <message>
+        <source>From run %1, trajectory %2</source>
+        <translation>来自计算 %1，轨迹 %2</translation>
     </message>
 </context>
 <context>
@@ -13085,6 +13213,10 @@ What the file fits: %2.</source>
     <message>
         <source>Survey</source>
         <translation>测量</translation>
+    </message>
+    <message>
+        <source>time taken unknown</source>
+        <translation>拍摄时间未知</translation>
     </message>
 </context>
 <context>
@@ -16265,6 +16397,30 @@ Program: %3</source>
     <message>
         <source>The survey was moved by %1, %2, %3 m; what was fitted went from %4 to %5 RMS.</source>
         <translation>测量移动了 %1、%2、%3 m；拟合量的均方根由 %4 变为 %5。</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>Whether the survey shows fallen structure</source>
+        <translation>测量是否显示坠落的结构</translation>
+    </message>
+    <message>
+        <source>Whether structure that fell whole lies in the survey: yes of a scan of all that was there, no where such pieces were taken out; kept in the case</source>
+        <translation>整体坠落的结构是否在测量中：扫描了现场全部物体为是，已除去这类部分为否；保存在案例中</translation>
+    </message>
+    <message>
+        <source>Fallen structure in it</source>
+        <translation>其中的坠落结构</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QHeaderView>
+#include <QPointer>
 #include <QTabWidget>
 #include <QTextBrowser>
 #include <QVariant>
@@ -224,9 +225,13 @@ QString Retelling::retold(const QString& text, const QByteArrayList& contexts) c
 
 void Retelling::apply(QWidget& window) const {
     applyTo(window);
-    const QList<QObject*> inside = window.findChildren<QObject*>();
-    for (QObject* object : inside) {
-        applyTo(*object);
+    // What speaks anew may let go of objects of its own, as a text of its paragraphs.
+    const QList<QObject*> found = window.findChildren<QObject*>();
+    const QList<QPointer<QObject>> inside(found.begin(), found.end());
+    for (const QPointer<QObject>& object : inside) {
+        if (object) {
+            applyTo(*object);
+        }
     }
 }
 

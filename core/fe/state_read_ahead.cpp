@@ -1,7 +1,6 @@
 #include "core/fe/state_read_ahead.h"
 
 #include <algorithm>
-#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>

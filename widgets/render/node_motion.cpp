@@ -34,6 +34,7 @@ void NodeMotion::moveTo(double time, bool exact) {
     const std::vector<double>& times = m_fe->times();
     // A read that throws must not leave half an interval behind.
     m_interval = exact ? m_states->next(time) : m_states->nearest(time);
+    m_exact = exact;
     m_state = m_states->stateAt(time);
     m_share = 0.0f;
     m_between = m_state + 1 < times.size() && time - times[m_state] > sameTime;

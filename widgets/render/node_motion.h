@@ -25,6 +25,8 @@ public:
     bool interpolated() const { return m_between; }
     /// States from the one to the other between which nodes move: more than 1 where those next to the time were not at hand.
     std::size_t statesApart() const { return m_interval.to - m_interval.from; }
+    /// It was asked for exactly; else nodes may lie otherwise than between the states next to the time.
+    bool exact() const { return m_exact; }
     /// Position of a node at that time, m, single precision.
     Eigen::Vector3f operator[](std::size_t node) const;
 
@@ -44,6 +46,7 @@ private:
     std::shared_ptr<StateReadAhead> m_states;
     std::size_t m_state = 0;
     bool m_between = false;
+    bool m_exact = true;
     StateReadAhead::Interval m_interval;
     Held m_held;
     float m_share = 0.0f;  ///< of the interval that has passed

@@ -149,7 +149,7 @@ double PaneGeometry::shownTime(double time) {
 void PaneGeometry::update(double time, ColourBy colourBy, const ColourScale& scale, const std::vector<ElementIndex>& selection) {
     followTrajectory();
     const double shown = shownTime(time);
-    const bool moved = !m_placed || shown != m_placedTime || (!m_simplify && m_motion.statesApart() > 1);
+    const bool moved = !m_placed || shown != m_placedTime || (!m_simplify && !m_motion.exact());
     if (moved) {
         m_motion.moveTo(shown, !m_simplify);
         if (m_carried) {

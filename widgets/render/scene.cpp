@@ -94,6 +94,7 @@ struct Scene::Impl {
     vtkSmartPointer<vtkRenderer> backdrop;             ///< colours what lies between the panes
     std::array<PaneRenderer, paneContents> renderers;  ///< by content
     std::shared_ptr<StateReadAhead> states;            ///< of the FE result, for all panes
+    bool shownSimply = false;                          ///< the last update asked for less than full detail
     std::array<std::unique_ptr<PaneGeometry>, geometryCount> geometries;
     std::array<PaneStatus, geometryCount> statuses;
     std::optional<std::array<double, 3>> gridShown;
@@ -210,9 +211,8 @@ struct Scene::Impl {
     void updateGeometries(const std::vector<Pane>& panes, bool simple);
 
     /// Brings a picture that is simplified to full detail.
-    void settle(PaneContent content) {
-        const PaneStatus& status = statuses[indexOf(content)];
-        if (status.simplifiedTo > 0.0 || status.statesApart > 1) {
+    void settle() {
+        if (shownSimply) {
             update(false);
         }
     }
@@ -369,6 +369,7 @@ void Scene::Impl::updateGeometries(const std::vector<Pane>& panes, bool simple) 
 }
 
 void Scene::Impl::update(bool simple) {
+    shownSimply = simple;
     if (coloursChanged) {
         applyColours();
     }
@@ -407,7 +408,7 @@ std::optional<Pick> Scene::pick(int x, int y) const {
     if (!pane || !m_impl->geometries[indexOf(pane->content)]) {
         return std::nullopt;
     }
-    m_impl->settle(pane->content);
+    m_impl->settle();
     const Ray ray = m_impl->rayAt(*pane, x, y);
     auto hit = m_impl->geometries[indexOf(pane->content)]->cast(ray);
     // Seen from above, the ground hides what lies below it.
@@ -433,7 +434,7 @@ std::vector<ElementIndex> Scene::elementsIn(const Pane& pane, int left, int top,
 }
 
 std::vector<ElementIndex> Scene::elementsWhere(PaneContent content, const std::function<bool(const Vec3&)>& inside) const {
-    m_impl->settle(content);
+    m_impl->settle();
     const auto& geometry = m_impl->geometries[indexOf(content)];
     return geometry ? geometry->elementsWhere(inside) : std::vector<ElementIndex>();
 }

@@ -84,7 +84,7 @@ public:
 
 private:
     void decideUnits(Findings& findings) {
-        std::string_view id = unitChoices()[m_settings.units];
+        std::string id(unitChoices()[m_settings.units]);
         if (decidedBy(m_settings.units) == Decided::ByFrame) {
             return;
         }

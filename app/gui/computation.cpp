@@ -93,24 +93,33 @@ Digest decisionKey(const Inputs& inputs, const Scenario& scenario) {
 
 }  // namespace
 
+bool Opened::recognised() const {
+    return fe != nullptr || recovered || !path.isEmpty() ||
+           (failure && (failure->id.starts_with("exodus.") || failure->id.starts_with("terrain.")));
+}
+
 Computation::Computation(QObject* parent) : QObject(parent) {
-    connect(&m_worker, &Worker::progressed, this, &Computation::showProgress);
-    connect(&m_worker, &Worker::changed, this, [this] {
-        if (!m_worker.busy()) {
-            m_runningStage.reset();
-            emit progressed({}, 0.0);
-        }
-        emit stateChanged();
-    });
+    for (const Worker* each : {&m_worker, &m_opener}) {
+        connect(each, &Worker::progressed, this, &Computation::showProgress);
+        connect(each, &Worker::changed, this, [this] {
+            if (!m_worker.busy()) {
+                m_runningStage.reset();
+            }
+            if (!busy()) {
+                emit progressed({}, 0.0);
+            }
+            emit stateChanged();
+        });
+    }
 }
 
 Computation::~Computation() = default;
 
 void Computation::showProgress(Worker::Kind kind, const Progress& progress) {
-    m_fraction = progress.fraction;
-    emit progressed(widgets::worded(progress.stage), progress.fraction);
-    if (kind == Worker::Kind::Open) {
-        m_runningStage = Stage::Import;
+    const bool opens = kind == Worker::Kind::Open;
+    (opens ? m_openFraction : m_fraction) = progress.fraction;
+    if (opens || !m_opener.busy()) {
+        emit progressed(widgets::worded(progress.stage), progress.fraction);
     }
     emit stateChanged();
 }
@@ -123,24 +132,34 @@ void Computation::fail(const Failure& failure) {
 void Computation::startOpening(std::function<Opened(const Execution&)> read) {
     auto result = std::make_shared<Opened>();
     m_failure.reset();
-    m_runningStage = Stage::Import;
-    m_fraction = 0.0;
+    m_openFraction = 0.0;
     emit progressed(tr("Opening"), 0.0);
-    m_worker.cancel(Worker::Kind::Update);
-    m_worker.cancel(Worker::Kind::Simulate);
-    m_worker.start({Worker::Kind::Open, [result, read](const Execution& execution) { *result = read(execution); },
+    m_opener.start({Worker::Kind::Open, [result, read](const Execution& execution) { *result = read(execution); },
                     [this, result](const std::exception_ptr& thrown) {
-                        m_runningStage.reset();
                         if (const auto failure = failureOf(thrown)) {
                             fail(*failure);
+                        } else if (thrown == nullptr && result->recognised()) {
+                            replaceBy(result);
                         } else if (thrown == nullptr) {
-                            // Also where what was open stays: the case may name files that are not there.
-                            m_found = result->found;
-                            emit inputsFound();
-                            emit opened(*result);
+                            tell(*result);
                         }
                         emit stateChanged();
                     }});
+}
+
+void Computation::replaceBy(const std::shared_ptr<const Opened>& opened) {
+    m_worker.cancel(Worker::Kind::Update);
+    m_worker.cancel(Worker::Kind::Simulate);
+    // What is being written of the case before is written whole.
+    m_worker.start({Worker::Kind::Open, [](const Execution&) {}, [this, opened](const std::exception_ptr&) { tell(*opened); }});
+}
+
+void Computation::tell(const Opened& opened) {
+    // Also where what was open stays: the case may name files that are not there.
+    m_found = opened.found;
+    emit inputsFound();
+    emit this->opened(opened);
+    emit stateChanged();
 }
 
 void Computation::open(const QString& path) {
@@ -191,7 +210,7 @@ void Computation::take(const Opened& opened, const Scenario& scenario) {
 }
 
 void Computation::clear() {
-    m_worker.cancel();
+    cancel();
     m_inputs = {};
     m_terrain = {};
     m_found.clear();
@@ -205,6 +224,7 @@ void Computation::clear() {
 }
 
 void Computation::cancel() {
+    m_opener.cancel();
     m_worker.cancel();
 }
 
@@ -467,6 +487,9 @@ bool Computation::runStale(const Scenario& scenario) const {
 
 widgets::StageState Computation::state(Stage stage, const Scenario& scenario) const {
     using widgets::StageState;
+    if (stage == Stage::Import && m_opener.busy()) {
+        return StageState::Running;
+    }
     if (m_runningStage == stage && m_worker.busy()) {
         return StageState::Running;
     }
@@ -488,7 +511,7 @@ widgets::StageState Computation::state(Stage stage, const Scenario& scenario) co
 }
 
 double Computation::fraction(Stage stage) const {
-    return m_runningStage == stage ? m_fraction : 0.0;
+    return stage == Stage::Import ? m_openFraction : m_runningStage == stage ? m_fraction : 0.0;
 }
 
 }  // namespace rubble

@@ -27,6 +27,9 @@ struct Opened {
     io::TerrainInput terrain;           ///< its grid is null if the case has none
     std::vector<io::FoundInput> found;  ///< what lies where the case says that its inputs are
     bool recovered = false;             ///< the case has changes that were never saved
+
+    /// A case, or an FE result as far as one can tell; anything else leaves open what was.
+    bool recognised() const;
 };
 
 /// A run as the window has it: its file, what it was made from, and its outcome.
@@ -95,9 +98,9 @@ public:
     /// Someone vouches for the last run in spite of its breaches; answers with acknowledged() or failed().
     void acknowledge(const QString& name, const QString& note);
 
-    bool busy() const { return m_worker.busy(); }
-    /// How many pieces of work wait for the one that runs.
-    int waiting() const { return m_worker.waiting(); }
+    bool busy() const { return m_worker.busy() || m_opener.busy(); }
+    /// How many pieces of work wait for those that run.
+    int waiting() const { return m_worker.waiting() + m_opener.waiting(); }
     /// Work for this stage runs or waits.
     bool busy(Stage stage) const {
         return m_worker.busy(stage == Stage::Simulation ? Worker::Kind::Simulate : Worker::Kind::Update);
@@ -153,6 +156,8 @@ signals:
 
 private:
     void startOpening(std::function<Opened(const Execution&)> read);
+    void replaceBy(const std::shared_ptr<const Opened>& opened);
+    void tell(const Opened& opened);
     Results prepareOnWorker(const Inputs& inputs, const Scenario& scenario, Results results, const Execution& execution);
     void decideOnWorker(const Inputs& inputs, const Scenario& scenario, const Results& results);
     void adopt(const Results& newer, Stage last);
@@ -187,10 +192,12 @@ private:
     std::optional<Failure> m_failure;
     std::optional<Stage> m_runningStage;
     double m_fraction = 0.0;
+    double m_openFraction = 0.0;
     std::unique_ptr<QTemporaryDir> m_scratch;
     int m_runs = 0;
-    // Last, so that the worker has ended before anything it uses goes.
+    // Last, so that the workers have ended before anything they use goes.
     Worker m_worker;
+    Worker m_opener;  // beside the other: what cannot be read takes nothing from what runs
 };
 
 }  // namespace rubble

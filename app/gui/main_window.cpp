@@ -226,13 +226,10 @@ void MainWindow::showRefreshed(const FeResult& before, const render::View& view,
 
 void MainWindow::takeOpened(const Opened& opened) {
     const auto before = std::exchange(m_refreshed, nullptr);
-    const bool recognised = opened.fe != nullptr || opened.recovered ||
-                            (opened.failure && (opened.failure->id.starts_with("exodus.") ||
-                                                opened.failure->id.starts_with("terrain.") || !opened.path.isEmpty()));
     const bool again =
         !opened.recovered && !m_document.empty() && opened.base == m_document.base() && m_document.standsOn(opened.theCase);
     const bool terrainFailed = opened.failure && opened.failure->id.starts_with("terrain.");
-    if (!recognised || (again && opened.fe == nullptr && m_computation.inputs().fe != nullptr && !terrainFailed)) {
+    if (!opened.recognised() || (again && opened.fe == nullptr && m_computation.inputs().fe != nullptr && !terrainFailed)) {
         // Not a result at all, or not with these settings: what was open stays.
         showFailure(*opened.failure);
         showState();

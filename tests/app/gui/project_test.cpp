@@ -34,6 +34,7 @@
 #include "widgets/case_card.h"
 #include "widgets/case_panel.h"
 #include "widgets/notice_bar.h"
+#include "widgets/panel.h"
 #include "widgets/scenario_comparison.h"
 #include "widgets/start_page.h"
 #include "widgets/status_line.h"
@@ -319,6 +320,34 @@ TEST_F(Project, ADamagedCaseIsToldAndLeavesWhatIsOpen) {
         EXPECT_NE(window->computation().inputs().fe, nullptr);
         EXPECT_FALSE(window->document().modified());
     }
+}
+
+TEST_F(Project, WhatCannotBeReadTakesNothingFromWhatRuns) {
+    openCase();
+    window->document().setParameter(QStringLiteral("settle_time"), 300.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    // At the pace of the clock: minutes, so that it does not end by itself.
+    window->simulate(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().simulating(); }, patience));
+    for (const char* name : {"damaged.rubble", "damaged.d3plot", "gone.exo"}) {
+        const QString damaged = folder.filePath(QLatin1String(name));
+        if (!damaged.endsWith(QStringLiteral("gone.exo"))) {
+            std::ofstream(damaged.toStdString()) << "{ no case and no result";
+        }
+        window->document().undoStack().setClean();
+        window->open(damaged);
+        const auto told = [&] {
+            const auto all = window->findChildren<widgets::Notice*>();
+            return std::any_of(all.begin(), all.end(), [&](const widgets::Notice* each) {
+                return each->isVisible() && each->text().contains(QLatin1String(name));
+            });
+        };
+        ASSERT_TRUE(QTest::qWaitFor(told, patience)) << name;
+        EXPECT_TRUE(window->computation().simulating()) << name;
+        EXPECT_EQ(window->document().path(), caseFile());
+    }
+    window->computation().cancel();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
 }
 
 TEST_F(Project, ADamagedHistoryIsSetAside) {

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <QTest>
+#include <QTimer>
 #include <array>
 #include <functional>
 
 #include "app/gui/new_case.h"
+#include "app/gui/playback.h"
 #include "app/gui/view_area.h"
 #include "tests/app/gui/legibility.h"
 #include "tests/app/gui/workbench.h"
@@ -15,8 +17,7 @@ namespace rubble {
 
 namespace {
 
-/// The panels of an empty window and the steps of the wizard, in both languages and at the sizes that the window is made for: what
-/// stands on them can be read whole.
+/// Every screen, in both languages and at the sizes that the window is made for: what stands on it can be read whole.
 /// RUBBLE_TAKE_SCREENS names a folder for pictures of all of them, in both themes, to be looked at.
 class Screens : public FreshWorkbench {
 protected:
@@ -52,15 +53,60 @@ protected:
         QTest::qWait(150);
         ASSERT_TRUE(pictureOf(shown).save(path)) << path.toStdString();
     }
+    void lookAtPanels(const QString& prefix) {
+        static constexpr std::array panels{"case",     "fragments", "grid",   "effects",  "run",
+                                           "accuracy", "evidence",  "report", "ensemble", "causes"};
+        for (int i = 0; i < static_cast<int>(panels.size()); ++i) {
+            window->deck().choosePage(i);
+            look(prefix + QLatin1String(panels[static_cast<std::size_t>(i)]), [this] { return window.get(); });
+        }
+        window->deck().choosePage(0);
+    }
+    void simulated() {
+        openArch();
+        makeCheap();
+        simulateToEnd();
+        window->showInstant(0.6 * window->playback().clock().last());
+    }
+    /// Triggers an action, looks at the dialog that it opens, which may hold the action up, and closes that.
+    void lookAtDialogOf(const char* action) {
+        bool seen = false;
+        QTimer::singleShot(1000, window.get(), [this, action, &seen] {
+            QWidget* dialog = nullptr;
+            for (QWidget* each : QApplication::topLevelWidgets()) {
+                const bool isDialog = each->isVisible() && each != window.get() && each->windowType() == Qt::Dialog;
+                dialog = isDialog ? each : dialog;
+            }
+            seen = true;
+            ASSERT_NE(dialog, nullptr) << action;
+            look(QStringLiteral("dialog-") + QLatin1String(action), [dialog] { return dialog; });
+            dialog->close();
+        });
+        window->actions()[action].trigger();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return seen; }, patience)) << action;
+    }
 };
 
-constexpr std::array panels{"case", "fragments", "grid", "effects", "run", "accuracy", "evidence", "report", "ensemble", "causes"};
-
 TEST_F(Screens, CanBeReadWholeWithoutACase) {
-    look(QStringLiteral("start"), [&] { return window.get(); });
-    for (int i = 0; i < static_cast<int>(panels.size()); ++i) {
-        window->deck().choosePage(i);
-        look(QStringLiteral("empty-%1").arg(QLatin1String(panels[static_cast<std::size_t>(i)])), [&] { return window.get(); });
+    look(QStringLiteral("start"), [this] { return window.get(); });
+    lookAtPanels(QStringLiteral("empty-"));
+}
+
+TEST_F(Screens, CanBeReadWholeWithARun) {
+    simulated();
+    lookAtPanels({});
+    for (const char* action : {"components", "inspector", "history", "select_by", "clip", "four", "overlay", "presentation"}) {
+        window->actions()[action].trigger();
+        look(QLatin1String(action), [this] { return window.get(); });
+        window->actions()[action].trigger();
+    }
+}
+
+TEST_F(Screens, CanBeReadWholeInDialogs) {
+    simulated();
+    window->actions()["duplicate_scenario"].trigger();
+    for (const char* action : {"preferences", "manual", "compare_scenarios", "export_figure", "export_movie", "site", "about"}) {
+        lookAtDialogOf(action);
     }
 }
 

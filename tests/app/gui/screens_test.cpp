@@ -33,6 +33,7 @@ protected:
                 }
                 window->resize(size);
                 QTest::qWait(300);  // what comes later (what a cluster answers) has its room by then
+                QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
                 const QWidget* shown = screen();
                 ASSERT_NE(shown, nullptr) << name.toStdString();
                 const QString where = QStringLiteral("%1-%2-%3").arg(name, QLatin1String(language)).arg(size.width());

@@ -3,9 +3,14 @@
 
 #include <benchmark/benchmark.h>
 #include <vtkNew.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkRenderWindow.h>
+#include <vtk_glew.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -18,6 +23,7 @@
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/palette.h"
 #include "widgets/render/camera.h"
+#include "widgets/render/drawn_resolution.h"
 #include "widgets/render/scene.h"
 
 namespace {
@@ -68,16 +74,39 @@ public:
         m_scene.setData(m_data);
         m_scene.setColours(figures::sceneColours(render::Theme::Light));
         m_view = render::defaultView(m_data, width, height);
+        m_window->Render();
+        m_screen->SetContext(m_window);
+        m_screen->PopulateFramebuffer(width, height);
+    }
+    ~Playback() {
+        m_screen->ReleaseGraphicsResources(m_window);
+        m_scene.detach();
     }
 
     double end() const { return m_data.trajectory->frameTime(m_data.trajectory->frameCount() - 1); }
     render::View& view() { return m_view; }
     render::Scene& scene() { return m_scene; }
 
+    void setSimplified(bool simplified) {
+        m_simplified = simplified;
+        m_resolution = {};
+    }
+    /// Share of the pixels in each direction with which the next picture is drawn.
+    double resolution() const { return m_simplified ? m_resolution.share() : 1.0; }
+
+    /// Draws one picture as the window's views do, without their captions.
     void draw() {
+        const auto begin = std::chrono::steady_clock::now();
+        m_scene.setSimplified(m_simplified, resolution());
         m_scene.update(m_view, width, height);
-        m_window->Render();
+        m_screen->Bind(GL_DRAW_FRAMEBUFFER);
+        m_screen->ActivateDrawBuffer(0);
+        render::drawWith(*m_window, width, height, resolution());
         m_window->WaitForCompletion();
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+        if (m_simplified) {
+            m_resolution.drew(took.count(), 1.0 / 24.0);
+        }
     }
 
 private:
@@ -90,7 +119,11 @@ private:
         m_data.trajectory = std::move(trajectory);
     }
 
-    vtkNew<vtkRenderWindow> m_window;
+    vtkSmartPointer<vtkOpenGLRenderWindow> m_window =
+        vtkSmartPointer<vtkOpenGLRenderWindow>::Take(vtkOpenGLRenderWindow::SafeDownCast(vtkRenderWindow::New()));
+    vtkNew<vtkOpenGLFramebufferObject> m_screen;  ///< what the pictures end on, as on a widget
+    bool m_simplified = false;
+    render::DrawnResolution m_resolution;
     render::Scene m_scene;
     render::SceneData m_data;
     render::View m_view;
@@ -108,7 +141,7 @@ constexpr std::array lookNames{"", ", cut", ", presentation style", ", shaded ed
 /// @param state  range 0: hidden faces drawn too; range 1: what moves; range 2: how it looks
 void playBothViews(benchmark::State& state) {
     playback->scene().setAllFaces(state.range(0) != 0);
-    playback->scene().setSimplified(state.range(2) == Simplified);
+    playback->setSimplified(state.range(2) == Simplified);
     const render::View plain = playback->view();
     render::View& view = playback->view();
     if (state.range(2) == Cut) {
@@ -138,6 +171,7 @@ void playBothViews(benchmark::State& state) {
         playback->draw();
     }
     playback->view() = plain;
+    state.counters["resolution"] = playback->resolution();
     state.counters["frames_per_s"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
     state.counters["triangles"] = static_cast<double>(playback->scene().status(render::PaneContent::Fe).faces +
                                                       playback->scene().status(render::PaneContent::Fragments).faces);

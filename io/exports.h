@@ -27,6 +27,14 @@ void exportFragments(const std::string& path, const RunReader& run, std::span<co
 /// Throws WorldError, ParseError, UsageError (not the FE file of the run), Cancelled.
 void exportSeries(const std::string& path, const RunReader& run, const FeResult& fe, const Execution& execution);
 
+/// Writes one VTKHDF file (version 2.0 of the format) over the instants of exportSeries(): a temporal unstructured grid, every step
+/// a partition, geometry repeated from step to step and compressed. Cell arrays: fragment_id and cluster_id (-1 where a cell is no
+/// fragment), element_id, component, speed (m/s, NaN where a cell is no fragment), part (0 fragments, 1 structure, 2 released);
+/// field arrays component_names and part_names. VTK 9.3 and ParaView 5.12 read it with its times; older readers of the format find
+/// each step as a piece. Coordinates as in exportFragments(). Atomic; with NAME.provenance.json. Throws WorldError, ParseError,
+/// UsageError (not the FE file of the run), Cancelled.
+void exportVtkHdf(const std::string& path, const RunReader& run, const FeResult& fe, const Execution& execution);
+
 /// Writes the fragments as glTF 2.0 with their motion in one binary file (.glb), as Blender and web viewers open it: a node for
 /// each body with the solids it carries, its places as keys (within 1 mm and 0.1 degrees of what was recorded), scale 0 before its
 /// first fragment is born and after it left. Metres, y up; local coordinates, because single precision holds no map coordinates:

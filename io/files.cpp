@@ -25,23 +25,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// strerror() follows the locale; messages are English until the window translates them.
-std::string reason(int error) {
-    const char* text = strerrordesc_np(error);
-    return text ? text : "unknown reason";
-}
-
 [[noreturn]] void failRead(const std::string& path, int error) {
-    throw WorldError(Message{"io.file.unreadable", "Cannot read {0}: {1}", {path, reason(error)}},
+    throw WorldError(Message{"io.file.unreadable", "Cannot read {0}: {1}", {path, systemReason(error)}},
                      Message{"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
 }
 
 [[noreturn]] void failWrite(const std::string& path, int error) {
-    throw WorldError(
-        Message{"io.file.unwritable", "Cannot write {0}: {1}", {path, reason(error)}},
-        Message{"io.file.unwritable.remedy",
-                "Check free space and rights of the folder, or choose another place; what was there before is unchanged.",
-                {}});
+    failToWrite(path, systemReason(error));
 }
 
 // A file descriptor that closes itself.
@@ -157,6 +147,20 @@ private:
 };
 
 }  // namespace
+
+// strerror() follows the locale; messages are English until the window translates them.
+std::string systemReason(int error) {
+    const char* text = strerrordesc_np(error);
+    return text ? text : "unknown reason";
+}
+
+void failToWrite(const std::string& path, const std::string& reason) {
+    throw WorldError(
+        Message{"io.file.unwritable", "Cannot write {0}: {1}", {path, reason}},
+        Message{"io.file.unwritable.remedy",
+                "Check free space and rights of the folder, or choose another place; what was there before is unchanged.",
+                {}});
+}
 
 std::string sha256OfFile(const std::string& path, const std::function<void(std::size_t)>& advance) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));

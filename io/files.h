@@ -13,6 +13,11 @@ std::string sha256OfFile(const std::string& path, const std::function<void(std::
 /// SHA-256 of a text, lower-case hex.
 std::string sha256OfText(std::string_view text);
 
+/// Reason of an error number of the system, in English whatever the locale.
+std::string systemReason(int error);
+/// Throws the WorldError of a file that cannot be written.
+[[noreturn]] void failToWrite(const std::string& path, const std::string& reason);
+
 /// Writes a file so that it is either the old one or the whole new one: temporary file beside it, flush to disk, rename.
 /// Throws WorldError naming the path and the remedy; nothing is left behind.
 void writeAtomically(const std::string& path, const std::function<void(std::ostream&)>& write);

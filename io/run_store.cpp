@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -12,23 +11,16 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/files.h"
+#include "io/hdf5_rows.h"
 #include "io/run_driver.h"
 
 namespace rubble::io {
 
 namespace {
 
-Hdf5Handle linkList() {
-    Hdf5Handle list(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-    H5Pset_create_intermediate_group(list.get(), 1);
-    return list;
-}
-
-Hdf5Handle datasetAccess(const RunDatasetLayout& layout) {
-    Hdf5Handle list(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
-    // Room for two chunks; full ones leave first, the one being filled stays.
-    H5Pset_chunk_cache(list.get(), 101, std::max<std::size_t>(2 * layout.chunkRows * layout.rowBytes, std::size_t{1} << 16), 1.0);
-    return list;
+GrowingRows rowsOf(const RunDatasetLayout& layout) {
+    return {layout.width > 1 ? layout.width : 0, layout.chunkRows, layout.rowBytes};
 }
 
 bool writeText(hid_t object, const char* name, const std::string& text) {
@@ -48,20 +40,10 @@ std::string joined(const std::vector<std::string>& names) {
     return text;
 }
 
-std::string temporaryName(const std::string& path) {
-    static std::atomic<unsigned> counter{0};
-    return path + "." + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
-}
-
-std::string systemReason(int error) {
-    const char* text = strerrordesc_np(error);
-    return text ? text : "unknown reason";
-}
-
 }  // namespace
 
 RunStore::RunStore(const std::string& path, std::string_view originText) : m_path(path) {
-    const std::string temporary = temporaryName(path);
+    const std::string temporary = unfinishedName(path);
     try {
         create(temporary, originText);
         if (std::rename(temporary.c_str(), path.c_str()) != 0) {
@@ -127,22 +109,10 @@ void RunStore::create(const std::string& temporary, std::string_view originText)
 }
 
 void RunStore::makeDatasets() {
-    const Hdf5Handle links = linkList();
     for (const RunDataset dataset : runDatasets()) {
         const RunDatasetLayout& layout = layoutOf(dataset);
-        const int rank = layout.width > 1 ? 2 : 1;
-        const std::array<hsize_t, 2> none{0, layout.width};
-        const std::array<hsize_t, 2> most{H5S_UNLIMITED, layout.width};
-        const std::array<hsize_t, 2> chunk{layout.chunkRows, layout.width};
-        const Hdf5Handle space(H5Screate_simple(rank, none.data(), most.data()), H5Sclose);
-        const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-        H5Pset_chunk(creation.get(), rank, chunk.data());
-        H5Pset_shuffle(creation.get());
-        H5Pset_deflate(creation.get(), 1);
-        H5Pset_obj_track_times(creation.get(), false);
         const Hdf5Handle type = fileTypeOf(dataset);
-        const Hdf5Handle made(
-            H5Dcreate2(m_file.get(), layout.path, type.get(), space.get(), links.get(), creation.get(), H5P_DEFAULT), H5Dclose);
+        const Hdf5Handle made = rowsOf(layout).make(m_file.get(), layout.path, type.get());
         require(made.valid());
         require(layout.columns.empty() || writeText(made.get(), "columns", joined(layout.columns)));
     }
@@ -152,8 +122,7 @@ void RunStore::openDatasets() {
     for (const RunDataset dataset : runDatasets()) {
         const RunDatasetLayout& layout = layoutOf(dataset);
         Open& open = m_open[static_cast<std::size_t>(dataset)];
-        const Hdf5Handle access = datasetAccess(layout);
-        open.dataset = Hdf5Handle(H5Dopen2(m_file.get(), layout.path, access.get()), H5Dclose);
+        open.dataset = rowsOf(layout).open(m_file.get(), layout.path);
         require(open.dataset.valid());
         open.memoryType = memoryTypeOf(dataset);
     }
@@ -170,15 +139,11 @@ void RunStore::appendOpen(RunDataset dataset, const void* rows, std::size_t coun
     }
     const RunDatasetLayout& layout = layoutOf(dataset);
     Open& open = m_open[static_cast<std::size_t>(dataset)];
-    const int rank = layout.width > 1 ? 2 : 1;
-    const std::array<hsize_t, 2> extent{open.rows + count, layout.width};
-    const std::array<hsize_t, 2> start{open.rows, 0};
-    const std::array<hsize_t, 2> size{count, layout.width};
-    require(H5Dset_extent(open.dataset.get(), extent.data()) >= 0);
-    const Hdf5Handle fileSpace(H5Dget_space(open.dataset.get()), H5Sclose);
-    const Hdf5Handle memorySpace(H5Screate_simple(rank, size.data(), nullptr), H5Sclose);
-    require(H5Sselect_hyperslab(fileSpace.get(), H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr) >= 0);
-    require(H5Dwrite(open.dataset.get(), open.memoryType.get(), memorySpace.get(), fileSpace.get(), H5P_DEFAULT, rows) >= 0);
+    const auto failure = rowsOf(layout).append(open.dataset.get(), open.memoryType.get(), open.rows, rows, count);
+    require(true);
+    if (failure) {
+        fail(*failure);
+    }
     open.rows += count;
     open.hasher.bytes(rows, count * layout.rowBytes);
 }

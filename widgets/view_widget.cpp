@@ -46,9 +46,9 @@ public:
         vtkOpenGLState* state = window.GetState();
         state->Reset();
         state->Push();
-        window.SetFrameBlitModeToBlitToCurrent();
         m_widget.context()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, m_widget.defaultFramebufferObject());
-        window.Render();
+        const QSize size = m_widget.devicePixels();
+        render::drawWith(window, size.width(), size.height(), m_widget.m_scene.resolution());
         state->Pop();
         readyForPainter();
         return m_widget;
@@ -141,18 +141,20 @@ QSize ViewWidget::devicePixels() const {
 void ViewWidget::paintGL() {
     QElapsedTimer clock;
     clock.start();
-    const QSize size = devicePixels();
-    m_window->gl->SetSize(size.width(), size.height());
     Target target(*this);
     m_simplified = m_rest.isActive() && std::min(m_drawSeconds[0], m_drawSeconds[1]) > slowestDraw();
-    m_scene.setSimplified(m_simplified);
+    m_scene.setSimplified(m_simplified, m_resolution.share());
     figures::draw(m_view, m_scene, target);
+    if (!m_rest.isActive()) {
+        return;  // at rest a picture may have been kept up by what had to be built anew
+    }
+    context()->functions()->glFinish();
+    const double seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
     if (m_simplified) {
+        m_resolution.drew(seconds, slowestDraw());
         m_rest.start();  // a picture that took long is not yet rest
-    } else if (m_rest.isActive()) {
-        // At rest a picture may have been kept up by what had to be built anew.
-        context()->functions()->glFinish();
-        m_drawSeconds = {m_drawSeconds[1], static_cast<double>(clock.nsecsElapsed()) * 1e-9};
+    } else {
+        m_drawSeconds = {m_drawSeconds[1], seconds};
     }
 }
 
@@ -172,6 +174,7 @@ QImage ViewWidget::picture() {
 void ViewWidget::setData(const render::SceneData& scene) {
     if (scene.fe != m_scene.data().fe) {
         m_drawSeconds = {};
+        m_resolution = {};
     }
     m_scene.setData(scene);
     update();

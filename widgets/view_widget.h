@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "widgets/render/camera.h"
+#include "widgets/render/drawn_resolution.h"
 #include "widgets/render/scene.h"
 #include "widgets/render/view.h"
 
@@ -61,7 +62,8 @@ public:
     /// Camera moves are animated (200 ms) unless the user asks for reduced motion.
     void setAnimated(bool animated) { m_animated = animated; }
     /// While time or camera move, all such widgets draw large models with less detail after two pictures in a row that took longer
-    /// than this, s; full detail comes back as soon as they rest. Infinite: always full detail.
+    /// than this, s, and with fewer pixels if that is not enough; full detail comes back as soon as they rest. Infinite: always
+    /// full detail.
     static void simplifyAbove(double seconds);
     static constexpr double slowDraw = 1.0 / 24.0;
     /// The last picture was asked for with less detail; PaneStatus::simplifiedTo says where it has less.
@@ -131,6 +133,7 @@ private:
     bool m_animated = true;
     bool m_simplified = false;
     std::array<double, 2> m_drawSeconds{};  ///< of the last two draws on the move at full detail
+    render::DrawnResolution m_resolution;   ///< while simplified
     QTimer m_rest;                          ///< runs from the last move until the views count as resting
     QPointF m_pressed;
     QPointF m_grabbed;

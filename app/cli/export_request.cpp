@@ -11,9 +11,10 @@
 namespace rubble::cli {
 
 std::span<const ExportKind> exportKinds() {
-    static constexpr std::array<ExportKind, 7> kinds{
+    static constexpr std::array<ExportKind, 8> kinds{
         {{"fragments", "*.csv", "table of all fragments: birth, rest, speeds, mass", "any spreadsheet, pandas, R"},
          {"series", "*.pvd", "fragments and structure over time, a folder of VTU files", "ParaView, VisIt, VTK"},
+         {"vtkhdf", "*.vtkhdf", "the same over time in one file", "ParaView 5.12 and VTK 9.3, and newer"},
          {"bodies", "*.xdmf", "bodies as points over time, read out of the run file itself", "ParaView (its XDMF Reader), VisIt"},
          {"gltf", "*.glb", "fragments with their motion, glTF 2.0, metres, y up", "Blender, three.js, web viewers"},
          {"debris-map", "*.tif, *.gpkg, *.csv, *.png", "a debris map: height, volume, mass and more by cells",
@@ -25,9 +26,9 @@ std::span<const ExportKind> exportKinds() {
 
 Option ExportRequest::option() {
     return {"--export", "KIND=PATH", true,
-            "write a file of this kind: fragments=F.csv, series=D.pvd, bodies=F.xdmf, gltf=F.glb, debris-map=F.tif (.gpkg, .csv, "
-            ".png), "
-            "footprint=F.gpkg, figure=F.png (.svg, .pdf); rubble-cli export --list says what reads them"};
+            "write a file of this kind: fragments=F.csv, series=D.pvd, vtkhdf=F.vtkhdf, bodies=F.xdmf, gltf=F.glb, "
+            "debris-map=F.tif (.gpkg, .csv, .png), footprint=F.gpkg, figure=F.png (.svg, .pdf); rubble-cli export --list says what "
+            "reads them"};
 }
 
 ExportRequest::ExportRequest(const Arguments& arguments, std::span<const std::string> inputs)
@@ -42,6 +43,8 @@ ExportRequest::ExportRequest(const Arguments& arguments, std::span<const std::st
             throw wrongValue("--export footprint", path, "a GeoPackage, whose name ends in .gpkg");
         } else if (kind == "gltf" && !path.ends_with(".glb")) {
             throw wrongValue("--export gltf", path, "a binary glTF file, whose name ends in .glb");
+        } else if (kind == "vtkhdf" && !path.ends_with(".vtkhdf")) {
+            throw wrongValue("--export vtkhdf", path, "a VTKHDF file, whose name ends in .vtkhdf");
         }
         const auto known = exportKinds();
         if (std::none_of(known.begin(), known.end(), [&, &name = kind](const ExportKind& row) { return row.name == name; })) {
@@ -85,6 +88,8 @@ void ExportRequest::perform(const std::shared_ptr<const io::RunReader>& run, con
             io::exportFragments(row.path, *run, execution);
         } else if (row.kind == "series") {
             io::exportSeries(row.path, *run, *inputs.fe, execution);
+        } else if (row.kind == "vtkhdf") {
+            io::exportVtkHdf(row.path, *run, *inputs.fe, execution);
         } else if (row.kind == "bodies") {
             io::exportBodies(row.path, *run, execution);
         } else if (row.kind == "gltf") {

@@ -242,16 +242,10 @@ void FileCommands::saveRunTo(const QString& path) {
 }
 
 void FileCommands::exportFragments() {
-    const RunRecord* record = m_computation.currentRun();
-    if (record == nullptr || record->reader == nullptr || record->running) {
-        return;
-    }
-    const QString path = askForOutput(tr("Table of fragments"), QStringLiteral(".csv"), tr("Tables (*.csv)"));
-    if (!path.isEmpty()) {
-        m_computation.write(
-            [path, run = record->reader](const Execution& execution) { io::exportFragments(path.toStdString(), *run, execution); },
-            [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
-    }
+    exportRun(tr("Table of fragments"), QStringLiteral(".csv"), tr("Tables (*.csv)"),
+              [](const std::string& path, const io::RunReader& run, const Execution& execution) {
+                  io::exportFragments(path, run, execution);
+              });
 }
 
 void FileCommands::exportSelection(const std::vector<FragmentId>& fragments) {
@@ -294,27 +288,32 @@ std::optional<render::View> FileCommands::importView() {
 }
 
 void FileCommands::exportSeries() {
-    const RunRecord* record = m_computation.currentRun();
-    if (record == nullptr || record->reader == nullptr || record->running) {
-        return;
-    }
-    const QString path = askForOutput(tr("Series for ParaView"), QStringLiteral(".pvd"), tr("Series (*.pvd)"));
-    if (!path.isEmpty()) {
-        m_computation.write([path, run = record->reader, fe = m_computation.inputs().fe](
-                                const Execution& execution) { io::exportSeries(path.toStdString(), *run, *fe, execution); },
-                            [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
-    }
+    exportRun(tr("Series for ParaView"), QStringLiteral(".pvd"), tr("Series (*.pvd)"),
+              [fe = m_computation.inputs().fe](const std::string& path, const io::RunReader& run, const Execution& execution) {
+                  io::exportSeries(path, run, *fe, execution);
+              });
+}
+
+void FileCommands::exportVtkHdf() {
+    exportRun(tr("Series in one file"), QStringLiteral(".vtkhdf"), tr("VTKHDF (*.vtkhdf)"),
+              [fe = m_computation.inputs().fe](const std::string& path, const io::RunReader& run, const Execution& execution) {
+                  io::exportVtkHdf(path, run, *fe, execution);
+              });
 }
 
 void FileCommands::exportGltf() {
+    exportRun(tr("Fragments as glTF"), QStringLiteral(".glb"), tr("Binary glTF (*.glb)"), io::exportGltf);
+}
+
+void FileCommands::exportRun(const QString& title, const QString& suffix, const QString& filter, const RunExport& write) {
     const RunRecord* record = m_computation.currentRun();
     if (record == nullptr || record->reader == nullptr || record->running) {
         return;
     }
-    const QString path = askForOutput(tr("Fragments as glTF"), QStringLiteral(".glb"), tr("Binary glTF (*.glb)"));
+    const QString path = askForOutput(title, suffix, filter);
     if (!path.isEmpty()) {
         m_computation.write(
-            [path, run = record->reader](const Execution& execution) { io::exportGltf(path.toStdString(), *run, execution); },
+            [path, run = record->reader, write](const Execution& execution) { write(path.toStdString(), *run, execution); },
             [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
     }
 }

@@ -15,9 +15,13 @@ class QWidget;
 namespace rubble {
 
 class Computation;
+class Execution;
 struct AccuracyReport;
 struct Calibration;
 class Document;
+namespace io {
+class RunReader;
+}
 namespace widgets {
 class FileChart;
 }
@@ -60,6 +64,7 @@ public:
     /// A view that the user chooses; nothing if he does not, or if it cannot be read.
     std::optional<render::View> importView();
     void exportSeries();
+    void exportVtkHdf();
     void exportGltf();
     void saveSweep(const std::shared_ptr<const AccuracyReport>& report);
     void saveCalibration(const std::shared_ptr<const Calibration>& calibration);
@@ -82,6 +87,9 @@ private:
     /// The case with files of a role put in place of those it has, or beside them.
     void setFiles(InputRole role, const QStringList& paths, bool beside, const QString& what);
     QString askForOutput(const QString& title, const QString& suffix, const QString& filter);
+    using RunExport = std::function<void(const std::string& path, const io::RunReader& run, const Execution& execution)>;
+    /// Asks for a path and writes the run that is shown there; nothing while it is not finished.
+    void exportRun(const QString& title, const QString& suffix, const QString& filter, const RunExport& write);
     void writeTable(const QString& path, const std::function<void(std::ostream&)>& table);
     void reportWrite(const QString& path, std::exception_ptr thrown);
 

@@ -424,6 +424,7 @@ void MainWindow::showState() {
     m_actions["write_report"].setEnabled(finished && !m_report->writing());
     m_report->refresh();
     m_actions["export_series"].setEnabled(finished);
+    m_actions["export_vtkhdf"].setEnabled(finished);
     m_actions["export_gltf"].setEnabled(finished);
     m_actions["export_selection"].setEnabled(finished && !m_inspection->selection().fragments().empty());
     for (const char* id : {"save", "save_as", "close", "preset_default", "preset_paper", "terrain", "orthophoto", "surroundings",

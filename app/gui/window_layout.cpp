@@ -235,6 +235,7 @@ void MainWindow::connectFiles() {
     on("save_run", [this] { m_files->saveRun(); });
     on("export_fragments", [this] { m_files->exportFragments(); });
     on("export_series", [this] { m_files->exportSeries(); });
+    on("export_vtkhdf", [this] { m_files->exportVtkHdf(); });
     on("export_gltf", [this] { m_files->exportGltf(); });
     on("export_selection", [this] { m_files->exportSelection(m_inspection->selection().fragments()); });
     on("export_view", [this] { m_files->exportView(m_area->views().view()); });

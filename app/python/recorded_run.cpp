@@ -65,7 +65,7 @@ const Inputs& RecordedRun::inputs(const std::optional<std::string>& fe, const Ex
 }
 
 const std::vector<std::string>& writtenKinds() {
-    static const std::vector<std::string> kinds{"fragments", "series", "bodies", "gltf"};
+    static const std::vector<std::string> kinds{"fragments", "series", "vtkhdf", "bodies", "gltf"};
     return kinds;
 }
 
@@ -75,6 +75,8 @@ void RecordedRun::write(const std::string& kind, const std::string& path, const 
         io::exportFragments(path, *m_reader, execution);
     } else if (kind == "series") {
         io::exportSeries(path, *m_reader, *inputs(fe, execution).fe, execution);
+    } else if (kind == "vtkhdf") {
+        io::exportVtkHdf(path, *m_reader, *inputs(fe, execution).fe, execution);
     } else if (kind == "bodies") {
         io::exportBodies(path, *m_reader, execution);
     } else if (kind == "gltf") {
@@ -82,7 +84,7 @@ void RecordedRun::write(const std::string& kind, const std::string& path, const 
     } else {
         throw UsageError(
             {"python.kind", "There is no export of the kind \"{0}\".", {kind}},
-            {"python.kind.remedy", "Kinds: fragments, series, bodies, gltf; a debris map writes itself with save().", {}});
+            {"python.kind.remedy", "Kinds: fragments, series, vtkhdf, bodies, gltf; a debris map writes itself with save().", {}});
     }
 }
 

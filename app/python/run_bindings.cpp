@@ -243,7 +243,7 @@ void addRecordedRun(py::module_& module) {
                 WatchedWork(std::move(progress)).run([&](const Execution& execution) { run.write(kind, path, fe, execution); });
             },
             py::arg("kind"), py::arg("path"), py::kw_only(), py::arg("fe") = py::none(), py::arg("progress") = py::none(),
-            "Writes 'fragments' (CSV), 'series' (ParaView), 'bodies' (XDMF) or 'gltf'")
+            "Writes 'fragments' (CSV), 'series' and 'vtkhdf' (ParaView), 'bodies' (XDMF) or 'gltf'")
         .def(
             "debris_map",
             [](RecordedRun& run, double cell, std::optional<double> time, bool live, const std::optional<std::string>& fe,

@@ -12,6 +12,7 @@
 #include "io/fe_copy/copy_layout.h"
 #include "io/fe_copy/copy_seal.h"
 #include "io/fe_copy/state_chunks.h"
+#include "io/files.h"
 #include "io/hdf5_handle.h"
 #include "io/run_driver.h"
 
@@ -69,8 +70,7 @@ public:
 
 private:
     [[noreturn]] void fail(int error) const {
-        const char* reason = strerrordesc_np(error);
-        throw WorldError({"convert.write", "Cannot write {0}: {1}", {m_path, reason ? reason : "unknown reason"}},
+        throw WorldError({"convert.write", "Cannot write {0}: {1}", {m_path, systemReason(error)}},
                          {"convert.write.remedy", "Check free space and rights of the folder, or choose another place.", {}});
     }
     void requireWritten() const {

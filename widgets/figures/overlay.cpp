@@ -381,13 +381,19 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
             overlay.legend.push_back({p.accent, tr("selected %1").arg(countText(view.selection.size())), true});
         }
     }
+    // One line, so that the legend stays where it is at rest.
+    QStringList simplified;
     if (status.simplifiedTo > 0.0) {
-        overlay.legend.push_back(
-            {QColor(), tr("simplified while moving: shapes to within %1").arg(lengthText(twoDigitsUp(status.simplifiedTo)))});
+        simplified.push_back(tr("to within %1").arg(lengthText(twoDigitsUp(status.simplifiedTo))));
+    }
+    if (status.resolution < 1.0) {
+        simplified.push_back(tr("resolution %1 %").arg(std::lround(100.0 * status.resolution)));
     }
     if (status.statesApart > 1) {
-        overlay.legend.push_back(
-            {QColor(), tr("simplified while moving: structure interpolated over %1 FE intervals").arg(status.statesApart)});
+        simplified.push_back(tr("over %1 FE intervals").arg(status.statesApart));
+    }
+    if (!simplified.isEmpty()) {
+        overlay.legend.push_back({QColor(), tr("simplified while moving: %1").arg(simplified.join(QStringLiteral(", ")))});
     }
     if (view.scaleBar && status.states > 0) {
         overlay.metresPerPixel = render::metresPerPixel(render::cameraOf(view, pane.content), pane.height);

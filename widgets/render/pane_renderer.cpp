@@ -61,10 +61,12 @@ private:
     std::array<vtkMTimeType, 2> m_sent{};
 };
 
-/// VTK drops fragments without opacity after it has shaded them, so what lies behind others cannot be left out before. Opaque
-/// actors have none to drop.
-void testDepthFirst(vtkActor& opaque) {
-    opaque.GetShaderProperty()->AddFragmentShaderReplacement("discard;", true, "", false);
+/// Leaves out of the shading of opaque, dull surfaces what changes no pixel of them. VTK drops fragments without opacity after it
+/// has shaded them, so what lies behind others cannot be left out before; and it reckons highlights, a power for each pixel, which
+/// then count nothing.
+void leaveOutIdleShading(vtkActor& actor) {
+    actor.GetShaderProperty()->AddFragmentShaderReplacement("discard;", true, "", false);
+    actor.GetShaderProperty()->AddFragmentShaderReplacement("specular += (sf * lightColor0);", false, "", true);
 }
 
 vtkSmartPointer<vtkActor> modelActor(vtkPolyData* data) {
@@ -79,7 +81,7 @@ vtkSmartPointer<vtkActor> modelActor(vtkPolyData* data) {
     actor->GetProperty()->SetInterpolationToFlat();
     actor->GetProperty()->BackfaceCullingOn();
     actor->GetProperty()->SetSpecular(0.0);
-    testDepthFirst(*actor);
+    leaveOutIdleShading(*actor);
     return actor;
 }
 
@@ -251,7 +253,7 @@ void PaneRenderer::setGrain(const std::vector<float>& grain) {
     if (!m_grained) {
         mapper->RemoveVertexAttributeMapping("grainMC");
         shader->ClearAllShaderReplacements();
-        testDepthFirst(*m_modelActor);
+        leaveOutIdleShading(*m_modelActor);
         m_model->GetPointData()->RemoveArray(m_grain->GetName());
         return;
     }

@@ -87,6 +87,7 @@ struct Scene::Impl {
     std::string otherScenario;
     bool allFaces = false;
     bool simplified = false;
+    double resolution = 1.0;  ///< while simplified
     Aabb bounds;
     ColourScale scale;
     bool coloursChanged = true;
@@ -330,8 +331,13 @@ void Scene::setAllFaces(bool all) {
     }
 }
 
-void Scene::setSimplified(bool simplified) {
+void Scene::setSimplified(bool simplified, double resolution) {
     m_impl->simplified = simplified;
+    m_impl->resolution = simplified ? resolution : 1.0;
+}
+
+double Scene::resolution() const {
+    return m_impl->resolution;
 }
 
 void Scene::update(const View& view, int width, int height) {
@@ -364,6 +370,7 @@ void Scene::Impl::updateGeometries(const std::vector<Pane>& panes, bool simple) 
     for (std::size_t i = 0; i < geometryCount; ++i) {
         if (shown[i]) {
             statuses[i] = shown[i]->status();
+            statuses[i].resolution = simple ? resolution : 1.0;
         }
     }
 }

@@ -35,6 +35,7 @@ struct PaneStatus {
     std::size_t errorsUnknown = 0;             ///< of them, those that the reference does not have at this time
     std::size_t faces = 0;                     ///< drawn
     double simplifiedTo = 0.0;                 ///< m: shapes are drawn to within this; 0: as they are
+    double resolution = 1.0;                   ///< share of the pixels in each direction; below 1 while simplified only
     std::size_t statesApart = 1;  ///< FE states from one to the next between which nodes move; more while simplified only
     std::size_t hidden = 0;       ///< elements left out of the picture; the counts above hold them all the same
 };
@@ -77,8 +78,12 @@ public:
 
     /// Draw large models with less detail, for as long as they move, and their structure between the FE states at hand rather than
     /// wait for those next to the time. Counts, picking and what elementsWhere() finds stay the same, and PaneStatus (simplifiedTo,
-    /// statesApart) tells of it. Default off: figures and movies never ask for it.
-    void setSimplified(bool simplified);
+    /// statesApart, resolution) tells of it. Default off: figures and movies never ask for it.
+    /// @param resolution  share of the pixels in each direction with which whoever draws is going to; pixels of update() and of
+    /// what is asked here stay those of the whole window
+    void setSimplified(bool simplified, double resolution = 1.0);
+    /// As of the last update().
+    double resolution() const;
 
     /// Brings all panes to a view: positions, colours, cameras, layout. Draws nothing; call the window's Render() after.
     /// @param width, height  of the window, device pixels

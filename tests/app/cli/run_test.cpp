@@ -130,6 +130,13 @@ TEST_F(Run, SeriesIsACollectionForParaView) {
     EXPECT_GE(files, 12u) << "two parts at six states";
 }
 
+TEST_F(Run, TheSameGoesIntoOneVtkHdfFile) {
+    const std::string path = m_folder / "series.vtkhdf";
+    run({"--export", "vtkhdf=" + path});
+    EXPECT_THAT(textOf(path), testing::StartsWith("\x89HDF"));
+    EXPECT_TRUE(fs::exists(path + ".provenance.json"));
+}
+
 TEST_F(Run, WithoutOutNothingIsLeftBehind) {
     const std::string temporary = m_folder / "tmp";
     fs::create_directory(temporary);
@@ -182,7 +189,8 @@ TEST_F(Run, WrongRequestsAreRefusedBeforeTheWork) {
         EXPECT_THAT(outcome.err, HasSubstr(says));
         EXPECT_EQ(outcome.out, "");
     };
-    refused({"--export", "movie=a.mp4"}, 2, "Kinds: fragments, series, bodies, gltf");
+    refused({"--export", "movie=a.mp4"}, 2, "Kinds: fragments, series, vtkhdf, bodies, gltf");
+    refused({"--export", "vtkhdf=a.h5"}, 2, "ends in .vtkhdf");
     refused({"--export", "fragments"}, 2, "no \"=\"");
     refused({"--export", "fragments=" + (m_folder / "no/f.csv")}, 1, "does not exist");
     refused({"--out", m_path}, 2, "is read by this command");

@@ -1,6 +1,7 @@
 #include <QCheckBox>
 #include <QSettings>
 #include <QTest>
+#include <cstdlib>
 #include <limits>
 
 #include "app/gui/settings.h"
@@ -10,6 +11,18 @@
 
 namespace rubble {
 namespace {
+
+/// Of all channels of all pixels, 0 to 255.
+double meanDifference(const QImage& a, const QImage& b) {
+    double sum = 0.0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+            sum += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue());
+        }
+    }
+    return sum / (3.0 * a.width() * a.height());
+}
 
 class ViewDetail : public Workbench {
 protected:
@@ -39,6 +52,31 @@ TEST_F(ViewDetail, SlowViewsAreSimplifiedWhileTheyMoveAndNotAtRest) {
     ASSERT_TRUE(simplifiedInOrbit());
     EXPECT_TRUE(QTest::qWaitFor([&] { return !views().simplified(); }, patience)) << "full detail comes back by itself";
     EXPECT_EQ(views().status(render::PaneContent::Fe).simplifiedTo, 0.0);
+}
+
+TEST_F(ViewDetail, SlowViewsAreDrawnWithFewerPixelsAndAreSharpAgainAtRest) {
+    widgets::ViewWidget::simplifyAbove(std::numeric_limits<double>::infinity());
+    const QImage sharp = views().picture();
+    const render::View home = views().view();
+    const render::PaneStatus before = views().status(render::PaneContent::Fragments);
+    widgets::ViewWidget::simplifyAbove(0.0);
+    const auto resolution = [&] { return views().status(render::PaneContent::Fe).resolution; };
+    for (int picture = 0; picture < 16 && resolution() > render::DrawnResolution::steps.back(); ++picture) {
+        ASSERT_TRUE(simplifiedInOrbit());
+    }
+    ASSERT_EQ(resolution(), render::DrawnResolution::steps.back());
+    // Once more where it began: the same picture, less sharp.
+    views().setView(home);
+    const QImage coarse = views().grabFramebuffer();
+    ASSERT_TRUE(views().simplified());
+    ASSERT_EQ(coarse.size(), sharp.size());
+    EXPECT_GT(meanDifference(coarse, sharp), 0.0);
+    EXPECT_LT(meanDifference(coarse, sharp), 8.0) << "of 255: everything is where it was";
+    EXPECT_EQ(views().status(render::PaneContent::Fragments).fragments, before.fragments);
+    EXPECT_EQ(views().status(render::PaneContent::Fragments).active, before.active);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !views().simplified(); }, patience));
+    EXPECT_EQ(resolution(), 1.0);
+    EXPECT_EQ(views().grabFramebuffer(), sharp);
 }
 
 TEST_F(ViewDetail, WhatIsFastEnoughOrNotAllowedKeepsItsDetail) {

@@ -107,7 +107,7 @@ class Runs(unittest.TestCase):
         self.assertAlmostEqual(total, 12000.0, places=3)
         self.assertAlmostEqual(np.nansum(debris.values("mass")) * 0.25, total, places=6)
         self.assertEqual(debris.raster("mass").shape[1], round((debris.bounds[2] - debris.bounds[0]) / 0.5))
-        for kind, name in (("fragments", "f.csv"), ("gltf", "f.glb"), ("bodies", "f.xdmf"), ("series", "s.pvd")):
+        for kind, name in (("fragments", "f.csv"), ("gltf", "f.glb"), ("bodies", "f.xdmf"), ("series", "s.pvd"), ("vtkhdf", "s.vtkhdf")):
             run.export(kind, self.path(name))
             self.assertGreater(os.path.getsize(self.path(name)), 100)
         debris.save(self.path("m.tif"))

@@ -176,6 +176,9 @@ TEST_F(Legends, TellThatAMovingViewIsSimplified) {
     }
     m_view.legends = false;
     EXPECT_EQ(told(), 1) << "said even where legends are off";
+    m_scene.setSimplified(true, 0.5);
+    EXPECT_EQ(told(), 1) << "in one line";
+    EXPECT_TRUE(overlayFor(render::ColourBy::BirthTime).legend.back().text.endsWith(QStringLiteral(", resolution 50 %")));
     m_scene.setSimplified(false);
     EXPECT_EQ(told(), 0);
 }

@@ -198,6 +198,12 @@ std::optional<ReadProvenance> readProvenance(const std::string& path) {
     if (const auto view = about.find("view"); view != about.end() && view->is_object()) {
         read.view = view->dump();
     }
+    if (const auto settings = about.find("settings_of_export"); settings != about.end() && settings->is_object()) {
+        const json panel = settings->value("panel_pixels", json::array());
+        const bool told = panel.is_array() && panel.size() == 2 && panel[0].is_number() && panel[1].is_number();
+        const double height = told ? panel[1].get<double>() : 0.0;
+        read.aspect = height > 0.0 ? panel[0].get<double>() / height : 0.0;
+    }
     if (const auto inputs = about.find("inputs"); inputs != about.end() && inputs->is_array()) {
         for (const json& input : *inputs) {
             if (textAt(input, "role") == "fe") {

@@ -61,8 +61,9 @@ struct ReadProvenance {
     std::string runPath;      ///< then; empty: none
     std::string fingerprint;  ///< of the run, hex; empty: nothing was simulated
     std::string scenarioName;
-    std::string view;  ///< JSON; empty: none
-    std::string text;  ///< all of it, JSON
+    std::string view;     ///< JSON; empty: none
+    double aspect = 0.0;  ///< width over height of the picture of that view; 0: not told
+    std::string text;     ///< all of it, JSON
 };
 
 /// Reads what a figure (PNG, SVG, PDF), a movie (MP4) or a sidecar beside the file carries; nothing if it carries none.

@@ -322,6 +322,7 @@ ReportFacts reportFacts(const ReportRequest& request, const Execution& execution
     facts.result = request.run->result();
     facts.ledger = request.run->ledger();
     facts.findings = request.inputs.fe->contents().findings;
+    facts.findings.append(request.siteFindings);
     facts.findings.append(request.run->findings());
     const Taint taint = taintOf(*request.run);
     facts.breaches = taint.breaches;

@@ -18,6 +18,7 @@ struct ReportRequest {
     Inputs inputs;                  ///< of the run
     std::string fePath;             ///< where its FE result is now
     std::string terrainPath;        ///< likewise; empty: none
+    Findings siteFindings{};        ///< of reading terrain and surroundings
     const Case* theCase = nullptr;  ///< that the run must agree with; null: the run alone
     std::string casePath;           ///< of a case that lies in a file, empty otherwise
     std::string basePath;           ///< file that the paths of the case are relative to: the case, unsaved its FE result

@@ -44,6 +44,10 @@ public:
         m_result.crs = std::move(heights.crs);
         m_result.verticalDatum = std::move(heights.verticalDatum);
         m_result.findings = std::move(heights.findings);
+        if (heights.missing > 0.0) {
+            find("terrain.short", "the terrain ends {0} short of the outline of the structure and goes on level from there",
+                 {{heights.missing, "m"}}, "give a raster that covers the whole site");
+        }
     }
 
     TerrainInput read();
@@ -169,7 +173,13 @@ TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb
     checkFile(path);
     execution.check();
     tryTerrain(path, frame, site, around);
-    TerrainInput terrain = TerrainReading(path, around, readHeights(path, frame, site, around, execution)).read();
+    HeightReading heights = readHeights(path, frame, site, around, execution);
+    if (heights.debrisMap) {
+        throw ParseError(
+            {"terrain.debris_map", "{0} is a debris map: its heights are above the ground, not those of a ground", {path}},
+            {"terrain.debris_map.remedy", "Take it as a survey, or give a height model of the site.", {}});
+    }
+    TerrainInput terrain = TerrainReading(path, around, std::move(heights)).read();
     terrain.fit = SitePlace(frame, site).fit();
     return terrain;
 }

@@ -278,6 +278,9 @@ void CausesPage::showBlind() {
     }
     heads.emplace_back(tr("not told apart"), tr("Trials without a verdict"));
     heads.emplace_back(tr("closest rightly"), tr("Trials in which the true cause was the closest, told apart or not"));
+    heads.emplace_back(
+        tr("noticed if left out"),
+        tr("Trials in which, with the true cause not among the hypotheses, perhaps none of them would be the verdict"));
     setHeads(*m_blind, heads);
     QStringList sums;
     for (const BlindTest& test : m_content.blind) {
@@ -293,7 +296,8 @@ void CausesPage::showBlind() {
                 m_blind->setItem(line, column++, cell(shownCount(count), false, {}));
             }
             m_blind->setItem(line, column++, cell(shownCount(test.undecided[h]), false, {}));
-            m_blind->setItem(line, column, cell(shownCount(test.closest[h]), false, {}));
+            m_blind->setItem(line, column++, cell(shownCount(test.closest[h]), false, {}));
+            m_blind->setItem(line, column, cell(test.noticed.empty() ? tr("not known") : shownCount(test.noticed[h]), false, {}));
         }
     }
     m_blindTitle->setText(tr("Blind test, each member in turn is what was found. %1").arg(sums.join(QStringLiteral("; "))));

@@ -81,6 +81,14 @@ FigureDialog::FigureDialog(const FigureChoice& choice, QWidget* parent)
         showSize();
         m_rest.start();
     };
+    // A size that nobody chose is that of the arrangement.
+    connect(m_preset, &QComboBox::currentIndexChanged, this, [this, before = choice.preset]() mutable {
+        const FigureChoice now = this->choice();
+        if (now.pixels == figures::usualSize(before)) {
+            m_height->setValue(figures::usualSize(now.preset).height());
+        }
+        before = now.preset;
+    });
     connect(m_preset, &QComboBox::currentIndexChanged, this, changed);
     for (QSpinBox* box : {m_width, m_height, m_dpi}) {
         connect(box, &QSpinBox::valueChanged, this, changed);

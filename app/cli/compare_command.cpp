@@ -193,6 +193,9 @@ TextTable blindTable(const BlindTest& test, const std::vector<std::string>& name
     }
     columns.push_back({"not told apart", "undecided"});
     columns.push_back({"closest rightly", "closest_right"});
+    if (!test.noticed.empty()) {
+        columns.push_back({"noticed if left out", "noticed_left_out"});
+    }
     TextTable table(std::move(columns));
     for (std::size_t h = 0; h < names.size(); ++h) {
         std::vector<Cell> row{textCell(names[h])};
@@ -201,6 +204,9 @@ TextTable blindTable(const BlindTest& test, const std::vector<std::string>& name
         }
         row.push_back(integerCell(test.undecided[h]));
         row.push_back(integerCell(test.closest[h]));
+        if (!test.noticed.empty()) {
+            row.push_back(integerCell(test.noticed[h]));
+        }
         table.add(std::move(row));
     }
     return table;
@@ -252,7 +258,8 @@ Json blindJson(const BlindTest& test) {
             {"wrong", test.wrong()},
             {"named", test.named},
             {"undecided", test.undecided},
-            {"closest_right", test.closest}};
+            {"closest_right", test.closest},
+            {"noticed_left_out", test.noticed}};
 }
 
 void printComparison(std::ostream& out, const CauseComparison& made) {

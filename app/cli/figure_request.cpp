@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iostream>
 
-#include "app/cli/json_output.h"
 #include "app/cli/option_value.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/virtual_display.h"
@@ -15,6 +14,7 @@
 #include "core/fe/frame_transform.h"
 #include "core/fe/regrouping.h"
 #include "io/provenance.h"
+#include "widgets/figures/export_record.h"
 #include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/view_json.h"
 #include "widgets/render/panes.h"
@@ -81,7 +81,7 @@ std::vector<Option> FigureRequest::viewOptions() {
             {"--look", "FROM", false, "side (default), front, back, left, right, top, bottom or corner"},
             {"--cut", "AXIS=M", false, "leaves out what lies beyond x=M, y=M or z=M; with -x, -y or -z what lies below"},
             {"--hide", "NAME", true, "leaves a component out; may be repeated"},
-            {"--size", "WxH", false, "pixels of a figure (default: 1600x1000; of a movie 1280x720)"},
+            {"--size", "WxH", false, "pixels of a figure (default: 1600x1000, of figure 11 1600x1600; of a movie 1280x720)"},
             {"--dpi", "N", false, "pixels per inch, which decide the size of text: 9 pt (default: 200; of a movie 110)"}};
 }
 
@@ -107,9 +107,8 @@ FigureRequest::FigureRequest(const Arguments& arguments) {
     readTime(arguments);
     readPreset(arguments);
     m_colourBy = choiceOf(arguments, "--colour", colourNames, "highlight, component, birth_time, speed or cluster");
-    if (const auto size = arguments.value("--size")) {
-        m_style.pixels = parsePictureSize(*size);
-    }
+    const auto size = arguments.value("--size");
+    m_style.pixels = size ? parsePictureSize(*size) : figures::usualSize(m_preset);
     if (const auto dpi = arguments.value("--dpi")) {
         if (!parseNumber(*dpi, m_style.dpi) || !(m_style.dpi >= 20.0 && m_style.dpi <= 2400.0)) {
             throw wrongValue("--dpi", *dpi, "pixels per inch from 20 to 2400");
@@ -265,16 +264,6 @@ void FigureRequest::checkFormat(const std::string& option, const std::string& pa
     }
 }
 
-std::string FigureRequest::settingsText() const {
-    Json settings{{"pixels", {m_style.pixels.width(), m_style.pixels.height()}}, {"dpi", m_style.dpi}};
-    for (const auto& [name, preset] : figures::figurePresets) {
-        if (m_preset == preset) {
-            settings["preset"] = name;
-        }
-    }
-    return settings.dump();
-}
-
 void FigureRequest::write(const std::string& path, const std::shared_ptr<const io::RunReader>& run, const Inputs& inputs,
                           const RunSurroundings& around) const {
     const render::SceneData data = sceneOfRun(run, inputs, around);
@@ -286,7 +275,12 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
     style.provenance = io::footLine(run->origin());
     figures::Studio studio(data);
     const figures::SheetPicture picture = studio.sheet(sheet, style);
-    io::ExportRecord record{"figure", {}, settingsText(), {}, around.casePath, io::shownFiles(around.shown)};
+    io::ExportRecord record{"figure",
+                            {},
+                            figures::settingsText(m_style.pixels, m_style.dpi, m_preset, picture.panels().back().place.size()),
+                            {},
+                            around.casePath,
+                            io::shownFiles(around.shown)};
     for (const figures::SheetPicture::Panel& panel : picture.panels()) {
         const figures::ShownPanel& shown = panel.shown;
         record.shown.push_back(

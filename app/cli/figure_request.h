@@ -41,7 +41,6 @@ private:
     void readLook(const Arguments& arguments);
     void readTime(const Arguments& arguments);
     void readPreset(const Arguments& arguments);
-    std::string settingsText() const;
     figures::Sheet sheetOf(const render::SceneData& data, const io::RunReader& run) const;
     double timeIn(const io::RunReader& run, const FeResult& fe) const;
 

@@ -126,7 +126,7 @@ void warnIfTainted(Session& session, const std::string& runPath, const io::Taint
         return;
     }
     session.err() << "rubble-cli: note: this run has " << englishInteger(static_cast<std::int64_t>(taint.breaches))
-                  << " health breaches that nobody has acknowledged\n";
+                  << (taint.breaches == 1 ? " health breach" : " health breaches") << " that nobody has acknowledged\n";
     if (!taint.problem.empty()) {
         session.err() << "  " << englishText(taint.problem) << '\n';
     }

@@ -10,6 +10,7 @@
 #include "app/cli/run_inputs.h"
 #include "app/cli/virtual_display.h"
 #include "io/provenance.h"
+#include "widgets/figures/export_record.h"
 #include "widgets/figures/movie.h"
 #include "widgets/figures/view_json.h"
 
@@ -48,10 +49,11 @@ figures::MovieSettings settingsOf(const Arguments& arguments, const io::RunReade
 
 std::string recordOf(const io::RunReader& run, const RunSurroundings& around, const render::View& view,
                      const figures::MovieSettings& settings, QSize pixels) {
-    const Json made{{"pixels", {pixels.width(), pixels.height()}}, {"fps", settings.fps}, {"pace", settings.pace}};
-    io::ExportRecord record{"movie", {}, made.dump(), figures::toJson(view), around.casePath, io::shownFiles(around.shown)};
-    record.shown = {{"Conventional FE result", settings.from, settings.to, "FE, interpolated between two states"},
-                    {"Fragments", settings.from, settings.to, std::string(io::shownClass(FrameKind::Interpolated))}};
+    io::ExportRecord record{
+        "movie", {}, figures::settingsText(pixels, settings), figures::toJson(view), around.casePath, io::shownFiles(around.shown)};
+    for (const figures::MoviePane& pane : figures::moviePanes(view, true)) {
+        record.shown.push_back({pane.name, settings.from, settings.to, pane.shownAs});
+    }
     return io::exportProvenance(record, run.origin(), &run);
 }
 

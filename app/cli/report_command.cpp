@@ -147,8 +147,10 @@ ExitCode report(const Arguments& arguments, Session& session) {
     }
     checkSelfTest(arguments);
     const ReportSubject subject = openReportSubject(arguments, session);
-    const Inputs inputs = openInputsOfRun(subject.runPath, subject.run->origin(), arguments, session);
-    const io::ReportRequest request = requestOf(arguments, subject, inputs);
+    Findings site;
+    const Inputs inputs = openInputsOfRun(subject.runPath, subject.run->origin(), arguments, session, &site);
+    io::ReportRequest request = requestOf(arguments, subject, inputs);
+    request.siteFindings = site;
     ReportFacts facts = io::reportFacts(request, session.execution());
     addSelfTest(facts, arguments, session);
     quietQt();

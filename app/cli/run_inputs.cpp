@@ -102,7 +102,8 @@ Inputs openInputsOfRun(const io::RunOrigin& origin, const Arguments& arguments, 
     return openInputsOfRun(arguments.operand(), origin, arguments, session);
 }
 
-Inputs openInputsOfRun(const std::string& runPath, const io::RunOrigin& origin, const Arguments& arguments, Session& session) {
+Inputs openInputsOfRun(const std::string& runPath, const io::RunOrigin& origin, const Arguments& arguments, Session& session,
+                       Findings* site) {
     Inputs inputs;
     inputs.fe = io::openFe(findFeOfRun(runPath, origin, arguments.value("--fe")), origin.scenario.import, origin.frame,
                            session.execution());
@@ -110,8 +111,12 @@ Inputs openInputsOfRun(const std::string& runPath, const io::RunOrigin& origin, 
     if (!origin.terrainPath.empty()) {
         const std::string terrain =
             find(runPath, {"terrain", "--terrain", origin.terrainPath, origin.terrainSha256, arguments.value("--terrain")});
-        inputs.terrain =
-            io::openTerrain(terrain, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), session.execution(), origin.site).grid;
+        const io::TerrainInput read =
+            io::openTerrain(terrain, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), session.execution(), origin.site);
+        inputs.terrain = read.grid;
+        if (site != nullptr) {
+            site->append(read.findings);
+        }
         std::vector<std::string> meshes;
         for (const io::RecordedInput& mesh : origin.surroundings) {
             meshes.push_back(find(runPath, {"surroundings", "", mesh.path, mesh.sha256, std::nullopt}));

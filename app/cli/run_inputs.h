@@ -19,7 +19,8 @@ std::string findFeOfRun(const std::string& runPath, const io::RunOrigin& origin,
 /// FE result and terrain of the run that the operand names, opened with its settings; found as above, or where --fe and --terrain
 /// say.
 Inputs openInputsOfRun(const io::RunOrigin& origin, const Arguments& arguments, Session& session);
-/// The same for a run that is not the operand.
-Inputs openInputsOfRun(const std::string& runPath, const io::RunOrigin& origin, const Arguments& arguments, Session& session);
+/// The same for a run that is not the operand. @param site  gets what reading the terrain found; null: nobody asks
+Inputs openInputsOfRun(const std::string& runPath, const io::RunOrigin& origin, const Arguments& arguments, Session& session,
+                       Findings* site = nullptr);
 
 }  // namespace rubble::cli

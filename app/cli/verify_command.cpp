@@ -22,6 +22,7 @@ struct Check {
     std::string recorded;
     std::string found;
     bool same = false;
+    std::string said{};  ///< in place of what was found; empty: that says it
 };
 
 Check compare(std::string name, std::string recorded, std::string found) {
@@ -46,10 +47,9 @@ ExitCode report(const Arguments& arguments, Session& session, const std::vector<
     } else {
         FactList facts;
         for (const Check& check : checks) {
-            facts.add(check.name, check.found == "none" && check.same
-                                      ? "none, so it cannot be told whether the case itself was altered"
-                                  : check.same ? "same: " + check.found
-                                               : "differs: recorded " + check.recorded + ", now " + check.found);
+            facts.add(check.name, !check.said.empty() ? check.said
+                                  : check.same        ? "same: " + check.found
+                                                      : "differs: recorded " + check.recorded + ", now " + check.found);
         }
         session.out() << arguments.operand() << ": " << verdict << '\n';
         facts.print(session.out());
@@ -70,6 +70,7 @@ void addJournal(std::vector<Check>& checks, const io::JournalCheck& journal) {
     Check chain = compare("journal", whole, whole);
     if (journal.entries == 0) {
         chain.found = chain.recorded = "none";
+        chain.said = !journal.broken.empty() ? "" : "none, so it cannot be told whether the case itself was altered";
     }
     for (const std::size_t number : journal.broken) {
         chain.same = false;

@@ -15,12 +15,14 @@ namespace rubble {
 
 FigureReturn::FigureReturn(Document& document, Computation& computation, QObject* parent)
     : QObject(parent), m_document(document), m_computation(computation) {
-    connect(&m_computation, &Computation::prepared, this, &FigureReturn::prepared);
-    connect(&m_computation, &Computation::runReopened, this, [this] {
+    // Queued: the window shows a case or a run first, then what the figure shows of it.
+    connect(&m_computation, &Computation::prepared, this, &FigureReturn::prepared, Qt::QueuedConnection);
+    const auto reopened = [this] {
         if (m_going && m_going->runAsked) {
             show();
         }
-    });
+    };
+    connect(&m_computation, &Computation::runReopened, this, reopened, Qt::QueuedConnection);
     connect(&m_computation, &Computation::failed, this, [this] { m_going.reset(); });
 }
 
@@ -74,16 +76,12 @@ void FigureReturn::found() {
     const auto& fe = m_computation.inputs().fe;
     const bool here = fe != nullptr && fe->contents().sha256 == m_going->provenance.feSha256 &&
                       (!m_going->source.isCase || QFileInfo(m_document.path()) == QFileInfo(path));
-    m_going->opened = here;
+    m_going->opened = true;
     if (here) {
         prepared();
-        return;
+    } else {
+        emit openRequested(path);
     }
-    const Going kept = *m_going;
-    emit openRequested(path);
-    // Opening forgets what was begun, unless it was begun here.
-    m_going = kept;
-    m_going->opened = true;
 }
 
 void FigureReturn::prepared() {
@@ -112,7 +110,7 @@ void FigureReturn::show() {
     const Going going = *std::exchange(m_going, std::nullopt);
     try {
         if (!going.provenance.view.empty()) {
-            emit viewRequested(figures::viewFromJson(going.provenance.view, going.figure.toStdString()));
+            emit viewRequested(figures::viewFromJson(going.provenance.view, going.figure.toStdString()), going.provenance.aspect);
         }
         const RunRecord* record = m_computation.currentRun();
         const bool same = record != nullptr && record->reader != nullptr &&

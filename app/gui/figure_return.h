@@ -23,13 +23,14 @@ public:
     static bool carriesSource(const QString& path);
     /// Looks for its case; goes on through openRequested() and viewRequested(), or failed().
     void begin(const QString& path);
-    /// Another file was opened by the user: what was begun is forgotten.
+    /// Another file was opened by the user, or what is open was not to be left: what was begun is forgotten.
     void forget() { m_going.reset(); }
 
 signals:
     void openRequested(const QString& path);
     /// The case is open, and shows what it did.
-    void viewRequested(const rubble::render::View& view);
+    /// @param aspect  width over height of the picture in the figure; 0: not known
+    void viewRequested(const rubble::render::View& view, double aspect);
     void told(const QString& what);
     void failed(const QString& what, const QString& remedy);
 

@@ -165,13 +165,18 @@ void MainWindow::open(const QString& path, bool simulate) {
         return;
     }
     m_return->forget();
+    load(path, simulate);
+}
+
+bool MainWindow::load(const QString& path, bool simulate) {
     if (!m_files->mayLeave()) {
-        return;
+        return false;
     }
     m_simulateWhenReady = simulate;
     m_area->setError({});
     m_deck->clearFailures();
     m_computation.open(path);
+    return true;
 }
 
 void MainWindow::openSample() {

@@ -116,6 +116,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// Opens a file that is no figure; false if what is open was not to be left.
+    bool load(const QString& path, bool simulate);
     void buildLayout();
     void buildMenus();
     void buildToolBar();

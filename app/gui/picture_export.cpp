@@ -2,9 +2,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <algorithm>
 
 #include "app/gui/computation.h"
@@ -12,6 +9,7 @@
 #include "app/gui/export_source.h"
 #include "core/base/build.h"
 #include "io/provenance.h"
+#include "widgets/figures/export_record.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/view_json.h"
 
@@ -57,24 +55,6 @@ Made madeNow(const Document& document, const Computation& computation, const ren
             std::move(around)};
 }
 
-/// As `rubble-cli figure` and `rubble-cli movie` put it down.
-std::string settingsText(const widgets::FigureChoice& choice) {
-    QJsonObject settings{{"pixels", QJsonArray{choice.pixels.width(), choice.pixels.height()}}, {"dpi", choice.dpi}};
-    for (const auto& [name, preset] : figures::figurePresets) {
-        if (choice.preset == preset) {
-            settings.insert("preset", QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size())));
-        }
-    }
-    return QJsonDocument(settings).toJson(QJsonDocument::Compact).toStdString();
-}
-
-std::string settingsText(const widgets::MovieChoice& choice) {
-    const QJsonObject settings{{"pixels", QJsonArray{choice.pixels.width(), choice.pixels.height()}},
-                               {"fps", choice.settings.fps},
-                               {"pace", choice.settings.pace}};
-    return QJsonDocument(settings).toJson(QJsonDocument::Compact).toStdString();
-}
-
 void writeFigureFile(const std::string& path, const widgets::FigureChoice& choice, const render::View& view,
                      const render::SceneData& data, const Made& made) {
     figures::FigureStyle style;
@@ -84,7 +64,12 @@ void writeFigureFile(const std::string& path, const widgets::FigureChoice& choic
     figures::Studio studio(data);
     const figures::SheetPicture picture = studio.sheet(sheetFor(choice, view, data, style.pixels, style.dpi), style);
     const std::string drawn = figures::toJson(choice.preset ? picture.panels().back().view : view);
-    io::ExportRecord record{"figure", {}, settingsText(choice), drawn, made.casePath, made.around};
+    io::ExportRecord record{"figure",
+                            {},
+                            figures::settingsText(choice.pixels, choice.dpi, choice.preset, picture.panels().back().place.size()),
+                            drawn,
+                            made.casePath,
+                            made.around};
     for (const figures::SheetPicture::Panel& panel : picture.panels()) {
         record.shown.push_back({panel.shown.caption.toStdString(), panel.shown.status.time, std::nullopt,
                                 figures::shownAs(panel.shown.content, panel.shown.status)});
@@ -97,9 +82,11 @@ std::string writeMovieFile(const std::string& path, const widgets::MovieChoice& 
                            const render::SceneData& data, const Made& made, const Execution& execution) {
     view.captions = true;
     view.time = choice.settings.from;
-    io::ExportRecord record{"movie", {}, settingsText(choice), figures::toJson(view), made.casePath, made.around};
-    record.shown = {{"views", choice.settings.from, choice.settings.to,
-                     made.run != nullptr ? std::string(io::shownClass(FrameKind::Interpolated)) : "FE"}};
+    io::ExportRecord record{"movie",       {},         figures::settingsText(choice.pixels, choice.settings), figures::toJson(view),
+                            made.casePath, made.around};
+    for (const figures::MoviePane& pane : figures::moviePanes(view, made.run != nullptr)) {
+        record.shown.push_back({pane.name, choice.settings.from, choice.settings.to, pane.shownAs});
+    }
     figures::FigureStyle style;
     style.pixels = choice.pixels;
     style.dpi = movieDpi * choice.pixels.height() / 720.0;

@@ -52,6 +52,7 @@
 #include "widgets/ensemble_page.h"
 #include "widgets/evidence_page.h"
 #include "widgets/evidence_tabs.h"
+#include "widgets/figures/export_record.h"
 #include "widgets/start_page.h"
 #include "widgets/status_line.h"
 
@@ -530,8 +531,14 @@ void MainWindow::connectExports() {
     connect(m_pictures, &PictureExport::done, m_status, &widgets::StatusLine::setMessage);
     connect(m_report, &ReportWork::told, m_status, &widgets::StatusLine::setMessage);
     connect(m_return, &FigureReturn::told, m_status, &widgets::StatusLine::setMessage);
-    connect(m_return, &FigureReturn::openRequested, this, [this](const QString& path) { open(path); });
-    connect(m_return, &FigureReturn::viewRequested, this, &MainWindow::showView);
+    connect(m_return, &FigureReturn::openRequested, this, [this](const QString& path) {
+        if (!load(path, false)) {
+            m_return->forget();
+        }
+    });
+    connect(m_return, &FigureReturn::viewRequested, this, [this](const render::View& view, double aspect) {
+        showView(figures::reshaped(view, aspect, m_area->views().width(), m_area->views().height()));
+    });
     const auto fail = [this](const QString& what, const QString& remedy) { showFailure({what, remedy, "gui.write"}); };
     connect(m_pictures, &PictureExport::failed, this, fail);
     connect(m_return, &FigureReturn::failed, this, fail);

@@ -90,9 +90,8 @@ SurfaceEvidence asEvidence(const MemberSurface& surface, EvidenceKind kind) {
     return evidence;
 }
 
-/// Chance that one more member, taken as evidence, would depart from the others in the mean as much as the evidence does from all:
-/// prediction from the members themselves, each in turn taken as evidence, by Student's distribution.
-double fitOf(const Hypothesis& hypothesis, const SurfaceEvidence& evidence, double departure) {
+/// How far each member, taken as evidence that was looked at as this was, departs from the others in the mean.
+FigureSpread amongMembers(const Hypothesis& hypothesis, const SurfaceEvidence& evidence) {
     const std::vector<const EnsembleMember*> members = hypothesis.ensemble->done();
     std::vector<double> among;
     for (const EnsembleMember* seen : members) {
@@ -107,7 +106,11 @@ double fitOf(const Hypothesis& hypothesis, const SurfaceEvidence& evidence, doub
         }
         among.push_back(spreadOf(departures).mean);
     }
-    const FigureSpread spread = spreadOf(among);
+    return spreadOf(among);
+}
+
+/// Chance that one more member would depart from them as much as the evidence does: Student's prediction from the members.
+double chanceOf(const FigureSpread& spread, double departure) {
     if (spread.count < 2) {
         return none;
     }
@@ -227,6 +230,14 @@ Message verdictOf(const CauseComparison& made) {
                 {name, listOf(made.alike)}};
     }
     const RankedCause& next = made.ranking.causes[1];
+    const bool outlines =
+        std::none_of(made.kinds.begin(), made.kinds.end(), [](EvidenceKind kind) { return kind == EvidenceKind::Heights; });
+    if (made.ranking.decided() && outlines) {
+        return {"causes.told_outline",
+                "Of these hypotheses {0} explains the outline best: one of its members is closer than one of {1} in {2} % of the "
+                "pairs, at least {3} % with 95 % confidence. A cause that is not among them may leave the same outline.",
+                {name, made.hypotheses[next.hypothesis], 100.0 * next.bestOver.share, 100.0 * next.bestOver.low}};
+    }
     if (made.ranking.decided()) {
         return {
             "causes.told",
@@ -242,7 +253,8 @@ void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const 
     const RankedCause& best = made.ranking.causes.front();
     made.fit = none;
     for (std::size_t s = 0; s < evidence.surfaces.size(); ++s) {
-        made.fit = std::fmin(made.fit, fitOf(hypotheses[best.hypothesis], evidence.surfaces[s], best.departures[s].mean));
+        const FigureSpread among = amongMembers(hypotheses[best.hypothesis], evidence.surfaces[s]);
+        made.fit = std::fmin(made.fit, chanceOf(among, best.departures[s].mean));
     }
     // With more pieces the worst of them is worse by chance.
     made.fit = std::isnan(made.fit) ? none : std::min(1.0, made.fit * static_cast<double>(evidence.surfaces.size()));
@@ -385,6 +397,15 @@ BlindTest blindTest(std::span<const Hypothesis> hypotheses, EvidenceKind kind, c
     test.named.assign(count, std::vector<std::int64_t>(count, 0));
     test.undecided.assign(count, 0);
     test.closest.assign(count, 0);
+    const SurfaceEvidence everywhere = asEvidence(MemberSurface(), kind);
+    std::vector<FigureSpread> among;
+    for (const Hypothesis& hypothesis : hypotheses) {
+        execution.check();
+        among.push_back(amongMembers(hypothesis, everywhere));
+    }
+    const bool judged = count > 1 && std::all_of(among.begin(), among.end(),
+                                                 [](const FigureSpread& spread) { return spread.count >= membersToJudge; });
+    test.noticed.assign(judged ? count : 0, 0);
     for (std::size_t truth = 0; truth < count; ++truth) {
         for (const EnsembleMember* seen : hypotheses[truth].ensemble->done()) {
             execution.check();
@@ -400,6 +421,12 @@ BlindTest blindTest(std::span<const Hypothesis> hypotheses, EvidenceKind kind, c
             const std::size_t best = ranking.causes.front().hypothesis;
             test.closest[truth] += best == truth ? 1 : 0;
             (ranking.decided() ? test.named[truth][best] : test.undecided[truth]) += 1;
+            if (judged) {
+                departures.erase(departures.begin() + static_cast<std::ptrdiff_t>(truth));
+                const RankedCause closest = rankCauses(departures).causes.front();
+                const FigureSpread& own = among[closest.hypothesis + (closest.hypothesis >= truth ? 1 : 0)];
+                test.noticed[truth] += chanceOf(own, closest.departures.front().mean) < leastFit ? 1 : 0;
+            }
         }
     }
     return test;

@@ -98,6 +98,9 @@ struct BlindTest {
     std::vector<std::vector<std::int64_t>> named;  ///< [true cause][cause that was named] trials
     std::vector<std::int64_t> undecided;           ///< [true cause]
     std::vector<std::int64_t> closest;             ///< [true cause] trials in which it was the closest, named or not
+    /// [true cause] trials in which, with that cause not among the hypotheses, the evidence lies outside of what the closest of the
+    /// others does: what would not be noticed is a wrong cause named. Empty with fewer than eight members of any.
+    std::vector<std::int64_t> noticed;
 
     std::int64_t trials() const;
     std::int64_t right() const;  ///< named, and rightly

@@ -18,6 +18,7 @@ struct SurveyHeights {
     std::size_t nx = 0;
     std::size_t ny = 0;
     std::vector<double> heights;  ///< [ny * nx] m, row by row from the lowest y
+    bool aboveGround = false;     ///< they count from the ground, and beyond the outermost nodes nothing lies on it
 
     /// Between nodes by bilinear interpolation; not a number beyond the outermost nodes and beside a gap.
     double at(double x, double y) const;

@@ -24,7 +24,12 @@ double heightIn(const SurveyHeights& heights, const SiteSurface& ground, const E
         for (int i = 0; i < points; ++i) {
             const double x = corner.x() + cell * (i + 0.5) / points;
             const double y = corner.y() + cell * (j + 0.5) / points;
-            const double height = heights.at(x - shift.x(), y - shift.y()) + shift.z() - ground.height(x, y);
+            double height = heights.at(x - shift.x(), y - shift.y()) + shift.z();
+            if (heights.aboveGround) {
+                height = std::isnan(height) ? 0.0 : height;
+            } else {
+                height -= ground.height(x, y);
+            }
             if (std::isfinite(height)) {
                 sum += height;
                 ++known;

@@ -231,6 +231,11 @@ SurveyShift registered(const CellGrid& debris, const Survey& survey, const SiteS
                 throw UsageError({"survey.footprint_ground", "An outline has no heights that could be laid on the ground", {}},
                                  {"survey.footprint_ground.remedy", "Register it to the debris, or not at all.", {}});
             }
+            if (survey.heights.aboveGround) {
+                throw UsageError(
+                    {"survey.above_ground", "Heights above the ground have no ground that could be laid on another", {}},
+                    {"survey.above_ground.remedy", "Register the survey to the debris, or not at all.", {}});
+            }
             return toGround(debris, survey, ground, settings, execution);
         case SurveyFit::Debris:
             return toDebris(debris, survey, ground, settings, execution);

@@ -197,7 +197,17 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
         HeightReading heights = readHeights(path, frame, site, around, execution);
         HeightRaster& raster = heights.raster;
         input.survey.heights = {raster.x0, raster.y0, raster.dx, raster.dy, raster.nx, raster.ny, std::move(raster.heights)};
-        input.survey.showsFallen = heights.showsFallen;
+        if (heights.debrisMap) {
+            // What has no height there is ground without debris.
+            std::replace_if(
+                input.survey.heights.heights.begin(), input.survey.heights.heights.end(),
+                [](double height) { return std::isnan(height); }, 0.0);
+            input.survey.heights.aboveGround = true;
+            input.survey.showsFallen = false;
+            heights.findings.add({"survey.debris_map", "the survey is a debris map: its heights are taken above the ground", {}},
+                                 {"survey.debris_map.remedy", "none is needed; the comparison is between two simulations", {}},
+                                 path);
+        }
         input.crs = heights.crs;
         input.findings = std::move(heights.findings);
     }

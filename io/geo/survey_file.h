@@ -22,7 +22,8 @@ struct SurveyInput {
 };
 
 /// Reads a surveyed height model (anything that openTerrain() reads; gaps stay gaps) or the outline of the debris (polygons of a
-/// GeoPackage, GeoJSON or Shapefile; of several layers that named "footprint", else all) into the local frame of a case.
+/// GeoPackage, GeoJSON or Shapefile; of several layers that named "footprint", else all) into the local frame of a case. Of a
+/// debris map of our own the heights are above the ground.
 /// @param around  m, local, of the structure at rest; empty: all of a raster is read
 /// Throws WorldError, ParseError (neither heights nor polygons, degrees in a case without a coordinate system), UsageError,
 /// Cancelled.

@@ -67,6 +67,7 @@ public:
     HeightReading read();
 
 private:
+    void checkOurs();
     void checkCrs();
     void checkDatum();
     void checkUnit();
@@ -99,6 +100,17 @@ private:
     HeightReading m_result;
 };
 
+void Reading::checkOurs() {
+    if (m_file.entry("RUBBLE_CLASS").empty()) {
+        return;
+    }
+    if (m_file.firstBand() != "height") {
+        refuse("terrain.our_map", "{0} is a map that Rubble made, and its first band, \"{1}\", holds no heights",
+               {m_file.firstBand()}, "Give a height model of the site, or a debris map with the layer height as its first.");
+    }
+    m_result.debrisMap = true;
+}
+
 void Reading::checkCrs() {
     m_result.crs = m_file.crsName();
     if (m_file.geographic() && m_frame.crs.empty()) {
@@ -119,10 +131,7 @@ void Reading::checkCrs() {
         find("terrain.projected", "the terrain was projected from \"{0}\" to the system of the case", {m_file.crsName()},
              "none is needed; heights are interpolated between those of the file");
     }
-    if (!m_file.entry("RUBBLE_LIVE_STRUCTURE").empty()) {
-        m_result.showsFallen = false;
-    }
-    if (m_file.bands() > 1) {
+    if (m_file.bands() > 1 && !m_result.debrisMap) {
         find("terrain.bands", "the terrain has {0} bands; the first is taken as heights", {m_file.bands()},
              "give a raster with one band if that is not right");
     }
@@ -168,11 +177,8 @@ void Reading::checkOverlap(const Eigen::Vector2d& least, const Eigen::Vector2d& 
             {least.x(), {most.x(), "m"}, least.y(), {most.y(), "m"}, low.x(), {high.x(), "m"}, low.y(), {high.y(), "m"}},
             "Tie the FE model to the coordinate system by control points (Site… in the Case menu), or give the right raster.");
     }
-    const double missing = std::max({least.x() - low.x(), high.x() - most.x(), least.y() - low.y(), high.y() - most.y()});
-    if (missing > 0.0) {
-        find("terrain.short", "the terrain ends {0} short of the outline of the structure and goes on level from there",
-             {{missing, "m"}}, "give a raster that covers the whole site");
-    }
+    m_result.missing =
+        std::max({least.x() - low.x(), high.x() - most.x(), least.y() - low.y(), high.y() - most.y(), m_result.missing});
 }
 
 std::size_t Reading::factorFor(double nodes, double cell) {
@@ -264,7 +270,7 @@ void Reading::readResampled() {
 
 void Reading::toMetres() {
     const double unit = m_file.metresPerHeightUnit() > 0.0 ? m_file.metresPerHeightUnit() : 1.0;
-    const double offset = m_place.toLocal(Vec3::Zero()).z() + m_site.heightShift;
+    const double offset = m_result.debrisMap ? 0.0 : m_place.toLocal(Vec3::Zero()).z() + m_site.heightShift;
     std::int64_t unmarked = 0;
     double example = 0.0;
     for (double& height : m_result.raster.heights) {
@@ -283,8 +289,11 @@ void Reading::toMetres() {
 }
 
 HeightReading Reading::read() {
+    checkOurs();
     checkCrs();
-    checkDatum();
+    if (!m_result.debrisMap) {
+        checkDatum();
+    }
     checkUnit();
     m_upright ? readUpright() : readResampled();
     toMetres();

@@ -20,8 +20,10 @@ struct HeightReading {
     HeightRaster raster;  ///< m; rows and columns along x and y
     std::string crs;      ///< name of the file's system
     std::string verticalDatum;
-    /// Of a debris map of our own false: fallen live structure lies in another band. Unset of all others.
-    std::optional<bool> showsFallen;
+    /// A debris map of our own: its heights are above the ground and were not brought to those of the case, and fallen live
+    /// structure lies in another band.
+    bool debrisMap = false;
+    double missing = 0.0;  ///< m, by which the file ends short of the outline of the structure
     Findings findings;
 };
 
@@ -29,6 +31,7 @@ struct HeightReading {
 /// more. A raster in another system than the case's, in degrees, turned, or in a case with control points is brought to cells
 /// along x and y by bilinear interpolation; one with more heights than a terrain may have is made coarser by averaging. What cannot
 /// be a height of land is a gap. Every such liberty is a finding.
+/// A map of our own without heights is refused.
 /// @param around  m, local, of the structure at rest; empty: the whole raster is read
 /// Throws as openTerrain().
 HeightReading readHeights(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,

@@ -206,6 +206,11 @@ std::string RasterFile::entry(const std::string& name) const {
     return text != nullptr ? text : "";
 }
 
+std::string RasterFile::firstBand() const {
+    const Session session;
+    return m_handles->dataset->GetRasterBand(1)->GetDescription();
+}
+
 std::string RasterFile::verticalDatum() const {
     const Session session;
     const OGRSpatialReference* own = m_handles->dataset->GetSpatialRef();

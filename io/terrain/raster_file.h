@@ -49,6 +49,8 @@ public:
     /// Its rows do not run along the axes of its system.
     bool turned() const { return m_turned; }
     int bands() const { return m_bands; }
+    /// What the file calls its first band; empty if it does not.
+    std::string firstBand() const;
     /// A named entry of its metadata; empty if it has none.
     std::string entry(const std::string& name) const;
     /// Name of the coordinate reference system, empty if the file states none.

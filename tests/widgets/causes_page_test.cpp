@@ -63,7 +63,7 @@ TEST(CausesPage, NamesTheCauseByWhatAndWhere) {
     page.resize(880, 700);
     page.setContent(compared({{"scour", ensembleAt(0)}, {"crown struck", ensembleAt(30)}}, 30));
     page.show();
-    EXPECT_TRUE(noticesOf(page).contains(QStringLiteral("crown struck explains the evidence best")));
+    EXPECT_TRUE(noticesOf(page).contains(QStringLiteral("crown struck explains the outline best")));
     ASSERT_EQ(page.ranking().rowCount(), 2);
     EXPECT_EQ(page.ranking().item(0, 0)->text(), QStringLiteral("crown struck"));
     EXPECT_EQ(page.ranking().item(0, 6)->text(), QStringLiteral("closest"));

@@ -108,7 +108,9 @@ Aabb widened(const Aabb& box, double factor) {
     return wide;
 }
 
-QString nameOf(render::PaneContent content) {
+}  // namespace
+
+QString paneName(render::PaneContent content) {
     switch (content) {
         case render::PaneContent::Fe:
             return tr("Conventional FE result");
@@ -124,7 +126,9 @@ QString nameOf(render::PaneContent content) {
     return tr("Fragments");
 }
 
-}  // namespace
+QSize usualSize(std::optional<FigurePreset> preset) {
+    return {1600, preset == FigurePreset::Pairs ? 1600 : 1000};
+}
 
 std::size_t presetInstants(FigurePreset preset) {
     return preset == FigurePreset::Pairs ? 3 : preset == FigurePreset::Stages ? 4 : 1;
@@ -219,7 +223,7 @@ SheetLegend legendOf(const Sheet& sheet) {
 QString captionBelow(std::size_t index, render::PaneContent content, const render::PaneStatus& status, double timeOrigin,
                      const QString& stage) {
     const QString letter = QStringLiteral("%1) ").arg(QChar(static_cast<char16_t>('a' + index % 26)));
-    const QString name = stage.isEmpty() ? nameOf(content) : stage;
+    const QString name = stage.isEmpty() ? paneName(content) : stage;
     if (status.states == 0) {
         return letter + name;
     }

@@ -60,6 +60,9 @@ struct PresetRequest {
     double end = 0.0;                    ///< s, last instant that can be shown
 };
 
+/// Pixels of a figure of which no size was asked for: six pictures one below the other take more height than one.
+QSize usualSize(std::optional<FigurePreset> preset);
+
 /// How many instants a preset shows.
 std::size_t presetInstants(FigurePreset preset);
 
@@ -142,6 +145,9 @@ SheetLegend legendOf(const Sheet& sheet);
 /// Scale bar and legend of a panel leave its picture for the lines below; a legend that does not fit stays in the sky above the
 /// debris, a scale bar stays where no line is below.
 void takeMarksBelow(SheetPicture::Panel& panel, const SheetLayout& layout);
+
+/// What a pane shows, without a time: "Conventional FE result".
+QString paneName(render::PaneContent content);
 
 /// "a) Conventional FE result (t = 1.68 s)", with what else is to be known in the brackets: simulated, interpolated.
 /// @param stage  instead of the name of what is shown, empty: none

@@ -10,7 +10,7 @@ namespace rubble::figures {
 
 namespace {
 
-constexpr double leastTickWords = 4.0;  // sizes of small text that a coordinate needs
+constexpr double leastTickWords = 5.0;  // sizes of small text that a coordinate needs
 
 }  // namespace
 

@@ -18,13 +18,14 @@
 #include "widgets/figures/map_edges.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
+#include "widgets/render/colour_choice.h"
 
 namespace rubble::figures {
 namespace {
 
 constexpr double textPoints = 9.0;
 constexpr double smallPoints = 6.0;
-constexpr std::size_t longestLegend = 9;
+constexpr double entryPitch = 1.2;  // lines from one entry of the legend to the next
 /// Of the mass, shown whatever the rest does.
 constexpr double shownShare = 0.999;
 /// The whole map is shown unless it is so many times as long or wide as that.
@@ -45,8 +46,13 @@ QString layerName(const DebrisMap& map, MapLayer layer) {
     return name;
 }
 
+/// What a unit of a layer is divided by where its numbers grow too long to be read.
+double unitScale(MapLayer layer) {
+    return layer == MapLayer::ImpactEnergy ? 1e6 : 1.0;
+}
+
 QString unitText(MapLayer layer) {
-    QString unit = fromView(mapLayerRow(layer).unit);
+    QString unit = (unitScale(layer) == 1e6 ? QStringLiteral("M") : QString()) + fromView(mapLayerRow(layer).unit);
     unit.replace(QStringLiteral("m2"), QStringLiteral("m²")).replace(QStringLiteral("m3"), QStringLiteral("m³"));
     return unit;
 }
@@ -171,6 +177,12 @@ QColor colourAt(MapLayer layer, double place) {
     return layer == MapLayer::Arrival ? birthColour(place) : speedColour(1.0 - place);
 }
 
+/// As the views colour a component.
+QColor categoryColour(render::Theme theme, std::size_t component) {
+    const render::Rgb colour = render::colour_choice::category(sceneColours(theme), component);
+    return {colour.r, colour.g, colour.b};
+}
+
 /// Draws one picture.
 class Sheet {
     Q_DECLARE_TR_FUNCTIONS(rubble::figures::Sheet)
@@ -188,6 +200,9 @@ public:
         m_image.fill(style.theme == render::Theme::Print ? QColor(Qt::white) : m_palette.panel);
         m_line = QFontMetricsF(font(m_text)).height();
         layOut();
+        if (layer == MapLayer::Component) {
+            chooseCategories();
+        }
     }
 
     QImage draw() {
@@ -250,7 +265,7 @@ private:
             return live ? liveColour() : QColor(0, 0, 0, 0);
         }
         if (m_layer == MapLayer::Component) {
-            return m_palette.categories[static_cast<std::size_t>(value) % m_palette.categories.size()];
+            return m_categories.at(static_cast<std::size_t>(value));
         }
         return colourAt(m_layer, m_range.place(value));
     }
@@ -356,10 +371,13 @@ private:
             y += 0.5 * m_line;
         }
         y = m_layer == MapLayer::Component ? drawCategories(painter, y) : drawBar(painter, y);
-        if (m_map.live && m_map.ledger.liveElements > 0) {
+        if (showsLive()) {
             drawEntry(painter, y, liveColour(), tr("fallen live structure"));
         }
     }
+    /// Fallen live structure is marked in what layers of debris leave free.
+    bool showsLive() const { return m_map.live && m_map.ledger.liveElements > 0 && !mapLayerRow(m_layer).live; }
+
     /// Short, since little room is beside the map; the caption says it in full.
     QString legendTitle() const {
         if (m_layer >= MapLayer::AboveFirst && m_layer <= MapLayer::AboveThird) {
@@ -382,34 +400,47 @@ private:
         write(painter, QRectF(m_legend.left() + m_line, y, room, m_line),
               QFontMetricsF(font(m_text)).elidedText(text, Qt::ElideRight, room),
               static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), m_text);
-        y += 1.2 * m_line;
+        y += entryPitch * m_line;
     }
 
-    /// The components with most cells; returns where the next entry goes.
-    double drawCategories(QPainter& painter, double y) {
+    /// Components that debris comes from, those with most cells first; what the legend has no room for is of one grey.
+    void chooseCategories() {
         std::vector<std::size_t> cells(m_map.components.size(), 0);
         for (const double value : m_map.layer(m_layer)) {
-            if (value >= 0.0 && static_cast<std::size_t>(value) < cells.size()) {
-                ++cells[static_cast<std::size_t>(value)];
+            if (value >= 0.0) {
+                ++cells.at(static_cast<std::size_t>(value));
             }
         }
-        std::vector<std::size_t> order(cells.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return cells[a] > cells[b]; });
-        std::erase_if(order, [&](std::size_t c) { return cells[c] == 0; });
-        for (std::size_t k = 0; k < std::min(order.size(), longestLegend); ++k) {
-            drawEntry(painter, y, m_palette.categories[order[k] % m_palette.categories.size()],
-                      QString::fromStdString(m_map.components[order[k]]));
+        m_listed.resize(cells.size());
+        std::iota(m_listed.begin(), m_listed.end(), std::size_t{0});
+        std::stable_sort(m_listed.begin(), m_listed.end(), [&](std::size_t a, std::size_t b) { return cells[a] > cells[b]; });
+        std::erase_if(m_listed, [&](std::size_t c) { return cells[c] == 0; });
+        const double room = (m_legend.height() - 9.0 * m_line) / (entryPitch * m_line) - (showsLive() ? 1.0 : 0.0);
+        if (const auto most = static_cast<std::size_t>(std::max(1.0, std::floor(room))); m_listed.size() > most) {
+            m_unlisted = m_listed.size() - (most - 1);
+            m_listed.resize(most - 1);
         }
-        if (order.size() > longestLegend) {
-            drawEntry(painter, y, QColor(0, 0, 0, 0), tr("%1 more").arg(order.size() - longestLegend));
+        m_categories.assign(cells.size(), m_palette.muted);
+        for (const std::size_t c : m_listed) {
+            m_categories[c] = categoryColour(m_style.theme, c);
+        }
+    }
+
+    /// Returns where the next entry goes.
+    double drawCategories(QPainter& painter, double y) {
+        for (const std::size_t c : m_listed) {
+            drawEntry(painter, y, m_categories[c], QString::fromStdString(m_map.components[c]));
+        }
+        if (m_unlisted > 0) {
+            drawEntry(painter, y, m_palette.muted, tr("%1 more").arg(m_unlisted));
         }
         return y;
     }
 
     double drawBar(QPainter& painter, double y) {
         // The scale bar stands below, also in a low picture.
-        const double height = std::clamp(m_legend.bottom() - 3.2 * m_line - y, 2.4 * m_line, 7.0 * m_line);
+        const double below = (3.2 + (showsLive() ? entryPitch : 0.0)) * m_line;
+        const double height = std::clamp(m_legend.bottom() - below - y, 2.4 * m_line, 7.0 * m_line);
         const QRectF bar(m_legend.left(), y, 1.1 * m_line, height);
         QLinearGradient ramp(bar.bottomLeft(), bar.topLeft());
         for (int i = 0; i <= 16; ++i) {
@@ -422,7 +453,7 @@ private:
         const int every = height < 1.1 * m_line * steps ? steps : 1;
         for (int k = 0; k <= steps; k += every) {
             const double share = static_cast<double>(k) / steps;
-            const QString number = legendNumber(m_range.low + k * m_range.step);
+            const QString number = legendNumber((m_range.low + k * m_range.step) / unitScale(m_layer));
             write(painter, QRectF(bar.right() + 0.4 * m_line, bar.bottom() - share * height - 0.5 * m_line, 8.0 * m_line, m_line),
                   k == steps && m_range.cut ? QStringLiteral("≥ ") + number : number,
                   static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), m_text);
@@ -469,6 +500,9 @@ private:
     double m_text;
     double m_small;
     double m_line = 0.0;
+    std::vector<std::size_t> m_listed;  ///< components in the legend
+    std::size_t m_unlisted = 0;
+    std::vector<QColor> m_categories;  ///< [component]
     QRectF m_legend;
     QRectF m_field;
     QRectF m_cells;  ///< of the cells shown
@@ -506,7 +540,6 @@ Orthophoto groundPicture(const DebrisMap& map, MapLayer layer) {
     constexpr std::uint8_t opacity = 215;  // of 255: the ground shows through
     const Window window = windowOf(map);
     const Range range = rangeOf(map.layer(layer), layer);
-    const Palette& colours = palette(render::Theme::Print);
     Orthophoto picture;
     picture.x0 = map.cell * window.low.i;
     picture.y0 = map.cell * window.low.j;
@@ -520,9 +553,8 @@ Orthophoto groundPicture(const DebrisMap& map, MapLayer layer) {
         if (!window.holds(cell) || std::isnan(value)) {
             continue;
         }
-        const QColor colour = layer == MapLayer::Component
-                                  ? colours.categories[static_cast<std::size_t>(value) % colours.categories.size()]
-                                  : colourAt(layer, range.place(value));
+        const QColor colour = layer == MapLayer::Component ? categoryColour(render::Theme::Print, static_cast<std::size_t>(value))
+                                                           : colourAt(layer, range.place(value));
         const std::size_t at = 4 * (static_cast<std::size_t>(cell.j - window.low.j) * static_cast<std::size_t>(picture.width) +
                                     static_cast<std::size_t>(cell.i - window.low.i));
         picture.rgba[at] = static_cast<std::uint8_t>(colour.red());

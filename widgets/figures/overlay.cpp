@@ -351,7 +351,6 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
             addFragments(overlay, view, scene, data, status, sceneColours(view.theme, view.colourMap));
             if (view.style == render::Style::Presentation) {
                 overlay.legend.push_back({QColor(), tr("active structure %1").arg(countText(status.active))});
-                addMaterials(overlay.legend, data, sceneColours(view.theme));
             } else {
                 overlay.legend.push_back({p.structure, tr("active structure %1").arg(countText(status.active))});
             }
@@ -362,6 +361,9 @@ Overlay makeOverlay(const render::View& view, const render::Scene& scene, const 
                 const bool marked = view.style != render::Style::Presentation;
                 overlay.legend.push_back(
                     {marked ? p.released : QColor(), tr("released structure %1").arg(countText(status.released))});
+            }
+            if (view.style == render::Style::Presentation) {
+                addMaterials(overlay.legend, data, sceneColours(view.theme));
             }
         } else {
             const bool material = view.style == render::Style::Presentation;

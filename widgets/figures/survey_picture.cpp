@@ -164,6 +164,7 @@ private:
                 if (!std::isnan(m_grid.values[k])) {
                     cells.setPixelColor(at, colourAt(m_grid.values[k] / m_reach));
                 } else if (unsurveyed) {
+                    m_unsurveyed = true;
                     cells.setPixelColor(at, mixed(m_paper, m_palette.muted, 0.25));
                 }
             }
@@ -207,9 +208,11 @@ private:
         return path;
     }
 
-    QPen surveyPen() const { return QPen(m_palette.text, std::max(1.0, 0.09 * m_text)); }
+    /// A line wider than a cell would hide the cells that only one side covers.
+    double edgeWidth() const { return std::clamp(0.8 * m_cellPixels, 1.0, std::max(1.0, 0.09 * m_text)); }
+    QPen surveyPen() const { return QPen(m_palette.text, edgeWidth()); }
     QPen simulationPen() const {
-        QPen pen(m_palette.fragment, std::max(1.0, 0.09 * m_text), Qt::CustomDashLine, Qt::FlatCap);
+        QPen pen(m_palette.fragment, edgeWidth(), Qt::CustomDashLine, Qt::FlatCap);
         pen.setDashPattern({3.0, 2.0});
         return pen;
     }
@@ -292,7 +295,9 @@ private:
         y += 0.4 * m_line;
         drawKey(painter, y, surveyPen(), tr("edge of the survey"));
         drawKey(painter, y, simulationPen(), tr("edge of the simulation"));
-        drawPatch(painter, y, mixed(m_paper, m_palette.muted, 0.25), tr("not surveyed"));
+        if (m_unsurveyed) {
+            drawPatch(painter, y, mixed(m_paper, m_palette.muted, 0.25), tr("not surveyed"));
+        }
     }
 
     double drawBar(QPainter& painter, double y) {
@@ -352,6 +357,7 @@ private:
     double m_line = 0.0;
     double m_reach = 1.0;  ///< m, at the ends of the colours
     bool m_cut = false;
+    bool m_unsurveyed = false;  ///< somewhere in what is shown
     QRectF m_legend;
     QRectF m_cells;
     QRectF m_foot;

@@ -23,6 +23,7 @@ namespace {
 
 constexpr double planeReach = 14.0;  // model lengths until ground and sky are one
 constexpr double gridReach = 1.1;    // model lengths until the grid has faded
+constexpr double gridLift = 5e-4;    // model lengths above a terrain
 
 vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data) {
     vtkNew<vtkPolyDataMapper> mapper;
@@ -185,15 +186,16 @@ void Ground::makeGrid(const SiteSurface& ground, const Vec3& centre, double size
     rgba->SetNumberOfComponents(4);
     const double reach = gridReach * size;
     const int count = static_cast<int>(std::ceil(reach / step));
-    // On a terrain a line follows the slopes between its crossings.
+    // On a terrain a line follows the slopes between its crossings, a little above what bulges between the ends of a piece.
     const int pieces = ground.terrain ? 8 : 1;
+    const double lift = ground.terrain ? gridLift * size : 0.0;
     const auto line = [&](int axis, double across) {
         // Short pieces let the line fade with the distance from the model.
         for (int i = -count * pieces; i <= count * pieces; ++i) {
             Vec3 p(centre.x(), centre.y(), centre.z());
             p[1 - axis] = across;
             p[axis] = step * (std::round(centre[axis] / step) + static_cast<double>(i) / pieces);
-            p.z() = ground.height(p.x(), p.y());
+            p.z() = ground.height(p.x(), p.y()) + lift;
             const double distance = std::hypot(p.x() - centre.x(), p.y() - centre.y());
             const double faded = std::clamp(std::pow(distance / reach, 2.0), 0.0, 1.0);
             const Rgb under = mixed(colours.ground, colours.skyHorizon, haze(distance / size));

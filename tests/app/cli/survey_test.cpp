@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "tests/app/cli/command_run.h"
@@ -74,6 +75,36 @@ TEST_F(SurveyRun, SaysWhereTheSidesHoldOtherFallenStructure) {
     EXPECT_EQ(saidOfFallen(ours), "survey.fallen_simulated_only");
     EXPECT_EQ(saidOfFallen(compared(map, {"--live", "off"})), "");
     EXPECT_EQ(cli({"survey", m_out, "--survey", outline, "--survey-live", "maybe"}).exitCode, 2);
+}
+
+TEST_F(SurveyRun, TakesHeightsOfADebrisMapAboveTheGround) {
+    run({"--set", "ground_height=-3"}, "2");
+    const std::string map = m_folder / "map.tif";
+    ASSERT_EQ(cli({"map", m_out, "--cell", "0.25", "--live", "off", "--out", map}).exitCode, 0);
+    const std::vector<std::string> words{"survey",         m_out, "--survey", map,   "--cell", "0.25",
+                                         "--least-height", "0",   "--live",   "off", "--json"};
+    const Outcome same = cli(words);
+    ASSERT_EQ(same.exitCode, 0) << same.err;
+    const nlohmann::json made = same.json();
+    EXPECT_GT(made["iou"], 0.9);
+    EXPECT_LT(made["height_rms_m"], 0.2) << "as elevations they would be 3 m off";
+    EXPECT_EQ(made["not_surveyed"]["area_m2"], 0.0) << "where the map is empty lies no debris";
+    const auto& warnings = made["warnings"];
+    const auto told = [&](const char* id) {
+        return std::any_of(warnings.begin(), warnings.end(), [&](const nlohmann::json& each) { return each["id"] == id; });
+    };
+    EXPECT_TRUE(told("survey.debris_map"));
+    EXPECT_FALSE(told("terrain.bands") || told("terrain.short")) << warnings;
+    std::vector<std::string> grounded = words;
+    grounded.insert(grounded.end(), {"--register", "ground"});
+    EXPECT_THAT(cli(grounded).err, HasSubstr("Heights above the ground have no ground"));
+    // It is no ground itself, and a map without heights is no survey.
+    const Outcome terrain = cli({"run", m_path, "--terrain", map});
+    EXPECT_EQ(terrain.exitCode, 1);
+    EXPECT_THAT(terrain.err, HasSubstr("is a debris map: its heights are above the ground"));
+    const std::string masses = m_folder / "mass.tif";
+    ASSERT_EQ(cli({"map", m_out, "--layers", "mass", "--out", masses}).exitCode, 0);
+    EXPECT_THAT(cli({"survey", m_out, "--survey", masses}).err, HasSubstr("its first band, \"mass\", holds no heights"));
 }
 
 TEST_F(SurveyRun, SaysThatLooseStructureWasHeldInTheAir) {

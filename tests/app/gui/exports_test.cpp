@@ -8,11 +8,9 @@
 #include <QTest>
 
 #include "app/gui/picture_export.h"
-#include "app/gui/playback.h"
 #include "app/gui/report_work.h"
 #include "app/gui/view_area.h"
 #include "io/case_file.h"
-#include "io/provenance.h"
 #include "tests/app/cli/small_collapse.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/io/temporary_folder.h"
@@ -39,31 +37,6 @@ protected:
 
     io::TemporaryFolder m_folder;
 };
-
-TEST_F(Exports, AFigureDroppedOnTheWindowFindsItsCaseAndItsView) {
-    simulated();
-    window->showInstant(0.3);
-    render::View view = window->area().views().view();
-    view.layout = render::Layout::FragmentsOnly;
-    view.cameras[0].position = Vec3(11.0, -42.0, 13.0);
-    window->showView(view);
-    const QString figure = QString::fromStdString(m_folder / "figure.png");
-    window->pictures().exportFigureTo(figure, {{}, {640, 400}, 100}, window->area().views().view(), window->sceneData());
-    ASSERT_TRUE(idle());
-    const auto carried = io::readProvenance(figure.toStdString());
-    ASSERT_TRUE(carried);
-    EXPECT_EQ(carried->casePath, m_folder / "small.rubble");
-
-    window->actions()["close"].trigger();
-    ASSERT_TRUE(window->document().empty());
-    window->open(figure);
-    const QString source = QString::fromStdString(m_folder / "small.rubble");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().path() == source && !window->computation().busy(); }, patience));
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return window->area().views().view().cameras[0].position == Vec3(11.0, -42.0, 13.0); }, patience));
-    EXPECT_EQ(window->area().views().view().layout, render::Layout::FragmentsOnly);
-    EXPECT_DOUBLE_EQ(window->playback().clock().time(), 0.3);
-}
 
 TEST_F(Exports, AMovieIsWrittenInTheBackground) {
     simulated();
@@ -145,6 +118,19 @@ TEST(FigureDialog, SaysTheSizeInPrintAndAsksForAPreviewOnceItRests) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return asked > 0; }, 10'000));
     EXPECT_EQ(asked, 1);
     EXPECT_EQ(dialog.choice().pixels, QSize(1600, 1000));
+}
+
+TEST(FigureDialog, TakesTheSizeOfTheArrangementUntilOneIsChosen) {
+    widgets::FigureDialog dialog({});
+    auto* preset = dialog.findChild<QComboBox*>(QStringLiteral("figurePreset"));
+    const auto choose = [&](int which) { preset->setCurrentIndex(preset->findData(which)); };
+    choose(static_cast<int>(figures::FigurePreset::Pairs));
+    EXPECT_EQ(dialog.choice().pixels, QSize(1600, 1600));
+    choose(-1);
+    EXPECT_EQ(dialog.choice().pixels, QSize(1600, 1000));
+    dialog.findChild<QSpinBox*>(QStringLiteral("figureHeight"))->setValue(900);
+    choose(static_cast<int>(figures::FigurePreset::Pairs));
+    EXPECT_EQ(dialog.choice().pixels, QSize(1600, 900));
 }
 
 TEST(MovieDialog, RefusesASpanWithoutLength) {

@@ -76,10 +76,12 @@ struct Trials {
     }
     void expectHonest() const {
         // Of 1,000 trials at 95 % the share inside has a standard deviation of 0.7 %.
+        testing::Test::RecordProperty("inside", inside);
         EXPECT_GE(inside, 0.93 * done);
         EXPECT_LE(inside, 0.97 * done);
         for (int axis = 0; axis < 3; ++axis) {
             const double ratio = std::sqrt(square[axis] / stated[axis]);
+            testing::Test::RecordProperty("spread_over_stated_" + std::to_string(axis), std::to_string(ratio));
             EXPECT_GT(ratio, 1.0 / 1.3) << axis;
             EXPECT_LT(ratio, 1.3) << axis;
         }

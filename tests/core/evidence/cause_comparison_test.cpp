@@ -83,7 +83,7 @@ TEST(CauseComparison, NamesTheCauseAndWhereItShows) {
     const CauseComparison made = compareCauses(hypotheses, evidence);
     EXPECT_TRUE(made.ranking.decided());
     EXPECT_EQ(made.hypotheses[made.ranking.causes.front().hypothesis], "east");
-    EXPECT_EQ(made.verdict.id, "causes.told");
+    EXPECT_EQ(made.verdict.id, "causes.told_outline") << "an outline does not show that there is no other cause";
     EXPECT_TRUE(made.alike.empty());
     EXPECT_GT(made.fit, 0.05) << "as like its members as they are each other";
     EXPECT_FALSE(made.unexplained);
@@ -181,11 +181,15 @@ TEST(CauseComparison, BlindTestFindsWhatCanBeFound) {
         EXPECT_EQ(test.trials(), 36);
         EXPECT_EQ(test.right(), 36);
         EXPECT_EQ(test.wrong(), 0);
+        EXPECT_EQ(test.noticed, (std::vector<std::int64_t>{12, 12, 12})) << "they lie far apart";
     }
     const std::vector<Hypothesis> alike{scattering("a", 0, 3, 1), scattering("b", 0, 3, 2)};
     const BlindTest test = blindTest(alike, EvidenceKind::Footprint, Execution());
     EXPECT_LE(test.wrong(), 2) << "one cause under two names";
     EXPECT_EQ(test.trials(), 24);
+    EXPECT_LE(test.noticed[0] + test.noticed[1], 2) << "the other name stands for the same";
+    const std::vector<Hypothesis> few{scattering("a", 0, 1, 1, 5), scattering("b", 30, 1, 2, 5)};
+    EXPECT_TRUE(blindTest(few, EvidenceKind::Footprint, Execution()).noticed.empty());
 }
 
 TEST(CauseComparison, RefusesWhatCannotBeCompared) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "core/base/error.h"
@@ -87,6 +89,38 @@ TEST_F(MapPicture, AnEnsembleHasPicturesOfItsProbabilities) {
     fill(MapLayer::AboveFirst, 0.0, 1.0);
     EXPECT_NE(half, mapPicture(ensemble, MapLayer::AboveFirst, style)) << "colours of probabilities always end at 1";
     EXPECT_THROW(mapPicture(ensemble, MapLayer::Mass, style), UsageError);
+}
+
+TEST_F(MapPicture, ComponentsAreToldApartByColour) {
+    // Twelve components, more than the palette has hues; each covers a strip of its own.
+    DebrisMap strips;
+    strips.cell = 1.0;
+    for (std::int32_t k = 0; k < 12; ++k) {
+        strips.components.push_back("component " + std::to_string(k));
+        for (std::int32_t j = 0; j < 20; ++j) {
+            strips.cells.push_back({j, k});
+        }
+    }
+    std::sort(strips.cells.begin(), strips.cells.end());
+    for (const MapCell& cell : strips.cells) {
+        strips.layers[static_cast<std::size_t>(MapLayer::Component)].push_back(cell.i);
+        strips.layers[static_cast<std::size_t>(MapLayer::Mass)].push_back(1.0);
+    }
+    style.pixels = {800, 800};
+    const auto loud = [](const QImage& image) {
+        std::map<QRgb, int> counts;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                ++counts[image.pixel(x, y)];
+            }
+        }
+        return std::count_if(counts.begin(), counts.end(), [](const auto& each) { return each.second > 2000; });
+    };
+    EXPECT_EQ(loud(mapPicture(strips, MapLayer::Component, style)), 13) << "and the paper";
+    // Where the legend has no room for all, the rest is of one grey.
+    style.pixels = {800, 330};
+    const QImage low = mapPicture(strips, MapLayer::Component, style);
+    EXPECT_GT(pixelsOf(low, palette(render::Theme::Print).muted), 1000u);
 }
 
 TEST_F(MapPicture, LiveStructureIsThereOnlyWhenSwitchedOn) {

@@ -34,7 +34,8 @@ QString shareShown(double simulated, double surveyed) {
         return QStringLiteral("–");
     }
     const int whole = static_cast<int>(std::lround(share));
-    return (whole < 0 ? QStringLiteral("−") : QStringLiteral("+")) + QString::number(std::abs(whole)) + QStringLiteral(" %");
+    const QString sign = whole < 0 ? QStringLiteral("−") : whole > 0 ? QStringLiteral("+") : QString();
+    return sign + QString::number(std::abs(whole)) + QStringLiteral(" %");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 namespace rubble::figures {
 namespace {
 
+constexpr std::size_t shortTable = 12;  // rows; it is not broken in print
 constexpr const char* sheet = R"(
 :root{color-scheme:light}
 body{font:11pt/1.5 "DejaVu Sans","Noto Sans","Helvetica Neue",Arial,"WenQuanYi Micro Hei",sans-serif;color:#1f2428;background:#fff;
@@ -20,19 +21,22 @@ code{font-family:"DejaVu Sans Mono",monospace;font-size:.86em;overflow-wrap:anyw
 table{border-collapse:collapse;width:100%;border-top:1.5pt solid #1f2428;border-bottom:1.5pt solid #1f2428;font-size:.88rem}
 table.small{font-size:.78rem}
 th{border-bottom:.75pt solid #1f2428;font-weight:600}th,td{padding:.22rem .5rem;text-align:right;vertical-align:top;
-font-variant-numeric:tabular-nums}th.w,td.w{text-align:left;overflow-wrap:anywhere}
+font-variant-numeric:tabular-nums}th.w,td.w{text-align:left;overflow-wrap:break-word}
 figure{margin:1.3rem 0}figure>svg,figure>img{max-width:100%;height:auto;display:block;margin:0 auto}
 figcaption{font-size:.85rem;margin:.4rem 0;color:#1f2428}.table figcaption{margin:0 0 .35rem}
 .source{font-size:.72rem;color:#5d666e;margin:.3rem 0 0;overflow-wrap:anywhere}
 .notice{border-left:4px solid #e69f00;background:#fdf6e6;padding:.5rem .9rem;margin:.9rem 0}
-.equation{display:flex;align-items:center;justify-content:space-between;margin:1rem 0 1rem 2rem}
+.equation{display:flex;align-items:center;justify-content:space-between;gap:1rem;margin:1rem 0 1rem 2rem}
+.equation svg{min-width:0;max-width:100%}
 .where{color:#1f2428;font-size:.92rem}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:.25rem 1.2rem;border-top:.75pt solid #b9c0c6;padding-top:.8rem}
 dt{color:#5d666e}dd{margin:0;overflow-wrap:anywhere}
 nav{margin:1.6rem 0}nav ol{list-style:none;padding:0}nav .l2{padding-left:1.6rem}nav a{color:inherit;text-decoration:none}
 nav a:hover{text-decoration:underline}
-@media screen and (max-width:46rem){figure.table{overflow-x:auto}}
-@media print{body{max-width:none;margin:0;font-size:10pt}h2,h3,figcaption{break-after:avoid}figure:not(.table),.notice,tr{break-inside:avoid}
+@media screen and (max-width:46rem){figure.table{overflow-x:auto}.equation{margin-left:0}}
+@page{size:A4;margin:18mm 16mm}
+@media print{:root{font-size:13px}body{max-width:none;margin:0;padding:0;font-size:10pt}h2,h3{break-after:avoid}
+.table figcaption{break-after:avoid}figcaption,figure:not(.table),figure.short,.notice,tr{break-inside:avoid}
 thead{display:table-header-group}.source{break-before:avoid}}
 )";
 
@@ -121,8 +125,9 @@ private:
                 .arg(QLatin1String(tag), scope, words ? QStringLiteral(" class=\"w\"") : QString(), text);
         };
         m_html +=
-            QStringLiteral("<figure class=\"table\"><figcaption><b>%1.</b> %2</figcaption>\n<table%3><thead><tr>")
-                .arg(m_document.table.arg(++m_table), table.caption, table.small ? QStringLiteral(" class=\"small\"") : QString());
+            QStringLiteral("<figure class=\"table%4\"><figcaption><b>%1.</b> %2</figcaption>\n<table%3><thead><tr>")
+                .arg(m_document.table.arg(++m_table), table.caption, table.small ? QStringLiteral(" class=\"small\"") : QString(),
+                     table.rows.size() <= shortTable ? QStringLiteral(" short") : QString());
         for (qsizetype c = 0; c < table.columns.size(); ++c) {
             m_html += cell("th", static_cast<std::size_t>(c), table.columns[c]);
         }

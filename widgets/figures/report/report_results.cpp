@@ -58,7 +58,7 @@ void ReportSections::addMeasures() {
     row(tr("core, 95 % of the mass in 2 m cells"), QStringLiteral("m²"), &DebrisFigures::coreArea);
     row(tr("run-out of 95 % of the mass"), QStringLiteral("m"), &DebrisFigures::runOut);
     row(tr("mean height of the mass"), QStringLiteral("m"), &DebrisFigures::meanHeight);
-    row(tr("height of the pile"), QStringLiteral("m"), &DebrisFigures::pileHeight);
+    row(tr("highest cell of 1 m, mean height"), QStringLiteral("m"), &DebrisFigures::pileHeight);
     const MapLedger& ledger = m_facts.map.map.ledger;
     table.rows.push_back(
         {tr("volume of material"), QStringLiteral("m³"), reportNumber(ledger.volume, ledgerDigits), QStringLiteral("–")});
@@ -133,19 +133,24 @@ void ReportSections::addConservation() {
     table.columns = QStringList{tr("quantity"), tr("value")};
     table.words = {true, false};
     table.shares = {0.7, 0.3};
-    const auto row = [&](const QString& name, double value, const QString& unit) {
-        table.rows.push_back({name, reportNumber(value) + (unit.isEmpty() ? QString() : QStringLiteral(" ") + unit)});
+    const auto row = [&](const QString& name, double value, const QString& unit, int digits = 3) {
+        table.rows.push_back({name, reportNumber(value, digits) + (unit.isEmpty() ? QString() : QStringLiteral(" ") + unit)});
+    };
+    // Whole megajoules where there are many: the rows are to be added up.
+    const auto energyRow = [&](const QString& name, double joules) {
+        const int digits = 1 + static_cast<int>(std::floor(std::log10(std::max(std::abs(joules / 1e6), 1.0))));
+        row(name, joules / 1e6, QStringLiteral("MJ"), std::max(3, digits));
     };
     row(tr("mass, bodies against the FE result, largest relative error"), errors.bodyMass, {});
     row(tr("momentum, likewise"), errors.bodyMomentum, {});
     row(tr("angular momentum, likewise"), errors.bodyAngularMomentum, {});
-    row(tr("kinetic energy with which fragments became bodies"), energy.kineticIn / 1e6, QStringLiteral("MJ"));
-    row(tr("work of gravity"), energy.gravityWork / 1e6, QStringLiteral("MJ"));
-    row(tr("work of water, air and ties; below zero they took energy"), energy.effectWork / 1e6, QStringLiteral("MJ"));
-    row(tr("work of parting what overlapped at birth"), m_facts.result->births.work / 1e6, QStringLiteral("MJ"));
-    row(tr("work of the structure that moved against bodies"), m_facts.result->births.piecePushWork / 1e6, QStringLiteral("MJ"));
-    row(tr("lost in contacts"), energy.dissipated / 1e6, QStringLiteral("MJ"));
-    row(tr("kinetic energy left at the end"), energy.kineticNow / 1e6, QStringLiteral("MJ"));
+    energyRow(tr("kinetic energy with which fragments became bodies"), energy.kineticIn);
+    energyRow(tr("work of gravity"), energy.gravityWork);
+    energyRow(tr("work of water, air and ties; below zero they took energy"), energy.effectWork);
+    energyRow(tr("work of parting what overlapped at birth"), m_facts.result->births.work);
+    energyRow(tr("work of the structure that moved against bodies"), m_facts.result->births.piecePushWork);
+    energyRow(tr("lost in contacts"), energy.dissipated);
+    energyRow(tr("kinetic energy left at the end"), energy.kineticNow);
     row(tr("gain beyond all sources, share of the work of gravity"), energy.drift, {});
     row(tr("deepest overlap that lasted over 0.5 s"), m_facts.result->health.penetrationSustained, QStringLiteral("m"));
     row(tr("bulking factor of the pile"), m_facts.result->bulkingFactor, {});

@@ -46,7 +46,15 @@ QString valueOf(const ParameterValue& value) {
 ReportSections::ReportSections(const ReportFacts& facts, const ReportPictures& pictures) : m_facts(facts), m_pictures(pictures) {}
 
 QString ReportSections::said(const Message& message) const {
-    return (m_pictures.say ? m_pictures.say(message) : QString::fromStdString(englishText(message))).toHtmlEscaped();
+    static const QRegularExpression raised(QStringLiteral("\\b(m|s)([23])\\b"));
+    QString words = m_pictures.say ? m_pictures.say(message) : QString::fromStdString(englishText(message));
+    // Messages have plain units; a lone sign before a number is a minus.
+    for (QRegularExpressionMatchIterator each = raised.globalMatch(words); each.hasNext();) {
+        const QRegularExpressionMatch unit = each.next();
+        words.replace(unit.capturedStart(2), 1, unit.captured(2) == QLatin1String("2") ? QStringLiteral("²") : QStringLiteral("³"));
+    }
+    static const QRegularExpression minus(QStringLiteral("(?<![\\w.-])-(?=\\d)"));
+    return words.replace(minus, QStringLiteral("−")).toHtmlEscaped();
 }
 
 QString ReportSections::source() const {
@@ -69,25 +77,23 @@ void ReportSections::addSummary() {
         ReportList{{tr("%1 elements of %2 were deactivated and became fragments of together %3 t.")
                         .arg(count(static_cast<std::int64_t>(m_facts.fragments->size())),
                              count(static_cast<std::int64_t>(m_facts.fe->mesh().elementCount())), tonnes(m_facts.atRest.mass)),
-                    tr("At the end, %1 s on the clock of the FE result, the debris covers %2 m²; 95 % of its mass lies within %3 m "
-                       "of the plan of "
-                       "what collapsed.")
+                    tr("At the end, %1 s on the clock of the FE result, the debris covers %2 m² in cells of 1 m; 95 % of its mass "
+                       "lies within %3 m of the plan of what collapsed.")
                         .arg(reportSeconds(run.endTime),
                              rangedNumber(m_facts.atRest.footprintArea, rangeOver(m_facts, &DebrisFigures::footprintArea)),
                              rangedNumber(m_facts.atRest.runOut, rangeOver(m_facts, &DebrisFigures::runOut))),
-                    tr("The highest point of the pile is %1 m above the ground; %2 % of the bodies are at rest.")
+                    tr("The highest of these cells lies %1 m above the ground in the mean; %2 % of the bodies are at rest.")
                         .arg(rangedNumber(m_facts.atRest.pileHeight, rangeOver(m_facts, &DebrisFigures::pileHeight)),
                              reportNumber(100.0 * run.asleepAtEnd)),
                     spread}});
     text(source());
     if (m_facts.breaches > 0) {
         notice(m_facts.acknowledged
-                   ? tr("<b>%1 limits of health were passed in this run.</b> %2 vouches for its use: %3 (see section Health).")
+                   ? tr("<b>Limits of health were passed in this run (%1).</b> %2 vouches for its use: %3 (see section Health).")
                          .arg(m_facts.breaches)
                          .arg(escaped(m_facts.acknowledged->by), escaped(m_facts.acknowledged->note))
-                   : tr("<b>This run is tainted: %1 limits of health were passed and nobody has acknowledged them.</b> Its figures "
-                        "should "
-                        "not be relied on (see section Health).")
+                   : tr("<b>This run is tainted: limits of health were passed (%1) and nobody has acknowledged it.</b> Its figures "
+                        "should not be relied on (see section Health).")
                          .arg(m_facts.breaches));
     }
 }
@@ -101,13 +107,15 @@ void ReportSections::addInputs() {
     } else {
         ReportTable table;
         table.caption = tr("Settings that depart from those delivered");
-        table.columns = QStringList{tr("setting"), tr("key"), tr("delivered"), tr("in this run")};
-        table.words = {true, true, false, false};
-        table.shares = {0.26, 0.44, 0.15, 0.15};
+        table.columns = QStringList{tr("setting"), tr("key"), tr("delivered"), tr("in this run"), tr("unit")};
+        table.words = {true, true, false, false, true};
+        table.shares = {0.26, 0.37, 0.14, 0.14, 0.09};
         for (const SettingDifference& difference : differences) {
+            const std::string_view unit = difference.row->unit;
             table.rows.push_back({said({"", std::string(difference.row->label), {}}),
                                   code(QString::fromStdString(difference.row->keyFor(difference.subject))),
-                                  valueOf(difference.first), valueOf(difference.second)});
+                                  valueOf(difference.first), valueOf(difference.second),
+                                  unitShown(QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size())))});
         }
         table.source = source();
         m_blocks.push_back(std::move(table));

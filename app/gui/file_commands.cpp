@@ -30,6 +30,13 @@ namespace {
 
 constexpr QSize chartSize(960, 640);
 
+/// A table of these fragments alone.
+auto tableOf(const std::vector<FragmentId>& fragments) {
+    return [fragments](const std::string& path, const io::RunReader& run, const Execution& execution) {
+        io::exportFragments(path, run, fragments, execution);
+    };
+}
+
 /// What was said about a run goes with it; what lies beside the target is about the run that lay there before.
 void copyAcknowledgements(const std::string& fromRun, const std::string& toRun) {
     const std::filesystem::path from = io::acknowledgementPath(fromRun);
@@ -249,20 +256,13 @@ void FileCommands::exportFragments() {
 }
 
 void FileCommands::exportSelection(const std::vector<FragmentId>& fragments) {
-    const RunRecord* record = m_computation.currentRun();
-    if (record == nullptr || record->reader == nullptr || record->running || fragments.empty()) {
-        return;
-    }
-    const QString path = askForOutput(tr("Table of selected fragments"), QStringLiteral("-selection.csv"), tr("Tables (*.csv)"));
-    if (!path.isEmpty()) {
-        exportSelectionTo(path, fragments);
+    if (!fragments.empty()) {
+        exportRun(tr("Table of selected fragments"), QStringLiteral("-selection.csv"), tr("Tables (*.csv)"), tableOf(fragments));
     }
 }
 
 void FileCommands::exportSelectionTo(const QString& path, const std::vector<FragmentId>& fragments) {
-    m_computation.write([path, fragments, run = m_computation.currentRun()->reader](
-                            const Execution& execution) { io::exportFragments(path.toStdString(), *run, fragments, execution); },
-                        [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
+    writeRun(path, m_computation.currentRun()->reader, tableOf(fragments));
 }
 
 void FileCommands::exportView(const render::View& view) {
@@ -310,12 +310,17 @@ void FileCommands::exportRun(const QString& title, const QString& suffix, const 
     if (record == nullptr || record->reader == nullptr || record->running) {
         return;
     }
+    // What was shown when it was asked for: another run may have taken its place before the answer.
+    const std::shared_ptr<io::RunReader> run = record->reader;
     const QString path = askForOutput(title, suffix, filter);
     if (!path.isEmpty()) {
-        m_computation.write(
-            [path, run = record->reader, write](const Execution& execution) { write(path.toStdString(), *run, execution); },
-            [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
+        writeRun(path, run, write);
     }
+}
+
+void FileCommands::writeRun(const QString& path, const std::shared_ptr<io::RunReader>& run, const RunExport& write) {
+    m_computation.write([path, run, write](const Execution& execution) { write(path.toStdString(), *run, execution); },
+                        [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
 }
 
 void FileCommands::saveSweep(const std::shared_ptr<const AccuracyReport>& report) {

@@ -90,6 +90,7 @@ private:
     using RunExport = std::function<void(const std::string& path, const io::RunReader& run, const Execution& execution)>;
     /// Asks for a path and writes the run that is shown there; nothing while it is not finished.
     void exportRun(const QString& title, const QString& suffix, const QString& filter, const RunExport& write);
+    void writeRun(const QString& path, const std::shared_ptr<io::RunReader>& run, const RunExport& write);
     void writeTable(const QString& path, const std::function<void(std::ostream&)>& table);
     void reportWrite(const QString& path, std::exception_ptr thrown);
 

@@ -8,7 +8,6 @@
 #include "app/gui/document.h"
 #include "app/gui/export_source.h"
 #include "core/base/build.h"
-#include "io/provenance.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/view_json.h"
@@ -36,27 +35,8 @@ figures::Sheet sheetFor(const widgets::FigureChoice& choice, const render::View&
     return figures::presetSheet(request, view, data, pixels, dpi);
 }
 
-/// What a figure or movie is made of, kept alive while that takes.
-struct Made {
-    io::RunOrigin origin;
-    std::shared_ptr<io::RunReader> run;
-    std::string casePath;
-    std::vector<io::ShownFile> around;
-};
-
-Made madeNow(const Document& document, const Computation& computation, const render::SceneData& data) {
-    const RunRecord* record = computation.currentRun();
-    std::vector<io::ShownFile> around = io::shownFiles(computation.terrain());
-    // A map may lie on the ground in place of the orthophoto.
-    if (data.orthophoto != computation.terrain().orthophoto) {
-        std::erase_if(around, [](const io::ShownFile& file) { return file.role == "orthophoto"; });
-    }
-    return {shownOrigin(document, computation), record != nullptr ? record->reader : nullptr, document.path().toStdString(),
-            std::move(around)};
-}
-
 void writeFigureFile(const std::string& path, const widgets::FigureChoice& choice, const render::View& view,
-                     const render::SceneData& data, const Made& made) {
+                     const render::SceneData& data, const PictureExport::Made& made) {
     figures::FigureStyle style;
     style.pixels = choice.pixels;
     style.dpi = choice.dpi;
@@ -79,7 +59,7 @@ void writeFigureFile(const std::string& path, const widgets::FigureChoice& choic
 
 /// Returns where the movie lies.
 std::string writeMovieFile(const std::string& path, const widgets::MovieChoice& choice, render::View view,
-                           const render::SceneData& data, const Made& made, const Execution& execution) {
+                           const render::SceneData& data, const PictureExport::Made& made, const Execution& execution) {
     view.captions = true;
     view.time = choice.settings.from;
     io::ExportRecord record{"movie",       {},         figures::settingsText(choice.pixels, choice.settings), figures::toJson(view),
@@ -136,10 +116,24 @@ void PictureExport::tell(const QString& path, const std::exception_ptr& thrown) 
     }
 }
 
+PictureExport::Made PictureExport::madeNow(const render::SceneData& data) const {
+    const RunRecord* record = m_computation.currentRun();
+    std::vector<io::ShownFile> around = io::shownFiles(m_computation.terrain());
+    // A map may lie on the ground in place of the orthophoto.
+    if (data.orthophoto != m_computation.terrain().orthophoto) {
+        std::erase_if(around, [](const io::ShownFile& file) { return file.role == "orthophoto"; });
+    }
+    return {shownOrigin(m_document, m_computation), record != nullptr ? record->reader : nullptr, m_document.path().toStdString(),
+            std::move(around)};
+}
+
 void PictureExport::exportFigure(const render::View& view, const render::SceneData& data) {
     if (data.fe == nullptr) {
         return;
     }
+    // What is shown now: other work may change that before the dialogs are answered.
+    const Made made = madeNow(data);
+    const render::View shown = view;
     widgets::FigureDialog dialog(m_last, &m_window);
     connect(&dialog, &widgets::FigureDialog::previewRequested, &dialog, [&](const widgets::FigureChoice& choice) {
         try {
@@ -150,9 +144,9 @@ void PictureExport::exportFigure(const render::View& view, const render::SceneDa
             style.pixels = {std::max(100, static_cast<int>(scale * choice.pixels.width())),
                             std::max(100, static_cast<int>(scale * choice.pixels.height()))};
             style.dpi = std::max(20.0, scale * choice.dpi);
-            style.provenance = io::footLine(shownOrigin(m_document, m_computation), data.trajectory != nullptr);
+            style.provenance = io::footLine(made.origin, data.trajectory != nullptr);
             figures::Studio studio(data);
-            dialog.setPreview(studio.sheet(sheetFor(choice, view, data, style.pixels, style.dpi), style).image());
+            dialog.setPreview(studio.sheet(sheetFor(choice, shown, data, style.pixels, style.dpi), style).image());
         } catch (...) {
             const auto failure = failureOf(std::current_exception());
             dialog.setPreview({}, failure ? failure->what + u' ' + failure->remedy : QString());
@@ -170,12 +164,16 @@ void PictureExport::exportFigure(const render::View& view, const render::SceneDa
     if (!figures::isFigurePath(path.toStdString())) {
         path += QStringLiteral(".png");
     }
-    exportFigureTo(path, m_last, view, data);
+    writeFigure(path, m_last, shown, data, made);
 }
 
 void PictureExport::exportFigureTo(const QString& path, const widgets::FigureChoice& choice, const render::View& view,
                                    const render::SceneData& data) {
-    const Made made = madeNow(m_document, m_computation, data);
+    writeFigure(path, choice, view, data, madeNow(data));
+}
+
+void PictureExport::writeFigure(const QString& path, const widgets::FigureChoice& choice, const render::View& view,
+                                const render::SceneData& data, const Made& made) {
     m_computation.write(
         [path, choice, view, data, made](const Execution& execution) {
             execution.report({"gui.drawing_figure", "Drawing the figure", {}}, 0.0);
@@ -188,6 +186,8 @@ void PictureExport::exportMovie(const render::View& view, const render::SceneDat
     if (data.fe == nullptr) {
         return;
     }
+    const Made made = madeNow(data);
+    const render::View shown = view;
     widgets::MovieChoice choice;
     choice.settings.from = data.fe->times().front();
     choice.settings.to = lastInstant(data);
@@ -206,12 +206,16 @@ void PictureExport::exportMovie(const render::View& view, const render::SceneDat
     if (choice.encoded && !path.endsWith(QLatin1String(".mp4"), Qt::CaseInsensitive)) {
         path += QStringLiteral(".mp4");
     }
-    exportMovieTo(path, choice, view, data);
+    writeMovie(path, choice, shown, data, made);
 }
 
 void PictureExport::exportMovieTo(const QString& path, const widgets::MovieChoice& choice, const render::View& view,
                                   const render::SceneData& data) {
-    const Made made = madeNow(m_document, m_computation, data);
+    writeMovie(path, choice, view, data, madeNow(data));
+}
+
+void PictureExport::writeMovie(const QString& path, const widgets::MovieChoice& choice, const render::View& view,
+                               const render::SceneData& data, const Made& made) {
     const auto lies = std::make_shared<std::string>();
     m_computation.write(
         [path, choice, view, data, made, lies](const Execution& execution) {

@@ -2,8 +2,12 @@
 
 #include <QObject>
 #include <exception>
-#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
 
+#include "io/provenance.h"
+#include "io/run_file.h"
 #include "widgets/figure_dialog.h"
 #include "widgets/movie_dialog.h"
 #include "widgets/render/scene_data.h"
@@ -13,6 +17,10 @@ namespace rubble {
 
 class Computation;
 class Document;
+
+namespace io {
+class RunReader;
+}
 
 /// Figures and movies of what the views show: asks what they are to be, draws them on the worker, says what came of it.
 class PictureExport : public QObject {
@@ -29,12 +37,25 @@ public:
     void exportMovieTo(const QString& path, const widgets::MovieChoice& choice, const render::View& view,
                        const render::SceneData& data);
 
+    /// What a figure or movie is made of, kept alive while that takes.
+    struct Made {
+        io::RunOrigin origin;
+        std::shared_ptr<io::RunReader> run;
+        std::string casePath;
+        std::vector<io::ShownFile> around;
+    };
+
 signals:
     void done(const QString& what);
     void failed(const QString& what, const QString& remedy);
 
 private:
     QString proposed(const QString& suffix) const;
+    Made madeNow(const render::SceneData& data) const;
+    void writeFigure(const QString& path, const widgets::FigureChoice& choice, const render::View& view,
+                     const render::SceneData& data, const Made& made);
+    void writeMovie(const QString& path, const widgets::MovieChoice& choice, const render::View& view,
+                    const render::SceneData& data, const Made& made);
     void tell(const QString& path, const std::exception_ptr& thrown);
 
     Document& m_document;

@@ -6,7 +6,6 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
-#include <QMimeData>
 #include <QSettings>
 #include <algorithm>
 #include <cmath>
@@ -32,7 +31,6 @@
 #include "app/gui/project_display.h"
 #include "app/gui/report_work.h"
 #include "app/gui/run_history.h"
-#include "app/gui/sample.h"
 #include "app/gui/scenario_pane.h"
 #include "app/gui/selection_display.h"
 #include "app/gui/settings.h"
@@ -157,36 +155,6 @@ MainWindow::~MainWindow() {
     delete m_errors;
     delete m_playback;
     delete m_deck;
-}
-
-void MainWindow::open(const QString& path, bool simulate) {
-    if (FigureReturn::carriesSource(path)) {
-        m_return->begin(path);
-        return;
-    }
-    m_return->forget();
-    load(path, simulate);
-}
-
-bool MainWindow::load(const QString& path, bool simulate) {
-    if (!m_files->mayLeave()) {
-        return false;
-    }
-    m_simulateWhenReady = simulate;
-    m_area->setError({});
-    m_deck->clearFailures();
-    m_computation.open(path);
-    return true;
-}
-
-void MainWindow::openSample() {
-    const QString path = samplePath();
-    if (path.isEmpty()) {
-        showFailure({tr("The sample is not installed."), tr("Install Rubble's samples folder, or open a result of your own."),
-                     "gui.sample"});
-    } else {
-        open(path, true);
-    }
 }
 
 void MainWindow::recover(const LeftWork& work) {
@@ -547,30 +515,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     m_survey->cancel();
     m_studies->work().cancel();
     event->accept();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) {
-        event->acceptProposedAction();
-    }
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-    const QList<QUrl> urls = event->mimeData()->urls();
-    if (!urls.isEmpty() && urls.front().isLocalFile()) {
-        event->acceptProposedAction();
-        QStringList paths;
-        for (const QUrl& url : urls) {
-            paths << url.toLocalFile();
-        }
-        if (FigureReturn::carriesSource(paths.front())) {
-            open(paths.front());
-        } else if (m_evidence->takes(paths)) {
-            m_evidence->add(paths);
-        } else {
-            open(paths.front());
-        }
-    }
 }
 
 void MainWindow::changeEvent(QEvent* event) {

@@ -209,7 +209,7 @@ private:
     }
 
     /// A line wider than a cell would hide the cells that only one side covers.
-    double edgeWidth() const { return std::clamp(0.8 * m_cellPixels, 1.0, std::max(1.0, 0.09 * m_text)); }
+    double edgeWidth() const { return std::clamp(0.8 * m_cellPixels, std::max(1.0, 0.045 * m_text), std::max(1.0, 0.09 * m_text)); }
     QPen surveyPen() const { return QPen(m_palette.text, edgeWidth()); }
     QPen simulationPen() const {
         QPen pen(m_palette.fragment, edgeWidth(), Qt::CustomDashLine, Qt::FlatCap);

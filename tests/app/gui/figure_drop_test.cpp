@@ -198,7 +198,7 @@ TEST_F(FigureDrop, OneThatWasAlteredIsNotBelieved) {
     EXPECT_TRUE(window->document().empty());
     // A view that is none any more: the case opens, and it is said why it does not look as the figure.
     toldAfter(altered(m_folder / "figure.svg", "\"layout\":\"fragments_only\"", "\"layout\":\"fragments_0nly\"", "view.svg"),
-              "fragments_0nly");
+              "the view's layout is none of its choices");
     EXPECT_FALSE(looksAsTheFigure());
 }
 

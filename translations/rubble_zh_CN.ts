@@ -990,6 +990,14 @@
         <source>Simulate the ensembles of the causes that are ticked and hold them against what was found</source>
         <translation>模拟所勾选原因的系综，并与现场所见对照</translation>
     </message>
+    <message>
+        <source>Series in one file…</source>
+        <translation>单文件序列…</translation>
+    </message>
+    <message>
+        <source>Save fragments and active structure over time for ParaView 5.12 and newer, as VTKHDF</source>
+        <translation>将随时间变化的碎块和有效结构保存为 VTKHDF，供 ParaView 5.12 及更新版本使用</translation>
+    </message>
 </context>
 <context>
     <name>choices</name>
@@ -7021,6 +7029,46 @@
         <source>{0} loose parts of live structure were held where the FE result ends; in the survey they have fallen</source>
         <translation>{0} 个松脱的未失效部分被固定在有限元结果结束处；在测量中它们已坠落</translation>
     </message>
+    <message>
+        <source>Give a height model of the site, or a debris map with the layer height as its first.</source>
+        <translation>请给出现场的高程模型，或第一层为 height 的堆积物图。</translation>
+    </message>
+    <message>
+        <source>Heights above the ground have no ground that could be laid on another</source>
+        <translation>从地面算起的高度没有可与另一地面配准的地面</translation>
+    </message>
+    <message>
+        <source>Of these hypotheses {0} explains the outline best: one of its members is closer than one of {1} in {2} % of the pairs, at least {3} % with 95 % confidence. A cause that is not among them may leave the same outline.</source>
+        <translation>在这些假设中 {0} 最能解释该轮廓：在 {2} % 的成对比较中其成员比 {1} 的成员更接近，在 95 % 置信度下至少为 {3} %。不在其中的原因可能留下同样的轮廓。</translation>
+    </message>
+    <message>
+        <source>Register the survey to the debris, or not at all.</source>
+        <translation>将测量配准到堆积物，或不作配准。</translation>
+    </message>
+    <message>
+        <source>Take it as a survey, or give a height model of the site.</source>
+        <translation>将其作为测量，或给出现场的高程模型。</translation>
+    </message>
+    <message>
+        <source>VTKHDF (*.vtkhdf)</source>
+        <translation>VTKHDF (*.vtkhdf)</translation>
+    </message>
+    <message>
+        <source>none is needed; the comparison is between two simulations</source>
+        <translation>无需处理；这是两次模拟之间的比较</translation>
+    </message>
+    <message>
+        <source>the survey is a debris map: its heights are taken above the ground</source>
+        <translation>该测量是堆积物图：其高度按从地面算起处理</translation>
+    </message>
+    <message>
+        <source>{0} is a debris map: its heights are above the ground, not those of a ground</source>
+        <translation>{0} 是堆积物图：其高度从地面算起，不是地面的高度</translation>
+    </message>
+    <message>
+        <source>{0} is a map that Rubble made, and its first band, &quot;{1}&quot;, holds no heights</source>
+        <translation>{0} 是 Rubble 生成的图，其第一波段“{1}”不含高度</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -8408,6 +8456,14 @@
         <source>site</source>
         <translation>场地</translation>
     </message>
+    <message>
+        <source>Series in one file</source>
+        <translation>单文件序列</translation>
+    </message>
+    <message>
+        <source>VTKHDF (*.vtkhdf)</source>
+        <translation>VTKHDF (*.vtkhdf)</translation>
+    </message>
 </context>
 <context>
     <name>rubble::Help</name>
@@ -9579,12 +9635,20 @@
         <translation>有一个文件与该文件夹同名</translation>
     </message>
     <message>
-        <source>simplified while moving: shapes to within %1</source>
-        <translation>运动中已简化：形状精确到 %1</translation>
+        <source>to within %1</source>
+        <translation>精确到 %1</translation>
     </message>
     <message>
-        <source>simplified while moving: structure interpolated over %1 FE intervals</source>
-        <translation>运动中已简化：结构跨 %1 个有限元时间间隔插值</translation>
+        <source>resolution %1 %</source>
+        <translation>分辨率 %1 %</translation>
+    </message>
+    <message>
+        <source>over %1 FE intervals</source>
+        <translation>跨 %1 个有限元时间间隔</translation>
+    </message>
+    <message>
+        <source>simplified while moving: %1</source>
+        <translation>运动时简化：%1</translation>
     </message>
 </context>
 <context>
@@ -9765,10 +9829,6 @@
     <message>
         <source>mean height of the mass</source>
         <translation>质量的平均高度</translation>
-    </message>
-    <message>
-        <source>height of the pile</source>
-        <translation>堆的高度</translation>
     </message>
     <message>
         <source>volume of material</source>
@@ -9985,22 +10045,6 @@
     <message>
         <source>%1 elements of %2 were deactivated and became fragments of together %3 t.</source>
         <translation>%2 个单元中有 %1 个停用，成为总计 %3 t 的碎块。</translation>
-    </message>
-    <message>
-        <source>At the end, %1 s on the clock of the FE result, the debris covers %2 m²; 95 % of its mass lies within %3 m of the plan of what collapsed.</source>
-        <translation>结束时(有限元结果时钟 %1 s),碎块覆盖 %2 m²;95 % 的质量位于距倒塌部分平面 %3 m 以内。</translation>
-    </message>
-    <message>
-        <source>The highest point of the pile is %1 m above the ground; %2 % of the bodies are at rest.</source>
-        <translation>堆的最高点高出地面 %1 m;%2 % 的刚体静止。</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;%1 limits of health were passed in this run.&lt;/b&gt; %2 vouches for its use: %3 (see section Health).</source>
-        <translation>&lt;b&gt;本次计算超过了 %1 项健康限值。&lt;/b&gt;%2 为其使用担保：%3(见“计算的健康”一节)。</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;This run is tainted: %1 limits of health were passed and nobody has acknowledged them.&lt;/b&gt; Its figures should not be relied on (see section Health).</source>
-        <translation>&lt;b&gt;本次计算存疑：超过了 %1 项健康限值，且无人确认。&lt;/b&gt;其数值不应作为依据(见“计算的健康”一节)。</translation>
     </message>
     <message>
         <source>Evidence</source>
@@ -10621,6 +10665,26 @@
     <message>
         <source>From run %1, trajectory %2</source>
         <translation>来自计算 %1，轨迹 %2</translation>
+    </message>
+    <message>
+        <source>highest cell of 1 m, mean height</source>
+        <translation>最高的 1 m 单元的平均高度</translation>
+    </message>
+    <message>
+        <source>At the end, %1 s on the clock of the FE result, the debris covers %2 m² in cells of 1 m; 95 % of its mass lies within %3 m of the plan of what collapsed.</source>
+        <translation>结束时(有限元结果时钟 %1 s),碎块以 1 m 单元计覆盖 %2 m²;95 % 的质量位于距倒塌部分平面 %3 m 以内。</translation>
+    </message>
+    <message>
+        <source>The highest of these cells lies %1 m above the ground in the mean; %2 % of the bodies are at rest.</source>
+        <translation>其中最高的单元平均高出地面 %1 m;%2 % 的刚体静止。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Limits of health were passed in this run (%1).&lt;/b&gt; %2 vouches for its use: %3 (see section Health).</source>
+        <translation>&lt;b&gt;本次计算超过了健康限值（%1 项）。&lt;/b&gt;%2 为其使用担保：%3(见“计算的健康”一节)。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;This run is tainted: limits of health were passed (%1) and nobody has acknowledged it.&lt;/b&gt; Its figures should not be relied on (see section Health).</source>
+        <translation>&lt;b&gt;本次计算存疑：超过了健康限值（%1 项），且无人确认。&lt;/b&gt;其数值不应作为依据(见“计算的健康”一节)。</translation>
     </message>
 </context>
 <context>
@@ -11964,6 +12028,18 @@ What the file fits: %2.</source>
     <message>
         <source>Blind test, each member in turn is what was found. %1</source>
         <translation>盲测，依次以每个成员作为现场所见。%1</translation>
+    </message>
+    <message>
+        <source>noticed if left out</source>
+        <translation>除去后被察觉</translation>
+    </message>
+    <message>
+        <source>Trials in which, with the true cause not among the hypotheses, perhaps none of them would be the verdict</source>
+        <translation>真正的原因不在假设之中时，结论会是可能都不是原因的试验</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
     </message>
 </context>
 <context>

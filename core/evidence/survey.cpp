@@ -10,6 +10,12 @@ double SurveyHeights::at(double x, double y) const {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const double u = (x - x0) / dx;
     const double v = (y - y0) / dy;
+    if (aboveGround) {
+        const double column = std::floor(u + 0.5);
+        const double row = std::floor(v + 0.5);
+        const bool inside = column >= 0.0 && row >= 0.0 && column < static_cast<double>(nx) && row < static_cast<double>(ny);
+        return inside ? heights[static_cast<std::size_t>(row) * nx + static_cast<std::size_t>(column)] : none;
+    }
     if (nx < 2 || ny < 2 || !(u >= 0.0 && v >= 0.0 && u <= static_cast<double>(nx - 1) && v <= static_cast<double>(ny - 1))) {
         return none;
     }

@@ -20,7 +20,8 @@ struct SurveyHeights {
     std::vector<double> heights;  ///< [ny * nx] m, row by row from the lowest y
     bool aboveGround = false;     ///< they count from the ground, and beyond the outermost nodes nothing lies on it
 
-    /// Between nodes by bilinear interpolation; not a number beyond the outermost nodes and beside a gap.
+    /// Between nodes by bilinear interpolation; not a number beyond the outermost nodes and beside a gap. Heights above the ground
+    /// are means of cells around the nodes: that of the cell.
     double at(double x, double y) const;
 };
 

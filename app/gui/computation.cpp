@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QTimer>
 #include <chrono>
 #include <utility>
 
@@ -21,6 +22,8 @@ namespace rubble {
 namespace {
 
 constexpr int growthsPerSecond = 25;
+/// Between two questions whether what was opened may come now.
+constexpr std::chrono::milliseconds patience(50);
 
 const CaseScenario* activeOf(const Case& theCase) {
     const CaseScenario* active = nullptr;
@@ -131,27 +134,42 @@ void Computation::fail(const Failure& failure) {
 
 void Computation::startOpening(std::function<Opened(const Execution&)> read) {
     auto result = std::make_shared<Opened>();
+    const int opening = ++m_openings;
     m_failure.reset();
     m_openFraction = 0.0;
     emit progressed(tr("Opening"), 0.0);
     m_opener.start({Worker::Kind::Open, [result, read](const Execution& execution) { *result = read(execution); },
-                    [this, result](const std::exception_ptr& thrown) {
+                    [this, result, opening](const std::exception_ptr& thrown) {
                         if (const auto failure = failureOf(thrown)) {
                             fail(*failure);
-                        } else if (thrown == nullptr && result->recognised()) {
-                            replaceBy(result);
                         } else if (thrown == nullptr) {
-                            tell(*result);
+                            whenWelcome(result, opening, [this, result, opening] { replaceBy(result, opening); });
                         }
                         emit stateChanged();
                     }});
 }
 
-void Computation::replaceBy(const std::shared_ptr<const Opened>& opened) {
+void Computation::whenWelcome(const std::shared_ptr<const Opened>& opened, int opening, const std::function<void()>& go) {
+    // Another one may have been asked for meanwhile.
+    const Welcome welcome = opening != m_openings ? Welcome::Never : m_welcome ? m_welcome(*opened) : Welcome::Now;
+    if (welcome == Welcome::Now) {
+        go();
+    } else if (welcome == Welcome::Later) {
+        QTimer::singleShot(patience, this, [this, opened, opening, go] { whenWelcome(opened, opening, go); });
+    }
+}
+
+void Computation::replaceBy(const std::shared_ptr<const Opened>& opened, int opening) {
+    if (!opened->recognised()) {
+        tell(*opened);
+        return;
+    }
     m_worker.cancel(Worker::Kind::Update);
     m_worker.cancel(Worker::Kind::Simulate);
     // What is being written of the case before is written whole.
-    m_worker.start({Worker::Kind::Open, [](const Execution&) {}, [this, opened](const std::exception_ptr&) { tell(*opened); }});
+    m_worker.start(
+        {Worker::Kind::Open, [](const Execution&) {},
+         [this, opened, opening](const std::exception_ptr&) { whenWelcome(opened, opening, [this, opened] { tell(*opened); }); }});
 }
 
 void Computation::tell(const Opened& opened) {

@@ -52,6 +52,9 @@ struct RunRecord {
     const HealthReport& health() const { return outcome != nullptr ? outcome->health : soFar; }
 };
 
+/// Whether what was opened may take the place of what is there.
+enum class Welcome { Now, Later, Never };
+
 /// What is kept of the files that are read.
 struct Keeping {
     bool copies = false;                       ///< a compressed copy of every FE result
@@ -77,6 +80,8 @@ public:
     void reopen(const Case& theCase, const QString& path, const QString& base, bool recovered = false);
     /// Takes what was opened and prepares it up to the clusters.
     void take(const Opened& opened, const Scenario& scenario);
+    /// @param welcome  asked before what was opened stops what runs, and again before opened() tells of it; without it: always now
+    void welcomeBy(std::function<Welcome(const Opened&)> welcome) { m_welcome = std::move(welcome); }
     /// Whether FE results are opened through copies in the cache folder.
     void keepCopies(bool keep) { m_keeping.copies = keep; }
     /// Bytes that states and frames of what is opened from now on may take.
@@ -156,7 +161,8 @@ signals:
 
 private:
     void startOpening(std::function<Opened(const Execution&)> read);
-    void replaceBy(const std::shared_ptr<const Opened>& opened);
+    void whenWelcome(const std::shared_ptr<const Opened>& opened, int opening, const std::function<void()>& go);
+    void replaceBy(const std::shared_ptr<const Opened>& opened, int opening);
     void tell(const Opened& opened);
     Results prepareOnWorker(const Inputs& inputs, const Scenario& scenario, Results results, const Execution& execution);
     void decideOnWorker(const Inputs& inputs, const Scenario& scenario, const Results& results);
@@ -178,6 +184,8 @@ private:
     QString scratchPath();
 
     Keeping m_keeping;
+    std::function<Welcome(const Opened&)> m_welcome;
+    int m_openings = 0;
     Inputs m_inputs;
     io::TerrainInput m_terrain;
     Site m_site;  // with which it was read

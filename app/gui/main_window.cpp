@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QSettings>
+#include <QThread>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -159,6 +160,7 @@ MainWindow::~MainWindow() {
 
 void MainWindow::recover(const LeftWork& work) {
     if (m_files->mayLeave()) {
+        m_askedToLeave = true;
         m_simulateWhenReady = false;
         m_area->setError({});
         m_deck->clearFailures();
@@ -197,6 +199,21 @@ void MainWindow::showRefreshed(const FeResult& before, const render::View& view,
                                            : tr("The result was read again: %1 states").arg(fe.stateCount()));
 }
 
+Welcome MainWindow::welcomeFor(const Opened& opened) {
+    // What a dialog or a menu asks for is meant for the case that was there when it came up.
+    if (QApplication::activeModalWidget() != nullptr || QThread::currentThread()->loopLevel() > 1) {
+        return Welcome::Later;
+    }
+    const bool same = !m_document.empty() && opened.base == m_document.base();
+    // The case may have been edited since somebody agreed to leave it.
+    if (same || m_askedToLeave || !opened.recognised()) {
+        return Welcome::Now;
+    }
+    m_askedToLeave = m_files->mayLeave();
+    showState();
+    return m_askedToLeave ? Welcome::Now : Welcome::Never;
+}
+
 void MainWindow::takeOpened(const Opened& opened) {
     const auto before = std::exchange(m_refreshed, nullptr);
     const bool again =
@@ -210,6 +227,7 @@ void MainWindow::takeOpened(const Opened& opened) {
     }
     if (!again) {
         m_document.replace(opened.theCase, opened.path, opened.base, opened.recovered);
+        m_askedToLeave = false;
     }
     const bool refreshed = again && before != nullptr && before == m_computation.inputs().fe && opened.fe != nullptr;
     const bool around = again && !refreshed && !m_simulateWhenReady && sameToSee(m_computation.inputs().fe, opened.fe);

@@ -137,6 +137,7 @@ private:
     QString costlyWork() const;
     void showBusy();
     void showGrid();
+    Welcome welcomeFor(const Opened& opened);
     void takeOpened(const Opened& opened);
     void showRefreshed(const FeResult& before, const render::View& view, double time);
     void showScene();
@@ -194,6 +195,7 @@ private:
     widgets::Preferences m_preferences;
     bool m_retellable = false;  // everything is built
     bool m_simulateWhenReady = false;
+    bool m_askedToLeave = false;  ///< the case has not been edited since somebody agreed to leave it for another
     std::shared_ptr<const FeResult> m_refreshed;  // what is being read again
     render::SceneData m_shown;
 };

@@ -380,7 +380,9 @@ void MainWindow::connectComputation() {
     connect(m_deck, &PanelDeck::liveRequested, this, [this] { simulate(true); });
     connect(m_deck, &PanelDeck::cancelRequested, this, [this] { m_computation.cancel(); });
     connect(m_status, &widgets::StatusLine::cancelRequested, this, [this] { m_computation.cancel(); });
+    m_computation.welcomeBy([this](const Opened& opened) { return welcomeFor(opened); });
     connect(&m_computation, &Computation::opened, this, &MainWindow::takeOpened);
+    connect(&m_document.undoStack(), &QUndoStack::indexChanged, this, [this] { m_askedToLeave = false; });
     connect(&m_computation, &Computation::prepared, this, &MainWindow::prepared);
     connect(&m_computation, &Computation::decided, m_deck, &PanelDeck::showState);
     connect(&m_computation, &Computation::failed, this, &MainWindow::showFailure);

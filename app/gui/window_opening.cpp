@@ -26,6 +26,7 @@ bool MainWindow::load(const QString& path, bool simulate) {
     if (!m_files->mayLeave()) {
         return false;
     }
+    m_askedToLeave = true;
     m_simulateWhenReady = simulate;
     m_area->setError({});
     m_deck->clearFailures();

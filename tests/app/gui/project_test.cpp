@@ -8,6 +8,7 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSettings>
@@ -36,6 +37,7 @@
 #include "widgets/notice_bar.h"
 #include "widgets/panel.h"
 #include "widgets/scenario_comparison.h"
+#include "widgets/site_dialog.h"
 #include "widgets/start_page.h"
 #include "widgets/status_line.h"
 #include "widgets/tour.h"
@@ -342,6 +344,54 @@ TEST_F(Project, WhatCannotBeReadTakesNothingFromWhatRuns) {
         EXPECT_NE(window->computation().inputs().fe, nullptr);
     }
     awaitRun();
+}
+
+TEST_F(Project, NoCaseTakesThePlaceOfOneThatADialogAsksAbout) {
+    openCase();
+    const QString other = writeOther(folder.filePath(QStringLiteral("other.exo")));
+    const auto inDialog = [&](const std::function<void(QDialog&)>& answer) {
+        whenAsked([&, answer](QDialog& dialog) {
+            // The other result is read by now, and waits.
+            EXPECT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+            QTest::qWait(200);
+            EXPECT_EQ(window->document().path(), caseFile());
+            answer(dialog);
+        });
+        window->open(other);
+        window->actions()["site"].trigger();
+    };
+    inDialog([](QDialog& dialog) {
+        dynamic_cast<widgets::SiteDialog&>(dialog).setContent({}, QStringLiteral("EPSG:25832"), 0);
+        dialog.accept();
+    });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    QTest::qWait(200);
+    EXPECT_EQ(window->document().path(), caseFile()) << "its files were asked for after the other result";
+    EXPECT_EQ(window->document().theCase().frame.crs, "EPSG:25832");
+    window->actions()["undo"].trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && !window->computation().busy(); }, patience));
+    inDialog([](QDialog& dialog) { dialog.reject(); });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().base().endsWith(QStringLiteral("other.exo.rubble")); }, patience));
+}
+
+TEST_F(Project, AnEditMadeWhileAnotherCaseIsReadIsNotLost) {
+    openCase();
+    const QString other = writeOther(folder.filePath(QStringLiteral("other.exo")));
+    for (const QMessageBox::StandardButton answer : {QMessageBox::Cancel, QMessageBox::Discard}) {
+        bool asked = false;
+        whenAsked([&, answer](QDialog& dialog) {
+            asked = true;
+            dynamic_cast<QMessageBox&>(dialog).button(answer)->click();
+        });
+        if (answer == QMessageBox::Discard) {
+            window->actions()["undo"].trigger();
+        }
+        window->open(other);
+        window->document().setParameter(QStringLiteral("friction"), 0.3);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return asked && !window->computation().busy(); }, patience));
+        QTest::qWait(200);
+        EXPECT_EQ(window->document().path().isEmpty(), answer == QMessageBox::Discard);
+    }
 }
 
 TEST_F(Project, ADamagedHistoryIsSetAside) {

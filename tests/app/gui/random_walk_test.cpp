@@ -69,7 +69,8 @@ protected:
     QPoint placeIn(const QWidget& widget) { return {below(std::max(1, widget.width())), below(std::max(1, widget.height()))}; }
 
     void answer() {
-        if (auto* popup = QApplication::activePopupWidget(); popup != nullptr && !stepping) {
+        if (auto* popup = QApplication::activePopupWidget()) {
+            // Also in the loop of the menu of a button.
             QTest::keyClick(popup, Qt::Key_Escape);
             return;
         }
@@ -299,9 +300,7 @@ protected:
         if (traced) {
             std::fprintf(stderr, "%d %s\n", number, kind->name);
         }
-        stepping = true;
         (this->*kind->act)();
-        stepping = false;
         QTest::qWait(below(8) == 0 ? 60 : 1);
         if (!window->isVisible()) {
             window->show();
@@ -313,7 +312,6 @@ protected:
     QString rubbish;
     QTimer answers;
     std::mt19937 random;
-    bool stepping = false;
     int dialogSteps = 0;
     const bool traced = qEnvironmentVariableIsSet("RUBBLE_WALK_TRACE");
 };

@@ -48,20 +48,6 @@ protected:
         ASSERT_TRUE(window->survey().busy());
         ASSERT_TRUE(QTest::qWaitFor([&] { return !window->survey().busy(); }, patience));
     }
-    /// What is done to a dialog once it stands, from within its own event loop.
-    template <typename Do>
-    static void whenAsked(Do act) {
-        auto* timer = new QTimer;
-        timer->setInterval(50);
-        QObject::connect(timer, &QTimer::timeout, timer, [timer, act] {
-            if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
-                timer->stop();
-                timer->deleteLater();
-                act(*dialog);
-            }
-        });
-        timer->start();
-    }
     QPushButton* compareButton() {
         for (auto* each : window->deck().evidence().survey().findChildren<QPushButton*>()) {
             if (each->text() == QStringLiteral("Compare with survey")) {

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDialog>
 #include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -55,6 +57,20 @@ protected:
         window->document().setParameter(QStringLiteral("multiple"), 8.0);
         window->document().setParameter(QStringLiteral("settle_time"), 0.0);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    }
+    /// What is done to a dialog once it stands, from within its own event loop.
+    template <typename Do>
+    static void whenAsked(Do act) {
+        auto* timer = new QTimer;
+        timer->setInterval(50);
+        QObject::connect(timer, &QTimer::timeout, timer, [timer, act] {
+            if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+                timer->stop();
+                timer->deleteLater();
+                act(*dialog);
+            }
+        });
+        timer->start();
     }
     /// The run at hand is whole, and nothing else is computed.
     void awaitRun() {

@@ -305,6 +305,7 @@ struct Members<SimulationResult> {
     template <class Visitor, class Value>
     static void each(Visitor& visit, Value& r) {
         visit("bodies_peak", r.bodiesPeak);
+        visit.added("awake_peak", r.awakePeak);
         visit("steps", r.steps);
         visit("first_time", r.firstTime);
         visit("fe_end_time", r.feEndTime);
@@ -365,6 +366,7 @@ struct Members<Sizing> {
         visit("bodies_max", s.bodiesMax);
         visit("fps_target", s.fpsTarget);
         visit("clusters", s.clusters);
+        visit.added("awake_at_once", s.awake);
         visit("stopped_by", s.stoppedBy);
         visit("reachable_fps", s.reachableFps);
         visit("findings", s.findings);

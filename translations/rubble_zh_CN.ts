@@ -1318,10 +1318,6 @@
         <translation>某碎块薄于引擎所能承受：其实体被加厚，质量不变</translation>
     </message>
     <message>
-        <source>A live rate of {0} is out of reach: even at the upper bounds {1} clusters are counted, {2} are allowed; about {3} can be reached</source>
-        <translation>无法达到 {0} 的实时帧率：即使取上限仍有 {1} 个聚类，而允许 {2} 个；约可达到 {3}</translation>
-    </message>
-    <message>
         <source>A map cannot have cells of {0}.</source>
         <translation>地图的单元格不能为 {0}。</translation>
     </message>
@@ -2800,10 +2796,6 @@
     <message>
         <source>The grid is {0} along {1}; the split by component keeps every cluster within one component. To give it room, merge &quot;{2}&quot; with a neighbour or set component[{2}].structural = false</source>
         <translation>沿 {1} 的网格为 {0}；按构件分离使每个聚类限于一个构件之内。如需放宽，请将“{2}”并入相邻构件，或设置 component[{2}].structural = false</translation>
-    </message>
-    <message>
-        <source>The grid set by hand gives {0} clusters, more than the {1} bodies that reach {2}</source>
-        <translation>手动设置的网格给出 {0} 个聚类，多于可达到 {2} 的 {1} 个刚体</translation>
     </message>
     <message>
         <source>The influence of effects takes a floor of at least 2 repeats.</source>
@@ -7069,6 +7061,14 @@
         <source>{0} is a map that Rubble made, and its first band, &quot;{1}&quot;, holds no heights</source>
         <translation>{0} 是 Rubble 生成的图，其第一波段“{1}”不含高度</translation>
     </message>
+    <message>
+        <source>A live rate of {0} is out of reach: even at the upper bounds {1} clusters are awake at once, {2} are allowed; about {3} can be reached</source>
+        <translation>无法达到 {0} 的实时帧率：即使取上限仍同时有 {1} 个聚类在活动，而允许 {2} 个；约可达到 {3}</translation>
+    </message>
+    <message>
+        <source>The grid set by hand has {0} clusters awake at once, more than the {1} bodies that reach {2}</source>
+        <translation>手动设置的网格同时有 {0} 个聚类在活动，多于可达到 {2} 的 {1} 个刚体</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -7790,6 +7790,14 @@
     <message>
         <source>Overlap resolved for</source>
         <translation>重叠消除时长</translation>
+    </message>
+    <message>
+        <source>Awake after birth</source>
+        <translation>产生后活动时间</translation>
+    </message>
+    <message>
+        <source>How long a body is taken to move: bodies at rest cost next to nothing, so those born this long ago leave their place among the bodies allowed. Shorter: more and smaller clusters where a collapse lasts long.</source>
+        <translation>刚体被视为在运动的时间：静止的刚体几乎不耗时，因此产生已超过此时间的刚体让出其在允许刚体数中的名额。越短：倒塌历时长时聚类越多、越小。</translation>
     </message>
 </context>
 <context>
@@ -13211,10 +13219,6 @@ What the file fits: %2.</source>
         <translation>请先打开结果。</translation>
     </message>
     <message>
-        <source>found; file: %1</source>
-        <translation>已求得；文件：%1</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1，共 %2</translation>
     </message>
@@ -13293,6 +13297,14 @@ What the file fits: %2.</source>
     <message>
         <source>time taken unknown</source>
         <translation>拍摄时间未知</translation>
+    </message>
+    <message>
+        <source>noted in the file</source>
+        <translation>文件中记录</translation>
+    </message>
+    <message>
+        <source>Focal length that the camera noted in the photograph; it is not taken for the true one</source>
+        <translation>相机在照片文件中记录的焦距；不视为真实值</translation>
     </message>
 </context>
 <context>
@@ -13661,6 +13673,14 @@ What the file fits: %2.</source>
     <message>
         <source>frag.</source>
         <translation>最大块</translation>
+    </message>
+    <message>
+        <source>Awake at once</source>
+        <translation>同时活动</translation>
+    </message>
+    <message>
+        <source>Most of them that move at the same time, each from its birth on for the time set above; bodies at rest cost next to nothing, so this is what the bodies allowed are held against</source>
+        <translation>其中同时运动的最多个数，每个自产生起按上面设定的时间计；静止的刚体几乎不耗时，因此以此与允许的刚体数比较</translation>
     </message>
 </context>
 <context>
@@ -15703,6 +15723,14 @@ Program: %3</source>
     <message>
         <source>%1; %2 released inside debris or structure; %3 still move at the end</source>
         <translation>%1；%2 个在堆积物或结构内释放；%3 个结束时仍在运动</translation>
+    </message>
+    <message>
+        <source>Awake at once, at most</source>
+        <translation>同时活动至多</translation>
+    </message>
+    <message>
+        <source>Bodies that moved at one recorded instant; the others cost next to nothing</source>
+        <translation>某一记录时刻在运动的刚体数；其余几乎不耗时</translation>
     </message>
 </context>
 <context>

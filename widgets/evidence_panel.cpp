@@ -195,6 +195,8 @@ void EvidencePanel::buildCamera() {
         tr("focal length"), m_focal, tr("px"),
         tr("In pixels, if it is known: in millimetres times the width in pixels over that of the sensor in millimetres. "
            "Left empty it is found from the points. From 1 to 10,000,000 px"));
+    m_focalNoted = group->addValue(tr("noted in the file"), tr("px"),
+                                   tr("Focal length that the camera noted in the photograph; it is not taken for the true one"));
     m_principal->addItems({tr("the middle"), tr("to be found")});
     m_principal->setAccessibleName(tr("Principal point"));
     group->addField(tr("principal point"), m_principal, {},
@@ -344,11 +346,8 @@ void EvidencePanel::showTime() {
 void EvidencePanel::showCamera() {
     const CameraKnowledge& known = m_content.photograph.camera;
     m_focal->setNumber(known.focal);
-    if (const auto told = focalFrom(m_content.photograph.facts)) {
-        m_focal->setEmptyMeans(tr("found; file: %1").arg(QLocale().toString(*told, 'f', 0)));
-    } else {
-        m_focal->setEmptyMeans(tr("to be found"));
-    }
+    const auto noted = focalFrom(m_content.photograph.facts);
+    m_focalNoted->setText(noted ? QLocale().toString(*noted, 'f', 0) : QStringLiteral("–"));
     m_principal->setCurrentIndex(known.freePrincipal ? Found : Middle);
     m_radial->setCurrentIndex(known.radialTerms);
     const bool matched = m_content.match.has_value();

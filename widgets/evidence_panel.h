@@ -98,6 +98,7 @@ private:
     QLabel* m_place = nullptr;
     QLabel* m_placeSpread = nullptr;
     QLabel* m_turnSpread = nullptr;
+    QLabel* m_focalNoted = nullptr;
     QLabel* m_focalFound = nullptr;
     QLabel* m_fit = nullptr;
     Notice* m_verdict;

@@ -80,6 +80,7 @@ void GridPanel::buildTarget() {
     PanelGroup* target = addGroup(tr("Target"));
     addParameter(target, "fps_target");
     addParameter(target, "bodies_max");
+    addParameter(target, "awake_time");
     m_advice->setObjectName(QStringLiteral("muted"));
     m_advice->setWordWrap(true);
     target->addWide(m_advice);
@@ -158,6 +159,9 @@ void GridPanel::buildResult() {
     PanelGroup* result = addGroup(tr("Result"));
     m_fragments = result->addValue(tr("Fragments"));
     m_clusters = result->addValue(tr("Clusters"), {}, tr("Rigid bodies that the engine moves, counted at these sizes"));
+    m_awake = result->addValue(tr("Awake at once"), {},
+                               tr("Most of them that move at the same time, each from its birth on for the time set above; bodies "
+                                  "at rest cost next to nothing, so this is what the bodies allowed are held against"));
     m_perCluster = result->addValue(tr("Fragments in a cluster, mean"));
     m_splits = result->addValue(tr("Split by component, by velocity"), {},
                                 tr("Clusters added because none may span two components, or because a fragment moves otherwise"));
@@ -284,6 +288,7 @@ void GridPanel::showResult(const Content& content) {
     const Sizing* sizing = content.sizing.get();
     m_fragments->setText(sizing != nullptr ? shownCount(static_cast<std::int64_t>(sizing->fragments)) : none);
     m_clusters->setText(sizing != nullptr ? shownCount(static_cast<std::int64_t>(sizing->clusters)) : none);
+    m_awake->setText(sizing != nullptr ? shownCount(static_cast<std::int64_t>(sizing->awake)) : none);
     m_perCluster->setText(sizing != nullptr && sizing->clusters > 0
                               ? shownNumber(static_cast<double>(sizing->fragments) / static_cast<double>(sizing->clusters))
                               : none);

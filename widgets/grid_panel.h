@@ -86,6 +86,7 @@ private:
     QLabel* m_unitNote = nullptr;
     QLabel* m_fragments;
     QLabel* m_clusters;
+    QLabel* m_awake;
     QLabel* m_perCluster;
     QLabel* m_splits;
     QLabel* m_stopped;

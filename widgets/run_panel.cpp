@@ -83,6 +83,8 @@ void RunPanel::buildOutcome() {
         tr("What the solver cost, and what it made of the pile: volume under its surface over volume of material. Broken "
            "rock has 1.3 to 1.7; below 1.15 the pile has squeezed into itself."));
     m_bodies = m_outcome->addValue(tr("Bodies at most"));
+    m_awake = m_outcome->addValue(tr("Awake at once, at most"), {},
+                                  tr("Bodies that moved at one recorded instant; the others cost next to nothing"));
     m_asleep = m_outcome->addValue(tr("Asleep at the end"), {}, tr("Share of the bodies"));
     m_moving = m_outcome->addValue(tr("Still moving"), tr("bodies"));
     m_span = m_outcome->addValue(tr("The end"), tr("s"), tr("When 99 % of the bodies slept, or the settle time was over"));
@@ -123,6 +125,7 @@ void RunPanel::setOutcome(const Outcome& outcome) {
     const auto pair = [](double a, double b) { return QStringLiteral("%1, %2").arg(shownNumber(a, 2), shownNumber(b, 2)); };
     m_solver->setText(solverLine(outcome.settings, r));
     m_bodies->setText(shownCount(r.bodiesPeak));
+    m_awake->setText(shownCount(r.awakePeak));
     m_asleep->setText(shownShare(r.asleepAtEnd));
     m_moving->setText(shownCount(r.stillMoving));
     m_span->setText(QLocale().toString(r.endTime, 'f', 2));

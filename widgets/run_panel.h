@@ -58,6 +58,7 @@ private:
     PanelGroup* m_outcome;
     QLabel* m_solver;
     QLabel* m_bodies;
+    QLabel* m_awake;
     QLabel* m_asleep;
     QLabel* m_moving;
     QLabel* m_span;

@@ -35,6 +35,7 @@ void addSizingJson(Json& object, const Sizing& sizing) {
         bounds["h_acc_max"] = a.accuracyMax;
         return bounds;
     });
+    object["awake_at_once"] = sizing.awake;
     object["stopped_by"] = stoppedByName(sizing.stoppedBy);
     object["clamped_by"] = axesJson(sizing, [](const AxisSizing& a) { return Json(clampedByName(a.clampedBy)); });
     object["fps_target"] = sizing.fpsTarget;

@@ -180,7 +180,7 @@ void printRun(std::ostream& out, const SimulationResult& run, const std::array<d
     FactList facts;
     facts.add("time", englishNumber(run.firstTime) + " s to " + withUnit(run.endTime, "s") + "; the FE result ends at " +
                           withUnit(run.feEndTime, "s"));
-    facts.add("bodies", englishInteger(run.bodiesPeak) + " at most");
+    facts.add("bodies", englishInteger(run.bodiesPeak) + " at most, " + englishInteger(run.awakePeak) + " awake at once");
     facts.add("steps", englishInteger(run.steps) + ", " +
                            withUnit(static_cast<double>(run.steps) / std::max(1e-9, run.endTime - run.firstTime), "1/s") +
                            ", mean " + withUnit(run.stepTimes.meanMs, "ms") + ", 95 % below " +
@@ -302,6 +302,7 @@ Json RunReport::json() const {
     object["fragments"] = results.fragments->size();
     object["clusters"] = results.clustering->list.size();
     object["bodies_peak"] = run.bodiesPeak;
+    object["awake_peak"] = run.awakePeak;
     addSizingJson(object, *results.sizing);
     addSimulationJson(object, run);
     object["effects"] = effectsJson(run.effects);

@@ -69,17 +69,21 @@ TextTable boundsTable(const Sizing& sizing, const FragmentSet& fragments, const 
 namespace {
 
 std::string stoppedText(const Sizing& sizing) {
-    const std::string count = englishInteger(static_cast<std::int64_t>(sizing.clusters));
+    std::string count = englishInteger(static_cast<std::int64_t>(sizing.clusters)) + " clusters";
+    if (sizing.awake < sizing.clusters) {
+        count += ", of them " + englishInteger(static_cast<std::int64_t>(sizing.awake)) + " awake at once,";
+    }
     const std::string limit = englishInteger(sizing.bodiesMax);
     const std::string target = englishNumber(sizing.fpsTarget) + " FPS";
     switch (sizing.stoppedBy) {
         case StoppedBy::Efficiency:
-            return "efficiency: " + count + " clusters are within the " + limit + " bodies that " + target + " allow";
+            return "efficiency: " + count + " are within the " + limit + " bodies that " + target + " allow";
         case StoppedBy::FpsUnreachable:
-            return "fps_unreachable: at the upper bounds " + count + " clusters are left, " + limit + " bodies are allowed for " +
-                   target + "; about " + englishNumber(sizing.reachableFps) + " FPS are within reach";
+            return "fps_unreachable: at the upper bounds " + count + " are left, " + limit + " bodies are allowed for " + target +
+                   "; about " + englishNumber(sizing.reachableFps) + " FPS are within reach";
         case StoppedBy::User:
-            return "user: the size was set by hand; " + count + " clusters, " + limit + " bodies are allowed for " + target;
+            return "user: the size was set by hand; " + count + (sizing.awake < sizing.clusters ? " " : ", ") + limit +
+                   " bodies are allowed for " + target;
     }
     return {};
 }

@@ -79,7 +79,7 @@ void ProjectDisplay::buildHistory(Document& document) {
     m_window.addDockWidget(Qt::RightDockWidgetArea, m_history);
     m_history->hide();
     QAction& shown = m_actions["history"];
-    connect(&shown, &QAction::toggled, m_history, [this](bool show) {
+    connect(&shown, &QAction::toggled, this, [this](bool show) {
         m_history->setVisible(show);
         if (show) {
             m_history->raise();

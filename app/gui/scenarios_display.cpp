@@ -33,15 +33,15 @@ ScenariosDisplay::ScenariosDisplay(Document& document, Computation& computation,
 
 void ScenariosDisplay::connectList() {
     using widgets::ScenarioList;
-    connect(&m_scenarios, &ScenarioList::activated, &m_document,
+    connect(&m_scenarios, &ScenarioList::activated, this,
             [this](const QString& id) { m_document.activateScenario(id.toStdString()); });
-    connect(&m_scenarios, &ScenarioList::duplicateRequested, &m_document,
+    connect(&m_scenarios, &ScenarioList::duplicateRequested, this,
             [this](const QString& id) { m_document.duplicateScenario(id.toStdString()); });
-    connect(&m_scenarios, &ScenarioList::renamed, &m_document,
+    connect(&m_scenarios, &ScenarioList::renamed, this,
             [this](const QString& id, const QString& name) { m_document.renameScenario(id.toStdString(), name); });
-    connect(&m_scenarios, &ScenarioList::noteEdited, &m_document,
+    connect(&m_scenarios, &ScenarioList::noteEdited, this,
             [this](const QString& id, const QString& note) { m_document.setScenarioNote(id.toStdString(), note); });
-    connect(&m_scenarios, &ScenarioList::removeRequested, &m_document,
+    connect(&m_scenarios, &ScenarioList::removeRequested, this,
             [this](const QString& id) { m_document.removeScenario(id.toStdString()); });
     connect(&m_scenarios, &ScenarioList::compareRequested, this, &ScenariosDisplay::compare);
     connect(&m_runs, &widgets::RunList::showRequested, &m_history, &RunHistory::show);

@@ -110,6 +110,7 @@ void addResults(py::module_& module) {
         .def_readonly("multiple", &Sizing::commonMultiple, "Common multiple of the mean distances before clamping")
         .def_readonly("fragments", &Sizing::fragments, "Number of fragments")
         .def_readonly("clusters", &Sizing::clusters, "Clusters counted at this grid")
+        .def_readonly("awake", &Sizing::awake, "Most of these at once, each from its birth on for awake_time")
         .def_readonly("bodies_max", &Sizing::bodiesMax, "Bodies allowed")
         .def_property_readonly(
             "stopped_by", [](const Sizing& sizing) { return std::string(stoppedByName(sizing.stoppedBy)); },

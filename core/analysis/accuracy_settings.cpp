@@ -113,6 +113,7 @@ Scenario referenceScenario(const Scenario& scenario) {
     reference.grid.height = defaults.height;
     reference.grid.fpsTarget = defaults.fpsTarget;
     reference.grid.bodiesMax = defaults.bodiesMax;
+    reference.grid.awakeTime = defaults.awakeTime;
     return reference;
 }
 

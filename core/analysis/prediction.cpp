@@ -153,7 +153,7 @@ KnownPoint openPoint(const Digest& scene, const std::string& machine, int thread
                      std::int64_t bodies) {
     // The grid decides the bodies and nothing else, so it is left out; so is what does not reach the debris.
     static const std::set<std::string_view> left{
-        "multiple", "grid_l", "grid_w", "grid_h", "bodies_max", "fps_target", "one_body_per_fragment", "frame_rate"};
+        "multiple", "grid_l", "grid_w", "grid_h", "bodies_max", "awake_time", "fps_target", "one_body_per_fragment", "frame_rate"};
     static const Scenario defaults;
     KnownPoint point;
     point.scene = scene;

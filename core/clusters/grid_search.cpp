@@ -29,7 +29,7 @@ public:
         return sizes;
     }
 
-    std::size_t at(double multiple) { return m_partitioner.at(sizesAt(multiple), m_settings, m_execution).clusters(); }
+    const Partition& at(double multiple) { return m_partitioner.at(sizesAt(multiple), m_settings, m_execution); }
 
     bool suffices(double multiple) {
         const double done = m_last > 1.0 ? std::clamp(std::log(multiple) / std::log(m_last), 0.0, 1.0) : 1.0;
@@ -129,7 +129,9 @@ void searchGrid(Partitioner& partitioner, const std::array<AxisRange, 3>& ranges
         std::tie(sizing.commonMultiple, sizing.stoppedBy) = search(count);
     }
     const std::array<double, 3> sizes = count.sizesAt(sizing.commonMultiple);
-    sizing.clusters = count.at(sizing.commonMultiple);
+    const Partition& partition = count.at(sizing.commonMultiple);
+    sizing.clusters = partition.clusters();
+    sizing.awake = partition.awake;
     sizing.grid = {sizes[0], sizes[1], sizes[2]};
     for (std::size_t a = 0; a < 3; ++a) {
         AxisSizing& axis = sizing.axis[a];

@@ -32,10 +32,10 @@ AxisRange nestedRange(const AxisSizing& bounds);
 /// Chooses the sizes (DESIGN.md 2.2) and fills sizing.grid, clusters, commonMultiple, stoppedBy and the chosen part of every axis.
 ///
 /// Every axis takes the size nearest to the common multiple times its mean distance within its range, so an axis that is held
-/// leaves its share to the others. The multiple rises from 1 by 5 % a step until the clusters counted are at most bodiesMax. The
-/// count is not monotone, hence the scan; the step that reached it is then halved down to 0.1 %, keeping a multiple that was
-/// counted to suffice. If none does, not even where every axis has reached its upper bound, the run goes on there:
-/// fps_unreachable. Nothing is searched where the user set a multiple or all three sizes.
+/// leaves its share to the others. The multiple rises from 1 by 5 % a step until at most bodiesMax of the clusters counted are
+/// awake at once. The count is not monotone, hence the scan; the step that reached it is then halved down to 0.1 %, keeping a
+/// multiple that was counted to suffice. If none does, not even where every axis has reached its upper bound, the run goes on
+/// there: fps_unreachable. Nothing is searched where the user set a multiple or all three sizes.
 void searchGrid(Partitioner& partitioner, const std::array<AxisRange, 3>& ranges, const GridSettings& settings,
                 const Execution& execution, Sizing& sizing);
 

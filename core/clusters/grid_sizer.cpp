@@ -20,10 +20,10 @@ std::optional<double> sizeByHand(int axis, double meanDistance, const GridSettin
 
 void reportFps(Sizing& sizing) {
     sizing.reachableFps = sizing.fpsTarget;
-    if (sizing.clusters <= static_cast<std::size_t>(sizing.bodiesMax)) {
+    if (sizing.awake <= static_cast<std::size_t>(sizing.bodiesMax)) {
         return;
     }
-    sizing.reachableFps *= static_cast<double>(sizing.bodiesMax) / static_cast<double>(sizing.clusters);
+    sizing.reachableFps *= static_cast<double>(sizing.bodiesMax) / static_cast<double>(sizing.awake);
     const bool byHand = sizing.stoppedBy == StoppedBy::User;
     const Message remedy{
         "sizing.fps.remedy",
@@ -32,16 +32,15 @@ void reportFps(Sizing& sizing) {
         {Argument(sizing.reachableFps, "frames/s")}};
     if (byHand) {
         sizing.findings.add({"sizing.more_than_bodies_max",
-                             "The grid set by hand gives {0} clusters, more than the {1} bodies that reach {2}",
-                             {sizing.clusters, sizing.bodiesMax, Argument(sizing.fpsTarget, "frames/s")}},
+                             "The grid set by hand has {0} clusters awake at once, more than the {1} bodies that reach {2}",
+                             {sizing.awake, sizing.bodiesMax, Argument(sizing.fpsTarget, "frames/s")}},
                             remedy);
     } else {
         sizing.findings.add(
             {"sizing.fps_unreachable",
-             "A live rate of {0} is out of reach: even at the upper bounds {1} clusters are counted, {2} are allowed; about "
-             "{3} can be reached",
-             {Argument(sizing.fpsTarget, "frames/s"), sizing.clusters, sizing.bodiesMax,
-              Argument(sizing.reachableFps, "frames/s")}},
+             "A live rate of {0} is out of reach: even at the upper bounds {1} clusters are awake at once, {2} are allowed; "
+             "about {3} can be reached",
+             {Argument(sizing.fpsTarget, "frames/s"), sizing.awake, sizing.bodiesMax, Argument(sizing.reachableFps, "frames/s")}},
             remedy);
     }
 }

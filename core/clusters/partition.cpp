@@ -20,7 +20,7 @@ Partitioner::Partitioner(const FragmentSet& fragments, const Mesh& mesh) : m_cut
         m_components = std::max(m_components, m_component.back() + 1);
         const auto [place, isNew] = births.try_emplace({fragment.handOverState, fragment.endTime}, m_births.size());
         if (isNew) {
-            m_births.emplace_back();
+            m_births.push_back({fragment.handOverTime, {}, {}});
         }
         m_births[place->second].fragments.push_back(f);
     }
@@ -37,22 +37,37 @@ const Partition& Partitioner::at(const std::array<double, 3>& size, const GridSe
     return m_partition;
 }
 
-bool Partitioner::atMost(std::size_t clusters, const std::array<double, 3>& size, const GridSettings& settings,
+bool Partitioner::atMost(std::size_t awake, const std::array<double, 3>& size, const GridSettings& settings,
                          const Execution& execution) {
-    divide(size, settings, clusters, execution);
-    return m_partition.clusters() <= clusters;
+    divide(size, settings, awake, execution);
+    return m_partition.awake <= awake;
 }
 
-/// Divides birth by birth; goes no further once there are more clusters than enough.
+/// Takes a birth that was divided into the count of what is awake at once.
+void Partitioner::countAwake(std::size_t birth, const GridSettings& settings) {
+    m_clustersUpTo.push_back(m_partition.clusters());
+    while (m_births[m_firstAwake].time < m_births[birth].time - settings.awakeTime) {
+        ++m_firstAwake;
+    }
+    const std::size_t before = m_firstAwake > 0 ? m_clustersUpTo[m_firstAwake - 1] : 0;
+    m_partition.awake = std::max(m_partition.awake, m_partition.clusters() - before);
+}
+
+/// Divides birth by birth; goes no further once more clusters than enough are awake at once.
 void Partitioner::divide(const std::array<double, 3>& size, const GridSettings& settings, std::size_t enough,
                          const Execution& execution) {
     m_partition.members.clear();
     m_partition.sizes.clear();
-    m_partition.productGroups = m_partition.splitByComponent = m_partition.splitByVelocity = 0;
+    m_partition.productGroups = m_partition.splitByComponent = m_partition.splitByVelocity = m_partition.awake = 0;
+    m_clustersUpTo.clear();
+    m_firstAwake = 0;
     if (settings.oneBodyPerFragment) {
         m_partition.members.resize(m_masses.size());
         std::iota(m_partition.members.begin(), m_partition.members.end(), 0u);
-        m_partition.sizes.assign(m_masses.size(), 1u);
+        for (std::size_t birth = 0; birth < m_births.size(); ++birth) {
+            m_partition.sizes.resize(m_partition.sizes.size() + m_births[birth].fragments.size(), 1u);
+            countAwake(birth, settings);
+        }
         m_partition.productGroups = m_masses.size();
         return;
     }
@@ -61,7 +76,7 @@ void Partitioner::divide(const std::array<double, 3>& size, const GridSettings& 
         groupAxis(axis, size[static_cast<std::size_t>(axis)], execution);
     }
     std::size_t offset = 0;
-    for (std::size_t birth = 0; birth < m_births.size() && m_partition.clusters() <= enough; ++birth) {
+    for (std::size_t birth = 0; birth < m_births.size() && m_partition.awake <= enough; ++birth) {
         execution.check();
         if (nested) {
             cutBirth(m_births[birth], size, settings);
@@ -69,6 +84,7 @@ void Partitioner::divide(const std::array<double, 3>& size, const GridSettings& 
             divideBirth(birth, offset, settings);
         }
         offset += m_births[birth].fragments.size();
+        countAwake(birth, settings);
     }
 }
 

@@ -21,6 +21,7 @@ struct Partition {
     std::size_t productGroups = 0;       ///< of the grid, before the splits
     std::size_t splitByComponent = 0;    ///< clusters added by the split
     std::size_t splitByVelocity = 0;
+    std::size_t awake = 0;  ///< most clusters born within the awake time up to any birth
 
     std::size_t clusters() const { return sizes.size(); }
 };
@@ -37,9 +38,9 @@ public:
     /// The reference stays valid until the next call. Throws Cancelled.
     const Partition& at(const std::array<double, 3>& size, const GridSettings& settings, const Execution& execution);
 
-    /// True if at() would give no more clusters than this. Stops at the birth that exceeds them, so that the grids a search turns
-    /// down cost a part of one that it takes; latest() is unspecified then. Throws Cancelled.
-    bool atMost(std::size_t clusters, const std::array<double, 3>& size, const GridSettings& settings, const Execution& execution);
+    /// True if at() would have no more clusters awake at once than this. Stops at the birth that exceeds them, so that the grids a
+    /// search turns down cost a part of one that it takes; latest() is unspecified then. Throws Cancelled.
+    bool atMost(std::size_t awake, const std::array<double, 3>& size, const GridSettings& settings, const Execution& execution);
 
     /// What at() gave last.
     const Partition& latest() const { return m_partition; }
@@ -50,6 +51,7 @@ public:
 private:
     /// Fragments taken over at one state that end at one time: only these may share a cluster.
     struct Birth {
+        double time = 0.0;                     ///< s, of the hand-over; never before that of the birth before it
         std::vector<std::uint32_t> fragments;  ///< ascending
         std::array<AxisOrder, 3> order;
     };
@@ -60,6 +62,7 @@ private:
         std::vector<std::uint32_t> groups;  ///< [births]
     };
 
+    void countAwake(std::size_t birth, const GridSettings& settings);
     void divide(const std::array<double, 3>& size, const GridSettings& settings, std::size_t enough, const Execution& execution);
     void groupAxis(int axis, double size, const Execution& execution);
     void orderByComponent(std::span<const std::uint32_t> fragments, const GridSettings& settings);
@@ -72,6 +75,8 @@ private:
     std::vector<std::uint32_t> m_component;  ///< [fragments]
     std::uint32_t m_components = 0;
     std::vector<Birth> m_births;
+    std::vector<std::size_t> m_clustersUpTo;  ///< clusters of this birth and all before it [births divided]
+    std::size_t m_firstAwake = 0;             ///< birth whose clusters are the first still awake
     std::array<AxisLabels, 3> m_axis;
     AxisGrouping m_grouping;
     NestedCuts m_cuts;

@@ -22,7 +22,7 @@ enum class ClampedBy : std::uint8_t {
 };
 /// Why the search ended where it did.
 enum class StoppedBy : std::uint8_t {
-    Efficiency,      ///< the clusters counted are at most N_A^max
+    Efficiency,      ///< the clusters counted as awake at once are at most N_A^max
     FpsUnreachable,  ///< more are counted at every grid up to the upper bounds; the run goes on there
     User,            ///< nothing was searched: a common multiple, all three sizes or one body per fragment were asked for
 };
@@ -52,8 +52,9 @@ struct Sizing {
     std::int64_t bodiesMax = 0;
     double fpsTarget = 0.0;
     std::size_t clusters = 0;  ///< actually counted at the chosen grid, splits included
+    std::size_t awake = 0;     ///< most of these at once, each from its birth on for the awake time
     StoppedBy stoppedBy = StoppedBy::Efficiency;
-    double reachableFps = 0.0;  ///< fpsTarget, or fpsTarget * bodiesMax / clusters if that is less (a guide until calibrated)
+    double reachableFps = 0.0;  ///< fpsTarget, or fpsTarget * bodiesMax / awake if that is less (a guide until calibrated)
     Findings findings;          ///< conflicts of bounds, naming fragment and component; a target out of reach; many births
 };
 

@@ -79,6 +79,9 @@ std::vector<Parameter> sizingRows() {
                 "Frames per second of wall clock that live mode should reach.")
         .integer("bodies_max", 1, 10000000, RUBBLE_AT(grid.bodiesMax), "Bodies allowed here",
                  "Most rigid bodies that this machine carries at the live frame rate. More bodies: finer debris, slower run.")
+        .number("awake_time", "s", 0, 1e6, RUBBLE_AT(grid.awakeTime), "Awake after birth",
+                "How long a body is taken to move: bodies at rest cost next to nothing, so those born this long ago leave their "
+                "place among the bodies allowed. Shorter: more and smaller clusters where a collapse lasts long.")
         .choice(
             "grouping", {"nested", "axes"}, RUBBLE_AT(grid.grouping), "Grouping",
             "nested: the fragments of a component that are born together are cut in two, again and again, until each cluster is "

@@ -154,6 +154,7 @@ void hashRegrouping(Hasher& hasher, const std::vector<RegroupStep>& steps) {
 
 /// Upper end of box_bulking: every box keeps its full size.
 constexpr double neverDrawnIn = 1000.0;
+constexpr double alwaysAwake = 1e6;  // s
 
 /// Effects that the published method does not have.
 constexpr std::array addedByUs{EffectKind::Terrain, EffectKind::Water, EffectKind::AirDrag, EffectKind::Ties, EffectKind::BreakUp};
@@ -257,6 +258,7 @@ void applyPreset(Scenario& scenario, std::string_view name) {
         scenario.grid.acrossComponents = defaults.grid.acrossComponents;
         scenario.grid.oneBodyPerFragment = defaults.grid.oneBodyPerFragment;
         scenario.grid.velocityTolerance = defaults.grid.velocityTolerance;
+        scenario.grid.awakeTime = defaults.grid.awakeTime;
         scenario.simulation.solver = defaults.simulation.solver;
         scenario.simulation.shape = defaults.simulation.shape;
         scenario.simulation.boxBulking = defaults.simulation.boxBulking;
@@ -278,6 +280,7 @@ void applyPreset(Scenario& scenario, std::string_view name) {
         scenario.fragments.birthVelocity = BirthVelocity::Rest;
         scenario.grid.grouping = Grouping::Axes;
         scenario.grid.velocityTolerance = 0.0;
+        scenario.grid.awakeTime = alwaysAwake;
         scenario.simulation.solver = SolverKind::Bullet;
         scenario.simulation.shape = ClusterShape::AxisBox;
         scenario.simulation.boxBulking = neverDrawnIn;

@@ -52,6 +52,7 @@ struct FragmentSettings {
 struct GridSettings {
     double fpsTarget = 24.0;        ///< live FPS
     std::int64_t bodiesMax = 4500;  ///< N_A^max
+    double awakeTime = 10.0;        ///< s, longest that a body is taken to stay awake after its birth
     Grouping grouping = Grouping::Nested;
     std::optional<double> multiple;   ///< common multiple of the mean distance; unset: searched
     std::optional<double> length;     ///< l, m along x; unset: from the multiple

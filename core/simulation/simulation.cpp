@@ -242,6 +242,7 @@ void Collapse::atState(std::size_t k) {
 void Collapse::record(FrameKind kind) {
     const Stopwatch watch(m_seconds.recording);
     m_recorder.commit(*m_world, m_time, kind);
+    m_result.awakePeak = std::max(m_result.awakePeak, awake());
 }
 
 void Collapse::addLedgerRow(LedgerRow row) {

@@ -96,6 +96,7 @@ struct EnergyBalance {
 struct SimulationResult {
     std::vector<FragmentOutcome> fragments;  ///< [fragments]
     std::int64_t bodiesPeak = 0;             ///< of clusters, at one time
+    std::int64_t awakePeak = 0;              ///< of these, awake at one recorded instant
     std::int64_t steps = 0;
     double firstTime = 0.0;  ///< s, first hand-over
     double feEndTime = 0.0;  ///< s, last FE state

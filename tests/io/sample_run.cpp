@@ -105,6 +105,7 @@ void makeScene(SampleRun& run, Dice& dice, std::size_t clusterCount) {
     sizing->axis[2].clampedBy = ClampedBy::ComponentSize;
     sizing->grid = {1.1, 2.2, 3.3};
     sizing->clusters = clusterCount;
+    sizing->awake = clusterCount / 2;
     sizing->bodiesMax = 4500;
     sizing->stoppedBy = StoppedBy::FpsUnreachable;
     run.description.fragments = fragments;

@@ -55,8 +55,9 @@ protected:
         rubbish = folder.filePath(QStringLiteral("rubbish.exo"));
         QFile file(rubbish);
         ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write("no result at all") > 0);
-        // Menus and dialogs that wait for an answer get one, as their loops run inside the step that opened them.
-        QObject::connect(&answers, &QTimer::timeout, window.get(), [this] { answer(); });
+        // Menus and dialogs that wait for an answer get one, as their loops run inside the step that opened them. Queued, since a
+        // timer rests while its slot runs, and an answer may bring up the next question.
+        QObject::connect(&answers, &QTimer::timeout, window.get(), [this] { answer(); }, Qt::QueuedConnection);
         answers.start(40);
     }
     void TearDown() override {

@@ -28,6 +28,7 @@ void expectSame(const Sizing& a, const Sizing& b) {
     EXPECT_EQ(a.clusters, b.clusters);
     EXPECT_EQ(a.stoppedBy, b.stoppedBy);
     EXPECT_EQ(a.reachableFps, b.reachableFps);
+    EXPECT_EQ(a.awake, b.awake);
     ASSERT_EQ(a.findings.list().size(), b.findings.list().size());
     for (std::size_t i = 0; i < a.findings.list().size(); ++i) {
         EXPECT_EQ(englishText(a.findings.list()[i].what), englishText(b.findings.list()[i].what));

@@ -79,6 +79,46 @@ TEST(Sizing, StartsAtTheMeanDistanceAndStopsThereIfThatSuffices) {
     EXPECT_EQ(sizing.reachableFps, 24.0);
 }
 
+TEST(Sizing, BodiesAtRestLeaveTheirPlaceToThoseBornLater) {
+    // Three walls of cubes, born 0.1 s apart.
+    FragmentBlocks blocks;
+    const ComponentId wall = blocks.component("wall", Vec3::Zero(), Vec3(60.0, 4.0, 5.0));
+    for (int i = 0; i < 360; ++i) {
+        const int cube = i % 120;
+        blocks.add(Vec3(cube % 6, (cube / 6) % 4, cube / 24), Vec3::Ones(), wall, static_cast<std::uint32_t>(i / 120));
+    }
+    const auto with = [&](double awakeTime) {
+        GridSettings settings = atMost(120);
+        settings.awakeTime = awakeTime;
+        return size(blocks, settings);
+    };
+    const Sizing all = with(10.0);
+    EXPECT_LE(all.clusters, 120u);
+    EXPECT_EQ(all.awake, all.clusters);
+    EXPECT_GT(all.commonMultiple, 1.0);
+    // Just under a tenth of a second each birth has the place to itself; at a tenth two share it.
+    const Sizing alone = with(0.099);
+    EXPECT_EQ(alone.commonMultiple, 1.0);
+    EXPECT_EQ(alone.clusters, 360u);
+    EXPECT_EQ(alone.awake, 120u);
+    EXPECT_EQ(alone.reachableFps, 24.0);
+    const Sizing two = with(0.101);
+    EXPECT_GT(two.clusters, all.clusters);
+    EXPECT_LT(two.clusters, alone.clusters);
+    EXPECT_EQ(two.awake * 3, two.clusters * 2);
+    // By hand the target is judged by what is awake too.
+    GridSettings byHand = atMost(120);
+    byHand.multiple = 1.0;
+    EXPECT_EQ(size(blocks, byHand).findings.count("sizing.more_than_bodies_max"), 1);
+    EXPECT_DOUBLE_EQ(size(blocks, byHand).reachableFps, 8.0);
+    byHand.awakeTime = 0.0;
+    EXPECT_EQ(size(blocks, byHand).findings.count("sizing.more_than_bodies_max"), 0);
+    GridSettings each;
+    each.oneBodyPerFragment = true;
+    each.awakeTime = 0.101;
+    EXPECT_EQ(size(blocks, each).awake, 240u);
+}
+
 TEST(Sizing, AnAxisThatIsHeldLeavesItsShareToTheOthers) {
     FragmentBlocks blocks = cubes();
     blocks.component("slab", Vec3::Zero(), Vec3(6.0, 4.0, 1.5));  // holds z at 1.5

@@ -15725,12 +15725,12 @@ Program: %3</source>
         <translation>%1；%2 个在堆积物或结构内释放；%3 个结束时仍在运动</translation>
     </message>
     <message>
-        <source>Awake at once, at most</source>
-        <translation>同时活动至多</translation>
-    </message>
-    <message>
         <source>Bodies that moved at one recorded instant; the others cost next to nothing</source>
         <translation>某一记录时刻在运动的刚体数；其余几乎不耗时</translation>
+    </message>
+    <message>
+        <source>Awake at most</source>
+        <translation>活动至多</translation>
     </message>
 </context>
 <context>

@@ -83,7 +83,7 @@ void RunPanel::buildOutcome() {
         tr("What the solver cost, and what it made of the pile: volume under its surface over volume of material. Broken "
            "rock has 1.3 to 1.7; below 1.15 the pile has squeezed into itself."));
     m_bodies = m_outcome->addValue(tr("Bodies at most"));
-    m_awake = m_outcome->addValue(tr("Awake at once, at most"), {},
+    m_awake = m_outcome->addValue(tr("Awake at most"), {},
                                   tr("Bodies that moved at one recorded instant; the others cost next to nothing"));
     m_asleep = m_outcome->addValue(tr("Asleep at the end"), {}, tr("Share of the bodies"));
     m_moving = m_outcome->addValue(tr("Still moving"), tr("bodies"));

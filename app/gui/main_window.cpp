@@ -210,8 +210,13 @@ Welcome MainWindow::welcomeFor(const Opened& opened) {
         return Welcome::Now;
     }
     m_askedToLeave = m_files->mayLeave();
+    if (m_askedToLeave) {
+        return Welcome::Now;
+    }
+    m_simulateWhenReady = false;
+    m_return->forget();
     showState();
-    return m_askedToLeave ? Welcome::Now : Welcome::Never;
+    return Welcome::Never;
 }
 
 void MainWindow::takeOpened(const Opened& opened) {

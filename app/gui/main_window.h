@@ -195,7 +195,7 @@ private:
     widgets::Preferences m_preferences;
     bool m_retellable = false;  // everything is built
     bool m_simulateWhenReady = false;
-    bool m_askedToLeave = false;  ///< the case has not been edited since somebody agreed to leave it for another
+    bool m_askedToLeave = false;                  ///< the case has not been edited since somebody agreed to leave it for another
     std::shared_ptr<const FeResult> m_refreshed;  // what is being read again
     render::SceneData m_shown;
 };

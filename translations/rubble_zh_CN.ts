@@ -13644,7 +13644,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>%1 at %2 d</source>
-        <translation>%2 d 时 %1 个</translation>
+        <translation>%2 d 时 %1</translation>
     </message>
     <message>
         <source>Mean distance of adjacent fragments</source>

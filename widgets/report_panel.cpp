@@ -25,6 +25,8 @@ ReportPanel::ReportPanel(QWidget* parent)
     m_question->setPlaceholderText(tr("Where did the debris go, and how sure is that?"));
     m_question->setTabChangesFocus(true);
     m_question->setFixedHeight(84);
+    // A text field wants all there is, and would keep it around itself.
+    m_question->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     asked->addWide(m_question);
     m_author->setObjectName(QStringLiteral("reportAuthor"));
     // A name with its office needs the whole width.

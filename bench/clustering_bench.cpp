@@ -73,7 +73,7 @@ void groupingAgainstTheMatrix(benchmark::State& state) {
         });
         matrix += seconds([&] {
             for (const AxisOfBirth& set : axes) {
-                benchmark::DoNotOptimize(testing::matrixGroups(set.low, set.high, set.centre, set.id, set.size));
+                benchmark::DoNotOptimize(matrixGroups(set.low, set.high, set.centre, set.id, set.size));
             }
         });
         state.SetIterationTime(fast);

@@ -12,6 +12,7 @@ set(RUBBLE_PUBLIC_HEADERS
     core/base/hash.h
     core/base/ids.h
     core/base/message.h
+    core/base/standard_gravity.h
     core/base/version.h
     core/clusters/basic_grid.h
     core/clusters/clustering.h
@@ -48,6 +49,7 @@ set(RUBBLE_PUBLIC_HEADERS
     core/scenario/site.h
     core/scenario/stage.h
     core/simulation/acknowledgement.h
+    core/simulation/checkpoint.h
     core/simulation/effects/decisions.h
     core/simulation/health.h
     core/simulation/simulation.h

@@ -1,13 +1,13 @@
 #include "io/acknowledgements.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "io/files.h"
 #include "io/json_document.h"
 #include "io/run_json.h"
+#include "io/trimmed.h"
 
 namespace rubble::io {
 
@@ -16,10 +16,10 @@ namespace fs = std::filesystem;
 namespace {
 
 // A sidecar of thousands of entries is far smaller.
-constexpr JsonKind kind{"rubble-acknowledgements", 1, std::uintmax_t{16} << 20};
+constexpr JsonKind acknowledgementKind{"rubble-acknowledgements", 1, std::uintmax_t{16} << 20};
 
 std::vector<Acknowledgement> listFrom(const std::string& path) {
-    const nlohmann::json document = readJsonDocument(path, kind);
+    const nlohmann::json document = readJsonDocument(path, acknowledgementKind);
     const JsonCursor top(document, path);
     std::vector<Acknowledgement> list;
     for (const JsonCursor& entry : top["acknowledgements"].elements()) {
@@ -28,14 +28,8 @@ std::vector<Acknowledgement> listFrom(const std::string& path) {
     return list;
 }
 
-std::string trimmed(const std::string& text) {
-    const auto space = [](unsigned char c) { return std::isspace(c) != 0; };
-    const auto first = std::find_if_not(text.begin(), text.end(), space);
-    return {first, std::find_if_not(text.rbegin(), std::make_reverse_iterator(first), space).base()};
-}
-
 std::string required(const std::string& text, const char* what) {
-    const std::string content = trimmed(text);
+    const std::string content(trimmed(text));
     if (content.empty()) {
         throw UsageError({"io.acknowledged.empty", "An acknowledgement needs a {0}.", {what}},
                          {"io.acknowledged.empty.remedy", "Say who has looked at the breaches, and why the run may be used.", {}});
@@ -72,8 +66,8 @@ void acknowledge(const std::string& runPath, Acknowledgement acknowledgement) {
     }
     std::vector<Acknowledgement> list = acknowledgements(runPath);
     list.push_back(std::move(acknowledgement));
-    nlohmann::json document = {{"format", kind.format},
-                               {"version", kind.version},
+    nlohmann::json document = {{"format", acknowledgementKind.format},
+                               {"version", acknowledgementKind.version},
                                {"run", fs::path(runPath).filename().string()},
                                {"acknowledgements", nlohmann::json::array()}};
     for (const Acknowledgement& entry : list) {

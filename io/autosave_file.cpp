@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // As large as a case.
-constexpr JsonKind kind{"rubble-autosave", 1, std::uintmax_t{64} << 20};
+constexpr JsonKind autosaveKind{"rubble-autosave", 1, std::uintmax_t{64} << 20};
 
 }  // namespace
 
@@ -22,7 +22,7 @@ void writeAutosave(const std::string& file, const AutosavedCase& autosaved) {
     std::error_code failed;
     fs::create_directories(fs::path(file).parent_path(), failed);
     // Whatever is wrong with the folder is told by the writing.
-    const nlohmann::json document = {{"format", kind.format},         {"version", kind.version},
+    const nlohmann::json document = {{"format", autosaveKind.format}, {"version", autosaveKind.version},
                                      {"path", autosaved.path},        {"base", autosaved.base},
                                      {"saved_at", autosaved.savedAt}, {"case", parseJson(caseText(autosaved.theCase), file)}};
     const std::string text = document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -30,7 +30,7 @@ void writeAutosave(const std::string& file, const AutosavedCase& autosaved) {
 }
 
 AutosavedCase readAutosave(const std::string& file) {
-    const nlohmann::json document = readJsonDocument(file, kind);
+    const nlohmann::json document = readJsonDocument(file, autosaveKind);
     const JsonCursor top(document, file);
     return {top["path"].text(), top["base"].text(), top["saved_at"].text(), caseFromText(top["case"].value().dump(), file)};
 }

@@ -15,14 +15,15 @@ namespace rubble::io {
 
 namespace {
 
-constexpr std::size_t chunkRows = std::size_t{1} << 16;
+constexpr std::size_t rowsPerChunk = std::size_t{1} << 16;
 constexpr std::size_t parts = std::size(RunGrids::partNames);
 
 /// A dataset that grows: by cells or points, or by one row a step.
 class Column {
 public:
     /// @param memory, file  types of one number
-    Column(hid_t store, const std::string& name, hid_t memory, hid_t file, hsize_t width = 0, std::size_t rowsOfChunk = chunkRows)
+    Column(hid_t store, const std::string& name, hid_t memory, hid_t file, hsize_t width = 0,
+           std::size_t rowsOfChunk = rowsPerChunk)
         : m_rows{width, rowsOfChunk, std::max<std::size_t>(width, 1) * H5Tget_size(memory)}, m_memory(memory) {
         const std::string path = "/VTKHDF/" + name;
         m_rows.make(store, path.c_str(), file);
@@ -167,7 +168,7 @@ private:
     }
 
     void addColumn(const std::string& name, hid_t memory, hid_t file, hsize_t width = 0) {
-        const std::size_t rowsOfChunk = name.starts_with("Steps") || name.starts_with("Number") ? 256 : chunkRows;
+        const std::size_t rowsOfChunk = name.starts_with("Steps") || name.starts_with("Number") ? 256 : rowsPerChunk;
         require(m_columns.emplace(name, Column(m_file.get(), name, memory, file, width, rowsOfChunk)).first->second.valid());
     }
 

@@ -100,7 +100,7 @@ constexpr std::array formats{
     FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 1, recognisesExodus, exodusMembers, readExodus},
 };
 
-constexpr std::array foreign{
+constexpr std::array outOfScope{
     ForeignFormat{
         "a MED file (Code_Aster, Salome)", recognisesMed,
         "MED is out of scope: it has no status of elements. Convert the result to VTU with the dead cells left out or flagged."},
@@ -127,7 +127,7 @@ std::span<const FeFormat> feFormats() {
 }
 
 std::span<const ForeignFormat> foreignFormats() {
-    return foreign;
+    return outOfScope;
 }
 
 std::vector<std::string> standsAlone(const std::string& path) {

@@ -5,12 +5,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <locale>
 #include <memory>
 #include <streambuf>
@@ -238,6 +240,31 @@ void writeFileAtomically(const std::string& path, const std::function<void(const
     }
     temporary.kept = true;
     flushFolder(target);
+}
+
+std::optional<std::string> contentOf(const std::string& path) {
+    constexpr std::uintmax_t sizeLimit = std::uintmax_t{4} << 30;
+    std::error_code failed;
+    const std::uintmax_t size = fs::file_size(path, failed);
+    if (failed || size > sizeLimit) {
+        return {};
+    }
+    std::ifstream stream(path, std::ios::binary);
+    std::string content(static_cast<std::size_t>(size), '\0');
+    stream.read(content.data(), static_cast<std::streamsize>(size));
+    content.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+    return content;
+}
+
+void writeIn(const std::string& path, std::string_view content) {
+    std::error_code failed;
+    fs::create_directories(fs::path(path).parent_path(), failed);
+    if (failed) {
+        throw WorldError(
+            {"io.cache.folder", "The folder {0} cannot be made: {1}", {fs::path(path).parent_path().string(), failed.message()}},
+            {"io.cache.folder.remedy", "Name another folder, or check its rights.", {}});
+    }
+    writeAtomically(path, [&](std::ostream& out) { out.write(content.data(), static_cast<std::streamsize>(content.size())); });
 }
 
 // Unique within the machine: process and a counter.

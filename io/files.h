@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -24,6 +25,12 @@ void writeAtomically(const std::string& path, const std::function<void(std::ostr
 
 /// The same for a library that wants a path: `write` makes the file it is given, which does not exist yet and stands beside `path`.
 void writeFileAtomically(const std::string& path, const std::function<void(const std::string&)>& write);
+
+/// The whole content; nothing if there is no such file, or if it is larger than 4 GiB: nothing that is kept comes near that.
+std::optional<std::string> contentOf(const std::string& path);
+
+/// Writes a content atomically, and makes the folder that it lies in. Throws WorldError.
+void writeIn(const std::string& path, std::string_view content);
 
 /// A name beside a path that nobody else has, with the ending of what is not whole (".part").
 std::string unfinishedName(const std::string& path);

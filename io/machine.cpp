@@ -3,12 +3,16 @@
 #include <unistd.h>
 
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/simulation/checkpoint.h"
 
 namespace rubble::io {
 
@@ -64,6 +68,22 @@ std::string cacheFolder() {
                      "absolute path.",
                      {}},
                     {"io.no_cache.remedy", "Set RUBBLE_CACHE to a folder with room.", {}});
+}
+
+double checkpointSeconds() {
+    const char* const text = std::getenv("RUBBLE_CHECKPOINT_SECONDS");
+    if (text == nullptr || *text == '\0') {
+        return checkpointInterval;
+    }
+    double seconds = 0.0;
+    const char* const end = text + std::strlen(text);
+    const auto [rest, error] = std::from_chars(text, end, seconds);
+    if (error != std::errc{} || rest != end || !(seconds > 0.0) || !std::isfinite(seconds)) {
+        throw UsageError(
+            {"io.checkpoint_seconds", "RUBBLE_CHECKPOINT_SECONDS is {0}, which is no number of seconds above zero.", {text}},
+            {"io.checkpoint_seconds.remedy", "Set it to a number such as 60, or take it away.", {}});
+    }
+    return seconds;
 }
 
 std::string stateFolder() {

@@ -11,6 +11,10 @@ std::string machineText();
 /// Throws WorldError if none of them is set to an absolute path.
 std::string cacheFolder();
 
+/// s of wall time between two checkpoints of a simulation: $RUBBLE_CHECKPOINT_SECONDS, else checkpointInterval. Throws UsageError
+/// if that is no number above zero.
+double checkpointSeconds();
+
 /// Folder for what a program leaves for its next start (unsaved work, small pictures): $RUBBLE_STATE, else $XDG_STATE_HOME/rubble,
 /// else $HOME/.local/state/rubble. Throws WorldError if none of them is set to an absolute path.
 std::string stateFolder();

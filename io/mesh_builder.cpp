@@ -8,13 +8,12 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 #include "core/fe/components.h"
 
 namespace rubble::io {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A shape and its corners.
 struct Cell {
@@ -168,11 +167,11 @@ std::uint32_t MeshBuilder::addPart(std::string name, std::int64_t fileId) {
 void MeshBuilder::addSolid(std::int64_t id, std::uint32_t part, std::span<const std::int64_t> corners) {
     assert(corners.size() == 8);
     if (allDistinct(corners)) {
-        add(ElementShape::Hexahedron, id, part, corners, nothing);
+        add(ElementShape::Hexahedron, id, part, corners, unknown);
         return;
     }
     const Cell cell = solidOf(corners);
-    add(cell.shape, id, part, cell.corners, nothing);
+    add(cell.shape, id, part, cell.corners, unknown);
 }
 
 void MeshBuilder::addShell(std::int64_t id, std::uint32_t part, std::span<const std::int64_t> corners, double thickness) {
@@ -209,8 +208,8 @@ void MeshBuilder::add(ElementShape shape, std::int64_t id, std::uint32_t part, s
     m_mesh.shapes.push_back(shape);
     m_mesh.part.push_back(part);
     m_mesh.offsets.push_back(static_cast<std::uint32_t>(m_mesh.corners.size()));
-    m_mesh.density.push_back(nothing);
-    m_mesh.section.push_back(isSolid(shape) ? nothing : section);
+    m_mesh.density.push_back(unknown);
+    m_mesh.section.push_back(isSolid(shape) ? unknown : section);
 }
 
 void MeshBuilder::setDensity(std::size_t element, double density) {
@@ -218,7 +217,7 @@ void MeshBuilder::setDensity(std::size_t element, double density) {
 }
 
 void MeshBuilder::setSection(std::size_t element, double section) {
-    m_mesh.section[element] = isSolid(m_mesh.shapes[element]) ? nothing : section;
+    m_mesh.section[element] = isSolid(m_mesh.shapes[element]) ? unknown : section;
 }
 
 std::vector<Vec3> MeshBuilder::cornersOf(std::size_t element) const {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/standard_gravity.h"
 #include "core/fe/frame_transform.h"
 #include "core/fe/unit_evidence.h"
 #include "io/mesh_builder.h"
@@ -195,7 +196,7 @@ void noteFall(const FeResult::Contents& contents, const UnitEvidence& inFile, Fi
     if (!fallsByGravity(inFile)) {
         return;
     }
-    constexpr double gravity = 9.80665;
+    constexpr double gravity = standardGravity;
     const double times = inFile.fall->norm() * contents.units.acceleration() / gravity;
     const bool isGravity = times > 0.5 && times < 2.0;
     const Proposal up = proposeUpAxis(inFile);

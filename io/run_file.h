@@ -37,6 +37,13 @@ struct RunOrigin {
 /// right to write), from the call that finds it or from the next one; frames committed before stay readable.
 std::unique_ptr<TrajectorySink> createRun(const std::string& path, const RunOrigin& origin);
 
+/// Where the checkpoints of a run are kept: beside its file.
+std::string checkpointPathOf(const std::string& runPath);
+
+/// As createRun(), but where a checkpoint lies beside it the run that was stopped can go on: its file is set aside
+/// (PATH.interrupted) until the run begins anew or has taken over from it what the checkpoint knows of; everything else is dropped.
+std::unique_ptr<TrajectorySink> continueRun(const std::string& path, const RunOrigin& origin);
+
 /// A run file opened for reading, complete or still growing, in this or another process.
 class RunReader : public TrajectoryReader {
 public:

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // A hundred thousand runs are smaller.
-constexpr JsonKind kind{"rubble-run-history", 1, std::uintmax_t{128} << 20};
+constexpr JsonKind historyKind{"rubble-run-history", 1, std::uintmax_t{128} << 20};
 
 nlohmann::json entryJson(const RunEntry& run) {
     return {{"when", run.when},
@@ -75,7 +75,7 @@ std::vector<RunEntry> readRunHistory(const std::string& file) {
     if (!fs::exists(fs::symlink_status(file, failed))) {
         return {};
     }
-    const nlohmann::json document = readJsonDocument(file, kind);
+    const nlohmann::json document = readJsonDocument(file, historyKind);
     const JsonCursor top(document, file);
     std::vector<RunEntry> runs;
     for (const JsonCursor& entry : top["runs"].elements()) {
@@ -85,7 +85,7 @@ std::vector<RunEntry> readRunHistory(const std::string& file) {
 }
 
 void writeRunHistory(const std::string& file, const std::vector<RunEntry>& runs) {
-    nlohmann::json document = {{"format", kind.format}, {"version", kind.version}, {"runs", nlohmann::json::array()}};
+    nlohmann::json document = {{"format", historyKind.format}, {"version", historyKind.version}, {"runs", nlohmann::json::array()}};
     for (const RunEntry& run : runs) {
         document["runs"].push_back(entryJson(run));
     }

@@ -170,12 +170,16 @@ void RunStore::close() {
     }
 }
 
+DatasetDigest RunStore::digestOf(RunDataset dataset) const {
+    const Open& open = m_open[static_cast<std::size_t>(dataset)];
+    return {dataset, open.rows, open.hasher.finish()};
+}
+
 std::string RunStore::digestsText() const {
     std::vector<DatasetDigest> datasets;
     for (const RunDataset dataset : runDatasets()) {
         if (dataset != RunDataset::Digests) {
-            const Open& open = m_open[static_cast<std::size_t>(dataset)];
-            datasets.push_back({dataset, open.rows, open.hasher.finish()});
+            datasets.push_back(digestOf(dataset));
         }
     }
     return io::digestsText(datasets);

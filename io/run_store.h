@@ -12,6 +12,13 @@
 
 namespace rubble::io {
 
+/// Row count and hash of one dataset.
+struct DatasetDigest {
+    RunDataset dataset{};
+    std::uint64_t rows = 0;
+    Digest hash;
+};
+
 /// The HDF5 file behind a run that is being written: creates every dataset, then appends rows. Not thread-safe by itself; holds the
 /// lock of the native libraries during each call. All members throw WorldError naming the file and the remedy.
 class RunStore {
@@ -26,6 +33,8 @@ public:
     /// @param rows  in the memory type of the dataset, whole rows
     void append(RunDataset dataset, const void* rows, std::size_t count);
     void appendText(RunDataset dataset, std::string_view text) { append(dataset, text.data(), text.size()); }
+    /// Row count and hash of a dataset as it is.
+    DatasetDigest digestOf(RunDataset dataset) const;
     /// Hands one dataset's rows to the operating system, so that other processes and a crash find them.
     void flush(RunDataset dataset);
     void flushAll();
@@ -56,13 +65,6 @@ private:
 
 /// Checksum of a frame, as its index row keeps it.
 std::uint64_t frameChecksum(const TrajectoryFrame& frame);
-
-/// Row count and hash of one dataset.
-struct DatasetDigest {
-    RunDataset dataset{};
-    std::uint64_t rows = 0;
-    Digest hash;
-};
 
 /// Text of the digests dataset from those of the others, in the order of runDatasets(); ends with a hash of the list itself.
 std::string digestsText(std::span<const DatasetDigest> datasets);

@@ -4,17 +4,23 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 
+#include "core/base/archive.h"
 #include "core/base/error.h"
+#include "io/run_columns.h"
 #include "io/run_file.h"
 #include "io/run_json.h"
 #include "io/run_store.h"
 #include "io/run_tables.h"
 
 namespace rubble::io {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -118,7 +124,11 @@ private:
 
 class RunWriter : public TrajectorySink {
 public:
-    RunWriter(const std::string& path, const RunOrigin& origin) : m_store(path, jsonText(originJson(origin))) {}
+    /// @param interrupted  a file that the run may go on from; empty: none
+    RunWriter(const std::string& path, const RunOrigin& origin, const std::string& interrupted)
+        : m_path(path), m_interrupted(interrupted), m_origin(jsonText(originJson(origin))) {
+        m_store.emplace(m_path, m_origin);
+    }
     ~RunWriter() override;
 
     void begin(const RunDescription& description) override;
@@ -128,6 +138,8 @@ public:
     void addLedger(const LedgerRow& row) override;
     void addBreaches(const std::vector<HealthBreach>& breaches) override;
     void finish(const SimulationResult& result) override;
+    std::optional<std::string> mark() override;
+    bool resume(const RunDescription& description, std::string_view mark) override;
 
 private:
     template <class T>
@@ -138,8 +150,14 @@ private:
     void writeFrame(const TrajectoryFrame& frame);
     void writeResult(const SimulationResult& result);
     void flushFrames();
+    void keepMark(Archive& archive);
+    bool takeOver(const std::vector<DatasetDigest>& known);
+    void dropInterrupted();
 
-    RunStore m_store;
+    const std::string m_path;
+    const std::string m_interrupted;
+    const std::string m_origin;
+    std::optional<RunStore> m_store;
     std::uint64_t m_rows = 0;         // of all committed frames
     std::uint64_t m_flushedRows = 0;  // of these, handed to the operating system
     std::size_t m_bodies = 0;
@@ -153,9 +171,9 @@ RunWriter::~RunWriter() {
     // After a cancel what was committed still goes out; an error here has nobody to go to, and the file stays readable.
     try {
         m_jobs.add(0, [this] {
-            if (!m_finished) {
+            if (!m_finished && m_store) {
                 flushFrames();
-                m_store.flushAll();
+                m_store->flushAll();
             }
         });
         m_jobs.drain();
@@ -168,7 +186,7 @@ template <class T>
 void RunWriter::writeList(RunDataset dataset, std::span<const T> rows) {
     assert(layoutOf(dataset).rowBytes == sizeof(T));
     for (std::size_t from = 0; from < rows.size(); from += listBlock) {
-        m_store.append(dataset, rows.data() + from, std::min(listBlock, rows.size() - from));
+        m_store->append(dataset, rows.data() + from, std::min(listBlock, rows.size() - from));
     }
 }
 
@@ -176,7 +194,7 @@ template <class T>
 void RunWriter::writeTable(RunDataset dataset, std::span<const T> rows) {
     for (std::size_t from = 0; from < rows.size(); from += listBlock) {
         const std::span<const T> block = rows.subspan(from, std::min(listBlock, rows.size() - from));
-        m_store.append(dataset, packRows(block).data(), block.size());
+        m_store->append(dataset, packRows(block).data(), block.size());
     }
 }
 
@@ -197,6 +215,7 @@ void RunWriter::writeFragments(const RunDescription& description) {
 }
 
 void RunWriter::begin(const RunDescription& given) {
+    dropInterrupted();
     m_jobs.add(0, [this, description = given] {
         nlohmann::json text = {{"components", nlohmann::json::array()},
                                {"sizing", nullptr},
@@ -224,16 +243,16 @@ void RunWriter::begin(const RunDescription& given) {
         if (description.sizing) {
             text["sizing"] = sizingJson(*description.sizing);
         }
-        m_store.appendText(RunDataset::Description, jsonText(text));
-        m_store.flushAll();
+        m_store->appendText(RunDataset::Description, jsonText(text));
+        m_store->flushAll();
     });
     m_jobs.drain();
 }
 
 void RunWriter::addBodies(std::span<const BodyRecord> bodies, std::span<const Carrier> carriers) {
     m_jobs.add(0, [this, packedBodies = packRows(bodies), packedCarriers = packRows(carriers)] {
-        m_store.append(RunDataset::Bodies, packedBodies.data(), packedBodies.size() / columnCount<BodyRecord>());
-        m_store.append(RunDataset::Carriers, packedCarriers.data(), packedCarriers.size() / columnCount<Carrier>());
+        m_store->append(RunDataset::Bodies, packedBodies.data(), packedBodies.size() / columnCount<BodyRecord>());
+        m_store->append(RunDataset::Carriers, packedCarriers.data(), packedCarriers.size() / columnCount<Carrier>());
     });
     m_bodies += bodies.size();
 }
@@ -264,11 +283,11 @@ void RunWriter::commit(const TrajectoryFrame& frame) {
 void RunWriter::writeFrame(const TrajectoryFrame& frame) {
     FrameRow row{frame.time, m_rows, frameChecksum(frame), static_cast<std::uint32_t>(frame.bodies()),
                  static_cast<std::uint32_t>(frame.kind)};
-    m_store.append(RunDataset::Positions, frame.positions.data(), frame.bodies());
-    m_store.append(RunDataset::Orientations, frame.orientations.data(), frame.bodies());
-    m_store.append(RunDataset::Speeds, frame.speeds.data(), frame.bodies());
-    m_store.append(RunDataset::States, frame.states.data(), frame.bodies());
-    m_store.append(RunDataset::Index, &row, 1);
+    m_store->append(RunDataset::Positions, frame.positions.data(), frame.bodies());
+    m_store->append(RunDataset::Orientations, frame.orientations.data(), frame.bodies());
+    m_store->append(RunDataset::Speeds, frame.speeds.data(), frame.bodies());
+    m_store->append(RunDataset::States, frame.states.data(), frame.bodies());
+    m_store->append(RunDataset::Index, &row, 1);
     m_rows += frame.bodies();
     const auto waited = std::chrono::steady_clock::now() - m_flushed;
     const bool much = m_rows - m_flushedRows >= layoutOf(RunDataset::Positions).chunkRows;
@@ -282,14 +301,14 @@ void RunWriter::flushFrames() {
     for (const RunDataset dataset : {RunDataset::Bodies, RunDataset::Carriers, RunDataset::IslandElements, RunDataset::Islands,
                                      RunDataset::IslandLedger, RunDataset::Ledger, RunDataset::Breaches, RunDataset::Positions,
                                      RunDataset::Orientations, RunDataset::Speeds, RunDataset::States, RunDataset::Index}) {
-        m_store.flush(dataset);
+        m_store->flush(dataset);
     }
     m_flushed = std::chrono::steady_clock::now();
     m_flushedRows = m_rows;
 }
 
 void RunWriter::addLedger(const LedgerRow& row) {
-    m_jobs.add(0, [this, packed = packRows(std::span(&row, 1))] { m_store.append(RunDataset::Ledger, packed.data(), 1); });
+    m_jobs.add(0, [this, packed = packRows(std::span(&row, 1))] { m_store->append(RunDataset::Ledger, packed.data(), 1); });
 }
 
 void RunWriter::addBreaches(const std::vector<HealthBreach>& breaches) {
@@ -297,18 +316,18 @@ void RunWriter::addBreaches(const std::vector<HealthBreach>& breaches) {
     for (const HealthBreach& breach : breaches) {
         lines += jsonLine(breachJson(breach)) + '\n';
     }
-    m_jobs.add(lines.size(), [this, lines] { m_store.appendText(RunDataset::Breaches, lines); });
+    m_jobs.add(lines.size(), [this, lines] { m_store->appendText(RunDataset::Breaches, lines); });
 }
 
 void RunWriter::writeResult(const SimulationResult& result) {
     writeTable<FragmentOutcome>(RunDataset::Outcomes, result.fragments);
-    m_store.appendText(RunDataset::Result, jsonText(resultJson(result)));
+    m_store->appendText(RunDataset::Result, jsonText(resultJson(result)));
     flushFrames();
-    m_store.flushAll();
+    m_store->flushAll();
     // The digests say that the run is complete, so they are the very last.
-    m_store.appendText(RunDataset::Digests, m_store.digestsText());
-    m_store.flushAll();
-    m_store.close();
+    m_store->appendText(RunDataset::Digests, m_store->digestsText());
+    m_store->flushAll();
+    m_store->close();
 }
 
 void RunWriter::finish(const SimulationResult& result) {
@@ -319,10 +338,108 @@ void RunWriter::finish(const SimulationResult& result) {
     m_jobs.drain();
 }
 
+void RunWriter::dropInterrupted() {
+    std::error_code ignored;
+    if (!m_interrupted.empty()) {
+        fs::remove(m_interrupted, ignored);
+    }
+}
+
+/// How far the run is, beside its datasets.
+void RunWriter::keepMark(Archive& archive) {
+    archive(m_rows, m_bodies, m_lastTime);
+}
+
+std::optional<std::string> RunWriter::mark() {
+    m_jobs.drain();
+    flushFrames();
+    m_store->flushAll();
+    Archive archive;
+    keepMark(archive);
+    for (const RunDataset dataset : runDatasets()) {
+        DatasetDigest known = m_store->digestOf(dataset);
+        archive(known.rows, known.hash.bytes);
+    }
+    return std::move(archive).take();
+}
+
+bool RunWriter::resume(const RunDescription&, std::string_view mark) {
+    Archive archive(mark);
+    keepMark(archive);
+    std::vector<DatasetDigest> known;
+    for (const RunDataset dataset : runDatasets()) {
+        DatasetDigest& one = known.emplace_back();
+        one.dataset = dataset;
+        archive(one.rows, one.hash.bytes);
+    }
+    bool taken = false;
+    try {
+        taken = takeOver(known);
+    } catch (const ParseError&) {
+        // What cannot be read is not there.
+    } catch (const WorldError&) {
+    }
+    if (!taken) {
+        m_store.reset();
+        m_store.emplace(m_path, m_origin);
+        m_rows = m_bodies = 0;
+        m_lastTime = -std::numeric_limits<double>::infinity();
+        return false;
+    }
+    flushFrames();
+    m_store->flushAll();
+    dropInterrupted();
+    return true;
+}
+
+/// Takes the rows that a checkpoint knows of from the file of the interrupted run. False: they are not what they were.
+bool RunWriter::takeOver(const std::vector<DatasetDigest>& known) {
+    constexpr std::size_t blockBytes = std::size_t{4} << 20;
+    const RunColumns interrupted(m_interrupted);
+    std::vector<std::byte> block;
+    for (const DatasetDigest& one : known) {
+        const std::size_t rowBytes = layoutOf(one.dataset).rowBytes;
+        if (interrupted.rows(one.dataset) < one.rows) {
+            return false;
+        }
+        for (std::uint64_t from = m_store->digestOf(one.dataset).rows; from < one.rows;) {
+            const std::uint64_t count = std::min<std::uint64_t>(one.rows - from, std::max<std::size_t>(1, blockBytes / rowBytes));
+            block.resize(count * rowBytes);
+            interrupted.read(one.dataset, from, count, block.data());
+            m_store->append(one.dataset, block.data(), count);
+            from += count;
+        }
+        const DatasetDigest taken = m_store->digestOf(one.dataset);
+        if (taken.rows != one.rows || taken.hash != one.hash) {
+            return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
+std::string checkpointPathOf(const std::string& runPath) {
+    return runPath + ".checkpoint";
+}
+
 std::unique_ptr<TrajectorySink> createRun(const std::string& path, const RunOrigin& origin) {
-    return std::make_unique<RunWriter>(path, origin);
+    return std::make_unique<RunWriter>(path, origin, "");
+}
+
+std::unique_ptr<TrajectorySink> continueRun(const std::string& path, const RunOrigin& origin) {
+    const std::string interrupted = path + ".interrupted";
+    std::error_code ignored;
+    if (!fs::exists(checkpointPathOf(path), ignored)) {
+        // Nor is there anything to take over: it would be taken for the next run that is stopped.
+        fs::remove(interrupted, ignored);
+        return createRun(path, origin);
+    }
+    // One that lies there already was set aside by a process that was stopped before it had taken it over.
+    if (!fs::exists(interrupted, ignored)) {
+        fs::rename(path, interrupted, ignored);
+    }
+    return std::make_unique<RunWriter>(path, origin, interrupted);
 }
 
 }  // namespace rubble::io

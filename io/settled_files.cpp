@@ -96,16 +96,7 @@ bool SettledFiles::keeps(const WorldOrigin& origin) {
 }
 
 void SettledFiles::keep(const WorldOrigin& origin, const SettledWorld& settled) {
-    const std::string path = islandsPath(origin);
-    std::error_code failed;
-    fs::create_directories(fs::path(path).parent_path(), failed);
-    if (failed) {
-        throw WorldError(
-            {"io.cache.folder", "The folder {0} cannot be made: {1}", {fs::path(path).parent_path().string(), failed.message()}},
-            {"io.cache.folder.remedy", "Name another folder, or check its rights.", {}});
-    }
-    const std::string text = islandsJson(origin, settled).dump();
-    writeAtomically(path, [&](std::ostream& out) { out << text; });
+    writeIn(islandsPath(origin), islandsJson(origin, settled).dump());
     m_worlds.keep(origin, settled.world);
 }
 

@@ -16,6 +16,7 @@ public:
 
     std::optional<SettledWorld> settled(const WorldOrigin& origin, Findings& findings) override;
     void keep(const WorldOrigin& origin, const SettledWorld& settled) override;
+    std::unique_ptr<CheckpointStore> checkpoints(const WorldOrigin& origin) override { return m_worlds.checkpoints(origin); }
     /// Whether a whole world with its islands is kept.
     bool keeps(const WorldOrigin& origin);
 

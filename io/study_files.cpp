@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "core/analysis/study_tasks.h"
 #include "core/base/error.h"
 #include "core/scenario/parameters.h"
+#include "io/checkpoint_file.h"
 #include "io/files.h"
 #include "io/json_cursor.h"
 #include "io/world_record.h"
@@ -20,36 +20,9 @@ using nlohmann::json;
 namespace {
 
 constexpr int formatVersion = 1;
-// No world comes near this; what is larger is something else and is not read into memory.
-constexpr std::uintmax_t sizeLimit = std::uintmax_t{4} << 30;
 
 std::string nameOf(Hasher& hasher) {
     return hasher.finish().hex();
-}
-
-/// The whole content; nothing if there is no such file.
-std::optional<std::string> contentOf(const std::string& path) {
-    std::error_code failed;
-    const std::uintmax_t size = fs::file_size(path, failed);
-    if (failed || size > sizeLimit) {
-        return {};
-    }
-    std::ifstream stream(path, std::ios::binary);
-    std::string content(static_cast<std::size_t>(size), '\0');
-    stream.read(content.data(), static_cast<std::streamsize>(size));
-    content.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
-    return content;
-}
-
-void writeIn(const std::string& path, const std::string& content) {
-    std::error_code failed;
-    fs::create_directories(fs::path(path).parent_path(), failed);
-    if (failed) {
-        throw WorldError(
-            {"io.cache.folder", "The folder {0} cannot be made: {1}", {fs::path(path).parent_path().string(), failed.message()}},
-            {"io.cache.folder.remedy", "Name another folder, or check its rights.", {}});
-    }
-    writeAtomically(path, [&](std::ostream& out) { out.write(content.data(), static_cast<std::streamsize>(content.size())); });
 }
 
 void addDamaged(Findings& findings, const Error& error) {
@@ -187,6 +160,10 @@ std::string StudyFiles::worldPath(const WorldOrigin& origin) const {
     return (fs::path(m_folder) / "worlds" / (origin.key.hex() + ".world")).string();
 }
 
+std::string StudyFiles::checkpointPath(const WorldOrigin& origin) const {
+    return (fs::path(m_folder) / "checkpoints" / (origin.key.hex() + ".checkpoint")).string();
+}
+
 std::string StudyFiles::costPath(const WorldOrigin& origin, int threads) const {
     Hasher hasher;
     hasher.digest(origin.key).text(origin.machine).value(threads);
@@ -239,6 +216,11 @@ std::optional<SimulatedWorld> StudyFiles::world(const WorldOrigin& origin, Findi
 
 void StudyFiles::keep(const WorldOrigin& origin, const SimulatedWorld& world) {
     writeIn(worldPath(origin), worldBytes(origin, world));
+    CheckpointFile(checkpointPath(origin)).remove();
+}
+
+std::unique_ptr<CheckpointStore> StudyFiles::checkpoints(const WorldOrigin& origin) {
+    return std::make_unique<CheckpointFile>(checkpointPath(origin));
 }
 
 bool StudyFiles::keeps(const WorldOrigin& origin) {

@@ -10,7 +10,8 @@
 
 namespace rubble::io {
 
-/// Keeps studies in a folder: worlds/KEY.world (binary, with a checksum at its end), costs/, points/ and calibration/ as JSON.
+/// Keeps studies in a folder: worlds/KEY.world (binary, with a checksum at its end), checkpoints/KEY.checkpoint while a world is
+/// simulated, costs/, points/ and calibration/ as JSON.
 /// Every file is written atomically and names what it was made from; what does not fit, is damaged or of a newer version is left
 /// alone and made again.
 class StudyFiles : public StudyStore {
@@ -19,7 +20,9 @@ public:
     explicit StudyFiles(std::string folder) : m_folder(std::move(folder)) {}
 
     std::optional<SimulatedWorld> world(const WorldOrigin& origin, Findings& findings) override;
+    /// Removes the checkpoint of the world.
     void keep(const WorldOrigin& origin, const SimulatedWorld& world) override;
+    std::unique_ptr<CheckpointStore> checkpoints(const WorldOrigin& origin) override;
     /// Whether a whole world is kept.
     bool keeps(const WorldOrigin& origin);
     std::optional<SettingCost> cost(const WorldOrigin& origin, int threads) override;
@@ -40,6 +43,7 @@ public:
     const std::string& folder() const { return m_folder; }
     /// Where a world is kept.
     std::string worldPath(const WorldOrigin& origin) const;
+    std::string checkpointPath(const WorldOrigin& origin) const;
 
 private:
     std::string costPath(const WorldOrigin& origin, int threads) const;

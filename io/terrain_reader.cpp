@@ -19,7 +19,7 @@ namespace rubble::io {
 
 namespace {
 
-void checkFile(const std::string& path) {
+void checkTerrain(const std::string& path) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) {
@@ -170,7 +170,7 @@ const CaseInput* firstOf(const Case& theCase, InputRole role, std::int64_t& coun
 
 TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb& around, const Execution& execution,
                          const Site& site) {
-    checkFile(path);
+    checkTerrain(path);
     execution.check();
     tryTerrain(path, frame, site, around);
     HeightReading heights = readHeights(path, frame, site, around, execution);

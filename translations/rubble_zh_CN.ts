@@ -2562,6 +2562,10 @@
         <translation>请设置 birth_time = state 以同样处理所有单元。</translation>
     </message>
     <message>
+        <source>Set birth_time = state, or birth_window = 0.</source>
+        <translation>请设置 birth_time = state，或 birth_window = 0。</translation>
+    </message>
+    <message>
         <source>Set component[NAME].density.</source>
         <translation>请设置 component[NAME].density。</translation>
     </message>
@@ -2574,8 +2578,8 @@
         <translation>请将 component[{0}].density 设为正数。</translation>
     </message>
     <message>
-        <source>Set it for the whole sweep, and vary what costs time: the grid, cluster_shape, pieces, step_rate, substeps, iterations, solver, break_up_speed or an effect.</source>
-        <translation>请对整个对比统一设置，而变化影响耗时的参数：网格、cluster_shape、pieces、step_rate、substeps、iterations、solver、break_up_speed 或某一效应。</translation>
+        <source>Set it for the whole sweep, and vary what costs time: the grid, birth_window, cluster_shape, pieces, step_rate, substeps, iterations, solver, break_up_speed or an effect.</source>
+        <translation>请对整个对比统一设置，而变化影响耗时的参数：网格、birth_window、cluster_shape、pieces、step_rate、substeps、iterations、solver、break_up_speed 或某一效应。</translation>
     </message>
     <message>
         <source>Set revival to latch (dead is dead) or follow (its fragment ends).</source>
@@ -3278,6 +3282,10 @@
         <translation>某单元过短</translation>
     </message>
     <message>
+        <source>an element makes a fragment here or in the reference, not in both</source>
+        <translation>有单元只在此处或只在基准计算中形成碎块，而非两者皆有</translation>
+    </message>
+    <message>
         <source>an entry names no file</source>
         <translation>某条目未指定文件</translation>
     </message>
@@ -3328,6 +3336,10 @@
     <message>
         <source>birth/death field</source>
         <translation>生死场</translation>
+    </message>
+    <message>
+        <source>birth_window takes states together, and birth_time = exact parts them.</source>
+        <translation>birth_window 把状态合在一起，而 birth_time = exact 又把它们分开。</translation>
     </message>
     <message>
         <source>bodies can meet: the fall columns of {0} and {1} overlap by {2}</source>
@@ -7069,6 +7081,62 @@
         <source>The grid set by hand has {0} clusters awake at once, more than the {1} bodies that reach {2}</source>
         <translation>手动设置的网格同时有 {0} 个聚类在活动，多于可达到 {2} 的 {1} 个刚体</translation>
     </message>
+    <message>
+        <source>A checkpoint could not be kept: a run that is stopped goes on from the one before, or begins at its start.</source>
+        <translation>检查点未能保存：计算中断后将从上一个检查点继续，或从头开始。</translation>
+    </message>
+    <message>
+        <source>A checkpoint is damaged: the simulation begins at its start.</source>
+        <translation>检查点已损坏：模拟从头开始。</translation>
+    </message>
+    <message>
+        <source>A checkpoint is of another build, input or setting: the simulation begins at its start.</source>
+        <translation>检查点属于另一个构建、输入或设置：模拟从头开始。</translation>
+    </message>
+    <message>
+        <source>Make room on the disk.</source>
+        <translation>请在磁盘上腾出空间。</translation>
+    </message>
+    <message>
+        <source>Nothing needs doing: the next checkpoint takes its place.</source>
+        <translation>无需处理：下一个检查点会取代它。</translation>
+    </message>
+    <message>
+        <source>Nothing needs doing: the next checkpoint takes its place. Check the disk.</source>
+        <translation>无需处理：下一个检查点会取代它。请检查磁盘。</translation>
+    </message>
+    <message>
+        <source>What was kept is not whole.</source>
+        <translation>所保存的内容不完整。</translation>
+    </message>
+    <message>
+        <source>going on from a checkpoint at {0}</source>
+        <translation>从 {0} 处的检查点继续</translation>
+    </message>
+    <message>
+        <source>it does not begin as one</source>
+        <translation>开头不是检查点</translation>
+    </message>
+    <message>
+        <source>it is shorter than its head</source>
+        <translation>比其文件头还短</translation>
+    </message>
+    <message>
+        <source>its bytes are not those that were written</source>
+        <translation>其字节与写入时不同</translation>
+    </message>
+    <message>
+        <source>not enough memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>simulating {0} worlds; {1} went on from checkpoints, the latest at {2}</source>
+        <translation>正在模拟 {0} 次计算；其中 {1} 次从检查点继续，最近一次在 {2}</translation>
+    </message>
+    <message>
+        <source>what it says does not belong together</source>
+        <translation>其内容互不相符</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -7262,6 +7330,10 @@
     <message>
         <source>Birth velocity</source>
         <translation>产生速度</translation>
+    </message>
+    <message>
+        <source>Birth window</source>
+        <translation>产生时间窗</translation>
     </message>
     <message>
         <source>Bodies allowed here</source>
@@ -7744,6 +7816,10 @@
         <translation>水</translation>
     </message>
     <message>
+        <source>What dies within this time becomes debris together, at the first state of it, so that one cluster can hold what the states part: fewer and fuller bodies, which leave the FE result a little earlier. 0: each state by itself. The reference does not read it.</source>
+        <translation>在此时间内失效者在其首个状态一起成为堆积物，使一个聚类可以容纳被状态分开的碎块：刚体更少、更饱满，但稍早脱离有限元结果。0：每个状态各自独立。基准计算不读取此值。</translation>
+    </message>
+    <message>
         <source>What one component is made of: decides friction and restitution, and whether clusters break up. Automatic: from its density: from 7,000 to 9,000 kg/m3 steel, from 2,550 to 3,500 stone, from 1,400 to 2,100 masonry, anything else concrete.</source>
         <translation>单个构件的材料：决定摩擦和恢复系数，以及聚类是否破碎。自动：由密度判断：7,000 至 9,000 kg/m3 为钢，2,550 至 3,500 为石材，1,400 至 2,100 为砌体，其余为混凝土。</translation>
     </message>
@@ -7899,6 +7975,11 @@
     <message>
         <source> · about %1 left</source>
         <translation> · 约剩 %1</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <comment>two parts of a line</comment>
+        <translation>%1；%2</translation>
     </message>
 </context>
 <context>
@@ -9745,6 +9826,10 @@
     <message>
         <source>In this run every fragment is a body of its own.</source>
         <translation>本次计算中每个碎块各为一个刚体。</translation>
+    </message>
+    <message>
+        <source>In this run what died within %1 s of each other was handed over together, with the place, shape and velocity of the first state of that time.</source>
+        <translation>在本次计算中，相隔不超过 %1 s 的失效一起交接，取该时段首个状态的位置、形状和速度。</translation>
     </message>
     <message>
         <source>In this run clusters are made by nested cuts: the fragments of each component and birth are cut in two where that leaves the least spread, until every part is as compact as a full box of the grid.</source>
@@ -12481,7 +12566,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>%1 of %2 take part in this scene. One that is off costs nothing.</source>
-        <translation>%2 个效应中有 %1 个参与此场景。关闭的效应没有任何代价。</translation>
+        <translation>%2 个效应中 %1 个参与此场景；关闭的没有代价。</translation>
     </message>
     <message>
         <source>Settings have changed: decided anew when what runs is through.</source>

@@ -182,7 +182,7 @@ void CauseChart::describe() {
                               shownNumber(cause.score.middle));
         }
     }
-    setAccessibleDescription(words.join(QStringLiteral("; ")));
+    setAccessibleDescription(inOneLine(words));
     setToolTip(words.join(u'\n'));
 }
 

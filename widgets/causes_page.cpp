@@ -300,7 +300,7 @@ void CausesPage::showBlind() {
             m_blind->setItem(line, column, cell(test.noticed.empty() ? tr("not known") : shownCount(test.noticed[h]), false, {}));
         }
     }
-    m_blindTitle->setText(tr("Blind test, each member in turn is what was found. %1").arg(sums.join(QStringLiteral("; "))));
+    m_blindTitle->setText(tr("Blind test, each member in turn is what was found. %1").arg(inOneLine(sums)));
     m_blind->resizeColumnsToContents();
     fitHeight(*m_blind);
 }

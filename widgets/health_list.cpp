@@ -18,13 +18,13 @@ namespace rubble::widgets {
 
 namespace {
 
-QString seconds(double time) {
+QString hundredths(double time) {
     return QLocale().toString(time, 'f', 2);
 }
 
 QString interval(const HealthBreach& breach) {
-    return breach.to - breach.from < 0.005 ? HealthList::tr("at %1 s").arg(seconds(breach.from))
-                                           : HealthList::tr("%1–%2 s").arg(seconds(breach.from), seconds(breach.to));
+    return breach.to - breach.from < 0.005 ? HealthList::tr("at %1 s").arg(hundredths(breach.from))
+                                           : HealthList::tr("%1–%2 s").arg(hundredths(breach.from), hundredths(breach.to));
 }
 
 /// Messages are parts of sentences; here they stand alone.
@@ -50,12 +50,12 @@ QString placeOf(const HealthBreach& breach, const Vec3& origin) {
     if (breach.bodies > 1) {
         parts << HealthList::tr("%1 bodies at worst").arg(shownCount(breach.bodies));
     }
-    return parts.join(QStringLiteral("; "));
+    return inOneLine(parts);
 }
 
 QString against(const HealthBreach& breach) {
     const QString worst = std::isfinite(breach.worst) ? shownNumber(breach.worst) : HealthList::tr("no number");
-    const QString when = std::isfinite(breach.worstAt) ? HealthList::tr(" at %1 s").arg(seconds(breach.worstAt)) : QString();
+    const QString when = std::isfinite(breach.worstAt) ? HealthList::tr(" at %1 s").arg(hundredths(breach.worstAt)) : QString();
     return HealthList::tr("worst %1%2, limit %3").arg(worst, when, shownNumber(breach.limit));
 }
 
@@ -84,7 +84,7 @@ QString breachWords(const HealthBreach& breach, const Vec3& origin) {
         aside << place;
     }
     aside << against(breach);
-    text += QStringLiteral("<br/>") + muted(aside.join(QStringLiteral("; ")));
+    text += QStringLiteral("<br/>") + muted(inOneLine(aside));
     if (!breach.remedy.empty()) {
         text += QStringLiteral("<br/>") + muted(sentence(breach.remedy));
     }
@@ -190,7 +190,7 @@ void HealthList::showBreaches(const Content& content) {
         words->setTextInteractionFlags(Qt::TextSelectableByMouse);
         words->setObjectName(QStringLiteral("breach"));
         row->addWidget(words);
-        auto* show = new QPushButton(tr("Show %1 s").arg(seconds(breach.from)));
+        auto* show = new QPushButton(tr("Show %1 s").arg(hundredths(breach.from)));
         show->setToolTip(breach.body ? tr("Go to this instant and point out the body") : tr("Go to this instant"));
         show->setAccessibleName(tr("Show %1, %2").arg(titleOf(breach), interval(breach)));
         connect(show, &QPushButton::clicked, this, [this, i] { emit breachChosen(i); });

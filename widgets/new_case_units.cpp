@@ -26,7 +26,7 @@ QString reasonsOf(const UnitFit& fit) {
     for (const Message& reason : fit.reasons) {
         reasons << worded(reason);
     }
-    return reasons.join(QStringLiteral("; "));
+    return inOneLine(reasons);
 }
 
 }  // namespace

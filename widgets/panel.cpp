@@ -17,15 +17,14 @@ namespace rubble::widgets {
 
 namespace {
 
-/// What a panel scrolls. A scroll area does not ask for the height that wrapped sentences need at its width, so this does.
-class PanelBody : public QWidget {
-protected:
-    bool event(QEvent* event) override {
-        const bool handled = QWidget::event(event);
-        if ((event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) && layout() != nullptr) {
-            setMinimumHeight(layout()->totalHeightForWidth(width()));
-        }
-        return handled;
+/// The layout of what a panel scrolls. A scroll area does not ask for the height that wrapped sentences need at its width, so this
+/// does whenever things are placed: not every change of them is told to the widget as an event.
+class PanelColumn : public QVBoxLayout {
+public:
+    using QVBoxLayout::QVBoxLayout;
+    void setGeometry(const QRect& place) override {
+        QVBoxLayout::setGeometry(place);
+        parentWidget()->setMinimumHeight(totalHeightForWidth(parentWidget()->width()));
     }
 };
 
@@ -171,9 +170,9 @@ QLabel* PanelGroup::addNote(const QString& text) {
 
 Panel::Panel(const QString& title, const QString& question, QWidget* parent)
     : QScrollArea(parent), m_column(new QVBoxLayout), m_error(new Notice), m_stale(new Notice) {
-    auto* body = new PanelBody;
+    auto* body = new QWidget;
     body->setObjectName(QStringLiteral("panelBody"));
-    auto* outer = new QVBoxLayout(body);
+    auto* outer = new PanelColumn(body);
     outer->setContentsMargins(14, 12, 14, 16);
     outer->setSpacing(4);
     auto* heading = new QLabel(title);

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "core/scenario/differences.h"
+#include "widgets/group_heading.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
 
@@ -55,13 +56,6 @@ QString text(std::string_view view) {
     return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
 }
 
-QLabel* heading(const QString& words) {
-    auto* label = new QLabel(words);
-    label->setObjectName(QStringLiteral("groupHeading"));
-    label->setFont(headingFont());
-    return label;
-}
-
 /// One figure of two runs; a dash where there is no run.
 QString figure(const std::optional<RunEntry>& run, const std::function<QString(const RunEntry&)>& of) {
     return run ? of(*run) : QString(QChar(0x2013));
@@ -97,10 +91,10 @@ ScenarioComparison::ScenarioComparison(QWidget* parent)
         label->setWordWrap(true);
     }
     column->addWidget(m_notes);
-    column->addWidget(heading(tr("SETTINGS THAT DIFFER")));
+    column->addWidget(groupHeading(tr("SETTINGS THAT DIFFER")));
     column->addWidget(m_same);
     column->addWidget(m_settings, 3);
-    column->addWidget(heading(tr("RESULTS OF THE NEWEST COMPLETE RUNS")));
+    column->addWidget(groupHeading(tr("RESULTS OF THE NEWEST COMPLETE RUNS")));
     column->addWidget(m_runs);
     column->addWidget(m_results, 2);
     connect(m_left, &QComboBox::activated, this, &ScenarioComparison::show);

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "widgets/language.h"
+#include "widgets/wording.h"
 
 namespace rubble::widgets {
 
@@ -90,7 +91,7 @@ QString spokenText(const std::string& english) {
         const QString exact = said("messages", part.toStdString());
         parts << (exact != part ? exact : filledText(part));
     }
-    return parts.join(QStringLiteral("; "));
+    return inOneLine(parts);
 }
 
 }  // namespace rubble::widgets

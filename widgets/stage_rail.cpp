@@ -92,7 +92,7 @@ private:
                 break;
         }
         if (m_findings > 0) {
-            state += QStringLiteral("; ") + StageRail::tr("findings: %1").arg(shownCount(m_findings));
+            state = inOneLine({state, StageRail::tr("findings: %1").arg(shownCount(m_findings))});
         }
         setToolTip(QStringLiteral("<b>%1</b><br/>%2<br/>%3").arg(m_entry.title, m_entry.question, state));
         setAccessibleDescription(state);

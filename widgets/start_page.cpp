@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "widgets/case_card.h"
+#include "widgets/group_heading.h"
 #include "widgets/panel.h"
 #include "widgets/theme.h"
 
@@ -19,20 +20,13 @@ namespace {
 constexpr int widest = 760;
 constexpr int gap = 12;
 
-QLabel* heading(const QString& words) {
-    auto* label = new QLabel(words);
-    label->setObjectName(QStringLiteral("groupHeading"));
-    label->setFont(headingFont());
-    return label;
-}
-
 }  // namespace
 
 StartPage::StartPage(QWidget* parent)
     : QScrollArea(parent),
       m_activity(new QLabel),
       m_error(new Notice),
-      m_recentHeading(heading(tr("RECENT"))),
+      m_recentHeading(groupHeading(tr("RECENT"))),
       m_recent(new QVBoxLayout),
       m_samples(new QGridLayout) {
     auto* body = new QWidget;
@@ -74,7 +68,7 @@ StartPage::StartPage(QWidget* parent)
     m_recent->setSpacing(4);
     column->addWidget(m_recentHeading);
     column->addLayout(m_recent);
-    column->addWidget(heading(tr("SAMPLES")));
+    column->addWidget(groupHeading(tr("SAMPLES")));
     m_samples->setSpacing(gap);
     m_samples->setContentsMargins(0, 0, 0, 0);
     column->addLayout(m_samples);

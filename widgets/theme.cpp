@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QPainter>
 #include <QPalette>
+#include <QPointer>
 #include <QProxyStyle>
 #include <QStyleOption>
 
@@ -188,12 +189,31 @@ render::Theme systemTheme() {
     return theme;
 }
 
-void applyTheme(render::Theme theme) {
+render::Theme themeNamed(const QString& name) {
+    return name == QLatin1String("dark")    ? render::Theme::Dark
+           : name == QLatin1String("light") ? render::Theme::Light
+                                            : systemTheme();
+}
+
+void giveColours(render::Theme theme) {
     systemTheme();
-    themeInForce() = theme == render::Theme::Dark ? render::Theme::Dark : render::Theme::Light;
+    static QPointer<QCoreApplication> coloured;
+    const render::Theme wanted = theme == render::Theme::Dark ? render::Theme::Dark : render::Theme::Light;
+    if (coloured == qApp && wanted == themeInForce()) {
+        return;
+    }
+    coloured = qApp;
+    themeInForce() = wanted;
     QApplication::setStyle(new BoxStyle);
     QApplication::setPalette(paletteOf(tints()));
-    qApp->setStyleSheet(sheetOf(tints()));
+}
+
+void applyTheme(render::Theme theme) {
+    giveColours(theme);
+    const QString sheet = sheetOf(tints());
+    if (qApp->styleSheet() != sheet) {
+        qApp->setStyleSheet(sheet);
+    }
 }
 
 render::Theme currentTheme() {

@@ -2,6 +2,7 @@
 
 #include <QColor>
 #include <QFont>
+#include <QString>
 
 #include "widgets/figures/palette.h"
 #include "widgets/render/view.h"
@@ -10,7 +11,12 @@ namespace rubble::widgets {
 
 /// The theme that the system's palette asks for; settled once, before the program gives itself a palette.
 render::Theme systemTheme();
-/// Gives palette, fonts and style sheet of a theme to the whole application (Theme::Print is taken as light).
+/// The theme that a name stands for: "light", "dark", anything else is the system's.
+render::Theme themeNamed(const QString& name);
+/// Gives style and palette of a theme to the whole application (Theme::Print is taken as light), unless it has them.
+void giveColours(render::Theme theme);
+/// Gives it the style sheet too. A sheet is matched against every widget that there is, and against each that is put into another
+/// from then on: a window gets it once, when it has all of its widgets.
 void applyTheme(render::Theme theme);
 /// The theme in force, and its colours.
 render::Theme currentTheme();

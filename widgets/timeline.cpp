@@ -107,7 +107,7 @@ void Timeline::setHealth(std::vector<HealthMark> marks) {
         titles
             << tr("%1 from %2 to %3 s").arg(mark.title, QLocale().toString(mark.from, 'f', 2), QLocale().toString(mark.to, 'f', 2));
     }
-    setAccessibleDescription(titles.isEmpty() ? QString() : tr("Limits passed: %1").arg(titles.join(QStringLiteral("; "))));
+    setAccessibleDescription(titles.isEmpty() ? QString() : tr("Limits passed: %1").arg(inOneLine(titles)));
     update();
 }
 
@@ -312,16 +312,29 @@ void Timeline::paintDeaths(QPainter& painter, const Rows& r) const {
     painter.fillPath(area, wash);
     painter.setPen(QPen(tints().fragment, 1.3));
     painter.drawPath(outline);
-    // The peak is labelled directly, with its place.
-    const auto peak = static_cast<std::size_t>(std::max_element(m_deaths.begin(), m_deaths.end()) - m_deaths.begin());
-    painter.setPen(tints().muted);
-    const QString label = tr("%1 in one state").arg(shownCount(static_cast<std::int64_t>(most)));
-    const double width = painter.fontMetrics().horizontalAdvance(label);
-    double x = toX(m_times[peak]) + 8.0;
-    if (x + width > r.right) {
-        x = toX(m_times[peak]) - 8.0 - width;
+}
+
+void Timeline::paintPeak(QPainter& painter, const Rows& r) const {
+    const auto peak = std::max_element(m_deaths.begin(), m_deaths.end());
+    if (peak == m_deaths.end() || *peak <= 0.0) {
+        return;
     }
-    painter.drawText(QPointF(x, r.deathsTop + painter.fontMetrics().ascent() - 2.0), label);
+    const QString label = tr("%1 in one state").arg(shownCount(static_cast<std::int64_t>(*peak)));
+    const double width = painter.fontMetrics().horizontalAdvance(label);
+    const double at = toX(m_times[static_cast<std::size_t>(peak - m_deaths.begin())]);
+    paintCaption(painter, r, at + 8.0 + width > r.right ? at - 8.0 - width : at + 8.0, label);
+}
+
+void Timeline::paintCaption(QPainter& painter, const Rows& r, double left, const QString& text) const {
+    const QRectF room(left, r.deathsTop - 2.0, painter.fontMetrics().horizontalAdvance(text), painter.fontMetrics().height());
+    if (room.adjusted(-3, 0, 3, 0).contains(toX(m_time), room.center().y())) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(tints().panel);
+        painter.drawRoundedRect(room.adjusted(-3, 0, 3, 0), 2, 2);
+        painter.setBrush(Qt::NoBrush);
+    }
+    painter.setPen(tints().muted);
+    painter.drawText(QPointF(left, room.top() + painter.fontMetrics().ascent()), text);
 }
 
 void Timeline::paintComputed(QPainter& painter, const Rows& r) const {
@@ -481,11 +494,10 @@ void Timeline::paintLoop(QPainter& painter, const Rows& r) const {
 }
 
 void Timeline::paintMarks(QPainter& painter, const Rows& r) const {
-    if (m_feEnd > m_first && m_feEnd < m_last) {
+    const bool goesOn = m_feEnd > m_first && m_feEnd < m_last;
+    if (goesOn) {
         painter.setPen(QPen(tints().muted, 1, Qt::DashLine));
-        const double x = toX(m_feEnd);
-        painter.drawLine(QPointF(x, r.deathsTop - 6), QPointF(x, r.axis));
-        painter.drawText(QPointF(x + 5, r.deathsTop + painter.fontMetrics().ascent() - 2), tr("FE ends"));
+        painter.drawLine(QPointF(toX(m_feEnd), r.deathsTop - 6), QPointF(toX(m_feEnd), r.axis));
     }
     const double x = toX(m_time);
     painter.setPen(QPen(tints().text, 1.6));
@@ -494,6 +506,10 @@ void Timeline::paintMarks(QPainter& painter, const Rows& r) const {
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(QPointF(x, 6), 4, 4);
     painter.setBrush(Qt::NoBrush);
+    if (goesOn) {
+        paintCaption(painter, r, toX(m_feEnd) + 5.0, tr("FE ends"));
+    }
+    paintPeak(painter, r);
 }
 
 }  // namespace rubble::widgets

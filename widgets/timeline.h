@@ -98,6 +98,10 @@ private:
     struct Rows;
     Rows rows() const;
     void paintDeaths(QPainter& painter, const Rows& rows) const;
+    /// The highest peak of the deaths, labelled directly.
+    void paintPeak(QPainter& painter, const Rows& rows) const;
+    /// A caption in the row of the deaths, legible where the line of the shown time passes through it.
+    void paintCaption(QPainter& painter, const Rows& rows, double left, const QString& text) const;
     void paintComputed(QPainter& painter, const Rows& rows) const;
     void paintAxis(QPainter& painter, const Rows& rows) const;
     void paintMarks(QPainter& painter, const Rows& rows) const;

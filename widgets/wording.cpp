@@ -167,6 +167,14 @@ QString shownProgress(const QString& what, double secondsLeft) {
     return text;
 }
 
+QString inOneLine(const QStringList& parts) {
+    QString line = parts.value(0);
+    for (const QString& part : parts.mid(1)) {
+        line = QCoreApplication::translate("rubble", "%1; %2", "two parts of a line").arg(line, part);
+    }
+    return line;
+}
+
 QString shownName(std::string_view name) {
     std::string words(name);
     std::replace(words.begin(), words.end(), '_', ' ');

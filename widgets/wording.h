@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include "core/base/finding.h"
 #include "core/base/message.h"
@@ -36,6 +37,8 @@ QString shownDuration(double seconds);
 QString shownProgress(const QString& what, double secondsLeft);
 /// A value of a parameter for people: choices without underscores, "auto", "on", "off".
 QString shownValue(const ParameterValue& value);
+/// Parts of a line, one after another: "a; b".
+QString inOneLine(const QStringList& parts);
 /// A choice or a stable name for people: "oriented_box" becomes "oriented box".
 QString shownName(std::string_view name);
 

@@ -18,7 +18,7 @@ std::vector<std::string> kindsOf(const Arguments& arguments) {
     for (const std::string& kind : kinds) {
         const auto& known = io::cacheKinds();
         if (std::find(known.begin(), known.end(), kind) == known.end()) {
-            throw wrongValue("--only", kind, "fe, worlds, islands, costs, points or calibration");
+            throw wrongValue("--only", kind, "fe, worlds, islands, checkpoints, costs, points or calibration");
         }
     }
     return kinds;
@@ -75,10 +75,9 @@ Command cacheCommand() {
     return {"cache",
             "list|clear",
             "what is kept to be quicker next time, and how to get rid of it",
-            "Copies of FE results (kind fe) and what studies keep: worlds, islands, costs, points and the calibration of the "
-            "machine. All of it "
-            "can be made again.",
-            {{"--only", "KIND", true, "this kind alone: fe, worlds, islands, costs, points or calibration"},
+            "Copies of FE results (kind fe) and what studies keep: worlds, islands, checkpoints of worlds that are not "
+            "done yet, costs, points and the calibration of the machine. All of it can be made again.",
+            {{"--only", "KIND", true, "this kind alone: fe, worlds, islands, checkpoints, costs, points or calibration"},
              {"--cache", "FOLDER", false, "another folder than $RUBBLE_CACHE, $XDG_CACHE_HOME/rubble or ~/.cache/rubble"},
              csvOption("write the table")},
             cache};

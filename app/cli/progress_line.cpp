@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/message.h"
+#include "core/simulation/checkpoint.h"
 
 namespace rubble::cli {
 
@@ -22,6 +23,7 @@ std::string durationText(double seconds) {
 }  // namespace
 
 void ProgressLine::show(const Progress& progress) {
+    say(progress.stage);
     if (!m_on) {
         return;
     }
@@ -41,6 +43,19 @@ void ProgressLine::show(const Progress& progress) {
     }
     m_stream << std::flush;
     m_shown = true;
+}
+
+void ProgressLine::say(const Message& stage) {
+    if (stage.id != resumedStage && stage.id != worldsResumedStage) {
+        return;
+    }
+    const std::string text = englishText(stage);
+    const std::lock_guard lock(m_mutex);
+    if (text != m_said) {
+        m_stream << (m_shown ? wipe : "") << text << std::endl;
+        m_shown = false;
+        m_said = text;
+    }
 }
 
 void ProgressLine::clear() {

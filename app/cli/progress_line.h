@@ -9,7 +9,8 @@
 
 namespace rubble::cli {
 
-/// One line on a terminal that is rewritten in place: stage, per cent done, time left. Writes nothing when switched off.
+/// One line on a terminal that is rewritten in place: stage, per cent done, time left. Switched off, it says only that something
+/// goes on from a checkpoint, which is a line of its own.
 class ProgressLine {
 public:
     ProgressLine(std::ostream& stream, bool on) : m_stream(stream), m_on(on) {}
@@ -23,11 +24,13 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+    void say(const Message& stage);
 
     std::ostream& m_stream;
     const bool m_on;
     std::mutex m_mutex;
     bool m_shown = false;
+    std::string m_said;
     std::string m_stage;
     double m_firstFraction = 0.0;
     Clock::time_point m_stageStart;

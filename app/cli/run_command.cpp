@@ -11,6 +11,7 @@
 #include "app/cli/subject.h"
 #include "app/cli/temporary_run.h"
 #include "core/base/error.h"
+#include "io/checkpoint_file.h"
 #include "io/run_file.h"
 
 namespace rubble::cli {
@@ -38,9 +39,13 @@ void checkRunPath(const std::string& path, const Subject& subject) {
 ExitCode reportPartial(const Arguments& arguments, Session& session, const LedgerRecorder& recorder) {
     const std::optional<std::string> out = arguments.value("--out");
     const bool kept = out && recorder.frames() > 0;
+    std::error_code ignored;
     if (kept) {
         session.err() << "rubble-cli: cancelled; " << recorder.frames()
                       << " frames up to t = " << englishNumber(recorder.lastTime()) << " s are kept in " << *out << '\n';
+        if (fs::exists(io::checkpointPathOf(*out), ignored)) {
+            session.err() << "  The same command goes on from its latest checkpoint; --anew begins at the start.\n";
+        }
     } else {
         session.err() << "rubble-cli: cancelled; nothing is kept (--out keeps the frames simulated so far)\n";
     }
@@ -69,19 +74,29 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
         exports.checkKept();
         runPath = temporary.emplace().path();
     }
+    std::optional<io::CheckpointFile> checkpoint;
+    if (arguments.has("--out")) {
+        checkpoint.emplace(io::checkpointPathOf(runPath));
+    }
+    if (checkpoint && arguments.has("--anew")) {
+        checkpoint->remove();
+    }
     std::unique_ptr<TrajectorySink> file;
     if (!runPath.empty()) {
-        file = io::createRun(runPath, originOf(subject));
+        file = io::continueRun(runPath, originOf(subject));
     }
     LedgerRecorder recorder(file.get());
     Results results;
     try {
-        results = runTo(subject, Stage::Simulation, &recorder, session.execution());
+        results = runTo(subject, Stage::Simulation, &recorder, session.execution(), checkpoint ? &*checkpoint : nullptr);
     } catch (const Cancelled&) {
         file.reset();
         return reportPartial(arguments, session, recorder);
     }
     file.reset();
+    if (checkpoint) {
+        checkpoint->remove();
+    }
     if (!exports.empty()) {
         exports.perform(io::openRun(runPath), subject.inputs, {subject.casePath, subject.terrain}, session);
     }
@@ -107,6 +122,7 @@ Command runCommand() {
                                 cachedOption(),
                                 terrainOption(),
                                 {"--out", "RUN.h5", false, "keep the run in this file"},
+                                {"--anew", "", false, "begin at the start, although a checkpoint of --out is there"},
                                 ExportRequest::option()};
     for (const Option& option : FigureRequest::options()) {
         options.push_back(option);
@@ -120,7 +136,8 @@ Command runCommand() {
         "FE|CASE",
         "fragments, Basic Grid, clusters, and where they go",
         "Simulates the whole collapse and prints its tables. Ctrl-C stops it: with --out what was simulated so far is kept, and "
-        "the run file reopens at its last complete frame.",
+        "the run file reopens at its last complete frame. With --out and solver = soft-step a checkpoint is kept beside the run "
+        "once a minute; the same command goes on from it after Ctrl-C or a kill, and ends bit for bit as one that was not stopped.",
         std::move(options),
         runScenario};
 }

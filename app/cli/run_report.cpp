@@ -100,6 +100,10 @@ void addSimulationJson(Json& object, const SimulationResult& run) {
     object["ms_per_step"] = {{"mean", run.stepTimes.meanMs}, {"p95", run.stepTimes.p95Ms}, {"worst", run.stepTimes.worstMs}};
     object["share_of_steps_in_time"] = run.stepTimes.shareInTime;
     object["real_time_factor"] = run.stepTimes.realTimeFactor;
+    const CheckpointReport& checkpoints = run.checkpoints;
+    object["checkpoints"] = {{"resumed_at_s", checkpoints.resumedAt ? Json(*checkpoints.resumedAt) : Json()},
+                             {"kept", checkpoints.kept},
+                             {"wall_s", checkpoints.seconds}};
     object["energy_drift"] = run.energy.drift;
     object["energy"] = {{"gravity_work_j", run.energy.gravityWork},
                         {"kinetic_in_j", run.energy.kineticIn},

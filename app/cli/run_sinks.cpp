@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/trajectory/record_archive.h"
+
 namespace rubble::cli {
 
 void LedgerRecorder::commit(const TrajectoryFrame& frame) {
@@ -15,6 +17,10 @@ void LedgerRecorder::commit(const TrajectoryFrame& frame) {
 void LedgerRecorder::addLedger(const LedgerRow& row) {
     SinkRelay::addLedger(row);
     m_ledger.push_back(row);
+}
+
+void LedgerRecorder::keep(Archive& archive) {
+    archive(m_ledger, m_frames, m_lastTime);
 }
 
 namespace {

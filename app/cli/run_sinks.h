@@ -22,6 +22,8 @@ public:
     double lastTime() const { return m_lastTime; }  ///< s, of the last frame
 
 private:
+    void keep(Archive& archive) override;
+
     std::vector<LedgerRow> m_ledger;
     std::int64_t m_frames = 0;
     double m_lastTime = 0.0;

@@ -127,10 +127,10 @@ Subject openSubject(const Arguments& arguments, Session& session) {
     return subject;
 }
 
-Results runTo(const Subject& subject, Stage last, TrajectorySink* sink, const Execution& execution) {
+Results runTo(const Subject& subject, Stage last, TrajectorySink* sink, const Execution& execution, CheckpointStore* checkpoints) {
     Results opened;
     opened.wallSeconds[static_cast<std::size_t>(Stage::Import)] = subject.openSeconds;
-    return run(subject.inputs, subject.scenario, last, opened, sink, execution);
+    return run(subject.inputs, subject.scenario, last, opened, sink, execution, checkpoints);
 }
 
 io::RunOrigin originOf(const Subject& subject) {

@@ -35,7 +35,8 @@ struct Subject {
 Subject openSubject(const Arguments& arguments, Session& session);
 
 /// Runs the pipeline on a subject up to a stage, with the time of opening as the time of its first stage.
-Results runTo(const Subject& subject, Stage last, TrajectorySink* sink, const Execution& execution);
+Results runTo(const Subject& subject, Stage last, TrajectorySink* sink, const Execution& execution,
+              CheckpointStore* checkpoints = nullptr);
 
 /// What the run file of a subject says of where it came from.
 io::RunOrigin originOf(const Subject& subject);

@@ -71,7 +71,7 @@ namespace {
 std::string stoppedText(const Sizing& sizing) {
     std::string count = englishInteger(static_cast<std::int64_t>(sizing.clusters)) + " clusters";
     if (sizing.awake < sizing.clusters) {
-        count += ", of them " + englishInteger(static_cast<std::int64_t>(sizing.awake)) + " awake at once,";
+        count += " (" + englishInteger(static_cast<std::int64_t>(sizing.awake)) + " of them awake at once)";
     }
     const std::string limit = englishInteger(sizing.bodiesMax);
     const std::string target = englishNumber(sizing.fpsTarget) + " FPS";
@@ -82,8 +82,7 @@ std::string stoppedText(const Sizing& sizing) {
             return "fps_unreachable: at the upper bounds " + count + " are left, " + limit + " bodies are allowed for " + target +
                    "; about " + englishNumber(sizing.reachableFps) + " FPS are within reach";
         case StoppedBy::User:
-            return "user: the size was set by hand; " + count + (sizing.awake < sizing.clusters ? " " : ", ") + limit +
-                   " bodies are allowed for " + target;
+            return "user: the size was set by hand; " + count + ", " + limit + " bodies are allowed for " + target;
     }
     return {};
 }

@@ -69,8 +69,9 @@ int main(int argc, char** argv) {
     std::setlocale(LC_NUMERIC, "C");
     const QString aside = rubble::setDamagedSettingsAside();
     QSettings settings;
-    rubble::widgets::speak(options.language.isEmpty() ? rubble::readPreferences(settings).language : options.language);
-    rubble::widgets::applyTheme(rubble::widgets::systemTheme());
+    const rubble::widgets::Preferences preferences = rubble::readPreferences(settings);
+    rubble::widgets::speak(options.language.isEmpty() ? preferences.language : options.language);
+    rubble::widgets::giveColours(rubble::widgets::themeNamed(preferences.theme));
     rubble::MainWindow window;
     if (!options.theme.isEmpty()) {
         window.setTheme(options.theme);

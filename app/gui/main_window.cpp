@@ -505,10 +505,7 @@ void MainWindow::setLayoutOf(render::Layout layout) {
 }
 
 void MainWindow::setTheme(const QString& name) {
-    const render::Theme theme = name == QLatin1String("dark")    ? render::Theme::Dark
-                                : name == QLatin1String("light") ? render::Theme::Light
-                                                                 : widgets::systemTheme();
-    widgets::applyTheme(theme);
+    widgets::applyTheme(widgets::themeNamed(name));
     m_actions["theme_" + (name.isEmpty() ? std::string("system") : name.toStdString())].setChecked(true);
     render::View view = m_area->views().view();
     view.theme = widgets::currentTheme();

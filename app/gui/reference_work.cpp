@@ -7,6 +7,7 @@
 #include "core/analysis/accuracy_settings.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
+#include "io/checkpoint_file.h"
 #include "io/machine.h"
 
 namespace rubble {
@@ -33,8 +34,11 @@ std::shared_ptr<io::RunReader> openKept(const Digest& key) {
 void simulateInto(const std::string& path, const Inputs& inputs, const Scenario& scenario, const io::RunOrigin& origin,
                   const Execution& execution) {
     const Results prepared = run(inputs, scenario, Stage::Clusters, {}, nullptr, execution);
-    const std::unique_ptr<TrajectorySink> sink = io::createRun(path, origin);
-    run(inputs, scenario, Stage::Simulation, prepared, sink.get(), execution);
+    io::CheckpointFile checkpoint(io::checkpointPathOf(path));
+    std::unique_ptr<TrajectorySink> sink = io::continueRun(path, origin);
+    run(inputs, scenario, Stage::Simulation, prepared, sink.get(), execution, &checkpoint);
+    sink.reset();
+    checkpoint.remove();
 }
 
 }  // namespace

@@ -15,10 +15,14 @@ namespace rubble {
 
 namespace {
 
+/// Runs that are known already gain at most the file where they were kept.
 void addNew(std::vector<RunEntry>& to, const std::vector<RunEntry>& from) {
     for (const RunEntry& run : from) {
-        if (std::find(to.begin(), to.end(), run) == to.end()) {
+        const auto known = std::find_if(to.begin(), to.end(), [&run](const RunEntry& each) { return sameRun(each, run); });
+        if (known == to.end()) {
             to.push_back(run);
+        } else if (known->file.empty()) {
+            known->file = run.file;
         }
     }
     std::stable_sort(to.begin(), to.end(), [](const RunEntry& a, const RunEntry& b) { return a.when < b.when; });

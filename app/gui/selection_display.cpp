@@ -6,6 +6,7 @@
 #include "app/gui/computation.h"
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
+#include "core/base/standard_gravity.h"
 #include "core/fe/frame_transform.h"
 
 namespace rubble {
@@ -261,7 +262,7 @@ void SelectionDisplay::readWay() {
     follow(false);
     setPath({});
     const RunRecord* record = m_computation.currentRun();
-    const double gravity = record != nullptr ? record->scenario.simulation.gravity : 9.80665;
+    const double gravity = record != nullptr ? record->scenario.simulation.gravity : standardGravity;
     auto read = std::make_shared<Way>(*way);
     m_worker.start({Worker::Kind::Study,
                     [read, gravity](const Execution& execution) {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/unknown.h"
+
 namespace rubble {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 bool overlap(Measure measure) {
     return measure == Measure::CoreIou || measure == Measure::FootprintIou;
@@ -22,7 +22,7 @@ bool AccuracyKind::moreIsBetter() const {
 double costOf(const AccuracyPoint& point, CostKind kind) {
     switch (kind) {
         case CostKind::Bodies:
-            return point.bodies > 0 ? static_cast<double>(point.bodies) : none;
+            return point.bodies > 0 ? static_cast<double>(point.bodies) : unknown;
         case CostKind::StepMean:
             return point.cost.stepMeanMs;
         case CostKind::Wall:
@@ -30,7 +30,7 @@ double costOf(const AccuracyPoint& point, CostKind kind) {
         case CostKind::Fps:
             return point.cost.fps;
     }
-    return none;
+    return unknown;
 }
 
 double accuracyOf(const DebrisDifference& difference, const AccuracyKind& kind) {
@@ -40,7 +40,7 @@ double accuracyOf(const DebrisDifference& difference, const AccuracyKind& kind) 
     }
     const auto found = std::find(difference.tolerances.begin(), difference.tolerances.end(), *kind.tolerance);
     const auto index = static_cast<std::size_t>(found - difference.tolerances.begin());
-    return index < difference.accuracy.size() ? difference.accuracy[index] : none;
+    return index < difference.accuracy.size() ? difference.accuracy[index] : unknown;
 }
 
 std::optional<std::pair<double, double>> floorBand(const AccuracyReport& report, const AccuracyKind& kind) {

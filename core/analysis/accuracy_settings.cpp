@@ -22,15 +22,15 @@ void checkVaried(std::string_view key) {
     }
     const Parameter& row = *findParameter(key).first;
     const bool scene = std::find(describesScene.begin(), describesScene.end(), key) != describesScene.end();
-    if (row.stage < Stage::Sizing || scene) {
-        throw UsageError(
-            {"accuracy.scene_parameter",
-             "{0} says what collapses, not how it is simulated: no reference holds for two values of it.",
-             {key}},
-            {"accuracy.scene_parameter.remedy",
-             "Set it for the whole sweep, and vary what costs time: the grid, cluster_shape, pieces, step_rate, substeps, "
-             "iterations, solver, break_up_speed or an effect.",
-             {}});
+    // What is born together is a matter of method, although fragments are made with it.
+    if ((row.stage < Stage::Sizing && key != "birth_window") || scene) {
+        throw UsageError({"accuracy.scene_parameter",
+                          "{0} says what collapses, not how it is simulated: no reference holds for two values of it.",
+                          {key}},
+                         {"accuracy.scene_parameter.remedy",
+                          "Set it for the whole sweep, and vary what costs time: the grid, birth_window, cluster_shape, pieces, "
+                          "step_rate, substeps, iterations, solver, break_up_speed or an effect.",
+                          {}});
     }
 }
 

@@ -10,12 +10,11 @@
 #include "core/analysis/world_pool.h"
 #include "core/analysis/world_twins.h"
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 
 namespace rubble {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Share of the machine's time that a live run takes, next to a timed one.
 constexpr double liveWeight = 1.2;
@@ -77,7 +76,13 @@ public:
             }
             m_execution.report({"analysis.accuracy_plan", "clustering {0} settings", {settings.size()}},
                                static_cast<double>(i) / static_cast<double>(settings.size()));
-            add(point, run(m_inputs, point.scenario, Stage::Clusters, m_base.results, nullptr, m_execution));
+            Results results = run(m_inputs, point.scenario, Stage::Clusters, m_base.results, nullptr, m_execution);
+            if (comparable(*results.fragments)) {
+                add(point, std::move(results));
+            } else {
+                point.failure = {
+                    "accuracy.other_fragments", "an element makes a fragment here or in the reference, not in both", {}};
+            }
         }
     }
 
@@ -204,7 +209,8 @@ public:
             return world.point ? !world.point->failure.empty() || !world.point->done
                                : !m_options.choice.all() && world.world == nullptr;
         };
-        return std::any_of(m_worlds.begin(), m_worlds.end(), lacks);
+        const auto failed = [](const AccuracyPoint& point) { return !point.failure.empty(); };
+        return std::ranges::any_of(m_worlds, lacks) || std::ranges::any_of(report.points, failed);
     }
 
     AccuracyReport report;
@@ -214,6 +220,12 @@ private:
         return originOf(m_inputs, scenario, repeat, m_options.study.birthShift, m_options.machine);
     }
 
+    /// Fragments are held against those of the reference by their place in the set.
+    bool comparable(const FragmentSet& fragments) const {
+        const std::vector<Fragment>& own = fragments.list;
+        return std::ranges::equal(own, m_base.results.fragments->list, {}, &Fragment::element, &Fragment::element);
+    }
+
     int threads() const { return m_options.study.threads > 0 ? m_options.study.threads : m_execution.threads(); }
 
     void add(AccuracyPoint& point, Results results) {
@@ -221,8 +233,8 @@ private:
         const bool single = point.scenario.grid.oneBodyPerFragment;
         const std::array<double, 3> grid{sizing.grid.l, sizing.grid.w, sizing.grid.h};
         for (std::size_t a = 0; a < 3; ++a) {
-            point.multiple[a] = single ? none : sizing.axis[a].multiple;
-            point.grid[a] = single ? none : grid[a];
+            point.multiple[a] = single ? unknown : sizing.axis[a].multiple;
+            point.grid[a] = single ? unknown : grid[a];
         }
         point.fragments = static_cast<std::int64_t>(results.fragments->size());
         point.bodies = static_cast<std::int64_t>(results.clustering->list.size());
@@ -278,7 +290,9 @@ private:
 
     void simulateOne(SweepWorld& world, const Execution& own) {
         const auto simulated = [&] {
-            SimulatedWorld made = simulateDebris(describe(world, own), own);
+            const auto checkpoints = m_options.store != nullptr ? m_options.store->checkpoints(world.origin) : nullptr;
+            SimulatedWorld made = simulateDebris(describe(world, own), own, checkpoints.get());
+            noteCheckpoints(made);
             keep([&](StudyStore& store) { store.keep(world.origin, made); });
             const std::scoped_lock lock(m_mutex);
             world.world = std::make_shared<const SimulatedWorld>(std::move(made));
@@ -293,6 +307,11 @@ private:
                                 englishText(lost.failure));
         }
         tell();
+    }
+
+    void noteCheckpoints(const SimulatedWorld& made) {
+        const std::scoped_lock lock(m_mutex);
+        report.findings.append(made.checkpoints.findings);
     }
 
     /// A setting that fails takes no other with it.
@@ -445,9 +464,9 @@ FloorSpread spreadOf(std::span<const DebrisField* const> worlds) {
     }
     for (std::size_t m = 0; m < measureCount; ++m) {
         const std::vector<double>& of = departures[m];
-        spread.least[m] = of.empty() ? none : *std::min_element(of.begin(), of.end());
-        spread.middle[m] = of.empty() ? none : middleOf(of);
-        spread.largest[m] = of.empty() ? none : *std::max_element(of.begin(), of.end());
+        spread.least[m] = of.empty() ? unknown : *std::min_element(of.begin(), of.end());
+        spread.middle[m] = of.empty() ? unknown : middleOf(of);
+        spread.largest[m] = of.empty() ? unknown : *std::max_element(of.begin(), of.end());
     }
     return spread;
 }

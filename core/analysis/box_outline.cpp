@@ -5,15 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/geometry.h"
+
 namespace rubble {
 
 namespace {
 
 using Vec2 = Eigen::Vector2d;
-
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// Cuts a polygon along coordinate = limit and keeps the side where sign * coordinate <= sign * limit.
 SmallPolygon cut(const SmallPolygon& polygon, int axis, double limit, double sign) {
@@ -40,7 +38,7 @@ SmallPolygon cut(const SmallPolygon& polygon, int axis, double limit, double sig
 double SmallPolygon::area() const {
     double twice = 0.0;
     for (std::size_t k = 1; k + 1 < size; ++k) {
-        twice += cross(corners[k] - corners[0], corners[k + 1] - corners[0]);
+        twice += planeCross(corners[k] - corners[0], corners[k + 1] - corners[0]);
     }
     return 0.5 * std::max(0.0, twice);
 }
@@ -60,7 +58,7 @@ SmallPolygon outlineOf(const OrientedBox& box) {
             edge = -edge;
         }
         std::size_t place = count++;
-        for (; place > 0 && cross(edge, edges[place - 1]) > 0.0; --place) {
+        for (; place > 0 && planeCross(edge, edges[place - 1]) > 0.0; --place) {
             edges[place] = edges[place - 1];
         }
         edges[place] = edge;

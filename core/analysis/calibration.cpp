@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/analysis/machine_load.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
+#include "core/base/standard_gravity.h"
+#include "core/base/unknown.h"
 #include "core/fe/block_scene.h"
 
 namespace rubble {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t bodiesLeast = 8;
 constexpr std::int64_t bodiesMost = 100000;
 /// How far beyond the measured numbers of bodies the curve may be read.
@@ -56,8 +56,8 @@ public:
         point.pile = kind;
         point.bodies = static_cast<std::int64_t>(results.clustering->list.size());
         point.physicsFps = rate(measureLive(description, m_settings.target, {}, m_execution));
-        point.drawingFps = none;
-        point.liveFps = none;
+        point.drawingFps = unknown;
+        point.liveFps = unknown;
         if (m_settings.screen && m_screenWorks) {
             try {
                 point.drawingFps = rate(drawingAlone(description));
@@ -162,15 +162,15 @@ std::pair<Inputs, Scenario> pileScene(PileKind kind, std::int64_t bodies) {
         // Each layer dies at the state after it met the ground, layer by layer over the first two seconds of a fall.
         const double height = 1.0;
         block.low = Vec3(0, 0, height);
-        block.gravity = 9.80665;
+        block.gravity = standardGravity;
         const double fall = height + layers;
         // However high the block is, its births take two seconds: a faster fall for a higher block, as of a taller structure.
-        block.velocity = Vec3(0, 0, -std::max(0.0, fall / 2.0 - 9.80665));
+        block.velocity = Vec3(0, 0, -std::max(0.0, fall / 2.0 - standardGravity));
         const int perLayer = side * side;
         block.deathState = [=](std::size_t element) {
             const double drop = height + static_cast<double>(element / static_cast<std::size_t>(perLayer));
             const double down = -block.velocity.z();
-            const double time = (-down + std::sqrt(down * down + 2.0 * 9.80665 * drop)) / 9.80665;
+            const double time = (-down + std::sqrt(down * down + 2.0 * standardGravity * drop)) / standardGravity;
             return std::min(states - 2, static_cast<std::size_t>(std::ceil(time / interval)));
         };
     } else {

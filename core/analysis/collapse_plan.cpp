@@ -4,13 +4,11 @@
 #include <limits>
 #include <tuple>
 
+#include "core/base/geometry.h"
+
 namespace rubble {
 
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// Monotone chain (Andrew 1979): corners only, counter-clockwise.
 std::vector<Vec2> convexHull(std::vector<Vec2> points) {
@@ -25,7 +23,7 @@ std::vector<Vec2> convexHull(std::vector<Vec2> points) {
     const auto half = [&hull](auto first, auto last) {
         const std::size_t start = hull.size();
         for (auto p = first; p != last; ++p) {
-            while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0.0) {
+            while (hull.size() >= start + 2 && planeCross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0.0) {
                 hull.pop_back();
             }
             hull.push_back(*p);
@@ -69,7 +67,7 @@ double CollapsePlan::distance(const Vec2& place) const {
     for (std::size_t i = 0; i < m_outline.size(); ++i) {
         const Vec2& a = m_outline[i];
         const Vec2& b = m_outline[(i + 1) % m_outline.size()];
-        within = within && cross(b - a, place - a) >= 0.0;
+        within = within && planeCross(b - a, place - a) >= 0.0;
         nearest = std::min(nearest, distanceToSegment(place, a, b));
     }
     return within ? 0.0 : nearest;

@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "core/trajectory/record_archive.h"
+
 namespace rubble {
 
 Debris debrisOf(const FragmentSet& fragments, const Components& components, std::span<const Carrier> carriers,
@@ -64,6 +66,19 @@ void DebrisRecorder::commit(const TrajectoryFrame& frame) {
     if (frame.time == m_feEnd) {
         m_atFeEnd = frame;
     }
+}
+
+std::optional<std::string> DebrisRecorder::mark() {
+    Archive archive;
+    archive(m_carriers, m_atFeEnd, m_last);
+    return std::move(archive).take();
+}
+
+bool DebrisRecorder::resume(const RunDescription& description, std::string_view mark) {
+    DebrisRecorder::begin(description);
+    Archive archive(mark);
+    archive(m_carriers, m_atFeEnd, m_last);
+    return archive.atEnd();
 }
 
 Debris DebrisRecorder::debris(DebrisInstant instant) const {

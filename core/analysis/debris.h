@@ -46,6 +46,8 @@ public:
     void commit(const TrajectoryFrame& frame) override;
     void addLedger(const LedgerRow&) override {}
     void finish(const SimulationResult&) override {}
+    std::optional<std::string> mark() override;
+    bool resume(const RunDescription& description, std::string_view mark) override;
 
     /// All absent before a frame of that instant was committed. begin() must have been called.
     Debris debris(DebrisInstant instant) const;

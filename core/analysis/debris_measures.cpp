@@ -7,12 +7,12 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 
 namespace rubble {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Relative: sums that reach a share up to rounding reach it, masses that differ by rounding are equal.
 constexpr double rounding = 1e-9;
 
@@ -67,7 +67,7 @@ double runOutOf(const Debris& debris, const CollapsePlan& plan, double share, do
         }
     }
     if (rows.empty() || plan.outline().empty()) {
-        return none;
+        return unknown;
     }
     std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.distance < b.distance; });
     double within = 0.0;
@@ -93,8 +93,8 @@ DebrisFigures figuresOf(const DebrisField& field, const CollapsePlan& plan, cons
         }
     }
     const bool heavy = figures.mass > 0.0;
-    figures.centroid = heavy ? Vec3(moment / figures.mass) : Vec3::Constant(none);
-    figures.meanHeight = heavy ? heightMoment / figures.mass : none;
+    figures.centroid = heavy ? Vec3(moment / figures.mass) : Vec3::Constant(unknown);
+    figures.meanHeight = heavy ? heightMoment / figures.mass : unknown;
     figures.runOut = runOutOf(field.debris, plan, field.settings.runOutShare, figures.mass);
     figures.footprintArea = field.heights.area();
     figures.coreArea = static_cast<double>(field.core.size()) * field.mass.cell * field.mass.cell;
@@ -156,7 +156,7 @@ double heightRms(const CellMap& a, const CellMap& b) {
 /// Middle value, the mean of the two in the middle of an even number; NaN of none.
 double median(std::vector<double> values) {
     if (values.empty()) {
-        return none;
+        return unknown;
     }
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
@@ -181,7 +181,7 @@ void comparePlaces(const Debris& first, const Debris& second, DebrisDifference& 
     }
     for (const double tolerance : difference.tolerances) {
         const auto within = std::count_if(distances.begin(), distances.end(), [&](double d) { return d < tolerance; });
-        difference.accuracy.push_back(either > 0 ? static_cast<double>(within) / static_cast<double>(either) : none);
+        difference.accuracy.push_back(either > 0 ? static_cast<double>(within) / static_cast<double>(either) : unknown);
     }
     difference.of(Measure::MedianDistance) = median(std::move(distances));
 }
@@ -238,7 +238,7 @@ std::vector<double> fragmentErrors(const Debris& first, const Debris& second) {
     if (first.fragments.size() != second.fragments.size()) {
         throw notComparable(first, second);
     }
-    std::vector<double> errors(first.fragments.size(), none);
+    std::vector<double> errors(first.fragments.size(), unknown);
     for (std::size_t f = 0; f < errors.size(); ++f) {
         const DebrisFragment& a = first.fragments[f];
         const DebrisFragment& b = second.fragments[f];

@@ -120,7 +120,8 @@ public:
                        {m_worlds.size(), m_repeats, m_switched.size()}},
                       execution, [&](std::size_t o, const Execution& own) {
                           const std::size_t i = open[o];
-                          const SimulatedWorld world = simulateDebris(describe(i, own), own);
+                          const auto checkpoints = keeping.store != nullptr ? keeping.store->checkpoints(all[i].origin) : nullptr;
+                          const SimulatedWorld world = simulateDebris(describe(i, own), own, checkpoints.get());
                           keep(all[i].origin, world, keeping);
                           m_worlds[i] = measureWorld(world, m_base, m_settings);
                       });
@@ -165,6 +166,10 @@ private:
     }
 
     void keep(const WorldOrigin& origin, const SimulatedWorld& world, const InfluenceKeeping& keeping) {
+        {
+            const std::scoped_lock lock(m_mutex);
+            m_report.findings.append(world.checkpoints.findings);
+        }
         try {
             if (keeping.store) {
                 keeping.store->keep(origin, world);

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 #include <string>
 #include <thread>
+
+#include "core/base/unknown.h"
 
 namespace rubble {
 
@@ -25,7 +26,6 @@ double seconds(const timeval& time) {
 MachineLoad::MachineLoad() : m_start(read()) {}
 
 MachineLoad::Counters MachineLoad::read() {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     std::ifstream stream("/proc/stat");
     std::string name;
     // user, nice, system, idle, waiting, interrupts, soft interrupts, stolen: proc(5).
@@ -52,7 +52,7 @@ double MachineLoad::othersShare() const {
     const double all = now.all - m_start.all;
     const double processors = static_cast<double>(std::max(1u, std::thread::hardware_concurrency()));
     if (!(all >= shortest * processors)) {
-        return std::numeric_limits<double>::quiet_NaN();
+        return unknown;
     }
     return std::clamp((now.busy - m_start.busy - (now.own - m_start.own)) / all, 0.0, 1.0);
 }

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/analysis/machine_load.h"
+#include "core/trajectory/record_archive.h"
 #include "core/trajectory/sink_relay.h"
 
 namespace rubble {
@@ -35,6 +36,8 @@ public:
     std::vector<CarriedIsland> carried;
 
 private:
+    void keep(Archive& archive) override { archive(m_bodies, m_islands, carried); }
+
     std::vector<BodyRecord> m_bodies;
     std::vector<IslandRecord> m_islands;
 };
@@ -57,15 +60,20 @@ std::vector<CarriedIsland> carriedIslands(std::span<const IslandRecord> islands,
     return carried;
 }
 
-SettledWorld simulateSettled(const RunDescription& description, const Execution& execution) {
+void CarriedIsland::keep(Archive& archive) {
+    archive(elements, moved);
+}
+
+SettledWorld simulateSettled(const RunDescription& description, const Execution& execution, CheckpointStore* checkpoints) {
     const auto start = std::chrono::steady_clock::now();
     const MachineLoad load;
     DebrisRecorder recorder;
     IslandRecorder islands(&recorder);
-    const SimulationResult result = simulate(description, islands, execution);
+    const SimulationResult result = simulate(description, islands, execution, checkpoints);
     SettledWorld settled;
     SimulatedWorld& world = settled.world;
-    world.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    world.wallSeconds =
+        result.checkpoints.secondsBefore + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     world.othersShare = load.othersShare();
     world.trajectoryHash = result.trajectoryHash;
     world.endTime = result.endTime;
@@ -75,6 +83,7 @@ SettledWorld simulateSettled(const RunDescription& description, const Execution&
     world.bodiesPeak = result.bodiesPeak;
     world.atRest = recorder.debris(DebrisInstant::AtRest);
     world.atFeEnd = recorder.debris(DebrisInstant::AtFeEnd);
+    world.checkpoints = result.checkpoints;
     settled.islands = std::move(islands.carried);
     return settled;
 }

@@ -8,10 +8,14 @@
 
 namespace rubble {
 
+class Archive;
+
 /// Live elements of a released island and how they were carried since the last FE state.
 struct CarriedIsland {
     std::vector<ElementIndex> elements;  ///< ascending
     Pose moved;                          ///< a point that lay at p at the last FE state lies at moved * p
+
+    void keep(Archive& archive);
 };
 
 /// Where the islands of a run are in one of its frames, those that have bodies there.
@@ -25,7 +29,8 @@ struct SettledWorld {
 };
 
 /// Simulates a world; frames are not kept. Throws what simulate() throws.
-SettledWorld simulateSettled(const RunDescription& description, const Execution& execution);
+/// @param checkpoints  null: none are kept
+SettledWorld simulateSettled(const RunDescription& description, const Execution& execution, CheckpointStore* checkpoints = nullptr);
 
 /// Where settled worlds are kept. Members may be called from several threads at once.
 class SettledStore {
@@ -35,6 +40,8 @@ public:
     virtual std::optional<SettledWorld> settled(const WorldOrigin& origin, Findings& findings) = 0;
     /// Throws WorldError when there is no room.
     virtual void keep(const WorldOrigin& origin, const SettledWorld& settled) = 0;
+    /// As StudyStore::checkpoints().
+    virtual std::unique_ptr<CheckpointStore> checkpoints(const WorldOrigin&) { return nullptr; }
 };
 
 }  // namespace rubble

@@ -1,17 +1,15 @@
 #include "core/analysis/study_store.h"
 
 #include <cmath>
-#include <limits>
 
 #include "core/analysis/machine_load.h"
 #include "core/base/build.h"
+#include "core/base/unknown.h"
 #include "core/scenario/parameters.h"
 
 namespace rubble {
 
 namespace {
-
-constexpr double unmeasured = std::numeric_limits<double>::quiet_NaN();
 
 Digest scenarioDigest(const Scenario& scenario) {
     Hasher hasher;
@@ -24,12 +22,7 @@ Digest scenarioDigest(const Scenario& scenario) {
 }  // namespace
 
 SettingCost::SettingCost()
-    : wallSeconds(unmeasured),
-      stepMeanMs(unmeasured),
-      stepWorstMs(unmeasured),
-      fps(unmeasured),
-      fpsWorst(unmeasured),
-      othersShare(unmeasured) {}
+    : wallSeconds(unknown), stepMeanMs(unknown), stepWorstMs(unknown), fps(unknown), fpsWorst(unknown), othersShare(unknown) {}
 
 bool SettingCost::timed() const {
     return std::isfinite(wallSeconds);

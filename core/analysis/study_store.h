@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -53,6 +54,8 @@ public:
     virtual std::optional<SimulatedWorld> world(const WorldOrigin& origin, Findings& findings) = 0;
     /// Throws WorldError when there is no room.
     virtual void keep(const WorldOrigin& origin, const SimulatedWorld& world) = 0;
+    /// Where this world keeps checkpoints while it is simulated, until it is kept itself. Null: nowhere.
+    virtual std::unique_ptr<CheckpointStore> checkpoints(const WorldOrigin&) { return nullptr; }
     /// The cost of a world on the machine and with the threads named.
     virtual std::optional<SettingCost> cost(const WorldOrigin& origin, int threads) = 0;
     virtual void keep(const WorldOrigin& origin, const SettingCost& cost) = 0;

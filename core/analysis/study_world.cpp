@@ -55,8 +55,8 @@ RunDescription describeRepeat(const StudyBase& base, const StudySettings& settin
     return describeRun(base.inputs, shifted, results);
 }
 
-SimulatedWorld simulateDebris(const RunDescription& description, const Execution& execution) {
-    return simulateSettled(description, execution).world;
+SimulatedWorld simulateDebris(const RunDescription& description, const Execution& execution, CheckpointStore* checkpoints) {
+    return simulateSettled(description, execution, checkpoints).world;
 }
 
 StudyWorld measureWorld(const SimulatedWorld& world, const StudyBase& base, const StudySettings& settings) {

@@ -23,7 +23,7 @@ struct StudySettings {
 struct SimulatedWorld {
     Digest trajectoryHash;
     double endTime = 0.0;                                           ///< s
-    double wallSeconds = 0.0;                                       ///< of the simulation
+    double wallSeconds = 0.0;                                       ///< of the simulation, in all processes that had a part in it
     double stepMeanMs = 0.0;                                        ///< from the first to the last birth
     double stepWorstMs = 0.0;                                       ///< likewise
     double othersShare = std::numeric_limits<double>::quiet_NaN();  ///< of the processors' time, taken by other programs
@@ -31,6 +31,7 @@ struct SimulatedWorld {
     std::int64_t bodiesPeak = 0;                                    ///< of clusters, at one time
     Debris atRest;
     Debris atFeEnd;
+    CheckpointReport checkpoints;  ///< of the process that made it; not kept
 
     const Debris& debris(DebrisInstant instant) const { return instant == DebrisInstant::AtRest ? atRest : atFeEnd; }
 };
@@ -69,7 +70,9 @@ RunDescription describeBase(const StudyBase& base);
 RunDescription describeRepeat(const StudyBase& base, const StudySettings& settings, int repeat, const Execution& execution);
 
 /// Simulates a world; frames are not kept. Throws what simulate() throws.
-SimulatedWorld simulateDebris(const RunDescription& description, const Execution& execution);
+/// @param checkpoints  null: none are kept
+SimulatedWorld simulateDebris(const RunDescription& description, const Execution& execution,
+                              CheckpointStore* checkpoints = nullptr);
 
 /// Measures a world at the instant of the settings. Throws what measureDebris() throws.
 StudyWorld measureWorld(const SimulatedWorld& world, const StudyBase& base, const StudySettings& settings);

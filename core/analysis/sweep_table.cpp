@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "core/base/csv_text.h"
+#include "core/base/unknown.h"
 
 namespace rubble {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 SweepRow rowOf(const AccuracyPoint& point) {
     return {point.setting, point.multiple, point.grid, point.fragments, point.bodies, &point.difference, point.cost};
@@ -28,8 +27,8 @@ std::vector<SweepRow> sweepRows(const AccuracyReport& report) {
     }
     if (report.floor && !report.floor->repeats.empty()) {
         SweepRow floor;
-        floor.multiple.fill(none);
-        floor.grid.fill(none);
+        floor.multiple.fill(unknown);
+        floor.grid.fill(unknown);
         floor.setting = std::string(floorSetting);
         floor.fragments = report.reference.fragments;
         floor.bodies = report.reference.bodies;

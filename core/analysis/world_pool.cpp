@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/simulation/checkpoint.h"
 
 namespace rubble {
 
@@ -31,6 +32,7 @@ public:
         for (std::size_t i = 0; i < count; ++i) {
             const Execution own([this, i](const Progress& progress) {
                 const std::scoped_lock lock(m_mutex);
+                noteResumed(progress.stage);
                 // A piece has several stages; it never seems to go back.
                 m_fractions[i] = std::max(m_fractions[i], std::clamp(progress.fraction, 0.0, 0.999));
             });
@@ -58,6 +60,16 @@ public:
     }
 
 private:
+    /// A world that went on from a checkpoint is said for as long as the pool works, from now on.
+    void noteResumed(const Message& stage) {
+        if (stage.id == resumedStage) {
+            m_changed.notify_all();
+            m_resumed = {"analysis.resumed",
+                         "simulating {0} worlds; {1} went on from checkpoints, the latest at {2}",
+                         {m_fractions.size(), ++m_resumedCount, stage.arguments.front()}};
+        }
+    }
+
     void workLoop(const Execution& whole) {
         for (;;) {
             std::size_t i = 0;
@@ -106,9 +118,10 @@ private:
             for (std::size_t i = 0; i < m_fractions.size(); ++i) {
                 done += m_weights[i] * m_fractions[i];
             }
+            const Message said = m_resumedCount > 0 ? m_resumed : stage;
             lock.unlock();
             try {
-                execution.report(stage, done / m_allWeight);
+                execution.report(said, done / m_allWeight);
             } catch (const Cancelled&) {
                 // Seen again at the top of the loop.
             } catch (...) {
@@ -127,6 +140,8 @@ private:
     double m_allWeight = 1.0;
     std::vector<double> m_fractions;
     std::vector<std::exception_ptr> m_errors;
+    Message m_resumed;
+    std::int64_t m_resumedCount = 0;
     std::size_t m_next = 0;
     std::size_t m_working = 0;
     bool m_stopped = false;

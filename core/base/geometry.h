@@ -10,6 +10,11 @@ using Mat3 = Eigen::Matrix3d;
 using Quat = Eigen::Quaterniond;
 using Aabb = Eigen::AlignedBox3d;
 
+/// z of the cross product of two vectors of the plane.
+inline double planeCross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
 /// Rigid placement: a point p of the body frame lies at position + orientation * p.
 struct Pose {
     Vec3 position = Vec3::Zero();

@@ -2,10 +2,10 @@
 
 #include <xxhash.h>
 
-#include <algorithm>
 #include <cassert>
-#include <iterator>
 #include <new>
+
+#include "core/base/xxh_digest.h"
 
 namespace rubble {
 
@@ -53,12 +53,7 @@ Hasher& Hasher::text(std::string_view text) {
 }
 
 Digest Hasher::finish() const {
-    XXH128_canonical_t canonical;
-    XXH128_canonicalFromHash(&canonical, XXH3_128bits_digest(m_state->xxh));
-    Digest digest;
-    static_assert(sizeof canonical.digest == sizeof digest.bytes);
-    std::copy(std::begin(canonical.digest), std::end(canonical.digest), digest.bytes.begin());
-    return digest;
+    return digestOf(XXH3_128bits_digest(m_state->xxh));
 }
 
 }  // namespace rubble

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <limits>
 
+#include "core/clusters/lowest_bit.h"
+
 namespace rubble {
 
 namespace {
@@ -13,10 +15,6 @@ constexpr double tolerance = 1e-9;  // relative; keeps fragments of one size tog
 constexpr double nowhere = -std::numeric_limits<double>::infinity();
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr std::int32_t noRow = std::numeric_limits<std::int32_t>::min() / 2;  // additions never lift it to a count
-
-std::size_t lowestBit(std::size_t k) {
-    return k & (~k + 1);
-}
 
 void decrement(std::vector<std::uint32_t>& fenwick, std::size_t place) {
     for (std::size_t k = place + 1; k < fenwick.size(); k += lowestBit(k)) {

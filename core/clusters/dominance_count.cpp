@@ -2,16 +2,9 @@
 
 #include <algorithm>
 
+#include "core/clusters/lowest_bit.h"
+
 namespace rubble {
-
-namespace {
-
-/// Largest power of two that divides k: the width of node k of a Fenwick tree.
-std::size_t lowestBit(std::size_t k) {
-    return k & (~k + 1);
-}
-
-}  // namespace
 
 void DominanceCount::build(std::span<const std::uint32_t> keys) {
     m_keys.assign(keys.begin(), keys.end());

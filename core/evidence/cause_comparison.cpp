@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "core/analysis/interval_fit.h"
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 
 namespace rubble {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Cameras drawn from the uncertainty of a match for each member.
 constexpr int camerasDrawn = 8;
 constexpr int longestSide = 500;  // px, of the pictures that members are compared on
@@ -76,7 +75,7 @@ Departures departuresOf(const Hypothesis& hypothesis, const CauseEvidence& evide
             departures[s].push_back(departureFrom(evidence.surfaces[s], *member->surface));
         }
         for (std::size_t p = 0; p < evidence.photographs.size(); ++p) {
-            departures[evidence.surfaces.size() + p].push_back(p < member->looked.size() ? member->looked[p] : none);
+            departures[evidence.surfaces.size() + p].push_back(p < member->looked.size() ? member->looked[p] : unknown);
         }
     }
     return departures;
@@ -112,7 +111,7 @@ FigureSpread amongMembers(const Hypothesis& hypothesis, const SurfaceEvidence& e
 /// Chance that one more member would depart from them as much as the evidence does: Student's prediction from the members.
 double chanceOf(const FigureSpread& spread, double departure) {
     if (spread.count < 2) {
-        return none;
+        return unknown;
     }
     const double count = static_cast<double>(spread.count);
     const double scale = spread.deviation * std::sqrt(1.0 + 1.0 / count);
@@ -166,7 +165,7 @@ DebrisMap separationOf(const Hypothesis& first, const Hypothesis& second, const 
         const double q = probabilityAbove(theirs, cell, height);
         const bool seen = height > 0.0 ? heightAt(evidence.seen, cell) > height : evidence.seen.find(cell) >= 0;
         const double says = seen ? std::log(p / q) : std::log((1.0 - p) / (1.0 - q));
-        values.push_back(looked.at(cell) ? says : none);
+        values.push_back(looked.at(cell) ? says : unknown);
     }
     return map;
 }
@@ -251,13 +250,13 @@ Message verdictOf(const CauseComparison& made) {
 
 void judge(CauseComparison& made, std::span<const Hypothesis> hypotheses, const CauseEvidence& evidence) {
     const RankedCause& best = made.ranking.causes.front();
-    made.fit = none;
+    made.fit = unknown;
     for (std::size_t s = 0; s < evidence.surfaces.size(); ++s) {
         const FigureSpread among = amongMembers(hypotheses[best.hypothesis], evidence.surfaces[s]);
         made.fit = std::fmin(made.fit, chanceOf(among, best.departures[s].mean));
     }
     // With more pieces the worst of them is worse by chance.
-    made.fit = std::isnan(made.fit) ? none : std::min(1.0, made.fit * static_cast<double>(evidence.surfaces.size()));
+    made.fit = std::isnan(made.fit) ? unknown : std::min(1.0, made.fit * static_cast<double>(evidence.surfaces.size()));
     made.unexplained = made.fit < leastFit && best.score.count >= membersToJudge;
     if (made.unexplained) {
         made.findings.add({"causes.no_fit",
@@ -321,13 +320,13 @@ double departureFrom(const SurfaceEvidence& evidence, const MemberSurface& surfa
         apart += std::abs(a - b);
         all += a + b;
     });
-    return all > 0.0 ? apart / all : none;
+    return all > 0.0 ? apart / all : unknown;
 }
 
 double departureFrom(const PhotoEvidence& evidence, const MemberSite& site, const SurfaceSettings& settings,
                      const Execution& execution) {
     if (evidence.photograph.time && *evidence.photograph.time < site.debris->time) {
-        return none;
+        return unknown;
     }
     const SiteShape shape = siteAtRest(*site.fe, site.scenario->fragments, *site.fragments, *site.debris, *site.islands,
                                        *site.ground, settings.liveThreshold, evidence.match.camera.place, execution);
@@ -414,7 +413,7 @@ BlindTest blindTest(std::span<const Hypothesis> hypotheses, EvidenceKind kind, c
             for (const Hypothesis& hypothesis : hypotheses) {
                 Departures& own = departures.emplace_back(1);
                 for (const EnsembleMember* member : hypothesis.ensemble->done()) {
-                    own[0].push_back(member == seen ? none : departureFrom(evidence, *member->surface));
+                    own[0].push_back(member == seen ? unknown : departureFrom(evidence, *member->surface));
                 }
             }
             const CauseRanking ranking = rankCauses(departures);

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 
 namespace rubble {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Standard deviation within hypotheses of one piece of evidence; 0 if nothing scatters.
 double pooledScatter(std::span<const Departures> hypotheses, std::size_t evidence) {
@@ -35,7 +33,7 @@ double unitOf(double scatter) {
 
 std::vector<double> scoresOf(const Departures& departures, const std::vector<double>& scatter) {
     const std::size_t members = departures.empty() ? 0 : departures.front().size();
-    std::vector<double> scores(members, none);
+    std::vector<double> scores(members, unknown);
     for (std::size_t m = 0; m < members; ++m) {
         double sum = 0.0;
         double count = 0.0;
@@ -45,7 +43,7 @@ std::vector<double> scoresOf(const Departures& departures, const std::vector<dou
                 count += 1.0;
             }
         }
-        scores[m] = count > 0.0 ? sum / count : none;
+        scores[m] = count > 0.0 ? sum / count : unknown;
     }
     return scores;
 }

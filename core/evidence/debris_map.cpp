@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
+#include "core/base/unknown.h"
 #include "core/evidence/piece_raster.h"
 
 namespace rubble {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double>& layerOf(DebrisMap& map, MapLayer layer) {
     return map.layers[static_cast<std::size_t>(layer)];
@@ -21,7 +19,7 @@ std::vector<double>& layerOf(DebrisMap& map, MapLayer layer) {
 template <class T>
 void place(DebrisMap& map, MapLayer layer, const PieceRaster& raster, const std::vector<T>& values, double divisor = 1.0) {
     std::vector<double>& target = layerOf(map, layer);
-    target.assign(map.cells.size(), none);
+    target.assign(map.cells.size(), unknown);
     std::size_t to = 0;
     for (std::size_t k = 0; k < raster.cells.size(); ++k) {
         while (map.cells[to] != raster.cells[k]) {
@@ -129,7 +127,7 @@ std::vector<MapPiece> mapPieces(const FragmentSet& fragments, const Debris& debr
         piece.volume = lies.volume;
         piece.component = static_cast<std::uint32_t>(at(fragments.list[f].component));
         piece.arrival = arrivals[f];
-        piece.impactEnergy = energies.empty() ? none : energies[f];
+        piece.impactEnergy = energies.empty() ? unknown : energies[f];
     }
     return pieces;
 }

@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <mutex>
 #include <new>
 #include <optional>
 
 #include "core/analysis/world_pool.h"
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 
 namespace rubble {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 double& figure(EnsembleMember& member, MemberMeasure measure) {
     return member.figures[static_cast<std::size_t>(measure)];
@@ -145,7 +143,8 @@ private:
             return;
         }
         if (!world) {
-            world = simulateSettled(describeRun(base.inputs, member.scenario, results), own);
+            const auto checkpoints = m_options.store != nullptr ? m_options.store->checkpoints(origin) : nullptr;
+            world = simulateSettled(describeRun(base.inputs, member.scenario, results), own, checkpoints.get());
             keep(origin, *world);
         }
         if (m_options.choice.single()) {
@@ -166,6 +165,10 @@ private:
     }
 
     void keep(const WorldOrigin& origin, const SettledWorld& world) {
+        {
+            const std::scoped_lock lock(m_mutex);
+            report.findings.append(world.world.checkpoints.findings);
+        }
         if (!m_options.store) {
             return;
         }
@@ -253,7 +256,7 @@ std::vector<const EnsembleMember*> EnsembleReport::done() const {
 
 FigureSpread spreadOf(std::vector<double> values) {
     std::erase_if(values, [](double value) { return !std::isfinite(value); });
-    FigureSpread spread{values.size(), none, none, none, none, none, none};
+    FigureSpread spread{values.size(), unknown, unknown, unknown, unknown, unknown, unknown};
     if (values.empty()) {
         return spread;
     }

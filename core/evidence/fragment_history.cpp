@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <tuple>
+
+#include "core/base/unknown.h"
 
 namespace rubble {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The carriers of a run by fragment, then time.
 std::vector<Carrier> sortedCarriers(const TrajectoryReader& trajectory, std::size_t fragments) {

@@ -4,8 +4,8 @@
 
 #include "core/analysis/settled_world.h"
 #include "core/evidence/element_places.h"
+#include "core/fragments/birth_windows.h"
 #include "core/fragments/element_solid.h"
-#include "core/fragments/lifetimes.h"
 
 namespace rubble {
 
@@ -55,7 +55,7 @@ LiveStructure displaced(const FeResult& fe, const Components& components, const 
 LiveStructure displacedStructure(const FeResult& fe, const Components& components, const FragmentSettings& settings,
                                  const FragmentSet& fragments, const Debris& debris, const TrajectoryReader& trajectory,
                                  double threshold, const Execution& execution) {
-    const Activity activity = activityUnder(fe.activity(), settings.revival);
+    const Activity activity = simulatedActivity(fe, settings);
     const ElementPlaces places(fe, activity, trajectory, debris.time);
     return displaced(fe, components, settings, fragments, debris, places, threshold, execution);
 }
@@ -63,7 +63,7 @@ LiveStructure displacedStructure(const FeResult& fe, const Components& component
 LiveStructure displacedStructure(const FeResult& fe, const Components& components, const FragmentSettings& settings,
                                  const FragmentSet& fragments, const Debris& debris, std::span<const CarriedIsland> islands,
                                  double threshold, const Execution& execution) {
-    const Activity activity = activityUnder(fe.activity(), settings.revival);
+    const Activity activity = simulatedActivity(fe, settings);
     const ElementPlaces places(fe, activity, islands, debris.time);
     return displaced(fe, components, settings, fragments, debris, places, threshold, execution);
 }

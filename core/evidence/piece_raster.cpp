@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 #include "core/evidence/tile_cover.h"
 #include "core/simulation/worker_pool.h"
 
@@ -24,7 +24,6 @@ constexpr double workMax = 4e8;
 constexpr double heldMax = 2e7;
 /// Share of a cell that an outline has to reach into: less is rounding on the edge between two cells.
 constexpr double reachedShare = 1e-9;
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 [[noreturn]] void refuseCells(double cell) {
     throw UsageError({"map.too_many_cells",

@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/evidence/element_places.h"
 #include "core/evidence/site_picture.h"
-#include "core/fragments/lifetimes.h"
+#include "core/fragments/birth_windows.h"
 
 namespace rubble {
 
@@ -163,7 +163,7 @@ SiteShape siteOfRun(const MappedRun& run, std::optional<double> time, double liv
         groupComponents(run.fe->mesh(), run.scenario.regrouping, run.scenario.components, run.scenario.assumptions);
     Debris debris = debrisAt(*run.fragments, components, *run.trajectory, when);
     debris.time = when;
-    const Activity activity = activityUnder(run.fe->activity(), run.scenario.fragments.revival);
+    const Activity activity = simulatedActivity(*run.fe, run.scenario.fragments);
     SiteShape site;
     site.time = when;
     addDebris(site, *run.fragments, debris);
@@ -178,7 +178,7 @@ SiteShape siteOfRun(const MappedRun& run, std::optional<double> time, double liv
 SiteShape siteAtRest(const FeResult& fe, const FragmentSettings& settings, const FragmentSet& fragments, const Debris& debris,
                      std::span<const CarriedIsland> islands, const SiteSurface& ground, double liveThreshold, const Vec3& seenFrom,
                      const Execution& execution) {
-    const Activity activity = activityUnder(fe.activity(), settings.revival);
+    const Activity activity = simulatedActivity(fe, settings);
     SiteShape site;
     site.time = debris.time;
     addDebris(site, fragments, debris);

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 #include "core/evidence/survey_registration.h"
 
 namespace rubble {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double reachShare = 0.95;  // of the covered area in a sector, within its run-out
 
 void check(const SurveySettings& settings) {
@@ -51,8 +50,8 @@ public:
         m_reach[sector].push_back(from.norm());
     }
     SurveySide side() {
-        m_side.centroid = m_weight > 0.0 ? Eigen::Vector2d(m_side.centroid / m_weight) : Eigen::Vector2d(none, none);
-        m_side.volume = m_heights ? m_side.volume : none;
+        m_side.centroid = m_weight > 0.0 ? Eigen::Vector2d(m_side.centroid / m_weight) : Eigen::Vector2d(unknown, unknown);
+        m_side.volume = m_heights ? m_side.volume : unknown;
         for (std::vector<double>& distances : m_reach) {
             std::sort(distances.begin(), distances.end());
             const auto last = static_cast<std::size_t>(std::ceil(reachShare * static_cast<double>(distances.size())));
@@ -114,9 +113,9 @@ void compareCells(SurveyComparison& made) {
     }
     made.survey = survey.side();
     made.simulated = simulated.side();
-    made.iou = either > 0 ? static_cast<double>(both) / static_cast<double>(either) : none;
-    made.heightRms = heights && either > 0 ? std::sqrt(squares / static_cast<double>(either)) : none;
-    made.heightMean = heights && either > 0 ? sum / static_cast<double>(either) : none;
+    made.iou = either > 0 ? static_cast<double>(both) / static_cast<double>(either) : unknown;
+    made.heightRms = heights && either > 0 ? std::sqrt(squares / static_cast<double>(either)) : unknown;
+    made.heightMean = heights && either > 0 ? sum / static_cast<double>(either) : unknown;
     made.centroidDistance = (made.simulated.centroid - made.survey.centroid).norm();
 }
 

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 
 namespace rubble {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double cellsMax = 2e7;
 constexpr int points = 4;  // along each side of a cell, at which heights are taken
 constexpr int lines = 16;  // across a cell, along which an outline is followed
@@ -36,7 +35,7 @@ double heightIn(const SurveyHeights& heights, const SiteSurface& ground, const E
             }
         }
     }
-    return 2 * known >= points * points ? sum / known : none;
+    return 2 * known >= points * points ? sum / known : unknown;
 }
 
 /// Adds the share of cells along one line between two places where it enters and leaves.
@@ -104,7 +103,7 @@ CellGrid gridAround(const Survey& survey, const PieceRaster& debris, double cell
     grid.low = {static_cast<std::int32_t>(first.y()), static_cast<std::int32_t>(first.x())};
     grid.columns = static_cast<int>(count.x());
     grid.rows = static_cast<int>(count.y());
-    grid.values.assign(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows), none);
+    grid.values.assign(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows), unknown);
     return grid;
 }
 

@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/standard_gravity.h"
 #include "core/fe/frame_transform.h"
 
 namespace rubble {
 
 namespace {
 
-constexpr double gravity = 9.80665;     // m/s2
 constexpr double clearlyBetter = 3.0;   // of scores
 constexpr std::size_t mostTriples = 4;  // of states that free fall is looked for in
 constexpr std::size_t mostFallers = 4000;
@@ -127,7 +127,7 @@ std::optional<Vec3> freeFall(const FeResult::Contents& contents, const Execution
 
 // @param acceleration  m/s2, of something that is held in part
 bool nearGravity(double acceleration) {
-    return acceleration > 0.5 * gravity && acceleration < 2.0 * gravity;
+    return acceleration > 0.5 * standardGravity && acceleration < 2.0 * standardGravity;
 }
 
 /// Accelerations of nodes that have left their place and gather speed along their way.
@@ -249,7 +249,7 @@ private:
         if (fallsByGravity(m_evidence)) {
             const double inFile = m_evidence.fall->norm();
             const double si = inFile * m_units.acceleration();
-            const double off = std::abs(si / gravity - 1.0);
+            const double off = std::abs(si / standardGravity - 1.0);
             if (!m_evidence.freely) {
                 // Held in part, or driven by something else: near gravity it speaks for a system, elsewhere against none.
                 add(nearGravity(si) ? 3.0 : 0.0,

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/standard_gravity.h"
+
 namespace rubble {
 
 namespace {
@@ -10,7 +12,7 @@ namespace {
 // International avoirdupois pound and inch; standard gravity.
 constexpr double inch = 0.0254;
 constexpr double foot = 0.3048;
-constexpr double poundForce = 0.45359237 * 9.80665;  // N
+constexpr double poundForce = 0.45359237 * standardGravity;  // N
 
 constexpr std::array systems{
     UnitSystem{"kg-m-s", "kilograms, metres, seconds (stress in Pa)", {1.0, 1.0, 1.0}},

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/fragments/birth_shift.h"
+#include "core/fragments/birth_windows.h"
 #include "core/fragments/corner_motion.h"
 #include "core/fragments/element_place.h"
 #include "core/fragments/element_solid.h"
@@ -17,7 +18,7 @@ namespace rubble {
 namespace {
 
 /// An exact death time may miss the interval that the states give by this share of it: files keep times in single precision.
-constexpr double timeSlack = 1e-3;
+constexpr double deathTimeSlack = 1e-3;
 /// Cancel is looked at after so many fragments.
 constexpr std::size_t checkInterval = 1024;
 
@@ -30,6 +31,7 @@ public:
     FragmentSet make(const Execution& execution);
 
 private:
+    std::vector<Lifetime> handedOver(const Execution& execution);
     void addFragment(const Lifetime& life);
     void setTimes(Fragment& fragment, const Lifetime& life);
     double exactDeathTime(const Lifetime& life);
@@ -49,7 +51,7 @@ private:
 FragmentSet FragmentMaker::make(const Execution& execution) {
     const Message stage{"fragments.progress", "Making fragments", {}};
     execution.report(stage, 0.0);
-    const std::vector<Lifetime> lives = endedLifetimes(m_fe, m_components, m_settings.revival, m_set.findings, execution);
+    const std::vector<Lifetime> lives = handedOver(execution);
     m_set.list.reserve(lives.size());
     m_set.solid.reserve(lives.size());
     m_set.vertices.reserve(8 * lives.size());
@@ -72,6 +74,22 @@ FragmentSet FragmentMaker::make(const Execution& execution) {
     }
     execution.report(stage, 1.0);
     return std::move(m_set);
+}
+
+/// The lifetimes as they are handed over. Their order does not depend on the birth window.
+std::vector<Lifetime> FragmentMaker::handedOver(const Execution& execution) {
+    if (m_settings.birthWindow > 0.0 && m_settings.birthTime == BirthTime::Exact) {
+        throw UsageError(
+            {"fragments.window_of_exact_times", "birth_window takes states together, and birth_time = exact parts them.", {}},
+            {"fragments.window_of_exact_times.remedy", "Set birth_time = state, or birth_window = 0.", {}});
+    }
+    std::vector<Lifetime> lives = endedLifetimes(m_fe, m_components, m_settings.revival, m_set.findings, execution);
+    const BirthWindows windows(lives, m_fe.times(), m_settings.birthWindow);
+    for (Lifetime& life : lives) {
+        life.lastActive = windows.handOver(life.lastActive);
+        life.firstDead = life.lastActive + 1;
+    }
+    return lives;
 }
 
 void FragmentMaker::addFragment(const Lifetime& life) {
@@ -132,7 +150,7 @@ double FragmentMaker::exactDeathTime(const Lifetime& life) {
             "Set birth_time = state to treat all elements alike.", life);
         return after;
     }
-    const double slack = timeSlack * (after - before);
+    const double slack = deathTimeSlack * (after - before);
     if (time < before - slack || time > after + slack) {
         add("fragments.death_time_outside", "An exact death time lies outside the states between which the element dies",
             "The first state that reports the death is taken instead; birth_time = state does so for all.", life);

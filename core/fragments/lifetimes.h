@@ -18,7 +18,7 @@ namespace rubble {
 struct Lifetime {
     ElementIndex element{};
     std::uint32_t firstActive = 0;        ///< first state of the run
-    std::uint32_t lastActive = 0;         ///< last state of the run: the hand-over
+    std::uint32_t lastActive = 0;         ///< last state of the run: the hand-over, unless a birth window begins before it
     std::uint32_t firstDead = 0;          ///< the state after it
     std::optional<std::uint32_t> backAt;  ///< state at which the element is active again (policy Follow only)
 };

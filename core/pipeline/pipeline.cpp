@@ -95,7 +95,7 @@ RunDescription describeRun(const Inputs& inputs, const Scenario& scenario, const
 }
 
 Results run(const Inputs& inputs, const Scenario& scenario, Stage last, const Results& previous, TrajectorySink* sink,
-            const Execution& execution) {
+            const Execution& execution, CheckpointStore* checkpoints) {
     assert(inputs.fe);
     assert(sink || last < Stage::Simulation);
     const FeResult& fe = *inputs.fe;
@@ -122,7 +122,7 @@ Results run(const Inputs& inputs, const Scenario& scenario, Stage last, const Re
     }
     if (last >= Stage::Simulation) {
         pipeline.stage(Stage::Simulation, &Results::simulation,
-                       [&] { return simulate(describeRun(inputs, scenario, results), *sink, execution); });
+                       [&] { return simulate(describeRun(inputs, scenario, results), *sink, execution, checkpoints); });
     }
     return std::move(pipeline.results);
 }

@@ -47,7 +47,8 @@ RunDescription describeRun(const Inputs& inputs, const Scenario& scenario, const
 /// Runs the pipeline up to a stage. A part of `previous` is reused when its key is unchanged; a reused simulation writes nothing to
 /// the sink. Pure: the same arguments give the same results.
 /// @param sink  takes the trajectory; may be null when last is before Simulation
+/// @param checkpoints  of the simulation; null: none are kept
 Results run(const Inputs& inputs, const Scenario& scenario, Stage last, const Results& previous, TrajectorySink* sink,
-            const Execution& execution);
+            const Execution& execution, CheckpointStore* checkpoints = nullptr);
 
 }  // namespace rubble

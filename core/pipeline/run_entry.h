@@ -31,7 +31,13 @@ struct RunEntry {
     Digest trajectoryHash;      ///< of a complete run
     std::string file;           ///< where its run file was kept, absolute; empty if it was not
 
+    /// Every figure; one that is NaN differs from itself.
     friend bool operator==(const RunEntry&, const RunEntry&) = default;
 };
+
+/// Whether two entries tell of the same simulation, whatever has been added to one of them since.
+inline bool sameRun(const RunEntry& a, const RunEntry& b) {
+    return a.when == b.when && a.scenarioId == b.scenarioId && a.fingerprint == b.fingerprint && a.wallSeconds == b.wallSeconds;
+}
 
 }  // namespace rubble

@@ -60,6 +60,11 @@ std::vector<Parameter> fragmentRows() {
             "state: a fragment is born at the first state that reports its element inactive. exact: at the death time in the file.")
         .choice("revival", {"latch", "follow", "refuse"}, RUBBLE_AT(fragments.revival), "Revived elements",
                 "latch: dead is dead. follow: the fragment ends when its element returns. refuse: such a file is an error.")
+        .number(
+            "birth_window", "s", 0, 1000, RUBBLE_AT(fragments.birthWindow), "Birth window",
+            "What dies within this time becomes debris together, at the first state of it, so that one cluster can hold what the "
+            "states part: fewer and fuller bodies, which leave the FE result a little earlier. 0: each state by itself. The "
+            "reference does not read it.")
         .choice("birth_velocity", {"fe", "rest"}, RUBBLE_AT(fragments.birthVelocity), "Birth velocity",
                 "fe: fragments keep the velocity their element had. rest: they are born at rest, as in the published method.")
         .number("minimum_thickness_ratio", "", 0.001, 1, RUBBLE_AT(fragments.minimumThicknessRatio), "Thinnest fragment",

@@ -154,7 +154,8 @@ void hashRegrouping(Hasher& hasher, const std::vector<RegroupStep>& steps) {
 
 /// Upper end of box_bulking: every box keeps its full size.
 constexpr double neverDrawnIn = 1000.0;
-constexpr double alwaysAwake = 1e6;  // s
+/// Upper end of awake_time [s]: every body counts as awake for good.
+constexpr double alwaysAwake = 1e6;
 
 /// Effects that the published method does not have.
 constexpr std::array addedByUs{EffectKind::Terrain, EffectKind::Water, EffectKind::AirDrag, EffectKind::Ties, EffectKind::BreakUp};
@@ -254,6 +255,7 @@ void applyPreset(Scenario& scenario, std::string_view name) {
     const Scenario defaults;
     const auto method = [&scenario, &defaults] {
         scenario.fragments.birthVelocity = defaults.fragments.birthVelocity;
+        scenario.fragments.birthWindow = defaults.fragments.birthWindow;
         scenario.grid.grouping = defaults.grid.grouping;
         scenario.grid.acrossComponents = defaults.grid.acrossComponents;
         scenario.grid.oneBodyPerFragment = defaults.grid.oneBodyPerFragment;
@@ -273,11 +275,13 @@ void applyPreset(Scenario& scenario, std::string_view name) {
         method();
     } else if (name == "reference") {
         method();
+        scenario.fragments.birthWindow = 0.0;
         scenario.grid.oneBodyPerFragment = true;
         scenario.simulation.shape = ClusterShape::OrientedBox;
     } else if (name == "paper") {
         method();
         scenario.fragments.birthVelocity = BirthVelocity::Rest;
+        scenario.fragments.birthWindow = 0.0;
         scenario.grid.grouping = Grouping::Axes;
         scenario.grid.velocityTolerance = 0.0;
         scenario.grid.awakeTime = alwaysAwake;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/standard_gravity.h"
 #include "core/fe/components.h"
 #include "core/fe/regrouping.h"
 #include "core/scenario/materials.h"
@@ -41,6 +42,7 @@ struct ImportSettings {
 struct FragmentSettings {
     BirthTime birthTime = BirthTime::State;
     Revival revival = Revival::Latch;
+    double birthWindow = 0.0;  ///< s; what dies within it is handed over together, at the first state; 0: each state by itself
     BirthVelocity birthVelocity = BirthVelocity::Fe;
     double minimumThicknessRatio = 0.025;  ///< smallest half extent of a fragment over its longest
     double minimumHalfExtent = 0.005;      ///< m
@@ -73,7 +75,7 @@ struct SimulationSettings {
     double boxBulking = 1.0;  ///< largest volume of a cluster's box over that of its fragments' boxes
     PieceKind pieces = PieceKind::GridBoxes;
     double pieceSize = 4.0;             ///< m, cells of the grid boxes
-    double gravity = 9.80665;           ///< m/s2, downwards
+    double gravity = standardGravity;   ///< m/s2, downwards
     double groundHeight = 0.0;          ///< m
     std::optional<double> friction;     ///< of every pair of materials; unset: by pair
     std::optional<double> restitution;  ///< the same

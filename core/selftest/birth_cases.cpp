@@ -2,14 +2,13 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/standard_gravity.h"
 #include "core/selftest/pile.h"
 #include "core/simulation/constants.h"
 
 namespace rubble::selftest {
 
 namespace {
-
-constexpr double g = 9.80665;
 
 void overlappingPairs(const CaseSetting& setting, Outcome& outcome) {
     double fastest = 0.0, still = 0.0;
@@ -73,7 +72,7 @@ void touchingNeighbours(const CaseSetting& setting, Outcome& outcome) {
         sideways = std::max(sideways, (scene.place(idAt<BodyId>(i)) - start[i]).head<2>().norm());
     }
     // Nothing has anywhere to fall: contacts hold from the first step on, so that one step of gravity is the most.
-    outcome.atMost("fastest of 192 blocks born as a standing wall, over g dt", fastest / (g * scene.dt), 1.0);
+    outcome.atMost("fastest of 192 blocks born as a standing wall, over g dt", fastest / (standardGravity * scene.dt), 1.0);
     outcome.atMost("largest sideways move in 3 s", sideways, 0.01, "m");
     outcome.atLeast("mean height over that at birth", pile.meanHeight() / 1.5, 0.99);
 }
@@ -178,7 +177,7 @@ void birthsInDebris(const CaseSetting& setting, Outcome& outcome) {
     }
     outcome.atLeast("share of births in occupied space", static_cast<double>(occupied) / pitHalf, 0.58);
     // All are born at rest, so that none can be faster than its way down allows (PHYSICS section 6).
-    outcome.atMost("fastest over sqrt(2 g h)", fastest / std::sqrt(2.0 * g * highestBirth), 1.05);
+    outcome.atMost("fastest over sqrt(2 g h)", fastest / std::sqrt(2.0 * standardGravity * highestBirth), 1.05);
     outcome.atMost("fastest upwards", rising, 1.0, "m/s");
     outcome.atMost("energy gained beyond the work booked, over that of gravity", watch.drift(), 1e-3);
     outcome.atMost("mean height over the same boxes poured", pit.pile.meanHeight() / pouredHeight(setting), 1.05);
@@ -207,7 +206,7 @@ void bornInsideStructure(const CaseSetting& setting, Outcome& outcome) {
         watch.look(scene);
         fastest = std::max(fastest, scene.maxSpeed());
     }
-    outcome.atMost("fastest over sqrt(2 g h), h = 4.6 m", fastest / std::sqrt(2.0 * g * 4.6), 1.05);
+    outcome.atMost("fastest over sqrt(2 g h), h = 4.6 m", fastest / std::sqrt(2.0 * standardGravity * 4.6), 1.05);
     outcome.atMost("energy gained beyond the work booked, over that of gravity", watch.drift(), 1e-3);
     outcome.none("centres below ground", static_cast<double>(pile.centresBelow(0.0)));
 }

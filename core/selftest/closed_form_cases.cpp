@@ -3,13 +3,12 @@
 #include <string>
 
 #include "core/base/message.h"
+#include "core/base/standard_gravity.h"
 #include "core/selftest/world_scene.h"
 
 namespace rubble::selftest {
 
 namespace {
-
-constexpr double g = 9.80665;
 
 double radians(double degrees) {
     return degrees * std::numbers::pi / 180.0;
@@ -21,11 +20,11 @@ void projectile(const CaseSetting& setting, Outcome& outcome) {
     const BodyId thrown = scene.box({10, 0, 40}, {0.4, 0.5, 0.6}, {12, 5, 9}, Quat::Identity(), {1, -2, 3});
     scene.run(2.0);
     // Positions move with the mean of old and new velocity, so that only rounding is left; 1 mm is the criterion of the suite.
-    outcome.near("drop in 2 s", 50 - scene.place(falls).z(), 0.5 * g * 4.0, 1e-3, "m");
-    outcome.near("speed after 2 s", -scene.velocity(falls).z(), 2.0 * g, 1e-6, "m/s");
+    outcome.near("drop in 2 s", 50 - scene.place(falls).z(), 0.5 * standardGravity * 4.0, 1e-3, "m");
+    outcome.near("speed after 2 s", -scene.velocity(falls).z(), 2.0 * standardGravity, 1e-6, "m/s");
     outcome.near("projectile, way along", scene.place(thrown).x() - 10, 24.0, 1e-3, "m");
     outcome.near("projectile, way across", scene.place(thrown).y(), 10.0, 1e-3, "m");
-    outcome.near("projectile, height", scene.place(thrown).z(), 40 + 18 - 0.5 * g * 4.0, 1e-3, "m");
+    outcome.near("projectile, height", scene.place(thrown).z(), 40 + 18 - 0.5 * standardGravity * 4.0, 1e-3, "m");
 }
 
 void bounces(const CaseSetting& setting, Outcome& outcome) {
@@ -35,7 +34,7 @@ void bounces(const CaseSetting& setting, Outcome& outcome) {
         scene.settings.pairs = PairTable::uniform(0.6, restitution);
         constexpr double height = 2.0;
         const BodyId body = scene.box({0, 0, 0.5 + height}, {1, 1, 1});
-        const double fall = std::sqrt(2.0 * height / g);
+        const double fall = std::sqrt(2.0 * height / standardGravity);
         double top = 0.0;
         scene.run(fall * (1.0 + 1.8 * restitution), [&](double time) {
             if (time > fall + 0.01) {
@@ -60,7 +59,7 @@ void incline(const CaseSetting& setting, Outcome& outcome) {
         scene.run(0.5);
         const double before = scene.velocity(body).norm();
         scene.run(1.0);
-        const double law = std::max(0.0, g * (std::sin(radians(degrees)) - 0.5 * std::cos(radians(degrees))));
+        const double law = std::max(0.0, standardGravity * (std::sin(radians(degrees)) - 0.5 * std::cos(radians(degrees))));
         // Coulomb: sticks up to 26.57 degrees. Above, 0.5 % of the acceleration; below, a creep of 1 mm/s.
         outcome.near("acceleration at " + englishNumber(degrees) + " degrees", scene.velocity(body).norm() - before, law,
                      law > 0.0 ? 0.005 * law : 1e-3, "m/s2");
@@ -73,7 +72,7 @@ void slide(const CaseSetting& setting, Outcome& outcome) {
         scene.settings.pairs = PairTable::uniform(friction, 0.1);
         const BodyId body = scene.box({0, 0, 0.1}, {1, 1, 0.2}, {4, 0, 0});
         scene.run(4.0);
-        const double law = 16.0 / (2.0 * friction * g);
+        const double law = 16.0 / (2.0 * friction * standardGravity);
         outcome.near("way from 4 m/s to rest, friction " + englishNumber(friction), scene.place(body).x(), law, 0.01 * law, "m");
     }
 }
@@ -109,7 +108,7 @@ void carrying(const CaseSetting& setting, Outcome& outcome) {
     const BodyId body = scene.box({0, 0, 0.25}, {1, 1, 0.5});
     scene.run(3.0, [&](double time) { scene.world().movePiece(floor, {{2.0 * time, 0, -0.5}, Quat::Identity()}); });
     // Friction brings it up to 2 m/s within v / (mu g) = 0.41 s, on the way it falls behind by v^2 / (2 mu g).
-    outcome.near("way of the fragment in 3 s", scene.place(body).x(), 6.0 - 4.0 / (2.0 * 0.5 * g), 0.06, "m");
+    outcome.near("way of the fragment in 3 s", scene.place(body).x(), 6.0 - 4.0 / (2.0 * 0.5 * standardGravity), 0.06, "m");
     outcome.near("its speed", scene.velocity(body).x(), 2.0, 0.02, "m/s");
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/standard_gravity.h"
+#include "core/base/unknown.h"
 #include "core/selftest/collapse_scene.h"
 #include "core/selftest/pile.h"
 #include "core/simulation/hand_over.h"
@@ -12,9 +14,6 @@
 namespace rubble::selftest {
 
 namespace {
-
-constexpr double g = 9.80665;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// What must hold for every collapse, however odd its elements.
 void checkSound(const CollapseScene& scene, Outcome& outcome, double fragments) {
@@ -118,7 +117,7 @@ void coarseOutput(const CaseSetting& setting, Outcome& outcome) {
         }
         const Quat turn(Eigen::AngleAxisd(1.5 * t, Vec3::UnitY()));
         const Vec3 pivot(0, 0, 30.3);
-        return pivot + turn * (x - pivot) - Vec3(0, 0, 12.0 * t + 0.5 * g * t * t);
+        return pivot + turn * (x - pivot) - Vec3(0, 0, 12.0 * t + 0.5 * standardGravity * t * t);
     };
     scene.position = moved;
     CollapseScene collapse(setting);
@@ -181,15 +180,15 @@ void notANumber(const CaseSetting& setting, Outcome& outcome) {
     scene.times = timesOf(6, 0.1);
     for (int i = 0; i < 16; ++i) {
         scene.element(ElementShape::Hexahedron, boxCorners({1.5 * (i % 4), 1.5 * (i / 4), 1.0}, {1, 1, 1}),
-                      i == 15 ? "111111" : "110000", 0.0, i == 3 ? nan : 2000.0);
+                      i == 15 ? "111111" : "110000", 0.0, i == 3 ? unknown : 2000.0);
     }
     scene.velocity = [](const Vec3&, double) { return Vec3(0.5, 0, -1); };
     scene.damage = [](std::size_t, FeState& state) {
-        state.positions[8 * 5].x() = nan;                   // a dying element without a place
-        state.positions[8 * 15 + 2].z() = nan;              // a live one
-        state.velocities[8 * 7 + 1] = Vec3::Constant(nan);  // one corner without a velocity
+        state.positions[8 * 5].x() = unknown;                   // a dying element without a place
+        state.positions[8 * 15 + 2].z() = unknown;              // a live one
+        state.velocities[8 * 7 + 1] = Vec3::Constant(unknown);  // one corner without a velocity
         for (std::size_t n = 8 * 9; n < 8 * 10; ++n) {
-            state.velocities[n] = Vec3::Constant(nan);  // a whole element without
+            state.velocities[n] = Vec3::Constant(unknown);  // a whole element without
         }
         state.positions[8 * 11].y() = std::numeric_limits<double>::infinity();
         state.velocities[8 * 12].y() = 1e300;
@@ -203,7 +202,7 @@ void notANumber(const CaseSetting& setting, Outcome& outcome) {
                  0);
     outcome.atLeast("elements with no or part of a velocity, counted",
                     static_cast<double>(findings.count("fragments.no_velocity") + findings.count("fragments.part_velocity")), 2);
-    outcome.atMost("fastest", collapse.result().maxSpeed, 1.05 * std::sqrt(1.25 + 2.0 * g * 2.0), "m/s");
+    outcome.atMost("fastest", collapse.result().maxSpeed, 1.05 * std::sqrt(1.25 + 2.0 * standardGravity * 2.0), "m/s");
     outcome.atLeast("fragments made of 15 that die", static_cast<double>(collapse.results.fragments->size()), 12);
 }
 
@@ -218,13 +217,13 @@ void refusedBodies(const CaseSetting& setting, Outcome& outcome) {
     Results results = run(inputs, collapse.scenario, Stage::Clusters, {}, nullptr, collapse.execution);
     auto clustering = std::make_shared<Clustering>(*results.clustering);
     clustering->list[0].mass = 0.0;
-    clustering->list[1].mass = nan;
-    clustering->list[2].centre.x() = nan;
+    clustering->list[1].mass = unknown;
+    clustering->list[2].centre.x() = unknown;
     clustering->list[3].velocity.z() = std::numeric_limits<double>::infinity();
     clustering->list[4].inertia(1, 1) = -clustering->list[4].inertia(1, 1);
     auto fragments = std::make_shared<FragmentSet>(*results.fragments);
     for (const FragmentId f : clustering->membersOf(idAt<ClusterId>(5))) {
-        fragments->list[at(f)].box.halfExtents.y() = nan;
+        fragments->list[at(f)].box.halfExtents.y() = unknown;
     }
     results.clustering = clustering;
     results.fragments = fragments;

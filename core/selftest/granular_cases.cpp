@@ -13,7 +13,7 @@ namespace rubble::selftest {
 
 namespace {
 
-constexpr double cube = 0.14;
+constexpr double cubeSide = 0.14;
 constexpr double sieve = 0.05;  ///< m, cells of the surface
 
 /// Highest box above each cell of a rectangle; negative where there is none.
@@ -63,7 +63,7 @@ private:
 /// Mean height of a surface by distance from its centre (or along x).
 class Profile {
 public:
-    static constexpr double width = cube;
+    static constexpr double width = cubeSide;
     std::vector<double> height;  ///< m, mean over all cells, bare ones count as 0
 
     void add(double distance, double top) {
@@ -89,7 +89,7 @@ private:
 /// off alone. Its edge is the run-out of Lube et al. 2004 and Staron & Hinch 2005; the front is a single layer of blocks that
 /// barely touch.
 std::vector<OrientedBox> deposit(const std::vector<OrientedBox>& boxes, const Vec3& heart) {
-    constexpr double near = 0.5 * cube;
+    constexpr double near = 0.5 * cubeSide;
     std::vector<bool> in(boxes.size(), false);
     std::vector<std::size_t> edge{static_cast<std::size_t>(std::min_element(boxes.begin(), boxes.end(),
                                                                             [&](const OrientedBox& a, const OrientedBox& b) {
@@ -104,7 +104,7 @@ std::vector<OrientedBox> deposit(const std::vector<OrientedBox>& boxes, const Ve
         edge.pop_back();
         found.push_back(box);
         for (std::size_t i = 0; i < boxes.size(); ++i) {
-            if (!in[i] && (boxes[i].centre - box.centre).norm() < std::numbers::sqrt3 * cube + near &&
+            if (!in[i] && (boxes[i].centre - box.centre).norm() < std::numbers::sqrt3 * cubeSide + near &&
                 overlapOf(boxes[i], box) > -near) {
                 in[i] = true;
                 edge.push_back(i);
@@ -160,7 +160,7 @@ constexpr double packing = 0.6;
 template <class Inside>
 double fill(WorldScene& scene, Pile& pile, std::uint64_t seed, double halfX, double halfY, double area, double height,
             Inside inside) {
-    constexpr double spacing = 1.75 * cube;
+    constexpr double spacing = 1.75 * cubeSide;
     constexpr int layersAtOnce = 6;
     Sequence random(seed);
     std::vector<Vec3> places;
@@ -172,12 +172,12 @@ double fill(WorldScene& scene, Pile& pile, std::uint64_t seed, double halfX, dou
         }
     }
     // A lattice of this spacing settles to a solid fraction of about 0.5.
-    const auto layers = static_cast<int>(std::ceil(height / spacing * std::pow(spacing / cube, 3) * 0.5));
+    const auto layers = static_cast<int>(std::ceil(height / spacing * std::pow(spacing / cubeSide, 3) * 0.5));
     double top = 0.0;
     for (int poured = 0; poured < layers; poured += layersAtOnce) {
         for (int k = 0; k < std::min(layersAtOnce, layers - poured); ++k) {
             for (const Vec3& place : places) {
-                pile.add(place + Vec3(0, 0, top + spacing * (k + 0.6)), Vec3::Constant(cube), random.turn());
+                pile.add(place + Vec3(0, 0, top + spacing * (k + 0.6)), Vec3::Constant(cubeSide), random.turn());
             }
         }
         scene.run(0.5);
@@ -187,7 +187,7 @@ double fill(WorldScene& scene, Pile& pile, std::uint64_t seed, double halfX, dou
         }
     }
     scene.run(2.0);
-    return static_cast<double>(pile.places().size()) * cube * cube * cube / (packing * area);
+    return static_cast<double>(pile.places().size()) * cubeSide * cubeSide * cubeSide / (packing * area);
 }
 
 Collapse axisymmetric(const CaseSetting& setting, double aspect) {
@@ -203,7 +203,7 @@ Collapse axisymmetric(const CaseSetting& setting, double aspect) {
         walls.push_back(wall(scene, turn * Vec3(radius + 0.5, 0, 0.5 * tall), {1.0, 0.8, tall}, turn));
     }
     const double height = fill(scene, pile, 11, radius, radius, std::numbers::pi * radius * radius, aspect * radius,
-                               [&](const Vec3& p) { return p.head<2>().norm() < radius - 0.87 * cube; });
+                               [&](const Vec3& p) { return p.head<2>().norm() < radius - 0.87 * cubeSide; });
     for (const PieceId piece : walls) {
         scene.world().removePiece(piece);
     }
@@ -218,7 +218,7 @@ Collapse axisymmetric(const CaseSetting& setting, double aspect) {
             const double turns = std::atan2(box.centre.y(), box.centre.x()) / (2.0 * std::numbers::pi) + 0.5;
             return static_cast<std::size_t>(turns * sides);
         },
-        [](const OrientedBox& box) { return box.centre.head<2>().norm() + 0.5 * cube; });
+        [](const OrientedBox& box) { return box.centre.head<2>().norm() + 0.5 * cubeSide; });
     return {height / radius, (edge - radius) / radius, 0.5 * (profile.height[0] + profile.height[1])};
 }
 
@@ -251,7 +251,7 @@ Collapse channel(const CaseSetting& setting, double aspect, std::uint64_t seed) 
         [](const OrientedBox& box) {
             return static_cast<std::size_t>(std::max(0.0, (box.centre.y() / halfWidth + 1.0) * 0.5 * strips));
         },
-        [](const OrientedBox& box) { return box.centre.x() + 0.5 * length + 0.5 * cube; });
+        [](const OrientedBox& box) { return box.centre.x() + 0.5 * length + 0.5 * cubeSide; });
     return {height / length, (edge - length) / length, 0.5 * (profile.height[0] + profile.height[1])};
 }
 
@@ -359,7 +359,7 @@ void repose(const CaseSetting& setting, Outcome& outcome) {
     for (int pour = 0; pour < pours; ++pour) {
         for (int i = 0; i < 6; ++i) {
             const Vec3 aside(0.36 * (i % 3 - 1), 0.36 * (i / 3) - 0.18, top + 0.45);
-            pile.add(aside, Vec3::Constant(cube), random.turn());
+            pile.add(aside, Vec3::Constant(cubeSide), random.turn());
         }
         scene.run(0.25);
         top = 0.0;

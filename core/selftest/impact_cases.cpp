@@ -3,13 +3,12 @@
 #include <string>
 
 #include "core/base/message.h"
+#include "core/base/standard_gravity.h"
 #include "core/selftest/pile.h"
 
 namespace rubble::selftest {
 
 namespace {
-
-constexpr double g = 9.80665;
 
 /// Share of 5 cm boxes shot at a 2 cm plate that come out behind it.
 double shareThrough(const CaseSetting& setting, double speed) {
@@ -79,7 +78,7 @@ void thinDeck(const CaseSetting& setting, Outcome& outcome) {
     scene.settings.ground = false;
     scene.settings.reach = Aabb(Vec3(-20, -20, -60), Vec3(20, 20, 62));
     constexpr double drop = 60.0, along = 4.0, down = 1.0, thick = 0.05;
-    const double fall = std::sqrt(2.0 * drop / g);
+    const double fall = std::sqrt(2.0 * drop / standardGravity);
     // The deck is where the boxes come down when they do.
     const auto deckAt = [&](double time) { return Vec3(along * (time - fall), 0, -0.5 * thick - down * (time - fall)); };
     const PieceId deck = scene.piece(deckAt(0.0), {16, 16, thick});
@@ -101,7 +100,7 @@ void thinDeck(const CaseSetting& setting, Outcome& outcome) {
         through += !(scene.place(idAt<BodyId>(i)).z() > end.z());
     }
     outcome.none("boxes of 64 that fell through the deck", through);
-    outcome.atMost("fastest over sqrt(2 g h), h = 62 m", fastest / std::sqrt(2.0 * g * 62.0), 1.05);
+    outcome.atMost("fastest over sqrt(2 g h), h = 62 m", fastest / std::sqrt(2.0 * standardGravity * 62.0), 1.05);
 }
 
 void bouncy(const CaseSetting& setting, Outcome& outcome) {
@@ -120,7 +119,7 @@ void bouncy(const CaseSetting& setting, Outcome& outcome) {
     }
     outcome.atMost("energy gained over that of gravity", watch.drift(), 1e-3);
     // A light hit between heavier ones may be faster than any fall, but not with equal masses and losses in every hit.
-    outcome.atMost("fastest over sqrt(2 g h), h = 7 m", fastest / std::sqrt(2.0 * g * 7.0), 1.05);
+    outcome.atMost("fastest over sqrt(2 g h), h = 7 m", fastest / std::sqrt(2.0 * standardGravity * 7.0), 1.05);
     outcome.none("centres below ground", static_cast<double>(pile.centresBelow(0.0)));
 }
 

@@ -3,13 +3,12 @@
 #include <numbers>
 #include <string>
 
+#include "core/base/standard_gravity.h"
 #include "core/selftest/world_scene.h"
 
 namespace rubble::selftest {
 
 namespace {
-
-constexpr double g = 9.80665;
 
 Quat tilt(double degrees) {
     return Quat(Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, Vec3::UnitY()));
@@ -23,7 +22,7 @@ void freeFall(const CaseSetting& setting, Outcome& outcome) {
     WorldScene scene(setting);
     const BodyId body = scene.box({0, 0, 100}, {0.4, 0.5, 0.6}, {3, 0, 0}, Quat::Identity(), {1, 2, 3});
     scene.run(2.0);
-    outcome.atMost("error of place after 2 s", (scene.place(body) - Vec3(6, 0, 100 - 0.5 * g * 4)).norm(), 1e-3, "m");
+    outcome.atMost("error of place after 2 s", (scene.place(body) - Vec3(6, 0, 100 - 0.5 * standardGravity * 4)).norm(), 1e-3, "m");
 }
 
 /// Height of the first bounce of a box that falls flat, over e^2 h.
@@ -32,7 +31,7 @@ double bounceRatio(const CaseSetting& setting, double restitution, double height
     scene.dt = 1.0 / rate;
     scene.settings.pairs = PairTable::uniform(0.6, restitution);
     const BodyId body = scene.box({0, 0, 0.5 + height}, {1, 1, 1});
-    const double fall = std::sqrt(2.0 * height / g);
+    const double fall = std::sqrt(2.0 * height / standardGravity);
     double top = 0.0;
     scene.run(fall * (1.0 + 1.8 * restitution), [&](double time) {
         if (time > fall + 1.5 * scene.dt) {
@@ -83,7 +82,7 @@ void inclineSlides(const CaseSetting& setting, Outcome& outcome) {
     const double before = incline.scene.velocity(incline.body).norm();
     incline.scene.run(1.0);
     const double angle = 35.0 * std::numbers::pi / 180.0;
-    const double law = g * (std::sin(angle) - 0.5 * std::cos(angle));
+    const double law = standardGravity * (std::sin(angle) - 0.5 * std::cos(angle));
     outcome.atMost("error of acceleration at 35 degrees, friction 0.5",
                    std::abs(incline.scene.velocity(incline.body).norm() - before - law) / law, 0.005);
 }
@@ -96,7 +95,7 @@ void slideToRest(const CaseSetting& setting, Outcome& outcome) {
         const BodyId body = scene.box({0, 0, 0.15}, {1, 1, 0.3}, 5.0 * Vec3(std::cos(angle), std::sin(angle), 0));
         scene.run(2.0);
         const Vec3 end = scene.place(body);
-        const double law = 25.0 / (2.0 * 0.5 * g);
+        const double law = 25.0 / (2.0 * 0.5 * standardGravity);
         const std::string at = ", heading " + inUnits(heading, "degrees");
         outcome.atMost("error of distance" + at, std::abs(end.head<2>().norm() - law) / law, 0.01);
         outcome.atMost("error of heading" + at, std::abs(std::atan2(end.y(), end.x()) - angle) * 180.0 / std::numbers::pi, 0.1,

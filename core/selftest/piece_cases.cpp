@@ -3,14 +3,13 @@
 #include <string>
 
 #include "core/base/message.h"
+#include "core/base/standard_gravity.h"
 #include "core/selftest/pile.h"
 #include "core/simulation/constants.h"
 
 namespace rubble::selftest {
 
 namespace {
-
-constexpr double g = 9.80665;
 
 /// Deepest overlap of a pile's boxes with one box, m.
 double deepestIn(WorldScene& scene, const Pile& pile, const OrientedBox& piece) {
@@ -117,8 +116,8 @@ void comingDown(const CaseSetting& setting, Outcome& outcome) {
         look();
     }
     // The piece may add piecePressSpeed, and what is on top may fall to the ground.
-    outcome.atMost("fastest over sqrt(v_press^2 + 2 g h)", fastest / std::sqrt(piecePressSpeed * piecePressSpeed + 2.0 * g * top),
-                   1.05);
+    outcome.atMost("fastest over sqrt(v_press^2 + 2 g h)",
+                   fastest / std::sqrt(piecePressSpeed * piecePressSpeed + 2.0 * standardGravity * top), 1.05);
     outcome.atMost("rise of the highest centre", highest - top, 0.1, "m");
     outcome.atMost("energy gained beyond the work booked, over that of gravity", watch.drift(), 1e-3);
     outcome.none("centres below ground", static_cast<double>(pile.centresBelow(0.0)));

@@ -10,12 +10,12 @@ namespace rubble::selftest {
 
 namespace {
 
-constexpr double side = 0.4;
+constexpr double blockSide = 0.4;
 
 /// A heap of a few hundred boxes that fell from a cloud.
 void addHeap(Pile& pile, std::uint64_t seed, int layers = 8) {
     Sequence random(seed);
-    pile.addCloud(random, {-2.1, -2.1, 0.1}, {6, 6, layers}, {side, side, side}, 0.7);
+    pile.addCloud(random, {-2.1, -2.1, 0.1}, {6, 6, layers}, {blockSide, blockSide, blockSide}, 0.7);
 }
 
 void manyBodies(const CaseSetting& setting, Outcome& outcome) {
@@ -150,7 +150,7 @@ void otherGravity(const CaseSetting& setting, Outcome& outcome) {
         const OverlapMeasure overlap = pile.overlap();
         outcome.atMost("energy gained over that of gravity" + at, watch.drift(), 1e-3);
         outcome.atMost("fastest over sqrt(2 g h), h = 4.3 m" + at, fastest / std::sqrt(2.0 * scene.settings.gravity * 4.3), 1.05);
-        outcome.atMost("99th percentile of overlap" + at, overlap.p99, 0.1 * side, "m");
+        outcome.atMost("99th percentile of overlap" + at, overlap.p99, 0.1 * blockSide, "m");
         outcome.none("centres below ground" + at, static_cast<double>(pile.centresBelow(0.0)));
     }
 }
@@ -177,7 +177,7 @@ void heapWithFriction(const CaseSetting& setting, Outcome& outcome) {
         const std::string at = ", friction " + englishNumber(friction);
         outcome.atMost("energy gained over that of gravity" + at, watch.drift(), 1e-3);
         outcome.atMost("fastest over sqrt(2 g h), h = 4.3 m" + at, fastest / std::sqrt(2.0 * scene.settings.gravity * 4.3), 1.05);
-        outcome.atMost("99th percentile of overlap" + at, pile.overlap().p99, 0.1 * side, "m");
+        outcome.atMost("99th percentile of overlap" + at, pile.overlap().p99, 0.1 * blockSide, "m");
         outcome.none("centres below ground" + at, static_cast<double>(pile.centresBelow(0.0)));
     }
 }

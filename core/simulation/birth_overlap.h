@@ -11,6 +11,12 @@ using ColliderPair = std::uint64_t;
 constexpr ColliderPair colliderPair(std::uint32_t a, std::uint32_t b) {
     return a < b ? (std::uint64_t{a} << 32) | b : (std::uint64_t{b} << 32) | a;
 }
+constexpr std::uint32_t firstOf(ColliderPair pair) {
+    return static_cast<std::uint32_t>(pair >> 32);
+}
+constexpr std::uint32_t secondOf(ColliderPair pair) {
+    return static_cast<std::uint32_t>(pair);
+}
 
 /// Rest offsets of pairs that overlapped when one of them was born, and of pieces that gave way: as long as a pair is no deeper
 /// than its offset the solver sees it as just touching. An offset never grows by itself, follows the pair when it comes apart, and

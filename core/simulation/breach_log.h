@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/archive.h"
 #include "core/simulation/health.h"
 
 namespace rubble {
@@ -18,6 +19,8 @@ struct HealthObservation {
     Vec3 place = Vec3::Zero();  ///< m, of that body
     double depth = 0.0;         ///< m, of a penetration
     std::int64_t bodies = 0;    ///< that break the limit now
+
+    void keep(Archive& archive) { archive(check, measured, limit, severity, body, place, depth, bodies); }
 };
 
 /// Makes breaches of observations: those of one check that follow each other closely are one, with the worst of them.
@@ -33,6 +36,7 @@ public:
     /// Those that have begun since the last call, and those that have grown longer or worse and were last told of a second or more
     /// before `time` [s]. A breach is known by its check and its beginning.
     std::vector<HealthBreach> news(double time);
+    void keep(Archive& archive) { archive(m_spans); }
 
 private:
     struct Span {
@@ -42,6 +46,8 @@ private:
         HealthObservation worst;
         double toldAt = -std::numeric_limits<double>::infinity();
         bool changed = true;  ///< since it was told
+
+        void keep(Archive& archive) { archive(from, to, worstAt, worst, toldAt, changed); }
     };
     static HealthBreach breachOf(const Span& span);
 

@@ -1,12 +1,15 @@
 #include "core/simulation/bullet_world.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <chrono>
 #include <limits>
 
 #include "core/simulation/constants.h"
 #include "core/simulation/soft_step_world.h"
 #include "core/simulation/terrain_shape.h"
+#include "core/simulation/value_archive.h"
 
 namespace rubble {
 
@@ -63,26 +66,53 @@ void BulletWorld::begin(std::unique_ptr<btDiscreteDynamicsWorld> world, bool hol
     }
 }
 
-Collider& BulletWorld::makeCollider(std::vector<std::unique_ptr<Collider>>& list, ColliderKind kind, const CollisionShape& shape) {
+Collider& BulletWorld::makeCollider(Colliders& list, ColliderKind kind, const CollisionShape& shape) {
     auto collider = std::make_unique<Collider>();
     collider->kind = kind;
     collider->number = m_nextNumber++;
     collider->index = static_cast<std::uint32_t>(list.size());
-    collider->radius = outerRadius(shape);
-    collider->shape = makeBulletShape(shape);
     collider->parts = shape;
-    collider->box = boxAround(shape);
-    collider->pairs = &m_settings.pairs;
+    furnish(*collider);
     list.push_back(std::move(collider));
     return *list.back();
 }
 
-void BulletWorld::insert(Collider& collider, int group, int mask) {
+/// What follows from its parts.
+void BulletWorld::furnish(Collider& collider) {
+    collider.radius = outerRadius(collider.parts);
+    collider.shape = makeBulletShape(collider.parts);
+    collider.box = boxAround(collider.parts);
+    collider.pairs = &m_settings.pairs;
+}
+
+/// The object of a body or piece.
+void BulletWorld::embody(Collider& collider, const btTransform& place) {
+    btRigidBody::btRigidBodyConstructionInfo info(collider.mass, nullptr, collider.shape.shape.get(), toBullet(collider.inertia));
+    info.m_startWorldTransform = place;
+    collider.object = std::make_unique<btRigidBody>(info);
+    if (collider.kind == ColliderKind::Piece) {
+        collider.object->setCollisionFlags(collider.object->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+        collider.object->setActivationState(DISABLE_DEACTIVATION);
+    }
+}
+
+void BulletWorld::insert(Collider& collider) {
     btRigidBody& object = *collider.object;
     object.setUserPointer(&collider);
     object.setFlags(0);
-    if (m_holdsObjects) {
-        m_world->addRigidBody(&object, group, mask);
+    if (!m_holdsObjects) {
+        return;
+    }
+    switch (collider.kind) {
+        case ColliderKind::Ground:
+            m_world->addRigidBody(&object, groundGroup, bodyGroup);
+            break;
+        case ColliderKind::Piece:
+            m_world->addRigidBody(&object, pieceGroup, bodyGroup);
+            break;
+        case ColliderKind::Body:
+            m_world->addRigidBody(&object, bodyGroup, groundGroup | pieceGroup | (m_settings.bodyContacts ? bodyGroup : 0));
+            break;
     }
 }
 
@@ -103,20 +133,20 @@ void BulletWorld::addGround() {
     }
     ground.object = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0.0, nullptr, ground.shape.shape.get()));
     ground.object->setWorldTransform(toBullet(Pose{Vec3(centre.x(), centre.y(), middle), Quat::Identity()}));
-    insert(ground, groundGroup, bodyGroup);
+    insert(ground);
 }
 
 BodyId BulletWorld::addBody(const NewBody& body) {
     Collider& collider = makeCollider(m_bodies, ColliderKind::Body, body.shape);
-    btRigidBody::btRigidBodyConstructionInfo info(body.mass, nullptr, collider.shape.shape.get(), toBullet(body.inertia));
-    info.m_startWorldTransform = toBullet(body.pose);
-    collider.object = std::make_unique<btRigidBody>(info);
+    collider.mass = body.mass;
+    collider.inertia = body.inertia;
+    embody(collider, toBullet(body.pose));
     collider.smallestSide = body.smallestSide;
     collider.volume = body.volume;
     collider.material = body.material;
     collider.object->setLinearVelocity(toBullet(body.velocity));
     collider.object->setAngularVelocity(toBullet(body.angularVelocity));
-    insert(collider, bodyGroup, groundGroup | pieceGroup | (m_settings.bodyContacts ? bodyGroup : 0));
+    insert(collider);
     entered(collider);
     return idAt<BodyId>(collider.index);
 }
@@ -132,12 +162,8 @@ void BulletWorld::removeBody(BodyId body) {
 PieceId BulletWorld::addPiece(const CollisionShape& shape, const Pose& pose, Material material) {
     Collider& collider = makeCollider(m_pieces, ColliderKind::Piece, shape);
     collider.material = material;
-    btRigidBody::btRigidBodyConstructionInfo info(0.0, nullptr, collider.shape.shape.get());
-    info.m_startWorldTransform = toBullet(pose);
-    collider.object = std::make_unique<btRigidBody>(info);
-    collider.object->setCollisionFlags(collider.object->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
-    collider.object->setActivationState(DISABLE_DEACTIVATION);
-    insert(collider, pieceGroup, bodyGroup);
+    embody(collider, toBullet(pose));
+    insert(collider);
     pieceEntered(collider);
     m_presentPieces.push_back(collider.index);
     return static_cast<PieceId>(collider.index);
@@ -192,6 +218,69 @@ void BulletWorld::settlePieces() {
             // Still for a whole step: its velocity is zero by now, and it may be skipped until it moves again.
             piece.object->forceActivationState(ISLAND_SLEEPING);
         }
+    }
+}
+
+void BulletWorld::keepColliders(Archive& archive) {
+    assert(!m_holdsObjects && (!archive.reading() || (m_bodies.empty() && m_pieces.empty())));
+    keepColliders(archive, m_bodies, ColliderKind::Body);
+    keepColliders(archive, m_pieces, ColliderKind::Piece);
+    archive(m_presentPieces, m_nextNumber, m_costs);
+    // What is about to leave, in that order.
+    m_leaving.resize(archive.count(m_leaving.size()));
+    for (Collider*& leaving : m_leaving) {
+        ColliderKind kind = archive.reading() ? ColliderKind::Body : leaving->kind;
+        std::uint32_t index = archive.reading() ? 0 : leaving->index;
+        archive(kind, index);
+        const Colliders& list = kind == ColliderKind::Piece ? m_pieces : m_bodies;
+        if (index >= list.size()) {
+            Archive::fail();
+        }
+        leaving = list[index].get();
+    }
+}
+
+void BulletWorld::keepColliders(Archive& archive, Colliders& list, ColliderKind kind) {
+    list.resize(archive.count(list.size()));
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (archive.reading()) {
+            list[i] = std::make_unique<Collider>();
+            list[i]->kind = kind;
+            list[i]->index = static_cast<std::uint32_t>(i);
+        }
+        archive(*list[i]);
+        keepObject(archive, *list[i]);
+    }
+}
+
+void BulletWorld::keepObject(Archive& archive, Collider& collider) {
+    bool there = collider.object != nullptr;
+    archive(there);
+    if (!there) {
+        return;
+    }
+    // The axes as they stand: through a quaternion they would lose their last bits.
+    std::array<btVector3, 4> place;
+    std::array<btVector3, 2> motion;
+    if (!archive.reading()) {
+        const btTransform& at = collider.object->getWorldTransform();
+        place = {at.getBasis()[0], at.getBasis()[1], at.getBasis()[2], at.getOrigin()};
+        motion = {collider.object->getLinearVelocity(), collider.object->getAngularVelocity()};
+    }
+    const auto visit = [&](btVector3& v) { archive(v[0], v[1], v[2]); };
+    std::for_each(place.begin(), place.end(), visit);
+    std::for_each(motion.begin(), motion.end(), visit);
+    if (archive.reading()) {
+        furnish(collider);
+        btTransform at;
+        for (int row = 0; row < 3; ++row) {
+            at.getBasis()[row] = place[static_cast<std::size_t>(row)];
+        }
+        at.setOrigin(place[3]);
+        embody(collider, at);
+        collider.object->setLinearVelocity(motion[0]);
+        collider.object->setAngularVelocity(motion[1]);
+        insert(collider);
     }
 }
 
@@ -305,6 +394,11 @@ public:
         if (!removed(body) && m_soft->freezeClock().frozen(at(body))) {
             m_soft->thaw(bodyAt(body));
         }
+    }
+    bool keep(Archive& archive) override {
+        keepColliders(archive);
+        m_soft->keep(archive, bodies(), pieces());
+        return true;
     }
 
 private:

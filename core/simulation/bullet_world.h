@@ -3,6 +3,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/simulation/fragment_world.h"
@@ -53,11 +54,20 @@ protected:
     /// Marked objects are about to leave the Bullet world.
     virtual void aboutToLeave() {}
     virtual void left(Collider&) {}
+    /// Bodies and pieces, out or in, for a Bullet world that does not hold them.
+    void keepColliders(Archive& archive);
+    std::span<const std::unique_ptr<Collider>> bodies() const { return m_bodies; }
+    std::span<const std::unique_ptr<Collider>> pieces() const { return m_pieces; }
     StepCosts m_costs;
 
 private:
-    Collider& makeCollider(std::vector<std::unique_ptr<Collider>>& list, ColliderKind kind, const CollisionShape& shape);
-    void insert(Collider& collider, int group, int mask);
+    using Colliders = std::vector<std::unique_ptr<Collider>>;
+    Collider& makeCollider(Colliders& list, ColliderKind kind, const CollisionShape& shape);
+    void furnish(Collider& collider);
+    static void embody(Collider& collider, const btTransform& place);
+    void insert(Collider& collider);
+    void keepColliders(Archive& archive, Colliders& list, ColliderKind kind);
+    void keepObject(Archive& archive, Collider& collider);
     void addGround();
     void takeOut();
     void settlePieces();
@@ -68,9 +78,9 @@ private:
     btDbvtBroadphase m_broadphase;
     std::unique_ptr<btDiscreteDynamicsWorld> m_world;
     bool m_holdsObjects = true;
-    std::vector<std::unique_ptr<Collider>> m_ground;
-    std::vector<std::unique_ptr<Collider>> m_bodies;
-    std::vector<std::unique_ptr<Collider>> m_pieces;
+    Colliders m_ground;
+    Colliders m_bodies;
+    Colliders m_pieces;
     std::vector<std::uint32_t> m_presentPieces;
     std::vector<Collider*> m_leaving;
     std::uint32_t m_nextNumber = 1;  ///< 0 is the ground's

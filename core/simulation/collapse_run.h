@@ -14,6 +14,6 @@ using WorldFactory = std::function<std::unique_ptr<RigidWorld>(const WorldSettin
 
 /// simulate() in a world of the caller's choice: for benchmarks against the plain engine, and for tests.
 SimulationResult simulateIn(const WorldFactory& makeWorld, const RunDescription& description, TrajectorySink& sink,
-                            const Execution& execution);
+                            const Execution& execution, CheckpointStore* checkpoints = nullptr);
 
 }  // namespace rubble

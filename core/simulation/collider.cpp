@@ -1,6 +1,13 @@
 #include "core/simulation/collider.h"
 
+#include "core/simulation/value_archive.h"
+
 namespace rubble {
+
+void Collider::keep(Archive& archive) {
+    archive(number, newborn, moving, pushed, bornBelow, leaving, overlapping, justThawed, broken, touched, material, birthDepth,
+            penetration, overlapLeft, lifted, smallestSide, volume, mass, inertia, parts);
+}
 
 OrientedBox boxAround(const CollisionShape& parts) {
     if (parts.size() == 1) {

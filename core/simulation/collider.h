@@ -27,19 +27,24 @@ struct Collider {
     bool broken = false;       ///< a body that was given a velocity that is no number; it goes on without
     bool touched = false;      ///< a body that a contact acted on in this step
     Material material = Material::Concrete;
-    double radius = 0.0;        ///< m, of the farthest corner
-    double birthDepth = 0.0;    ///< m, inside older colliders
-    double penetration = 0.0;   ///< m, of a body: its deepest contact in its latest step awake, overlap at birth excepted
-    double overlapLeft = 0.0;   ///< m, of a body: what is left of overlap at birth with other bodies, in its latest step awake
-    double lifted = 0.0;        ///< m, of a body: by being brought out of overlap at birth
-    double smallestSide = 0.0;  ///< m, of a body
-    double volume = 0.0;        ///< m3, of its material
+    double radius = 0.0;          ///< m, of the farthest corner
+    double birthDepth = 0.0;      ///< m, inside older colliders
+    double penetration = 0.0;     ///< m, of a body: its deepest contact in its latest step awake, overlap at birth excepted
+    double overlapLeft = 0.0;     ///< m, of a body: what is left of overlap at birth with other bodies, in its latest step awake
+    double lifted = 0.0;          ///< m, of a body: by being brought out of overlap at birth
+    double smallestSide = 0.0;    ///< m, of a body
+    double volume = 0.0;          ///< m3, of its material
+    double mass = 0.0;            ///< kg, of a body, as it entered: the engine holds the inverse
+    Vec3 inertia = Vec3::Zero();  ///< kg m2, likewise
     const PairTable* pairs = nullptr;
     CollisionShape parts;
     OrientedBox box;            ///< around the parts
     Vec3 shift = Vec3::Zero();  ///< m, by which this step's bleeding moves the body
     OwnedShape shape;
     std::unique_ptr<btRigidBody> object;
+
+    /// All but what follows from kind, place and parts.
+    void keep(Archive& archive);
 };
 
 inline Collider& colliderOf(const btCollisionObject* object) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/simulation/value_archive.h"
+
 namespace rubble {
 
 void EnergyAccount::entered(const Momenta& body, double height) {
@@ -34,6 +36,10 @@ void EnergyAccount::update(double kinetic, double massHeight, const ContactRepor
     const double work = m_workMost;
     m_gain = gain > 0.0 && work > 0.0 ? gain / work : 0.0;
     m_balance.drift = std::max(m_balance.drift, m_gain);
+}
+
+void EnergyAccount::keep(Archive& archive) {
+    archive(m_potentialIn, m_kineticOut, m_dissipatedMost, m_gain, m_workMost, m_balance);
 }
 
 }  // namespace rubble

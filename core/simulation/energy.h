@@ -26,6 +26,7 @@ public:
     /// What has been gained and not been lost again since, over the most work of gravity so far or the kinetic energy that births
     /// brought in, whichever is more; 0 if nothing.
     double gain() const { return m_gain; }
+    void keep(Archive& archive);
 
 private:
     double m_gravity;

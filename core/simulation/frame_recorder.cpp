@@ -2,7 +2,13 @@
 
 #include <array>
 
+#include "core/simulation/value_archive.h"
+
 namespace rubble {
+
+void FrameRecorder::keep(Archive& archive) {
+    archive(m_last, m_due, m_frames, m_hasher, m_held);
+}
 
 void FrameRecorder::commit(const RigidWorld& world, double time, FrameKind kind) {
     TrajectoryFrame frame;

@@ -3,7 +3,7 @@
 #include <limits>
 #include <map>
 
-#include "core/base/hash.h"
+#include "core/base/resumable_hash.h"
 #include "core/simulation/rigid_world.h"
 #include "core/trajectory/trajectory.h"
 
@@ -23,6 +23,7 @@ public:
     Digest hash() const { return m_hasher.finish(); }
     double lastTime() const { return m_last; }
     std::int64_t frames() const { return m_frames; }
+    void keep(Archive& archive);
 
 private:
     TrajectorySink& m_sink;
@@ -30,7 +31,7 @@ private:
     double m_last = -std::numeric_limits<double>::infinity();
     double m_due = -std::numeric_limits<double>::infinity();  ///< s
     std::int64_t m_frames = 0;
-    Hasher m_hasher;
+    ResumableHasher m_hasher;
     std::map<BodyId, BodyMotion> m_held;
 };
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/geometry.h"
+#include "core/base/archive.h"
 
 namespace rubble {
 
@@ -31,6 +31,8 @@ public:
     void sortDependants(std::size_t body);
     /// True while a thawed body may still have to thaw others.
     bool watched(std::size_t body) const { return !m_bodies[body].dependants.empty(); }
+    std::size_t size() const { return m_bodies.size(); }
+    void keep(Archive& archive) { archive(m_bodies); }
 
 private:
     struct Body {
@@ -38,6 +40,8 @@ private:
         bool frozen = false;
         Vec3 thawedAt = Vec3::Zero();
         std::vector<std::uint32_t> dependants;
+
+        void keep(Archive& archive) { archive(quietFor, frozen, thawedAt, dependants); }
     };
     double m_speed;
     double m_delay;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/simulation/value_archive.h"
+
 namespace rubble {
 
 namespace {
@@ -262,6 +264,13 @@ void HealthMonitor::remedied(double from, double to) {
     }
     m_report.remedies.back().to = to;
     ++m_report.remedies.back().steps;
+}
+
+void HealthMonitor::keep(Archive& archive) {
+    // The breaches of the report are the log's.
+    archive(m_bodies, m_log, m_report.remedies, m_report.penetrationSustained, m_report.penetrationShare, m_report.crowdShare,
+            m_report.fastestOverLimit, m_report.farthest, m_report.asleepPeak, m_report.contactsPeak, m_report.bodiesLost,
+            m_topEnergy, m_unwell, m_rested);
 }
 
 HealthReport HealthMonitor::report() const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/finding.h"
+#include "core/base/standard_gravity.h"
 #include "core/fe/site_surface.h"
 #include "core/simulation/breach_log.h"
 #include "core/simulation/outcomes.h"
@@ -14,7 +15,7 @@ namespace rubble {
 
 /// Where a collapse takes place, as far as the monitor has to know.
 struct HealthSite {
-    double gravity = 9.80665;  ///< m/s2
+    double gravity = standardGravity;  ///< m/s2
     SiteSurface surface;
     Aabb structure;                    ///< m, at rest; empty: no body counts as outside
     std::optional<double> waterLevel;  ///< m; unset: no water acts
@@ -57,6 +58,7 @@ public:
     /// One finding for each check that was breached, counting bodies (or breaches, where it is not about bodies), and one for the
     /// remedies.
     void addFindings(Findings& findings) const;
+    void keep(Archive& archive);
 
 private:
     static constexpr double never = std::numeric_limits<double>::infinity();
@@ -75,6 +77,11 @@ private:
         bool everFast = false;
         bool everBelow = false;
         bool everOutside = false;
+
+        void keep(Archive& archive) {
+            archive(side, entered, share, deepSince, crowdSince, energy, below, outside, bornBelow, wasFrozen, everDeep, everFast,
+                    everBelow, everOutside);
+        }
     };
     /// The worst of many in one step.
     struct Tally {

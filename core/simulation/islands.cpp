@@ -4,6 +4,8 @@
 
 #include "core/simulation/bulking.h"
 #include "core/simulation/constants.h"
+#include "core/simulation/ledger.h"
+#include "core/simulation/value_archive.h"
 
 namespace rubble {
 
@@ -11,10 +13,6 @@ namespace {
 
 /// Share of the released islands that must sleep for a run to end before its time.
 constexpr double islandsAsleep = 0.99;
-
-double relative(double error, double scale) {
-    return scale > 0.0 ? error / scale : 0.0;
-}
 
 }  // namespace
 
@@ -95,12 +93,12 @@ void Islands::take(const IslandBody& island, RigidWorld& world, Release& release
 
 void Islands::close(const LedgerRow& row) {
     LedgerErrors& errors = m_count.ledger;
-    errors.mass = relative(std::abs(row.fragments.mass - row.fe.mass), row.fe.mass);
-    errors.momentum = relative((row.fragments.linear - row.fe.linear).norm(), m_linear);
-    errors.angularMomentum = relative((row.fragments.angular - row.fe.angular).norm(), m_angular);
-    errors.bodyMass = relative(std::abs(row.bodies.mass - row.fe.mass), row.fe.mass);
-    errors.bodyMomentum = relative((row.bodies.linear - row.fe.linear).norm(), m_linear);
-    errors.bodyAngularMomentum = relative((row.bodies.angular - row.fe.angular).norm(), m_angular);
+    errors.mass = relativeError(std::abs(row.fragments.mass - row.fe.mass), row.fe.mass);
+    errors.momentum = relativeError((row.fragments.linear - row.fe.linear).norm(), m_linear);
+    errors.angularMomentum = relativeError((row.fragments.angular - row.fe.angular).norm(), m_angular);
+    errors.bodyMass = relativeError(std::abs(row.bodies.mass - row.fe.mass), row.fe.mass);
+    errors.bodyMomentum = relativeError((row.bodies.linear - row.fe.linear).norm(), m_linear);
+    errors.bodyAngularMomentum = relativeError((row.bodies.angular - row.fe.angular).norm(), m_angular);
     m_count.droppedKineticEnergy = row.fe.kineticEnergy - row.bodies.kineticEnergy;
 }
 
@@ -128,6 +126,14 @@ std::int64_t Islands::awake(const RigidWorld& world) const {
 
 bool Islands::atRest(const RigidWorld& world) const {
     return static_cast<double>(awake(world)) <= (1.0 - islandsAsleep) * static_cast<double>(m_bodies.size());
+}
+
+void Islands::Body::keep(Archive& archive) {
+    archive(id, island);
+}
+
+void Islands::keep(Archive& archive) {
+    archive(m_loose, m_count, m_bodies, m_gone, m_linear, m_angular);
 }
 
 LiveIslands Islands::outcome(const RigidWorld& world, Findings& findings) {

@@ -39,11 +39,14 @@ public:
     bool atRest(const RigidWorld& world) const;
     /// What became of them, and the finding that says so.
     LiveIslands outcome(const RigidWorld& world, Findings& findings);
+    void keep(Archive& archive);
 
 private:
     struct Body {
         BodyId id{};
         IslandBody island;
+
+        void keep(Archive& archive);
     };
     void find();
     void take(const IslandBody& island, RigidWorld& world, Release& release);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/clusters/rigid_motion.h"
+#include "core/simulation/value_archive.h"
 
 namespace rubble {
 
@@ -15,15 +16,15 @@ struct Scale {
     double angular = 0.0;  ///< sum of |x| m |v|
 };
 
-double relative(double error, double scale) {
-    return scale > 0.0 ? error / scale : 0.0;
-}
-
 void raise(double& most, double error) {
     most = std::max(most, error);
 }
 
 }  // namespace
+
+void Ledger::keep(Archive& archive) {
+    archive(m_errors);
+}
 
 LedgerRow Ledger::handedOver(std::size_t state, double time, const HandOver& handOver, const RigidWorld& world) {
     LedgerRow row;
@@ -47,12 +48,12 @@ LedgerRow Ledger::handedOver(std::size_t state, double time, const HandOver& han
     }
     row.droppedKineticEnergy = row.fe.kineticEnergy - row.bodies.kineticEnergy;
 
-    raise(m_errors.mass, relative(std::abs(row.fragments.mass - row.fe.mass), scale.mass));
-    raise(m_errors.momentum, relative((row.fragments.linear - row.fe.linear).norm(), scale.linear));
-    raise(m_errors.angularMomentum, relative((row.fragments.angular - row.fe.angular).norm(), scale.angular));
-    raise(m_errors.bodyMass, relative(std::abs(row.bodies.mass - row.fe.mass), scale.mass));
-    raise(m_errors.bodyMomentum, relative((row.bodies.linear - row.fe.linear).norm(), scale.linear));
-    raise(m_errors.bodyAngularMomentum, relative((row.bodies.angular - row.fe.angular).norm(), scale.angular));
+    raise(m_errors.mass, relativeError(std::abs(row.fragments.mass - row.fe.mass), scale.mass));
+    raise(m_errors.momentum, relativeError((row.fragments.linear - row.fe.linear).norm(), scale.linear));
+    raise(m_errors.angularMomentum, relativeError((row.fragments.angular - row.fe.angular).norm(), scale.angular));
+    raise(m_errors.bodyMass, relativeError(std::abs(row.bodies.mass - row.fe.mass), scale.mass));
+    raise(m_errors.bodyMomentum, relativeError((row.bodies.linear - row.fe.linear).norm(), scale.linear));
+    raise(m_errors.bodyAngularMomentum, relativeError((row.bodies.angular - row.fe.angular).norm(), scale.angular));
     return row;
 }
 

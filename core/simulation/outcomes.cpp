@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/simulation/value_archive.h"
+
 namespace rubble {
 
 namespace {
@@ -108,6 +110,18 @@ void Outcomes::stepped(const RigidWorld& world, double time, double dt) {
         outcome.birthSpeed = velocity.norm();
         return true;
     });
+}
+
+void Outcomes::Pending::keep(Archive& archive) {
+    archive(time, carrier);
+}
+
+void Outcomes::keep(Archive& archive) {
+    const std::size_t fragments = m_fragments.size();
+    archive(m_fragments, m_carriers, m_carried, m_bodies, m_lost, m_pending, m_maxSpeed, m_kinetic, m_massHeight);
+    if (m_fragments.size() != fragments || m_carried.size() != fragments) {
+        Archive::fail();
+    }
 }
 
 void Outcomes::finish(const RigidWorld& world) {

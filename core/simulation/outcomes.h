@@ -45,11 +45,14 @@ public:
     const std::vector<TrackedBody>& bodies() const { return m_bodies; }
     /// Bodies that became no number in the latest step: to be taken out of the world before the next.
     const std::vector<BodyId>& lost() const { return m_lost; }
+    void keep(Archive& archive);
 
 private:
     struct Pending {
         double time = 0.0;
         std::uint32_t carrier = 0;
+
+        void keep(Archive& archive);
     };
     /// Notes a carrier; a fragment that is not born yet is born from its latest one.
     void carry(const Carrier& carrier);

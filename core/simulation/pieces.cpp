@@ -286,6 +286,27 @@ void Pieces::release(RigidWorld& world, const std::vector<bool>& gone, std::size
     }
 }
 
+void Pieces::keep(Archive& archive) {
+    std::size_t groups = m_groups.size();
+    archive(groups);
+    if (groups != m_groups.size()) {
+        Archive::fail();
+    }
+    for (Group& group : m_groups) {
+        archive(group);
+    }
+    m_moving.resize(archive.count(m_moving.size()));
+    for (Group*& moving : m_moving) {
+        auto index = static_cast<std::size_t>(archive.reading() ? 0 : moving - m_groups.data());
+        archive(index);
+        if (index >= groups || !m_groups[index].piece) {
+            Archive::fail();
+        }
+        moving = &m_groups[index];
+    }
+    archive(m_present);
+}
+
 void Pieces::moveTo(RigidWorld& world, double share) {
     for (Group* group : m_moving) {
         group->pose = {group->start.position + share * (group->finish.position - group->start.position),

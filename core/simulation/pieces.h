@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/archive.h"
 #include "core/fe/activity.h"
 #include "core/fe/components.h"
 #include "core/fe/fe_result.h"
@@ -33,6 +34,9 @@ public:
     /// From now on everything stands still (after the last FE state).
     void hold() { m_moving.clear(); }
 
+    /// Where it is in an interval, out or in.
+    void keep(Archive& archive);
+
     std::size_t present() const { return m_present; }
     std::size_t moving() const { return m_moving.size(); }
 
@@ -47,6 +51,8 @@ private:
         Pose pose;           ///< where the piece is
         Pose start, finish;  ///< of this interval
         Aabb box;            ///< of the members at rest, about restCentre
+
+        void keep(Archive& archive) { archive(nodes, restCentre, members, piece, pose, start, finish, box); }
     };
 
     void makeGroups(const SimulationSettings& settings);

@@ -7,6 +7,7 @@
 
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
+#include "core/base/standard_gravity.h"
 #include "core/fe/terrain_grid.h"
 #include "core/fragments/fragment_set.h"
 #include "core/scenario/scenario.h"
@@ -14,6 +15,8 @@
 #include "core/trajectory/trajectory.h"
 
 namespace rubble {
+
+class Archive;
 
 /// One convex part of a collision shape: a box, or the hull of points.
 struct ConvexPart {
@@ -48,7 +51,7 @@ struct BodyMotion {
 
 /// What a world needs to know besides its bodies.
 struct WorldSettings {
-    double gravity = 9.80665;  ///< m/s2, downwards
+    double gravity = standardGravity;  ///< m/s2, downwards
     bool ground = true;
     double groundHeight = 0.0;                   ///< m, top of the level ground
     std::shared_ptr<const TerrainGrid> terrain;  ///< takes the place of the level ground where it has heights
@@ -138,6 +141,10 @@ public:
     virtual bool pushedByPiece(BodyId body) const = 0;
     virtual const ContactReport& contacts() const = 0;
     virtual const StepCosts& costs() const = 0;
+
+    /// Its state between two steps, out or in: into a world that was just made with the same settings, which then goes on bit for
+    /// bit. False, and nothing happens, if what decides the next step cannot be kept (the stock solver's contacts are its own).
+    virtual bool keep(Archive&) { return false; }
 };
 
 /// The world that a solver kind stands for.

@@ -7,6 +7,7 @@
 #include "core/base/execution.h"
 #include "core/base/finding.h"
 #include "core/base/hash.h"
+#include "core/simulation/checkpoint.h"
 #include "core/simulation/effects/decisions.h"
 #include "core/simulation/health.h"
 #include "core/trajectory/trajectory.h"
@@ -92,7 +93,7 @@ struct EnergyBalance {
         0.0;  ///< largest gain so far beyond gravity, births, and the work of overlap, pieces and effects, over gravity work
 };
 
-/// The outcome of a simulation. Everything except the times is bit-identical from run to run.
+/// The outcome of a simulation. Everything except the times and the report on checkpoints is bit-identical from run to run.
 struct SimulationResult {
     std::vector<FragmentOutcome> fragments;  ///< [fragments]
     std::int64_t bodiesPeak = 0;             ///< of clusters, at one time
@@ -115,6 +116,7 @@ struct SimulationResult {
     HealthReport health;
     Digest trajectoryHash;  ///< of every committed frame, in double precision
     Findings findings;
+    CheckpointReport checkpoints;
 };
 
 /// ms per step, all effects and the rest: to be held against the measured allMs, which it makes up to what nobody has on the
@@ -127,6 +129,9 @@ double accountError(const SimulationResult& result);
 /// Simulates a clustered scene from the first hand-over to the end (DESIGN.md 2.4). Steps have equal length within an FE interval,
 /// at most 1 / stepRateOf(), and meet every FE state exactly. Deterministic: the same description gives the same trajectory hash.
 /// Throws Cancelled (all committed frames stay in the sink) and whatever the sink throws.
-SimulationResult simulate(const RunDescription& description, TrajectorySink& sink, const Execution& execution);
+/// @param checkpoints  goes on from the latest one of the same run, if there is one; whoever keeps the result removes it. A solver
+///                     or a sink that cannot go on keeps none. Null: none are kept, none is looked for
+SimulationResult simulate(const RunDescription& description, TrajectorySink& sink, const Execution& execution,
+                          CheckpointStore* checkpoints = nullptr);
 
 }  // namespace rubble

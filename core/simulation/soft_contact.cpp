@@ -19,6 +19,17 @@ void take(const SoftContact::Point& from, const SoftContact& to, SoftContact::Po
 
 }  // namespace
 
+void SoftContact::keep(Archive& archive) {
+    archive(pair, part, normal, count, depth, yield, load, restLoad, offset, approach, pressed, jammedFor, pushes, fresh, yielded,
+            yielding, pressing);
+    if (count < 0 || count > static_cast<int>(points.size())) {
+        Archive::fail();
+    }
+    for (Point& point : std::span(points).first(static_cast<std::size_t>(count))) {
+        archive(point);
+    }
+}
+
 void carryOver(const SoftContact& from, SoftContact& to) {
     to.offset = std::min(to.depth, from.offset);
     to.offset = to.offset > touchingDepth ? to.offset : 0.0;

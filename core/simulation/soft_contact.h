@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/archive.h"
 #include "core/simulation/birth_overlap.h"
 #include "core/simulation/collider.h"
 #include "core/simulation/contact_patch.h"
@@ -20,6 +21,8 @@ struct SoftContact {
         double impulse = 0.0;          ///< N s in a substep, along the normal
         Vec3 friction = Vec3::Zero();  ///< N s in a substep, on b
         double push = 0.0;             ///< kg m in a step, along the normal, by position only
+
+        void keep(Archive& archive) { archive(position, separation, feature, impulse, friction, push); }
     };
     ColliderPair pair = 0;
     std::uint32_t part = 0;  ///< which parts of the two shapes, and which patch of theirs
@@ -43,6 +46,8 @@ struct SoftContact {
     bool pressing = false;         ///< it strikes from above or from the side
 
     std::pair<ColliderPair, std::uint32_t> key() const { return {pair, part}; }
+    /// All but a and b, which the pair names.
+    void keep(Archive& archive);
 };
 
 /// Hands on what a contact carries to the one found in its place a step later. Points are matched by feature, then by nearness.

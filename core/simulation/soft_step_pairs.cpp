@@ -6,13 +6,6 @@ namespace rubble {
 
 namespace {
 
-constexpr std::uint32_t firstOf(ColliderPair pair) {
-    return static_cast<std::uint32_t>(pair >> 32);
-}
-constexpr std::uint32_t secondOf(ColliderPair pair) {
-    return static_cast<std::uint32_t>(pair);
-}
-
 /// All pairs in order.
 /// @param numbers  above every number of a collider
 std::vector<ColliderPair> inOrder(const std::vector<std::vector<ColliderPair>>& parts, std::size_t numbers) {

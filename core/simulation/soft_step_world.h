@@ -38,6 +38,10 @@ public:
     void thaw(Collider& body);
     /// Thaws the frozen bodies that touch what is marked as leaving, and drops its contacts.
     void letGoOfLeaving();
+    /// Its state between two steps, out or in.
+    /// @param bodies, pieces  that ever entered, in order
+    void keep(Archive& archive, std::span<const std::unique_ptr<Collider>> bodies,
+              std::span<const std::unique_ptr<Collider>> pieces);
 
 protected:
     void internalSingleStepSimulation(btScalar dt) override;
@@ -62,6 +66,11 @@ private:
         int drivers = 0;         ///< moving pieces that press on it in this step
         bool active = false;     ///< a contact acted on it in this step
         bool supported = false;  ///< it stood, in the step before, on something immovable or supported
+
+        /// What outlasts a step and does not follow from collider and pose.
+        void keep(Archive& archive) {
+            archive(swept, pose, velocity, spin, rim, inertia, inverseMass, age, hull, active, supported);
+        }
     };
     struct Pair {
         Collider* a = nullptr;  ///< entered first
@@ -103,6 +112,9 @@ private:
     bool stirs(const Collider& c) const { return awake(c) || c.moving || c.newborn; }
 
     void enter(Collider& collider);
+    void keepSolids(Archive& archive, std::vector<Solid>& solids, std::span<const std::unique_ptr<Collider>> colliders);
+    Collider* colliderNumbered(std::uint32_t number);
+    void keepContacts(Archive& archive, std::vector<SoftContact>& contacts);
     void takeSlots(double dt);
     void listAwake();
     void place(Solid& solid);

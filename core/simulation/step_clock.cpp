@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/archive.h"
+
 namespace rubble {
 
 void StepClock::add(Instant from, double dt) {
@@ -10,6 +12,24 @@ void StepClock::add(Instant from, double dt) {
     m_milliseconds.push_back(1000.0 * seconds);
     m_simulated += dt;
     m_inTime += seconds < dt;
+}
+
+void StepClock::keep(Archive& archive) {
+    using Seconds = std::chrono::duration<double>;
+    const Instant now = std::chrono::steady_clock::now();
+    // Instants mean something in one process only; until the last birth the last one is none yet.
+    const bool started = m_first != Instant{};
+    const bool stopped = m_last != Instant{};
+    double sinceFirst = started ? Seconds(now - m_first).count() : -1.0;
+    double sinceLast = stopped ? Seconds(now - m_last).count() : -1.0;
+    archive(sinceFirst, sinceLast, m_simulated, m_milliseconds, m_inTime);
+    if (archive.reading()) {
+        const auto before = [now](double seconds) {
+            return seconds < 0.0 ? Instant{} : now - std::chrono::duration_cast<Instant::duration>(Seconds(seconds));
+        };
+        m_first = before(sinceFirst);
+        m_last = before(sinceLast);
+    }
 }
 
 StepTimes StepClock::times() const {

@@ -7,6 +7,8 @@
 
 namespace rubble {
 
+class Archive;
+
 /// Measures steps on the wall clock while births go on. What it says never reaches a trajectory.
 class StepClock {
 public:
@@ -18,6 +20,8 @@ public:
     /// The last birth has passed.
     void stop() { m_last = std::chrono::steady_clock::now(); }
     StepTimes times() const;
+    /// What was measured so far; a clock that goes on elsewhere leaves out the time between.
+    void keep(Archive& archive);
 
 private:
     Instant m_first{};

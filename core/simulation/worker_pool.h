@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -19,12 +20,12 @@ public:
     WorkerPool& operator=(const WorkerPool&) = delete;
 
     /// Calls work(first, last) for [0, count) in parts of at most `grain`, in any order on any thread; returns when all are done.
-    /// Loops shorter than one grain run on the calling thread. `work` must not throw.
+    /// The parts are the same for any number of threads. A single part runs on the calling thread. `work` must not throw.
     template <class Work>
     void loop(std::size_t count, std::size_t grain, Work&& work) {
         if (m_workers.empty() || count <= grain) {
-            if (count > 0) {
-                work(std::size_t{0}, count);
+            for (std::size_t first = 0; first < count; first += grain) {
+                work(first, std::min(first + grain, count));
             }
             return;
         }

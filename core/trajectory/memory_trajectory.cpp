@@ -1,7 +1,7 @@
 #include <cassert>
 #include <mutex>
 
-#include "core/trajectory/trajectory.h"
+#include "core/trajectory/record_archive.h"
 
 namespace rubble {
 
@@ -14,6 +14,18 @@ struct MemoryTrajectory::Store {
     std::vector<IslandRecord> islands;
     LedgerRow islandLedger;
     bool complete = false;
+
+    void keep(Archive& archive) {
+        const std::size_t count = archive.count(frames.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            TrajectoryFrame frame = archive.reading() ? TrajectoryFrame() : *frames[i];
+            archive(frame);
+            if (archive.reading()) {
+                frames.push_back(std::make_shared<const TrajectoryFrame>(std::move(frame)));
+            }
+        }
+        archive(bodies, carriers, ledger, islands, islandLedger);
+    }
 };
 
 MemoryTrajectory::MemoryTrajectory() : m_store(std::make_unique<Store>()) {}
@@ -60,6 +72,21 @@ void MemoryTrajectory::addLedger(const LedgerRow& row) {
 void MemoryTrajectory::finish(const SimulationResult&) {
     const std::scoped_lock lock(m_store->mutex);
     m_store->complete = true;
+}
+
+std::optional<std::string> MemoryTrajectory::mark() {
+    const std::scoped_lock lock(m_store->mutex);
+    Archive archive;
+    archive(*m_store);
+    return std::move(archive).take();
+}
+
+bool MemoryTrajectory::resume(const RunDescription& description, std::string_view mark) {
+    MemoryTrajectory::begin(description);
+    const std::scoped_lock lock(m_store->mutex);
+    Archive archive(mark);
+    archive(*m_store);
+    return archive.atEnd();
 }
 
 std::size_t MemoryTrajectory::frameCount() const {

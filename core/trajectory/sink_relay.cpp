@@ -1,5 +1,7 @@
 #include "core/trajectory/sink_relay.h"
 
+#include "core/base/archive.h"
+
 namespace rubble {
 
 void SinkRelay::begin(const RunDescription& description) {
@@ -42,6 +44,29 @@ void SinkRelay::finish(const SimulationResult& result) {
     if (m_next != nullptr) {
         m_next->finish(result);
     }
+}
+
+std::optional<std::string> SinkRelay::mark() {
+    std::optional<std::string> next = m_next != nullptr ? m_next->mark() : std::string();
+    if (!next) {
+        return std::nullopt;
+    }
+    Archive archive;
+    archive(*next);
+    keep(archive);
+    return std::move(archive).take();
+}
+
+bool SinkRelay::resume(const RunDescription& description, std::string_view mark) {
+    Archive archive(mark);
+    std::string next;
+    archive(next);
+    // Where the next one cannot go on, nothing has been taken here either.
+    if (m_next != nullptr && !m_next->resume(description, next)) {
+        return false;
+    }
+    keep(archive);
+    return archive.atEnd();
 }
 
 }  // namespace rubble

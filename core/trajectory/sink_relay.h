@@ -4,7 +4,10 @@
 
 namespace rubble {
 
-/// Hands a run on to another sink: what looks on overrides the calls it looks at, and calls these.
+class Archive;
+
+/// Hands a run on to another sink: what looks on overrides the calls it looks at, and calls these. What keeps something of what it
+/// saw visits it in keep().
 class SinkRelay : public TrajectorySink {
 public:
     /// @param next  not owned; null: there is none
@@ -17,8 +20,13 @@ public:
     void addLedger(const LedgerRow& row) override;
     void addBreaches(const std::vector<HealthBreach>& breaches) override;
     void finish(const SimulationResult& result) override;
+    std::optional<std::string> mark() final;
+    bool resume(const RunDescription& description, std::string_view mark) final;
 
 private:
+    /// What it knows of the run, for the mark.
+    virtual void keep(Archive&) {}
+
     TrajectorySink* m_next;
 };
 

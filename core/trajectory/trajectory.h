@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/geometry.h"
@@ -101,7 +103,7 @@ struct HealthBreach;
 
 /// Takes a run as it is made. Calls come from one thread in this order: begin, then any number of addBodies, commit, addLedger and
 /// addBreaches and at most one addIslands right after the addBodies of its bodies, then finish (not after a cancel or an error).
-/// What was committed stays readable whatever happens next.
+/// What was committed stays readable whatever happens next. A run that goes on from a checkpoint calls resume in place of begin.
 class TrajectorySink {
 public:
     virtual ~TrajectorySink() = default;
@@ -118,6 +120,13 @@ public:
     /// what was said of it before. The result of the run says the last word.
     virtual void addBreaches(const std::vector<HealthBreach>& /*breaches*/) {}
     virtual void finish(const SimulationResult& result) = 0;
+
+    /// What resume() needs to go on after what has come so far, in this process or another one; nothing: this sink cannot, and its
+    /// run keeps no checkpoints.
+    virtual std::optional<std::string> mark() { return std::nullopt; }
+    /// In place of begin(): goes on after a mark of its own, and forgets what came after it. False: what it refers to is no longer
+    /// there, and the run starts with begin().
+    virtual bool resume(const RunDescription& /*description*/, std::string_view /*mark*/) { return false; }
 };
 
 /// Reads committed frames while a run is made or after; thread-safe. Frames come through a bounded cache.
@@ -157,6 +166,9 @@ public:
     void commit(const TrajectoryFrame& frame) override;
     void addLedger(const LedgerRow& row) override;
     void finish(const SimulationResult& result) override;
+    /// The whole trajectory.
+    std::optional<std::string> mark() override;
+    bool resume(const RunDescription& description, std::string_view mark) override;
     std::size_t frameCount() const override;
     double frameTime(std::size_t i) const override;
     std::shared_ptr<const TrajectoryFrame> frame(std::size_t i) const override;

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <unordered_map>
 
+#include "core/base/unknown.h"
 #include "io/series/byte_window.h"
 
 namespace rubble::io {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 std::uint32_t partNamed(const std::string& name, Mesh& mesh) {
     for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
@@ -58,10 +56,10 @@ const DeckSection* sectionNamed(const InputDeck& deck, const std::string& set) {
 }
 
 void applySection(const InputDeck& deck, const DeckSection& section, std::size_t e, Mesh& mesh) {
-    mesh.density[e] = deck.densityOf(section).value_or(nothing);
-    mesh.section[e] = isShell(mesh.shapes[e])                ? section.thickness.value_or(nothing)
-                      : mesh.shapes[e] == ElementShape::Beam ? section.area.value_or(nothing)
-                                                             : nothing;
+    mesh.density[e] = deck.densityOf(section).value_or(unknown);
+    mesh.section[e] = isShell(mesh.shapes[e])                ? section.thickness.value_or(unknown)
+                      : mesh.shapes[e] == ElementShape::Beam ? section.area.value_or(unknown)
+                                                             : unknown;
 }
 
 }  // namespace
@@ -70,8 +68,8 @@ void assignParts(const InputDeck* deck, const std::vector<NamedSet>& sets, Mesh&
     const std::size_t elements = mesh.elementIds.size();
     mesh.parts.clear();
     mesh.part.assign(elements, 0);
-    mesh.density.assign(elements, nothing);
-    mesh.section.assign(elements, nothing);
+    mesh.density.assign(elements, unknown);
+    mesh.section.assign(elements, unknown);
     const std::vector<std::size_t> smallest = smallestSets(sets, mesh);
     std::map<const DeckSection*, std::uint32_t> known;
     for (std::size_t e = 0; e < elements; ++e) {

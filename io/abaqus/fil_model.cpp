@@ -19,8 +19,7 @@ enum Key {
     freedomsKey = 1902,
     elementSetKey = 1933,
     moreMembersKey = 1934,
-    labelKey = 1940,
-    incrementKey = 2000
+    labelKey = 1940
 };
 
 class ModelReader {
@@ -29,7 +28,7 @@ public:
 
     FilModel read(FilRecord& record) {
         while (m_records.next(record)) {
-            if (record.key == incrementKey) {
+            if (record.key == filIncrementKey) {
                 finish();
                 return std::move(m_model);
             }

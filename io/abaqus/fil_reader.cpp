@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <mutex>
 #include <optional>
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 #include "io/abaqus/fil_model.h"
 #include "io/abaqus/fil_records.h"
 #include "io/series/death_list.h"
@@ -17,17 +17,14 @@ namespace rubble::io {
 
 namespace {
 
-enum Key {
+enum StateKey {
     elementHeader = 1,
     statusKey = 61,
     displacementKey = 101,
     velocityKey = 102,
     coordinatesKey = 107,
-    incrementKey = 2000,
     incrementEnd = 2001
 };
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// One increment that counts as a state: where it begins, and what it says of elements.
 struct Increment {
@@ -72,7 +69,7 @@ public:
             step.flags.assign(m_mesh.elementCount(), 1.0);
             const bool any = std::find(increment.recorded.begin(), increment.recorded.end(), true) != increment.recorded.end();
             for (std::size_t e = 0; e < step.flags.size(); ++e) {
-                step.flags[e] = !any ? nothing : increment.recorded[e] || !m_ever[e] ? 1.0 : 0.0;
+                step.flags[e] = !any ? unknown : increment.recorded[e] || !m_ever[e] ? 1.0 : 0.0;
             }
         }
         return step;
@@ -86,7 +83,7 @@ public:
         m_records.seek(m_increments[k].place);
         FilRecord record;
         m_records.next(record);
-        while (m_records.next(record) && record.key != incrementEnd && record.key != incrementKey) {
+        while (m_records.next(record) && record.key != incrementEnd && record.key != filIncrementKey) {
             takeNodal(record, fields);
         }
         return fields;
@@ -104,7 +101,7 @@ private:
 
     void readIncrements(FilRecord& record, const Execution& execution) {
         const Message stage{"fil.index", "Reading the increments", {}};
-        while (record.key == incrementKey) {
+        while (record.key == filIncrementKey) {
             execution.report(stage, 0.0);
             const double time = record.real(0);
             const bool whole = readIncrement(record, time);
@@ -114,7 +111,7 @@ private:
                 m_facts.times.pop_back();
                 m_increments.pop_back();
             }
-            while (record.key != incrementKey && m_records.next(record)) {
+            while (record.key != filIncrementKey && m_records.next(record)) {
             }
         }
         m_ever.assign(m_mesh.elementCount(), false);
@@ -142,7 +139,7 @@ private:
         increment.active = increment.flagged = increment.recorded;
         std::size_t element = m_mesh.elementCount();
         bool ended = false;
-        while (!ended && m_records.next(record) && record.key != incrementKey) {
+        while (!ended && m_records.next(record) && record.key != filIncrementKey) {
             ended = record.key == incrementEnd;
             m_facts.hasVelocity = m_facts.hasVelocity || record.key == velocityKey;
             if (record.key == elementHeader) {

@@ -14,6 +14,9 @@ struct FilPlace {
     std::uint32_t column = 0;  ///< ASCII only
 };
 
+/// The key of the record that an increment begins with.
+constexpr int filIncrementKey = 2000;
+
 /// One record of an Abaqus results file: its key and what follows.
 class FilRecord {
 public:

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "io/series/byte_window.h"
 #include "io/series/numbered_files.h"
+#include "io/trimmed.h"
 
 namespace rubble::io {
 
@@ -18,12 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr int deepestInclude = 10;
 constexpr std::size_t longestLine = 100'000;
-
-std::string trimmed(const std::string& text) {
-    const char* blanks = " \t\r\n";
-    const std::size_t first = text.find_first_not_of(blanks);
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-}
 
 std::optional<double> realOf(std::string text) {
     std::replace_if(text.begin(), text.end(), [](char c) { return c == 'D' || c == 'd'; }, 'E');
@@ -60,9 +55,9 @@ Keyword keywordOf(const std::string& line) {
     }
     for (std::size_t i = 1; i < fields.size(); ++i) {
         const std::size_t equals = fields[i].find('=');
-        std::string value = equals == std::string::npos ? "" : trimmed(fields[i].substr(equals + 1));
+        std::string value = equals == std::string::npos ? "" : std::string(trimmed(fields[i].substr(equals + 1)));
         std::erase(value, '"');
-        const std::string name = upperCase(trimmed(fields[i].substr(0, equals)));
+        const std::string name = upperCase(std::string(trimmed(fields[i].substr(0, equals))));
         if (name == "INPUT") {
             keyword.file = value;
         }
@@ -99,7 +94,7 @@ private:
                 throw ParseError({"deck.binary", "{0} is no input deck: line {1} is no text", {path, number}},
                                  {"deck.binary.remedy", "Give the deck as text, or take the file away.", {}});
             }
-            line = trimmed(line);
+            line = std::string(trimmed(line));
             if (line.empty() || line.starts_with("**")) {
                 continue;
             }

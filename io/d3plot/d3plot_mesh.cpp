@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/base/unknown.h"
 #include "core/fe/components.h"
 #include "io/mesh_builder.h"
 #include "io/one_point_volume.h"
@@ -11,8 +11,6 @@
 namespace rubble::io {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Adds the elements kind by kind and settles what they are made of.
 class MeshMaker {
@@ -56,7 +54,7 @@ private:
         }
         const D3plotElements& beams = m_geometry.beams;
         for (std::size_t e = 0; e < beams.count(); ++e) {
-            m_builder.addBeam(beams.ids[e], partOf(beams, e), std::span(beams.nodes).subspan(2 * e, 2), nothing);
+            m_builder.addBeam(beams.ids[e], partOf(beams, e), std::span(beams.nodes).subspan(2 * e, 2), unknown);
         }
         const D3plotElements& shells = m_geometry.shells;
         const std::vector<double> thickness = shellThickness();
@@ -76,7 +74,7 @@ private:
     // Behind the points and the resultants stand thickness, two variables of the element, and its energy.
     std::vector<double> shellThickness() const {
         const D3plotElements& shells = m_geometry.shells;
-        std::vector<double> thickness(shells.count(), nothing);
+        std::vector<double> thickness(shells.count(), unknown);
         const auto& output = m_header.shellOutput;
         const std::int64_t place = m_header.points * (6 * output[0] + output[1] + m_header.shellExtra) + 8 * output[2];
         if (!output[3] || place >= m_header.shellWords) {
@@ -90,7 +88,7 @@ private:
                 continue;
             }
             const double value = written[row++];
-            thickness[e] = value > 0.0 && usableLength(value) ? value : nothing;
+            thickness[e] = value > 0.0 && usableLength(value) ? value : unknown;
         }
         return thickness;
     }
@@ -123,7 +121,7 @@ private:
 
     KeywordPart deckOf(std::size_t e) const {
         const auto found = m_deck.find(m_geometry.partIds[m_builder.part(e)]);
-        return found == m_deck.end() ? KeywordPart{nothing, nothing, nothing} : found->second;
+        return found == m_deck.end() ? KeywordPart{unknown, unknown, unknown} : found->second;
     }
 
     void settleSections() {
@@ -146,7 +144,7 @@ private:
         }
         for (std::size_t e = 0; e < known; ++e) {
             const std::size_t part = m_builder.part(e);
-            const double density = m_masses.empty() ? nothing : m_masses[part] / volume[part];
+            const double density = m_masses.empty() ? unknown : m_masses[part] / volume[part];
             m_builder.setDensity(e, std::isfinite(density) && density > 0.0 ? density : deckOf(e).density);
         }
     }
@@ -173,7 +171,7 @@ private:
         for (std::size_t e = 0; e < particles.count(); ++e) {
             const std::size_t part = partOf(particles, e);
             const double share = 1.0 / static_cast<double>(count[part]);
-            double volume = densities.empty() ? nothing : m_masses[part] * share / densities[e];
+            double volume = densities.empty() ? unknown : m_masses[part] * share / densities[e];
             if (!(volume > 0.0) || !usableLength(std::cbrt(volume))) {
                 volume = spacingVolume(bounds[part], count[part]);
                 assumed = true;

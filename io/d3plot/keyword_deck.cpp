@@ -6,9 +6,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <numbers>
 #include <vector>
+
+#include "core/base/unknown.h"
 
 namespace rubble::io {
 
@@ -16,7 +17,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fieldWidth = 10;
 constexpr std::size_t longestLine = 1000;
 constexpr int deepestInclude = 4;
@@ -52,7 +52,7 @@ double realOf(const std::string& card, std::size_t i) {
 }
 
 double positiveOrNothing(double value) {
-    return value > 0.0 ? value : nothing;
+    return value > 0.0 ? value : unknown;
 }
 
 /// Takes blocks of cards and joins them in the end.
@@ -82,7 +82,7 @@ public:
         std::map<std::int64_t, KeywordPart> result;
         const auto find = [](const std::map<std::int64_t, double>& values, std::int64_t id) {
             const auto found = values.find(id);
-            return found == values.end() ? nothing : found->second;
+            return found == values.end() ? unknown : found->second;
         };
         for (const auto& [id, links] : m_parts) {
             result[id] = {find(m_density, links.material), find(m_thickness, links.section), find(m_area, links.section)};

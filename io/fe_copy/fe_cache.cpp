@@ -288,7 +288,7 @@ std::shared_ptr<const FeResult> openFeCached(const std::string& path, const Impo
 }
 
 const std::vector<std::string>& cacheKinds() {
-    static const std::vector<std::string> kinds{"fe", "worlds", "islands", "costs", "points", "calibration"};
+    static const std::vector<std::string> kinds{"fe", "worlds", "islands", "checkpoints", "costs", "points", "calibration"};
     return kinds;
 }
 

@@ -24,7 +24,7 @@ std::shared_ptr<const FeResult> openFeCached(const std::string& path, const Impo
 
 /// What a cache folder holds of one kind, or of one result.
 struct CacheEntry {
-    std::string kind;  ///< "fe", "worlds", "islands", "costs", "points" or "calibration"
+    std::string kind;  ///< "fe", "worlds", "islands", "checkpoints", "costs", "points" or "calibration"
     std::string of;    ///< the result that a copy was made of; empty for what studies keep
     std::size_t files = 0;
     std::uint64_t bytes = 0;

@@ -41,23 +41,23 @@ MapOrigin ensembleOrigin(const EnsembleReport& report, const DebrisMap& map, con
     const std::string counted = report.surface.withFallen ? "fragments and live structure that moved farther than " +
                                                                 exactNumber(report.surface.liveThreshold) + " m"
                                                           : "fragments";
-    nlohmann::json json;
-    json["build"] = std::string(buildText());
-    json["inputs"] = nlohmann::json::array();
+    nlohmann::json document;
+    document["build"] = std::string(buildText());
+    document["inputs"] = nlohmann::json::array();
     for (const EnsembleInput& input : inputs) {
-        json["inputs"].push_back({{"role", input.role}, {"path", input.path}, {"sha256", input.sha256}});
+        document["inputs"].push_back({{"role", input.role}, {"path", input.path}, {"sha256", input.sha256}});
     }
-    json["coordinates"] = std::string(place.site().words());
-    json["ensemble"] = ensembleJson(report.settings);
-    json["members"] = membersJson(report);
-    json["map"] = {{"class", ensembleClass(report)},
-                   {"cell_m", map.cell},
-                   {"crs", crs},
-                   {"debris", counted},
-                   {"members", map.members},
-                   {"hypotheses", map.hypotheses},
-                   {"thresholds_m", map.thresholds}};
-    origin.provenance = jsonText(json);
+    document["coordinates"] = std::string(place.site().words());
+    document["ensemble"] = ensembleJson(report.settings);
+    document["members"] = membersJson(report);
+    document["map"] = {{"class", ensembleClass(report)},
+                       {"cell_m", map.cell},
+                       {"crs", crs},
+                       {"debris", counted},
+                       {"members", map.members},
+                       {"hypotheses", map.hypotheses},
+                       {"thresholds_m", map.thresholds}};
+    origin.provenance = jsonText(document);
     origin.facts = {{"RUBBLE_CLASS", ensembleClass(report)},
                     {"RUBBLE_CELL_M", exactNumber(map.cell)},
                     {"RUBBLE_CRS", crs},

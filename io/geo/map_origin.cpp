@@ -14,18 +14,18 @@ namespace {
 
 nlohmann::json ledgerJson(const DebrisMap& map) {
     const MapLedger& ledger = map.ledger;
-    nlohmann::json json = {{"fragments", ledger.fragments},
-                           {"mass_kg", ledger.mass},
-                           {"volume_m3", ledger.volume},
-                           {"footprint_m2", ledger.footprintArea}};
-    json["impact_energy_j"] = map.impacts ? nlohmann::json(ledger.impactEnergy) : nlohmann::json(nullptr);
+    nlohmann::json document = {{"fragments", ledger.fragments},
+                               {"mass_kg", ledger.mass},
+                               {"volume_m3", ledger.volume},
+                               {"footprint_m2", ledger.footprintArea}};
+    document["impact_energy_j"] = map.impacts ? nlohmann::json(ledger.impactEnergy) : nlohmann::json(nullptr);
     if (map.live) {
-        json["live_structure"] = {{"elements", ledger.liveElements},
-                                  {"mass_kg", ledger.liveMass},
-                                  {"volume_m3", ledger.liveVolume},
-                                  {"footprint_m2", ledger.liveFootprintArea}};
+        document["live_structure"] = {{"elements", ledger.liveElements},
+                                      {"mass_kg", ledger.liveMass},
+                                      {"volume_m3", ledger.liveVolume},
+                                      {"footprint_m2", ledger.liveFootprintArea}};
     }
-    return json;
+    return document;
 }
 
 }  // namespace
@@ -36,21 +36,21 @@ MapOrigin mapOrigin(const RunReader& run, const DebrisMap& map, FrameKind shown)
     origin.frame = from.frame;
     origin.site = from.site;
     const std::string crs = MapPlace(from.frame, from.site).name();
-    nlohmann::json json = nlohmann::json::parse(provenanceText(run));
-    json["map"] = {{"time_s", map.time},
-                   {"class", shownClass(shown)},
-                   {"cell_m", map.cell},
-                   {"crs", crs},
-                   {"arrival_distance_m", map.arrivalDistance},
-                   {"live_structure", map.live},
-                   {"ledger", ledgerJson(map)}};
+    nlohmann::json document = nlohmann::json::parse(provenanceText(run));
+    document["map"] = {{"time_s", map.time},
+                       {"class", shownClass(shown)},
+                       {"cell_m", map.cell},
+                       {"crs", crs},
+                       {"arrival_distance_m", map.arrivalDistance},
+                       {"live_structure", map.live},
+                       {"ledger", ledgerJson(map)}};
     if (map.live) {
-        json["map"]["live_threshold_m"] = map.liveThreshold;
+        document["map"]["live_threshold_m"] = map.liveThreshold;
     }
     for (std::size_t c = 0; c < map.components.size(); ++c) {
-        json["map"]["components"].push_back(map.components[c]);
+        document["map"]["components"].push_back(map.components[c]);
     }
-    origin.provenance = jsonText(json);
+    origin.provenance = jsonText(document);
     origin.facts = {{"RUBBLE_CLASS", std::string(shownClass(shown))},
                     {"RUBBLE_TIME_S", exactNumber(map.time)},
                     {"RUBBLE_CELL_M", exactNumber(map.cell)},

@@ -19,8 +19,8 @@ namespace rubble::io {
 
 namespace {
 
-constexpr int sideMin = 16;      // px
-constexpr int sideMax = 100000;  // px
+constexpr int sideMin = 16;                // px
+constexpr int photographSideMax = 100000;  // px
 constexpr std::array<const char*, 4> formats{"JPEG", "PNG", "GTiff", nullptr};
 constexpr const char* siblings[] = {nullptr};  // no file beside the photograph says anything of it
 
@@ -29,7 +29,7 @@ struct CloseDataset {
 };
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
-void checkFile(const std::string& path) {
+void checkPhotograph(const std::string& path) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error) || !std::ifstream(path, std::ios::binary)) {
         throw WorldError({"photo.unreadable", "The photograph {0} cannot be read", {path}},
@@ -46,7 +46,7 @@ Dataset openPicture(const std::string& path) {
     }
     const int shortest = std::min(dataset->GetRasterXSize(), dataset->GetRasterYSize());
     const int longest = std::max(dataset->GetRasterXSize(), dataset->GetRasterYSize());
-    if (shortest < sideMin || longest > sideMax) {
+    if (shortest < sideMin || longest > photographSideMax) {
         throw ParseError({"photo.size",
                           "{0} has {1} x {2} pixels, which is no photograph that could be matched",
                           {path, dataset->GetRasterXSize(), dataset->GetRasterYSize()}},
@@ -115,7 +115,7 @@ PhotoFacts factsOf(GDALDataset& dataset) {
     facts.height = dataset.GetRasterYSize();
     const auto wide = positiveOf(dataset, "EXIF_PixelXDimension");
     const auto high = positiveOf(dataset, "EXIF_PixelYDimension");
-    if (wide && high && *wide <= sideMax && *high <= sideMax) {
+    if (wide && high && *wide <= photographSideMax && *high <= photographSideMax) {
         facts.recorded = {static_cast<int>(*wide), static_cast<int>(*high)};
     }
     if (onASide(facts.orientation)) {
@@ -236,7 +236,7 @@ int CPL_STDCALL heed(double, const char*, void* execution) {
 }  // namespace
 
 PhotographFile readPhotograph(const std::string& path) {
-    checkFile(path);
+    checkPhotograph(path);
     PhotographFile file;
     {
         const GdalCalls calls;
@@ -248,7 +248,7 @@ PhotographFile readPhotograph(const std::string& path) {
 }
 
 PhotoPicture readPicture(const std::string& path, int longestSide, const Execution& execution) {
-    checkFile(path);
+    checkPhotograph(path);
     const GdalCalls calls;
     const Dataset dataset = openPicture(path);
     const double scale =

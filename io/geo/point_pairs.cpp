@@ -14,7 +14,7 @@ namespace rubble::io {
 namespace {
 
 constexpr std::size_t pairsMax = 10000;
-constexpr std::uintmax_t bytesMax = 10 << 20;
+constexpr std::uintmax_t pairBytesMax = 10 << 20;
 constexpr std::array<std::string_view, 5> columnNames{"picture_x_px", "picture_y_px", "x_m", "y_m", "z_m"};
 
 /// One line of a table in its fields. Quotes may enclose separators, not ends of lines.
@@ -77,7 +77,7 @@ std::vector<PointPair> readPointPairs(const std::string& path) {
         throw WorldError({"pairs.unreadable", "Cannot read {0}", {path}},
                          {"pairs.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
     }
-    if (std::filesystem::file_size(path, ignored) > bytesMax && !ignored) {
+    if (std::filesystem::file_size(path, ignored) > pairBytesMax && !ignored) {
         throw ParseError({"pairs.too_large", "{0} is too large for a table of point pairs", {path}},
                          {"pairs.too_large.remedy", "Give the table of pairs, with a few dozen lines.", {}});
     }

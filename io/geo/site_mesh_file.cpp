@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t trianglesMax = 5'000'000;
-constexpr std::uintmax_t bytesMax = std::uintmax_t{2} << 30;
+constexpr std::uintmax_t meshBytesMax = std::uintmax_t{2} << 30;
 
 std::string endingOf(const std::string& path) {
     std::string ending = fs::path(path).extension().string();
@@ -43,13 +43,13 @@ std::string endingOf(const std::string& path) {
                      {"surroundings.unreadable.remedy", "Give an OBJ, PLY or glTF file of triangles, exported anew.", {}});
 }
 
-void checkFile(const std::string& path) {
+void checkMesh(const std::string& path) {
     std::error_code error;
     if (!fs::is_regular_file(path, error) || !std::ifstream(path, std::ios::binary)) {
         throw WorldError({"surroundings.missing", "There is no mesh of surroundings {0} that may be read", {path}},
                          {"surroundings.missing.remedy", "Check the path, or leave the mesh out.", {}});
     }
-    if (fs::file_size(path, error) > bytesMax) {
+    if (fs::file_size(path, error) > meshBytesMax) {
         throw ParseError({"surroundings.too_large", "{0} is too large for a mesh of surroundings", {path}},
                          {"surroundings.too_large.remedy", "Make it simpler, to 5,000,000 triangles or fewer.", {}});
     }
@@ -133,7 +133,7 @@ SiteMesh readAny(const std::string& path) {
 }  // namespace
 
 SiteMesh readSiteMesh(const std::string& path, const Frame& frame, const Site& site, const Execution& execution) {
-    checkFile(path);
+    checkMesh(path);
     execution.check();
     const SitePlace place(frame, site);
     const LibraryLock lock;

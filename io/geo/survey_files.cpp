@@ -48,18 +48,18 @@ MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const
     const std::string fallen =
         made.settings.withFallen ? "counted, moved farther than " + exactNumber(made.settings.liveThreshold) + " m" : "left out";
     const std::string surveyed = !made.surveyShowsFallen ? "not known" : *made.surveyShowsFallen ? "shown" : "left out";
-    nlohmann::json json = nlohmann::json::parse(provenanceText(run));
-    json["inputs"].push_back({{"role", "survey"}, {"path", survey.path}, {"sha256", survey.sha256}});
-    json["survey_comparison"] = {{"time_s", made.time},
-                                 {"cell_m", made.settings.cell},
-                                 {"least_height_m", made.settings.leastHeight},
-                                 {"live_structure", fallen},
-                                 {"survey_live_structure", surveyed},
-                                 {"registration", fitName(made.settings.fit)},
-                                 {"shift_m", {made.shift.by.x(), made.shift.by.y(), made.shift.by.z()}},
-                                 {"iou", jsonNumber(made.iou)},
-                                 {"crs", crs}};
-    origin.provenance = jsonText(json);
+    nlohmann::json document = nlohmann::json::parse(provenanceText(run));
+    document["inputs"].push_back({{"role", "survey"}, {"path", survey.path}, {"sha256", survey.sha256}});
+    document["survey_comparison"] = {{"time_s", made.time},
+                                     {"cell_m", made.settings.cell},
+                                     {"least_height_m", made.settings.leastHeight},
+                                     {"live_structure", fallen},
+                                     {"survey_live_structure", surveyed},
+                                     {"registration", fitName(made.settings.fit)},
+                                     {"shift_m", {made.shift.by.x(), made.shift.by.y(), made.shift.by.z()}},
+                                     {"iou", jsonNumber(made.iou)},
+                                     {"crs", crs}};
+    origin.provenance = jsonText(document);
     origin.facts = {{"RUBBLE_CLASS", "simulated less surveyed"},
                     {"RUBBLE_TIME_S", exactNumber(made.time)},
                     {"RUBBLE_CELL_M", exactNumber(made.settings.cell)},

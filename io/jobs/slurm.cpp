@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "io/jobs/program.h"
+#include "io/trimmed.h"
 
 namespace rubble::io {
 
@@ -28,15 +29,9 @@ ProgramOutcome outcomeOf(const std::vector<std::string>& words) {
     return std::move(*outcome);
 }
 
-std::string trimmed(std::string text) {
-    const std::size_t last = text.find_last_not_of(" \n\r\t");
-    text.erase(last == std::string::npos ? 0 : last + 1);
-    return text;
-}
-
 [[noreturn]] void refused(const std::string& program, const ProgramOutcome& outcome) {
     throw WorldError(
-        {"io.slurm", "Slurm did not take this: {0}: {1}", {program, trimmed(outcome.err)}},
+        {"io.slurm", "Slurm did not take this: {0}: {1}", {program, std::string(trimmed(outcome.err))}},
         {"io.slurm.remedy", "Ask sinfo whether the cluster answers and has nodes for it; --sbatch gives sbatch more options.", {}});
 }
 
@@ -77,7 +72,7 @@ void Slurm::reach() {
     const ProgramOutcome outcome = outcomeOf({"timeout", secondsToAnswer, "sinfo", "--noheader", "--format=%D"});
     if (outcome.exitCode != 0) {
         // The last line is the reason, those before it lead there.
-        const std::string all = trimmed(outcome.err);
+        const std::string all(trimmed(outcome.err));
         const std::string said = all.substr(all.rfind('\n') + 1);
         throw WorldError({"io.slurm_unreachable", "Slurm does not answer: {0}", {said.empty() ? "sinfo waits in vain" : said}},
                          {"io.slurm_unreachable.remedy", "Ask whoever runs the cluster, or simulate on this machine.", {}});

@@ -19,7 +19,7 @@ struct MarcType {
 };
 
 // Element library (Marc Volume B): structural elements in space.
-constexpr std::array<MarcType, 33> types{
+constexpr std::array<MarcType, 33> marcTypes{
     {{7, ElementShape::Hexahedron},      {84, ElementShape::Hexahedron},    {117, ElementShape::Hexahedron},
      {120, ElementShape::Hexahedron},    {21, ElementShape::Hexahedron},    {57, ElementShape::Hexahedron},
      {35, ElementShape::Hexahedron},     {61, ElementShape::Hexahedron},    {149, ElementShape::Hexahedron},
@@ -33,8 +33,9 @@ constexpr std::array<MarcType, 33> types{
      {25, ElementShape::Beam},           {78, ElementShape::Beam},          {79, ElementShape::Beam}}};
 
 std::optional<ElementShape> shapeOf(std::int64_t type) {
-    const auto found = std::find_if(types.begin(), types.end(), [type](const MarcType& known) { return known.type == type; });
-    return found == types.end() ? std::nullopt : std::optional(found->shape);
+    const auto found =
+        std::find_if(marcTypes.begin(), marcTypes.end(), [type](const MarcType& known) { return known.type == type; });
+    return found == marcTypes.end() ? std::nullopt : std::optional(found->shape);
 }
 
 class MarcMeshReader {

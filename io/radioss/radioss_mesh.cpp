@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "core/base/unknown.h"
 #include "core/fe/components.h"
 #include "io/mesh_builder.h"
 #include "io/one_point_volume.h"
@@ -12,8 +12,6 @@
 namespace rubble::io {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 bool positive(double value) {
     return value > 0.0 && std::isfinite(value);
@@ -77,10 +75,10 @@ private:
                 m_builder.addSolid(id, part, corners);
                 break;
             case AnimKind::Shell:
-                m_builder.addShell(id, part, corners, nothing);
+                m_builder.addShell(id, part, corners, unknown);
                 break;
             case AnimKind::Beam:
-                m_builder.addBeam(id, part, corners, nothing);
+                m_builder.addBeam(id, part, corners, unknown);
                 break;
             case AnimKind::Particle:
                 m_builder.addSolid(id, part, Particles::cornersOf(e, m_result.fileNodes));
@@ -90,12 +88,12 @@ private:
     }
 
     static double valueOf(const std::vector<double>& values, std::size_t e) {
-        return e < values.size() && positive(values[e]) ? values[e] : nothing;
+        return e < values.size() && positive(values[e]) ? values[e] : unknown;
     }
 
     DeckPart deckOf(std::size_t e) const {
         const auto found = m_deck.find(m_partIds[m_builder.part(e)]);
-        return found == m_deck.end() ? DeckPart{nothing, nothing, nothing} : found->second;
+        return found == m_deck.end() ? DeckPart{unknown, unknown, unknown} : found->second;
     }
 
     // The solver's own volume of a brick is by one point.

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 #include "io/node_fields.h"
 #include "io/radioss/radioss_mesh.h"
 
@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint8_t deleted = 0, active = 1, rigid = 255;
 
 bool allDigits(const std::string& text) {
@@ -50,9 +49,9 @@ NumberedName nameOf(std::string name, const std::string& marks, const std::strin
 }
 
 /// Reads the status of all files and keeps what belongs to a state.
-class RunReader {
+class RadiossRunReader {
 public:
-    RunReader(const RadiossRun& run, const Execution& execution) : m_run(run), m_execution(execution) {}
+    RadiossRunReader(const RadiossRun& run, const Execution& execution) : m_run(run), m_execution(execution) {}
 
     FeResult::Contents read() {
         const Message stage{"anim.open", "Reading the states", {}};
@@ -146,7 +145,7 @@ private:
     }
 
     void keepDeletion(const AnimState& state) {
-        m_deletion.resize(m_mesh.places.size(), nothing);
+        m_deletion.resize(m_mesh.places.size(), unknown);
         for (std::size_t e = 0; e < m_mesh.places.size(); ++e) {
             const auto& [kind, place] = m_mesh.places[e];
             const std::vector<double>& deletion = state.of(kind).deletion;
@@ -203,7 +202,7 @@ private:
                                 {}},
                                {"anim.death_time.remedy", "Nothing to do: these deaths are known by their states.", {}},
                                "element " + englishInteger(m_mesh.mesh.elementIds[e]) + ": " + englishNumber(time));
-                time = nothing;
+                time = unknown;
                 continue;
             }
             any = true;
@@ -297,7 +296,7 @@ std::vector<std::string> numberedMembers(const std::string& path, const std::str
 }
 
 FeResult::Contents readRadiossRun(const RadiossRun& run, const Execution& execution) {
-    return RunReader(run, execution).read();
+    return RadiossRunReader(run, execution).read();
 }
 
 }  // namespace rubble::io

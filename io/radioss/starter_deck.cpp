@@ -2,16 +2,16 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <limits>
 #include <sstream>
 #include <utility>
 #include <vector>
+
+#include "core/base/unknown.h"
 
 namespace rubble::io {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t longestLine = 1000;
 
 /// A block of the deck: its keyword split at the slashes, and its lines without comments.
@@ -27,12 +27,12 @@ struct Block {
 // Fields have fixed columns, counted from 0.
 double realAt(const Block& block, std::size_t line, std::size_t column) {
     if (line >= block.lines.size() || column >= block.lines[line].size()) {
-        return nothing;
+        return unknown;
     }
     const std::string field = block.lines[line].substr(column, 20);
     char* end = nullptr;
     const double value = std::strtod(field.c_str(), &end);
-    return end != field.c_str() && value > 0.0 ? value : nothing;
+    return end != field.c_str() && value > 0.0 ? value : unknown;
 }
 
 std::int64_t integerAt(const Block& block, std::size_t line, std::size_t column) {
@@ -77,7 +77,7 @@ public:
     StarterDeck finish() {
         const auto find = [](const std::map<std::int64_t, double>& values, std::int64_t id) {
             const auto found = values.find(id);
-            return found == values.end() ? nothing : found->second;
+            return found == values.end() ? unknown : found->second;
         };
         for (const auto& [id, links] : m_parts) {
             m_deck.parts[id] = {find(m_density, links.material), find(m_thickness, links.property), find(m_area, links.property)};

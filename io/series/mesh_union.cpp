@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <unordered_set>
 
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 #include "io/mesh_builder.h"
 
 namespace rubble::io {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t kindOf(ElementShape shape) {
     return isSolid(shape) ? 0 : isShell(shape) ? 1 : 2;
@@ -135,8 +133,8 @@ std::uint32_t MeshUnion::addElement(const Mesh& mesh, std::size_t e, const Tuple
     if (!mesh.elementIds.empty()) {
         m_mesh.elementIds.push_back(mesh.elementIds[e]);
     }
-    m_mesh.density.push_back(mesh.density.empty() ? nothing : mesh.density[e]);
-    m_mesh.section.push_back(mesh.section.empty() ? nothing : mesh.section[e]);
+    m_mesh.density.push_back(mesh.density.empty() ? unknown : mesh.density[e]);
+    m_mesh.section.push_back(mesh.section.empty() ? unknown : mesh.section[e]);
     return static_cast<std::uint32_t>(m_mesh.shapes.size() - 1);
 }
 
@@ -163,7 +161,7 @@ Mesh MeshUnion::finish(Findings& findings) {
     for (std::size_t e = 0; e < m_mesh.elementCount(); ++e) {
         const std::span<const std::uint32_t> places = m_mesh.cornersOf(idAt<ElementIndex>(e));
         const std::vector<std::int64_t> corners(places.begin(), places.end());
-        const double section = m_mesh.section[e] > 0.0 ? m_mesh.section[e] : nothing;
+        const double section = m_mesh.section[e] > 0.0 ? m_mesh.section[e] : unknown;
         const ElementShape shape = m_mesh.shapes[e];
         if (shape == ElementShape::Hexahedron) {
             builder.addSolid(elementNumber(e), m_mesh.part[e], corners);

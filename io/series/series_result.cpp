@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <unordered_map>
 
 #include "core/base/error.h"
 #include "core/base/nearest_names.h"
+#include "core/base/unknown.h"
 #include "io/node_fields.h"
 #include "io/series/death_list.h"
 #include "io/series/flag_meaning.h"
@@ -17,8 +17,6 @@
 namespace rubble::io {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// How the states of a series stand in the union of their meshes.
 struct SeriesEpochs {
@@ -208,7 +206,7 @@ private:
         }
         if (!entry.active) {
             if (deathTime.empty()) {
-                deathTime.assign(mesh->elementCount(), nothing);
+                deathTime.assign(mesh->elementCount(), unknown);
             }
             deathTime[e] = entry.time;
         }
@@ -249,7 +247,7 @@ private:
             return;
         }
         const std::unordered_map<std::int64_t, double> byNumber{known.begin(), known.end()};
-        deathTime.assign(mesh->elementCount(), nothing);
+        deathTime.assign(mesh->elementCount(), unknown);
         for (std::size_t e = 0; e < mesh->elementCount(); ++e) {
             if (const auto found = byNumber.find(mesh->elementIds[e]); found != byNumber.end()) {
                 deathTime[e] = found->second;
@@ -281,8 +279,8 @@ NodeFields fieldsOf(const MeshSeries& series, const SeriesEpochs& epochs, std::s
     }
     // Nodes that this state does not have stay without a value: the source puts them where they were at first.
     NodeFields result;
-    result.positions.assign(nodes, Vec3::Constant(nothing));
-    result.velocities.assign(series.hasVelocity() ? nodes : 0, Vec3::Constant(nothing));
+    result.positions.assign(nodes, Vec3::Constant(unknown));
+    result.velocities.assign(series.hasVelocity() ? nodes : 0, Vec3::Constant(unknown));
     for (std::size_t i = 0; i < fields.positions.size(); ++i) {
         result.positions[epoch.node(i)] = fields.positions[i];
     }

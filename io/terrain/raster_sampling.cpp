@@ -5,12 +5,12 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 
 namespace rubble::io {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t stride = 16;  // nodes between those that are projected
 
 }  // namespace
@@ -143,7 +143,7 @@ Eigen::Vector2d within(const Eigen::Vector2d& pixel, const RasterWindow& window)
 std::vector<double> RasterSampling::heights(const HeightRaster& nodes, std::size_t factor, const Execution& execution) const {
     const std::vector<Eigen::Vector2d> pixels = pixelsOf(Nodes{{nodes.x0, nodes.y0}, nodes.dx, nodes.nx, nodes.ny}, execution);
     const RasterWindow window = windowAround(pixels, factor);
-    std::vector<double> all(pixels.size(), none);
+    std::vector<double> all(pixels.size(), unknown);
     if (window.width() < 2 || window.height() < 2) {
         return all;
     }

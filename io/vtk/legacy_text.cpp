@@ -17,20 +17,20 @@ namespace {
 using Kind = NumberType::Kind;
 
 // vtkIdType was always written as int.
-constexpr std::array<std::pair<std::string_view, NumberType>, 14> types{{{"float", {Kind::Real, 4}},
-                                                                         {"double", {Kind::Real, 8}},
-                                                                         {"char", {Kind::Signed, 1}},
-                                                                         {"signed_char", {Kind::Signed, 1}},
-                                                                         {"unsigned_char", {Kind::Unsigned, 1}},
-                                                                         {"short", {Kind::Signed, 2}},
-                                                                         {"unsigned_short", {Kind::Unsigned, 2}},
-                                                                         {"int", {Kind::Signed, 4}},
-                                                                         {"unsigned_int", {Kind::Unsigned, 4}},
-                                                                         {"long", {Kind::Signed, 8}},
-                                                                         {"unsigned_long", {Kind::Unsigned, 8}},
-                                                                         {"vtktypeint64", {Kind::Signed, 8}},
-                                                                         {"vtktypeuint64", {Kind::Unsigned, 8}},
-                                                                         {"vtkidtype", {Kind::Signed, 4}}}};
+constexpr std::array<std::pair<std::string_view, NumberType>, 14> typeNames{{{"float", {Kind::Real, 4}},
+                                                                             {"double", {Kind::Real, 8}},
+                                                                             {"char", {Kind::Signed, 1}},
+                                                                             {"signed_char", {Kind::Signed, 1}},
+                                                                             {"unsigned_char", {Kind::Unsigned, 1}},
+                                                                             {"short", {Kind::Signed, 2}},
+                                                                             {"unsigned_short", {Kind::Unsigned, 2}},
+                                                                             {"int", {Kind::Signed, 4}},
+                                                                             {"unsigned_int", {Kind::Unsigned, 4}},
+                                                                             {"long", {Kind::Signed, 8}},
+                                                                             {"unsigned_long", {Kind::Unsigned, 8}},
+                                                                             {"vtktypeint64", {Kind::Signed, 8}},
+                                                                             {"vtktypeuint64", {Kind::Unsigned, 8}},
+                                                                             {"vtkidtype", {Kind::Signed, 4}}}};
 
 bool isText(const std::string& type) {
     return type == "string" || type == "utf8_string";
@@ -97,7 +97,7 @@ NumberType LegacyText::typeOf(const std::string& type) const {
     std::string lower = type;
     std::transform(lower.begin(), lower.end(), lower.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    for (const auto& [name, number] : types) {
+    for (const auto& [name, number] : typeNames) {
         if (name == lower) {
             return number;
         }

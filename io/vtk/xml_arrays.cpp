@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "io/trimmed.h"
 
 namespace rubble::io {
 
@@ -57,12 +58,6 @@ bool decodeBase64(std::string_view text, std::string& bytes) {
         }
     }
     return true;
-}
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n";
-    const std::size_t first = text.find_first_not_of(blanks);
-    return first == std::string_view::npos ? std::string_view() : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
 }  // namespace

@@ -12,18 +12,13 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "io/trimmed.h"
 
 namespace rubble::io {
 
 namespace {
 
 constexpr std::uint64_t mostValues = std::uint64_t{1} << 34;
-
-std::string trimmed(const std::string& text) {
-    const char* blanks = " \t\r\n";
-    const std::size_t first = text.find_first_not_of(blanks);
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-}
 
 // What no whole number can hold becomes one that no table has entries for.
 template <class T>
@@ -60,7 +55,7 @@ pugi::xml_node XdmfItems::itemOf(pugi::xml_node owner) const {
     pugi::xml_node item = owner.child("DataItem");
     for (int hops = 0; item && item.attribute("Reference"); ++hops) {
         const std::string reference = item.attribute("Reference").as_string();
-        const std::string path = reference == "XML" ? trimmed(item.child_value()) : reference;
+        const std::string path = reference == "XML" ? std::string(trimmed(item.child_value())) : reference;
         try {
             item = item.root().select_node(path.c_str()).node();
         } catch (const pugi::xpath_exception&) {
@@ -101,7 +96,7 @@ std::pair<std::string, std::string> XdmfItems::placeOf(pugi::xml_node item) cons
     if (std::string(item.attribute("Format").as_string("XML")) != "HDF") {
         return {};
     }
-    const std::string text = trimmed(item.child_value());
+    const std::string text(trimmed(item.child_value()));
     const std::size_t colon = text.rfind(":/");
     if (colon == std::string::npos) {
         fail("the place \"" + text.substr(0, 100) + "\" is not FILE:/TABLE");

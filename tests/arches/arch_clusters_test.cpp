@@ -76,8 +76,7 @@ void expectMatrixGroups(const Arch& arch) {
                 id.push_back(arch.mesh().elementIds[at(fragment.element)]);
             }
             for (const double multiple : {1.0, 1.5, 2.0, 3.0, 5.5, 12.0}) {
-                ASSERT_EQ(groupAlongAxis(low, high, centre, id, multiple * d),
-                          testing::matrixGroups(low, high, centre, id, multiple * d))
+                ASSERT_EQ(groupAlongAxis(low, high, centre, id, multiple * d), matrixGroups(low, high, centre, id, multiple * d))
                     << "state " << state << " axis " << axis << " at " << multiple << " d";
             }
         }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/base/standard_gravity.h"
 #include "core/pipeline/pipeline.h"
 #include "core/simulation/simulation.h"
 #include "tests/samples/arches.h"
@@ -55,7 +56,7 @@ TEST(ArchSimulation, StoneArchUntilItsFirstSpansAreDown) {
     const SimulationResult result = simulateBeginning(arches::mergedStoneArch(), 42, trajectory);
     expectSound(result, trajectory);
     // Nothing is born faster than 28.7 m/s and the bridge is 42 m high (28.7 m/s of fall).
-    EXPECT_LT(result.maxSpeed, 1.05 * std::sqrt(28.7 * 28.7 + 2 * 9.80665 * 42));
+    EXPECT_LT(result.maxSpeed, 1.05 * std::sqrt(28.7 * 28.7 + 2 * standardGravity * 42));
     EXPECT_GT(result.energy.gravityWork, 0.0);
 }
 

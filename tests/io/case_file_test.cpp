@@ -16,6 +16,7 @@
 #include "io/fe_reader.h"
 #include "io/files.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 namespace {
@@ -23,11 +24,6 @@ namespace {
 using nlohmann::json;
 
 const std::string sampleFolder = RUBBLE_SOURCE_DIR "/resources/samples/";
-
-std::string contentOf(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 ParameterValue randomValue(const Parameter& row, std::mt19937& engine) {
     const auto between = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
@@ -213,7 +209,7 @@ TEST(CaseFile, DoesNotDependOnTheLocale) {
     EXPECT_EQ(loaded, theCase);
     EXPECT_EQ(caseText(theCase), before);
     std::locale::global(old);
-    EXPECT_EQ(contentOf(folder / "a.rubble"), caseText(loaded));
+    EXPECT_EQ(wholeFile(folder / "a.rubble"), caseText(loaded));
 }
 
 TEST(CaseFile, TruncatedAtAnyByteIsRefusedWithItsPlace) {
@@ -362,7 +358,7 @@ TEST(CaseFile, IsNotSavedWhenItCouldNotBeOpenedAgain) {
     const std::string path = folder / "kept.rubble";
     const Case good = caseForFe("/x/bridge.exo", path);
     saveCase(path, good);
-    const std::string before = contentOf(path);
+    const std::string before = wholeFile(path);
     Case bad = good;
     bad.scenarios[0].scenario.simulation.friction = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(saveCase(path, bad), UsageError);
@@ -375,7 +371,7 @@ TEST(CaseFile, IsNotSavedWhenItCouldNotBeOpenedAgain) {
     bad = good;
     bad.title = "\xFF\xFE";
     EXPECT_THROW(saveCase(path, bad), UsageError);
-    EXPECT_EQ(contentOf(path), before);
+    EXPECT_EQ(wholeFile(path), before);
 }
 
 TEST(CaseFile, NamesInputsRelativeToItselfWithTheirSha256) {
@@ -398,7 +394,7 @@ TEST(CaseFile, NamesInputsRelativeToItselfWithTheirSha256) {
 TEST(CaseFile, IsRecognisedByContent) {
     const TemporaryFolder folder;
     saveCase(folder / "without ending", caseForFe("/x/bridge.exo", folder / "a"));
-    std::ofstream(folder / "bom") << "\xEF\xBB\xBF \n" << contentOf(folder / "without ending");
+    std::ofstream(folder / "bom") << "\xEF\xBB\xBF \n" << wholeFile(folder / "without ending");
     std::ofstream(folder / "empty.rubble").close();
     std::ofstream(folder / "other.rubble") << "CDF\1";
     EXPECT_TRUE(isCaseFile(folder / "without ending"));
@@ -434,7 +430,7 @@ Case sampleCase() {
 
 TEST(SampleCase, IsWhatTheProgramWrites) {
     const std::string expected = caseText(sampleCase());
-    if (contentOf(sampleFolder + "stone-arch.rubble") != expected) {
+    if (wholeFile(sampleFolder + "stone-arch.rubble") != expected) {
         const std::string actual = RUBBLE_BINARY_DIR "/stone-arch.rubble.actual";
         saveCase(actual, sampleCase());
         FAIL() << "the sample case differs from what the program would write: see " << actual;

@@ -21,14 +21,10 @@
 #include "io/files.h"
 #include "tests/io/run_over_fe.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 namespace {
-
-std::string contentOf(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 // A reader of RFC 4180 of its own, so that the writer is not held against itself.
 std::vector<std::vector<std::string>> readCsv(const std::string& text) {
@@ -66,7 +62,7 @@ struct SeriesEntry {
 };
 
 std::vector<SeriesEntry> readIndex(const std::string& path) {
-    const std::string text = contentOf(path);
+    const std::string text = wholeFile(path);
     const std::regex entry("timestep=\"([^\"]*)\" part=\"([012])\" name=\"[a-z]*\" file=\"([^\"]*)\"");
     std::vector<SeriesEntry> entries;
     for (auto match = std::sregex_iterator(text.begin(), text.end(), entry); match != std::sregex_iterator(); ++match) {
@@ -82,7 +78,7 @@ TEST(ExportFragments, WritesTheColumnsOfTheManualExactly) {
     run.feed(*createRun(folder / "a.run.h5", run.origin));
     const auto reader = openRun(folder / "a.run.h5");
     exportFragments(folder / "f.csv", *reader, Execution());
-    const std::string text = contentOf(folder / "f.csv");
+    const std::string text = wholeFile(folder / "f.csv");
     EXPECT_TRUE(
         text.starts_with("fragment_id,element_id,component,cluster_id,birth_time_s,birth_x_m,birth_y_m,birth_z_m,final_x_m,"
                          "final_y_m,final_z_m,birth_speed_m_s,impact_speed_m_s,mass_kg\n"));
@@ -112,7 +108,7 @@ TEST(ExportFragments, WritesTheColumnsOfTheManualExactly) {
             EXPECT_EQ(std::stod(row[c + 4]), expected[c]) << "row " << f << " column " << c + 4;
         }
     }
-    const auto provenance = nlohmann::json::parse(contentOf(folder / "f.csv.provenance.json"));
+    const auto provenance = nlohmann::json::parse(wholeFile(folder / "f.csv.provenance.json"));
     EXPECT_EQ(provenance["inputs"][0]["sha256"], std::string(64, 'a'));
     EXPECT_EQ(provenance["settings"]["friction"], 0.7);
     EXPECT_EQ(provenance["trajectory_hash"], run.result.trajectoryHash.hex());
@@ -125,7 +121,7 @@ TEST(ExportFragments, OfAStoppedRunGivesThePlacesThatAreKnown) {
     run.feed(*createRun(folder / "a.run.h5", run.origin), 8);
     const auto reader = openRun(folder / "a.run.h5");
     exportFragments(folder / "f.csv", *reader, Execution());
-    const auto rows = readCsv(contentOf(folder / "f.csv"));
+    const auto rows = readCsv(wholeFile(folder / "f.csv"));
     const FragmentSet& fragments = *run.description.fragments;
     ASSERT_EQ(rows.size(), fragments.size() + 1);
     const TrajectoryFrame& last = run.frames[7];

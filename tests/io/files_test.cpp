@@ -13,16 +13,12 @@
 
 #include "core/base/error.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string contentOf(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::size_t entriesIn(const std::string& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
@@ -56,10 +52,10 @@ TEST(AtomicWrite, ReplacesTheWholeFileAndKeepsItsRights) {
     const TemporaryFolder folder;
     const std::string path = folder / "case.json";
     writeAtomically(path, [](std::ostream& out) { out << std::string(200000, 'x'); });
-    EXPECT_EQ(contentOf(path).size(), 200000u);
+    EXPECT_EQ(wholeFile(path).size(), 200000u);
     ::chmod(path.c_str(), 0640);
     writeAtomically(path, [](std::ostream& out) { out << 1234567.5; });
-    EXPECT_EQ(contentOf(path), "1.23457e+06");
+    EXPECT_EQ(wholeFile(path), "1.23457e+06");
     struct stat now{};
     ASSERT_EQ(::stat(path.c_str(), &now), 0);
     EXPECT_EQ(now.st_mode & 0777, 0640u);
@@ -72,7 +68,7 @@ TEST(AtomicWrite, WritesThroughALinkWithoutReplacingIt) {
     fs::create_symlink(folder / "real", folder / "link");
     writeAtomically(folder / "link", [](std::ostream& out) { out << "new"; });
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
-    EXPECT_EQ(contentOf(folder / "real"), "new");
+    EXPECT_EQ(wholeFile(folder / "real"), "new");
 }
 
 TEST(AtomicWrite, LeavesTheOldFileAndNothingElseWhenTheWriterThrows) {
@@ -84,7 +80,7 @@ TEST(AtomicWrite, LeavesTheOldFileAndNothingElseWhenTheWriterThrows) {
                                      throw std::runtime_error("stop");
                                  }),
                  std::runtime_error);
-    EXPECT_EQ(contentOf(folder / "kept"), "old");
+    EXPECT_EQ(wholeFile(folder / "kept"), "old");
     EXPECT_EQ(entriesIn(folder.path()), 1u);
 }
 
@@ -100,7 +96,7 @@ TEST(AtomicWrite, LeavesTheOldFileWhenTheDiskIsFull) {
         EXPECT_THAT(error.what(), testing::HasSubstr(path));
         EXPECT_FALSE(error.remedy().empty());
     }
-    EXPECT_EQ(contentOf(path), "old");
+    EXPECT_EQ(wholeFile(path), "old");
     EXPECT_EQ(entriesIn(folder.path()), 1u);
 }
 
@@ -114,7 +110,7 @@ TEST(AtomicWrite, NamesAFolderThatDoesNotExist) {
 TEST(Provenance, LiesBesideTheExportedFile) {
     const TemporaryFolder folder;
     writeProvenance(folder / "fragments.csv", "{}");
-    EXPECT_EQ(contentOf(folder / "fragments.csv.provenance.json"), "{}\n");
+    EXPECT_EQ(wholeFile(folder / "fragments.csv.provenance.json"), "{}\n");
 }
 
 }  // namespace

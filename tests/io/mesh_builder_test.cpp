@@ -1,7 +1,8 @@
 #include "io/mesh_builder.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "core/base/unknown.h"
 
 #include <cmath>
 #include <limits>
@@ -16,8 +17,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 MeshBuilder cube() {
     MeshBuilder builder("file.x");
@@ -66,7 +65,7 @@ TEST(MeshBuilder, RepeatedCornersMakeTheSolidThatTheyAre) {
 TEST(MeshBuilder, ShellsOfThreeCornersAndReversedSolids) {
     MeshBuilder builder = cube();
     builder.addShell(1, 0, std::vector<std::int64_t>{0, 1, 2, 2}, 0.5);
-    builder.addShell(2, 0, std::vector<std::int64_t>{0, 1, 2, 3}, nothing);
+    builder.addShell(2, 0, std::vector<std::int64_t>{0, 1, 2, 3}, unknown);
     builder.addSolid(3, 0, std::vector<std::int64_t>{4, 5, 6, 7, 0, 1, 2, 3});
     Findings findings;
     const Mesh mesh = builder.finish(findings);

@@ -1,4 +1,5 @@
 #include "io/result_frame.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,6 @@
 namespace rubble::io {
 namespace {
 
-constexpr double gravity = 9.80665;
 constexpr std::size_t states = 9;
 constexpr double interval = 0.1;  // s
 
@@ -49,9 +49,11 @@ void writeCollapse(const std::string& path, const FileUnits& units, const std::s
     };
     const auto displacement = [since](std::size_t state, std::size_t node) {
         const double t = since(state, node);
-        return Vec3(interval * static_cast<double>(state), 0.0, -0.5 * gravity * t * t);
+        return Vec3(interval * static_cast<double>(state), 0.0, -0.5 * standardGravity * t * t);
     };
-    const auto velocity = [since](std::size_t state, std::size_t node) { return Vec3(1.0, 0.0, -gravity * since(state, node)); };
+    const auto velocity = [since](std::size_t state, std::size_t node) {
+        return Vec3(1.0, 0.0, -standardGravity * since(state, node));
+    };
 
     ExodusBuilder builder;
     builder.addCubes(1, "concrete", 1);

@@ -12,18 +12,10 @@
 #include "io/run_layout.h"
 #include "tests/io/sample_run.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 namespace {
-
-std::string contentOf(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void writeContent(const std::string& path, const std::string& content) {
-    std::ofstream(path, std::ios::binary | std::ios::trunc).write(content.data(), static_cast<std::streamsize>(content.size()));
-}
 
 // Flips one bit of one byte of a dataset, through the library, so that all its own checksums agree again.
 void flipBit(const std::string& path, RunDataset dataset, std::mt19937& engine) {
@@ -97,7 +89,7 @@ TEST(DamagedRun, TruncatedAnywhereIsAnErrorAndNoCrash) {
     const SampleRun run = makeSampleRun(23, 60, 12);
     const std::string path = folder / "a.run.h5";
     run.feed(*createRun(path, run.origin));
-    const std::string content = contentOf(path);
+    const std::string content = wholeFile(path);
     ASSERT_TRUE(readsWhole(path));
     std::mt19937 engine(2);
     for (int i = 0; i < 60; ++i) {
@@ -112,7 +104,7 @@ TEST(DamagedRun, FlippedBytesAreFoundOrLieInUnusedSpace) {
     const SampleRun run = makeSampleRun(24, 60, 12);
     const std::string path = folder / "a.run.h5";
     run.feed(*createRun(path, run.origin));
-    const std::string content = contentOf(path);
+    const std::string content = wholeFile(path);
     std::mt19937 engine(3);
     int found = 0;
     for (int i = 0; i < 150; ++i) {

@@ -15,6 +15,8 @@
 #include "core/base/error.h"
 #include "core/simulation/acknowledgement.h"
 #include "io/acknowledgements.h"
+#include "io/files.h"
+#include "io/run_columns.h"
 #include "io/run_json.h"
 #include "io/run_tables.h"
 #include "tests/io/sample_run.h"
@@ -296,6 +298,107 @@ TEST(RunFile, KeepsEveryCommittedFrameOfACancelledRun) {
     EXPECT_FALSE(reader->complete());
     expectSameTrajectory(run, *reader, 13);
     EXPECT_EQ(reader->ledger().size(), 13u);
+}
+
+/// Hands a run to a sink: bodies first, then frames [from, to) with a ledger row after each.
+void hand(TrajectorySink& sink, const SampleRun& run, std::size_t from, std::size_t to) {
+    if (from == 0) {
+        sink.addBodies(run.bodies, run.carriers);
+    }
+    for (std::size_t i = from; i < to; ++i) {
+        sink.commit(run.frames[i]);
+        LedgerRow row;
+        row.time = run.frames[i].time;
+        sink.addLedger(row);
+    }
+}
+
+TEST(RunFile, GoesOnAfterAMarkAndForgetsWhatCameLater) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "run.h5";
+    const std::string whole = folder / "whole.h5";
+    const SampleRun run = makeSampleRun(7, 50, 40);
+    {
+        const auto sink = createRun(whole, run.origin);
+        sink->begin(run.description);
+        hand(*sink, run, 0, 40);
+        sink->finish(run.result);
+    }
+    const std::string markFile = checkpointPathOf(path);
+    const Writer writer([&] {
+        const auto sink = createRun(path, run.origin);
+        sink->begin(run.description);
+        hand(*sink, run, 0, 17);
+        const std::optional<std::string> mark = sink->mark();
+        hand(*sink, run, 17, 30);
+        writeIn(markFile, mark.value());
+        ::raise(SIGKILL);
+    });
+    writer.wait();
+    const std::string mark = contentOf(markFile).value();
+    {
+        const auto sink = continueRun(path, run.origin);
+        ASSERT_TRUE(sink->resume(run.description, mark));
+        EXPECT_EQ(openRun(path)->frameCount(), 17u);
+        EXPECT_FALSE(std::filesystem::exists(path + ".interrupted"));
+        hand(*sink, run, 17, 40);
+        sink->finish(run.result);
+    }
+    EXPECT_NO_THROW(checkRunDigest(path, Execution()));
+    const auto expected = openRun(whole);
+    const auto reader = openRun(path);
+    ASSERT_EQ(reader->frameCount(), 40u);
+    for (std::size_t i = 0; i < 40; ++i) {
+        EXPECT_TRUE(sameFrame(*reader->frame(i), run.frames[i])) << i;
+    }
+    EXPECT_EQ(reader->ledger().size(), 40u);
+    EXPECT_EQ(RunColumns(path).text(RunDataset::Digests), RunColumns(whole).text(RunDataset::Digests))
+        << "every row of every dataset is the same";
+}
+
+TEST(RunFile, DoesNotGoOnFromAnotherFile) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "run.h5";
+    const SampleRun run = makeSampleRun(7, 50, 20);
+    std::string mark;
+    {
+        const auto sink = createRun(path, run.origin);
+        sink->begin(run.description);
+        hand(*sink, run, 0, 10);
+        mark = sink->mark().value();
+    }
+    writeIn(checkpointPathOf(path), "there");
+    const auto startsAnew = [&] {
+        {
+            const auto sink = continueRun(path, run.origin);
+            EXPECT_FALSE(sink->resume(run.description, mark));
+            sink->begin(run.description);
+            EXPECT_FALSE(std::filesystem::exists(path + ".interrupted"));
+            hand(*sink, run, 0, 20);
+            sink->finish(run.result);
+        }
+        EXPECT_EQ(openRun(path)->frameCount(), 20u);
+        EXPECT_NO_THROW(checkRunDigest(path, Execution()));
+    };
+    // Gone, shorter, and of other content.
+    std::filesystem::rename(path, folder / "aside.h5");
+    startsAnew();
+    const auto replace = [&](const SampleRun& other, std::size_t frames) {
+        const auto sink = createRun(path, run.origin);
+        sink->begin(other.description);
+        hand(*sink, other, 0, frames);
+    };
+    replace(run, 5);
+    startsAnew();
+    SampleRun moved = makeSampleRun(7, 50, 20);
+    moved.frames[3].positions[0].x() += 0.001f;
+    replace(moved, 10);
+    startsAnew();
+    // The very file is taken again, also where a process died before it had taken it over.
+    std::filesystem::rename(folder / "aside.h5", path + ".interrupted");
+    const auto sink = continueRun(path, run.origin);
+    EXPECT_TRUE(sink->resume(run.description, mark));
+    EXPECT_EQ(openRun(path)->frameCount(), 10u);
 }
 
 TEST(RunFile, SaysThatTheDiskIsFullAndKeepsTheFramesBefore) {

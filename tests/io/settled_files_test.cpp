@@ -11,7 +11,7 @@
 namespace rubble::io {
 namespace {
 
-WorldOrigin someOrigin() {
+WorldOrigin memberOrigin() {
     WorldOrigin origin;
     origin.key = Hasher().text("member").finish();
     origin.build = "some build";
@@ -20,7 +20,7 @@ WorldOrigin someOrigin() {
     return origin;
 }
 
-SettledWorld someWorld() {
+SettledWorld settledWorld() {
     SettledWorld settled;
     settled.world.trajectoryHash = Hasher().text("trajectory").finish();
     settled.world.endTime = 12.5;
@@ -34,40 +34,40 @@ TEST(SettledFiles, WhatIsKeptComesBackToTheBit) {
     const TemporaryFolder folder;
     SettledFiles files(folder.path());
     Findings findings;
-    EXPECT_FALSE(files.settled(someOrigin(), findings));
-    files.keep(someOrigin(), someWorld());
-    const auto back = files.settled(someOrigin(), findings);
+    EXPECT_FALSE(files.settled(memberOrigin(), findings));
+    files.keep(memberOrigin(), settledWorld());
+    const auto back = files.settled(memberOrigin(), findings);
     ASSERT_TRUE(back);
     EXPECT_EQ(back->world.endTime, 12.5);
     ASSERT_EQ(back->islands.size(), 1u);
-    EXPECT_EQ(back->islands[0].elements, someWorld().islands[0].elements);
-    EXPECT_EQ(back->islands[0].moved.position, someWorld().islands[0].moved.position);
-    EXPECT_EQ(back->islands[0].moved.orientation.coeffs(), someWorld().islands[0].moved.orientation.coeffs());
+    EXPECT_EQ(back->islands[0].elements, settledWorld().islands[0].elements);
+    EXPECT_EQ(back->islands[0].moved.position, settledWorld().islands[0].moved.position);
+    EXPECT_EQ(back->islands[0].moved.orientation.coeffs(), settledWorld().islands[0].moved.orientation.coeffs());
     EXPECT_TRUE(findings.empty());
     // Other studies find the world under the same key.
     StudyFiles study(folder.path());
-    EXPECT_TRUE(study.world(someOrigin(), findings));
+    EXPECT_TRUE(study.world(memberOrigin(), findings));
 }
 
 TEST(SettledFiles, AWorldWithoutItsIslandsIsMadeAgain) {
     const TemporaryFolder folder;
     SettledFiles files(folder.path());
     StudyFiles study(folder.path());
-    study.keep(someOrigin(), someWorld().world);
+    study.keep(memberOrigin(), settledWorld().world);
     Findings findings;
-    EXPECT_FALSE(files.settled(someOrigin(), findings));
+    EXPECT_FALSE(files.settled(memberOrigin(), findings));
     EXPECT_TRUE(findings.empty());
 }
 
 TEST(SettledFiles, DamagedIslandsAreToldAndNotTaken) {
     const TemporaryFolder folder;
     SettledFiles files(folder.path());
-    files.keep(someOrigin(), someWorld());
+    files.keep(memberOrigin(), settledWorld());
     for (const char* text :
          {"", "{", "[]", "{\"version\": 2}", "{\"version\":1,\"world\":\"x\",\"trajectory\":\"y\",\"islands\":[]}"}) {
-        std::ofstream(files.islandsPath(someOrigin())) << text;
+        std::ofstream(files.islandsPath(memberOrigin())) << text;
         Findings findings;
-        EXPECT_FALSE(files.settled(someOrigin(), findings)) << text;
+        EXPECT_FALSE(files.settled(memberOrigin(), findings)) << text;
         EXPECT_EQ(findings.list().size(), 1u) << text;
     }
 }

@@ -1,13 +1,13 @@
 #include "io/study_files.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "core/base/unknown.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <sstream>
 
 #include "core/base/error.h"
@@ -17,8 +17,6 @@
 
 namespace rubble::io {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 WorldOrigin someOrigin() {
     WorldOrigin origin;
@@ -195,11 +193,11 @@ TEST_F(StudyFilesTest, PointsOfASceneAreKeptAndBroughtUpToDate) {
     point.parameters = {{"step_rate", "120"}};
     point.fragments = 10000;
     point.bodies = 4000;
-    point.values.fill(none);
+    point.values.fill(unknown);
     point.values[0] = 12.0;
     files.keep(point);
     KnownPoint again = point;
-    again.values[0] = none;
+    again.values[0] = unknown;
     again.values[2] = 24.0;
     files.keep(again);
     KnownPoint other = point;
@@ -228,7 +226,7 @@ TEST_F(StudyFilesTest, ACalibrationIsKeptForItsMachine) {
     calibration.threads = 2;
     calibration.othersShare = 0.03;
     calibration.complete = true;
-    calibration.points = {{PileKind::Typical, 500, 100.0, 50.0, 33.0}, {PileKind::Worst, 500, 40.0, none, none}};
+    calibration.points = {{PileKind::Typical, 500, 100.0, 50.0, 33.0}, {PileKind::Worst, 500, 40.0, unknown, unknown}};
     files.keep(calibration);
     const auto back = files.calibration("some machine", findings);
     ASSERT_TRUE(back);

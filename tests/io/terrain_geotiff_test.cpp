@@ -57,7 +57,7 @@ struct Tiff {
     }
 };
 
-double plane(double x, double y) {
+double planeOfTiff(double x, double y) {
     return 2.0 + 0.1 * x - 0.05 * y;
 }
 
@@ -69,7 +69,7 @@ protected:
     Aabb around{Vec3(-2.0, -1.0, 2.0), Vec3(2.0, 1.0, 5.0)};
     Tiff tiff;
 
-    void SetUp() override { tiff.height = plane; }
+    void SetUp() override { tiff.height = planeOfTiff; }
     TerrainInput read() {
         tiff.write(path);
         return openTerrain(path, frame, around, Execution());
@@ -77,7 +77,7 @@ protected:
     void expectPlane(const TerrainInput& terrain, double tolerance = 1e-9) {
         for (const double x : {-9.7, -1.0, 0.25, 9.5}) {
             for (const double y : {-8.9, 0.0, 7.3}) {
-                EXPECT_NEAR(terrain.grid->height(x, y), plane(x, y), tolerance) << x << " " << y;
+                EXPECT_NEAR(terrain.grid->height(x, y), planeOfTiff(x, y), tolerance) << x << " " << y;
             }
         }
     }
@@ -113,13 +113,13 @@ TEST_F(TerrainGeoTiff, CellsBeyondAllProportionAreRefused) {
 }
 
 TEST_F(TerrainGeoTiff, FeetAreConverted) {
-    tiff.height = [](double x, double y) { return plane(x, y) / 0.3048; };
+    tiff.height = [](double x, double y) { return planeOfTiff(x, y) / 0.3048; };
     tiff.heightUnit = "ft";
     const TerrainInput terrain = read();
     expectPlane(terrain);
     EXPECT_TRUE(terrain.findings.empty());
     tiff.heightUnit = "US survey foot";
-    tiff.height = [](double x, double y) { return plane(x, y) * 3937.0 / 1200.0; };
+    tiff.height = [](double x, double y) { return planeOfTiff(x, y) * 3937.0 / 1200.0; };
     expectPlane(read());
     tiff.heightUnit = "cubit";
     EXPECT_EQ(read().findings.count("terrain.height_unit_unknown"), 1);
@@ -130,7 +130,7 @@ TEST_F(TerrainGeoTiff, ACoordinateSystemInFeetIsConvertedToo) {
     // California zone 3 in US survey feet.
     tiff.crs = "EPSG:2227";
     tiff.place = {-20.0 / foot, 1.0 / foot, 0.0, 15.0 / foot, 0.0, -1.0 / foot};
-    tiff.height = [](double x, double y) { return plane(foot * x, foot * y); };
+    tiff.height = [](double x, double y) { return planeOfTiff(foot * x, foot * y); };
     const TerrainInput terrain = read();
     EXPECT_NEAR(terrain.grid->cell(), 1.0, 1e-9);
     expectPlane(terrain);
@@ -139,7 +139,7 @@ TEST_F(TerrainGeoTiff, ACoordinateSystemInFeetIsConvertedToo) {
 TEST_F(TerrainGeoTiff, ScaleAndOffsetAreApplied) {
     tiff.scale = 0.01;
     tiff.offset = 50.0;
-    tiff.height = [](double x, double y) { return (plane(x, y) - 50.0) / 0.01; };
+    tiff.height = [](double x, double y) { return (planeOfTiff(x, y) - 50.0) / 0.01; };
     expectPlane(read());
 }
 
@@ -152,7 +152,7 @@ TEST_F(TerrainGeoTiff, OfSeveralBandsTheFirstIsTaken) {
 
 TEST_F(TerrainGeoTiff, GapsAreTheValuesThatTheFileNames) {
     tiff.noData = 7777.0;
-    tiff.height = [](double x, double y) { return x > 3.0 && x < 6.0 && y > 0.0 ? 7777.0 : plane(x, 0.0); };
+    tiff.height = [](double x, double y) { return x > 3.0 && x < 6.0 && y > 0.0 ? 7777.0 : planeOfTiff(x, 0.0); };
     const TerrainInput terrain = read();
     EXPECT_EQ(terrain.findings.count("terrain.filled"), 3 * 15);
     EXPECT_LT(terrain.grid->highest(), 10.0);

@@ -22,7 +22,7 @@ namespace {
 constexpr double east = 451000.0;
 constexpr double north = 5311000.0;
 
-double plane(double x, double y) {
+double planeOfSite(double x, double y) {
     return 2.0 + 0.1 * x - 0.05 * y;
 }
 
@@ -77,7 +77,7 @@ protected:
     Raster raster;
 
     void SetUp() override {
-        raster.value = [](double x, double y, int) { return plane(x, y); };
+        raster.value = [](double x, double y, int) { return planeOfSite(x, y); };
     }
     TerrainInput read() {
         raster.write(path);
@@ -86,7 +86,7 @@ protected:
     void expectPlane(const TerrainInput& terrain, double tolerance) {
         for (const double x : {-6.0, -1.0, 0.25, 5.5}) {
             for (const double y : {-5.0, 0.0, 4.3}) {
-                EXPECT_NEAR(terrain.grid->height(x, y), plane(x, y), tolerance) << x << " " << y;
+                EXPECT_NEAR(terrain.grid->height(x, y), planeOfSite(x, y), tolerance) << x << " " << y;
             }
         }
     }
@@ -110,7 +110,7 @@ TEST_F(TerrainSite, DegreesAreProjectedToTheSystemOfTheCase) {
     raster.place = {x - 40.0e-5, 1e-5, 0.0, y + 30.0e-5, 0.0, -1e-5};
     raster.value = [&](double lon, double lat, int) {
         there->Transform(1, &lon, &lat);
-        return 100.0 + plane(lon - east, lat - north);
+        return 100.0 + planeOfSite(lon - east, lat - north);
     };
     const TerrainInput terrain = read();
     expectPlane(terrain, 1e-4);
@@ -140,7 +140,7 @@ TEST_F(TerrainSite, ControlPointsTakeThePlaceOfTheOrigin) {
     raster.value = [&](double x, double y, int) {
         const double u = x - east;
         const double v = y - north;
-        return 512.0 + plane(c * u + s * v, -s * u + c * v);
+        return 512.0 + planeOfSite(c * u + s * v, -s * u + c * v);
     };
     const TerrainInput terrain = read();
     expectPlane(terrain, 1e-6);
@@ -153,12 +153,12 @@ TEST_F(TerrainSite, ControlPointsTakeThePlaceOfTheOrigin) {
 TEST_F(TerrainSite, SpikesAreTakenOutAndWallsStay) {
     raster.value = [](double x, double y, int) {
         const bool spike = std::abs(x - 3.5) < 0.1 && std::abs(y - 1.5) < 0.1;
-        return spike ? 80.0 : y > 4.0 ? plane(x, y) + 12.0 : plane(x, y);
+        return spike ? 80.0 : y > 4.0 ? planeOfSite(x, y) + 12.0 : planeOfSite(x, y);
     };
     const TerrainInput terrain = read();
     EXPECT_EQ(terrain.findings.count("terrain.spikes"), 1);
-    EXPECT_NEAR(terrain.grid->height(3.5, 1.5), plane(3.5, 1.5), 1e-9);
-    EXPECT_NEAR(terrain.grid->height(2.0, 6.5), plane(2.0, 6.5) + 12.0, 1e-9);
+    EXPECT_NEAR(terrain.grid->height(3.5, 1.5), planeOfSite(3.5, 1.5), 1e-9);
+    EXPECT_NEAR(terrain.grid->height(2.0, 6.5), planeOfSite(2.0, 6.5) + 12.0, 1e-9);
 }
 
 TEST_F(TerrainSite, TooManyHeightsAreAveraged) {
@@ -175,7 +175,7 @@ TEST_F(TerrainSite, TooManyHeightsAreAveraged) {
 TEST_F(TerrainSite, AnotherVerticalDatumIsNamed) {
     raster.crs = "EPSG:32633+5773";
     raster.place = {east - 40.0, 1.0, 0.0, north + 30.0, 0.0, -1.0};
-    raster.value = [](double x, double y, int) { return plane(x - east, y - north); };
+    raster.value = [](double x, double y, int) { return planeOfSite(x - east, y - north); };
     frame.crs = "EPSG:32633+5621";
     frame.origin << 451000, 5311000, 0;
     const TerrainInput terrain = read();
@@ -271,12 +271,12 @@ TEST_F(TerrainSite, SurroundingsRaiseTheTerrainWhenAsked) {
     const TerrainInput shown = openSiteOfCase(theCase, casePath, fe, Execution());
     EXPECT_FALSE(shown.collided);
     ASSERT_TRUE(shown.surroundings);
-    EXPECT_NEAR(shown.grid->height(2.0, 1.5), plane(2.0, 1.5), 1e-9);
+    EXPECT_NEAR(shown.grid->height(2.0, 1.5), planeOfSite(2.0, 1.5), 1e-9);
     theCase.site.collide = true;
     const TerrainInput raised = openSiteOfCase(theCase, casePath, fe, Execution());
     EXPECT_TRUE(raised.collided);
     EXPECT_NEAR(raised.grid->height(2.0, 1.5), 5.0, 1e-6);
-    EXPECT_NEAR(raised.grid->height(-2.0, -1.5), plane(-2.0, -1.5), 1e-9);
+    EXPECT_NEAR(raised.grid->height(-2.0, -1.5), planeOfSite(-2.0, -1.5), 1e-9);
     // The run finds the same ground again by what it put down.
     RunOrigin origin;
     recordSite(origin, raised, theCase.site);

@@ -1,5 +1,7 @@
 #include "tests/scenes/fe_scenes.h"
 
+#include "core/base/standard_gravity.h"
+
 namespace rubble::scenes {
 
 std::shared_ptr<const FeResult> collapsingWall(int nx, int nz) {
@@ -13,7 +15,7 @@ std::shared_ptr<const FeResult> collapsingWall(int nx, int nz) {
     beam.low = Vec3(0, 0, nz + 1.0);
     beam.size = Vec3(nx, 1, 1);
     beam.cells = {nx, 1, 1};
-    beam.gravity = 9.80665;
+    beam.gravity = standardGravity;
     return makeScene({wall, beam}, 7, 0.1);
 }
 

@@ -1,6 +1,7 @@
 #include "widgets/accuracy_page.h"
-
 #include <gtest/gtest.h>
+
+#include "core/base/unknown.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -10,7 +11,6 @@
 #include <QSvgRenderer>
 #include <QTest>
 #include <cmath>
-#include <limits>
 
 #include "widgets/accuracy_chart.h"
 #include "widgets/accuracy_panel.h"
@@ -21,7 +21,6 @@ namespace rubble::widgets {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr AccuracyKind footprint{Measure::FootprintIou, std::nullopt};
 
 DebrisDifference differing(double iou) {
@@ -58,8 +57,8 @@ std::shared_ptr<AccuracyReport> someReport() {
     report->floor->repeats.emplace_back();
     report->points.push_back(pointOf("multiple=4", 0.88, 4.0, 40.0));
     report->points.push_back(pointOf("multiple=2", 0.93, 12.0, 16.0));
-    report->points.push_back(pointOf("multiple=3 cluster_shape=hull", 0.86, 9.0, none));
-    report->points.push_back(pointOf("multiple=1", 0.97, none, none));
+    report->points.push_back(pointOf("multiple=3 cluster_shape=hull", 0.86, 9.0, unknown));
+    report->points.push_back(pointOf("multiple=1", 0.97, unknown, unknown));
     AccuracyPoint failed;
     failed.setting = "multiple=1.5";
     failed.failure = {"accuracy.memory", "there was not enough memory for it", {}};
@@ -93,8 +92,6 @@ protected:
     std::shared_ptr<AccuracyReport> report = someReport();
     AccuracyChart chart;
 };
-
-}  // namespace
 
 TEST_F(AccuracyWidgets, ThePlotHoldsOnePointForEachSettingWithBothFigures) {
     const PlotContent content = contentOf(*report);
@@ -176,7 +173,7 @@ TEST_F(AccuracyWidgets, EmptyAndDegenerateContentsAreDrawn) {
     chart.setContent({});
     EXPECT_FALSE(chart.grab().isNull());
     AccuracyReport one;
-    one.reference = pointOf("reference", 1.0, 5.0, none);
+    one.reference = pointOf("reference", 1.0, 5.0, unknown);
     for (const AccuracyKind& kind :
          {footprint, AccuracyKind{Measure::MassMap, std::nullopt}, AccuracyKind{Measure::MassMap, 0.1}}) {
         chart.setContent(contentOf(one, CostKind::Wall, kind));
@@ -344,4 +341,5 @@ TEST_F(AccuracyWidgets, TolerancesAreReadInOrderOrRefusedInPlace) {
     EXPECT_EQ(panel.request().tolerances, std::vector<double>{0.1});
 }
 
+}  // namespace
 }  // namespace rubble::widgets

@@ -1,13 +1,13 @@
 #include "widgets/effects_panel.h"
-
 #include <gtest/gtest.h>
+
+#include "core/base/unknown.h"
 
 #include <QAbstractButton>
 #include <QLabel>
 #include <QTableWidget>
 #include <QTest>
 #include <QToolButton>
-#include <limits>
 
 #include "widgets/contact_table.h"
 #include "widgets/effect_row.h"
@@ -18,8 +18,6 @@ namespace rubble::widgets {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 std::shared_ptr<EffectDecisions> someDecisions() {
     auto decisions = std::make_shared<EffectDecisions>();
     for (std::size_t i = 0; i < effectCount; ++i) {
@@ -28,7 +26,7 @@ std::shared_ptr<EffectDecisions> someDecisions() {
         decision.on = i % 2 == 0;
         decision.reason = {"test.reason", "the measure is {0} for {1}", {static_cast<int>(i), effectName(decision.kind)}};
         decision.measure = static_cast<double>(i);
-        decision.threshold = i == 7 ? none : 17.0;
+        decision.threshold = i == 7 ? unknown : 17.0;
     }
     return decisions;
 }

@@ -6,12 +6,14 @@
 #include <QSlider>
 #include <QTableWidget>
 #include <QTest>
+#include <QVBoxLayout>
 #include <map>
 
 #include "widgets/case_panel.h"
 #include "widgets/effects_panel.h"
 #include "widgets/fragments_panel.h"
 #include "widgets/grid_panel.h"
+#include "widgets/panel.h"
 #include "widgets/parameter_editor.h"
 #include "widgets/run_panel.h"
 #include "widgets/stage_rail.h"
@@ -91,6 +93,23 @@ TEST(Panels, EditsLeaveWithTheirKey) {
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_EQ(key, QStringLiteral("friction"));
     EXPECT_EQ(value, ParameterValue(0.65));
+}
+
+TEST(Panels, WhatComesUpLaterHasTheHeightOfItsSentencesAtOnce) {
+    Panel panel(QStringLiteral("Run"), QStringLiteral("Where the fragments go."));
+    panel.resize(336, 300);
+    auto* list = new QWidget;
+    auto* words = new QLabel(QStringLiteral("Body 687 was 1.058 times as fast as its birth and its fall allow. ").repeated(40));
+    words->setWordWrap(true);
+    (new QVBoxLayout(list))->addWidget(words);
+    list->hide();
+    panel.addWide(list);
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    list->show();
+    EXPECT_LE(words->width(), 336);
+    EXPECT_GE(words->height(), words->heightForWidth(words->width()));
+    EXPECT_GE(words->height(), 40 * words->fontMetrics().height());
 }
 
 TEST(GridPanel, TheSliderRisesAndReadsBack) {

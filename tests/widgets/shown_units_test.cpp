@@ -22,8 +22,6 @@ protected:
     ~ShownUnits() override { figures::chooseUnits(UnitSet::Si); }
 };
 
-}  // namespace
-
 // Factors against the definitions: 1 ft = 0.3048 m, 1 lb = 0.45359237 kg, 1 psi = 6894.757 Pa.
 TEST_F(ShownUnits, AreWhatTheyAreDefinedAs) {
     figures::chooseUnits(UnitSet::UsCustomary);
@@ -80,4 +78,5 @@ TEST_F(ShownUnits, AreTypedInAField) {
     EXPECT_DOUBLE_EQ(field.number().value_or(0.0), 0.25);
 }
 
+}  // namespace
 }  // namespace rubble::widgets

@@ -1,6 +1,5 @@
 #include "widgets/figures/figure_sheet.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
 
@@ -13,21 +12,18 @@
 #include "widgets/figures/marks.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
+#include "widgets/figures/translated.h"
 #include "widgets/render/camera.h"
 #include "widgets/render/panes.h"
 
 namespace rubble::figures {
 namespace {
 
-constexpr double textPoints = 9.0;
+constexpr double sheetTextPoints = 9.0;
 constexpr double provenancePoints = 6.0;
 constexpr double smallestLegend = 0.7;  // of the text: below that it is not read any more
 /// The instants of the published figures over the 9.6 s of its FE result.
 constexpr std::array<double, 3> publishedShares{1.68 / 9.6, 3.36 / 9.6, 5.52 / 9.6};
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("rubble::figures", text);
-}
 
 QFont fontOf(double pixels, bool italic) {
     QFont font;
@@ -140,7 +136,7 @@ QRect SheetLayout::panelAt(int column, int row) const {
 
 SheetLayout layOutSheet(int columns, int rows, bool captioned, SheetLegend legend, bool provenance, QSize pixels, double dpi) {
     SheetLayout layout;
-    layout.text = textPoints / 72.0 * dpi;
+    layout.text = sheetTextPoints / 72.0 * dpi;
     layout.small = provenancePoints / 72.0 * dpi;
     layout.gap = columns > 1 ? std::max(1, static_cast<int>(std::lround(0.6 * layout.text))) : 0;
     layout.caption =

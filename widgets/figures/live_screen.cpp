@@ -6,13 +6,14 @@ namespace rubble::figures {
 
 namespace {
 
-constexpr int width = 1280;
-constexpr int height = 800;
+constexpr int screenWidth = 1280;
+constexpr int screenHeight = 800;
 
 /// Both views of one run.
 class OffscreenScreen : public LiveScreen {
 public:
-    OffscreenScreen(const render::SceneData& data, std::string& renderer) : m_view(data, width, height), m_renderer(renderer) {}
+    OffscreenScreen(const render::SceneData& data, std::string& renderer)
+        : m_view(data, screenWidth, screenHeight), m_renderer(renderer) {}
     void draw(double time) override {
         m_view.draw(time);
         if (m_renderer.empty()) {

@@ -23,7 +23,7 @@
 namespace rubble::figures {
 namespace {
 
-constexpr double textPoints = 9.0;
+constexpr double mapTextPoints = 9.0;
 constexpr double smallPoints = 6.0;
 constexpr double entryPitch = 1.2;  // lines from one entry of the legend to the next
 /// Of the mass, shown whatever the rest does.
@@ -184,10 +184,10 @@ QColor categoryColour(render::Theme theme, std::size_t component) {
 }
 
 /// Draws one picture.
-class Sheet {
+class MapSheet {
     Q_DECLARE_TR_FUNCTIONS(rubble::figures::Sheet)
 public:
-    Sheet(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style)
+    MapSheet(const DebrisMap& map, MapLayer layer, const MapPictureStyle& style)
         : m_map(map),
           m_layer(layer),
           m_style(style),
@@ -195,7 +195,7 @@ public:
           m_window(windowOf(map)),
           m_range(rangeOf(map.layer(layer), layer)),
           m_image(style.pixels, QImage::Format_RGB32),
-          m_text(textPoints / 72.0 * style.dpi),
+          m_text(mapTextPoints / 72.0 * style.dpi),
           m_small(smallPoints / 72.0 * style.dpi) {
         m_image.fill(style.theme == render::Theme::Print ? QColor(Qt::white) : m_palette.panel);
         m_line = QFontMetricsF(font(m_text)).height();
@@ -532,7 +532,7 @@ QImage mapPicture(const DebrisMap& map, MapLayer layer, const MapPictureStyle& s
                          {"figure.map_size.remedy", "Ask for {0} to {1} pixels a side and 20 to 2400 dpi.", {smallest, largest}});
     }
     checkLayer(map, layer);
-    return Sheet(map, layer, style).draw();
+    return MapSheet(map, layer, style).draw();
 }
 
 Orthophoto groundPicture(const DebrisMap& map, MapLayer layer) {

@@ -1,6 +1,5 @@
 #include "widgets/figures/movie.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -21,6 +20,7 @@
 #include "widgets/figures/marks.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
+#include "widgets/figures/translated.h"
 
 namespace rubble::figures {
 namespace {
@@ -30,10 +30,6 @@ constexpr int startTimeoutMs = 20000;
 constexpr int writeTimeoutMs = 120000;   // an encoder that takes nothing for so long hangs
 constexpr int finishTimeoutMs = 600000;  // as does one that is not done so long after the last picture
 constexpr qsizetype saidMost = 4096;     // of what an encoder says, the end
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("rubble::figures", text);
-}
 
 WorldError movieError(const std::string& path, const QString& why) {
     return {{"movie.write", "{0}: the movie cannot be written: {1}", {path, why.trimmed().toStdString()}},

@@ -1,6 +1,5 @@
 #include "widgets/figures/overlay.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLinearGradient>
 #include <QLocale>
@@ -14,6 +13,7 @@
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
 #include "widgets/figures/shown_units.h"
+#include "widgets/figures/translated.h"
 #include "widgets/render/camera.h"
 #include "widgets/render/colour_choice.h"
 
@@ -22,10 +22,6 @@ namespace {
 
 constexpr std::size_t longestLegend = 6;
 constexpr double legendGap = 5.0;  // between entries of one line, in units of the look
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("rubble::figures", text);
-}
 
 QColor colourOf(const render::Rgb& c) {
     return {c.r, c.g, c.b};

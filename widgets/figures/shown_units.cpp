@@ -3,6 +3,8 @@
 #include <array>
 #include <atomic>
 
+#include "core/base/standard_gravity.h"
+
 namespace rubble::figures {
 
 namespace {
@@ -16,23 +18,23 @@ struct Row {
 };
 
 // International foot, avoirdupois pound, short ton; standard gravity between pound and pound-force.
-constexpr double foot = 0.3048;                   // m
-constexpr double pound = 0.45359237;              // kg
-constexpr double poundForce = pound * 9.80665;    // N
-constexpr double squareInch = foot * foot / 144;  // m2
+constexpr double footLength = 0.3048;                         // m
+constexpr double pound = 0.45359237;                          // kg
+constexpr double poundForce = pound * standardGravity;        // N
+constexpr double squareInch = footLength * footLength / 144;  // m2
 
 constexpr std::array rows{
-    Row{"m", "mm", 1e3, "ft", 1.0 / foot},
-    Row{"m2", "mm²", 1e6, "ft²", 1.0 / (foot * foot)},
-    Row{"m3", "mm³", 1e9, "ft³", 1.0 / (foot * foot * foot)},
+    Row{"m", "mm", 1e3, "ft", 1.0 / footLength},
+    Row{"m2", "mm²", 1e6, "ft²", 1.0 / (footLength * footLength)},
+    Row{"m3", "mm³", 1e9, "ft³", 1.0 / (footLength * footLength * footLength)},
     Row{"kg", "t", 1e-3, "lb", 1.0 / pound},
     Row{"t", "t", 1.0, "short tons", 1000.0 / (2000.0 * pound)},
-    Row{"kg/m3", "t/mm³", 1e-12, "lb/ft³", foot* foot* foot / pound},
-    Row{"m/s", "mm/s", 1e3, "ft/s", 1.0 / foot},
-    Row{"m/s2", "mm/s²", 1e3, "ft/s²", 1.0 / foot},
+    Row{"kg/m3", "t/mm³", 1e-12, "lb/ft³", footLength* footLength* footLength / pound},
+    Row{"m/s", "mm/s", 1e3, "ft/s", 1.0 / footLength},
+    Row{"m/s2", "mm/s²", 1e3, "ft/s²", 1.0 / footLength},
     Row{"N", "N", 1.0, "lbf", 1.0 / poundForce},
     Row{"Pa", "MPa", 1e-6, "psi", squareInch / poundForce},
-    Row{"J", "mJ", 1e3, "ft·lbf", 1.0 / (foot * poundForce)},
+    Row{"J", "mJ", 1e3, "ft·lbf", 1.0 / (footLength * poundForce)},
 };
 
 std::atomic<UnitSet>& chosenSet() {

@@ -1,11 +1,6 @@
 #include "widgets/render/node_motion.h"
 
 namespace rubble::render {
-namespace {
-
-constexpr double sameTime = 1e-6;  // s; a view's time that went through text still hits its state
-
-}  // namespace
 
 void NodeMotion::Held::moveTo(const FeResult& fe, std::size_t state) {
     const bool first = m_elements.empty();

@@ -8,6 +8,9 @@
 
 namespace rubble::render {
 
+/// s; a view's time that went through text still hits its state.
+inline constexpr double sameTime = 1e-6;
+
 /// Where the nodes are at any time: linear between two FE states. A node that no element holds at the later state (its elements die
 /// there) flies on with its last velocity instead: files let such nodes freeze or run away.
 class NodeMotion {

@@ -10,7 +10,6 @@
 namespace rubble::render {
 namespace {
 
-constexpr double sameTime = 1e-6;     // s
 constexpr double sameInstant = 0.01;  // of the interval between two states
 
 /// A time close to an FE state is that state: solvers write it at 5.7602 s when 5.76 s was asked for.

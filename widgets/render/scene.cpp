@@ -9,6 +9,7 @@
 #include <future>
 #include <limits>
 
+#include "core/base/standard_gravity.h"
 #include "core/clusters/grid_outline.h"
 #include "widgets/render/camera.h"
 #include "widgets/render/intact_outline.h"
@@ -18,8 +19,6 @@
 
 namespace rubble::render {
 namespace {
-
-constexpr double standardGravity = 9.80665;
 
 /// Geometries that panes show: the FE result, the fragments, the fragments of another scenario.
 constexpr std::size_t geometryCount = 3;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/archive.h"
 #include "core/scenario/scenario.h"
 #include "core/simulation/effects/effect.h"
 
@@ -22,6 +23,7 @@ public:
     EffectKind kind() const override { return EffectKind::AirDrag; }
     void beforeSubstep(const SubstepBodies& bodies, double h) override;
     double work() const override { return m_work; }
+    void keep(Archive& archive) override { archive(m_work); }
 
 private:
     double m_half;  ///< kg/m3, rho C_d / 2

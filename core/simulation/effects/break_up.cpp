@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/fe/material.h"
+#include "core/trajectory/record_archive.h"
 
 namespace rubble {
 
@@ -39,6 +40,14 @@ void BreakUp::leaving(BodyId body) {
     for (std::size_t i = gone; i < m_candidates.size(); ++i) {
         m_candidateOf[at(m_candidates[i].record.body)] = static_cast<std::int32_t>(i);
     }
+}
+
+void BreakUp::Candidate::keep(Archive& archive) {
+    archive(record, more, velocity, change, excused);
+}
+
+void BreakUp::keep(Archive& archive) {
+    archive(m_candidates, m_candidateOf, m_broken, m_held);
 }
 
 void BreakUp::excuse(BodyId body, const Vec3& change) {

@@ -29,6 +29,7 @@ public:
     void entered(std::span<const BodyRecord> bodies, RigidWorld& world) override;
     void leaving(BodyId body) override;
     std::int64_t events() const override { return m_broken; }
+    void keep(Archive& archive) override;
 
     /// The other effects changed the velocity of a body by this much in the coming step [m/s].
     void excuse(BodyId body, const Vec3& change);
@@ -48,6 +49,8 @@ private:
         Vec3 velocity = Vec3::Zero();  ///< m/s, before the step
         Vec3 change = Vec3::Zero();    ///< m/s, by contacts in the step before
         Vec3 excused = Vec3::Zero();
+
+        void keep(Archive& archive);
     };
     const RunDescription& m_description;
     double m_threshold;

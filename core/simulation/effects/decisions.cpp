@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/fragments/lifetimes.h"
+#include "core/base/unknown.h"
+#include "core/fragments/birth_windows.h"
 #include "core/simulation/body_shapes.h"
 #include "core/simulation/collider.h"
 #include "core/simulation/effects/box_tree.h"
@@ -15,7 +16,6 @@ namespace rubble {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// Weight over drag at the highest possible speed below which a landing point moves by 1 % of its travel (1 / (6 R)).
 constexpr double dragMatters = 17.0;
 /// m. Boxes that overlap by no more only touch.
@@ -28,13 +28,13 @@ constexpr std::size_t noTag = std::numeric_limits<std::size_t>::max();
 struct Verdict {
     bool on = false;
     Message reason;
-    double measure = nan;
-    double threshold = nan;
+    double measure = unknown;
+    double threshold = unknown;
     bool possible = true;  ///< false: nothing is there that the effect could act with
 };
 
 Verdict impossible(Message reason) {
-    return {false, std::move(reason), nan, nan, false};
+    return {false, std::move(reason), unknown, unknown, false};
 }
 
 /// "element 12 (deck)"
@@ -198,7 +198,7 @@ Verdict Decider::terrain() const {
 BoxTree Decider::structure() const {
     const FeResult& fe = m_scene.fe;
     const Mesh& mesh = fe.mesh();
-    const Activity activity = activityUnder(fe.activity(), m_scene.scenario.fragments.revival);
+    const Activity activity = simulatedActivity(fe, m_scene.scenario.fragments);
     const std::shared_ptr<const FeState> last = fe.state(fe.stateCount() - 1);
     std::vector<Aabb> died(mesh.elementCount());
     for (const Fragment& fragment : m_scene.fragments.list) {

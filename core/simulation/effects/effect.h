@@ -25,6 +25,8 @@ public:
     virtual double work() const { return 0.0; }
     /// Ties broken, clusters broken up.
     virtual std::int64_t events() const { return 0; }
+    /// What it carries from step to step, out or in.
+    virtual void keep(Archive& archive) = 0;
 };
 
 /// J, of a body as a substep sees it.

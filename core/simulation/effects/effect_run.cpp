@@ -1,5 +1,6 @@
 #include "core/simulation/effects/effect_run.h"
 
+#include "core/base/archive.h"
 #include "core/simulation/effects/air_drag.h"
 #include "core/simulation/effects/fragment_contact.h"
 #include "core/simulation/effects/ground_plane.h"
@@ -100,6 +101,13 @@ std::vector<BodyRecord> EffectRun::brokenUp(double dt, std::int64_t room) {
     }
     const Stopwatch watch(m_effects.back().seconds);
     return m_breakUp->brokenBy(m_world, dt, room);
+}
+
+void EffectRun::keep(Archive& archive) {
+    for (Timed& timed : m_effects) {
+        archive(timed.seconds, timed.substepSeconds);
+        timed.effect->keep(archive);
+    }
 }
 
 double EffectRun::work() const {

@@ -47,6 +47,9 @@ public:
     /// Clusters that were hit hard enough and left whole.
     std::int64_t heldTogether() const { return m_breakUp != nullptr ? m_breakUp->held() : 0; }
 
+    /// What the effects carry from step to step, out or in.
+    void keep(Archive& archive);
+
     /// J, done on bodies by all effects so far; the work of contacts is the world's.
     double work() const;
     /// s of wall time that effects took before substeps.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/fragments/lifetimes.h"
+#include "core/fragments/birth_windows.h"
 #include "core/simulation/live_islands.h"
 
 namespace rubble {
@@ -12,7 +12,7 @@ LiveStructure liveStructure(const EffectScene& scene, const SiteSurface& ground,
     LiveStructure live;
     const FeResult& fe = scene.fe;
     const bool release = scene.scenario.effects.islands == LiveIslandPolicy::Released;
-    const Activity activity = activityUnder(fe.activity(), scene.scenario.fragments.revival);
+    const Activity activity = simulatedActivity(fe, scene.scenario.fragments);
     const std::shared_ptr<const FeState> last = fe.state(fe.stateCount() - 1);
     const std::shared_ptr<const FeState> before = fe.stateCount() > 1 ? fe.state(fe.stateCount() - 2) : last;
     const double interval = last->time - before->time;

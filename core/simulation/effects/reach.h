@@ -3,15 +3,16 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/standard_gravity.h"
 #include "core/simulation/effects/decisions.h"
 
 namespace rubble {
 
 /// What limits a fall.
 struct FallLimits {
-    double gravity = 9.80665;       ///< m/s2
-    std::optional<double> surface;  ///< m, the lowest place that anything can fall to; unset: there is no ground
-    double end = 0.0;               ///< s, nothing moves after that
+    double gravity = standardGravity;  ///< m/s2
+    std::optional<double> surface;     ///< m, the lowest place that anything can fall to; unset: there is no ground
+    double end = 0.0;                  ///< s, nothing moves after that
 };
 
 /// Where a cluster can get without touching anything, and how fast.

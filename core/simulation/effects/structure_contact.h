@@ -25,6 +25,7 @@ public:
     Pieces& pieces() { return m_pieces; }
     /// s of wall time spent here so far; contact itself is the world's.
     double seconds() const { return m_seconds; }
+    void keep(Archive& archive) { archive(m_pieces, m_seconds); }
 
 private:
     Pieces m_pieces;

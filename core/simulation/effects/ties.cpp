@@ -211,6 +211,13 @@ void Ties::beforeSubstep(const SubstepBodies& bodies, double h) {
     }
 }
 
+void Ties::keep(Archive& archive) {
+    archive(m_ends, m_ties, m_broken, m_work);
+    if (m_ends.size() != m_sites.size()) {
+        Archive::fail();
+    }
+}
+
 void Ties::afterStep(RigidWorld& world, double) {
     std::sort(m_wake.begin(), m_wake.end());
     m_wake.erase(std::unique(m_wake.begin(), m_wake.end()), m_wake.end());

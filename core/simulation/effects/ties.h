@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/archive.h"
 #include "core/simulation/effects/effect.h"
 #include "core/simulation/effects/tie_sites.h"
 
@@ -19,6 +20,8 @@ struct Tie {
     double breakGap = 0.0;     ///< m, distance of its ends at which it breaks
     double slackGap = 0.0;     ///< m, up to which it is slack: grows as it yields
     Vec3 pull = Vec3::Zero();  ///< N s, on a, of the latest substep
+
+    void keep(Archive& archive) { archive(a, b, onA, onB, yieldForce, stiffness, breakGap, slackGap, pull); }
 };
 
 /// Reinforcement between neighbouring clusters: where elements of reinforced components share faces, one tie a pair of clusters, of
@@ -50,6 +53,7 @@ public:
     void afterStep(RigidWorld& world, double dt) override;
     double work() const override { return m_work; }
     std::int64_t events() const override { return m_broken; }
+    void keep(Archive& archive) override;
 
     void add(const Tie& tie) { m_ties.push_back(tie); }
     const std::vector<Tie>& ties() const { return m_ties; }
@@ -61,6 +65,8 @@ private:
         std::int64_t second = -1;
         Vec3 onFirst = Vec3::Zero();
         Vec3 onSecond = Vec3::Zero();
+
+        void keep(Archive& archive) { archive(first, second, onFirst, onSecond); }
     };
     struct Taut;
     void form(const TieSite& site, const Ends& ends, const RigidWorld& world);

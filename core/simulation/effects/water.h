@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/base/archive.h"
 #include "core/scenario/scenario.h"
 #include "core/simulation/effects/effect.h"
 
@@ -36,12 +37,15 @@ public:
     EffectKind kind() const override { return EffectKind::Water; }
     void beforeSubstep(const SubstepBodies& bodies, double h) override;
     double work() const override { return m_work; }
+    void keep(Archive& archive) override { archive(m_expected, m_substep, m_work); }
 
 private:
     /// The velocity that a body would have at its next substep without contacts.
     struct Expected {
         Vec3 velocity = Vec3::Zero();
         std::uint64_t substep = 0;  ///< the one after which it holds
+
+        void keep(Archive& archive) { archive(velocity, substep); }
     };
     struct Wet;
     /// A world moves a body in free flight with the mean of its velocity before and after gravity's kick.

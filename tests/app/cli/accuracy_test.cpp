@@ -58,6 +58,19 @@ std::vector<std::string> withoutTimes(const std::string& csv) {
     return rows;
 }
 
+/// When the newest checkpoint of a folder was written; the beginning of time if there is none.
+fs::file_time_type newestCheckpoint(const fs::path& folder) {
+    fs::file_time_type newest = fs::file_time_type::min();
+    std::error_code ignored;
+    for (fs::directory_iterator it(folder, ignored), end; it != end; it.increment(ignored)) {
+        const fs::file_time_type written = fs::last_write_time(it->path(), ignored);
+        if (it->path().extension() == ".checkpoint" && !ignored) {
+            newest = std::max(newest, written);
+        }
+    }
+    return newest;
+}
+
 /// The warning with an id; null if there is none.
 nlohmann::json warning(const nlohmann::json& object, const std::string& id) {
     for (const nlohmann::json& row : object["warnings"]) {
@@ -176,6 +189,57 @@ TEST_F(AccuracyCommand, NoNumberButThoseOfTimeDependsOnJobsOrInterruption) {
     ASSERT_EQ(cli(sweep("cut", {"--jobs", "3"})).exitCode, 0);
     EXPECT_EQ(withoutTimes(textOf(csv)), whole);
     EXPECT_EQ(keptWorlds("cut"), worlds);
+}
+
+TEST_F(AccuracyCommand, GoesOnInsideAWorldThatWasKilled) {
+    const std::string csv = m_folder / "a.csv";
+    const auto sweep = [&](const std::string& cache) {
+        return std::vector<std::string>{
+            "accuracy",    m_path,      "--set",   "settle_time=2", "--set", "step_rate=10000", "--no-fps",
+            "--no-timing", "--repeats", "1",       "--jobs",        "1",     "--vary",          "friction=0.4",
+            "--csv",       csv,         "--cache", m_folder / cache};
+    };
+    ASSERT_EQ(cli(sweep("whole")).exitCode, 0);
+    const std::vector<std::string> whole = withoutTimes(textOf(csv));
+    const fs::path checkpoints = m_folder / "cut/checkpoints";
+    // Once there is another checkpoint than before.
+    const auto once = [&](int signal) {
+        return [&, signal, before = newestCheckpoint(checkpoints), sent = false](pid_t program) mutable {
+            sent = sent || (newestCheckpoint(checkpoints) > before && kill(program, signal) == 0);
+        };
+    };
+    const auto start = [&] { return CommandRun().with("RUBBLE_CHECKPOINT_SECONDS", "0.02"); };
+    // Killed, then stopped as by Ctrl-C: both times before the reference was done.
+    EXPECT_EQ(start().meanwhile(once(SIGKILL)).cli(sweep("cut")).signal, SIGKILL);
+    EXPECT_EQ(keptWorlds("cut"), 0u);
+    const Outcome stopped = start().meanwhile(once(SIGINT)).cli(sweep("cut"));
+    EXPECT_EQ(stopped.exitCode, 3) << stopped.err;
+    EXPECT_THAT(stopped.err, HasSubstr("went on from checkpoints, the latest at "));
+    ASSERT_FALSE(fs::is_empty(checkpoints));
+    const Outcome last = start().cli(sweep("cut"));
+    ASSERT_EQ(last.exitCode, 0) << last.err;
+    EXPECT_THAT(last.err, HasSubstr("1 went on from checkpoints, the latest at "));
+    EXPECT_EQ(withoutTimes(textOf(csv)), whole);
+    EXPECT_TRUE(fs::is_empty(checkpoints)) << "worlds that are kept need none";
+    EXPECT_THAT(cli({"cache", "list", "--cache", m_folder / "cut"}).out, testing::Not(HasSubstr("checkpoints")));
+}
+
+TEST_F(AccuracyCommand, SaysThatACheckpointWasDamaged) {
+    const std::vector<std::string> sweep = words({"--no-fps", "--no-timing", "--set", "step_rate=10000", "--json"});
+    const fs::path checkpoints = m_folder / "cache/checkpoints";
+    const auto killOnce = [&](pid_t program) {
+        if (newestCheckpoint(checkpoints) > fs::file_time_type::min()) {
+            kill(program, SIGKILL);
+        }
+    };
+    EXPECT_EQ(CommandRun().with("RUBBLE_CHECKPOINT_SECONDS", "0.02").meanwhile(killOnce).cli(sweep).signal, SIGKILL);
+    for (const auto& entry : fs::directory_iterator(checkpoints)) {
+        fs::resize_file(entry.path(), fs::file_size(entry.path()) - 1);
+    }
+    const Outcome outcome = cli(sweep);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_FALSE(warning(outcome.json(), "simulation.checkpoint_damaged").is_null());
+    EXPECT_THAT(outcome.err, testing::Not(HasSubstr("went on")));
 }
 
 TEST_F(AccuracyCommand, CtrlCReportsWhatIsDone) {

@@ -140,6 +140,19 @@ TEST_F(ReportCommand, RefusesAStaleRunAndNamesWhatIs) {
     EXPECT_NE(report({m_out, "--self-test", "none", "--repeats", "0"}).exitCode, 0);
 }
 
+TEST_F(ReportCommand, SaysThatBirthsWereTakenTogether) {
+    Case theCase = io::caseForFe(m_path, m_folder / "small.rubble");
+    theCase.scenarios[0].scenario.fragments.birthWindow = 0.25;
+    io::saveCase(m_folder / "small.rubble", theCase);
+    const char* said = "was handed over together";
+    const Outcome together = report({m_folder / "small.rubble", "--self-test", "none", "--repeats", "0"});
+    ASSERT_EQ(together.exitCode, 0) << together.err;
+    EXPECT_THAT(html(), HasSubstr(said));
+    EXPECT_THAT(html(), HasSubstr("within 0.25"));
+    ASSERT_EQ(report({m_out, "--self-test", "none", "--repeats", "0"}).exitCode, 0);
+    EXPECT_THAT(html(), testing::Not(HasSubstr(said)));
+}
+
 TEST_F(ReportCommand, SimulatesACaseThatHasNoRun) {
     io::saveCase(m_folder / "small.rubble", io::caseForFe(m_path, m_folder / "small.rubble"));
     const Outcome outcome = report({m_folder / "small.rubble", "--self-test", "closed-form", "--repeats", "0"});

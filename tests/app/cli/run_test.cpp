@@ -259,6 +259,77 @@ TEST_F(Run, AKilledRunReopensAtItsLastFrame) {
     EXPECT_GE(exported.json()["frames"], 5);
 }
 
+TEST_F(Run, AKilledRunGoesOnFromItsCheckpoint) {
+    const auto words = [&](const std::string& out, std::vector<std::string> more) {
+        more.insert(more.begin(), {"run", m_path, "--out", out, "--json", "--set", "settle_time=3", "--set", "step_rate=10000"});
+        return more;
+    };
+    const auto start = [] { return CommandRun().with("RUBBLE_CHECKPOINT_SECONDS", "0.02"); };
+    const std::string whole = m_folder / "whole.run.h5";
+    const Outcome undisturbed = cli(words(whole, {"--csv", m_folder / "whole.csv"}));
+    ASSERT_EQ(undisturbed.exitCode, 0) << undisturbed.err;
+    EXPECT_FALSE(fs::exists(whole + ".checkpoint"));
+
+    const std::string checkpoint = m_out + ".checkpoint";
+    // Once there is another checkpoint than before.
+    const auto written = [&] {
+        std::error_code missing;
+        const fs::file_time_type time = fs::last_write_time(checkpoint, missing);
+        return missing ? fs::file_time_type::min() : time;
+    };
+    const auto onceKept = [&](int signal) {
+        return [&, signal, before = written(), sent = false](pid_t program) mutable {
+            sent = sent || (written() > before && kill(program, signal) == 0);
+        };
+    };
+    EXPECT_EQ(start().meanwhile(onceKept(SIGKILL)).cli(words(m_out, {})).signal, SIGKILL);
+    const Outcome stopped = start().meanwhile(onceKept(SIGINT)).cli(words(m_out, {}));
+    EXPECT_EQ(stopped.exitCode, 3) << stopped.err;
+    EXPECT_THAT(stopped.err, HasSubstr("going on from a checkpoint at "));
+    EXPECT_THAT(stopped.err, HasSubstr("--anew"));
+    const Outcome last = start().cli(words(m_out, {"--csv", m_folder / "last.csv"}));
+    ASSERT_EQ(last.exitCode, 0) << last.err;
+    EXPECT_THAT(last.err, HasSubstr("going on from a checkpoint at "));
+    EXPECT_GT(last.json()["checkpoints"]["resumed_at_s"], 0.0);
+    EXPECT_TRUE(undisturbed.json()["checkpoints"]["resumed_at_s"].is_null());
+    EXPECT_EQ(last.json()["trajectory_hash"], undisturbed.json()["trajectory_hash"]);
+    EXPECT_EQ(last.json()["steps"], undisturbed.json()["steps"]);
+    EXPECT_EQ(textOf(m_folder / "last.csv"), textOf(m_folder / "whole.csv"));
+    EXPECT_EQ(io::openRun(m_out)->frameCount(), io::openRun(whole)->frameCount());
+    EXPECT_FALSE(fs::exists(checkpoint));
+    EXPECT_FALSE(fs::exists(m_out + ".interrupted"));
+    const Outcome verified = cli({"verify", m_out});
+    EXPECT_EQ(verified.exitCode, 0) << verified.err;
+}
+
+TEST_F(Run, BeginsAnewWhereAskedOrWhereTheCheckpointIsDamaged) {
+    const std::string checkpoint = m_out + ".checkpoint";
+    const std::vector<std::string> words{"run",           m_path,  "--out",          m_out, "--json", "--set",
+                                         "settle_time=3", "--set", "step_rate=10000"};
+    const auto killed = [&] {
+        const Outcome outcome = CommandRun()
+                                    .with("RUBBLE_CHECKPOINT_SECONDS", "0.02")
+                                    .meanwhile([&](pid_t program) { fs::exists(checkpoint) ? kill(program, SIGKILL) : 0; })
+                                    .cli(words);
+        EXPECT_EQ(outcome.signal, SIGKILL);
+    };
+    killed();
+    std::vector<std::string> anew = words;
+    anew.push_back("--anew");
+    // Left by a start that was killed before it had taken the file over.
+    fs::copy_file(m_out, m_out + ".interrupted");
+    const Outcome started = cli(anew);
+    ASSERT_EQ(started.exitCode, 0) << started.err;
+    EXPECT_EQ(started.err, "");
+    EXPECT_FALSE(fs::exists(m_out + ".interrupted"));
+    killed();
+    fs::resize_file(checkpoint, fs::file_size(checkpoint) / 2);
+    const Outcome outcome = cli(words);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("simulation.checkpoint_damaged"));
+    EXPECT_EQ(outcome.json()["trajectory_hash"], started.json()["trajectory_hash"]);
+}
+
 TEST_F(Run, ProgressShowsOnATerminalOnly) {
     const Outcome shown = CommandRun().errorsToTerminal().cli({"run", m_path, "--json"});
     ASSERT_EQ(shown.exitCode, 0) << shown.err;

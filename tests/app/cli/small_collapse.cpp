@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/base/standard_gravity.h"
 #include "tests/app/cli/command_run.h"
 
 namespace rubble::cli {
@@ -25,7 +26,7 @@ io::ExodusBuilder smallCollapse() {
     builder.nodal.emplace_back("disp_x", [](std::size_t, std::size_t) { return 0.0; });
     builder.nodal.emplace_back("disp_y", [](std::size_t, std::size_t) { return 0.0; });
     builder.nodal.emplace_back("disp_z", [times](std::size_t state, std::size_t node) {
-        return node < fallingNodes ? -0.5 * 9.80665 * times[state] * times[state] : 0.0;
+        return node < fallingNodes ? -0.5 * standardGravity * times[state] * times[state] : 0.0;
     });
     builder.element.emplace_back("STATUS", [](std::size_t state, std::size_t element) {
         constexpr std::array<std::size_t, smallElements> deathState{1, 1, 2, 2, 2, 9, 9, 9, 9};

@@ -49,8 +49,6 @@ protected:
     QTemporaryDir m_folder;
 };
 
-}  // namespace
-
 TEST_F(AccuracyWorkbench, ComparesShowsAndUsesASettingWhichUndoTakesBack) {
     EXPECT_TRUE(page().isVisible()) << "the page takes the centre";
     EXPECT_FALSE(window->area().isVisible());
@@ -174,4 +172,5 @@ TEST_F(AccuracyWorkbench, NothingIsClippedAtTheSmallestSize) {
     EXPECT_LE(window->minimumSizeHint().height(), 800);
 }
 
+}  // namespace
 }  // namespace rubble

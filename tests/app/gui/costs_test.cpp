@@ -53,8 +53,6 @@ protected:
     QTemporaryDir m_folder;
 };
 
-}  // namespace
-
 // The drag counts, draws and is undone as one; the computation waits until the slider rests.
 TEST_F(CostsWorkbench, TheGridFollowsTheSliderAndIsOneStepOfUndo) {
     openArch();
@@ -271,4 +269,5 @@ TEST_F(CostsWorkbench, FragmentsAreColouredByTheirErrorAgainstAReference) {
     EXPECT_EQ(window->sceneData().reference, nullptr);
 }
 
+}  // namespace
 }  // namespace rubble

@@ -32,6 +32,7 @@
 #include "io/case_file.h"
 #include "io/exports.h"
 #include "tests/app/gui/workbench.h"
+#include "widgets/accuracy_panel.h"
 #include "widgets/preferences_dialog.h"
 
 namespace rubble {
@@ -317,6 +318,20 @@ TEST_F(Languages, FilesAreTheSameInEveryLanguageAndLocale) {
     speak("en");
     EXPECT_EQ(cases[0], cases[1]);
     EXPECT_EQ(cases[0], cases[2]);
+}
+
+TEST_F(Languages, WhatAFieldShowsIsReadFromItAgainInEveryLanguage) {
+    for (const char* language : {"en", "zh_CN"}) {
+        speak(language);
+        widgets::AccuracyPanel panel;
+        widgets::AccuracyPanel::Request request;
+        request.varied = {{"cluster_shape", {"oriented_box", "hull"}}, {"step_rate", {"60"}}};
+        panel.setRequest(request);
+        ASSERT_EQ(panel.request().varied.size(), 2U) << language;
+        EXPECT_EQ(panel.request().varied[0].values, request.varied[0].values) << language;
+        EXPECT_EQ(panel.request().varied[1].key, "step_rate") << language;
+    }
+    speak("en");
 }
 
 TEST_F(Languages, PreferencesAreInForceAtOnceAndKept) {

@@ -74,8 +74,6 @@ protected:
     QString fe;
 };
 
-}  // namespace
-
 TEST_F(NewCases, AreMadeStepByStep) {
     begin();
     EXPECT_TRUE(window->document().empty()) << "nothing is open before the case is made";
@@ -254,4 +252,5 @@ TEST_F(NewCases, SayWhatIsWrongWithAFile) {
     wizard().reject();
 }
 
+}  // namespace
 }  // namespace rubble

@@ -97,8 +97,6 @@ protected:
     }
 };
 
-}  // namespace
-
 TEST_F(Pictures, OfTheManualShowTheWindowAsItIs) {
     window->setTheme(QStringLiteral("light"));
     hold(QStringLiteral("start"), *window);
@@ -147,4 +145,5 @@ TEST_F(Pictures, TellAMissingViewAnotherPanelAndAnotherTheme) {
     window->setTheme(QStringLiteral("light"));
 }
 
+}  // namespace
 }  // namespace rubble

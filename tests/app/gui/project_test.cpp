@@ -95,8 +95,6 @@ protected:
     QString fe;
 };
 
-}  // namespace
-
 TEST_F(Project, AMissingResultIsFoundAgainByItsHash) {
     openCase();
     const QString moved = folder.filePath(QStringLiteral("elsewhere.exo"));
@@ -288,6 +286,28 @@ TEST_F(Project, RunsAreListedKeptAndShownAgain) {
     ASSERT_TRUE(QFile::remove(kept));
     window->project().runs().show(0);
     ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().failure().has_value(); }, patience)) << "told, not crashed";
+}
+
+// A run that was cancelled has figures that are not known; it is one run all the same, however often its case is saved and opened.
+TEST_F(Project, ACancelledRunIsListedOnce) {
+    openCase();
+    const QString elsewhere = folder.filePath(QStringLiteral("elsewhere.rubble"));
+    RunEntry cancelled;
+    cancelled.when = "2024-05-31T08:15:30Z";
+    cancelled.scenarioId = window->document().active()->id;
+    cancelled.wallSeconds = 0.1;
+    io::writeRunHistory(io::runHistoryPath(caseFile().toStdString()), {cancelled});
+    window->actions()["close"].trigger();
+    openIt(caseFile());
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_EQ(window->project().runs().runs().size(), 1U) << i;
+        ASSERT_TRUE(window->files().saveTo(elsewhere) && window->files().saveTo(caseFile()));
+        cancelled.file = "/kept/first.run.h5";
+        io::writeRunHistory(io::runHistoryPath(elsewhere.toStdString()), {cancelled});
+    }
+    EXPECT_EQ(window->project().runs().runs().size(), 1U);
+    EXPECT_EQ(window->project().runs().runs().front().file, cancelled.file) << "what is new of a run that is known";
+    EXPECT_EQ(io::readRunHistory(io::runHistoryPath(caseFile().toStdString())).size(), 1U);
 }
 
 // Cut off, emptied, garbled, of another kind or of a newer program: each is told with its name, and what is open stays.
@@ -511,4 +531,5 @@ TEST_F(Project, TheTourLeadsThroughTheWindowByKeys) {
     EXPECT_FALSE(tour->isVisible());
 }
 
+}  // namespace
 }  // namespace rubble

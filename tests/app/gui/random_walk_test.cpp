@@ -317,8 +317,6 @@ protected:
     const bool traced = qEnvironmentVariableIsSet("RUBBLE_WALK_TRACE");
 };
 
-}  // namespace
-
 TEST_F(RandomWalk, HarmsNothing) {
     const int steps = fromEnvironment("RUBBLE_WALK_STEPS", RUBBLE_WALK_LENGTH);
     const int seed = fromEnvironment("RUBBLE_WALK_SEED", 6);
@@ -345,4 +343,5 @@ TEST_F(RandomWalk, HarmsNothing) {
     RecordProperty("steps", steps);
 }
 
+}  // namespace
 }  // namespace rubble

@@ -40,8 +40,6 @@ protected:
     QTemporaryDir folder;
 };
 
-}  // namespace
-
 TEST_F(ScenarioPanes, ShowAnotherScenarioBesideThisOne) {
     EXPECT_TRUE(others().empty());
     const QString first = window->computation().currentRun()->scenarioName;
@@ -75,4 +73,5 @@ TEST_F(ScenarioPanes, KeepOneRunOfEachScenario) {
     EXPECT_FALSE(QFile::exists(firstFile));
 }
 
+}  // namespace
 }  // namespace rubble

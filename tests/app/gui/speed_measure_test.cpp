@@ -38,8 +38,6 @@ protected:
     int code = -1;
 };
 
-}  // namespace
-
 TEST_F(Speed, IsMeasuredOverFeResultAndRun) {
     const QString path =
         QString::fromStdString(cli::writeSmallCollapse(folder.filePath(QStringLiteral("small.exo")).toStdString()));
@@ -68,4 +66,5 @@ TEST_F(Speed, OfWhatIsNoResultIsAFailure) {
     EXPECT_EQ(code, 1);
 }
 
+}  // namespace
 }  // namespace rubble

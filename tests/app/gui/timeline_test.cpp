@@ -37,8 +37,6 @@ protected:
     QTemporaryDir folder;
 };
 
-}  // namespace
-
 TEST_F(TimelineKeys, BookmarksAreMadeNamedFoundAndUndone) {
     auto* display = window->project().findChild<TimelineDisplay*>();
     window->showInstant(0.2);
@@ -140,4 +138,5 @@ TEST_F(TimelineKeys, ScrubbingSnapsToStatesAndTimesCountFromZero) {
     EXPECT_EQ(figures->text(), QStringLiteral("1.70 s"));
 }
 
+}  // namespace
 }  // namespace rubble

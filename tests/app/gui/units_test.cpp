@@ -66,8 +66,6 @@ protected:
     QTemporaryDir folder;
 };
 
-}  // namespace
-
 TEST_F(UnitsOfDisplay, ChangeWhatIsShownAndTypedButNoFile) {
     const std::string inSi = saved(QStringLiteral("a.rubble"));
     const std::string figureInSi = figure(QStringLiteral("a.png"));
@@ -101,4 +99,5 @@ TEST_F(UnitsOfDisplay, AreRemembered) {
     EXPECT_EQ(other.preferences().units, figures::UnitSet::UsCustomary);
 }
 
+}  // namespace
 }  // namespace rubble

@@ -1,14 +1,12 @@
 #include "core/analysis/accuracy_front.h"
-
 #include <gtest/gtest.h>
 
+#include "core/base/unknown.h"
+
 #include <cmath>
-#include <limits>
 
 namespace rubble {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 AccuracyPoint costing(std::int64_t bodies, double stepMs, double fps) {
     AccuracyPoint point;
@@ -62,7 +60,7 @@ TEST(AccuracyFront, HoldsWhatNoOtherBeats) {
 }
 
 TEST(AccuracyFront, WhatIsNoNumberIsOnNoFront) {
-    const std::vector<CostAccuracy> points{{none, 0.9}, {1.0, none}, {2.0, 0.5}};
+    const std::vector<CostAccuracy> points{{unknown, 0.9}, {1.0, unknown}, {2.0, 0.5}};
     EXPECT_EQ(paretoFront(points, false, true), (std::vector<std::size_t>{2}));
     EXPECT_TRUE(paretoFront({}, false, true).empty());
 }
@@ -70,7 +68,7 @@ TEST(AccuracyFront, WhatIsNoNumberIsOnNoFront) {
 TEST(AccuracyFront, TheRateLiesBetweenTheSettingsThatEncloseIt) {
     AccuracyReport report;
     report.reference = costing(4000, 20.0, 12.0);
-    report.points = {costing(1000, 5.0, 48.0), costing(0, none, 30.0), costing(500, 2.0, none)};
+    report.points = {costing(1000, 5.0, 48.0), costing(0, unknown, 30.0), costing(500, 2.0, unknown)};
     // FPS fall as one over the cost here, so in logarithms the place is exact.
     EXPECT_NEAR(costAtRate(report, CostKind::StepMean, 24.0).value(), 10.0, 1e-12);
     EXPECT_NEAR(costAtRate(report, CostKind::Wall, 24.0).value(), 1000.0, 1e-9);
@@ -102,7 +100,7 @@ TEST(AccuracyFront, TheBandReachesFromTheReferenceToTheFloor) {
     report.floor.emplace();
     report.floor->largest.of(Measure::CoreIou) = 0.9;
     report.floor->largest.of(Measure::RunOut) = -0.2;
-    report.floor->largest.of(Measure::HeightRms) = none;
+    report.floor->largest.of(Measure::HeightRms) = unknown;
     EXPECT_FALSE(floorBand(report, core).has_value()) << "no repeat is there";
     report.floor->repeats.emplace_back();
     EXPECT_EQ(floorBand(report, core), std::pair(0.9, 1.0));

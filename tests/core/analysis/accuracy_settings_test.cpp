@@ -54,10 +54,21 @@ TEST(AccuracySettings, TheReferenceDoesNotDependOnGridOrMethod) {
     b.grid.bodiesMax = 100;
     b.simulation.shape = ClusterShape::Compound;
     applyPreset(b, "paper");
+    b.fragments.birthWindow = 0.1;
     EXPECT_EQ(referenceScenario(a), referenceScenario(b));
     EXPECT_TRUE(referenceScenario(a).grid.oneBodyPerFragment);
     EXPECT_EQ(referenceScenario(a).simulation.settleTime, 3.0) << "what describes the scene stays";
     EXPECT_EQ(referenceScenario(a).simulation.shape, ClusterShape::OrientedBox);
+}
+
+TEST(AccuracySettings, BirthsTakenTogetherAreAMatterOfMethod) {
+    Scenario scenario;
+    scenario.fragments.birthWindow = 0.2;
+    const auto settings = sweep({}, {{"birth_window", {"0", "0.1"}}}, scenario);
+    ASSERT_EQ(settings.size(), 3u);
+    EXPECT_EQ(settings[0].scenario.fragments.birthWindow, 0.0);
+    EXPECT_EQ(settings[1].scenario.fragments.birthWindow, 0.1);
+    EXPECT_EQ(settings[2].scenario.fragments.birthWindow, 0.0) << "the paper takes each state by itself";
 }
 
 TEST(AccuracySettings, RefusesWhatNoReferenceHoldsForAndWhatIsNoValue) {

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <mutex>
 
 #include "core/base/error.h"
+#include "core/selftest/element_scene.h"
 #include "tests/scenes/fe_scenes.h"
 
 namespace rubble {
@@ -117,6 +119,47 @@ TEST_F(AccuracyStudy, TellsOfPointsAsTheyAreDone) {
     // Nobody listening changes nothing but the times.
     options.grown = nullptr;
     expectSame(study(), report);
+}
+
+TEST_F(AccuracyStudy, BirthsTakenTogetherAreHeldAgainstTheSameReference) {
+    const std::vector<VariedParameter> varied{{"birth_window", {"0", "1000"}}};
+    const auto swept = [&] {
+        return accuracyStudy(inputs, scenario, sweepSettings(scenario, std::vector<std::string>{"2.2"}, varied), options,
+                             Execution());
+    };
+    const AccuracyReport report = swept();
+    ASSERT_EQ(report.points.size(), 3u);
+    const AccuracyPoint& apart = report.points[0];
+    const AccuracyPoint& together = report.points[1];
+    ASSERT_TRUE(apart.done && together.done);
+    EXPECT_EQ(together.fragments, apart.fragments);
+    EXPECT_LT(together.bodies, apart.bodies);
+    EXPECT_NE(together.trajectoryHash, apart.trajectoryHash);
+    EXPECT_EQ(together.fragmentErrors.size(), static_cast<std::size_t>(together.fragments));
+    scenario.fragments.birthWindow = 1000.0;
+    const AccuracyReport other = swept();
+    EXPECT_EQ(other.reference.trajectoryHash, report.reference.trajectoryHash) << "the reference takes each state by itself";
+    expectSamePoint(other.points[1], together);
+}
+
+TEST_F(AccuracyStudy, FragmentsThatTheReferenceLacksAreNotComparedByChance) {
+    selftest::ElementScene scene;
+    const std::vector<Vec3> corners{{0, 0, 5}, {1, 0, 5}, {0, 1, 5}, {0, 0, 6}};
+    scene.element(ElementShape::Tetrahedron, corners, "1100000").element(ElementShape::Tetrahedron, corners, "1111000");
+    scene.damage = [](std::size_t state, FeState& fields) {
+        if (state == 1) {
+            fields.positions[4].x() = std::numeric_limits<double>::quiet_NaN();
+        }
+    };
+    inputs.fe = scene.result();
+    const std::vector<VariedParameter> varied{{"birth_window", {"0", "1000"}}};
+    const AccuracyReport report =
+        accuracyStudy(inputs, scenario, sweepSettings(scenario, std::vector<std::string>{"2.2"}, varied), options, Execution());
+    ASSERT_EQ(report.points.size(), 3u);
+    EXPECT_TRUE(report.points[0].done);
+    EXPECT_FALSE(report.points[1].done) << "the second element has no place at the state of the first hand-over";
+    EXPECT_EQ(report.points[1].failure.id, "accuracy.other_fragments");
+    EXPECT_FALSE(report.complete);
 }
 
 TEST_F(AccuracyStudy, ComparesEachSettingWithTheReference) {

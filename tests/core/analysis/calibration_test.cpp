@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 
 namespace rubble {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// FPS that fall as a power of the bodies: 48,000 / n for the physics, 1,200 / sqrt(n) for drawing.
 Calibration powerLaws() {
@@ -19,7 +17,7 @@ Calibration powerLaws() {
         const double physics = 48000.0 / static_cast<double>(n);
         const double drawing = 1200.0 / std::sqrt(static_cast<double>(n));
         calibration.points.push_back({PileKind::Typical, n, physics, drawing, 1.0 / (1.0 / physics + 1.0 / drawing)});
-        calibration.points.push_back({PileKind::Worst, n, 0.25 * physics, none, none});
+        calibration.points.push_back({PileKind::Worst, n, 0.25 * physics, unknown, unknown});
     }
     return calibration;
 }

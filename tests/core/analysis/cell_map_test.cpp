@@ -9,13 +9,12 @@
 #include "core/analysis/box_outline.h"
 #include "core/base/error.h"
 #include "tests/core/analysis/debris_scene.h"
+#include "tests/scenes/level_site.h"
 
 namespace rubble {
 namespace {
 
 using namespace analysis_scene;
-
-const SiteSurface level{};
 
 TEST(CellMap, ABoxWithinOneCellGivesItAllItsMass) {
     const CellMap map = massMap(debrisFrom({boxAt(Vec3(1.0, 1.0, 0.5), 100.0)}), 2.0);
@@ -41,8 +40,8 @@ TEST(CellMap, ABoxThatOnlyTouchesACellDoesNotReachIntoIt) {
     const Quat quarter(Eigen::AngleAxisd(M_PI / 2.0, Vec3::UnitZ()));
     const Debris debris = debrisFrom({boxAt(Vec3(3.0, 5.0, 0.5), 1.0, Vec3(1.0, 1.0, 0.5), quarter)});
     EXPECT_EQ(massMap(debris, 2.0).size(), 1u);
-    EXPECT_EQ(heightMap(debris, 2.0, level).size(), 1u);
-    EXPECT_EQ(heightMap(debris, 1.0, level).size(), 4u);
+    EXPECT_EQ(heightMap(debris, 2.0, levelSite).size(), 1u);
+    EXPECT_EQ(heightMap(debris, 1.0, levelSite).size(), 4u);
 }
 
 TEST(CellMap, ABoxWithoutOutlineGoesToTheCellOfItsCentre) {
@@ -131,14 +130,14 @@ TEST(CellMap, MovesWithTheDebrisByWholeCells) {
 
 TEST(CellMap, HeightOfASlabIsItsTop) {
     // Half of the cell to the right is covered: eight of its sixteen points.
-    const CellMap map = heightMap(debrisFrom({boxAt(Vec3(0.75, 0.5, 0.2), 1.0, Vec3(0.75, 0.5, 0.2))}), 1.0, level);
+    const CellMap map = heightMap(debrisFrom({boxAt(Vec3(0.75, 0.5, 0.2), 1.0, Vec3(0.75, 0.5, 0.2))}), 1.0, levelSite);
     ASSERT_EQ(map.size(), 2u);
     EXPECT_DOUBLE_EQ(map.at({0, 0}), 0.4);
     EXPECT_DOUBLE_EQ(map.at({0, 1}), 0.2);
 }
 
 TEST(CellMap, HeightIsTheHighestOfWhatLiesThere) {
-    const CellMap map = heightMap(debrisFrom({boxAt(Vec3(0.5, 0.5, 0.5), 1.0), boxAt(Vec3(0.5, 0.5, 1.5), 1.0)}), 1.0, level);
+    const CellMap map = heightMap(debrisFrom({boxAt(Vec3(0.5, 0.5, 0.5), 1.0), boxAt(Vec3(0.5, 0.5, 1.5), 1.0)}), 1.0, levelSite);
     EXPECT_DOUBLE_EQ(map.at({0, 0}), 2.0);
 }
 
@@ -160,7 +159,7 @@ TEST(CellMap, AbsentFragmentsDoNotCount) {
     debris.fragments[1].present = false;
     debris.fragments[1].centre.x() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(massMap(debris, 1.0).size(), 1u);
-    EXPECT_EQ(heightMap(debris, 1.0, level).size(), 1u);
+    EXPECT_EQ(heightMap(debris, 1.0, levelSite).size(), 1u);
     EXPECT_EQ(massMap(Debris{}, 1.0).size(), 0u);
 }
 
@@ -175,7 +174,7 @@ TEST(CellMap, RefusesWhatIsNoNumberAndWhatIsTooLarge) {
     const double infinite = std::numeric_limits<double>::infinity();
     for (const Vec3& place : {Vec3(nan, 0, 0), Vec3(0, 0, nan), Vec3(0, infinite, 0), Vec3(1e300, 0, 0), Vec3(0, 4e9, 0)}) {
         EXPECT_THROW(massMap(debrisFrom({boxAt(place, 1.0)}), 1.0), UsageError) << place.transpose();
-        EXPECT_THROW(heightMap(debrisFrom({boxAt(place, 1.0)}), 1.0, level), UsageError);
+        EXPECT_THROW(heightMap(debrisFrom({boxAt(place, 1.0)}), 1.0, levelSite), UsageError);
     }
     for (const double mass : {nan, infinite, -1.0}) {
         EXPECT_THROW(massMap(debrisFrom({boxAt(Vec3::Zero(), mass)}), 1.0), UsageError) << mass;

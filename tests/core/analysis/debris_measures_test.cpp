@@ -11,18 +11,18 @@
 
 #include "core/base/error.h"
 #include "tests/core/analysis/debris_scene.h"
+#include "tests/scenes/level_site.h"
 
 namespace rubble {
 namespace {
 
 using namespace analysis_scene;
 
-const SiteSurface level{};
 /// 10 m along x, 4 m along y, around the origin.
 const CollapsePlan plan({Vec2(-5, -2), Vec2(5, -2), Vec2(5, 2), Vec2(-5, 2)});
 
 DebrisField fieldOf(Debris debris, const MeasureSettings& settings = {}) {
-    return measureDebris(std::move(debris), plan, level, settings);
+    return measureDebris(std::move(debris), plan, levelSite, settings);
 }
 
 /// Cubes of 1 m in the middle of 2 m cells along a line, one for each mass.
@@ -131,7 +131,7 @@ TEST(DebrisMeasures, RunOutIsTheDistanceThatHoldsTheShareOfTheMass) {
     EXPECT_DOUBLE_EQ(fieldOf(debrisFrom({at(8, 1)})).figures.runOut, 3.0);
     const DebrisDifference further = compareDebris(fieldOf(debrisFrom({at(8, 1)})), fieldOf(debrisFrom({at(9.5, 1)})));
     EXPECT_DOUBLE_EQ(further.of(Measure::RunOut), 1.5);
-    EXPECT_TRUE(std::isnan(measureDebris(debrisFrom({at(0, 1)}), CollapsePlan(std::vector<Vec2>{}), level, {}).figures.runOut));
+    EXPECT_TRUE(std::isnan(measureDebris(debrisFrom({at(0, 1)}), CollapsePlan(std::vector<Vec2>{}), levelSite, {}).figures.runOut));
 }
 
 TEST(DebrisMeasures, HeightsAndCentroid) {
@@ -201,7 +201,7 @@ TEST(DebrisMeasures, MovingBothByWholeCellsChangesNothing) {
     const CollapsePlan movedPlan(outline);
     const DebrisDifference here = compareDebris(fieldOf(a), fieldOf(b));
     const DebrisDifference there =
-        compareDebris(measureDebris(moved(a, by), movedPlan, level, {}), measureDebris(moved(b, by), movedPlan, level, {}));
+        compareDebris(measureDebris(moved(a, by), movedPlan, levelSite, {}), measureDebris(moved(b, by), movedPlan, levelSite, {}));
     for (std::size_t m = 0; m < measureCount; ++m) {
         // Places near 100 m are rounded to 1.4e-14 m.
         EXPECT_NEAR(here.values[m], there.values[m], 1e-9) << measureKey(static_cast<Measure>(m));

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/standard_gravity.h"
 #include "tests/scenes/fe_scenes.h"
 
 namespace rubble {
@@ -28,7 +29,7 @@ protected:
         deck.size = Vec3(10, 3, 2);
         deck.cells = {10, 3, 2};
         deck.velocity = Vec3(0, 4, 0);
-        deck.gravity = 9.80665;
+        deck.gravity = standardGravity;
         deck.deathState = [](std::size_t) { return std::size_t{1}; };
         inputs.fe = scenes::makeScene({deck}, 3, 0.1);
         scenario.grid.oneBodyPerFragment = true;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <set>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/simulation/checkpoint.h"
 
 namespace rubble {
 namespace {
@@ -106,6 +108,31 @@ TEST(WorldPool, TheErrorOfTheFirstPieceStopsTheRest) {
         EXPECT_EQ(error.message().id, "test.broken");
     }
     EXPECT_LT(begun, 40);
+}
+
+TEST(WorldPool, SaysHowManyWorldsWentOnFromCheckpoints) {
+    std::mutex mutex;
+    std::vector<Message> said;
+    const Execution execution([&](const Progress& progress) {
+        const std::scoped_lock lock(mutex);
+        said.push_back(progress.stage);
+    });
+    const auto work = [&](std::size_t i, const Execution& own) {
+        if (i != 1) {
+            own.report({std::string(resumedStage), "going on at {0}", {Argument(10.0 + static_cast<double>(i), "s")}}, 0.0);
+        }
+        // Long enough for the watcher to look.
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    };
+    runInParallel(3, {1}, stage, execution, work);
+    const auto lastText = [&] {
+        const auto last = std::find_if(said.rbegin(), said.rend(), [](const Message& m) { return m.id == worldsResumedStage; });
+        return last == said.rend() ? std::string() : englishText(*last);
+    };
+    EXPECT_EQ(lastText(), "simulating 3 worlds; 2 went on from checkpoints, the latest at 12 s");
+    said.clear();
+    runInParallel(3, {1}, stage, execution, [](std::size_t, const Execution&) {});
+    EXPECT_EQ(lastText(), "");
 }
 
 }  // namespace

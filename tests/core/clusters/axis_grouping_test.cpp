@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/clusters/clustering.h"
+#include "tests/core/clusters/fragment_blocks.h"
 #include "tests/core/clusters/matrix_oracle.h"
 
 namespace rubble {
@@ -45,11 +46,7 @@ std::vector<std::uint32_t> fast(const Intervals& set, double size) {
     return groupAlongAxis(set.low, set.high, set.centre, set.id, size);
 }
 std::vector<std::uint32_t> plain(const Intervals& set, double size) {
-    return testing::matrixGroups(set.low, set.high, set.centre, set.id, size);
-}
-
-double uniform(std::mt19937& random, double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
+    return matrixGroups(set.low, set.high, set.centre, set.id, size);
 }
 
 /// Intervals of many kinds: equal and unequal sizes, from sparse to heaped, centres in the middle or anywhere inside.

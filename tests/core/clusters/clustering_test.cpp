@@ -15,9 +15,6 @@
 namespace rubble {
 namespace {
 
-using testing::FragmentBlocks;
-using testing::randomBlocks;
-
 Clustering cluster(const FragmentBlocks& blocks, const BasicGrid& grid, const GridSettings& settings) {
     return makeClusters(blocks.set, blocks.mesh, grid, settings, Execution());
 }
@@ -70,7 +67,7 @@ std::set<std::set<std::size_t>> byTheBook(const FragmentBlocks& blocks, const Ba
                 centre.push_back(fragment.bounds.center()[a]);
                 id.push_back(blocks.mesh.elementIds[at(fragment.element)]);
             }
-            label[axis] = testing::matrixGroups(low, high, centre, id, size[axis]);
+            label[axis] = matrixGroups(low, high, centre, id, size[axis]);
         }
         std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::size_t>, std::set<std::size_t>> groups;
         for (std::size_t i = 0; i < members.size(); ++i) {
@@ -125,8 +122,7 @@ TEST(Clustering, EqualsTheMatrixMethodByTheBook) {
         for (std::size_t f = 0; f < blocks.set.size(); f += 7) {
             blocks.set.list[f].endTime = 5.0;
         }
-        const BasicGrid grid{testing::uniform(random, 0.5, 4.0), testing::uniform(random, 0.5, 4.0),
-                             testing::uniform(random, 0.5, 4.0)};
+        const BasicGrid grid{uniform(random, 0.5, 4.0), uniform(random, 0.5, 4.0), uniform(random, 0.5, 4.0)};
         GridSettings settings = withoutVelocitySplit();
         for (const bool across : {false, true}) {
             settings.acrossComponents = across;

@@ -7,7 +7,7 @@
 #include "core/clusters/clustering.h"
 #include "core/fe/components.h"
 
-namespace rubble::testing {
+namespace rubble {
 
 /// Fragments that are plain boxes, with mesh and components to match as far as clustering reads them.
 class FragmentBlocks {
@@ -81,4 +81,4 @@ inline FragmentBlocks randomBlocks(std::mt19937& random, int states, int perStat
     return blocks;
 }
 
-}  // namespace rubble::testing
+}  // namespace rubble

@@ -9,8 +9,6 @@
 namespace rubble {
 namespace {
 
-using testing::FragmentBlocks;
-
 /// A solid row of unit cubes along each axis.
 FragmentBlocks brick(int nx, int ny, int nz) {
     FragmentBlocks blocks;

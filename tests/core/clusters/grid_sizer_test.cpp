@@ -11,9 +11,6 @@
 namespace rubble {
 namespace {
 
-using testing::FragmentBlocks;
-using testing::randomBlocks;
-
 void expectSame(const Sizing& a, const Sizing& b) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         EXPECT_EQ(a.axis[axis].meanDistance, b.axis[axis].meanDistance);
@@ -43,10 +40,10 @@ GridSettings randomSettings(std::mt19937& random) {
     settings.oneBodyPerFragment = random() % 8 == 0;
     settings.velocityTolerance = random() % 3 == 0 ? 0.0 : 0.5;
     if (random() % 2 == 0) {
-        settings.multiple = testing::uniform(random, 0.5, 6.0);
+        settings.multiple = uniform(random, 0.5, 6.0);
     }
     if (random() % 4 == 0) {
-        settings.height = testing::uniform(random, 0.1, 20.0);
+        settings.height = uniform(random, 0.1, 20.0);
     }
     return settings;
 }

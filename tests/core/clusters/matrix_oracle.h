@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-namespace rubble::testing {
+namespace rubble {
 
 /// The groups of the paper's matrix method along one axis, as plainly as it can be written: the whole matrix D, rows counted anew
 /// after every group. O(n^2) memory, O(n^2 groups) time.
@@ -54,4 +54,4 @@ inline std::vector<std::uint32_t> matrixGroups(std::span<const double> low, std:
     return group;
 }
 
-}  // namespace rubble::testing
+}  // namespace rubble

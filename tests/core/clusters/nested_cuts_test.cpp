@@ -13,8 +13,6 @@
 namespace rubble {
 namespace {
 
-using testing::FragmentBlocks;
-using testing::randomBlocks;
 using Size = std::array<double, 3>;
 using Members = std::vector<std::uint32_t>;
 
@@ -142,7 +140,7 @@ TEST(NestedCuts, EqualsTryingEveryCut) {
     std::mt19937 random(1);
     for (int round = 0; round < 60; ++round) {
         const FragmentBlocks blocks = randomBlocks(random, 1, 40, 2.5);
-        const Size size{testing::uniform(random, 0.5, 6.0), testing::uniform(random, 0.5, 6.0), testing::uniform(random, 0.5, 6.0)};
+        const Size size{uniform(random, 0.5, 6.0), uniform(random, 0.5, 6.0), uniform(random, 0.5, 6.0)};
         Members all(blocks.set.size());
         std::iota(all.begin(), all.end(), 0u);
         std::set<Members> plain;

@@ -12,9 +12,6 @@
 namespace rubble {
 namespace {
 
-using testing::uniform;
-using testing::uniformVector;
-
 MovingMass randomMass(std::mt19937& random, const Vec3& around) {
     MovingMass m;
     m.mass = uniform(random, 10.0, 5000.0);
@@ -123,7 +120,7 @@ std::vector<std::vector<std::uint32_t>> split(const std::vector<MovingMass>& all
 
 /// A row of equal blocks that falls at 20 m/s.
 std::vector<MovingMass> fallingRow(int n) {
-    testing::FragmentBlocks blocks;
+    FragmentBlocks blocks;
     std::vector<MovingMass> all;
     for (int i = 0; i < n; ++i) {
         const Fragment& f = blocks.add(Vec3(i, i % 2, i % 3), Vec3::Ones());

@@ -12,9 +12,6 @@
 namespace rubble {
 namespace {
 
-using testing::FragmentBlocks;
-using testing::randomBlocks;
-
 Sizing size(const FragmentBlocks& blocks, const GridSettings& settings) {
     return sizeBasicGrid(blocks.set, blocks.mesh, blocks.components, settings, Execution());
 }

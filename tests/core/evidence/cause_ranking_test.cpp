@@ -1,9 +1,9 @@
 #include "core/evidence/cause_ranking.h"
-
 #include <gtest/gtest.h>
 
+#include "core/base/unknown.h"
+
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "core/base/error.h"
@@ -11,7 +11,6 @@
 namespace rubble {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double z95 = 1.959963984540054;
 
 class Numbers {
@@ -48,7 +47,7 @@ TEST(CauseRanking, SuperiorityCountsPairs) {
     // 1 < 2, 1 < 4, 2 = 2, 2 < 4, 3 > 2, 3 < 4.
     EXPECT_NEAR(superiorityOf(a, b, z95).share, 4.5 / 6.0, 1e-12);
     EXPECT_NEAR(superiorityOf(b, a, z95).share, 1.5 / 6.0, 1e-12);
-    const std::vector<double> gap{1.0, none, 2.0, 3.0};
+    const std::vector<double> gap{1.0, unknown, 2.0, 3.0};
     EXPECT_EQ(superiorityOf(gap, b, z95).share, superiorityOf(a, b, z95).share);
     EXPECT_EQ(superiorityOf({}, b, z95).low, 0.0);
 }
@@ -125,11 +124,11 @@ TEST(CauseRanking, EvidenceThatScattersWeighsLittle) {
 }
 
 TEST(CauseRanking, WhatIsNotKnownIsPassedOver) {
-    const std::vector<Departures> causes{{{0.1, none, 0.2}, {none, none, 0.3}}, {{0.5, 0.6, 0.7}, {none, 0.8, 0.9}}};
+    const std::vector<Departures> causes{{{0.1, unknown, 0.2}, {unknown, unknown, 0.3}}, {{0.5, 0.6, 0.7}, {unknown, 0.8, 0.9}}};
     const CauseRanking ranking = rankCauses(causes);
     EXPECT_EQ(ranking.causes[0].score.count, 2u);
     EXPECT_EQ(ranking.causes[1].score.count, 3u);
-    const std::vector<Departures> nothing{{{none, none}}};
+    const std::vector<Departures> nothing{{{unknown, unknown}}};
     EXPECT_THROW(rankCauses(nothing), UsageError);
     EXPECT_THROW(rankCauses({}), UsageError);
 }

@@ -1,4 +1,5 @@
 #include "core/evidence/fragment_history.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +9,6 @@
 
 namespace rubble {
 namespace {
-
-constexpr double g = 9.80665;
 
 struct OnePath : CarriedFragment {
     Debris debris;
@@ -22,7 +21,7 @@ struct OnePath : CarriedFragment {
         debris = {end, {lies}};
     }
     double arrival(double distance) const { return arrivalTimes(fragments, trajectory, debris, distance, Execution()).front(); }
-    double hit() const { return hardestHitTimes(fragments, trajectory, g, Execution()).front(); }
+    double hit() const { return hardestHitTimes(fragments, trajectory, standardGravity, Execution()).front(); }
 };
 
 TEST(FragmentHistory, ArrivesWhenItComesNearAndStays) {
@@ -48,8 +47,9 @@ TEST(FragmentHistory, WhatNeverMovedArrivedAtItsBirth) {
 
 TEST(FragmentHistory, TheHardestHitIsWhereTheFallEnds) {
     // Falls from 10 m until 1.428 s, then lies.
-    const double landing = std::sqrt(20.0 / g);
-    const OnePath fall(3.0, 0.02, [&](double t) { return Vec3(0.0, 0.0, 10.0 - 0.5 * g * std::pow(std::min(t, landing), 2)); });
+    const double landing = std::sqrt(20.0 / standardGravity);
+    const OnePath fall(3.0, 0.02,
+                       [&](double t) { return Vec3(0.0, 0.0, 10.0 - 0.5 * standardGravity * std::pow(std::min(t, landing), 2)); });
     EXPECT_NEAR(fall.hit(), landing, 0.021) << "to a frame";
 }
 

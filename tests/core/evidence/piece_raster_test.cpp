@@ -1,6 +1,7 @@
 #include "core/evidence/piece_raster.h"
-
 #include <gtest/gtest.h>
+
+#include "core/base/unknown.h"
 
 #include <algorithm>
 #include <array>
@@ -12,14 +13,12 @@
 #include "core/evidence/tile_cover.h"
 #include "tests/core/analysis/debris_scene.h"
 #include "tests/core/analysis/random_numbers.h"
+#include "tests/scenes/level_site.h"
 
 namespace rubble {
 namespace {
 
 using namespace analysis_scene;
-
-const SiteSurface level{};
-const double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<MapPiece> piecesOf(const Debris& debris) {
     std::vector<MapPiece> pieces;
@@ -45,7 +44,7 @@ double sum(const std::vector<double>& values) {
     return total;
 }
 
-PieceRaster raster(const std::vector<MapPiece>& pieces, double cell, const SiteSurface& ground = level) {
+PieceRaster raster(const std::vector<MapPiece>& pieces, double cell, const SiteSurface& ground = levelSite) {
     return rasterOf(pieces, cell, ground, Execution());
 }
 
@@ -85,7 +84,7 @@ TEST(PieceRaster, AgreesWithTheMapsOfTheMeasures) {
     for (const double cell : {0.25, 1.0, 7.3}) {
         const PieceRaster map = raster(pieces, cell);
         const CellMap mass = massMap(debris, cell);
-        const CellMap heights = heightMap(debris, cell, level);
+        const CellMap heights = heightMap(debris, cell, levelSite);
         ASSERT_EQ(map.cells, mass.cells) << cell;
         for (std::size_t c = 0; c < map.cells.size(); ++c) {
             ASSERT_NEAR(map.mass[c], mass.values[c], 1e-9 * (1.0 + mass.values[c])) << cell;
@@ -143,8 +142,8 @@ TEST(PieceRaster, CountsRanksAndDatesWhatReachesIntoACell) {
 
 TEST(PieceRaster, DoesNotDependOnThreads) {
     const std::vector<MapPiece> pieces = piecesOf(randomField(13, 2000, 25.0));
-    const PieceRaster one = rasterOf(pieces, 0.25, level, Execution().withThreads(1));
-    const PieceRaster four = rasterOf(pieces, 0.25, level, Execution().withThreads(4));
+    const PieceRaster one = rasterOf(pieces, 0.25, levelSite, Execution().withThreads(1));
+    const PieceRaster four = rasterOf(pieces, 0.25, levelSite, Execution().withThreads(4));
     EXPECT_EQ(one.cells, four.cells);
     EXPECT_EQ(one.height, four.height);
     EXPECT_EQ(one.volume, four.volume);
@@ -181,19 +180,19 @@ TEST(PieceRaster, WhatFlewFarCostsATile) {
 
 TEST(PieceRaster, UnknownArrivalsAndEnergiesStayUnknown) {
     std::vector<MapPiece> pieces = piecesOf(debrisFrom({boxAt(Vec3(0.5, 0.5, 0.5), 1.0), boxAt(Vec3(0.5, 0.5, 1.5), 1.0)}));
-    pieces[0].arrival = pieces[0].impactEnergy = nan;
+    pieces[0].arrival = pieces[0].impactEnergy = unknown;
     EXPECT_EQ(raster(pieces, 1.0).arrival[0], pieces[1].arrival);
-    pieces[1].arrival = pieces[1].impactEnergy = nan;
+    pieces[1].arrival = pieces[1].impactEnergy = unknown;
     EXPECT_TRUE(std::isnan(raster(pieces, 1.0).arrival[0]));
     EXPECT_EQ(raster(pieces, 1.0).impactEnergy[0], 0.0);
 }
 
 TEST(PieceRaster, RefusesWhatIsNoNumberAndWhatIsTooLarge) {
     const double infinite = std::numeric_limits<double>::infinity();
-    for (const Vec3& place : {Vec3(nan, 0, 0), Vec3(0, 0, nan), Vec3(0, infinite, 0), Vec3(1e300, 0, 0), Vec3(0, 4e9, 0)}) {
+    for (const Vec3& place : {Vec3(unknown, 0, 0), Vec3(0, 0, unknown), Vec3(0, infinite, 0), Vec3(1e300, 0, 0), Vec3(0, 4e9, 0)}) {
         EXPECT_THROW(raster(piecesOf(debrisFrom({boxAt(place, 1.0)})), 1.0), UsageError) << place.transpose();
     }
-    for (const double bad : {nan, infinite, -1.0}) {
+    for (const double bad : {unknown, infinite, -1.0}) {
         EXPECT_THROW(raster(piecesOf(debrisFrom({boxAt(Vec3::Zero(), bad)})), 1.0), UsageError) << bad;
         EXPECT_THROW(raster(piecesOf(debrisFrom({boxAt(Vec3::Zero(), 1.0, Vec3(bad, 1.0, 1.0))})), 1.0), UsageError) << bad;
         EXPECT_THROW(raster(piecesOf(debrisFrom({boxAt(Vec3::Zero(), 1.0)})), bad), UsageError) << bad;
@@ -206,7 +205,7 @@ TEST(PieceRaster, RefusesWhatIsNoNumberAndWhatIsTooLarge) {
 TEST(PieceRaster, StopsWhenCancelled) {
     const Execution execution;
     execution.cancel();
-    EXPECT_THROW(rasterOf(piecesOf(randomField(1, 10, 5.0)), 1.0, level, execution), Cancelled);
+    EXPECT_THROW(rasterOf(piecesOf(randomField(1, 10, 5.0)), 1.0, levelSite, execution), Cancelled);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "core/evidence/run_map.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -89,7 +90,7 @@ TEST_F(MapOfARun, LiveStructureIsWhereItsBodiesAre) {
     settings.liveThreshold = 0.1;
     const RunMap early = mapAt(0.35);
     ASSERT_EQ(early.live->pieces.size(), 4u);
-    const double between = 0.5 * (0.5 * 9.80665 * (0.3 * 0.3 + 0.4 * 0.4));
+    const double between = 0.5 * (0.5 * standardGravity * (0.3 * 0.3 + 0.4 * 0.4));
     EXPECT_NEAR(early.live->pieces[0].centre.z(), 4.5 - between, 1e-9) << "linear between the states";
     EXPECT_EQ(early.shown, FrameKind::Interpolated);
 }

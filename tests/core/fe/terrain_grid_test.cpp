@@ -11,22 +11,22 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t columns = 23;
-constexpr std::size_t rows = 17;
+constexpr std::size_t pointsEast = 23;
+constexpr std::size_t pointsNorth = 17;
 constexpr double x0 = -31.0;
 constexpr double y0 = 12.0;
-constexpr double cell = 2.5;
-constexpr double east = x0 + cell * (columns - 1);
-constexpr double north = y0 + cell * (rows - 1);
+constexpr double spacing = 2.5;
+constexpr double east = x0 + spacing * (pointsEast - 1);
+constexpr double north = y0 + spacing * (pointsNorth - 1);
 
 TerrainGrid made(const std::function<double(double, double)>& heightAt) {
     std::vector<double> heights;
-    for (std::size_t j = 0; j < rows; ++j) {
-        for (std::size_t i = 0; i < columns; ++i) {
-            heights.push_back(heightAt(x0 + cell * static_cast<double>(i), y0 + cell * static_cast<double>(j)));
+    for (std::size_t j = 0; j < pointsNorth; ++j) {
+        for (std::size_t i = 0; i < pointsEast; ++i) {
+            heights.push_back(heightAt(x0 + spacing * static_cast<double>(i), y0 + spacing * static_cast<double>(j)));
         }
     }
-    return TerrainGrid(x0, y0, cell, columns, rows, heights);
+    return TerrainGrid(x0, y0, spacing, pointsEast, pointsNorth, heights);
 }
 
 TerrainGrid rough(unsigned seed = 1) {
@@ -61,9 +61,9 @@ TEST(TerrainGrid, APlaneIsMetExactlyWithItsNormal) {
 
 TEST(TerrainGrid, NodesKeepTheirHeights) {
     const TerrainGrid terrain = rough();
-    for (std::size_t j = 0; j < rows; ++j) {
-        for (std::size_t i = 0; i < columns; ++i) {
-            EXPECT_DOUBLE_EQ(terrain.height(x0 + cell * static_cast<double>(i), y0 + cell * static_cast<double>(j)),
+    for (std::size_t j = 0; j < pointsNorth; ++j) {
+        for (std::size_t i = 0; i < pointsEast; ++i) {
+            EXPECT_DOUBLE_EQ(terrain.height(x0 + spacing * static_cast<double>(i), y0 + spacing * static_cast<double>(j)),
                              terrain.node(i, j));
         }
     }
@@ -72,15 +72,15 @@ TEST(TerrainGrid, NodesKeepTheirHeights) {
 TEST(TerrainGrid, TheSurfaceHasNoStepAcrossCellsAndDiagonals) {
     const TerrainGrid terrain = rough();
     // The steepest slope there can be: 13 m between neighbours 2.5 m apart, along both axes.
-    const double steepest = std::sqrt(2.0) * 13.0 / cell;
+    const double steepest = std::sqrt(2.0) * 13.0 / spacing;
     const double apart = 1e-9;
     for (std::size_t k = 0; k < 2000; ++k) {
         const double s = static_cast<double>(k) / 2000.0;
-        const double i = std::floor(s * (columns - 2)) + 1.0;
-        const double onLine = x0 + cell * i;
+        const double i = std::floor(s * (pointsEast - 2)) + 1.0;
+        const double onLine = x0 + spacing * i;
         const double along = y0 + s * (north - y0);
         EXPECT_NEAR(terrain.height(onLine - apart, along), terrain.height(onLine + apart, along), 2.0 * apart * steepest + 1e-13);
-        const double diagonal = s * cell;
+        const double diagonal = s * spacing;
         EXPECT_NEAR(terrain.height(onLine + diagonal - apart, y0 + diagonal + apart),
                     terrain.height(onLine + diagonal + apart, y0 + diagonal - apart), 4.0 * apart * steepest + 1e-13);
     }
@@ -91,8 +91,8 @@ TEST(TerrainGrid, TheNormalIsThatOfTheSlopeOfTheHeight) {
     const double step = 1e-6;
     int compared = 0;
     for (const auto& [x, y] : places(3000)) {
-        const double u = std::fmod(x - x0 + 100.0 * cell, cell) / cell;
-        const double v = std::fmod(y - y0 + 100.0 * cell, cell) / cell;
+        const double u = std::fmod(x - x0 + 100.0 * spacing, spacing) / spacing;
+        const double v = std::fmod(y - y0 + 100.0 * spacing, spacing) / spacing;
         const bool nearLine = std::min({u, v, 1.0 - u, 1.0 - v, std::abs(u - v)}) < 1e-4;
         if (nearLine) {
             continue;
@@ -121,7 +121,7 @@ TEST(TerrainGrid, BeyondTheEdgesItGoesOnLevel) {
         EXPECT_DOUBLE_EQ(terrain.height(x, y), terrain.height(onX, onY));
     }
     EXPECT_DOUBLE_EQ(terrain.height(-1e300, -1e300), terrain.node(0, 0));
-    EXPECT_DOUBLE_EQ(terrain.height(std::numeric_limits<double>::infinity(), 1e300), terrain.node(columns - 1, rows - 1));
+    EXPECT_DOUBLE_EQ(terrain.height(std::numeric_limits<double>::infinity(), 1e300), terrain.node(pointsEast - 1, pointsNorth - 1));
     EXPECT_EQ(terrain.normal(x0 - 1.0, y0 - 1.0), Vec3::UnitZ());
     EXPECT_EQ(terrain.normal(x0 - 1.0, y0 + 1.0).x(), 0.0);
 }

@@ -1,4 +1,5 @@
 #include "core/fe/unit_evidence.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,7 @@ TEST(Units, SystemsAreConsistentWithWhatTextbooksPrint) {
     for (const auto& row : rows) {
         const FileUnits& units = called(row.id).units;
         EXPECT_NEAR(7850.0 / units.density() / row.steel, 1.0, row.digits) << row.id;
-        EXPECT_NEAR(9.80665 / units.acceleration() / row.gravity, 1.0, row.digits) << row.id;
+        EXPECT_NEAR(standardGravity / units.acceleration() / row.gravity, 1.0, row.digits) << row.id;
         EXPECT_EQ(systemOf(units)->id, row.id);
     }
 }
@@ -119,14 +120,14 @@ TEST(UnitEvidence, FreeFallIsSeenInNodesThatNothingHoldsAndInNoOthers) {
     blocks::Block falling;
     falling.cells = {2, 2, 2};
     falling.size = Vec3(2.0, 2.0, 2.0);
-    falling.gravity = 9.80665;
+    falling.gravity = standardGravity;
     falling.deathState = [](std::size_t) { return std::size_t{2}; };
     const auto fe = blocks::makeScene({falling}, 8, 0.1);
     UnitEvidence seen = evidenceOf(fe->contents());
     addSeenFall(seen, fe->contents(), Execution{});
     ASSERT_TRUE(seen.fall);
     EXPECT_TRUE(seen.freely);
-    EXPECT_NEAR(seen.fall->z(), -9.80665, 1e-6);
+    EXPECT_NEAR(seen.fall->z(), -standardGravity, 1e-6);
     EXPECT_LT(seen.fall->head<2>().norm(), 1e-6);
     EXPECT_EQ(proposeUnits(seen).choice, "kg-m-s");
 
@@ -136,7 +137,7 @@ TEST(UnitEvidence, FreeFallIsSeenInNodesThatNothingHoldsAndInNoOthers) {
     addSeenFall(held, whole->contents(), Execution{});
     ASSERT_TRUE(held.fall) << "it comes down as a whole";
     EXPECT_FALSE(held.freely);
-    EXPECT_NEAR(held.fall->z(), -9.80665, 1e-6);
+    EXPECT_NEAR(held.fall->z(), -standardGravity, 1e-6);
     EXPECT_EQ(proposeUpAxis(held).choice, "z");
 }
 
@@ -145,7 +146,7 @@ TEST(UnitEvidence, EvidenceGoesBackIntoTheUnitsOfTheFile) {
     evidence.densities = {{"wall", 2400.0}};
     evidence.size = 30.0;
     evidence.duration = 2.0;
-    evidence.fall = Vec3(0.0, 0.0, -9.80665);
+    evidence.fall = Vec3(0.0, 0.0, -standardGravity);
     const FileUnits units = called("t-mm-s").units;
     Frame frame;
     frame.metresPerUnit = units.metres;

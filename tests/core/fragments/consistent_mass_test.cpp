@@ -8,20 +8,13 @@
 #include <vector>
 
 #include "core/fe/components.h"
+#include "tests/core/fragments/corner_columns.h"
 #include "tests/core/fragments/element_scene.h"
 
 namespace rubble {
 namespace {
 
 constexpr ElementShape solids[]{ElementShape::Hexahedron, ElementShape::Wedge, ElementShape::Pyramid, ElementShape::Tetrahedron};
-
-Corners columns(const std::vector<Vec3>& corners) {
-    Corners matrix = Corners::Zero();
-    for (std::size_t a = 0; a < corners.size(); ++a) {
-        matrix.col(static_cast<Eigen::Index>(a)) = corners[a];
-    }
-    return matrix;
-}
 
 /// M_ab of a hexahedron by the midpoint rule on n^3 cells extrapolated from n and 2n (Richardson): no Gauss points anywhere.
 Eigen::Matrix<double, 8, 8> midpointMass(const Corners& x, int n) {
@@ -43,7 +36,7 @@ Eigen::Matrix<double, 8, 8> midpointMass(const Corners& x, int n) {
 
 TEST(ConsistentMass, OfABoxIsTheTensorProductOfLines) {
     // A line's is m/6 [2 1; 1 2]; a box's entries are therefore m/216 times 8, 4, 2, 1 by the number of coordinates shared.
-    const Corners box = columns({{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}, {0, 0, 5}, {2, 0, 5}, {2, 3, 5}, {0, 3, 5}});
+    const Corners box = cornerColumns({{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}, {0, 0, 5}, {2, 0, 5}, {2, 3, 5}, {0, 3, 5}});
     const ConsistentMass m = consistentMass(box, 216.0);
     EXPECT_NEAR(m.volume, 30.0, 1e-13);
     EXPECT_EQ(m.state, SolidState::Sound);
@@ -58,7 +51,7 @@ TEST(ConsistentMass, OfABoxIsTheTensorProductOfLines) {
 TEST(ConsistentMass, OfATetrahedronIsOneTwentiethAndTwice) {
     // Closed form: m/20 (1 + delta_ab); gathered from the corners of the hexahedron that share a vertex.
     std::mt19937 random(3);
-    const Corners own = columns(test::randomElement(ElementShape::Tetrahedron, random));
+    const Corners own = cornerColumns(test::randomElement(ElementShape::Tetrahedron, random));
     const ConsistentMass m = consistentMass(asHexahedron(ElementShape::Tetrahedron, own), 20.0);
     const auto& map = hexahedronCorners(ElementShape::Tetrahedron);
     Eigen::Matrix4d gathered = Eigen::Matrix4d::Zero();
@@ -73,7 +66,7 @@ TEST(ConsistentMass, OfATetrahedronIsOneTwentiethAndTwice) {
 TEST(ConsistentMass, AgreesWithTheMidpointRuleOnDistortedHexahedra) {
     std::mt19937 random(7);
     for (int i = 0; i < 5; ++i) {
-        const Corners x = columns(test::randomElement(ElementShape::Hexahedron, random, 1.0, 0.3));
+        const Corners x = cornerColumns(test::randomElement(ElementShape::Hexahedron, random, 1.0, 0.3));
         // The integrand is a quartic in each coordinate: the error of the midpoint rule has terms in h^2 and h^4 only.
         const Eigen::Matrix<double, 8, 8> a = midpointMass(x, 6), b = midpointMass(x, 12), c = midpointMass(x, 24);
         const Eigen::Matrix<double, 8, 8> ab = (4 * b - a) / 3, bc = (4 * c - b) / 3;
@@ -90,7 +83,7 @@ TEST(ConsistentMass, SumsToTheMassAndIsPositive) {
     for (int i = 0; i < 400; ++i) {
         const ElementShape shape = solids[i % 4];
         // From sound to wildly tangled.
-        const Corners x = asHexahedron(shape, columns(test::randomElement(shape, random, 1.0, 0.01 * i)));
+        const Corners x = asHexahedron(shape, cornerColumns(test::randomElement(shape, random, 1.0, 0.01 * i)));
         const ConsistentMass m = consistentMass(x, 77.0);
         EXPECT_NEAR(m.matrix.sum(), 77.0, 1e-11);
         EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m.matrix).eigenvalues().minCoeff(), -1e-11);
@@ -116,17 +109,17 @@ TEST(ConsistentMass, VolumeAgreesWithTheFacesAndWithTheComponents) {
     for (int i = 0; i < 400; ++i) {
         const ElementShape shape = solids[i % 4];
         const std::vector<Vec3> corners = test::randomElement(shape, random, 1.0, 0.3);
-        const double volume = consistentMass(asHexahedron(shape, columns(corners)), 1.0).volume;
+        const double volume = consistentMass(asHexahedron(shape, cornerColumns(corners)), 1.0).volume;
         EXPECT_NEAR(volume, elementVolume(shape, corners, 0.0), 1e-12) << shapeName(shape);
         // The faces are measured from the origin, up to 50 m away.
-        EXPECT_NEAR(volume, volumeFromFaces(shape, columns(corners)), 1e-10) << shapeName(shape);
+        EXPECT_NEAR(volume, volumeFromFaces(shape, cornerColumns(corners)), 1e-10) << shapeName(shape);
     }
 }
 
 TEST(ConsistentMass, TellsSoundMirroredTangledAndCollapsed) {
     std::mt19937 random(9);
     for (const ElementShape shape : solids) {
-        const Corners own = columns(test::randomElement(shape, random));
+        const Corners own = cornerColumns(test::randomElement(shape, random));
         EXPECT_EQ(consistentMass(asHexahedron(shape, own), 1.0).state, SolidState::Sound);
         Corners mirrored = own;
         mirrored.row(1) *= -1.0;
@@ -137,7 +130,7 @@ TEST(ConsistentMass, TellsSoundMirroredTangledAndCollapsed) {
         flat.row(2).setConstant(3.0);
         EXPECT_EQ(consistentMass(asHexahedron(shape, flat), 1.0).state, SolidState::Collapsed);
     }
-    Corners bowTie = columns({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 1}, {0, 0, 1}, {0, 1, 1}, {1, 1, 1}});
+    Corners bowTie = cornerColumns({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 1}, {0, 0, 1}, {0, 1, 1}, {1, 1, 1}});
     EXPECT_EQ(consistentMass(bowTie, 1.0).state, SolidState::Tangled);
     const ConsistentMass point = consistentMass(Corners::Constant(4.0), 6.0);
     EXPECT_EQ(point.state, SolidState::Collapsed);

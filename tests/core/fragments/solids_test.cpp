@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/fe/components.h"
+#include "tests/core/fragments/corner_columns.h"
 #include "tests/core/fragments/element_scene.h"
 
 namespace rubble {
@@ -14,17 +15,9 @@ namespace {
 constexpr double ratio = 0.025;
 constexpr double least = 0.005;
 
-Corners columns(const std::vector<Vec3>& corners) {
-    Corners matrix = Corners::Zero();
-    for (std::size_t a = 0; a < corners.size(); ++a) {
-        matrix.col(static_cast<Eigen::Index>(a)) = corners[a];
-    }
-    return matrix;
-}
-
 Corners brick(const Vec3& size) {
     const double x = size.x(), y = size.y(), z = size.z();
-    return columns({{0, 0, 0}, {x, 0, 0}, {x, y, 0}, {0, y, 0}, {0, 0, z}, {x, 0, z}, {x, y, z}, {0, y, z}});
+    return cornerColumns({{0, 0, 0}, {x, 0, 0}, {x, y, 0}, {0, y, 0}, {0, 0, z}, {x, 0, z}, {x, y, z}, {0, y, z}});
 }
 
 SoundSolid sound(const MovingSolid& solid, const Mat3& axes) {
@@ -52,14 +45,14 @@ TEST(Solids, ShellsAndBeamsAreExtrudedToTheirVolume) {
     for (int i = 0; i < 100; ++i) {
         for (const ElementShape shape : {ElementShape::Triangle, ElementShape::Beam}) {
             const std::vector<Vec3> corners = test::randomElement(shape, random, 2.0);
-            const MovingSolid solid = solidOf(shape, columns(corners), Corners::Zero(), 0.04);
+            const MovingSolid solid = solidOf(shape, cornerColumns(corners), Corners::Zero(), 0.04);
             EXPECT_EQ(solid.shape, shape == ElementShape::Triangle ? ElementShape::Wedge : ElementShape::Hexahedron);
             EXPECT_NEAR(consistentMass(asHexahedron(solid.shape, solid.positions), 1.0).volume, elementVolume(shape, corners, 0.04),
                         1e-12);
         }
         std::vector<Vec3> flat = test::randomElement(ElementShape::Quadrilateral, random, 2.0, 0.0);
         flat[2] += 0.2 * (flat[1] - flat[0]) - 0.1 * (flat[3] - flat[0]);
-        const MovingSolid solid = solidOf(ElementShape::Quadrilateral, columns(flat), Corners::Zero(), 0.1);
+        const MovingSolid solid = solidOf(ElementShape::Quadrilateral, cornerColumns(flat), Corners::Zero(), 0.1);
         EXPECT_EQ(solid.shape, ElementShape::Hexahedron);
         EXPECT_NEAR(consistentMass(asHexahedron(solid.shape, solid.positions), 1.0).volume,
                     elementVolume(ElementShape::Quadrilateral, flat, 0.1), 1e-12);
@@ -79,7 +72,7 @@ TEST(Solids, ExtrusionsMoveRigidlyWithTheirElement) {
         for (std::size_t a = 0; a < corners.size(); ++a) {
             velocities.col(static_cast<Eigen::Index>(a)) = Vec3(1, 2, 3) + w.cross(corners[a]);
         }
-        const MovingSolid solid = solidOf(shape, columns(corners), velocities, 0.3);
+        const MovingSolid solid = solidOf(shape, cornerColumns(corners), velocities, 0.3);
         for (int a = 0; a < cornerCount(solid.shape); ++a) {
             EXPECT_LT((solid.velocities.col(a) - Vec3(1, 2, 3) - w.cross(Vec3(solid.positions.col(a)))).norm(), 1e-12)
                 << shapeName(shape);
@@ -91,7 +84,7 @@ TEST(Solids, ExtrusionRateIsTheRateOfTheExtrusion) {
     // Against central differences of the extrusion itself, in a motion that is anything but rigid.
     std::mt19937 random(3);
     for (const ElementShape shape : {ElementShape::Quadrilateral, ElementShape::Triangle}) {
-        const Corners x = columns(test::randomElement(shape, random));
+        const Corners x = cornerColumns(test::randomElement(shape, random));
         Corners v = Corners::Zero();
         for (int a = 0; a < cornerCount(shape); ++a) {
             v.col(a) = test::randomVector(random, 1.0);
@@ -170,7 +163,7 @@ TEST(Solids, BoxesAreTightAroundEveryShape) {
     for (int i = 0; i < 200; ++i) {
         for (const ElementShape shape : test::allShapes) {
             const std::vector<Vec3> corners = test::randomElement(shape, random);
-            const MovingSolid solid = solidOf(shape, columns(corners), Corners::Zero(), 0.2);
+            const MovingSolid solid = solidOf(shape, cornerColumns(corners), Corners::Zero(), 0.2);
             const Corners x = asHexahedron(solid.shape, solid.positions);
             const SoundSolid result = sound(solid, boxAxes(x, x));
             EXPECT_FALSE(result.boxed) << shapeName(shape);
@@ -185,7 +178,7 @@ TEST(Solids, UnmirroringTurnsTheVolumeRound) {
     std::mt19937 random(8);
     for (const ElementShape shape :
          {ElementShape::Hexahedron, ElementShape::Wedge, ElementShape::Pyramid, ElementShape::Tetrahedron}) {
-        Corners own = columns(test::randomElement(shape, random));
+        Corners own = cornerColumns(test::randomElement(shape, random));
         const double volume = consistentMass(asHexahedron(shape, own), 1.0).volume;
         own.row(0) *= -1.0;
         const SoundSolid result = sound({shape, own, Corners::Zero()}, Mat3::Identity());
@@ -205,7 +198,8 @@ TEST(Solids, ThinOnesAreStretchedToTheMinimumAndKeepTheirShape) {
     EXPECT_LT((thick.box.halfExtents - Vec3(0.5, 1.0, 0.025)).norm(), 1e-12);
     EXPECT_NEAR(volumeOf(thick), 1.0 * 2.0 * 0.05, 1e-12);
 
-    const MovingSolid sheet = solidOf(ElementShape::Triangle, columns({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), Corners::Zero(), 0.002);
+    const MovingSolid sheet =
+        solidOf(ElementShape::Triangle, cornerColumns({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), Corners::Zero(), 0.002);
     const SoundSolid wedge = sound(sheet, Mat3::Identity());
     EXPECT_EQ(wedge.shape, ElementShape::Wedge);
     EXPECT_NEAR(volumeOf(wedge), 0.5 * 0.025, 1e-12);
@@ -233,7 +227,7 @@ TEST(Solids, FoldedAndCollapsedOnesBecomeASoundBox) {
     oblique.row(2) = oblique.row(0) + oblique.row(1);  // all in a plane that is oblique to the axes
     Corners line = brick(Vec3(1, 0, 0));
     Corners speck = Corners::Constant(3.0);
-    const Corners bowTie = columns({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 1}, {0, 0, 1}, {0, 1, 1}, {1, 1, 1}});
+    const Corners bowTie = cornerColumns({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 1}, {0, 0, 1}, {0, 1, 1}, {1, 1, 1}});
     for (const Corners& x : {oblique, line, speck, bowTie}) {
         MovingSolid solid;
         solid.positions = turn * x;

@@ -1,6 +1,7 @@
 #include "core/selftest/suite.h"
-
 #include <gtest/gtest.h>
+
+#include "core/base/unknown.h"
 
 #include <cmath>
 #include <limits>
@@ -11,8 +12,6 @@
 
 namespace rubble::selftest {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Check, PassesOnTheRightSideOfItsLimit) {
     Outcome outcome;
@@ -30,7 +29,7 @@ TEST(Check, PassesOnTheRightSideOfItsLimit) {
 }
 
 TEST(Check, WhatIsNotANumberFails) {
-    for (const double bad : {nan, std::numeric_limits<double>::infinity()}) {
+    for (const double bad : {unknown, std::numeric_limits<double>::infinity()}) {
         Outcome most, least, near;
         most.atMost("x", bad, 1e300);
         least.atLeast("x", bad, 0.0);
@@ -48,7 +47,7 @@ TEST(Check, GoverningIsTheOneThatUsesMostOfItsLimit) {
     outcome.atLeast("nearly", 1.0, 0.95);
     outcome.none("none", 0.0);
     EXPECT_EQ(outcome.governing()->name, "nearly");
-    outcome.atLeast("nan", nan, 1.0);
+    outcome.atLeast("nan", unknown, 1.0);
     EXPECT_EQ(outcome.governing()->name, "nan");
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/standard_gravity.h"
 #include "tests/core/simulation/world_scene.h"
 
 namespace rubble {
@@ -10,8 +11,6 @@ namespace {
 
 using test::boxBody;
 using test::WorldScene;
-
-constexpr double g = 9.80665;
 
 double radians(double degrees) {
     return degrees * std::numbers::pi / 180.0;
@@ -34,8 +33,8 @@ TEST(ClosedFormMotion, FlightIsExactWhateverTheStep) {
         // Quadratic motion is integrated without error by the mean of two velocities: 1e-9 m is rounding over 2,200 substeps.
         EXPECT_NEAR(flight.place(body).x(), 1 + 3 * t, 1e-9) << rate;
         EXPECT_NEAR(flight.place(body).y(), 2 - 4 * t, 1e-9) << rate;
-        EXPECT_NEAR(flight.place(body).z(), 300 + 15 * t - 0.5 * g * t * t, 1e-9) << rate;
-        EXPECT_NEAR(flight.velocity(body).z(), 15 - g * t, 1e-9) << rate;
+        EXPECT_NEAR(flight.place(body).z(), 300 + 15 * t - 0.5 * standardGravity * t * t, 1e-9) << rate;
+        EXPECT_NEAR(flight.velocity(body).z(), 15 - standardGravity * t, 1e-9) << rate;
     }
 }
 
@@ -53,7 +52,7 @@ TEST(ClosedFormMotion, InclineHoldsUpToTheAngleOfFrictionAndNoFurther) {
             const Vec3 start = slope.place(body);
             slope.run(2.0);
             const double way = (slope.place(body) - start).norm();
-            const double law = std::max(0.0, 0.5 * g * (std::sin(angle) - friction * std::cos(angle)) * 4.0);
+            const double law = std::max(0.0, 0.5 * standardGravity * (std::sin(angle) - friction * std::cos(angle)) * 4.0);
             // Sticking: 1 mm in the first second is the criterion (PHYSICS section 4), so 2 mm here. Sliding: 0.5 % of the
             // acceleration, and a centimetre for the first contact, which takes a substep to build up.
             EXPECT_NEAR(way, law, law > 0.0 ? 0.005 * law + 0.01 : 0.002) << friction << ' ' << beyond;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/standard_gravity.h"
 #include "tests/core/simulation/world_scene.h"
 
 namespace rubble {
@@ -15,9 +16,9 @@ TEST(FreeMotion, FallsAsGalileoSays) {
     const BodyId body = scene.box({1, 2, 100}, {0.4, 0.5, 0.6}, {3, 0, 5});
     scene.run(2.0);
     // PHYSICS section 4: below 1e-3 m over 2 s; the mean of old and new velocity is exact but for rounding.
-    EXPECT_NEAR(scene.place(body).z(), 100 + 5 * 2 - 0.5 * 9.80665 * 4, 1e-9);
+    EXPECT_NEAR(scene.place(body).z(), 100 + 5 * 2 - 0.5 * standardGravity * 4, 1e-9);
     EXPECT_NEAR(scene.place(body).x(), 1 + 3 * 2, 1e-9);
-    EXPECT_NEAR(scene.velocity(body).z(), 5 - 9.80665 * 2, 1e-9);
+    EXPECT_NEAR(scene.velocity(body).z(), 5 - standardGravity * 2, 1e-9);
 }
 
 TEST(FreeMotion, KeepsEnergyAndAngularMomentumOfASpinningPlate) {
@@ -77,7 +78,7 @@ double slideInOneSecond(double degrees) {
 
 TEST(FreeMotion, SlidesDownAnIncline) {
     const double angle = 35.0 * std::numbers::pi / 180.0;
-    const double law = 0.5 * 9.80665 * (std::sin(angle) - 0.5 * std::cos(angle));
+    const double law = 0.5 * standardGravity * (std::sin(angle) - 0.5 * std::cos(angle));
     // The stock solver is 5 % off (PHYSICS section 4); the next solver has to be exact.
     EXPECT_NEAR(slideInOneSecond(35.0), law, 0.07 * law);
     // Below the angle of friction it should stick; the stock solver creeps, by 0.69 m at 26 degrees.

@@ -1,4 +1,5 @@
 #include "core/simulation/health_monitor.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -166,7 +167,7 @@ TEST_F(HealthMonitorTest, WhatRestsKeepsItsPenetrationAndAsksForNoRemedy) {
 
 /// The speed of a body that fell from 20 m to the ground, times a factor.
 Vec3 fallen(double factor) {
-    return {0, 0, -factor * std::sqrt(2.0 * 9.80665 * 20.0)};
+    return {0, 0, -factor * std::sqrt(2.0 * standardGravity * 20.0)};
 }
 
 TEST_F(HealthMonitorTest, SpeedBeyondBirthAndFallIsABreach) {
@@ -203,7 +204,7 @@ TEST_F(HealthMonitorTest, WhatWasHitMayBeAsFastAsWhateverHitIt) {
     low.hardest = 15.0;
     run(1.0);
     EXPECT_TRUE(breaches().empty());
-    low.latest.velocity = Vec3(std::sqrt(100.0 + 2.0 * 9.80665 * 19.5) * 1.06, 0, 0);
+    low.latest.velocity = Vec3(std::sqrt(100.0 + 2.0 * standardGravity * 19.5) * 1.06, 0, 0);
     run(step);
     EXPECT_EQ(breaches().size(), 1u);
 }

@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
+#include "core/base/standard_gravity.h"
+#include "core/base/unknown.h"
 #include "core/pipeline/pipeline.h"
 #include "core/simulation/acknowledgement.h"
 #include "core/simulation/collapse_run.h"
@@ -11,8 +12,6 @@
 
 namespace rubble {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A world in which something happens at a time.
 class TamperedWorld : public test::ForwardingWorld {
@@ -78,7 +77,7 @@ std::shared_ptr<const FeResult> twoFallingBlocks() {
     block.low = Vec3(0, 0, 10);
     block.size = Vec3(2, 1, 1);
     block.cells = {2, 1, 1};
-    block.gravity = 9.80665;
+    block.gravity = standardGravity;
     block.deathState = [](std::size_t i) { return 2 + i; };
     scenes::Block other = block;
     other.name = "other";
@@ -106,7 +105,7 @@ TEST_F(HealthRun, WhatIsNoNumberLeavesAndHarmsNobody) {
             twoFallingBlocks(),
             [](double time, const SubstepBodies& bodies) {
                 if (MovingBody* body = time > 0.3 ? bodies.find(idAt<BodyId>(1)) : nullptr) {
-                    body->velocity.x() = nan;
+                    body->velocity.x() = unknown;
                 }
             },
             sink);
@@ -143,7 +142,7 @@ TEST_F(HealthRun, WhatIsNoNumberIsNotHandedOnByContacts) {
             [](double time, const SubstepBodies& bodies) {
                 for (MovingBody& body : bodies.moving) {
                     if (time > 0.6 && at(body.id) % 5 == 2) {
-                        body.spin.y() = nan;
+                        body.spin.y() = unknown;
                     }
                 }
             },

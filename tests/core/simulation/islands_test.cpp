@@ -1,4 +1,5 @@
 #include "core/simulation/islands.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -13,15 +14,13 @@
 namespace rubble {
 namespace {
 
-constexpr double g = 9.80665;
-
 scenes::Block slab(const std::string& name, const Vec3& low) {
     scenes::Block block;
     block.name = name;
     block.low = low;
     block.size = Vec3(6, 4, 1);
     block.cells = {6, 4, 1};
-    block.gravity = g;
+    block.gravity = standardGravity;
     return block;
 }
 
@@ -74,12 +73,12 @@ TEST_F(ReleasedIslands, ASlabInTheAirGoesOnFalling) {
     EXPECT_NEAR(record.from, 0.7, 1e-12);
     // It reaches the ground sqrt(2 h / g) after the first state, and stays on its parabola until then. PHYSICS section 4 asks for
     // 1e-3 m of free fall; frames hold positions in single precision, 2e-6 m at 20 m.
-    const double landing = std::sqrt(2.0 * 20.0 / g);
+    const double landing = std::sqrt(2.0 * 20.0 / standardGravity);
     for (std::size_t i = 0; i < trajectory.frameCount(); ++i) {
         const double t = trajectory.frameTime(i);
         const auto frame = trajectory.frame(i);
         if (t >= 0.7 && t < landing - 0.02) {
-            EXPECT_NEAR(frame->positions[bodyOf(0)].z(), 20.5 - 0.5 * g * t * t, 1e-3) << t;
+            EXPECT_NEAR(frame->positions[bodyOf(0)].z(), 20.5 - 0.5 * standardGravity * t * t, 1e-3) << t;
         } else if (t >= landing + 0.1) {
             EXPECT_LT(frame->positions[bodyOf(0)].z(), 0.8) << t;
         } else if (t < 0.7) {
@@ -97,7 +96,7 @@ TEST_F(ReleasedIslands, FallWithTheStockSolverToo) {
     const SimulationResult result = simulateScene(scenes::makeScene({slab("slab", Vec3(0, 0, 20)), debris()}, 8, 0.1));
     ASSERT_EQ(result.islands.released, 1);
     // A step of Euler's is off by g t dt / 2 at most.
-    EXPECT_NEAR(heightAt(1.5, bodyOf(0)), 20.5 - 0.5 * g * 1.5 * 1.5, 0.5 * g * 0.8 / 60.0);
+    EXPECT_NEAR(heightAt(1.5, bodyOf(0)), 20.5 - 0.5 * standardGravity * 1.5 * 1.5, 0.5 * standardGravity * 0.8 / 60.0);
     EXPECT_NEAR(heightAt(result.endTime, bodyOf(0)), 0.5, 0.05);
 }
 
@@ -124,7 +123,7 @@ TEST_F(ReleasedIslands, CloseTheLedger) {
     EXPECT_NEAR(row.time, 0.7, 1e-12);
     // Closed form: two slabs of 24 x 2000 kg at v0 - g t.
     const double mass = 24 * 2000.0;
-    const Vec3 momentum = mass * (Vec3(3, -2, 1) + 2.0 * Vec3(0, 0, -g * 0.7));
+    const Vec3 momentum = mass * (Vec3(3, -2, 1) + 2.0 * Vec3(0, 0, -standardGravity * 0.7));
     EXPECT_NEAR(row.bodies.mass, 2 * mass, 1e-9 * mass);
     EXPECT_LT((row.bodies.linear - momentum).norm(), 1e-9 * momentum.norm());
     // Sums over 48 elements of quadratures of rounding 1e-16 each.
@@ -151,7 +150,7 @@ TEST_F(ReleasedIslands, AreCountedApartFromBodiesOfFragments) {
     EXPECT_EQ(result.fragments.size(), 1u);
     EXPECT_EQ(result.asleepAtEnd, 1.0);
     // The lone fragment sleeps long before the slab lands, and the run goes on until that sleeps as well.
-    EXPECT_GT(result.endTime, std::sqrt(2.0 * 20.0 / g));
+    EXPECT_GT(result.endTime, std::sqrt(2.0 * 20.0 / standardGravity));
     EXPECT_EQ(trajectory.carriers().size(), 1u);
 }
 
@@ -202,12 +201,13 @@ TEST_F(ReleasedIslands, LandOnDebrisThatLiesThere) {
     under.low = Vec3(1, 1, 0);
     under.size = Vec3(2, 2, 1);
     under.deathState = [](std::size_t) { return std::size_t{2}; };
-    scenes::Block low = slab("slab", Vec3(0, 0, 0.5 * g * 0.49 + 0.6));
+    scenes::Block low = slab("slab", Vec3(0, 0, 0.5 * standardGravity * 0.49 + 0.6));
     const SimulationResult result = simulateScene(scenes::makeScene({under, low}, 8, 0.1));
     ASSERT_EQ(result.islands.released, 1);
     EXPECT_EQ(result.islands.occupied, 1);
     EXPECT_GT(result.energy.dissipated, 0.0);
-    EXPECT_LT(result.maxSpeed, 1.05 * std::sqrt(g * g * 0.49 + 2 * g * 0.6)) << "nothing is shot out";
+    EXPECT_LT(result.maxSpeed, 1.05 * std::sqrt(standardGravity * standardGravity * 0.49 + 2 * standardGravity * 0.6))
+        << "nothing is shot out";
     EXPECT_GT(heightAt(result.endTime, bodyOf(0)), 0.5);
 }
 

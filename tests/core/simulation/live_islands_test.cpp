@@ -1,4 +1,5 @@
 #include "core/simulation/live_islands.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +15,7 @@
 namespace rubble {
 namespace {
 
-constexpr double g = 9.80665;
-const SiteSurface level{true, 0.0, nullptr};
+const SiteSurface flatGround{true, 0.0, nullptr};
 
 std::vector<Vec3> cube(const Vec3& low, double side = 1.0) {
     std::vector<Vec3> corners;
@@ -26,7 +26,7 @@ std::vector<Vec3> cube(const Vec3& low, double side = 1.0) {
     return corners;
 }
 
-std::vector<LiveIsland> islandsOf(const FeResult& fe, const SiteSurface& ground = level) {
+std::vector<LiveIsland> islandsOf(const FeResult& fe, const SiteSurface& ground = flatGround) {
     return liveIslands(fe, fe.activity(), ground);
 }
 
@@ -109,7 +109,7 @@ TEST(LiveIslands, LooseOnesAreCounted) {
     falls.low = Vec3(10, 0, 20);
     falls.size = Vec3(2, 1, 1);
     falls.cells = {2, 1, 1};
-    falls.gravity = g;
+    falls.gravity = standardGravity;
     for (const bool withVelocity : {true, false}) {
         const auto fe = scenes::makeScene({stands, falls}, 8, 0.1, withVelocity);
         const Components components = groupComponents(fe->mesh(), {}, {}, {});
@@ -190,7 +190,7 @@ scenes::Block falling(const std::string& name, const Vec3& low, const Vec3& size
     block.low = low;
     block.size = size;
     block.cells = cells;
-    block.gravity = g;
+    block.gravity = standardGravity;
     return block;
 }
 

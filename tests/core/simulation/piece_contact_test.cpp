@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/base/standard_gravity.h"
 #include "tests/core/simulation/world_scene.h"
 
 namespace rubble {
@@ -14,7 +15,7 @@ TEST(PieceContact, CarriesABodyAlong) {
     const BodyId body = scene.box({0, 0, 0.5}, {1, 1, 1});
     scene.run(3.0, [&](double time) { scene.world().movePiece(floor, {{1.0 * time, 0, -0.5}, Quat::Identity()}); });
     // At 1 m/s friction takes 0.17 s to bring the body up to speed: it lags 0.085 m behind.
-    EXPECT_NEAR(scene.place(body).x(), 3.0 - 1.0 / (2 * 0.6 * 9.80665), 0.05);
+    EXPECT_NEAR(scene.place(body).x(), 3.0 - 1.0 / (2 * 0.6 * standardGravity), 0.05);
     EXPECT_NEAR(scene.place(body).z(), 0.5, 0.02);
 }
 
@@ -35,8 +36,8 @@ TEST(PieceContact, LiftsWhatLiesOnIt) {
         EXPECT_GT(scene.place(body).z(), speed + 0.5 - 0.15) << speed;
         // Work: the gain in height and the speed it was given.
         const double mass = scene.world().mass(body);
-        EXPECT_NEAR(scene.world().contacts().pieceWork, mass * 9.80665 * speed + mass * speed * speed,
-                    0.3 * mass * 9.80665 * speed + 0.3 * mass * speed * speed);
+        EXPECT_NEAR(scene.world().contacts().pieceWork, mass * standardGravity * speed + mass * speed * speed,
+                    0.3 * mass * standardGravity * speed + 0.3 * mass * speed * speed);
         EXPECT_TRUE(scene.world().pushedByPiece(body));
         EXPECT_EQ(scene.world().contacts().piecesYielded, 0);
     }

@@ -1,3 +1,4 @@
+#include "core/base/standard_gravity.h"
 #include "core/simulation/simulation.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ std::shared_ptr<const FeResult> fallingBlock() {
     block.size = Vec3(2, 1, 1);
     block.cells = {2, 1, 1};
     block.velocity = Vec3(1, 0, -2);
-    block.gravity = 9.80665;
+    block.gravity = standardGravity;
     block.deathState = [](std::size_t) { return std::size_t{3}; };
     return scenes::makeScene({block}, 8, 0.1);
 }
@@ -53,15 +54,15 @@ TEST_F(Simulate, TakesABodyOverFromTheFeResultAndLetsItFall) {
     // Born one state after the hand-over, on the trajectory, which is the block's own flight.
     const double t = 0.3;
     EXPECT_NEAR(result.fragments[0].birthPosition.x(), 0.5 + t, 1e-6);
-    EXPECT_NEAR(result.fragments[0].birthPosition.z(), 30.5 - 2 * t - 0.5 * 9.80665 * t * t, 1e-6);
-    EXPECT_NEAR(result.fragments[0].birthSpeed, std::hypot(1.0, 2 + 9.80665 * t), 1e-6);
+    EXPECT_NEAR(result.fragments[0].birthPosition.z(), 30.5 - 2 * t - 0.5 * standardGravity * t * t, 1e-6);
+    EXPECT_NEAR(result.fragments[0].birthSpeed, std::hypot(1.0, 2 + standardGravity * t), 1e-6);
     const TrajectoryFrame atFeEnd = frameAtTime(trajectory, 0.7);
-    EXPECT_NEAR(atFeEnd.positions[0].z(), 30.5 - 2 * 0.7 - 0.5 * 9.80665 * 0.49, 1e-5);
+    EXPECT_NEAR(atFeEnd.positions[0].z(), 30.5 - 2 * 0.7 - 0.5 * standardGravity * 0.49, 1e-5);
     // It reaches the ground 30 m below: v^2 = 2^2 + 1 + 2 g h.
-    EXPECT_NEAR(result.fragments[0].impactSpeed, std::sqrt(1 + 4 + 2 * 9.80665 * 30), 0.25);
+    EXPECT_NEAR(result.fragments[0].impactSpeed, std::sqrt(1 + 4 + 2 * standardGravity * 30), 0.25);
     EXPECT_LT(result.fragments[0].finalPosition.z(), 1.0);
     EXPECT_GT(result.fragments[0].finalPosition.z(), 0.4);
-    EXPECT_LT(result.maxSpeed, 1.05 * std::sqrt(5 + 2 * 9.80665 * 30));
+    EXPECT_LT(result.maxSpeed, 1.05 * std::sqrt(5 + 2 * standardGravity * 30));
     // PHYSICS section 6: energy never rises by more than 0.1 % of what gravity did.
     EXPECT_LT(result.energy.drift, 1e-3);
     EXPECT_GT(result.asleepAtEnd, 0.98);

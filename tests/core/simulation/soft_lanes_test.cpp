@@ -1,4 +1,5 @@
 #include "core/simulation/soft_lanes.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +50,7 @@ struct Column {
             c.friction = 0.6;
             c.frequency = 30.0;
             c.sinkAllowed = 0.03;
-            c.weight = 9.80665 * h;
+            c.weight = standardGravity * h;
             c.impulseLimit = k % 5 == 0 ? 0.02 : -1.0;
             c.booked = k % 2 == 0;
             c.parting = k % 4 == 0 ? 0.2 : 0.0;
@@ -77,7 +78,7 @@ struct Column {
 
     void substep() {
         for (std::size_t i = 0; i < bodies; ++i) {
-            solver.bodies[i].velocity.z() -= 9.80665 * h;
+            solver.bodies[i].velocity.z() -= standardGravity * h;
         }
         solver.solveSoft(1.0);
         for (std::size_t i = 0; i < bodies; ++i) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/base/standard_gravity.h"
 #include "tests/core/simulation/world_scene.h"
 
 namespace rubble::test {
@@ -74,7 +75,7 @@ TEST_P(TerrainContact, ASlopeHoldsOrSlidesAsCoulombSays) {
             // The stock solver creeps (PHYSICS.md section 4).
             EXPECT_LT(way, GetParam() == SolverKind::Bullet ? 0.1 : 0.001) << degrees;
         } else {
-            const double expected = speed + 0.5 * 9.80665 * (std::sin(angle) - 0.5 * std::cos(angle));
+            const double expected = speed + 0.5 * standardGravity * (std::sin(angle) - 0.5 * std::cos(angle));
             EXPECT_NEAR(way, expected, 0.08 * expected) << degrees;
         }
     }

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <mutex>
+#include <set>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace rubble {
@@ -46,13 +49,22 @@ TEST(WorkerPool, WaitsForPartsThatOthersHaveBegun) {
     }
 }
 
-TEST(WorkerPool, OneThreadNeedsNoOther) {
-    WorkerPool pool(1);
-    std::size_t sum = 0;
-    pool.loop(100, 7, [&](std::size_t first, std::size_t last) { sum += last - first; });
-    EXPECT_EQ(sum, 100u);
-    pool.loop(0, 7, [&](std::size_t, std::size_t) { sum = 0; });
-    EXPECT_EQ(sum, 100u);
+TEST(WorkerPool, OneThreadDoesThePartsThatSeveralDo) {
+    using Part = std::pair<std::size_t, std::size_t>;
+    const auto partsOn = [](int threads, std::size_t count, std::size_t grain) {
+        WorkerPool pool(threads);
+        std::mutex mutex;
+        std::set<Part> parts;
+        pool.loop(count, grain, [&](std::size_t first, std::size_t last) {
+            const std::lock_guard lock(mutex);
+            EXPECT_TRUE(parts.emplace(first, last).second);
+        });
+        return parts;
+    };
+    // Who keeps a place for each part by first / grain never finds all of them in one place.
+    EXPECT_EQ(partsOn(1, 20, 7), (std::set<Part>{{0, 7}, {7, 14}, {14, 20}}));
+    EXPECT_EQ(partsOn(1, 1000, 128), partsOn(3, 1000, 128));
+    EXPECT_TRUE(partsOn(1, 0, 7).empty());
 }
 
 }  // namespace

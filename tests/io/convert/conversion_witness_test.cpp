@@ -21,13 +21,10 @@
 #include "io/fe_reader.h"
 #include "tests/io/convert/mixed_result.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 namespace {
-
-std::string fixture(const std::string& name) {
-    return std::string(RUBBLE_BINARY_DIR) + "/tests/fe/" + name;
-}
 
 std::set<std::int64_t> deadOf(const FeResult& fe, std::size_t k) {
     std::set<std::int64_t> dead;

@@ -17,16 +17,13 @@
 #include "tests/io/convert/mixed_result.h"
 #include "tests/io/formats/collapse_digest.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-std::string fixture(const std::string& name) {
-    return std::string(RUBBLE_BINARY_DIR) + "/tests/fe/" + name;
-}
 
 std::vector<std::string> namesIn(const std::string& folder) {
     std::vector<std::string> names;

@@ -1,16 +1,15 @@
 #include "tests/io/convert/mixed_result.h"
-
 #include <gtest/gtest.h>
+
+#include "core/base/unknown.h"
 
 #include <bit>
 #include <cmath>
-#include <limits>
 
 namespace rubble::io {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 const std::vector<double> times{0.0, 0.1, 0.25, 1.0 / 3.0, 0.5};
 
 /// Moves every node by its own vector, so that no two values are alike.
@@ -80,14 +79,14 @@ struct MixedMesh {
 MixedResult::MixedResult(std::size_t extraNodes, std::function<void(std::size_t)> atRead)
     : m_reads(std::make_shared<std::vector<std::size_t>>()) {
     MixedMesh made;
-    made.add(ElementShape::Hexahedron, 0, 11, 2400.0, nothing);
+    made.add(ElementShape::Hexahedron, 0, 11, 2400.0, unknown);
     made.add(ElementShape::Quadrilateral, 1, 40, 7850.0, 0.02);
-    made.add(ElementShape::Wedge, 0, 12, 2400.0, nothing);
+    made.add(ElementShape::Wedge, 0, 12, 2400.0, unknown);
     made.add(ElementShape::Beam, 2, 5'000'000'000, 7850.0, 0.0004);
-    made.add(ElementShape::Pyramid, 0, 2, nothing, nothing);
-    made.add(ElementShape::Triangle, 1, 41, 7850.0, nothing);
-    made.add(ElementShape::Tetrahedron, 0, 14, 1800.0 / 7.0, nothing);
-    made.add(ElementShape::Hexahedron, 1, 39, nothing, nothing);
+    made.add(ElementShape::Pyramid, 0, 2, unknown, unknown);
+    made.add(ElementShape::Triangle, 1, 41, 7850.0, unknown);
+    made.add(ElementShape::Tetrahedron, 0, 14, 1800.0 / 7.0, unknown);
+    made.add(ElementShape::Hexahedron, 1, 39, unknown, unknown);
     for (std::size_t n = 0; n < extraNodes; ++n) {
         made.mesh.nodeIds.push_back(100'000 + static_cast<std::int64_t>(n));
         made.mesh.nodes.emplace_back(static_cast<double>(n) / 3.0, 5.0, 1.0);
@@ -102,7 +101,7 @@ MixedResult::MixedResult(std::size_t extraNodes, std::function<void(std::size_t)
             contents.activity.set(k, idAt<ElementIndex>(e), !dead);
         }
     }
-    contents.deathTime.assign(8, nothing);
+    contents.deathTime.assign(8, unknown);
     contents.deathTime[2] = 0.07;
     contents.deathTime[1] = 0.2999;
     contents.hasVelocity = true;

@@ -11,6 +11,7 @@
 #include "io/fe_reader.h"
 #include "tests/io/d3plot/d3plot_builder.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 
@@ -18,10 +19,6 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-void put(const std::string& path, const std::string& bytes) {
-    std::ofstream(path, std::ios::binary | std::ios::trunc).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-}
 
 // Reads everything there is; any error of ours will do.
 std::optional<std::size_t> statesOf(const std::string& path) {
@@ -59,12 +56,12 @@ TEST(D3plotDamage, EveryTruncationOfAFileWithItsStates) {
         const std::string whole = builder.files().front();
         const std::size_t state = builder.stateWords() * static_cast<std::size_t>(bytes);
         const std::size_t end = whole.size();
-        put(folder / "d3plot", whole);
+        writeContent(folder / "d3plot", whole);
         ASSERT_EQ(statesOf(folder / "d3plot"), 2u);
         std::size_t before = 0;
         std::map<std::size_t, std::size_t> opened;
         for (std::size_t size = 1; size < end; ++size) {
-            put(folder / "d3plot", whole.substr(0, size));
+            writeContent(folder / "d3plot", whole.substr(0, size));
             const std::size_t states = statesOf(folder / "d3plot").value_or(0);
             EXPECT_GE(states, before) << "more bytes never show less";
             before = states;
@@ -83,10 +80,10 @@ TEST(D3plotDamage, EveryTruncationOfTheRootOfAFamily) {
     builder.write(folder / "d3plot");
     const std::string root = builder.files().front();
     for (std::size_t size = 0; size < root.size(); ++size) {
-        put(folder / "d3plot", root.substr(0, size));
+        writeContent(folder / "d3plot", root.substr(0, size));
         statesOf(folder / "d3plot");
     }
-    put(folder / "d3plot", root);
+    writeContent(folder / "d3plot", root);
     EXPECT_EQ(statesOf(folder / "d3plot"), 2u);
 }
 
@@ -102,7 +99,7 @@ TEST(D3plotDamage, FlippedBitsNeverCrash) {
             // The header is short and matters most.
             const std::size_t where = random() % (i % 2 == 0 ? 64 * static_cast<std::size_t>(bytes) : used);
             damaged[where] = static_cast<char>(damaged[where] ^ (1 << (random() % 8)));
-            put(folder / "d3plot", damaged);
+            writeContent(folder / "d3plot", damaged);
             errors += !statesOf(folder / "d3plot");
         }
     }
@@ -146,21 +143,21 @@ TEST(D3plotDamage, EmptyMembersAndPaddingOnly) {
     D3plotBuilder builder;
     builder.statesPerFile = 1;
     builder.write(folder / "d3plot");
-    put(folder / "d3plot03", "");
+    writeContent(folder / "d3plot03", "");
     EXPECT_EQ(statesOf(folder / "d3plot"), 2u);
-    put(folder / "d3plot02", std::string(2048, '\0'));
-    put(folder / "d3plot03", builder.files()[3]);
+    writeContent(folder / "d3plot02", std::string(2048, '\0'));
+    writeContent(folder / "d3plot03", builder.files()[3]);
     EXPECT_EQ(statesOf(folder / "d3plot"), 2u) << "a file of zeros holds no state";
-    put(folder / "d3plot01", "");
-    put(folder / "d3plot02", "");
-    put(folder / "d3plot03", "");
+    writeContent(folder / "d3plot01", "");
+    writeContent(folder / "d3plot02", "");
+    writeContent(folder / "d3plot03", "");
     try {
         openFe(folder / "d3plot", {}, {}, Execution{});
         FAIL();
     } catch (const ParseError& error) {
         EXPECT_THAT(error.what(), HasSubstr("no complete state"));
     }
-    put(folder / "d3plot", std::string(8192, '\0'));
+    writeContent(folder / "d3plot", std::string(8192, '\0'));
     EXPECT_EQ(statesOf(folder / "d3plot"), std::nullopt);
 }
 
@@ -177,9 +174,9 @@ TEST(D3plotDamage, NumbersThatAreNoneWhereTheyMatter) {
         return damaged;
     };
     builder.write(folder / "d3plot");
-    put(folder / "d3plot01", withNan(8));  // a node of the dead cube
+    writeContent(folder / "d3plot01", withNan(8));  // a node of the dead cube
     EXPECT_EQ(statesOf(folder / "d3plot"), 3u);
-    put(folder / "d3plot01", withNan(1));
+    writeContent(folder / "d3plot01", withNan(1));
     EXPECT_EQ(statesOf(folder / "d3plot"), std::nullopt);
 }
 

@@ -11,6 +11,7 @@
 #include "io/fe_reader.h"
 #include "io/one_point_volume.h"
 #include "tests/io/collapse_identity.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 
@@ -22,10 +23,8 @@ using ::testing::HasSubstr;
 using ::testing::Pointwise;
 using Counts = std::vector<std::int64_t>;
 
-const std::string data = RUBBLE_BINARY_DIR "/tests/fe/";
-
 std::shared_ptr<const FeResult> open(const std::string& name, const Frame& frame = {}) {
-    return openFe(data + name, {}, frame, Execution{});
+    return openFe(fixture(name), {}, frame, Execution{});
 }
 
 std::vector<std::size_t> upTo(std::size_t count) {
@@ -123,7 +122,7 @@ TEST(D3plotData, OracleOfMasses) {
     EXPECT_NEAR(fe->mesh().density.front(), 18620.0, 1e-8);
     EXPECT_NEAR(fe->mesh().density.back(), 7896.0, 1e-8);
 
-    const std::string root = data + "projectile/d3plot";
+    const std::string root = fixture("projectile/d3plot");
     const D3plotFamily family(d3plotMembers(root), d3plotWordFormat(readHead(root)).value());
     const D3plotHeader header = readD3plotHeader(family);
     const D3plotGeometry geometry = readD3plotGeometry(family, header, Execution{});

@@ -12,12 +12,11 @@
 
 #include "io/fe_reader.h"
 #include "tests/io/collapse_identity.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 
 namespace {
-
-const std::string data = RUBBLE_BINARY_DIR "/tests/fe/";
 
 using Places = std::multiset<std::array<float, 3>>;
 
@@ -53,9 +52,9 @@ Witness witnessOf(vtkLSDynaReader& reader, int state) {
 // Where VTK's reader works, it sees the same deaths and the same places. It wants the root to be named d3plot.
 TEST(D3plotWitness, AnotherReaderSeesTheSame) {
     for (const char* name : {"d3plot/le32-multi", "d3plot/be64-single", "d3plot/le64-rootstates", "projectile"}) {
-        const auto fe = openFe(data + name, {}, {}, Execution{});
+        const auto fe = openFe(fixture(name), {}, {}, Execution{});
         vtkNew<vtkLSDynaReader> reader;
-        reader->SetFileName((data + name + "/d3plot").c_str());
+        reader->SetFileName(fixture(name + std::string("/d3plot")).c_str());
         reader->SetRemoveDeletedCells(1);
         reader->SetDeletedCellsAsGhostArray(1);
         reader->UpdateInformation();

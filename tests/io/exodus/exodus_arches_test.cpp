@@ -39,9 +39,9 @@ struct Opened {
     std::map<std::string, std::int64_t> anomalies;
 };
 
-using Counts = std::pair<std::int64_t, std::int64_t>;
+using StateCounts = std::pair<std::int64_t, std::int64_t>;
 
-// Counts are exact. Masses are those that the description of the data gives in whole tonnes.
+// StateCounts are exact. Masses are those that the description of the data gives in whole tonnes.
 constexpr double tonne = 1000.0;
 
 TEST(Arches, StoneArch) {
@@ -65,14 +65,14 @@ TEST(Arches, StoneArch) {
     EXPECT_NEAR(arch.audit.deadMass, 65'869 * tonne, 0.5 * tonne);
     EXPECT_NEAR(arch.audit.mass, 111'254 * tonne, 0.5 * tonne);
     EXPECT_EQ(arch.audit.components.size(), 24u);
-    EXPECT_EQ(arch.counts.at("abutment west"), Counts(5040, 0));
-    EXPECT_EQ(arch.counts.at("arch ring 1"), Counts(4320, 4320));
-    EXPECT_EQ(arch.counts.at("arch ring 2"), Counts(4536, 4536));
-    EXPECT_EQ(arch.counts.at("deck 4"), Counts(3024, 2858));
-    EXPECT_EQ(arch.counts.at("pier 1"), Counts(3780, 3777));
-    EXPECT_EQ(arch.counts.at("pier 2"), Counts(3780, 3769));
-    EXPECT_EQ(arch.counts.at("pier 3"), Counts(3780, 3517));
-    EXPECT_EQ(arch.counts.at("deck over pier 3"), Counts(216, 216));
+    EXPECT_EQ(arch.counts.at("abutment west"), StateCounts(5040, 0));
+    EXPECT_EQ(arch.counts.at("arch ring 1"), StateCounts(4320, 4320));
+    EXPECT_EQ(arch.counts.at("arch ring 2"), StateCounts(4536, 4536));
+    EXPECT_EQ(arch.counts.at("deck 4"), StateCounts(3024, 2858));
+    EXPECT_EQ(arch.counts.at("pier 1"), StateCounts(3780, 3777));
+    EXPECT_EQ(arch.counts.at("pier 2"), StateCounts(3780, 3769));
+    EXPECT_EQ(arch.counts.at("pier 3"), StateCounts(3780, 3517));
+    EXPECT_EQ(arch.counts.at("deck over pier 3"), StateCounts(216, 216));
     // Every exact death time lies in its bracket, nothing comes back, no dying shape is bad (volume ratio 0.94 to 1.01).
     EXPECT_TRUE(arch.anomalies.empty());
 }
@@ -105,15 +105,15 @@ TEST(Arches, RcArch) {
     EXPECT_EQ(arch.audit.deadTotal, 9'643);
     EXPECT_NEAR(arch.audit.deadMass, 1'245 * tonne, 0.5 * tonne);
     EXPECT_NEAR(arch.audit.mass, 2'826 * tonne, 0.6 * tonne);
-    EXPECT_EQ(arch.counts.at("arch rib 1"), Counts(2952, 1583));
-    EXPECT_EQ(arch.counts.at("arch rib 2"), Counts(2952, 1560));
-    EXPECT_EQ(arch.counts.at("arch rib 3"), Counts(2952, 1524));
-    EXPECT_EQ(arch.counts.at("spandrel columns 3"), Counts(1008, 641));
-    EXPECT_EQ(arch.counts.at("girder 3"), Counts(1500, 609));
-    EXPECT_EQ(arch.counts.at("cross beams"), Counts(720, 469));
-    EXPECT_EQ(arch.counts.at("west skewback hinge"), Counts(144, 144));
-    EXPECT_EQ(arch.counts.at("deck slab"), Counts(4246, 172));
-    EXPECT_EQ(arch.counts.at("deck slab under trucks"), Counts(504, 19));
+    EXPECT_EQ(arch.counts.at("arch rib 1"), StateCounts(2952, 1583));
+    EXPECT_EQ(arch.counts.at("arch rib 2"), StateCounts(2952, 1560));
+    EXPECT_EQ(arch.counts.at("arch rib 3"), StateCounts(2952, 1524));
+    EXPECT_EQ(arch.counts.at("spandrel columns 3"), StateCounts(1008, 641));
+    EXPECT_EQ(arch.counts.at("girder 3"), StateCounts(1500, 609));
+    EXPECT_EQ(arch.counts.at("cross beams"), StateCounts(720, 469));
+    EXPECT_EQ(arch.counts.at("west skewback hinge"), StateCounts(144, 144));
+    EXPECT_EQ(arch.counts.at("deck slab"), StateCounts(4246, 172));
+    EXPECT_EQ(arch.counts.at("deck slab under trucks"), StateCounts(504, 19));
     EXPECT_EQ(arch.audit.components.back().kind, "shell");
     EXPECT_NEAR(arch.audit.components.back().density, 10'780.0, 0.01);
     // Slabs die without an exact time; the two elements are those with 0.48 and 3.0 times their first volume.

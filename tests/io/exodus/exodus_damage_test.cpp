@@ -12,21 +12,13 @@
 #include "io/fe_reader.h"
 #include "tests/io/exodus/exodus_builder.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-std::string bytesOf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void put(const std::string& path, const std::string& bytes) {
-    std::ofstream(path, std::ios::binary) << bytes;
-}
 
 ExodusBuilder soundBuilder(bool netcdf4) {
     ExodusBuilder builder = ExodusBuilder::threeCubes();
@@ -69,19 +61,19 @@ TEST(ExodusDamage, MissingEmptyAndForeignFilesAreCalledByTheirName) {
     const TemporaryFolder folder;
     EXPECT_THROW(openFe(folder / "none.exo", {}, {}, Execution{}), WorldError);
     EXPECT_THROW(openFe(folder.path(), {}, {}, Execution{}), WorldError);
-    put(folder / "empty.exo", "");
+    writeContent(folder / "empty.exo", "");
     EXPECT_THAT(errorOf(folder / "empty.exo"), HasSubstr("is empty"));
-    put(folder / "case.exo", "{\"format\": \"rubble\"}");
+    writeContent(folder / "case.exo", "{\"format\": \"rubble\"}");
     EXPECT_THAT(errorOf(folder / "case.exo"), HasSubstr("JSON"));
-    put(folder / "text.exo", "NODES\n1 2 3\n");
+    writeContent(folder / "text.exo", "NODES\n1 2 3\n");
     EXPECT_THAT(errorOf(folder / "text.exo"), AllOf(HasSubstr("a text"), HasSubstr("Exodus II")));
-    put(folder / "binary.exo", std::string("\0\1\2\3", 4));
+    writeContent(folder / "binary.exo", std::string("\0\1\2\3", 4));
     EXPECT_THAT(errorOf(folder / "binary.exo"), HasSubstr("binary"));
-    put(folder / "vtk.exo", "# vtk DataFile Version 3.0\n");
+    writeContent(folder / "vtk.exo", "# vtk DataFile Version 3.0\n");
     EXPECT_THAT(errorOf(folder / "vtk.exo"), HasSubstr("VTK"));
-    put(folder / "tiny.exo", "CDF\x02");
+    writeContent(folder / "tiny.exo", "CDF\x02");
     EXPECT_THAT(errorOf(folder / "tiny.exo"), HasSubstr("cut off"));
-    put(folder / "tiny5.exo", "\x89HDF\r\n\x1a\n");
+    writeContent(folder / "tiny5.exo", "\x89HDF\r\n\x1a\n");
     EXPECT_THAT(errorOf(folder / "tiny5.exo"), HasSubstr("cut off"));
 }
 
@@ -106,9 +98,9 @@ TEST(ExodusDamage, EveryTruncationIsAnErrorAndSaysSo) {
     for (const bool netcdf4 : {false, true}) {
         soundBuilder(netcdf4).write(folder / "whole.exo");
         ASSERT_TRUE(readsWhole(folder / "whole.exo"));
-        const std::string bytes = bytesOf(folder / "whole.exo");
+        const std::string bytes = wholeFile(folder / "whole.exo");
         ::testing::internal::CaptureStderr();
-        put(folder / "cut.exo", bytes);
+        writeContent(folder / "cut.exo", bytes);
         for (std::size_t size = bytes.size(); --size > 0;) {
             std::filesystem::resize_file(folder / "cut.exo", size);
             ASSERT_THROW(readExodus(folder / "cut.exo", {}, Execution{}), ParseError) << size << " of " << bytes.size();
@@ -116,7 +108,7 @@ TEST(ExodusDamage, EveryTruncationIsAnErrorAndSaysSo) {
             EXPECT_FALSE(size % 997 == 1 && readsWhole(folder / "cut.exo")) << size << " of " << bytes.size();
         }
         EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "libraries do not speak to the user";
-        put(folder / "cut.exo", bytes.substr(0, bytes.size() - 100));
+        writeContent(folder / "cut.exo", bytes.substr(0, bytes.size() - 100));
         EXPECT_THAT(errorOf(folder / "cut.exo"), AllOf(HasSubstr("is cut off: it ends after"), HasSubstr("Copy the file again")));
     }
 }
@@ -126,14 +118,14 @@ TEST(ExodusDamage, FlippedBitsNeverCrash) {
     std::mt19937 random(7);
     for (const bool netcdf4 : {false, true}) {
         soundBuilder(netcdf4).write(folder / "whole.exo");
-        const std::string bytes = bytesOf(folder / "whole.exo");
+        const std::string bytes = wholeFile(folder / "whole.exo");
         int errors = 0;
         ::testing::internal::CaptureStderr();
         for (int i = 0; i < (netcdf4 ? 150 : 1200); ++i) {
             std::string damaged = bytes;
             const std::size_t where = random() % bytes.size();
             damaged[where] = static_cast<char>(damaged[where] ^ (1 << (random() % 8)));
-            put(folder / "flipped.exo", damaged);
+            writeContent(folder / "flipped.exo", damaged);
             errors += !readsWhole(folder / "flipped.exo");
         }
         EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");

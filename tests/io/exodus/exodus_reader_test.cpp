@@ -1,7 +1,8 @@
 #include "io/exodus/exodus_reader.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "core/base/unknown.h"
 
 #include <cmath>
 #include <thread>
@@ -17,8 +18,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 class ExodusReaderTest : public ::testing::Test {
 protected:
@@ -137,7 +136,7 @@ TEST_F(ExodusReaderTest, FadingIsActiveUntilItIsDeadAndCounted) {
 TEST_F(ExodusReaderTest, RigidIsNotDeadAndBrokenFlagsKeepTheStateBefore) {
     ExodusBuilder builder = ExodusBuilder::threeCubes();
     builder.element.emplace_back("STATUS", [](std::size_t k, std::size_t e) {
-        return e == 0 ? 255.0 : e == 1 ? (k == 1 ? notANumber : k == 0) : 1.0;
+        return e == 0 ? 255.0 : e == 1 ? (k == 1 ? unknown : k == 0) : 1.0;
     });
     const auto fe = open(builder);
     EXPECT_THAT(activity(*fe), ElementsAre("111", "111", "101", "101"));
@@ -347,7 +346,7 @@ TEST_F(ExodusReaderTest, TimesMustRise) {
     builder.element.emplace_back("STATUS", [](std::size_t, std::size_t) { return 1.0; });
     builder.times = {0.0, 0.5, 0.5, 1.0};
     EXPECT_THAT(errorOf<ParseError>(builder), HasSubstr("state 2 at 0.5 s does not come after state 1"));
-    builder.times = {0.0, notANumber, 0.5, 1.0};
+    builder.times = {0.0, unknown, 0.5, 1.0};
     EXPECT_THAT(errorOf<ParseError>(builder), HasSubstr("the time of state 1 is not a number"));
     builder.times = {};
     EXPECT_THAT(errorOf<ParseError>(builder), HasSubstr("no states"));
@@ -356,11 +355,11 @@ TEST_F(ExodusReaderTest, TimesMustRise) {
 TEST_F(ExodusReaderTest, CoordinatesMustBeNumbersWhereTheyAreUsed) {
     ExodusBuilder builder = ExodusBuilder::threeCubes();
     builder.element.emplace_back("STATUS", [](std::size_t, std::size_t) { return 1.0; });
-    builder.nodes.push_back({0, notANumber, 0});
+    builder.nodes.push_back({0, unknown, 0});
     const auto fe = open(builder);
     EXPECT_EQ(fe->contents().findings.count("fe.stray_node"), 1);
     EXPECT_TRUE(fe->mesh().nodes.back().allFinite());
-    builder.nodes[4].z() = notANumber;
+    builder.nodes[4].z() = unknown;
     EXPECT_THAT(errorOf<ParseError>(builder), HasSubstr("node 5 lies at (1, 0, not a number)"));
     builder.nodes[4].z() = 1e30;
     EXPECT_THAT(errorOf<ParseError>(builder), HasSubstr("node 5"));
@@ -370,12 +369,12 @@ TEST_F(ExodusReaderTest, FieldsMustBeNumbersAtNodesOfActiveElements) {
     ExodusBuilder builder = ExodusBuilder::threeCubes();
     builder.element.emplace_back("STATUS", [](std::size_t k, std::size_t e) { return dead(k, e) ? 0.0 : 1.0; });
     // The last four nodes belong to element 2 alone, which dies at state 1.
-    builder.nodal[2].second = [](std::size_t k, std::size_t n) { return k >= 1 && n >= 12 ? notANumber : 0.5; };
+    builder.nodal[2].second = [](std::size_t k, std::size_t n) { return k >= 1 && n >= 12 ? unknown : 0.5; };
     const auto fe = open(builder);
     EXPECT_EQ(fe->state(0)->positions[12].z(), builder.nodes[12].z() + 0.5);
     EXPECT_EQ(fe->state(1)->positions[12], builder.nodes[12]) << "dead: stands at its first place";
     EXPECT_EQ(fe->state(1)->positions[11].z(), builder.nodes[11].z() + 0.5);
-    builder.nodal[2].second = [](std::size_t k, std::size_t n) { return k == 2 && n == 3 ? notANumber : 0.5; };
+    builder.nodal[2].second = [](std::size_t k, std::size_t n) { return k == 2 && n == 3 ? unknown : 0.5; };
     const auto broken = open(builder);
     EXPECT_NO_THROW(broken->state(1));
     try {

@@ -7,13 +7,10 @@
 
 #include "io/fe_reader.h"
 #include "tests/io/formats/collapse_digest.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 namespace {
-
-std::string fixture(const std::string& name) {
-    return std::string(RUBBLE_BINARY_DIR) + "/tests/fe/" + name;
-}
 
 constexpr std::array<std::size_t, 16> deadOfAll{0, 0, 8, 23, 39, 54, 74, 97, 132, 161, 186, 203, 217, 222, 222, 222};
 

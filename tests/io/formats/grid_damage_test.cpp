@@ -9,25 +9,13 @@
 #include "io/ansys/rst_reader.h"
 #include "io/fe_reader.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-std::string fixture(const std::string& name) {
-    return std::string(RUBBLE_BINARY_DIR) + "/tests/fe/" + name;
-}
-
-std::string bytesOf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void put(const std::string& path, const std::string& bytes) {
-    std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
-}
 
 /// Some files of a fixture, and the one that is damaged.
 struct Damaged {
@@ -49,7 +37,7 @@ protected:
             fs::copy_file(fixture(GetParam().folder + "/" + file), m_folder / file);
             fs::permissions(m_folder / file, fs::perms::owner_all);
         }
-        m_bytes = bytesOf(m_folder / GetParam().damaged);
+        m_bytes = wholeFile(m_folder / GetParam().damaged);
     }
 
     // Opens and reads everything; any error of ours will do.
@@ -78,7 +66,7 @@ TEST_P(DamagedGrid, TheSoundOneIsRead) {
 TEST_P(DamagedGrid, CutOffItIsRefused) {
     constexpr std::size_t cuts = 12;
     for (std::size_t i = 0; i < cuts; ++i) {
-        put(m_folder / GetParam().damaged, m_bytes.substr(0, m_bytes.size() * i / cuts));
+        writeContent(m_folder / GetParam().damaged, m_bytes.substr(0, m_bytes.size() * i / cuts));
         EXPECT_FALSE(reads()) << i << " of " << cuts;
     }
 }
@@ -90,13 +78,13 @@ TEST_P(DamagedGrid, WrongBytesDoNoHarm) {
         // Half of them within the header, the rest all over the file.
         const std::size_t range = i % 2 == 0 ? std::min<std::size_t>(bytes.size(), 2500) : bytes.size();
         bytes[(i * 7919 + 131) % range] ^= static_cast<char>(1 << i % 8);
-        put(m_folder / GetParam().damaged, bytes);
+        writeContent(m_folder / GetParam().damaged, bytes);
         reads();
     }
 }
 
 TEST_P(DamagedGrid, NothingIsPrinted) {
-    put(m_folder / GetParam().damaged, m_bytes.substr(0, m_bytes.size() / 2));
+    writeContent(m_folder / GetParam().damaged, m_bytes.substr(0, m_bytes.size() / 2));
     testing::internal::CaptureStderr();
     testing::internal::CaptureStdout();
     reads();
@@ -140,8 +128,8 @@ protected:
 };
 
 TEST_F(GridTest, LegacyFilesOfANumberSeriesAreStatesByTheirTimes) {
-    put(m_folder / "wall_9.vtk", legacy(0.5, false, false, "STATUS"));
-    put(m_folder / "wall_10.vtk", legacy(1.5, true, false, "STATUS"));
+    writeContent(m_folder / "wall_9.vtk", legacy(0.5, false, false, "STATUS"));
+    writeContent(m_folder / "wall_10.vtk", legacy(1.5, true, false, "STATUS"));
     const auto fe = open("wall_10.vtk");
     EXPECT_EQ(fe->contents().format, "VTK legacy");
     EXPECT_EQ(fe->times(), (std::vector<double>{0.5, 1.5}));
@@ -153,7 +141,7 @@ TEST_F(GridTest, ALegacyFileThatEndsTooEarlyIsRefusedInSilence) {
     const std::string text = legacy(0.5, false, false, "STATUS");
     testing::internal::CaptureStderr();
     for (std::size_t length = text.find("POINTS") + 10; length + 2 < text.size(); length += 19) {
-        put(m_folder / "wall.vtk", text.substr(0, length));
+        writeContent(m_folder / "wall.vtk", text.substr(0, length));
         try {
             open("wall.vtk");
         } catch (const Error& error) {
@@ -165,8 +153,8 @@ TEST_F(GridTest, ALegacyFileThatEndsTooEarlyIsRefusedInSilence) {
 
 // Without numbers of elements, cells are told by their points; without a flag, a missing one is dead.
 TEST_F(GridTest, CellsWithoutNumbersAreMatchedByTheirPoints) {
-    put(m_folder / "wall.0.vtk", legacy(0.0, false, false, ""));
-    put(m_folder / "wall.1.vtk", legacy(1.0, false, true, ""));
+    writeContent(m_folder / "wall.0.vtk", legacy(0.0, false, false, ""));
+    writeContent(m_folder / "wall.1.vtk", legacy(1.0, false, true, ""));
     const auto fe = open("wall.0.vtk");
     EXPECT_EQ(fe->activity().activeCount(0), 2u);
     EXPECT_EQ(fe->activity().activeCount(1), 1u);
@@ -174,8 +162,8 @@ TEST_F(GridTest, CellsWithoutNumbersAreMatchedByTheirPoints) {
 }
 
 TEST_F(GridTest, WithoutFlagAndMissingCellsTheArraysAreListed) {
-    put(m_folder / "wall.0.vtk", legacy(0.0, false, false, ""));
-    put(m_folder / "wall.1.vtk", legacy(1.0, false, false, ""));
+    writeContent(m_folder / "wall.0.vtk", legacy(0.0, false, false, ""));
+    writeContent(m_folder / "wall.1.vtk", legacy(1.0, false, false, ""));
     try {
         open("wall.0.vtk");
         FAIL();
@@ -190,16 +178,16 @@ TEST_F(GridTest, WithoutFlagAndMissingCellsTheArraysAreListed) {
 
 TEST_F(GridTest, ALastFileThatIsStillBeingWrittenIsLeftOut) {
     for (const char* name : {"s000.vtu", "s001.vtu", "s002.vtu", "s003.vtu"}) {
-        const std::string bytes = bytesOf(fixture(std::string("vtu-cells-removed/") + name));
-        put(m_folder / name, std::string(name) == "s003.vtu" ? bytes.substr(0, bytes.size() / 2) : bytes);
+        const std::string bytes = wholeFile(fixture(std::string("vtu-cells-removed/") + name));
+        writeContent(m_folder / name, std::string(name) == "s003.vtu" ? bytes.substr(0, bytes.size() / 2) : bytes);
     }
     const auto fe = open("s001.vtu");
     EXPECT_EQ(fe->stateCount(), 3u);
     EXPECT_EQ(fe->contents().findings.count("fe.unfinished"), 1);
     EXPECT_EQ(fe->contents().findings.count("vtk.no_times"), 3);
     for (const char* name : {"seq.e", "seq.e-s0002", "seq.e-s0003"}) {
-        const std::string bytes = bytesOf(fixture(std::string("exodus/") + name));
-        put(m_folder / name, std::string(name) == "seq.e-s0003" ? bytes.substr(0, bytes.size() / 2) : bytes);
+        const std::string bytes = wholeFile(fixture(std::string("exodus/") + name));
+        writeContent(m_folder / name, std::string(name) == "seq.e-s0003" ? bytes.substr(0, bytes.size() / 2) : bytes);
     }
     const auto sequence = open("seq.e");
     EXPECT_EQ(sequence->contents().findings.count("fe.unfinished"), 1);
@@ -208,22 +196,23 @@ TEST_F(GridTest, ALastFileThatIsStillBeingWrittenIsLeftOut) {
 
 TEST_F(GridTest, AMissingNumberIsSaid) {
     for (const int k : {0, 10, 20, 40, 50}) {
-        put(m_folder / ("wall_" + std::to_string(k) + ".vtk"), legacy(0.1 * k, k > 40, false, "STATUS"));
+        writeContent(m_folder / ("wall_" + std::to_string(k) + ".vtk"), legacy(0.1 * k, k > 40, false, "STATUS"));
     }
     const auto fe = open("wall_20.vtk");
     EXPECT_EQ(fe->stateCount(), 5u);
     EXPECT_EQ(fe->contents().findings.count("fe.gap"), 1);
-    put(m_folder / "wall_30.vtk", legacy(3.0, false, false, "STATUS"));
+    writeContent(m_folder / "wall_30.vtk", legacy(3.0, false, false, "STATUS"));
     EXPECT_EQ(open("wall_20.vtk")->contents().findings.count("fe.gap"), 0);
     // Numbers of iterations come as they come.
-    put(m_folder / "wall_53.vtk", legacy(5.3, true, false, "STATUS"));
+    writeContent(m_folder / "wall_53.vtk", legacy(5.3, true, false, "STATUS"));
     EXPECT_EQ(open("wall_20.vtk")->contents().findings.count("fe.gap"), 0);
 }
 
 // The times stand in the index: without it a member would open with wrong ones.
 TEST_F(GridTest, AMemberOfASeriesThatLacksAFileSaysWhich) {
-    put(m_folder / "wall_0.vtk", legacy(0.0, false, false, "STATUS"));
-    put(m_folder / "wall.vtk.series",
+    writeContent(m_folder / "wall_0.vtk", legacy(0.0, false, false, "STATUS"));
+    writeContent(
+        m_folder / "wall.vtk.series",
         "{\"file-series-version\": \"1.0\", \"files\": [{\"name\": \"wall_0.vtk\", \"time\": 0.0}, {\"name\": \"wall_1.vtk\", "
         "\"time\": 0.25}]}");
     try {
@@ -232,14 +221,14 @@ TEST_F(GridTest, AMemberOfASeriesThatLacksAFileSaysWhich) {
     } catch (const WorldError& error) {
         EXPECT_THAT(error.what(), HasSubstr("wall_1.vtk, which is not there"));
     }
-    put(m_folder / "wall_1.vtk", legacy(9.0, true, false, "STATUS"));
+    writeContent(m_folder / "wall_1.vtk", legacy(9.0, true, false, "STATUS"));
     EXPECT_EQ(open("wall_0.vtk")->times(), (std::vector<double>{0.0, 0.25}));
 }
 
 TEST_F(GridTest, AnIndexThatNamesAMissingFileSaysWhich) {
-    put(m_folder / "wall.pvd",
-        "<?xml version=\"1.0\"?><VTKFile type=\"Collection\"><Collection><DataSet timestep=\"0\" "
-        "file=\"gone.vtu\"/></Collection></VTKFile>");
+    writeContent(m_folder / "wall.pvd",
+                 "<?xml version=\"1.0\"?><VTKFile type=\"Collection\"><Collection><DataSet timestep=\"0\" "
+                 "file=\"gone.vtu\"/></Collection></VTKFile>");
     try {
         open("wall.pvd");
         FAIL();
@@ -250,11 +239,11 @@ TEST_F(GridTest, AnIndexThatNamesAMissingFileSaysWhich) {
 
 // A finding of the fuzzer: what lists nothing was compared with what the index beside it lists.
 TEST_F(GridTest, AnIndexThatNamesNothingSaysSoBesideOneThatIsSound) {
-    put(m_folder / "left.vtk", legacy(0.0, false, true, "STATUS"));
+    writeContent(m_folder / "left.vtk", legacy(0.0, false, true, "STATUS"));
     const std::string head = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\">\n<Collection>\n",
                       tail = "</Collection>\n</VTKFile>\n";
-    put(m_folder / "sound.pvd", head + "<DataSet timestep=\"0.5\" file=\"left.vtk\"/>\n" + tail);
-    put(m_folder / "empty.pvd", head + tail);
+    writeContent(m_folder / "sound.pvd", head + "<DataSet timestep=\"0.5\" file=\"left.vtk\"/>\n" + tail);
+    writeContent(m_folder / "empty.pvd", head + tail);
     try {
         open("empty.pvd");
         FAIL();
@@ -267,15 +256,15 @@ TEST_F(GridTest, AnIndexThatNamesNothingSaysSoBesideOneThatIsSound) {
 
 // Parts of one time are one state.
 TEST_F(GridTest, PartsOfAnIndexMakeOneState) {
-    put(m_folder / "left.vtk", legacy(0.0, false, true, "STATUS"));
-    put(m_folder / "right0.vtk", legacy(0.0, false, false, "STATUS"));
-    put(m_folder / "right1.vtk", legacy(0.0, true, false, "STATUS"));
+    writeContent(m_folder / "left.vtk", legacy(0.0, false, true, "STATUS"));
+    writeContent(m_folder / "right0.vtk", legacy(0.0, false, false, "STATUS"));
+    writeContent(m_folder / "right1.vtk", legacy(0.0, true, false, "STATUS"));
     std::string index = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\">\n<Collection>\n";
     for (const char* entry : {"0.25\" part=\"0\" file=\"left.vtk", "0.25\" part=\"1\" file=\"right0.vtk",
                               "0.5\" part=\"0\" file=\"left.vtk", "0.5\" part=\"1\" file=\"right1.vtk"}) {
         index += std::string("<DataSet timestep=\"") + entry + "\"/>\n";
     }
-    put(m_folder / "wall.pvd", index + "</Collection>\n</VTKFile>\n");
+    writeContent(m_folder / "wall.pvd", index + "</Collection>\n</VTKFile>\n");
     const auto fe = open("wall.pvd");
     EXPECT_EQ(fe->times(), (std::vector<double>{0.25, 0.5}));
     EXPECT_EQ(fe->mesh().elementCount(), 3u);
@@ -288,10 +277,10 @@ TEST_F(GridTest, PiecesOfAParallelFileMakeOneState) {
     for (int k = 0; k < 2; ++k) {
         const std::string number = std::to_string(k);
         fs::copy_file(fixture("vtu-status/s00" + std::to_string(2 * k) + ".vtu"), m_folder / ("piece_" + number + "_0.vtu"));
-        put(m_folder / ("slab_" + number + ".pvtu"),
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\">\n"
-            "<PUnstructuredGrid><Piece Source=\"piece_" +
-                number + "_0.vtu\"/></PUnstructuredGrid></VTKFile>\n");
+        writeContent(m_folder / ("slab_" + number + ".pvtu"),
+                     "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\">\n"
+                     "<PUnstructuredGrid><Piece Source=\"piece_" +
+                         number + "_0.vtu\"/></PUnstructuredGrid></VTKFile>\n");
     }
     const auto fe = open("slab_0.pvtu");
     EXPECT_EQ(fe->stateCount(), 2u);
@@ -309,8 +298,8 @@ TEST_F(GridTest, TablesOpenThroughTheTextThatNamesThem) {
     EXPECT_EQ(fe->contents().format, "XDMF");
     EXPECT_EQ(fe->contents().sha256, openFe(fixture("xdmf/proj.xdmf"), {}, {}, Execution{})->contents().sha256);
     fs::copy_file(fixture("xdmf/proj.h5"), m_folder / "proj.h5");
-    put(m_folder / "other.xdmf", "<Xdmf><Domain/></Xdmf>");
-    put(m_folder / "broken.xmf", "<Xdmf><Domain");
+    writeContent(m_folder / "other.xdmf", "<Xdmf><Domain/></Xdmf>");
+    writeContent(m_folder / "broken.xmf", "<Xdmf><Domain");
     try {
         open("proj.h5");
         FAIL();
@@ -318,7 +307,7 @@ TEST_F(GridTest, TablesOpenThroughTheTextThatNamesThem) {
         EXPECT_THAT(error.what(), HasSubstr(".xdmf"));
     }
     fs::copy_file(fixture("vtkhdf/transient20.vtkhdf"), m_folder / "grid.hdf");
-    put(m_folder / "grid.xdmf", "<Xdmf><DataItem Format=\"HDF\">grid.hdf:/VTKHDF/Points</DataItem></Xdmf>");
+    writeContent(m_folder / "grid.xdmf", "<Xdmf><DataItem Format=\"HDF\">grid.hdf:/VTKHDF/Points</DataItem></Xdmf>");
     EXPECT_EQ(open("grid.hdf")->contents().format, "VTKHDF");
 }
 
@@ -354,7 +343,7 @@ TEST_F(GridTest, TheWallOfCalculixLosesWhatItsDeckSays) {
 TEST_F(GridTest, AnAnsysResultIsReadWithAListOfDeaths) {
     fs::copy_file(fixture("ansys/static.rst"), m_folder / "static.rst");
     EXPECT_GT(open("static.rst")->contents().findings.count("fe.no_deaths"), 0);
-    put(m_folder / "static.rst.deaths.csv", "5,0.5\n");
+    writeContent(m_folder / "static.rst.deaths.csv", "5,0.5\n");
     const auto fe = open("static.rst");
     EXPECT_EQ(fe->times(), (std::vector<double>{1.0}));
     EXPECT_EQ(fe->mesh().nodeCount(), 81u);
@@ -367,9 +356,9 @@ TEST_F(GridTest, AnAnsysResultIsReadWithAListOfDeaths) {
     // The first values of the set, as they stand in the file.
     EXPECT_NEAR(fe->state(0)->positions[0].x() - 0.015, 0.0, 1e-15);
     EXPECT_NEAR(fe->state(0)->positions[0].y() - 0.045, -6.935659752417679e-09, 1e-16);
-    const std::string bytes = bytesOf(m_folder / "static.rst");
+    const std::string bytes = wholeFile(m_folder / "static.rst");
     for (std::size_t i = 0; i < 64; ++i) {
-        put(m_folder / "static.rst", bytes.substr(0, bytes.size() * i / 64));
+        writeContent(m_folder / "static.rst", bytes.substr(0, bytes.size() * i / 64));
         try {
             const auto cut = open("static.rst");
             cut->state(0);
@@ -380,9 +369,9 @@ TEST_F(GridTest, AnAnsysResultIsReadWithAListOfDeaths) {
 }
 
 TEST_F(GridTest, ASmallAnsysResultCutOffAtEveryByteIsReadOrRefused) {
-    const std::string bytes = bytesOf(std::string(RUBBLE_SOURCE_DIR) + "/tests/fuzz/corpus/rst/small.rst");
-    put(m_folder / "small.rst", bytes);
-    put(m_folder / "small.rst.deaths.csv", "element,time\n2,1.5\n");
+    const std::string bytes = wholeFile(std::string(RUBBLE_SOURCE_DIR) + "/tests/fuzz/corpus/rst/small.rst");
+    writeContent(m_folder / "small.rst", bytes);
+    writeContent(m_folder / "small.rst.deaths.csv", "element,time\n2,1.5\n");
     const auto fe = open("small.rst");
     EXPECT_EQ(fe->times(), (std::vector<double>{1.0, 2.0}));
     EXPECT_EQ(fe->activity().activeCount(0), 2u);

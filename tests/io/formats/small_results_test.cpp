@@ -13,15 +13,12 @@
 #include "io/fe_format.h"
 #include "io/fe_reader.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 namespace {
 
 using ::testing::HasSubstr;
-
-void put(const std::string& path, const std::string& bytes) {
-    std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
-}
 
 /// A small result as text, and how to lay it down.
 struct Small {
@@ -39,9 +36,9 @@ void PrintTo(const Small& small, std::ostream* out) {
 class SmallResult : public testing::TestWithParam<Small> {
 protected:
     std::string lay(const std::string& text) {
-        put(m_folder / GetParam().file, text);
+        writeContent(m_folder / GetParam().file, text);
         if (!GetParam().second.empty()) {
-            put(m_folder / GetParam().second, GetParam().secondText);
+            writeContent(m_folder / GetParam().second, GetParam().secondText);
         }
         return m_folder / GetParam().file;
     }
@@ -165,7 +162,7 @@ protected:
 
 TEST_F(FormatTest, DatabasesOfANumberSeriesAreStates) {
     for (int k = 0; k < 3; ++k) {
-        put(m_folder / ("wall_" + std::to_string(k) + ".cdb"), smallCdb(k));
+        writeContent(m_folder / ("wall_" + std::to_string(k) + ".cdb"), smallCdb(k));
     }
     const auto fe = open("wall_1.cdb");
     ASSERT_EQ(fe->stateCount(), 3u);
@@ -177,8 +174,8 @@ TEST_F(FormatTest, DatabasesOfANumberSeriesAreStates) {
 
 TEST_F(FormatTest, ADatabaseCutOffAtEveryByteIsReadOrRefused) {
     const std::string text = smallCdb(0);
-    put(m_folder / "wall.mac", "TIME,1\nEKILL,2\nSOLVE\n");
-    put(m_folder / "wall.cdb", text);
+    writeContent(m_folder / "wall.mac", "TIME,1\nEKILL,2\nSOLVE\n");
+    writeContent(m_folder / "wall.cdb", text);
     for (std::size_t length = text.size(); length-- > 0;) {
         std::filesystem::resize_file(m_folder / "wall.cdb", length);
         try {
@@ -190,8 +187,9 @@ TEST_F(FormatTest, ADatabaseCutOffAtEveryByteIsReadOrRefused) {
 }
 
 TEST_F(FormatTest, KillsOfAMacroAreDeaths) {
-    put(m_folder / "wall.cdb", smallCdb(0));
-    put(m_folder / "wall.mac", "! comment\nTIME,1\nSOLVE\nTIME,2.5\nEKILL,2\nEKILL,WALL\nSOLVE\nTIME,4\nEALIVE,2\nSOLVE\n");
+    writeContent(m_folder / "wall.cdb", smallCdb(0));
+    writeContent(m_folder / "wall.mac",
+                 "! comment\nTIME,1\nSOLVE\nTIME,2.5\nEKILL,2\nEKILL,WALL\nSOLVE\nTIME,4\nEALIVE,2\nSOLVE\n");
     const auto fe = open("wall.cdb");
     EXPECT_EQ(fe->times(), (std::vector<double>{0.0, 1.0, 2.5, 4.0}));
     EXPECT_EQ(fe->activity().activeCount(1), 2u);
@@ -201,27 +199,27 @@ TEST_F(FormatTest, KillsOfAMacroAreDeaths) {
 }
 
 TEST_F(FormatTest, AListOfDeathsCountsWhereTheFileSaysNothing) {
-    put(m_folder / "wall.cdb", smallCdb(0));
+    writeContent(m_folder / "wall.cdb", smallCdb(0));
     EXPECT_EQ(open("wall.cdb")->contents().findings.count("fe.no_deaths"), 2);
-    put(m_folder / "wall.cdb.deaths.csv", "element,time\n2,1.5\n77,2\n");
+    writeContent(m_folder / "wall.cdb.deaths.csv", "element,time\n2,1.5\n77,2\n");
     const auto fe = open("wall.cdb");
     EXPECT_EQ(fe->times(), (std::vector<double>{0.0, 1.5, 2.0}));
     EXPECT_FALSE(fe->activity().active(1, idAt<ElementIndex>(1)));
     EXPECT_DOUBLE_EQ(fe->contents().deathTime[1], 1.5);
     EXPECT_TRUE(std::isnan(fe->contents().deathTime[0]));
     EXPECT_EQ(fe->contents().findings.count("fe.death_list.unknown"), 1);
-    put(m_folder / "wall.cdb.deaths.csv", "element,time\n2,soon\n");
+    writeContent(m_folder / "wall.cdb.deaths.csv", "element,time\n2,soon\n");
     EXPECT_THAT(errorOf("wall.cdb"), HasSubstr("line 2"));
 }
 
 // What is only concluded gives way to what somebody states; what the file says does not.
 TEST_F(FormatTest, AListOfDeathsCountsBeforeWhatIsConcluded) {
-    put(m_folder / "small.frd", smallFrd());
-    put(m_folder / "small.t19", smallMarc(false));
-    put(m_folder / "small.fil", smallFil());
+    writeContent(m_folder / "small.frd", smallFrd());
+    writeContent(m_folder / "small.t19", smallMarc(false));
+    writeContent(m_folder / "small.fil", smallFil());
     for (const char* name : {"small.frd", "small.t19", "small.fil"}) {
         const bool told = std::string(name) == "small.fil";
-        put(m_folder / (std::string(name) + ".deaths.csv"), "1,0.5\n");
+        writeContent(m_folder / (std::string(name) + ".deaths.csv"), "1,0.5\n");
         const auto fe = open(name);
         EXPECT_EQ(fe->activity().active(1, idAt<ElementIndex>(0)), told) << name;
         EXPECT_EQ(fe->activity().active(2, idAt<ElementIndex>(1)), !told) << name;
@@ -231,8 +229,8 @@ TEST_F(FormatTest, AListOfDeathsCountsBeforeWhatIsConcluded) {
 }
 
 TEST_F(FormatTest, TheDeckGivesDensityAndParts) {
-    put(m_folder / "small.fil", smallFil());
-    put(m_folder / "small.inp", smallDeck());
+    writeContent(m_folder / "small.fil", smallFil());
+    writeContent(m_folder / "small.inp", smallDeck());
     const auto fe = open("small.fil");
     EXPECT_DOUBLE_EQ(fe->mesh().density[0], 2400.0);
     EXPECT_EQ(fe->mesh().parts[0].name, "WALL");
@@ -243,37 +241,37 @@ TEST_F(FormatTest, TheDeckGivesDensityAndParts) {
 TEST_F(FormatTest, CountsBeyondTheFileAreRefused) {
     std::string frd = smallFrd();
     frd.replace(frd.find("          12"), 12, "  2000000000");
-    put(m_folder / "huge.frd", frd);
+    writeContent(m_folder / "huge.frd", frd);
     EXPECT_THAT(errorOf("huge.frd"), HasSubstr("more than the file can hold"));
     std::string marc = smallMarc(true);
     marc.replace(marc.find("           12"), 13, "    900000000");
-    put(m_folder / "huge.t19", marc);
+    writeContent(m_folder / "huge.t19", marc);
     EXPECT_THAT(errorOf("huge.t19"), HasSubstr("more than the file can hold"));
     std::string fil = smallFil();
     fil.replace(fil.find("*I 19"), 5, "*I 39");
-    put(m_folder / "huge.fil", fil);
+    writeContent(m_folder / "huge.fil", fil);
     EXPECT_THAT(errorOf("huge.fil"), HasSubstr("huge.fil"));
 }
 
 TEST_F(FormatTest, AStateThatIsStillBeingWrittenIsLeftOut) {
     const std::string text = smallMarc(true);
-    put(m_folder / "small.t19", text.substr(0, text.rfind("=beg=52401")));
+    writeContent(m_folder / "small.t19", text.substr(0, text.rfind("=beg=52401")));
     const auto marc = open("small.t19");
     EXPECT_EQ(marc->stateCount(), 2u);
     EXPECT_EQ(marc->contents().findings.count("fe.unfinished"), 1);
     // Within the nodes of its last state, in the middle of a number.
-    put(m_folder / "small.t19", text.substr(0, text.rfind("=end=") - 200));
+    writeContent(m_folder / "small.t19", text.substr(0, text.rfind("=end=") - 200));
     EXPECT_EQ(open("small.t19")->stateCount(), 2u);
     for (int k = 0; k < 3; ++k) {
         const std::string cdb = smallCdb(k);
-        put(m_folder / ("wall_" + std::to_string(k) + ".cdb"), k == 2 ? cdb.substr(0, cdb.size() / 2) : cdb);
+        writeContent(m_folder / ("wall_" + std::to_string(k) + ".cdb"), k == 2 ? cdb.substr(0, cdb.size() / 2) : cdb);
     }
     EXPECT_EQ(open("wall_0.cdb")->stateCount(), 2u);
     EXPECT_EQ(open("wall_2.cdb")->contents().findings.count("fe.unfinished"), 1);
-    put(m_folder / "wall_1.cdb", smallCdb(1).substr(0, 300));
+    writeContent(m_folder / "wall_1.cdb", smallCdb(1).substr(0, 300));
     EXPECT_THAT(errorOf("wall_0.cdb"), HasSubstr("wall_1.cdb"));
     const std::string fil = smallFil();
-    put(m_folder / "small.fil", fil.substr(0, fil.size() - 400));
+    writeContent(m_folder / "small.fil", fil.substr(0, fil.size() - 400));
     const auto fe = open("small.fil");
     EXPECT_EQ(fe->stateCount(), 2u);
     EXPECT_EQ(fe->contents().findings.count("fe.unfinished"), 1);

@@ -23,16 +23,12 @@
 #include "io/vtk/grid_file.h"
 #include "io/vtk/vtk_reader.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string bytesOf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 template <class Array>
 void addArray(vtkFieldData* data, const char* name, int components, vtkIdType tuples) {
@@ -200,7 +196,7 @@ TEST_P(VtkGridFile, GivesOnlyWhatIsAskedFor) {
 }
 
 TEST_P(VtkGridFile, CutOffAtEveryByteItIsReadOrRefused) {
-    const std::string bytes = bytesOf(m_path);
+    const std::string bytes = wholeFile(m_path);
     const bool legacy = GetParam().file.ends_with(".vtk");
     // Legacy files end with their last array: what is cut off behind a section cannot be seen.
     const std::size_t whole = legacy ? bytes.size() : bytes.rfind("</VTKFile>") + 10;
@@ -220,7 +216,7 @@ TEST_P(VtkGridFile, CutOffAtEveryByteItIsReadOrRefused) {
 }
 
 TEST_P(VtkGridFile, EveryByteMayBeWrong) {
-    const std::string bytes = bytesOf(m_path);
+    const std::string bytes = wholeFile(m_path);
     for (std::size_t i = 0; i < bytes.size(); i += 7) {
         std::fstream file(m_path, std::ios::in | std::ios::out | std::ios::binary);
         file.seekp(static_cast<std::streamoff>(i));

@@ -20,16 +20,12 @@
 #include "io/files.h"
 #include "tests/core/analysis/debris_scene.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 namespace {
 
 using testing::HasSubstr;
-
-std::string contentOf(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// A field of tumbled blocks with some fallen live structure beside it, in a case far from its origin.
 class MapFiles : public testing::Test {
@@ -135,7 +131,7 @@ TEST_F(MapFiles, ATiffSaysWhatItIs) {
     EXPECT_EQ(mass.GetNoDataValue(&known), -9999.0);
     EXPECT_TRUE(known);
     EXPECT_STREQ(file->GetRasterBand(6)->GetMetadataItem("COMPONENT_0"), "deck, upper");
-    EXPECT_EQ(contentOf(m_tiff + ".provenance.json"), "{\"map\": 1}\n");
+    EXPECT_EQ(wholeFile(m_tiff + ".provenance.json"), "{\"map\": 1}\n");
 }
 
 /// What the program gdalinfo prints: it is this function of the library.
@@ -266,18 +262,18 @@ TEST_F(MapFiles, APackageHoldsFootprintContoursAndFragments) {
 TEST_F(MapFiles, TheSameMapGivesTheSameBytes) {
     writePackage();
     writeTiff();
-    const std::string package = contentOf(m_package);
-    const std::string tiff = contentOf(m_tiff);
+    const std::string package = wholeFile(m_package);
+    const std::string tiff = wholeFile(m_tiff);
     writePackage();
     writeTiff();
-    EXPECT_TRUE(contentOf(m_package) == package);
-    EXPECT_TRUE(contentOf(m_tiff) == tiff);
+    EXPECT_TRUE(wholeFile(m_package) == package);
+    EXPECT_TRUE(wholeFile(m_tiff) == tiff);
 }
 
 TEST_F(MapFiles, ATableHasARowForEachCell) {
     const std::string path = m_folder / "map.csv";
     writeMapCsv(path, m_map, {MapLayer::Mass, MapLayer::Component, MapLayer::LiveMass}, m_origin, Execution());
-    std::istringstream in(contentOf(path));
+    std::istringstream in(wholeFile(path));
     std::string line;
     std::getline(in, line);
     EXPECT_EQ(line, "x_m,y_m,mass_kg_per_m2,component,live_mass_kg_per_m2");
@@ -324,7 +320,7 @@ TEST_F(MapFiles, WhatCannotBeWrittenLeavesWhatWasThere) {
     m_tiff = m_folder / "map.tif";
     std::ofstream(m_tiff) << "before";
     EXPECT_THROW(writeMapTiff(m_tiff, m_map, m_map.present(), m_origin, cancelled), Cancelled);
-    EXPECT_EQ(contentOf(m_tiff), "before");
+    EXPECT_EQ(wholeFile(m_tiff), "before");
 }
 
 }  // namespace

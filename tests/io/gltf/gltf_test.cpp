@@ -19,17 +19,11 @@
 #include "tests/io/gltf/gltf_rules.h"
 #include "tests/io/sample_run.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 
 namespace {
-
-std::string bytesOf(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    std::stringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
 
 class Gltf : public testing::Test {
 protected:
@@ -40,7 +34,7 @@ protected:
     }
     CheckedGlb exported() {
         exportGltf(m_folder / "a.glb", *m_run, Execution());
-        return checkGlb(bytesOf(m_folder / "a.glb"));
+        return checkGlb(wholeFile(m_folder / "a.glb"));
     }
 
     TemporaryFolder m_folder;
@@ -87,7 +81,7 @@ TEST_F(Gltf, KeepsTheRulesOfTheFormat) {
 TEST_F(Gltf, TheCheckerSeesWhatIsBroken) {
     record(10, 6);
     exportGltf(m_folder / "a.glb", *m_run, Execution());
-    const std::string good = bytesOf(m_folder / "a.glb");
+    const std::string good = wholeFile(m_folder / "a.glb");
     ASSERT_THAT(checkGlb(good).broken, testing::IsEmpty());
     const auto broken = [&](const std::string& from, const std::string& to) {
         std::string bytes = good;
@@ -161,7 +155,7 @@ TEST_F(Gltf, VtkReadsIt) {
     EXPECT_GT(reader->GetAnimationDuration(0), 0.0f);
     reader->EnableAnimation(0);
     reader->Update();
-    const CheckedGlb file = checkGlb(bytesOf(m_folder / "a.glb"));
+    const CheckedGlb file = checkGlb(wholeFile(m_folder / "a.glb"));
     vtkIdType expected = 0;
     for (const auto& mesh : file.asset["meshes"]) {
         expected +=

@@ -13,6 +13,7 @@
 #include "tests/io/collapse_identity.h"
 #include "tests/io/radioss/anim_builder.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/io/whole_file.h"
 
 namespace rubble::io {
 
@@ -22,8 +23,6 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Counts = std::vector<std::int64_t>;
-
-const std::string data = RUBBLE_BINARY_DIR "/tests/fe/";
 
 std::shared_ptr<const FeResult> open(const std::string& path) {
     Frame millimetres;
@@ -43,12 +42,6 @@ std::string errorOf(const std::string& path) {
         return englishText(error.message());
     }
     return {};
-}
-
-std::string bytesOf(const std::string& path) {
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
 }
 
 AnimBuilder dying() {
@@ -215,7 +208,7 @@ TEST(AnimReader, EveryTruncationPlainAndPacked) {
     EXPECT_EQ(errorOf(folder / "RUNA001"), "");
     std::filesystem::remove(folder / "RUNA001");
     putPacked(folder / "RUNA001.gz", whole);
-    const std::string packed = bytesOf(folder / "RUNA001.gz");
+    const std::string packed = wholeFile(folder / "RUNA001.gz");
     EXPECT_EQ(errorOf(folder / "RUNA001.gz"), "");
     // The last eight bytes are a sum that is not needed to read what stands before.
     for (std::size_t size = 1; size + 64 < packed.size(); ++size) {
@@ -253,11 +246,11 @@ TEST(AnimReader, HugeCountsAndFlippedBits) {
 
 // A real run: bricks, shells and trusses die, a rigid block stands.
 TEST(AnimReader, TheFrameInThreeFormats) {
-    const auto anim = open(data + "frame-anim");
+    const auto anim = open(fixture("frame-anim"));
     const Counts dead{0, 0, 18, 22, 32, 35, 40, 42, 42, 42, 42, 42, 42, 42, 42, 42, 43, 43, 43, 43};
     EXPECT_EQ(deadPerState(*anim), dead);
-    const auto converted = open(data + "frame-vtk/FRAMEA011.vtk");
-    const auto d3plot = open(data + "frame-d3plot/FRAME.d3plot07");
+    const auto converted = open(fixture("frame-vtk/FRAMEA011.vtk"));
+    const auto d3plot = open(fixture("frame-d3plot/FRAME.d3plot07"));
     EXPECT_EQ(deadPerState(*d3plot), dead);
     using Name = std::tuple<ElementShape, std::int64_t, std::size_t>;
     const auto deaths = [](const FeResult& fe) {
@@ -306,7 +299,7 @@ TEST(AnimReader, TheFrameInThreeFormats) {
     EXPECT_EQ(exact, 21) << "every dead brick, and nothing else: the criterion of shells and trusses writes no time";
     EXPECT_EQ(anim->contents().findings.count("anim.death_time"), 0);
     EXPECT_EQ(anim->contents().findings.count("fe.units_declared"), 0);
-    EXPECT_EQ(openFe(data + "frame-anim", {}, {}, Execution{})->contents().findings.count("fe.units_declared"), 1)
+    EXPECT_EQ(openFe(fixture("frame-anim"), {}, {}, Execution{})->contents().findings.count("fe.units_declared"), 1)
         << "the deck counts in mm";
 }
 
@@ -329,7 +322,7 @@ TEST(AnimReader, ASmallConvertedFileIsRefusedAtEveryByte) {
 
 TEST(AnimReader, ConvertedFilesCutOffOrDamaged) {
     const TemporaryFolder folder;
-    const std::string whole = bytesOf(data + "frame-vtk/FRAMEA003.vtk");
+    const std::string whole = wholeFile(fixture("frame-vtk/FRAMEA003.vtk"));
     const std::size_t header = whole.find("POINTS");
     // The head byte by byte, and through the tables at a stride that meets every section.
     for (std::size_t size = 1; size < whole.size(); size += size < header + 40 ? 1 : 211) {

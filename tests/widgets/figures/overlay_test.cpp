@@ -1,4 +1,5 @@
 #include "widgets/figures/overlay.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -192,8 +193,8 @@ TEST_F(Legends, AnEmptySceneSaysOnlyWhatWouldBeThere) {
 
 TEST_F(Legends, SpeedScaleCoversAFallFromTheTop) {
     const double height = m_scene.bounds().sizes().z();
-    EXPECT_GE(m_scene.speedTop(), std::sqrt(2 * 9.80665 * height));
-    EXPECT_LE(m_scene.speedTop(), 2.0 * std::sqrt(2 * 9.80665 * height));
+    EXPECT_GE(m_scene.speedTop(), std::sqrt(2 * standardGravity * height));
+    EXPECT_LE(m_scene.speedTop(), 2.0 * std::sqrt(2 * standardGravity * height));
 }
 
 }  // namespace

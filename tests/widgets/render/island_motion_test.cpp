@@ -10,7 +10,7 @@ namespace {
 
 constexpr Rgb releasedColour{125, 90, 140};
 
-ColourScale scaleOfTests() {
+ColourScale scaleOfIslands() {
     ColourScale scale;
     scale.colours.structure = {{100, 100, 100}};
     scale.colours.fragment = {213, 94, 0};
@@ -35,7 +35,7 @@ TEST(IslandMotion, CarriesReleasedStructureInItsOwnColour) {
     scenes::ReleasedSlab run;
     run.runToFeEnd();
     run.release();
-    const ColourScale scale = scaleOfTests();
+    const ColourScale scale = scaleOfIslands();
     PaneGeometry pane(PaneContent::Fragments, run.data, false);
     pane.update(0.2, ColourBy::Highlight, scale, {});
     EXPECT_EQ(pane.status().released, 0u);
@@ -62,7 +62,7 @@ TEST(IslandMotion, CarriesReleasedStructureInItsOwnColour) {
 TEST(IslandMotion, FollowsARunThatGrows) {
     scenes::ReleasedSlab run;
     run.runToFeEnd();
-    const ColourScale scale = scaleOfTests();
+    const ColourScale scale = scaleOfIslands();
     PaneGeometry pane(PaneContent::Fragments, run.data, false);
     pane.update(1.0, ColourBy::Highlight, scale, {});
     EXPECT_TRUE(pane.status().waitsForRun);
@@ -78,7 +78,7 @@ TEST(IslandMotion, LeavesTheFePaneAtTheLastState) {
     run.runToFeEnd();
     run.release();
     PaneGeometry pane(PaneContent::Fe, run.data, false);
-    pane.update(1.3, ColourBy::Highlight, scaleOfTests(), {});
+    pane.update(1.3, ColourBy::Highlight, scaleOfIslands(), {});
     EXPECT_EQ(pane.status().released, 0u);
     EXPECT_NEAR(boxOf(pane, Rgb{100, 100, 100}).max().z(), 20.7, 1e-5);
 }
@@ -88,7 +88,7 @@ TEST(IslandMotion, PicksReleasedStructureWhereItIs) {
     run.runToFeEnd();
     run.release();
     PaneGeometry pane(PaneContent::Fragments, run.data, false);
-    pane.update(1.3, ColourBy::Highlight, scaleOfTests(), {});
+    pane.update(1.3, ColourBy::Highlight, scaleOfIslands(), {});
     const auto hit = pane.cast({Vec3(11.5, -50, 17.0), Vec3::UnitY()});
     ASSERT_TRUE(hit.has_value());
     EXPECT_LT(at(hit->element), run.slabElements);

@@ -21,9 +21,9 @@ double roundStep(double span, int marks) {
 }
 
 /// Places a chart in its area and paints it.
-class Sheet {
+class ChartSheet {
 public:
-    Sheet(const ReportChart& chart, const QRectF& area, double text)
+    ChartSheet(const ReportChart& chart, const QRectF& area, double text)
         : m_chart(chart), m_text(text), m_left(area.left()), m_palette(palette(render::Theme::Print)) {
         m_font.setPixelSize(std::max(5, static_cast<int>(std::lround(text))));
         findRange();
@@ -183,7 +183,7 @@ private:
 void ReportChart::paint(QPainter& painter, const QRectF& area, double textHeight) const {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    Sheet(*this, area, textHeight).paint(painter);
+    ChartSheet(*this, area, textHeight).paint(painter);
     painter.restore();
 }
 

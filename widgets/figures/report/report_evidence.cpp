@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "core/base/unknown.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/report/report_sections.h"
 
 namespace rubble::figures {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// What a file is to the case, in words.
 QString roleShown(const std::string& role) {
@@ -86,12 +84,13 @@ void ReportSections::addPhotographs() {
         const CameraMatch* match = photo.match ? &*photo.match : nullptr;
         const PhotoComparison* made = photo.comparison ? &*photo.comparison : nullptr;
         const auto used = match != nullptr ? std::count(match->used.begin(), match->used.end(), true) : 0;
-        table.rows.push_back(
-            {escaped(photo.name), tr("%1 of %2").arg(used).arg(photo.photograph.pairs.size()),
-             reportNumber(match != nullptr ? match->rms : none, 2), reportNumber(match != nullptr ? match->placeRadius : none, 2),
-             reportNumber(made != nullptr ? made->iou.best : none), reportNumber(made != nullptr ? made->iou.spread : none, 2),
-             reportNumber(made != nullptr ? made->edgeMetres.best : none),
-             reportNumber(made != nullptr ? made->edgeMetres.spread : none, 2)});
+        table.rows.push_back({escaped(photo.name), tr("%1 of %2").arg(used).arg(photo.photograph.pairs.size()),
+                              reportNumber(match != nullptr ? match->rms : unknown, 2),
+                              reportNumber(match != nullptr ? match->placeRadius : unknown, 2),
+                              reportNumber(made != nullptr ? made->iou.best : unknown),
+                              reportNumber(made != nullptr ? made->iou.spread : unknown, 2),
+                              reportNumber(made != nullptr ? made->edgeMetres.best : unknown),
+                              reportNumber(made != nullptr ? made->edgeMetres.spread : unknown, 2)});
     }
     table.source = source();
     m_blocks.push_back(std::move(table));

@@ -32,6 +32,11 @@ void ReportSections::addFragmentMethod() {
         tr("with the mass <i>m</i>, the inertia tensor <i>I</i> about the centre of mass <b>c</b>, the place <b>x</b>, the "
            "interpolated nodal velocity <b>u</b> and the density <i>ρ</i>, scaled so that its integral over the shape is "
            "<i>m</i>."));
+    if (const double window = m_facts.scenario.fragments.birthWindow; window > 0.0) {
+        text(tr("In this run what died within %1 s of each other was handed over together, with the place, shape and velocity of "
+                "the first state of that time.")
+                 .arg(reportNumber(window)));
+    }
 }
 
 void ReportSections::addGridMethod() {

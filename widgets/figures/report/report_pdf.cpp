@@ -25,9 +25,9 @@ constexpr double left = 71.0 * dot;
 constexpr double right = 62.0 * dot;
 constexpr double top = 74.0 * dot;
 constexpr double bottom = 68.0 * dot;
-constexpr double width = pageWidth - left - right;
-constexpr double textPoints = 9.5;
-constexpr double smallPoints = 8.0;
+constexpr double textWidth = pageWidth - left - right;
+constexpr double bodyPoints = 9.5;
+constexpr double notePoints = 8.0;
 constexpr double sourcePoints = 6.5;
 constexpr std::size_t leastRows = 3;                                 // of a table that stand together on a page
 constexpr double longestWhole = 0.45 * (pageHeight - top - bottom);  // of a table that is not broken
@@ -103,12 +103,12 @@ private:
         m_y = top;
         m_painter.setPen(grey);
         m_painter.setFont(fontOf(7.5));
-        const QRectF head(left, 40.0 * dot, width, 14.0 * dot);
+        const QRectF head(left, 40.0 * dot, textWidth, 14.0 * dot);
         m_painter.drawText(head, static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), m_document.header);
-        const QRectF foot(left, pageHeight - 46.0 * dot, width, 14.0 * dot);
+        const QRectF foot(left, pageHeight - 46.0 * dot, textWidth, 14.0 * dot);
         m_painter.drawText(foot, static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), m_document.page.arg(m_page).arg(m_pages));
         m_painter.setPen(QPen(QColor(0xb9, 0xc0, 0xc6), 0.5 * dot));
-        m_painter.drawLine(QPointF(left, 56.0 * dot), QPointF(left + width, 56.0 * dot));
+        m_painter.drawLine(QPointF(left, 56.0 * dot), QPointF(left + textWidth, 56.0 * dot));
     }
     void paint(QTextDocument& text, double x) {
         m_painter.save();
@@ -120,7 +120,7 @@ private:
     }
     /// Sets running text; it is not broken over pages.
     void setRich(const QString& html, double points, double indent, double after, const QColor& colour = ink) {
-        const auto text = textOf(html, points, width - indent, colour);
+        const auto text = textOf(html, points, textWidth - indent, colour);
         need(text->size().height());
         paint(*text, left + indent);
         m_y += text->size().height() + after;
@@ -133,9 +133,9 @@ private:
         setRich(m_document.subtitle.toHtmlEscaped(), 12.0, 0.0, 34.0 * dot, grey);
         for (const auto& [name, value] : m_document.facts) {
             const double start = m_y;
-            const auto label = textOf(name.toHtmlEscaped(), textPoints, 120.0 * dot, grey);
+            const auto label = textOf(name.toHtmlEscaped(), bodyPoints, 120.0 * dot, grey);
             paint(*label, left);
-            setRich(value, textPoints, 128.0 * dot, 5.0 * dot);
+            setRich(value, bodyPoints, 128.0 * dot, 5.0 * dot);
             m_y = std::max(m_y, start + label->size().height() + 5.0 * dot);
         }
     }
@@ -143,13 +143,13 @@ private:
         newPage();
         setRich(QStringLiteral("<b>%1</b>").arg(m_document.contents.toHtmlEscaped()), 15.0, 0.0, 10.0 * dot);
         for (const ContentsRow& row : m_contents) {
-            const QFont font = fontOf(textPoints, row.level == 1);
+            const QFont font = fontOf(bodyPoints, row.level == 1);
             const double line = QFontMetricsF(font).height() * (row.level == 1 ? 1.5 : 1.2);
             need(line);
             m_painter.setFont(font);
             m_painter.setPen(ink);
             const double indent = row.level == 1 ? 0.0 : 16.0 * dot;
-            const QRectF box(left + indent, m_y, width - indent, line);
+            const QRectF box(left + indent, m_y, textWidth - indent, line);
             m_painter.drawText(box, static_cast<int>(Qt::AlignLeft | Qt::AlignBottom), row.text);
             m_painter.drawText(box, static_cast<int>(Qt::AlignRight | Qt::AlignBottom), QString::number(row.page));
             m_y += line;
@@ -158,14 +158,14 @@ private:
 
     // Height that a block takes before it can go on on another page.
     double least(const ReportHeading& heading) const {
-        return (heading.level == 1 ? 60.0 : 46.0) * dot + 3.0 * QFontMetricsF(fontOf(textPoints)).height();
+        return (heading.level == 1 ? 60.0 : 46.0) * dot + 3.0 * QFontMetricsF(fontOf(bodyPoints)).height();
     }
-    double least(const ReportText& text) const { return textOf(text.html, textPoints, width)->size().height(); }
+    double least(const ReportText& text) const { return textOf(text.html, bodyPoints, textWidth)->size().height(); }
     double least(const ReportList& list) const {
-        return list.items.empty() ? 0.0 : textOf(list.items.front(), textPoints, width - 14.0 * dot)->size().height();
+        return list.items.empty() ? 0.0 : textOf(list.items.front(), bodyPoints, textWidth - 14.0 * dot)->size().height();
     }
     double least(const ReportNotice& notice) const {
-        return textOf(notice.html, textPoints, width - 24.0 * dot)->size().height() + 14.0 * dot;
+        return textOf(notice.html, bodyPoints, textWidth - 24.0 * dot)->size().height() + 14.0 * dot;
     }
     double least(const ReportEquation&) const { return 80.0 * dot; }
     double least(const ReportFigure& figure) const { return heightOf(figure) + 60.0 * dot; }
@@ -185,10 +185,10 @@ private:
         ++m_heading;
         setRich(QStringLiteral("<b>%1</b>").arg(text.toHtmlEscaped()), points, 0.0, (first ? 7.0 : 4.0) * dot);
     }
-    void set(const ReportText& text) { setRich(text.html, textPoints, 0.0, 6.0 * dot); }
+    void set(const ReportText& text) { setRich(text.html, bodyPoints, 0.0, 6.0 * dot); }
     void set(const ReportList& list) {
         for (const QString& item : list.items) {
-            const auto text = textOf(item, textPoints, width - 14.0 * dot);
+            const auto text = textOf(item, bodyPoints, textWidth - 14.0 * dot);
             need(text->size().height());
             m_painter.setPen(Qt::NoPen);
             m_painter.setBrush(ink);
@@ -199,10 +199,10 @@ private:
         m_y += 4.0 * dot;
     }
     void set(const ReportNotice& notice) {
-        const auto text = textOf(notice.html, textPoints, width - 24.0 * dot);
+        const auto text = textOf(notice.html, bodyPoints, textWidth - 24.0 * dot);
         const double height = text->size().height() + 14.0 * dot;
         need(height);
-        m_painter.fillRect(QRectF(left, m_y, width, height), QColor(0xfd, 0xf6, 0xe6));
+        m_painter.fillRect(QRectF(left, m_y, textWidth, height), QColor(0xfd, 0xf6, 0xe6));
         m_painter.fillRect(QRectF(left, m_y, 3.0 * dot, height), QColor(0xe6, 0x9f, 0x00));
         m_y += 7.0 * dot;
         paint(*text, left + 14.0 * dot);
@@ -219,12 +219,12 @@ private:
         m_painter.translate(left + 26.0 * dot, m_y + formula.ascent);
         m_painter.fillPath(formula.outline, ink);
         m_painter.restore();
-        m_painter.setFont(fontOf(textPoints));
+        m_painter.setFont(fontOf(bodyPoints));
         m_painter.setPen(ink);
-        m_painter.drawText(QRectF(left, m_y, width, height), static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), number);
+        m_painter.drawText(QRectF(left, m_y, textWidth, height), static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), number);
         m_y += height + 8.0 * dot;
         if (!equation.where.isEmpty()) {
-            setRich(equation.where, textPoints, 0.0, 7.0 * dot);
+            setRich(equation.where, bodyPoints, 0.0, 7.0 * dot);
         }
     }
 
@@ -232,24 +232,24 @@ private:
         return figure.picture.isNull() ? figure.aspect : static_cast<double>(figure.picture.width()) / figure.picture.height();
     }
     static double heightOf(const ReportFigure& figure) {
-        return std::min(figure.share * width / aspectOf(figure), 0.8 * (pageHeight - top - bottom));
+        return std::min(figure.share * textWidth / aspectOf(figure), 0.8 * (pageHeight - top - bottom));
     }
 
     void set(const ReportFigure& figure) {
         const double aspect = aspectOf(figure);
         const double high = heightOf(figure);
         const auto caption =
-            textOf(QStringLiteral("<b>%1.</b> %2").arg(m_document.figure.arg(++m_figure), figure.caption), smallPoints, width);
-        const auto source = textOf(figure.source, sourcePoints, width, grey);
+            textOf(QStringLiteral("<b>%1.</b> %2").arg(m_document.figure.arg(++m_figure), figure.caption), notePoints, textWidth);
+        const auto source = textOf(figure.source, sourcePoints, textWidth, grey);
         const double sourceHeight = figure.source.isEmpty() ? 0.0 : source->size().height() + 2.0 * dot;
         need(high + caption->size().height() + sourceHeight + 20.0 * dot);
         m_y += 6.0 * dot;
-        const QRectF area(left + 0.5 * (width - high * aspect), m_y, high * aspect, high);
+        const QRectF area(left + 0.5 * (textWidth - high * aspect), m_y, high * aspect, high);
         m_painter.save();
         m_painter.setRenderHint(QPainter::SmoothPixmapTransform);
         if (figure.picture.isNull()) {
             m_painter.setRenderHint(QPainter::Antialiasing);
-            figure.paint(m_painter, area, smallPoints * dot);
+            figure.paint(m_painter, area, notePoints * dot);
         } else {
             m_painter.drawImage(area, figure.picture);
         }
@@ -274,7 +274,7 @@ private:
                 sum += share;
             }
             for (std::size_t c = 0; c < columns; ++c) {
-                widths[c] = width * table.shares[c] / sum;
+                widths[c] = textWidth * table.shares[c] / sum;
             }
             return widths;
         }
@@ -288,11 +288,11 @@ private:
                     widths[c] = std::max(widths[c], metrics.horizontalAdvance(row[column]));
                 }
             }
-            widths[c] = std::min(widths[c], 0.45 * width) + 10.0 * dot;
+            widths[c] = std::min(widths[c], 0.45 * textWidth) + 10.0 * dot;
             sum += widths[c];
         }
         for (double& each : widths) {
-            each *= width / sum;
+            each *= textWidth / sum;
         }
         return widths;
     }
@@ -326,7 +326,7 @@ private:
         }
         m_y = start + row.height;
     }
-    void rule(double thickness) { m_painter.fillRect(QRectF(left, m_y - 0.5 * thickness * dot, width, thickness * dot), ink); }
+    void rule(double thickness) { m_painter.fillRect(QRectF(left, m_y - 0.5 * thickness * dot, textWidth, thickness * dot), ink); }
 
     /// A table, ready to be painted.
     struct TableCells {
@@ -349,12 +349,13 @@ private:
             return whole <= longestWhole ? whole : before + heightOf(0, leastRows);
         }
     };
-    static double pointsOf(const ReportTable& table) { return table.small ? 7.0 : smallPoints; }
+    static double pointsOf(const ReportTable& table) { return table.small ? 7.0 : notePoints; }
     TableCells cellsOf(const ReportTable& table, int number) const {
         const double points = pointsOf(table);
         TableCells made;
         made.widths = columnWidths(table, points);
-        made.caption = textOf(QStringLiteral("<b>%1.</b> %2").arg(m_document.table.arg(number), table.caption), smallPoints, width);
+        made.caption =
+            textOf(QStringLiteral("<b>%1.</b> %2").arg(m_document.table.arg(number), table.caption), notePoints, textWidth);
         QStringList names = table.columns;
         // A unit such as m/s stays in one line.
         names.replaceInStrings(QStringLiteral("/"), QStringLiteral("/\u2060"));

@@ -1,4 +1,5 @@
 #include "core/simulation/effects/air_drag.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,6 @@
 
 namespace rubble {
 namespace {
-
-constexpr double gravity = 9.80665;
 
 /// A world in air, without ground.
 class InAir : public testing::Test {
@@ -33,15 +32,16 @@ TEST_F(InAir, APlateReachesItsTerminalSpeedAsTheLawSays) {
     // 1 m x 1 m x 2 cm of 2,400 kg/m3, face on.
     const BodyId plate = scene.box({0, 0, 1000}, {1, 1, 0.02});
     const double mass = scene.world().mass(plate);
-    const double terminal = std::sqrt(mass * gravity / resistance(1.0));
+    const double terminal = std::sqrt(mass * standardGravity / resistance(1.0));
     EXPECT_NEAR(terminal, 27.05, 0.01);
     for (const double time : {1.0, 2.0, 4.0}) {
         scene.run(time - (time > 1.0 ? time / 2.0 : 0.0));
         // v = v_t tanh(g t / v_t), z = v_t^2 / g ln cosh(g t / v_t).
-        const double fallen = terminal * terminal / gravity * std::log(std::cosh(gravity * time / terminal));
+        const double fallen = terminal * terminal / standardGravity * std::log(std::cosh(standardGravity * time / terminal));
         // Drag and gravity act one after the other, so that the speed at the end of a step is half a kick (g dt / 2 = 0.08 m/s)
         // ahead once they balance; the way is right to second order.
-        EXPECT_NEAR(-scene.velocity(plate).z(), terminal * std::tanh(gravity * time / terminal), 0.5 * gravity * scene.dt + 0.01)
+        EXPECT_NEAR(-scene.velocity(plate).z(), terminal * std::tanh(standardGravity * time / terminal),
+                    0.5 * standardGravity * scene.dt + 0.01)
             << time;
         EXPECT_NEAR(1000.0 - scene.place(plate).z(), fallen, 2e-3 * fallen) << time;
     }
@@ -54,20 +54,20 @@ TEST_F(InAir, APlateReachesItsTerminalSpeedAsTheLawSays) {
 TEST_F(InAir, AStoneBlockOf03mHasATerminalSpeedOf106) {
     // PHYSICS section 5 quotes 106 m/s.
     const double mass = 2400.0 * 0.027;
-    EXPECT_NEAR(std::sqrt(mass * gravity / resistance(0.09)), 106.0, 1.5);
+    EXPECT_NEAR(std::sqrt(mass * standardGravity / resistance(0.09)), 106.0, 1.5);
     // Edge on the area grows by sqrt 2, so that the drag at a speed does.
     const Quat edge(Eigen::AngleAxisd(0.25 * std::numbers::pi, Vec3::UnitY()));
     const BodyId flat = scene.box({0, 0, 0}, {0.3, 0.3, 0.3}, {0, 0, -50});
     const BodyId turned = scene.box({5, 0, 0}, {0.3, 0.3, 0.3}, {0, 0, -50}, edge);
     scene.run(scene.dt);
-    const double fall = gravity * scene.dt;
+    const double fall = standardGravity * scene.dt;
     EXPECT_NEAR((scene.velocity(turned).z() + 50.0 + fall) / (scene.velocity(flat).z() + 50.0 + fall), std::numbers::sqrt2, 2e-3);
 }
 
 /// Way of a body under gravity and quadratic drag by the classical Runge-Kutta method with small steps.
 Vec3 integrate(Vec3 velocity, double perMass, double time) {
     Vec3 place = Vec3::Zero();
-    const auto acceleration = [&](const Vec3& v) { return Vec3(Vec3(0, 0, -gravity) - perMass * v.norm() * v); };
+    const auto acceleration = [&](const Vec3& v) { return Vec3(Vec3(0, 0, -standardGravity) - perMass * v.norm() * v); };
     const int steps = 20000;
     const double h = time / steps;
     for (int i = 0; i < steps; ++i) {
@@ -95,13 +95,13 @@ TEST_F(InAir, AProjectileFollowsTheDifferentialEquation) {
     for (int i = 0; i < steps; ++i) {
         const auto acceleration = [&](const Vec3& v) {
             const double area = 0.04 * (std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z())) / v.norm();
-            return Vec3(Vec3(0, 0, -gravity) - resistance(area) / body.mass * v.norm() * v);
+            return Vec3(Vec3(0, 0, -standardGravity) - resistance(area) / body.mass * v.norm() * v);
         };
         const Vec3 middle = velocity + 0.5 * h * acceleration(velocity);
         place += h * middle;
         velocity += h * acceleration(middle);
     }
-    const Vec3 free(30 * time, 0, -0.5 * gravity * time * time);
+    const Vec3 free(30 * time, 0, -0.5 * standardGravity * time * time);
     EXPECT_GT((free - place).norm(), 0.5) << "drag must matter here";
     // A kick comes before the way of its step: half a step of what drag took, to first order.
     EXPECT_LT((scene.place(id) - place).norm(), 0.6 * scene.dt * (30.0 - velocity.norm()));

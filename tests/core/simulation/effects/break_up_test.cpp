@@ -1,4 +1,5 @@
 #include "core/simulation/effects/break_up.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ std::shared_ptr<const FeResult> fallingBlock(double height) {
     block.low = Vec3(0, 0, height);
     block.size = Vec3(2.0, 1.6, 1.2);
     block.cells = {2, 2, 2};
-    block.gravity = 9.80665;
+    block.gravity = standardGravity;
     block.deathState = [](std::size_t) { return std::size_t{2}; };
     return scenes::makeScene({block}, 6, 0.1);
 }
@@ -83,7 +84,7 @@ TEST_F(BreakingUp, AClusterAndItsFragmentsHaveTheSameMomentaAndEnergy) {
 TEST_F(BreakingUp, HappensAboveTheThresholdAndNotBelow) {
     // Without bouncing the impulse per mass is the speed of impact, sqrt(2 g h): 5.4 and 6.7 m/s.
     const double threshold = scenario.effects.breakUpSpeed;
-    const double just = threshold * threshold / (2.0 * 9.80665);
+    const double just = threshold * threshold / (2.0 * standardGravity);
     EXPECT_EQ(broken(simulateFrom(0.8 * just)), 0);
     EXPECT_EQ(trajectory.bodies().size(), 1u);
     const SimulationResult result = simulateFrom(1.25 * just);

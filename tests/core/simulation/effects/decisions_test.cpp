@@ -1,4 +1,5 @@
 #include "core/simulation/effects/decisions.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +15,6 @@ namespace rubble {
 namespace {
 
 using scenes::Block;
-
-constexpr double g = 9.80665;
 
 /// A scene up to its clusters, and what is decided about it.
 struct Scene {
@@ -130,7 +129,7 @@ TEST(Decisions, StructureContactIsOnIfActiveStructureLiesWithinReach) {
 
 TEST(Decisions, SidewaysSpeedWidensTheReach) {
     // v / g sqrt(v^2 + 2 g h) with the centre h = 10.5 m up and v = 2 m/s.
-    const double reach = 2.0 / g * std::sqrt(4.0 + 2.0 * g * 10.5);
+    const double reach = 2.0 / standardGravity * std::sqrt(4.0 + 2.0 * standardGravity * 10.5);
     for (const double past : {-0.01, 0.01}) {
         Scene scene = oneCube();
         scene.blocks[0].velocity = {0, 2, 0};
@@ -210,7 +209,7 @@ TEST(Decisions, AirDragCountsTheSpeedAtBirth) {
         const double speed = 20.0 * factor;
         Scene scene = oneCube();
         scene.blocks[0].velocity = {speed, 0, 0};
-        scene.blocks[0].density = 17.0 * 1.225 * 1.05 * (20.0 * 20.0 / (2.0 * g) + 10.5);
+        scene.blocks[0].density = 17.0 * 1.225 * 1.05 * (20.0 * 20.0 / (2.0 * standardGravity) + 10.5);
         EXPECT_EQ(scene.on(EffectKind::AirDrag), factor > 1.0);
     }
 }
@@ -243,7 +242,7 @@ TEST(Decisions, TiesNeedAReinforcedComponentInTwoClusters) {
 
 TEST(Decisions, BreakUpNeedsAFastClusterOfStoneAndRoomForTheBodies) {
     // From rest, 6 m/s are reached after 36 / 2 g; the centre lies half a metre above the lower side.
-    const double height = 36.0 / (2.0 * g) - 0.5;
+    const double height = 36.0 / (2.0 * standardGravity) - 0.5;
     EXPECT_FALSE(pairOfCubes(height - 0.001, true, 2600.0).on(EffectKind::BreakUp));
     EXPECT_TRUE(pairOfCubes(height + 0.001, true, 2600.0).on(EffectKind::BreakUp));
     EXPECT_FALSE(pairOfCubes(height + 0.001, false, 2600.0).on(EffectKind::BreakUp)) << "single fragments";
@@ -272,7 +271,7 @@ TEST(Decisions, OddScenesAreDecidedToo) {
         EXPECT_EQ(decision.on, decision.kind == EffectKind::Ground) << effectName(decision.kind);
         EXPECT_FALSE(decision.reason.empty());
     }
-    for (const double gravity : {0.0, g}) {
+    for (const double gravity : {0.0, standardGravity}) {
         for (const double height : {-1e6, 0.0, 50.0}) {
             Scene scene = oneCube();
             scene.blocks[0].velocity = {1e3, 0, 1e3};

@@ -1,4 +1,5 @@
 #include "core/simulation/effects/effect_run.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ std::shared_ptr<const FeResult> oneBlock() {
     scenes::Block block;
     block.name = "block";
     block.low = Vec3(0, 0, 6);
-    block.gravity = 9.80665;
+    block.gravity = standardGravity;
     block.deathState = [](std::size_t) { return std::size_t{2}; };
     return scenes::makeScene({block}, 6, 0.1);
 }

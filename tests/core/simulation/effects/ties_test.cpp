@@ -1,4 +1,5 @@
 #include "core/simulation/effects/ties.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -222,7 +223,7 @@ TEST_F(TwoTied, AChainHangsAndStays) {
         ties->beforeSubstep(bodies, h);
         for (MovingBody& body : bodies.moving) {
             if (body.id != top) {
-                body.velocity.z() -= 9.80665 * h;
+                body.velocity.z() -= standardGravity * h;
             }
         }
     });
@@ -287,7 +288,7 @@ TEST(Ties, FormWhenTheLaterBodyEntersUnlessTheGapHasTornOpen) {
         // Falling for 0.1 s opens 0.05 m of the 0.15 m that it may, for 1 s 4.9 m.
         EXPECT_EQ(ties.ties().size(), wait < 0.5 ? 2u : 1u) << wait;
         if (wait == 0.1) {
-            EXPECT_NEAR(ties.ties().back().slackGap, 0.5 * 9.80665 * 0.01, 1e-9);
+            EXPECT_NEAR(ties.ties().back().slackGap, 0.5 * standardGravity * 0.01, 1e-9);
         }
         ties.leaving(idAt<BodyId>(0));
         EXPECT_LT(ties.ties().size(), 2u);

@@ -1,4 +1,5 @@
 #include "core/simulation/effects/water.h"
+#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 
 namespace rubble {
 namespace {
-
-constexpr double gravity = 9.80665;
 
 /// Water with its surface at zero, without ground.
 class InWater : public testing::Test {
@@ -48,7 +47,7 @@ TEST_F(InWater, AStoneSinksAtItsTerminalSpeed) {
     scene.run(5.0);
     // (m - rho V) g = 1/2 rho C_d A v^2 + c rho V v.
     const double a = 0.5 * 1000.0 * settings.waterDrag * 0.09, b = settings.waterLinearDrag * 27.0,
-                 c = -(2400.0 - 1000.0) * 0.027 * gravity;
+                 c = -(2400.0 - 1000.0) * 0.027 * standardGravity;
     const double terminal = (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
     EXPECT_NEAR(terminal, 2.66, 0.01);  // without drag near rest 2.80, as PHYSICS section 5 quotes
     const double from = scene.place(stone).z();
@@ -56,14 +55,14 @@ TEST_F(InWater, AStoneSinksAtItsTerminalSpeed) {
     // Implicit with gravity in the balance: the fixed point is exact.
     EXPECT_NEAR(from - scene.place(stone).z(), terminal, 1e-6 * terminal);
     // The world reports the velocity after gravity's kick in a substep; at most half of a step's lies ahead of the way.
-    EXPECT_NEAR(-scene.velocity(stone).z(), terminal, 0.5 * gravity * scene.dt + 1e-6);
+    EXPECT_NEAR(-scene.velocity(stone).z(), terminal, 0.5 * standardGravity * scene.dt + 1e-6);
 }
 
 TEST_F(InWater, ApproachesItAsTheAddedMassSays) {
     settings.waterLinearDrag = 0.0;
     fill();
     const BodyId stone = body({0, 0, -1}, {0.3, 0.3, 0.3}, 2400.0);
-    const double weight = (2400.0 - 1000.0) * 0.027 * gravity;
+    const double weight = (2400.0 - 1000.0) * 0.027 * standardGravity;
     const double terminal = std::sqrt(weight / (0.5 * 1000.0 * settings.waterDrag * 0.09));
     EXPECT_NEAR(terminal, 2.80, 0.01);
     const double inert = (2400.0 + settings.addedMass * 1000.0) * 0.027;
@@ -73,7 +72,8 @@ TEST_F(InWater, ApproachesItAsTheAddedMassSays) {
         scene.run(0.25);
         const double time = 0.25 * i;
         // v = v_t tanh(t / scale); first order in the step, 0.9 % of the scale. Half of gravity's last kick lies ahead.
-        EXPECT_NEAR(-scene.velocity(stone).z() - 0.5 * gravity * scene.dt, terminal * std::tanh(time / scale), 0.009 * terminal)
+        EXPECT_NEAR(-scene.velocity(stone).z() - 0.5 * standardGravity * scene.dt, terminal * std::tanh(time / scale),
+                    0.009 * terminal)
             << time;
     }
 }
@@ -83,7 +83,7 @@ TEST_F(InWater, ABlockOfHalfTheDensityFloatsAtHalfItsHeight) {
     const BodyId raft = body({0, 0, 0.4}, {2, 2, 0.5}, 500.0);
     scene.run(60.0);
     EXPECT_NEAR(scene.place(raft).z(), 0.0, 1e-4) << "0.25 m under, 0.25 m above";
-    EXPECT_LT(scene.velocity(raft).norm(), 0.5 * gravity * scene.dt + 1e-4) << "after gravity's kick";
+    EXPECT_LT(scene.velocity(raft).norm(), 0.5 * standardGravity * scene.dt + 1e-4) << "after gravity's kick";
     EXPECT_LT(tilt(raft), 1e-6);
 }
 
@@ -133,7 +133,7 @@ TEST_F(InWater, HeavesAtItsNaturalPeriod) {
     ASSERT_GT(crossings, 5);
     // Added mass at the mean draught; it changes by 8 % over the amplitude, to first order on both sides alike.
     const double inert = 1000.0 + settings.addedMass * 1000.0;
-    const double period = 2.0 * std::numbers::pi * std::sqrt(inert / (1000.0 * gravity * 4.0));
+    const double period = 2.0 * std::numbers::pi * std::sqrt(inert / (1000.0 * standardGravity * 4.0));
     EXPECT_NEAR((latest - first) / (crossings - 1), period, 0.02 * period);
 }
 
@@ -180,7 +180,7 @@ TEST(WaterContact, ABodyAtRestPressesOnTheBedWithItsWeightUnderWater) {
     settings.waterLevel = 10.0;
     for (const double added : {0.0, 0.5, 5.0}) {
         settings.addedMass = added;
-        Water water(settings, gravity);
+        Water water(settings, standardGravity);
         MovingBody body;
         body.inverseMass = 1.0 / 2400.0;
         body.volume = 1.0;
@@ -192,12 +192,12 @@ TEST(WaterContact, ABodyAtRestPressesOnTheBedWithItsWeightUnderWater) {
         double pressed = 0.0;
         for (int i = 0; i < 200; ++i) {
             water.beforeSubstep({{&body, 1}, slots}, h);
-            body.velocity.z() -= gravity * h;
+            body.velocity.z() -= standardGravity * h;
             pressed = std::max(0.0, -body.velocity.z()) / body.inverseMass / h;
             body.velocity.z() = std::max(0.0, body.velocity.z());
         }
         // The share that is still missing falls by m_a / (m + m_a) a substep: 0.68^200 at most.
-        EXPECT_NEAR(pressed, 1400.0 * gravity, 1e-6 * 1400.0 * gravity) << added;
+        EXPECT_NEAR(pressed, 1400.0 * standardGravity, 1e-6 * 1400.0 * standardGravity) << added;
     }
 }
 
@@ -234,7 +234,7 @@ TEST_F(InWater, StaysFiniteAtAnyStep) {
         own.settings = scene.settings;
         own.dt = step;
         EffectSettings rough = settings;
-        Water sea(rough, gravity);
+        Water sea(rough, standardGravity);
         own.world().onSubstep([&](const SubstepBodies& bodies, double h) { sea.beforeSubstep(bodies, h); });
         for (int i = 0; i < 30; ++i) {
             const Vec3 size(0.01 + 2.0 * share(random), 0.01 + 2.0 * share(random), 0.01 + 0.3 * share(random));
@@ -251,7 +251,7 @@ TEST_F(InWater, StaysFiniteAtAnyStep) {
             const Vec3 velocity = own.velocity(idAt<BodyId>(i));
             ASSERT_TRUE(velocity.allFinite()) << step;
             // Slower than what falls in from a metre, and than two steps of gravity: at 2 s a raft may leap, but no further.
-            EXPECT_LT(velocity.norm(), 8.0 + 2.0 * gravity * step) << step << " " << i;
+            EXPECT_LT(velocity.norm(), 8.0 + 2.0 * standardGravity * step) << step << " " << i;
         }
     }
 }

@@ -1,0 +1,75 @@
+#include "core/fragments/birth_windows.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+#include <optional>
+
+namespace rubble {
+
+namespace {
+
+/// Share of a window by which times may miss its end: files keep them in single precision.
+constexpr double timeSlack = 1e-6;
+
+/// The lifetimes that end with a death, as the activity shows them, ordered by lastActive.
+std::vector<Lifetime> endedIn(const Activity& activity) {
+    std::vector<Lifetime> ended;
+    for (std::size_t e = 0; e < activity.elements(); ++e) {
+        const auto element = idAt<ElementIndex>(e);
+        bool was = false;
+        std::uint32_t since = 0;
+        for (std::uint32_t state = 0; state < activity.states(); ++state) {
+            const bool is = activity.active(state, element);
+            if (is && !was) {
+                since = state;
+            } else if (was && !is) {
+                ended.push_back({element, since, state - 1, state, std::nullopt});
+            }
+            was = is;
+        }
+    }
+    std::ranges::stable_sort(ended, {}, &Lifetime::lastActive);
+    return ended;
+}
+
+}  // namespace
+
+BirthWindows::BirthWindows(const std::vector<Lifetime>& ended, const std::vector<double>& times, double window)
+    : m_handOver(times.size()) {
+    std::iota(m_handOver.begin(), m_handOver.end(), 0u);
+    if (!(window > 0.0)) {
+        return;
+    }
+    const double length = window * (1.0 + timeSlack);
+    std::optional<std::uint32_t> first;
+    for (auto next = ended.begin(); next != ended.end();) {
+        const std::uint32_t state = next->lastActive;
+        std::uint32_t latestBegin = 0;
+        for (; next != ended.end() && next->lastActive == state; ++next) {
+            latestBegin = std::max(latestBegin, next->firstActive);
+        }
+        assert(next == ended.end() || next->lastActive > state);
+        if (!first || latestBegin > *first || times[state] - times[*first] > length) {
+            first = state;
+        }
+        m_handOver[state] = *first;
+    }
+}
+
+Activity simulatedActivity(const FeResult& fe, const FragmentSettings& settings) {
+    Activity activity = activityUnder(fe.activity(), settings.revival);
+    if (!(settings.birthWindow > 0.0)) {
+        return activity;
+    }
+    const std::vector<Lifetime> ended = endedIn(activity);
+    const BirthWindows windows(ended, fe.times(), settings.birthWindow);
+    for (const Lifetime& life : ended) {
+        for (std::uint32_t state = windows.handOver(life.lastActive) + 1; state <= life.lastActive; ++state) {
+            activity.set(state, life.element, false);
+        }
+    }
+    return activity;
+}
+
+}  // namespace rubble

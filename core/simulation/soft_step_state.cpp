@@ -1,0 +1,77 @@
+#include "core/simulation/soft_step_world.h"
+#include "core/simulation/value_archive.h"
+
+namespace rubble {
+
+void SoftStepWorld::keep(Archive& archive, std::span<const std::unique_ptr<Collider>> bodies,
+                         std::span<const std::unique_ptr<Collider>> pieces) {
+    archive(m_report, m_freeze, m_substepLength, m_justThawed, m_still);
+    keepSolids(archive, m_bodies, bodies);
+    keepSolids(archive, m_pieces, pieces);
+    keepContacts(archive, m_contacts);
+    // By pair, in order.
+    const std::size_t asleep = archive.count(m_asleep.size());
+    auto next = m_asleep.begin();
+    for (std::size_t i = 0; i < asleep; ++i) {
+        if (!archive.reading()) {
+            keepContacts(archive, (next++)->second);
+            continue;
+        }
+        std::vector<SoftContact> contacts;
+        keepContacts(archive, contacts);
+        if (contacts.empty()) {
+            Archive::fail();
+        }
+        const ColliderPair pair = contacts.front().pair;
+        m_asleep.emplace_hint(m_asleep.end(), pair, std::move(contacts));
+    }
+    if (m_still.size() != m_bodies.size() || m_freeze.size() != m_bodies.size()) {
+        Archive::fail();
+    }
+}
+
+void SoftStepWorld::keepSolids(Archive& archive, std::vector<Solid>& solids, std::span<const std::unique_ptr<Collider>> colliders) {
+    if (archive.reading()) {
+        solids.resize(colliders.size());
+    }
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        Solid& solid = solids[i];
+        bool there = solid.collider != nullptr;
+        archive(there, solid);
+        if (!archive.reading() || !there) {
+            continue;
+        }
+        Collider& collider = *colliders[i];
+        solid.collider = &collider;
+        enter(collider);
+        if (!collider.newborn) {
+            place(solid);
+            m_entered[collider.number].swept = solid.swept;
+            m_boxes.set(collider.number, solid.swept);
+        }
+    }
+}
+
+/// Null: there is none, or no longer.
+Collider* SoftStepWorld::colliderNumbered(std::uint32_t number) {
+    if (number == m_ground.number) {
+        return &m_ground;
+    }
+    return number < m_entered.size() ? m_entered[number].collider : nullptr;
+}
+
+void SoftStepWorld::keepContacts(Archive& archive, std::vector<SoftContact>& contacts) {
+    archive(contacts);
+    if (!archive.reading()) {
+        return;
+    }
+    for (SoftContact& contact : contacts) {
+        contact.a = colliderNumbered(firstOf(contact.pair));
+        contact.b = colliderNumbered(secondOf(contact.pair));
+        if (contact.a == nullptr || contact.b == nullptr) {
+            Archive::fail();
+        }
+    }
+}
+
+}  // namespace rubble

@@ -106,7 +106,7 @@ struct LaneScene {
 };
 
 /// The passes over contacts [first, last) of one colour, in two makes: for every processor, and for those with 256-bit vectors.
-/// Both round alike.
+/// Both round alike, and what a contact gets does not depend on those beside it.
 struct LanePasses {
     /// Applies the impulses of the substep before. @param growth  most by which what is new may grow
     void (*warmStart)(const LaneScene& scene, std::size_t first, std::size_t last, double growth);

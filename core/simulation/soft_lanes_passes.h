@@ -243,7 +243,9 @@ void warmStart(const LaneScene& scene, std::size_t first, std::size_t last, doub
             const Lanes most = all(growth) * larger(wide(p.before), wide(c.weight));
             p.before = kept(p.normalImpulse);
             const Mask over = p.normalImpulse > most;
-            const Lanes scale = over ? most / (over ? p.normalImpulse : all(1.0)) : all(1.0);
+            // Friction that has lost its load is none, whatever the contacts beside this one carry.
+            const Lanes loaded = p.normalImpulse > all(0.0) ? all(1.0) : all(0.0);
+            const Lanes scale = over ? most / (over ? p.normalImpulse : all(1.0)) : loaded;
             p.tangentImpulse[0] = p.tangentImpulse[0] * scale;
             p.tangentImpulse[1] = p.tangentImpulse[1] * scale;
             p.normalImpulse = over ? most : p.normalImpulse;

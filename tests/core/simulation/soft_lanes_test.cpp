@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <random>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -118,6 +119,27 @@ TEST(SoftLanes, BothMakesRoundAlike) {
     for (std::size_t i = 0; i < common.solver.points.size(); ++i) {
         EXPECT_EQ(common.solver.points[i].impulseSum, fast.solver.points[i].impulseSum) << i;
     }
+}
+
+TEST(SoftLanes, WhatAContactGetsDoesNotDependOnThoseBesideIt) {
+    // Friction whose load is gone, alone and beside contacts that carry: contacts of a colour go side by side in any order.
+    const auto speedsAfter = [](std::size_t contacts) {
+        Column column(9);
+        column.solver.contacts.resize(contacts);
+        column.solver.firstOfGroup = {0, static_cast<std::uint32_t>(contacts)};
+        const SolverContact& c = column.solver.contacts[0];
+        for (SolverPoint& p : std::span(column.solver.points).subspan(c.firstPoint, c.points)) {
+            p.normalImpulse = 0.0;
+            p.tangentImpulse[0] = 0.05;
+            p.separation = 1.0;
+        }
+        column.prepare();
+        column.solver.solveSoft(1.0);
+        return std::pair(column.solver.bodies[c.a].velocity, column.solver.bodies[c.b].velocity);
+    };
+    const std::uint32_t firstColour = Column(9).solver.firstOfGroup[1];
+    ASSERT_GT(firstColour, 1u);
+    EXPECT_EQ(speedsAfter(1), speedsAfter(firstColour));
 }
 
 TEST(SoftLanes, PushesApartGoOnFromTheStepBefore) {

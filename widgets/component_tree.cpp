@@ -1,7 +1,6 @@
 #include "widgets/component_tree.h"
 
 #include <QColorDialog>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
@@ -10,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/folding_bar.h"
 #include "widgets/panel.h"
 #include "widgets/parameter_editor.h"
 #include "widgets/theme.h"
@@ -84,13 +84,11 @@ ComponentTree::ComponentTree(QWidget* parent)
     m_hint->setContentsMargins(14, 8, 14, 8);
     column->addWidget(m_hint);
     column->addWidget(m_tree, 1);
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(8, 0, 8, 0);
-    for (QToolButton* each : {m_isolate, m_all, m_select, m_colour}) {
-        row->addWidget(each);
-    }
-    row->addStretch();
-    column->addLayout(row);
+    auto* row = new FoldingBar;
+    row->layout()->setContentsMargins(8, 0, 8, 0);
+    row->add({m_isolate, m_all});
+    row->add({m_select, m_colour});
+    column->addWidget(row);
     m_below->setContentsMargins(14, 0, 14, 0);
     column->addLayout(m_below);
     setMinimumWidth(220);

@@ -1,4 +1,5 @@
 #include "widgets/evidence_page.h"
+#include "widgets/folding_bar.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -10,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/folding_bar.h"
 #include "widgets/survey_view.h"
 #include "widgets/theme.h"
 #include "widgets/view_widget.h"
@@ -68,17 +70,15 @@ EvidencePage::EvidencePage(QWidget* parent)
 }
 
 QWidget* EvidencePage::buildTools() {
-    auto* bar = new QWidget;
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(10, 6, 10, 6);
-    row->setSpacing(4);
+    auto* bar = new FoldingBar;
+    QHBoxLayout* row = bar->add();
     const std::array<std::pair<QString, QString>, 5> shows{
         {{tr("Photograph"), tr("The photograph alone (Ctrl+1)")},
          {tr("Swipe"), tr("Photograph left of a line, simulation right of it: drag the line (Ctrl+2)")},
          {tr("Blend"), tr("The simulation over the photograph, as strong as the slider says (Ctrl+3)")},
          {tr("Blink"), tr("Photograph and simulation in turn (Ctrl+4)")},
          {tr("Outline"), tr("The outline of the simulated debris on the photograph (Ctrl+5)")}}};
-    const auto add = [&](QToolButton* button, const QString& text, const QString& tip) {
+    const auto add = [&row](QToolButton* button, const QString& text, const QString& tip) {
         button->setText(text);
         button->setToolTip(tip);
         button->setAccessibleName(text);
@@ -97,7 +97,8 @@ QWidget* EvidencePage::buildTools() {
     m_slider->setFixedWidth(90);
     m_slider->setAccessibleName(tr("Share of the simulation"));
     row->addWidget(m_slider);
-    row->addSpacing(8);
+    row->addStretch();
+    row = bar->add();
     add(m_point, tr("Add point"), tr("Click a point in the photograph, then the same point in the model (Shift+A)"));
     for (const MaskClass kind : maskClasses) {
         m_mask->addItem(maskWords(kind), static_cast<int>(kind));

@@ -53,6 +53,7 @@
 #include "widgets/evidence_page.h"
 #include "widgets/evidence_tabs.h"
 #include "widgets/figures/export_record.h"
+#include "widgets/page_stack.h"
 #include "widgets/start_page.h"
 #include "widgets/status_line.h"
 
@@ -96,7 +97,7 @@ void MainWindow::buildLayout() {
     m_splitter->setChildrenCollapsible(false);
     m_deck->stack().setMinimumWidth(leastPanelWidth);
     m_splitter->addWidget(&m_deck->stack());
-    m_centre = new QStackedWidget;
+    m_centre = new widgets::PageStack;
     m_centre->addWidget(m_area);
     m_centre->addWidget(m_accuracyPage);
     m_centre->addWidget(m_evidencePage);

@@ -4,13 +4,17 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <fstream>
 
+#include "app/gui/dock_area.h"
 #include "app/gui/file_commands.h"
+#include "app/gui/inspection.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
@@ -220,6 +224,23 @@ TEST_F(Workbench, NothingIsClippedAtTheSmallestSize) {
     EXPECT_EQ(window->size(), QSize(1280, 800));
     EXPECT_LE(window->minimumSizeHint().width(), 1280);
     EXPECT_LE(window->minimumSizeHint().height(), 800);
+}
+
+TEST_F(Workbench, ADockMakesNoPanelsWindowWider) {
+    QTest::keyClick(window.get(), Qt::Key_T);
+    EXPECT_EQ(window->size(), QSize(1280, 800)) << "the start page";
+    openArch();
+    EXPECT_TRUE(std::ranges::any_of(window->inspection().docks().findChildren<QDockWidget*>(), &QDockWidget::isVisible));
+    for (const auto entry : {PanelDeck::Case, PanelDeck::Accuracy, PanelDeck::Evidence, PanelDeck::Report}) {
+        window->deck().choose(entry);
+        QTest::qWait(50);
+        EXPECT_EQ(window->size(), QSize(1280, 800)) << entry;
+    }
+    for (const auto page : {PanelDeck::Photographs, PanelDeck::Ensemble, PanelDeck::Causes}) {
+        window->deck().chooseEvidence(page);
+        QTest::qWait(50);
+        EXPECT_EQ(window->size(), QSize(1280, 800)) << page;
+    }
 }
 
 }  // namespace rubble

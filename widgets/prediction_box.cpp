@@ -125,6 +125,11 @@ void PredictionBox::setContent(const PredictionContent& content) {
         for (QLabel* label : {line.name, line.value, line.interval}) {
             label->setVisible(shown);
         }
+        // What is not shown keeps nothing of an earlier setting or language.
+        for (QLabel* label : {line.value, line.interval}) {
+            label->clear();
+            label->setToolTip({});
+        }
         if (shown) {
             showFigure(line, *found, content.state);
         }
@@ -146,7 +151,6 @@ void PredictionBox::showFigure(Line& line, const PredictedFigure& figure, Predic
     }
     if (!prediction.known) {
         line.interval->setText(tr("was not predicted"));
-        line.value->setToolTip({});
         return;
     }
     const QString range =

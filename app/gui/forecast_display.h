@@ -33,13 +33,14 @@ public:
     void runEnded(const Measured& measured);
     /// Settings were compared: there are more points now.
     void pointsAdded();
+    /// Shows what is known, in the language and units of now.
+    void show();
     /// The newest answer for the scenario as it stands; unset while it is worked out.
     const std::optional<Forecast::Answer>& answer() const { return m_answer; }
 
 private:
     void ask();
     void said(const Forecast::Answer& answer);
-    void show();
 
     Document& m_document;
     Computation& m_computation;

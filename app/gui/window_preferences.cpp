@@ -11,6 +11,7 @@
 #include "app/gui/error_display.h"
 #include "app/gui/evidence_display.h"
 #include "app/gui/evidence_studies.h"
+#include "app/gui/forecast_display.h"
 #include "app/gui/health_display.h"
 #include "app/gui/inspection.h"
 #include "app/gui/main_window.h"
@@ -81,6 +82,7 @@ void MainWindow::retell() {
     m_deck->retell();
     m_accuracy->refresh();
     m_calibration->refresh();
+    m_forecast->show();
     m_errors->refresh();
     m_health->refresh();
     m_studies->refresh();

@@ -32,6 +32,9 @@ int main(int argc, char** argv) {
     }
     const QTemporaryDir state;
     qputenv("RUBBLE_STATE", state.path().toUtf8());
+    // What the user has calibrated and compared on this machine is no part of a test.
+    const QTemporaryDir cache;
+    qputenv("XDG_CACHE_HOME", cache.path().toUtf8());
     keepSettingsIn(state.path());
     testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();

@@ -1,5 +1,4 @@
 #include "widgets/evidence_page.h"
-#include "widgets/folding_bar.h"
 
 #include <QButtonGroup>
 #include <QComboBox>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QBoxLayout>
+#include <QEvent>
 #include <QWidget>
 #include <algorithm>
 #include <initializer_list>
@@ -47,6 +48,19 @@ public:
 protected:
     void resizeEvent(QResizeEvent* event) override {
         QWidget::resizeEvent(event);
+        fold();
+    }
+    bool event(QEvent* event) override {
+        const bool taken = QWidget::event(event);
+        // Tools come and go, and other languages have other lengths.
+        if (event->type() == QEvent::LayoutRequest) {
+            fold();
+        }
+        return taken;
+    }
+
+private:
+    void fold() {
         int together = margins() - m_line->spacing();
         for (const QWidget* group : m_groups) {
             together += group->minimumSizeHint().width() + m_line->spacing();
@@ -57,8 +71,6 @@ protected:
             updateGeometry();
         }
     }
-
-private:
     int margins() const { return m_line->contentsMargins().left() + m_line->contentsMargins().right(); }
 
     QBoxLayout* m_line;

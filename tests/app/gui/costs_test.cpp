@@ -23,6 +23,7 @@
 #include "widgets/calibration_chart.h"
 #include "widgets/calibration_view.h"
 #include "widgets/error_bar.h"
+#include "widgets/language.h"
 #include "widgets/prediction_box.h"
 
 namespace rubble {
@@ -172,6 +173,20 @@ TEST_F(CostsWorkbench, EarlierPointsPredictAndTheRunStandsBesideIt) {
         EXPECT_TRUE(said.contains(QStringLiteral("Footprint overlap:"))) << said.toStdString();
         EXPECT_TRUE(said.contains(QStringLiteral("Not known: live rate"))) << said.toStdString();
     }
+    const auto wordsOf = [&] {
+        QStringList words;
+        for (const QLabel* label : window->deck().grid().prediction()->findChildren<QLabel*>()) {
+            words << label->text() << label->toolTip();
+        }
+        return words;
+    };
+    const QStringList english = wordsOf();
+    widgets::speak(QStringLiteral("zh_CN"));
+    QTest::qWait(50);
+    EXPECT_FALSE(wordsOf().join(QLatin1Char(' ')).contains(QStringLiteral("Four runs in five")));
+    widgets::speak(QStringLiteral("en"));
+    QTest::qWait(50);
+    EXPECT_EQ(wordsOf(), english) << "told anew, tooltips as well";
     simulateToEnd();
     const QString after = predictionOf(window->deck().run());
     EXPECT_TRUE(after.contains(QStringLiteral("Wall time:")) && after.contains(QStringLiteral("said:"))) << after.toStdString();

@@ -90,8 +90,7 @@ PredictionBox::PredictionBox(QWidget* parent) : QWidget(parent), m_heading(new Q
     for (std::size_t i = 0; i < predictedCount; ++i) {
         Line& line = m_lines[i];
         const int row = 2 * static_cast<int>(i);
-        line = {new QLabel(translated(figureWords[i].name)), new QLabel, new QLabel};
-        line.name->setToolTip(translated(figureWords[i].tip));
+        line = {new QLabel, new QLabel, new QLabel};
         line.value->setObjectName(QStringLiteral("value"));
         line.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         line.interval->setObjectName(QStringLiteral("muted"));
@@ -125,6 +124,8 @@ void PredictionBox::setContent(const PredictionContent& content) {
         for (QLabel* label : {line.name, line.value, line.interval}) {
             label->setVisible(shown);
         }
+        line.name->setText(translated(figureWords[i].name));
+        line.name->setToolTip(translated(figureWords[i].tip));
         // What is not shown keeps nothing of an earlier setting or language.
         for (QLabel* label : {line.value, line.interval}) {
             label->clear();

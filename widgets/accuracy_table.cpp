@@ -17,6 +17,8 @@ namespace {
 constexpr int rowRole = Qt::UserRole;
 constexpr int floorRow = -2;  // cannot be chosen
 constexpr int costColumn = 1;
+constexpr int lineHeight = 26;          // px, of one line
+constexpr int settingCharacters = 34;  // a longer name takes further lines, never the room of the figures
 constexpr int accuracyColumn = costColumn + static_cast<int>(costKindCount);
 
 CostKind costKind(int column) {
@@ -41,10 +43,9 @@ AccuracyTable::AccuracyTable(QWidget* parent) : QTableWidget(parent) {
     setSelectionMode(QAbstractItemView::SingleSelection);
     setTabKeyNavigation(false);
     setShowGrid(false);
-    setWordWrap(false);
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     verticalHeader()->hide();
-    verticalHeader()->setDefaultSectionSize(26);
+    verticalHeader()->setMinimumSectionSize(lineHeight);
     horizontalHeader()->setHighlightSections(false);
     connect(this, &QTableWidget::cellDoubleClicked, this, &AccuracyTable::choose);
     setHeadings(MeasureSettings().tolerances);
@@ -141,6 +142,8 @@ void AccuracyTable::setReport(const AccuracyReport& report, std::optional<int> i
         addPoint(report.points[i], static_cast<int>(i), inUse == static_cast<int>(i));
     }
     resizeColumnsToContents();
+    setColumnWidth(0, std::min(columnWidth(0), settingCharacters * fontMetrics().averageCharWidth()));
+    resizeRowsToContents();
     if (current >= 0 && current < rowCount()) {
         setCurrentCell(current, 0);
     }

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/analysis/published_results.h"
 #include "widgets/chart_axis.h"
@@ -289,20 +290,24 @@ void CalibrationPlot::paintNames(QPainter& painter, std::vector<QRectF>& taken) 
     const auto around = [&](const QPointF& at, const QString& words) {
         const double width = QFontMetricsF(m_font).horizontalAdvance(words) + 6.0;
         std::vector<QPointF> corners;
-        for (const double away : {0.0, 0.8, 1.6, 2.6}) {
-            corners.emplace_back(at.x() + 8.0, at.y() - (0.5 + away) * line);
-            corners.emplace_back(at.x() + 8.0, at.y() - (0.5 - away) * line);
-            corners.emplace_back(at.x() - width - 4.0, at.y() - (0.5 + away) * line);
-            corners.emplace_back(at.x() - width - 4.0, at.y() - (0.5 - away) * line);
+        for (const double below : {0.0, 0.8, 1.6, 2.6, -0.8, -1.6, -2.6}) {
+            corners.emplace_back(at.x() + 8.0, at.y() - (0.5 - below) * line);
+            corners.emplace_back(at.x() - width - 4.0, at.y() - (0.5 - below) * line);
         }
         return corners;
     };
+    // From the top down, and what finds no room gives way downwards: names stand in the order in which the curves end.
+    std::vector<const RateCurve*> curves;
     for (const RateCurve& curve : m_content.curves) {
         if (!curve.places.empty()) {
-            const QString words = curveWords(curve.pile, curve.load);
-            const RateCurve::Place& end = curve.places.back();
-            write(painter, words, colourOf(curve.load), around(place(end.bodies, end.fps.value), words), taken);
+            curves.push_back(&curve);
         }
+    }
+    std::ranges::stable_sort(curves, std::ranges::greater(), [](const RateCurve* c) { return c->places.back().fps.value; });
+    for (const RateCurve* curve : curves) {
+        const QString words = curveWords(curve->pile, curve->load);
+        const RateCurve::Place& end = curve->places.back();
+        write(painter, words, colourOf(curve->load), around(place(end.bodies, end.fps.value), words), taken);
     }
     for (auto point = m_content.points.rbegin(); point != m_content.points.rend() && !point->pile; ++point) {
         const QString words = tr("published (GTX 480)");

@@ -11231,7 +11231,7 @@
         <translation>将图表保存为 SVG 或 PNG</translation>
     </message>
     <message>
-        <source>%1 of %2 done, %3 repeats of the reference</source>
+        <source>%1 of %2 done, repeats of the reference: %3</source>
         <translation>%2 项中已完成 %1 项，基准重复 %3 次</translation>
     </message>
     <message>

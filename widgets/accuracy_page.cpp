@@ -206,7 +206,7 @@ void AccuracyPage::setContent(const Content& content) {
     m_table->setReport(report, content.inUse);
     const auto done = std::count_if(report.points.begin(), report.points.end(), [](const AccuracyPoint& p) { return p.done; });
     const std::size_t repeats = report.floor ? report.floor->repeats.size() : 0;
-    m_runs->setText(tr("%1 of %2 done, %3 repeats of the reference")
+    m_runs->setText(tr("%1 of %2 done, repeats of the reference: %3")
                         .arg(shownCount(done), shownCount(static_cast<std::int64_t>(report.points.size())),
                              shownCount(static_cast<std::int64_t>(repeats))));
     m_saveTable->setEnabled(report.reference.done);

@@ -58,7 +58,7 @@ void give(const QList<QAction*>& actions) {
             taken.insert(letter);
             // The dots that say "a dialog follows" stay last.
             const qsizetype end = text.endsWith(QChar(0x2026)) ? text.size() - 1 : text.size();
-            marked.insert(end, QStringLiteral("(&%1)").arg(letter));
+            marked.insert(end, (ownScript ? QStringLiteral("(&%1)") : QStringLiteral(" (&%1)")).arg(letter));
         }
         action->setIconText(text);
         const QString tip = action->toolTip();

@@ -99,6 +99,14 @@ bool drawViewSign(QPainter& p, Glyph glyph) {
             p.drawRect(frame);
             p.drawLine(QPointF(12, 5), QPointF(12, 19));
             return true;
+        case Glyph::Close:
+            p.drawLine(QPointF(6, 6), QPointF(18, 18));
+            p.drawLine(QPointF(18, 6), QPointF(6, 18));
+            return true;
+        case Glyph::Float:
+            p.drawRect(QRectF(5, 10, 9, 9));
+            p.drawPolyline(QPolygonF({{10, 10}, {10, 5}, {19, 5}, {19, 14}, {14, 14}}));
+            return true;
         case Glyph::Stacked:
             p.drawRect(frame);
             p.drawLine(QPointF(3, 12), QPointF(21, 12));

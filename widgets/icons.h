@@ -38,6 +38,8 @@ enum class Glyph {
     Bookmark,
     Unfold,
     Fold,
+    Close,
+    Float,
     Reset,
     Help
 };

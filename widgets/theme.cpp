@@ -1,11 +1,14 @@
 #include "widgets/theme.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QPainter>
 #include <QPalette>
 #include <QPointer>
 #include <QProxyStyle>
 #include <QStyleOption>
+
+#include "widgets/icons.h"
 
 namespace rubble::widgets {
 
@@ -16,10 +19,18 @@ render::Theme& themeInForce() {
     return theme;
 }
 
-/// Fusion, with boxes to tick and number fields that can be seen in the dark: it outlines them darker than what they stand on.
+/// Fusion, with boxes to tick and number fields that can be seen in the dark: it outlines them darker than what they stand on. The
+/// signs of docks are as the other ones.
 class BoxStyle : public QProxyStyle {
 public:
     BoxStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+    QIcon standardIcon(StandardPixmap sign, const QStyleOption* option, const QWidget* widget) const override {
+        const bool close = sign == SP_TitleBarCloseButton;
+        if (qobject_cast<const QDockWidget*>(widget) != nullptr && (close || sign == SP_TitleBarNormalButton)) {
+            return glyphIcon(close ? Glyph::Close : Glyph::Float);
+        }
+        return QProxyStyle::standardIcon(sign, option, widget);
+    }
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
         QProxyStyle::drawPrimitive(element, option, painter, widget);

@@ -17,7 +17,7 @@ namespace {
 constexpr int rowRole = Qt::UserRole;
 constexpr int floorRow = -2;  // cannot be chosen
 constexpr int costColumn = 1;
-constexpr int lineHeight = 26;          // px, of one line
+constexpr int lineHeight = 26;         // px, of one line
 constexpr int settingCharacters = 34;  // a longer name takes further lines, never the room of the figures
 constexpr int accuracyColumn = costColumn + static_cast<int>(costKindCount);
 

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t pointsLeast = 4;
 /// How far beyond the measured range of a number anything is said.
 constexpr double beyond = 1.6;
-/// Scatter that is likely before any point is seen, as a share, of what is measured in debris and of times, which differ by a tenth
-/// from run to run as well. Settled on the sweeps of both arches (bench/RESULTS.md).
+/// Scatter that is likely before any point is seen, as a share: of measures of debris, and of times, which also differ from run to
+/// run on one machine. Settled on the sweeps of both arches (bench/RESULTS.md).
 constexpr double likelyScatter = 0.06;
 constexpr double likelyScatterOfTimes = 0.1;
 /// What a measure of 0 counts as: logarithms need something.

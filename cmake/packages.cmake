@@ -22,12 +22,14 @@ set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
  views on one timeline. With the command line rubble-cli.")
 # Xvfb draws figures where there is no display; the fonts are those of captions and of Chinese.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "xvfb, xauth, libgl1-mesa-dri, fonts-dejavu-core, fonts-wqy-microhei, qt6-translations-l10n")
+# Buttons without words show signs of this theme.
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "breeze-icon-theme")
 if(RUBBLE_PYTHON)
     set(CPACK_COMPONENTS_ALL runtime python development)
     set(CPACK_COMPONENT_PYTHON_GROUP runtime)
     # Built for one version of Python, as its file name says.
-    set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS
-        "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3-numpy")
+    string(APPEND CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS
+        ", python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3-numpy")
     math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
     string(APPEND CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS ", python3 (<< ${Python3_VERSION_MAJOR}.${next_python})")
 endif()

@@ -106,9 +106,9 @@ void CaseCard::paintPicture(QPainter& painter, const QRect& at) const {
         target.moveCenter(QRectF(at).center());
         painter.drawImage(target, m_content.picture);
     } else {
-        painter.setPen(QPen(tints().muted, 1.4));
-        QRectF square(0, 0, 26, 26);
-        square.moveCenter(QRectF(at).center());
+        painter.setPen(tints().muted);
+        QRect square(0, 0, 32, 32);
+        square.moveCenter(at.center());
         drawGlyph(painter, Glyph::Fragments, square);
     }
     painter.restore();

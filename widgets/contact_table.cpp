@@ -34,7 +34,7 @@ public:
         QStyledItemDelegate::paint(painter, option, index);
         if (index.data(changedRole).toBool()) {
             painter->setPen(tints().accent);
-            drawGlyph(*painter, Glyph::Reset, QRectF(markOf(option.rect)));
+            drawGlyph(*painter, Glyph::Reset, markOf(option.rect));
         }
     }
     bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,

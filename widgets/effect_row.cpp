@@ -72,7 +72,7 @@ EffectRow::EffectRow(EffectKind kind, const Parameter& effect, QWidget* parent)
     head->setSpacing(4);
     m_fold->setObjectName(QStringLiteral("fold"));
     m_fold->setCheckable(true);
-    m_fold->setIconSize({14, 14});
+    m_fold->setIconSize({16, 16});
     m_fold->setFocusPolicy(Qt::StrongFocus);
     m_name->setText(m_switch->label());
     m_name->setToolTip(m_switch->toolTip());

@@ -5,7 +5,9 @@
 
 namespace rubble::widgets {
 
-/// Line icons drawn by the program itself, so that they follow the theme and scale to any display.
+/// Signs in the colours of our theme, at any size: those of the installed icon theme by their standard names, and drawings of our
+/// own
+/// (`resources/icons`) for what only Rubble knows.
 enum class Glyph {
     Case,
     Fragments,
@@ -15,10 +17,16 @@ enum class Glyph {
     Accuracy,
     Evidence,
     Report,
+    New,
     Open,
+    Refresh,
+    Duplicate,
     Save,
+    SaveAs,
+    Quit,
     Undo,
     Redo,
+    Preferences,
     Play,
     Pause,
     First,
@@ -41,11 +49,16 @@ enum class Glyph {
     Close,
     Float,
     Reset,
-    Help
+    Help,
+    Search,
+    About
 };
 
-/// Draws a glyph into a square with the painter's pen colour.
-void drawGlyph(QPainter& painter, Glyph glyph, const QRectF& square);
+/// Takes signs from Breeze, where it is not installed from the icon theme of the desktop. What Qt itself shows (signs of messages
+/// and of their buttons) comes from there too.
+void useIconTheme(bool dark);
+/// Draws a glyph into a square with the painter's pen colour; nothing where no theme has it.
+void drawGlyph(QPainter& painter, Glyph glyph, const QRect& square);
 /// The warning sign: a filled triangle with an exclamation mark, 14 px high, around a point.
 void drawWarning(QPainter& painter, const QPointF& centre, const QColor& colour, const QColor& mark);
 /// The glyph as an icon in the text colour of the theme in force.

@@ -64,7 +64,7 @@ protected:
         }
         p.setPen(m_state == StageState::NotYet && !isChecked() ? t.muted : t.text);
         if (m_compact) {
-            drawGlyph(p, m_entry.glyph, QRectF(13, 11, 22, 22));
+            drawGlyph(p, m_entry.glyph, QRect(13, 11, 22, 22));
             drawMark(p, QPointF(37, 35));
             return;
         }

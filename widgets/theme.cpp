@@ -215,6 +215,7 @@ void giveColours(render::Theme theme) {
     }
     coloured = qApp;
     themeInForce() = wanted;
+    useIconTheme(wanted == render::Theme::Dark);
     QApplication::setStyle(new BoxStyle);
     QApplication::setPalette(paletteOf(tints()));
 }

@@ -224,14 +224,33 @@ void ViewWidget::setCamera(std::size_t index, const render::Camera& camera) {
     emit viewChanged(m_view);
 }
 
-void ViewWidget::fit() {
+ViewWidget::Cameras ViewWidget::fittedCameras() const {
     const QSize size = devicePixels();
     Cameras cameras = m_view.cameras;
     for (const render::Pane& pane : render::panesOf(m_view.layout, size.width(), size.height())) {
         const std::size_t index = render::cameraIndex(m_view, pane.content);
         cameras[index] = render::refit(m_view.cameras[index], m_scene.bounds(), pane.aspect());
     }
-    flyTo(cameras);
+    return cameras;
+}
+
+void ViewWidget::fit() {
+    m_fitted = fittedCameras();
+    flyTo(*m_fitted);
+}
+
+void ViewWidget::keepFitted() {
+    m_fitted = m_view.cameras;
+}
+
+void ViewWidget::resizeEvent(QResizeEvent* event) {
+    QOpenGLWidget::resizeEvent(event);
+    const bool flies = m_flight.isActive();
+    if (m_fitted && (flies ? m_flightTo : m_view.cameras) == *m_fitted) {
+        m_flight.stop();
+        m_fitted = m_view.cameras = fittedCameras();
+        emit viewChanged(m_view);
+    }
 }
 
 void ViewWidget::look(render::Preset preset) {
@@ -245,6 +264,7 @@ void ViewWidget::look(render::Preset preset) {
             camera = render::refit(camera, m_scene.bounds(), pane.aspect());
         }
     }
+    m_fitted = cameras;
     flyTo(cameras);
 }
 

@@ -42,6 +42,9 @@ public:
     void setTime(double time);
     /// Fits the cameras of all panes to the model, keeping their directions.
     void fit();
+    /// Takes the cameras of now for fitted: like those of fit() they are fitted anew where the widget changes its size, until
+    /// somebody moves them.
+    void keepFitted();
     /// Looks from a standard direction at the whole model.
     void look(render::Preset preset);
     /// Moves the cameras so that a point [m] lies in the middle, at the distance and in the direction they have.
@@ -97,6 +100,7 @@ signals:
 protected:
     void initializeGL() override;
     void paintGL() override;
+    void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -122,6 +126,7 @@ private:
     void setCamera(std::size_t index, const render::Camera& camera);
     using Cameras = std::array<render::Camera, render::paneCameras>;
     void flyTo(const Cameras& cameras);
+    Cameras fittedCameras() const;
     void stepFlight();
     void releaseGraphics();
     void noteMove();
@@ -144,6 +149,7 @@ private:
     std::optional<render::Pane> m_pane;
     QTimer m_flight;
     QElapsedTimer m_flightClock;
+    std::optional<Cameras> m_fitted;  ///< as the last fit left them
     Cameras m_flightFrom;
     Cameras m_flightTo;
 };

@@ -18,14 +18,10 @@ const std::array table = {
               {}},
     ActionRow{"manual", "Help", QT_TRANSLATE_NOOP("actions", "Manual"),
               QT_TRANSLATE_NOOP("actions", "The page of the manual about what has the focus"), "F1", Glyph::Help},
-    ActionRow{"manual_search",
-              "Help",
-              QT_TRANSLATE_NOOP("actions", "Search the manual…"),
-              QT_TRANSLATE_NOOP("actions", "Find words in the manual"),
-              "Shift+F1",
-              {}},
-    ActionRow{
-        "about", "Help", QT_TRANSLATE_NOOP("actions", "About Rubble"), QT_TRANSLATE_NOOP("actions", "Version and method"), "", {}},
+    ActionRow{"manual_search", "Help", QT_TRANSLATE_NOOP("actions", "Search the manual…"),
+              QT_TRANSLATE_NOOP("actions", "Find words in the manual"), "Shift+F1", Glyph::Search},
+    ActionRow{"about", "Help", QT_TRANSLATE_NOOP("actions", "About Rubble"), QT_TRANSLATE_NOOP("actions", "Version and method"), "",
+              Glyph::About},
 };
 
 }  // namespace

@@ -101,7 +101,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_title(new QLabel),
       m_help(new Help(*this)) {
     setAcceptDrops(true);
-    setWindowIcon(widgets::glyphIcon(widgets::Glyph::Fragments));
+    setWindowIcon(QIcon(QStringLiteral(":/desktop/org.rubble.Rubble.svg")));
     resize(1280, 800);
     buildLayout();
     buildMenus();
@@ -250,6 +250,7 @@ void MainWindow::takeOpened(const Opened& opened) {
         view.groundGrid = viewBefore.groundGrid;
         view.shading = viewBefore.shading;
         setView(view);
+        m_area->views().keepFitted();
         m_inspection->refresh();
     }
     m_area->showViews(opened.fe != nullptr, true);

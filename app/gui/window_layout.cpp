@@ -166,7 +166,7 @@ void MainWindow::buildToolBar() {
     bar->setObjectName(QStringLiteral("toolBar"));
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
-    bar->setIconSize({18, 18});
+    bar->setIconSize({16, 16});
     const auto add = [&](const char* id, Qt::ToolButtonStyle style) {
         auto* button = new QToolButton;
         button->setDefaultAction(&m_actions[id]);

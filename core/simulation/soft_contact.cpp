@@ -20,8 +20,8 @@ void take(const SoftContact::Point& from, const SoftContact& to, SoftContact::Po
 }  // namespace
 
 void SoftContact::keep(Archive& archive) {
-    archive(pair, part, normal, count, depth, yield, load, restLoad, offset, approach, pressed, jammedFor, pushes, fresh, yielded,
-            yielding, pressing);
+    archive(pair, part, normal, count, depth, yield, load, restLoad, offset, partedFor, approach, pressed, jammedFor, pushes, fresh,
+            yielded, yielding, pressing);
     if (count < 0 || count > static_cast<int>(points.size())) {
         Archive::fail();
     }
@@ -35,6 +35,7 @@ void carryOver(const SoftContact& from, SoftContact& to) {
     to.offset = to.offset > touchingDepth ? to.offset : 0.0;
     to.fresh = false;
     to.pressed = from.pressed;
+    to.partedFor = from.partedFor;
     to.jammedFor = from.jammedFor;
     to.yield = from.yield;
     to.load = from.load;

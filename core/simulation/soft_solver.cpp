@@ -20,7 +20,7 @@ constexpr double warmGrowth = 3.0;
 constexpr int relaxPasses = 3;
 /// Passes that bring overlap apart, then such that only keep others from being pressed together for it; both go on from what the
 /// step before found. More of the first: it comes apart sooner; fewer of the second: piles are pressed into themselves and tremble.
-constexpr int partPasses = 4;
+constexpr int partPasses = 12;
 constexpr int holdPasses = 4;
 /// Rounds over the points of a contact that bounces.
 constexpr int restitutionRounds = 8;

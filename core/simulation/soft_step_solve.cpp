@@ -263,15 +263,17 @@ void SoftStepWorld::buildSolver(double h) {
 
 /// m by which the two are brought apart by position only in this step: overlap at birth, or what others have jammed.
 double SoftStepWorld::partingOf(const SoftContact& contact, double dt) const {
-    const auto ageOf = [&](const Collider& x) { return x.kind == ColliderKind::Body ? solidOf(x).age : 1e300; };
-    const bool young = std::min(ageOf(*contact.a), ageOf(*contact.b)) < m_settings.overlapTime;
     const auto lightness = [&](const Collider& x) { return x.kind == ColliderKind::Body ? solidOf(x).inverseMass : 0.0; };
-    const double overlap = young ? contact.offset : 0.0;
+    const double thickness = std::min(thicknessOf(*contact.a), thicknessOf(*contact.b));
+    // Every pair has its time for it, and the longer it takes the more may stay: so a pile comes to rest with what it cannot get
+    // rid of.
+    const double spent = contact.partedFor / m_settings.overlapTime;
+    const double overlap = spent < 1.0 ? contact.offset - spent * restingDepth * thickness : 0.0;
     // Only where overlap at birth pushes bodies about; elsewhere contacts alone decide how deep they carry.
     const auto points = std::span(contact.points).first(static_cast<std::size_t>(contact.count));
     const double strong = jammingPush / std::max(lightness(*contact.a), lightness(*contact.b));
     const bool pushed = std::ranges::any_of(points, [&](const SoftContact::Point& p) { return p.push > strong; });
-    const double jammed = contact.depth - contact.offset - jammedDepth * std::min(thicknessOf(*contact.a), thicknessOf(*contact.b));
+    const double jammed = contact.depth - contact.offset - jammedDepth * thickness;
     return std::clamp(pushed ? std::max(overlap, jammed) : overlap, 0.0, m_settings.overlapSpeed * dt);
 }
 
@@ -436,6 +438,7 @@ void SoftStepWorld::takeResult(const SolverContact& c, Outcome& outcome) {
     if (m_parting) {
         contact.offset += pressedByParting(c, contact);
     }
+    contact.partedFor += c.parting > 0.0 ? m_substepLength * m_substeps : 0.0;
     contact.load += loadMemory * (loadOf(contact) - contact.load);
     outcome.unloads = (c.a == m_stillSlot || c.b == m_stillSlot) && unloads(contact);
     outcome.works = c.driven || c.booked;

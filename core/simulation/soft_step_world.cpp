@@ -365,7 +365,6 @@ void SoftStepWorld::writeBack(double dt) {
             solid.velocity = m_solver.bodies[i].velocity;
             solid.spin = m_solver.bodies[i].spin;
             solid.supported = m_supportedNow[i] != 0;
-            solid.age += dt;
             lifting[i] = bringApart(i, dt) + keepAboveGround(solid, dt);
             btRigidBody& object = *solid.collider->object;
             object.setWorldTransform(toBullet(solid.pose));

@@ -61,16 +61,13 @@ private:
         Vec3 inertia = Vec3::Ones();
         double inverseMass = 0.0;
         std::int32_t slot = -1;  ///< among the solver's bodies in this step; -1: immovable and still
-        double age = 0.0;        ///< s, that it has been there and awake
         bool hull = false;       ///< a part is a hull
         int drivers = 0;         ///< moving pieces that press on it in this step
         bool active = false;     ///< a contact acted on it in this step
         bool supported = false;  ///< it stood, in the step before, on something immovable or supported
 
         /// What outlasts a step and does not follow from collider and pose.
-        void keep(Archive& archive) {
-            archive(swept, pose, velocity, spin, rim, inertia, inverseMass, age, hull, active, supported);
-        }
+        void keep(Archive& archive) { archive(swept, pose, velocity, spin, rim, inertia, inverseMass, hull, active, supported); }
     };
     struct Pair {
         Collider* a = nullptr;  ///< entered first

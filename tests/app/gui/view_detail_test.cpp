@@ -8,6 +8,8 @@
 #include "app/gui/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/preferences_dialog.h"
+#include "widgets/render/camera.h"
+#include "widgets/render/panes.h"
 
 namespace rubble {
 namespace {
@@ -110,6 +112,40 @@ TEST_F(ViewDetail, ThePreferenceSwitchesItOff) {
     EXPECT_FALSE(MainWindow().preferences().simplify) << "the next window has it, too";
     QTest::keyClick(simplify, Qt::Key_Space);
     EXPECT_TRUE(readPreferences(settings).simplify);
+}
+
+/// All corners of the model lie within all panes.
+bool seenWhole(const widgets::ViewWidget& views) {
+    const render::View& view = views.view();
+    for (const render::Pane& pane : render::panesOf(view.layout, views.width(), views.height())) {
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 at = views.bounds().corner(static_cast<Aabb::CornerType>(corner));
+            const auto seen = render::project(render::cameraOf(view, pane.content), at, pane.aspect());
+            if (!seen || seen->u < 0.0 || seen->u > 1.0 || seen->v < 0.0 || seen->v > 1.0) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+TEST_F(ViewDetail, WhatIsFittedStaysSoBesideADockUntilTheCameraIsMoved) {
+    ASSERT_TRUE(seenWhole(views()));
+    const int wide = views().width();
+    window->actions()["components"].trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return views().width() < wide; }, patience));
+    EXPECT_TRUE(seenWhole(views())) << "the model does not move out of sight because a list opens";
+    window->actions()["components"].trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return views().width() == wide; }, patience));
+    EXPECT_TRUE(seenWhole(views()));
+
+    views().turn(0.3, 0.0);
+    const render::View turned = views().view();
+    window->actions()["components"].trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return views().width() < wide; }, patience));
+    EXPECT_EQ(views().view(), turned) << "where the user looks from is not the window's to change";
+    window->actions()["fit"].trigger();
+    EXPECT_TRUE(seenWhole(views()));
 }
 
 }  // namespace

@@ -14,14 +14,15 @@
 namespace rubble {
 namespace {
 
-/// Bodies on each other in a column, with contacts of one to four points, some in overlap, some limited.
+/// Bodies on each other in columns, with contacts of one to four points, some in overlap, some limited.
 struct Column {
     static constexpr std::size_t bodies = 37;
     static constexpr double h = 1.0 / 240.0;
     WorkerPool pool{1};
     SoftSolver solver{pool};
 
-    explicit Column(unsigned seed) {
+    /// @param height  bodies in a column
+    explicit Column(unsigned seed, std::uint32_t height = 3) {
         std::mt19937 random(seed);
         const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
         solver.bodies.resize(bodies + 1);
@@ -34,7 +35,7 @@ struct Column {
         }
         std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
         for (std::uint32_t i = 0; i < bodies; ++i) {
-            ends.emplace_back(i % 3 == 0 || i == 0 ? bodies : i - 1, i);
+            ends.emplace_back(i % height == 0 ? bodies : i - 1, i);
         }
         ContactColours colours;
         colourContacts(ends, bodies, colours);
@@ -143,9 +144,13 @@ TEST(SoftLanes, WhatAContactGetsDoesNotDependOnThoseBesideIt) {
 }
 
 TEST(SoftLanes, PushesApartGoOnFromTheStepBefore) {
-    // A column whose lowest contacts have to carry the way of all that comes apart above: passes alone need as many as it has
-    // bodies.
-    Column column(5);
+    // A column in which all contacts come apart: the lower ones carry the way of what lies above, for which passes alone need many
+    // more than it has bodies.
+    Column column(5, Column::bodies);
+    for (SolverContact& c : column.solver.contacts) {
+        c.parting = 0.2;
+    }
+    column.prepare();
     const auto missing = [&] {
         EXPECT_TRUE(column.solver.part());
         double most = 0.0;
@@ -167,7 +172,7 @@ TEST(SoftLanes, PushesApartGoOnFromTheStepBefore) {
         column.prepare();
         last = missing();
     }
-    EXPECT_LT(last, 0.2 * first);
+    EXPECT_LT(last, 0.3 * first);
 }
 
 TEST(SoftLanes, ContactsKeepMomentum) {

@@ -7860,8 +7860,8 @@
         <translation>静水面的 z 坐标。自动：没有水。</translation>
     </message>
     <message>
-        <source>How long two bodies are brought apart where one was born in the other, or was pressed into it by such; the longer it takes, the more may stay, and what is left then stays, so that the pile can come to rest. Longer: looser piles that rest later.</source>
-        <translation>两个刚体因产生时重叠或因此被压入彼此时，在多长时间内把它们分开；用时越长，允许保留的越多，最后剩余的重叠保留，使堆积能够静止。时间越长：堆积越松散，静止越晚。</translation>
+        <source>How long two bodies are brought apart where one was born in the other, or was pressed into it by such; what is left then stays, so that the pile can come to rest. Longer: looser piles that rest later.</source>
+        <translation>两个刚体因产生时重叠或因此被压入彼此时，在多长时间内把它们分开；剩余的重叠保留，使堆积能够静止。时间越长：堆积越松散，静止越晚。</translation>
     </message>
     <message>
         <source>Overlap resolved for</source>

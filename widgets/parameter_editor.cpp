@@ -82,7 +82,7 @@ QString ParameterEditor::tip() const {
         const QString high = std::isfinite(m_row.high) ? numberText(m_row.high) : QStringLiteral("∞");
         text += QStringLiteral("<p>") + tr("From %1 to %2 %3").arg(low, high, unit()) + QStringLiteral("</p>");
     }
-    return text + QStringLiteral("<p><i>") + key().toHtmlEscaped() + QStringLiteral("</i></p>");
+    return text + QStringLiteral("<p><code>") + key().toHtmlEscaped() + QStringLiteral("</code></p>");
 }
 
 void ParameterEditor::build() {

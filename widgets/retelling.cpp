@@ -23,10 +23,10 @@ const QRegularExpression& valuePlace() {
     return place;
 }
 
-/// What parts a text that is put together: first tags and line ends, then, where a piece is no text itself, dots between figures,
-/// arrows and semicolons.
+/// What parts a text that is put together: first tags, line ends and names in code, which are no words in any language, then, where
+/// a piece is no text itself, dots between figures, arrows and semicolons.
 const QRegularExpression& outerJoint() {
-    static const QRegularExpression between(QStringLiteral("<[^>]*>|\\n|&nbsp;"));
+    static const QRegularExpression between(QStringLiteral("<code>[^<]*</code>|<[^>]*>|\\n|&nbsp;"));
     return between;
 }
 const QRegularExpression& innerJoint() {

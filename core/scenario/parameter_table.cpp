@@ -158,10 +158,8 @@ std::vector<Parameter> simulationRows() {
                 "Speed at which overlap that exists at birth is resolved, by position only.")
         .number(
             "overlap_time", "s", 0, 10000, RUBBLE_AT(simulation.overlapTime), "Overlap resolved for",
-            "How long two bodies are brought apart where one was born in the other, or was pressed into it by such; the longer it "
-            "takes, the more may stay, and what is left then stays, so that the pile can come to rest. Longer: looser piles that "
-            "rest "
-            "later.")
+            "How long two bodies are brought apart where one was born in the other, or was pressed into it by such; what is left "
+            "then stays, so that the pile can come to rest. Longer: looser piles that rest later.")
         .number("settle_time", "s", 0, 10000, RUBBLE_AT(simulation.settleTime), "Settle time",
                 "How long the run goes on at most after the last FE state, until 99 % of the bodies sleep.")
         .number("frame_rate", "FPS", 0.1, 1000, RUBBLE_AT(simulation.frameRate), "Recorded frames",

@@ -83,7 +83,7 @@ struct SimulationSettings {
     double freezeSpeed = 0.02;  ///< m/s of the fastest corner
     double freezeDelay = 0.5;   ///< s below it
     double overlapSpeed = 1.5;  ///< m/s at which overlap at birth is brought apart
-    double overlapTime = 6.0;   ///< s for each pair
+    double overlapTime = 7.0;   ///< s for each pair
     double settleTime = 10.0;   ///< s at most after the last FE state
     double frameRate = 25.0;    ///< recorded frames per second
     bool autoRemedy = false;    ///< halve the steps for a while after a health breach

@@ -66,7 +66,7 @@ struct WorldSettings {
     double freezeSpeed = 0.02;  ///< m/s
     double freezeDelay = 0.5;   ///< s
     double overlapSpeed = 1.5;  ///< m/s
-    double overlapTime = 6.0;   ///< s, for each pair
+    double overlapTime = 7.0;   ///< s, for each pair
     /// Asked now and then within a step; a step that is told to stop ends early and leaves the world good for destruction only.
     std::function<bool()> cancelled;
 };

@@ -265,10 +265,8 @@ void SoftStepWorld::buildSolver(double h) {
 double SoftStepWorld::partingOf(const SoftContact& contact, double dt) const {
     const auto lightness = [&](const Collider& x) { return x.kind == ColliderKind::Body ? solidOf(x).inverseMass : 0.0; };
     const double thickness = std::min(thicknessOf(*contact.a), thicknessOf(*contact.b));
-    // Every pair has its time for it, and the longer it takes the more may stay: so a pile comes to rest with what it cannot get
-    // rid of.
-    const double spent = contact.partedFor / m_settings.overlapTime;
-    const double overlap = spent < 1.0 ? contact.offset - spent * restingDepth * thickness : 0.0;
+    // Every pair has its time for it, so that a pile comes to rest with what it cannot get rid of.
+    const double overlap = contact.partedFor < m_settings.overlapTime ? contact.offset : 0.0;
     // Only where overlap at birth pushes bodies about; elsewhere contacts alone decide how deep they carry.
     const auto points = std::span(contact.points).first(static_cast<std::size_t>(contact.count));
     const double strong = jammingPush / std::max(lightness(*contact.a), lightness(*contact.b));

@@ -39,7 +39,13 @@ std::pair<int, bool> covered(const QImage& image, const QColor& colour) {
     return {pixels, alike};
 }
 
-TEST(Icons, EveryGlyphIsDrawnInTheColourOfThePen) {
+class Icons : public testing::Test {
+protected:
+    void SetUp() override { giveColours(render::Theme::Light); }
+    void TearDown() override { giveColours(render::Theme::Light); }
+};
+
+TEST_F(Icons, EveryGlyphIsDrawnInTheColourOfThePen) {
     for (const render::Theme theme : {render::Theme::Light, render::Theme::Dark}) {
         giveColours(theme);
         for (int i = 0; i < glyphs; ++i) {
@@ -51,10 +57,9 @@ TEST(Icons, EveryGlyphIsDrawnInTheColourOfThePen) {
             }
         }
     }
-    giveColours(render::Theme::Light);
 }
 
-TEST(Icons, NoTwoGlyphsLookAlikeButTakingBackAndGivingBack) {
+TEST_F(Icons, NoTwoGlyphsLookAlikeButTakingBackAndGivingBack) {
     std::set<QByteArray> pictures;
     for (int i = 0; i < glyphs; ++i) {
         const QImage image = drawn(static_cast<Glyph>(i), Qt::black);
@@ -64,11 +69,11 @@ TEST(Icons, NoTwoGlyphsLookAlikeButTakingBackAndGivingBack) {
     EXPECT_EQ(drawn(Glyph::Undo, Qt::black), drawn(Glyph::Reset, Qt::black));
 }
 
-TEST(Icons, PlayingBackwardsIsPlayingMirrored) {
+TEST_F(Icons, PlayingBackwardsIsPlayingMirrored) {
     EXPECT_EQ(drawn(Glyph::PlayBack, Qt::black), drawn(Glyph::Play, Qt::black).mirrored(true, false));
 }
 
-TEST(Icons, AnIconFollowsTheThemeAndFadesWhereItIsDisabled) {
+TEST_F(Icons, AnIconFollowsTheThemeAndFadesWhereItIsDisabled) {
     const QIcon icon = glyphIcon(Glyph::Open);
     for (const render::Theme theme : {render::Theme::Light, render::Theme::Dark}) {
         giveColours(theme);
@@ -76,7 +81,6 @@ TEST(Icons, AnIconFollowsTheThemeAndFadesWhereItIsDisabled) {
         EXPECT_GT(covered(icon.pixmap(22, 22).toImage(), tints().text).first, 8);
         EXPECT_EQ(covered(icon.pixmap(QSize(22, 22), QIcon::Disabled).toImage(), tints().muted).first, 0);
     }
-    giveColours(render::Theme::Light);
 }
 
 }  // namespace

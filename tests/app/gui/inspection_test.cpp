@@ -108,8 +108,8 @@ TEST_F(Inspecting, ARubberBandTakesAllInItEvenCovered) {
     QMouseEvent move(QEvent::MouseMove, QPointF(far), views().mapToGlobal(QPointF(far)), Qt::NoButton, Qt::LeftButton,
                      Qt::ControlModifier);
     QApplication::sendEvent(&views(), &move);
-    QTest::mouseRelease(&views(), Qt::LeftButton, Qt::ControlModifier, far);
     EXPECT_TRUE(views().view().cameras[0] == before);
+    QTest::mouseRelease(&views(), Qt::LeftButton, Qt::ControlModifier, far);
     EXPECT_EQ(selected().size(), window->computation().inputs().fe->activity().activeCount(0));
 }
 

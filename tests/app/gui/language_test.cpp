@@ -231,6 +231,8 @@ TEST_F(Languages, AWindowThatSwitchedSaysWhatOneSaysThatBeganInIt) {
     window->showInstant(time);
     window->document().setParameter(QStringLiteral("friction"), 0.5);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    window->area().views().setAnimated(false);
+    window->area().views().turn(0.1, 0.0);  // longer words leave a fitted view another size; one that was turned stays
     const render::View view = window->area().views().view();
     const int index = window->document().undoStack().index();
     speak("zh_CN");
@@ -239,6 +241,17 @@ TEST_F(Languages, AWindowThatSwitchedSaysWhatOneSaysThatBeganInIt) {
     EXPECT_EQ(window->document().undoStack().index(), index);
     EXPECT_EQ(window->area().views().view(), view);
     EXPECT_EQ(rail(PanelDeck::Grid), widgets::StageState::UpToDate);
+    // Keys of settings are no words.
+    static const QRegularExpression keyPlace(QStringLiteral("<code>([^<]*)</code>"));
+    int keys = 0;
+    for (const QWidget* widget : window->findChildren<QWidget*>()) {
+        if (const QRegularExpressionMatch key = keyPlace.match(widget->toolTip()); key.hasMatch()) {
+            ++keys;
+            EXPECT_TRUE(std::ranges::all_of(key.captured(1), [](QChar c) { return c.unicode() < 128; }))
+                << qPrintable(key.captured(1));
+        }
+    }
+    EXPECT_GT(keys, 20);
     window->document().undoStack().undo();
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     chooseAll();

@@ -103,7 +103,8 @@ QMenuBar { border-bottom: 1px solid %hairline%; }
 QMenuBar::item { padding: 4px 8px; background: transparent; }
 QMenuBar::item:selected { background: %accentTint%; }
 QMenu { background: %panel%; border: 1px solid %hairline%; padding: 4px 0; }
-QMenu::item { padding: 5px 24px 5px 28px; }
+QMenu::item { padding: 5px 24px 5px 20px; }
+QMenu::icon { padding-left: 10px; }
 QMenu::item:selected { background: %accentTint%; color: %text%; }
 QMenu::item:disabled { color: %muted%; }
 QMenu::separator { height: 1px; background: %hairline%; margin: 4px 0; }

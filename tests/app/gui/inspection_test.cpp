@@ -110,6 +110,9 @@ TEST_F(Inspecting, ARubberBandTakesAllInItEvenCovered) {
     QApplication::sendEvent(&views(), &move);
     EXPECT_TRUE(views().view().cameras[0] == before);
     QTest::mouseRelease(&views(), Qt::LeftButton, Qt::ControlModifier, far);
+    const render::Camera& after = views().view().cameras[0];
+    EXPECT_TRUE((after.focalPoint - after.position).normalized().isApprox((before.focalPoint - before.position).normalized(), 1e-9))
+        << "an inspector that opens may fit the view anew, and turns nothing";
     EXPECT_EQ(selected().size(), window->computation().inputs().fe->activity().activeCount(0));
 }
 

@@ -30,6 +30,7 @@ constexpr std::array sources = {
     Source{Glyph::Effects, "effects", own},
     Source{Glyph::Run, "run", own},
     Source{Glyph::Accuracy, "accuracy", own},
+    Source{Glyph::Finding, "finding", own},
     Source{Glyph::Evidence, "camera-photo"},
     Source{Glyph::Report, "report", own},
     Source{Glyph::New, "document-new"},
@@ -154,19 +155,6 @@ void useIconTheme(bool dark) {
 void drawGlyph(QPainter& painter, Glyph glyph, const QRect& square) {
     const QPixmap picture = pictureOf(glyph, square.width(), painter.device()->devicePixelRatioF(), painter.pen().color());
     painter.drawPixmap(square, picture);
-}
-
-void drawWarning(QPainter& painter, const QPointF& centre, const QColor& colour, const QColor& mark) {
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.translate(centre);
-    painter.setPen(QPen(colour, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.setBrush(colour);
-    painter.drawPolygon(QPolygonF({{0.0, -6.5}, {6.8, 5.5}, {-6.8, 5.5}}));
-    painter.setPen(QPen(mark, 1.7, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(QPointF(0.0, -2.8), QPointF(0.0, 1.2));
-    painter.drawPoint(QPointF(0.0, 3.9));
-    painter.restore();
 }
 
 QIcon glyphIcon(Glyph glyph) {

@@ -6,8 +6,7 @@
 namespace rubble::widgets {
 
 /// Signs in the colours of our theme, at any size: those of the installed icon theme by their standard names, and drawings of our
-/// own
-/// (`resources/icons`) for what only Rubble knows.
+/// own (`resources/icons`) for what only Rubble knows.
 enum class Glyph {
     Case,
     Fragments,
@@ -15,6 +14,7 @@ enum class Glyph {
     Effects,
     Run,
     Accuracy,
+    Finding,
     Evidence,
     Report,
     New,
@@ -59,8 +59,6 @@ enum class Glyph {
 void useIconTheme(bool dark);
 /// Draws a glyph into a square with the painter's pen colour; nothing where no theme has it.
 void drawGlyph(QPainter& painter, Glyph glyph, const QRect& square);
-/// The warning sign: a filled triangle with an exclamation mark, 14 px high, around a point.
-void drawWarning(QPainter& painter, const QPointF& centre, const QColor& colour, const QColor& mark);
 /// The glyph as an icon in the text colour of the theme in force.
 QIcon glyphIcon(Glyph glyph);
 

@@ -49,8 +49,8 @@ void NoticeBar::showSign() {
     picture.setDevicePixelRatio(devicePixelRatioF());
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
-    painter.setRenderHint(QPainter::Antialiasing);
-    drawWarning(painter, QPointF(9, 9), tints().finding, tints().panel);
+    painter.setPen(tints().finding);
+    drawGlyph(painter, Glyph::Finding, QRect(0, 0, 18, 18));
     m_sign->setPixmap(picture);
     m_sign->setVisible(m_warns);
     m_words->setText(m_what.toHtmlEscaped() +

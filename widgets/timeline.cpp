@@ -286,9 +286,9 @@ void Timeline::paintHealth(QPainter& painter, const Rows& r) const {
             acknowledged = acknowledged && m_marks[i].acknowledged;
         }
         const QPointF centre(toX(m_marks[sign.first].from), r.health);
-        drawWarning(painter, centre, acknowledged ? tints().muted : tints().finding, tints().panel);
+        painter.setPen(acknowledged ? tints().muted : tints().finding);
+        drawGlyph(painter, Glyph::Finding, QRect(qRound(centre.x()) - 8, qRound(centre.y()) - 8, 16, 16));
         if (sign.last > sign.first) {
-            painter.setPen(acknowledged ? tints().muted : tints().finding);
             painter.drawText(QPointF(centre.x() + 10.0, r.health - 3.0), QString::number(sign.last - sign.first + 1));
         }
     }

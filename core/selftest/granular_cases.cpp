@@ -153,7 +153,7 @@ PieceId wall(WorldScene& scene, const Vec3& centre, const Vec3& size, const Quat
 /// Solid fraction of the grains that the laws were measured with.
 constexpr double packing = 0.6;
 
-/// Pours cubes into a vessel, a few layers at a time so that none falls deep, and lets them settle.
+/// Pours cubes into a vessel, a few layers at a time so that none falls deep and none is born in another, and lets them settle.
 /// @param height  m, roughly what they settle to
 /// Returns the height that they would have if they were packed like the grains of the experiments: the taller a column, the more
 /// its blocks press each other together (0.49 to 0.65), and only columns equally dense follow one law.
@@ -177,7 +177,7 @@ double fill(WorldScene& scene, Pile& pile, std::uint64_t seed, double halfX, dou
     for (int poured = 0; poured < layers; poured += layersAtOnce) {
         for (int k = 0; k < std::min(layersAtOnce, layers - poured); ++k) {
             for (const Vec3& place : places) {
-                pile.add(place + Vec3(0, 0, top + spacing * (k + 0.6)), Vec3::Constant(cubeSide), random.turn());
+                pile.add(place + Vec3(0, 0, top + spacing * (k + 1.0)), Vec3::Constant(cubeSide), random.turn());
             }
         }
         scene.run(0.5);

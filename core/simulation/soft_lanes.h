@@ -61,9 +61,23 @@ struct alignas(8 * solverLanes) LanePointWork {
     Lanes raised;        ///< N s, upward part of what acted in the soft pass
 };
 
-/// What is spent at a point on bringing overlap apart in a step.
-struct alignas(8 * solverLanes) LanePush {
-    Lanes push;  ///< kg m
+/// A point as bringing overlap apart sees it: along the normal only, so that its many passes read little.
+struct alignas(8 * solverLanes) LanePart {
+    Lanes push;                     ///< kg m, spent so far in this step
+    KeptLaneVector turnA, turnB;    ///< m, arm x normal: how far apart a turn of the body brings the point
+    KeptLaneVector swingA, swingB;  ///< 1/(kg m), turn of the body by a push
+    KeptLanes mass;                 ///< kg
+    KeptLanes gap;                  ///< m, that may close
+};
+
+/// Contacts side by side, likewise.
+struct alignas(8 * solverLanes) LaneParting {
+    std::uint32_t a[solverLanes], b[solverLanes];  ///< bodies
+    KeptLanes inverseMassA, inverseMassB;          ///< 1/kg
+    KeptLaneVector normal;                         ///< from a to b
+    KeptLanes parting;                             ///< m, by which the two are to come apart in this step; zero: none
+    std::uint32_t firstPoint = 0;
+    std::uint32_t points = 0;
 };
 
 /// Contacts side by side. Missing ones at the end of a colour have no mass and no body.
@@ -99,10 +113,11 @@ struct LaneScene {
     LanePointWork* works = nullptr;  ///< beside the points
     LaneBody* bodies = nullptr;
     const LaneTravel* travel = nullptr;
-    std::uint32_t movable = 0;   ///< bodies below this one move
-    double h = 0.0;              ///< s, length of a substep
-    LanePush* pushes = nullptr;  ///< beside the points
-    LaneBody* parted = nullptr;  ///< m and rad by which overlap is brought apart, in place of speeds
+    std::uint32_t movable = 0;        ///< bodies below this one move
+    double h = 0.0;                   ///< s, length of a substep
+    LaneParting* partings = nullptr;  ///< beside the contacts
+    LanePart* parts = nullptr;        ///< beside the points
+    LaneBody* parted = nullptr;       ///< m and rad by which overlap is brought apart, in place of speeds
 };
 
 /// The passes over contacts [first, last) of one colour, in two makes: for every processor, and for those with 256-bit vectors.
@@ -115,7 +130,7 @@ struct LanePasses {
     /// Solves once without the push, where the bodies have moved to. @param moved  they have since the pass before
     /// @param final  the last pass of the substep: its impulses are added up
     void (*relax)(const LaneScene& scene, std::size_t first, std::size_t last, bool moved, bool final);
-    /// Applies the pushes of the step before.
+    /// Makes out of contacts and points what the next passes read, and applies the pushes of the step before.
     void (*startParting)(const LaneScene& scene, std::size_t first, std::size_t last);
     /// Brings overlap apart by position only. @param hold  nothing is pushed further, only kept from going back
     void (*part)(const LaneScene& scene, std::size_t first, std::size_t last, bool hold);

@@ -23,6 +23,9 @@ inline KeptLanes kept(Lanes x) {
 inline LaneVector wide(const KeptLaneVector& v) {
     return {wide(v.x), wide(v.y), wide(v.z)};
 }
+inline KeptLaneVector kept(const LaneVector& v) {
+    return {kept(v.x), kept(v.y), kept(v.z)};
+}
 inline LaneTensor wide(const KeptLaneTensor& t) {
     return {wide(t.xx), wide(t.yy), wide(t.zz), wide(t.xy), wide(t.xz), wide(t.yz)};
 }
@@ -278,14 +281,41 @@ void relax(const LaneScene& scene, std::size_t first, std::size_t last, bool mov
     }
 }
 
+/// Applies a push along the normal.
+inline void partBy(const LaneParting& c, const LaneVector& normal, const LanePart& p, Lanes push, End& a, End& b) {
+    a.velocity = a.velocity - (wide(c.inverseMassA) * push) * normal;
+    a.spin = a.spin - push * wide(p.swingA);
+    b.velocity = b.velocity + (wide(c.inverseMassB) * push) * normal;
+    b.spin = b.spin + push * wide(p.swingB);
+}
+
 void startParting(const LaneScene& scene, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-        const LaneContacts& c = scene.contacts[i];
+        const LaneContacts& from = scene.contacts[i];
+        LaneParting& c = scene.partings[i];
+        __builtin_memcpy(c.a, from.a, sizeof c.a);
+        __builtin_memcpy(c.b, from.b, sizeof c.b);
+        c.inverseMassA = kept(from.inverseMassA);
+        c.inverseMassB = kept(from.inverseMassB);
+        c.normal = from.normal;
+        c.parting = from.parting;
+        c.firstPoint = from.firstPoint;
+        c.points = from.points;
         End a = load(scene.parted, c.a);
         End b = load(scene.parted, c.b);
-        const Pair pair(c);
+        const Pair pair(from);
         for (std::uint32_t k = 0; k < c.points; ++k) {
-            apply(pair, a, b, Arms(scene.points[c.firstPoint + k]), scene.pushes[c.firstPoint + k].push * pair.normal);
+            const LanePoint& point = scene.points[c.firstPoint + k];
+            LanePart& p = scene.parts[c.firstPoint + k];
+            const Arms arms(point);
+            const LaneVector turnA = cross(arms.a, pair.normal), turnB = cross(arms.b, pair.normal);
+            p.turnA = kept(turnA);
+            p.turnB = kept(turnB);
+            p.swingA = kept(pair.inverseInertiaA * turnA);
+            p.swingB = kept(pair.inverseInertiaB * turnB);
+            p.mass = point.normalMass;
+            p.gap = kept(larger(point.now, all(0.0)));
+            partBy(c, pair.normal, p, p.push, a, b);
         }
         store(a, scene.parted, c.a, scene.movable);
         store(b, scene.parted, c.b, scene.movable);
@@ -295,23 +325,21 @@ void startParting(const LaneScene& scene, std::size_t first, std::size_t last) {
 void part(const LaneScene& scene, std::size_t first, std::size_t last, bool hold) {
     const Lanes zero = all(0.0);
     for (std::size_t i = first; i < last; ++i) {
-        const LaneContacts& c = scene.contacts[i];
+        const LaneParting& c = scene.partings[i];
         End a = load(scene.parted, c.a);
         End b = load(scene.parted, c.b);
-        const Pair pair(c);
+        const LaneVector normal = wide(c.normal);
         const Lanes parting = wide(c.parting);
         for (std::uint32_t k = 0; k < c.points; ++k) {
-            const LanePoint& p = scene.points[c.firstPoint + k];
-            Lanes& push = scene.pushes[c.firstPoint + k].push;
-            const Arms arms(p);
-            const Lanes mass = wide(p.normalMass);
-            const Lanes way = dot(pair.normal, relativeVelocity(a, b, arms));
+            LanePart& p = scene.parts[c.firstPoint + k];
+            const Lanes push = p.push;
+            const Lanes mass = wide(p.mass);
+            const Lanes way = dot(normal, b.velocity - a.velocity) + dot(wide(p.turnB), b.spin) - dot(wide(p.turnA), a.spin);
             // What touches stays apart, what is open may close, what overlaps comes apart.
-            const Lanes wanted = larger(push + mass * (parting - larger(p.now, zero) - way), zero);
+            const Lanes wanted = larger(push + mass * (parting - wide(p.gap) - way), zero);
             const Lanes held = larger(push, push - mass * way);
-            const Lanes total = hold ? (parting > zero ? held : wanted) : wanted;
-            apply(pair, a, b, arms, (total - push) * pair.normal);
-            push = total;
+            p.push = hold ? (parting > zero ? held : wanted) : wanted;
+            partBy(c, normal, p, p.push - push, a, b);
         }
         store(a, scene.parted, c.a, scene.movable);
         store(b, scene.parted, c.b, scene.movable);

@@ -20,7 +20,7 @@ constexpr double warmGrowth = 3.0;
 constexpr int relaxPasses = 3;
 /// Passes that bring overlap apart, then such that only keep others from being pressed together for it; both go on from what the
 /// step before found. More of the first: it comes apart sooner; fewer of the second: piles are pressed into themselves and tremble.
-constexpr int partPasses = 12;
+constexpr int partPasses = 48;
 constexpr int holdPasses = 4;
 /// Rounds over the points of a contact that bounces.
 constexpr int restitutionRounds = 8;
@@ -238,7 +238,8 @@ void SoftSolver::arrange() {
     m_lanes.resize(m_groups.size());
     m_lanePoints.resize(point);
     m_laneWorks.resize(point);
-    m_pushes.resize(point);
+    m_parts.resize(point);
+    m_partings.resize(m_groups.size());
 }
 
 namespace {
@@ -285,7 +286,9 @@ void SoftSolver::fillLanes(const Group& group, LaneContacts& lanes) {
         lanes.a[i] = lanes.b[i] = still;
     }
     std::fill_n(m_lanePoints.begin() + first, most, LanePoint{});
-    std::fill_n(m_pushes.begin() + first, most, LanePush{});
+    for (std::uint32_t k = 0; k < most; ++k) {
+        m_parts[first + k].push = Lanes{};
+    }
     for (std::uint32_t i = 0; i < count; ++i) {
         const int lane = static_cast<int>(i);
         const SolverContact& c = contacts[lanes.found[i]];
@@ -314,7 +317,7 @@ void SoftSolver::fillLanes(const Group& group, LaneContacts& lanes) {
         lanes.booked = lanes.booked || c.booked || c.driven;
         for (std::uint32_t k = 0; k < c.points; ++k) {
             setLane(m_lanePoints[first + k], lane, points[c.firstPoint + k]);
-            m_pushes[first + k].push[lane] = points[c.firstPoint + k].push;
+            m_parts[first + k].push[lane] = points[c.firstPoint + k].push;
         }
     }
 }
@@ -380,12 +383,15 @@ void SoftSolver::book() {
 
 bool SoftSolver::part() {
     if (std::none_of(contacts.begin(), contacts.end(), [](const SolverContact& c) { return c.parting > 0.0; })) {
-        m_pushes.assign(m_lanePoints.size(), LanePush{});
+        for (LanePart& part : m_parts) {
+            part.push = Lanes{};
+        }
         return false;
     }
     m_parted.assign(bodies.size(), LaneBody{});
     m_scene.parted = m_parted.data();
-    m_scene.pushes = m_pushes.data();
+    m_scene.partings = m_partings.data();
+    m_scene.parts = m_parts.data();
     forEachColour(m_passes.startParting);
     for (int pass = 0; pass < partPasses + holdPasses; ++pass) {
         forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) {
@@ -411,7 +417,7 @@ void SoftSolver::takeBack() {
                     p.tangentImpulse[1] = lanePoint.tangentImpulse[1][lane];
                     p.largestImpulse = lanePoint.largestImpulse[lane];
                     p.impulseSum = lanePoint.impulseSum[lane];
-                    p.push = m_pushes[lanes.firstPoint + n].push[lane];
+                    p.push = m_parts[lanes.firstPoint + n].push[lane];
                 }
             }
         }

@@ -148,8 +148,9 @@ private:
     std::vector<LanePointWork> m_laneWorks;
     std::vector<LaneBody> m_laneBodies;
     std::vector<LaneTravel> m_laneTravel;
-    std::vector<LanePush> m_pushes;  ///< beside the points
-    std::vector<LaneBody> m_parted;  ///< [bodies]
+    std::vector<LaneParting> m_partings;  ///< beside the contacts
+    std::vector<LanePart> m_parts;        ///< beside the points
+    std::vector<LaneBody> m_parted;       ///< [bodies]
 };
 
 }  // namespace rubble

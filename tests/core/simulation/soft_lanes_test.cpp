@@ -144,8 +144,8 @@ TEST(SoftLanes, WhatAContactGetsDoesNotDependOnThoseBesideIt) {
 }
 
 TEST(SoftLanes, PushesApartGoOnFromTheStepBefore) {
-    // A column in which all contacts come apart: the lower ones carry the way of what lies above, for which passes alone need many
-    // more than it has bodies.
+    // A column in which all contacts come apart: the lower ones carry the way of what lies above, for which the passes of one step
+    // are too few. What is open may close first.
     Column column(7, Column::bodies);
     for (SolverContact& c : column.solver.contacts) {
         c.parting = 0.2;
@@ -160,7 +160,7 @@ TEST(SoftLanes, PushesApartGoOnFromTheStepBefore) {
             for (std::uint32_t k = 0; k < c.points; ++k) {
                 const SolverPoint& p = column.solver.points[c.firstPoint + k];
                 const Vec3 way = Vec3(b.velocity) + Vec3(b.spin).cross(p.fromB) - Vec3(a.velocity) - Vec3(a.spin).cross(p.fromA);
-                most = std::max(most, c.parting - c.normal.dot(way));
+                most = std::max(most, c.parting - std::max(0.0, p.separation) - c.normal.dot(way));
             }
         }
         return most;
@@ -172,7 +172,7 @@ TEST(SoftLanes, PushesApartGoOnFromTheStepBefore) {
         column.prepare();
         last = missing();
     }
-    EXPECT_LT(last, 0.1 * first);
+    EXPECT_LT(last, 0.01 * first);
 }
 
 TEST(SoftLanes, ContactsKeepMomentum) {

@@ -286,6 +286,8 @@ void Timeline::paintHealth(QPainter& painter, const Rows& r) const {
             acknowledged = acknowledged && m_marks[i].acknowledged;
         }
         const QPointF centre(toX(m_marks[sign.first].from), r.health);
+        // The mark in the sign is a hole: no bar is to be seen through it.
+        painter.fillRect(QRectF(centre.x() - 2.0, r.health - 3.0, 4.0, 8.0), tints().panel);
         painter.setPen(acknowledged ? tints().muted : tints().finding);
         drawGlyph(painter, Glyph::Finding, QRect(qRound(centre.x()) - 8, qRound(centre.y()) - 8, 16, 16));
         if (sign.last > sign.first) {

@@ -131,7 +131,7 @@ void topple(const CaseSetting& setting, Outcome& outcome) {
         (topples(setting, middle) ? falls : stands) = middle;
     }
     const double law = std::atan(1.0 / 3.0) * 180.0 / std::numbers::pi;
-    outcome.atMost("error of the angle at which h/b = 3 topples", std::abs(0.5 * (stands + falls) - law), 0.3, "degrees");
+    outcome.near("angle at which h/b = 3 topples", 0.5 * (stands + falls), law, 0.3, "degrees");
 }
 
 void spinPlate(const CaseSetting& setting, Outcome& outcome) {

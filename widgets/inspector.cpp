@@ -65,9 +65,9 @@ Inspector::Inspector(QWidget* parent)
     first->addStretch();
     m_follow->setCheckable(true);
     auto* second = new QHBoxLayout;
-    auto* isolate = addButton(second, tr("Isolate"), tr("Hide everything that is not selected"));
-    auto* hide = addButton(second, tr("Hide"), tr("Leave what is selected out of the views; what it covered appears"));
-    auto* clear = addButton(second, tr("Clear"), tr("Select nothing"));
+    m_isolate = addButton(second, tr("Isolate"), tr("Hide everything that is not selected"));
+    m_hide = addButton(second, tr("Hide"), tr("Leave what is selected out of the views; what it covered appears"));
+    m_clear = addButton(second, tr("Clear"), tr("Select nothing"));
     second->addStretch();
     m_column->addLayout(first);
     m_column->addLayout(second);
@@ -83,9 +83,9 @@ Inspector::Inspector(QWidget* parent)
     connect(m_birth, &QToolButton::clicked, this, &Inspector::birthRequested);
     connect(m_follow, &QToolButton::clicked, this, &Inspector::followRequested);
     connect(m_cluster, &QToolButton::clicked, this, &Inspector::clusterRequested);
-    connect(isolate, &QToolButton::clicked, this, &Inspector::isolateRequested);
-    connect(hide, &QToolButton::clicked, this, &Inspector::hideRequested);
-    connect(clear, &QToolButton::clicked, this, &Inspector::clearRequested);
+    connect(m_isolate, &QToolButton::clicked, this, &Inspector::isolateRequested);
+    connect(m_hide, &QToolButton::clicked, this, &Inspector::hideRequested);
+    connect(m_clear, &QToolButton::clicked, this, &Inspector::clearRequested);
     showNothing();
 }
 
@@ -123,14 +123,17 @@ void Inspector::restart(const QString& title, const QString& subtitle) {
     }
     m_title->setText(title);
     m_subtitle->setText(subtitle);
+    for (QToolButton* button : {m_isolate, m_hide, m_clear}) {
+        button->setEnabled(true);
+    }
 }
 
 void Inspector::showNothing() {
     restart(tr("Nothing selected"),
             tr("Click an element or a fragment in a view. Ctrl-click adds; dragging with Ctrl adds all in a rectangle."));
-    m_birth->setEnabled(false);
-    m_follow->setEnabled(false);
-    m_cluster->setEnabled(false);
+    for (QToolButton* button : {m_birth, m_follow, m_cluster, m_isolate, m_hide, m_clear}) {
+        button->setEnabled(false);
+    }
 }
 
 void Inspector::showElement(const ElementFacts& facts) {

@@ -93,6 +93,9 @@ private:
     QToolButton* m_birth;
     QToolButton* m_follow;
     QToolButton* m_cluster;
+    QToolButton* m_isolate;
+    QToolButton* m_hide;
+    QToolButton* m_clear;
 };
 
 }  // namespace rubble::widgets

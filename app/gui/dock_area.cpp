@@ -54,7 +54,8 @@ bool DockArea::narrow() const {
 }
 
 void DockArea::arrange() {
-    if (m_floating == nullptr || m_floating->isHidden() || m_settled || !isVisible()) {
+    // A dock that is taken out or put back says more than once that it is to be seen.
+    if (m_own || m_floating == nullptr || m_floating->isHidden() || m_settled || !isVisible()) {
         return;
     }
     m_own = true;

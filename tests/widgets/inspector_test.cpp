@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 
 namespace rubble::widgets {
 namespace {
@@ -131,8 +132,14 @@ TEST(Inspector, ManyAreSummed) {
     for (const char* part : {"1,234 elements", "1,000", "400", "1.250–4.500", "pier 0", "and 3 more components"}) {
         EXPECT_TRUE(text.contains(QString::fromUtf8(part))) << part << " is not in\n" << text.toStdString();
     }
+    const auto usable = [&inspector] {
+        const auto buttons = inspector.findChildren<QToolButton*>();
+        return std::count_if(buttons.begin(), buttons.end(), [](const QToolButton* button) { return button->isEnabled(); });
+    };
+    EXPECT_EQ(usable(), 5) << "many are not followed";
     inspector.showNothing();
     EXPECT_FALSE(textOf(inspector).contains(QStringLiteral("pier 0")));
+    EXPECT_EQ(usable(), 0) << "nothing is there to be hidden";
 }
 
 }  // namespace

@@ -90,6 +90,16 @@ TEST_F(Inspecting, AClickSelectsAndCtrlClickAdds) {
     EXPECT_TRUE(inspection().dock("inspectorDock").isHidden());
 }
 
+TEST_F(Inspecting, TheInspectorStandsBesideTheViewsWhereThereIsRoomAndFloatsWhereThereIsNone) {
+    const QDockWidget& dock = *window->findChild<QDockWidget*>(QStringLiteral("inspectorDock"));
+    window->resize(1280, 800);
+    inspection().selection().select({views().data().fragments->list.front().element});
+    for (const bool wide : {false, true, false, true}) {
+        window->resize(wide ? QSize(1900, 1000) : QSize(1280, 800));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return dock.isVisible() && dock.isFloating() != wide; }, patience)) << wide;
+    }
+}
+
 TEST_F(Inspecting, DraggingTurnsAndDoesNotSelect) {
     const QPoint from = pixelOf(firstOf("girder 1"));
     const render::Camera before = views().view().cameras[0];

@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <QDockWidget>
 #include <QTest>
 #include <QTimer>
 #include <array>
 #include <functional>
 
+#include "app/gui/inspection.h"
 #include "app/gui/new_case.h"
 #include "app/gui/playback.h"
+#include "app/gui/selection_display.h"
 #include "app/gui/view_area.h"
 #include "tests/app/gui/legibility.h"
 #include "tests/app/gui/workbench.h"
@@ -102,7 +105,16 @@ TEST_F(Screens, CanBeReadWholeWithoutACase) {
 TEST_F(Screens, CanBeReadWholeWithARun) {
     simulated();
     lookAtPanels({});
-    for (const char* action : {"components", "inspector", "history", "select_by", "clip", "four", "overlay", "presentation"}) {
+    QDockWidget& inspector = *window->findChild<QDockWidget*>(QStringLiteral("inspectorDock"));
+    window->inspection().selection().select({window->area().views().data().fragments->list.front().element});
+    look(QStringLiteral("inspector"), [&]() -> QWidget* {
+        if (inspector.isFloating()) {
+            return &inspector;
+        }
+        return window.get();
+    });
+    window->actions()["select_none"].trigger();
+    for (const char* action : {"components", "history", "select_by", "clip", "four", "overlay", "presentation"}) {
         window->actions()[action].trigger();
         look(QLatin1String(action), [this] { return window.get(); });
         window->actions()[action].trigger();

@@ -346,7 +346,6 @@ TEST_F(Project, ADamagedCaseIsToldAndLeavesWhatIsOpen) {
 
 TEST_F(Project, WhatCannotBeReadTakesNothingFromWhatRuns) {
     openArch();
-    window->document().setParameter(QStringLiteral("settle_time"), 0.0);
     window->simulate(false);
     ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().simulating(); }, patience));
     for (const char* name : {"damaged.rubble", "damaged.d3plot", "gone.exo"}) {

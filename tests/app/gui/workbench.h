@@ -33,7 +33,7 @@ class Workbench : public testing::Test {
 protected:
     static QString arch() { return QStringLiteral(RUBBLE_SOURCE_DIR "/resources/samples/rc-arch.exo"); }
     /// ms. Patience for machines that do much else at the same time; nothing is asserted about how long things take.
-    static constexpr int patience = 180'000;
+    static constexpr int patience = 300'000;
 
     void SetUp() override {
         window = std::make_unique<MainWindow>();

@@ -248,8 +248,8 @@ void tieBreaks(const CaseSetting& setting, Outcome& outcome) {
         gap = breaks.gap();
         breaks.scene.run(breaks.scene.dt);
     }
-    // What the force has over the strength pulls the two apart evenly: s = F t^2 / m, m of each. Found a step late at 1.2 m/s (4 ms);
-    // the start that the damped elastic part lets it take is worth less than 0.02 s.
+    // What the force has over the strength pulls the two apart evenly: s = F t^2 / m, m of each. Found a step late at 1.2 m/s (4
+    // ms); the start that the damped elastic part lets it take is worth less than 0.02 s.
     const double law = std::sqrt(Tied::breakGap * Tied::mass / (breaks.force - Tied::strength));
     outcome.near("elongation at which a tie breaks, strength passed", gap, Tied::breakGap, 0.012, "m");
     outcome.near("time until it breaks at 1.1 of its strength", breaks.scene.time(), law, 0.02, "s");

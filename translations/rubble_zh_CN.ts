@@ -7137,6 +7137,22 @@
         <source>what it says does not belong together</source>
         <translation>其内容互不相符</translation>
     </message>
+    <message>
+        <source>{0}, {1} times its first volume</source>
+        <translation>{0}，体积为最初的 {1} 倍</translation>
+    </message>
+    <message>
+        <source>{0}, {1} thick per length</source>
+        <translation>{0}，厚度与长度之比为 {1}</translation>
+    </message>
+    <message>
+        <source>{0}, {1} s, but reported at state {2}</source>
+        <translation>{0}，{1} s，但到状态 {2} 才报告</translation>
+    </message>
+    <message>
+        <source>element {0} ({1}), {2} s</source>
+        <translation>单元 {0}（{1}），{2} s</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -8928,40 +8944,12 @@
         <translation>按计算值</translation>
     </message>
     <message>
-        <source>FE result</source>
-        <translation>有限元结果</translation>
-    </message>
-    <message>
-        <source>Units</source>
-        <translation>单位</translation>
-    </message>
-    <message>
         <source>own</source>
         <translation>自定义</translation>
     </message>
     <message>
-        <source>Up</source>
-        <translation>向上</translation>
-    </message>
-    <message>
-        <source>Ground</source>
-        <translation>地面</translation>
-    </message>
-    <message>
         <source>level, z = %1</source>
         <translation>水平，z = %1</translation>
-    </message>
-    <message>
-        <source>Components</source>
-        <translation>构件列表</translation>
-    </message>
-    <message>
-        <source>Steps of regrouping</source>
-        <translation>重新分组步骤</translation>
-    </message>
-    <message>
-        <source>Fragments</source>
-        <translation>碎块</translation>
     </message>
     <message>
         <source>Terrain</source>
@@ -14629,6 +14617,34 @@ What the file fits: %2.</source>
     <message>
         <source>Settled</source>
         <translation>已确定</translation>
+    </message>
+    <message>
+        <source>FE result</source>
+        <translation>有限元结果</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>向上</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>构件列表</translation>
+    </message>
+    <message>
+        <source>Steps of regrouping</source>
+        <translation>重新分组步骤</translation>
+    </message>
+    <message>
+        <source>Fragments</source>
+        <translation>碎块</translation>
     </message>
 </context>
 <context>

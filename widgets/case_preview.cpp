@@ -1,5 +1,6 @@
 #include "widgets/case_preview.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -76,6 +77,7 @@ CasePreview::CasePreview(QWidget* parent)
     connect(&m_clock, &PlaybackClock::timeChanged, this, &CasePreview::showTime);
     connect(&m_clock, &PlaybackClock::playingChanged, this,
             [this](bool playing) { m_play->setIcon(glyphIcon(playing ? Glyph::Pause : Glyph::Play)); });
+    followTheme();
     setData({});
 }
 
@@ -104,6 +106,19 @@ void CasePreview::setData(const render::SceneData& scene) {
     m_views->setView(view);
     m_views->fit();
     showTime();
+}
+
+void CasePreview::followTheme() {
+    render::View view = m_views->view();
+    view.theme = currentTheme();
+    m_views->setView(view);
+}
+
+void CasePreview::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        followTheme();
+    }
 }
 
 void CasePreview::mark(const std::vector<std::string>& components) {

@@ -28,7 +28,11 @@ public:
     /// Dead elements as fragments at their birth place, or as gaps.
     void setFragmentsShown(bool shown);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void followTheme();
     void step(int states);
     void showTime();
 

@@ -1,5 +1,6 @@
 #include "widgets/new_case_deaths.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
@@ -123,6 +124,14 @@ void NewCaseDeaths::setContent(const std::shared_ptr<const Content>& content) {
     }
     showTable();
     showAnomalies();
+}
+
+// Kinds and places of what is odd are words of core: they are said anew.
+void NewCaseDeaths::changeEvent(QEvent* event) {
+    Panel::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        setContent(m_content);
+    }
 }
 
 void NewCaseDeaths::showTable() {

@@ -37,6 +37,9 @@ signals:
     /// A component was chosen: the instant of its first death is worth a look.
     void instantRequested(double time);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     void buildTable();
     void showTable();

@@ -25,7 +25,14 @@ NewCaseSummary::NewCaseSummary(QWidget* parent)
     m_note->setFixedHeight(4 * m_note->fontMetrics().lineSpacing() + 12);
     m_note->setPlaceholderText(tr("What is known of this analysis, and by whom it was made"));
     names->addField(tr("Note"), m_note, {}, tr("Kept with the scenario"));
-    m_settled = addGroup(tr("Settled"));
+    PanelGroup* settled = addGroup(tr("Settled"));
+    m_feResult = settled->addValue(tr("FE result"));
+    m_units = settled->addValue(tr("Units"));
+    m_upAxis = settled->addValue(tr("Up"));
+    m_ground = settled->addValue(tr("Ground"));
+    m_components = settled->addValue(tr("Components"));
+    m_regrouping = settled->addValue(tr("Steps of regrouping"));
+    m_fragments = settled->addValue(tr("Fragments"));
     connect(m_title, &QLineEdit::textChanged, this, &NewCaseSummary::namedChanged);
     connect(m_scenario, &QLineEdit::textChanged, this, &NewCaseSummary::namedChanged);
 }
@@ -51,14 +58,14 @@ QString NewCaseSummary::note() const {
     return m_note->toPlainText().trimmed();
 }
 
-void NewCaseSummary::setRows(const std::vector<std::pair<QString, QString>>& rows) {
-    // Rows are few and always the same ones: only their values change.
-    for (std::size_t i = m_values.size(); i < rows.size(); ++i) {
-        m_values.push_back(m_settled->addValue(rows[i].first));
-    }
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        m_values[i]->setText(rows[i].second);
-    }
+void NewCaseSummary::setSettled(const Settled& settled) {
+    m_feResult->setText(settled.feResult);
+    m_units->setText(settled.units);
+    m_upAxis->setText(settled.upAxis);
+    m_ground->setText(settled.ground);
+    m_components->setText(settled.components);
+    m_regrouping->setText(settled.regrouping);
+    m_fragments->setText(settled.fragments);
 }
 
 }  // namespace rubble::widgets

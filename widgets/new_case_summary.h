@@ -19,8 +19,17 @@ public:
     QString title() const;
     QString scenarioName() const;
     QString note() const;
-    /// What was settled: label and value, one row each.
-    void setRows(const std::vector<std::pair<QString, QString>>& rows);
+    /// What was settled on the way, in words for the screen.
+    struct Settled {
+        QString feResult;
+        QString units;
+        QString upAxis;
+        QString ground;
+        QString components;
+        QString regrouping;
+        QString fragments;
+    };
+    void setSettled(const Settled& settled);
 
 signals:
     /// Whether there is a name.
@@ -30,8 +39,13 @@ private:
     QLineEdit* m_title;
     QLineEdit* m_scenario;
     QPlainTextEdit* m_note;
-    PanelGroup* m_settled;
-    std::vector<QLabel*> m_values;
+    QLabel* m_feResult;
+    QLabel* m_units;
+    QLabel* m_upAxis;
+    QLabel* m_ground;
+    QLabel* m_components;
+    QLabel* m_regrouping;
+    QLabel* m_fragments;
 };
 
 }  // namespace rubble::widgets

@@ -179,6 +179,13 @@ void NewCaseWizard::showState() {
     m_create->setEnabled(m_ready && named);
 }
 
+void NewCaseWizard::changeEvent(QEvent* event) {
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        emit languageChanged();
+    }
+}
+
 void NewCaseWizard::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
         if (auto* button = qobject_cast<QPushButton*>(focusWidget())) {

@@ -51,8 +51,11 @@ signals:
     void redoRequested();
     /// What is being read shall stop.
     void stopRequested();
+    /// Another language is spoken: what was put together from words of core is to be said anew.
+    void languageChanged();
 
 protected:
+    void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:

@@ -87,6 +87,7 @@ void NewCase::connectWizard() {
         connect(panel, &widgets::Panel::edited, this, &NewCase::edit);
     }
     connect(&wizard, &QDialog::finished, this, &NewCase::finished);
+    connect(&wizard, &widgets::NewCaseWizard::languageChanged, this, &NewCase::showResults);
     connect(&wizard, &widgets::NewCaseWizard::createRequested, this, &NewCase::make);
     connect(&wizard, &widgets::NewCaseWizard::undoRequested, this, [this] { m_document.undoStack().undo(); });
     connect(&wizard, &widgets::NewCaseWizard::redoRequested, this, [this] { m_document.undoStack().redo(); });
@@ -272,19 +273,19 @@ void NewCase::showSummary() {
     const UnitSystem* system = fe != nullptr ? systemOf(fe->contents().units) : nullptr;
     const QString terrain = QFileInfo(QString::fromStdString(m_computation.terrain().path)).fileName();
     const bool counted = results.fragments != nullptr && !m_computation.stale(Stage::Fragments, m_document.scenario());
-    m_wizard->summary().setRows(
-        {{tr("FE result"), fe != nullptr ? QFileInfo(QString::fromStdString(fe->contents().path)).fileName() : none},
-         {tr("Units"), system != nullptr ? QString::fromUtf8(system->id.data(), static_cast<qsizetype>(system->id.size()))
-                       : fe != nullptr   ? tr("own")
-                                         : none},
-         {tr("Up"), fe != nullptr ? QString::fromStdString(fe->contents().frame.upAxis) : none},
-         {tr("Ground"), terrain.isEmpty()
-                            ? tr("level, z = %1").arg(widgets::shownLength(m_document.scenario().simulation.groundHeight))
-                            : terrain},
-         {tr("Components"),
-          results.components != nullptr ? widgets::shownCount(static_cast<std::int64_t>(results.components->list.size())) : none},
-         {tr("Steps of regrouping"), widgets::shownCount(static_cast<std::int64_t>(m_document.scenario().regrouping.size()))},
-         {tr("Fragments"), counted ? widgets::shownCount(static_cast<std::int64_t>(results.fragments->size())) : none}});
+    widgets::NewCaseSummary::Settled settled;
+    settled.feResult = fe != nullptr ? QFileInfo(QString::fromStdString(fe->contents().path)).fileName() : none;
+    settled.units = system != nullptr ? QString::fromUtf8(system->id.data(), static_cast<qsizetype>(system->id.size()))
+                    : fe != nullptr   ? tr("own")
+                                      : none;
+    settled.upAxis = fe != nullptr ? QString::fromStdString(fe->contents().frame.upAxis) : none;
+    settled.ground =
+        terrain.isEmpty() ? tr("level, z = %1").arg(widgets::shownLength(m_document.scenario().simulation.groundHeight)) : terrain;
+    settled.components =
+        results.components != nullptr ? widgets::shownCount(static_cast<std::int64_t>(results.components->list.size())) : none;
+    settled.regrouping = widgets::shownCount(static_cast<std::int64_t>(m_document.scenario().regrouping.size()));
+    settled.fragments = counted ? widgets::shownCount(static_cast<std::int64_t>(results.fragments->size())) : none;
+    m_wizard->summary().setSettled(settled);
 }
 
 void NewCase::showUndo() {

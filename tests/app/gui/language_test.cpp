@@ -25,6 +25,7 @@
 #include "app/gui/help.h"
 #include "app/gui/manual.h"
 #include "app/gui/mnemonics.h"
+#include "app/gui/new_case.h"
 #include "app/gui/playback.h"
 #include "app/gui/settings.h"
 #include "app/gui/view_area.h"
@@ -33,7 +34,9 @@
 #include "io/exports.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/accuracy_panel.h"
+#include "widgets/new_case_wizard.h"
 #include "widgets/preferences_dialog.h"
+#include "widgets/spoken_text.h"
 
 namespace rubble {
 
@@ -106,7 +109,7 @@ const std::set<QString>& sameEverywhere() {
             "LLVM bits llvmpipe "
             "NAME true false Left Right Up Down Pa exo tif tiff asc bil img hgt dt xyz grd zh CN xf px viridis cividis JPEG TIFF "
             "PDF pdf HTML html MP glTF Blender SI ft lb report run ensemble compare GeoTIFF GeoPackage GeoJSON Shapefile ESRI OBJ "
-            "PLY");
+            "PLY kPa dyn cm lbf kip psi ksi psf in");
         for (const QString& word : plain.split(u' ')) {
             list.insert(word);
         }
@@ -159,10 +162,11 @@ protected:
         widgets::speak(QLatin1String(language));
         QTest::qWait(50);
     }
-    QStringList namesOfTheFile() const {
+    QStringList namesOfTheFile() const { return namesOf(window->computation().inputs().fe.get()); }
+    static QStringList namesOf(const FeResult* fe) {
         QStringList names{QStringLiteral("rc-arch.exo"), QStringLiteral("rc-arch"), QStringLiteral("As computed"),
                           QString::fromUtf8(buildText().data(), static_cast<qsizetype>(buildText().size()))};
-        if (const auto& fe = window->computation().inputs().fe) {
+        if (fe != nullptr) {
             for (const Part& part : fe->mesh().parts) {
                 names << QString::fromStdString(part.name);
             }
@@ -221,6 +225,47 @@ TEST_F(Languages, AWindowWithAResultAndARunSpeaksChineseOnly) {
     EXPECT_GT(tables[0].size(), 10000u);
     EXPECT_EQ(tables[0], tables[1]);
     EXPECT_EQ(tables[0], tables[2]);
+}
+
+TEST_F(Languages, TheWizardOfANewCaseSaysWhatOneSaysThatBeganInChinese) {
+    std::vector<Texts> told;
+    for (const char* first : {"zh_CN", "en"}) {
+        speak(first);
+        window->newCase(arch());
+        NewCase& making = *window->caseInTheMaking();
+        for (int step = widgets::NewCaseWizard::Units; step < widgets::NewCaseWizard::StepCount; ++step) {
+            making.wizard().go(static_cast<widgets::NewCaseWizard::Step>(step));
+            ASSERT_TRUE(
+                QTest::qWaitFor([&] { return making.settled() && making.computation().results().fragments != nullptr; }, patience));
+        }
+        speak("zh_CN");
+        const Texts texts = textsOf(making.wizard());
+        EXPECT_GT(texts.size(), 500u);
+        const QStringList names = namesOf(making.computation().inputs().fe.get());
+        for (const auto& [place, text] : texts) {
+            EXPECT_TRUE(strangeWords(text, names).isEmpty()) << first << ", " << qPrintable(place) << ": " << qPrintable(text);
+        }
+        told.push_back(texts);
+        making.wizard().reject();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window->caseInTheMaking() == nullptr; }, patience));
+    }
+    for (const auto& [place, text] : told.front()) {
+        const auto switched = told.back().find(place);
+        ASSERT_NE(switched, told.back().end()) << qPrintable(place);
+        EXPECT_EQ(text.toStdString(), switched->second.toStdString()) << qPrintable(place);
+    }
+}
+
+TEST_F(Languages, PlacesOfWhatIsOddInAFileAreSaidWhole) {
+    speak("zh_CN");
+    const auto said = [](const char* english) { return widgets::spokenText(english).toStdString(); };
+    EXPECT_EQ(said("element 20,373 (beam) at state 57 (2.85 s)"), "状态 57 (2.85 s) 的单元 20,373（梁）");
+    EXPECT_EQ(said("element 20,373 (beam) at state 57 (2.85 s), 0.48 times its first volume"),
+              "状态 57 (2.85 s) 的单元 20,373（梁），体积为最初的 0.48 倍");
+    EXPECT_EQ(said("element 7 (beam) at state 2 (0.1 s), 0.001 thick per length"),
+              "状态 2 (0.1 s) 的单元 7（梁），厚度与长度之比为 0.001");
+    EXPECT_EQ(said("element 7 (beam), 3.2 s, but reported at state 2 (0.1 s)"), "单元 7（梁），3.2 s，但到状态 2 (0.1 s) 才报告");
+    EXPECT_EQ(said("element 7 (beam), 3.2 s"), "单元 7（梁），3.2 s");
 }
 
 TEST_F(Languages, AWindowThatSwitchedSaysWhatOneSaysThatBeganInIt) {

@@ -226,6 +226,21 @@ TEST_F(NewCases, EscapeLeavesAndTheWindowHasTheKeyboardAgain) {
     EXPECT_LT(window->playback().clock().time(), end);
 }
 
+TEST_F(NewCases, AreShownInTheThemeOfTheWindow) {
+    begin();
+    EXPECT_EQ(making().preview().views().view().theme, render::Theme::Light);
+    window->setTheme(QStringLiteral("dark"));
+    EXPECT_EQ(making().preview().views().view().theme, render::Theme::Dark);
+    wizard().reject();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->caseInTheMaking() == nullptr; }, patience));
+    window->newCase(fe);
+    EXPECT_EQ(making().preview().views().view().theme, render::Theme::Dark) << "before the file is read";
+    settle();
+    EXPECT_EQ(making().preview().views().view().theme, render::Theme::Dark);
+    wizard().reject();
+    window->setTheme(QStringLiteral("light"));
+}
+
 TEST_F(NewCases, LeaveNothingWhenCancelled) {
     openArch();
     const Case before = window->document().theCase();

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/analysis/machine_load.h"
+#include "core/base/elapsed.h"
 #include "core/base/error.h"
 #include "core/trajectory/sink_relay.h"
 
@@ -23,10 +24,6 @@ constexpr std::chrono::milliseconds lookEvery{50};
 
 /// Frames recorded for each live one: frames stand at the ends of steps, so that recording at the target itself would give fewer.
 constexpr double recordedRate = 2.0;
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Which frames are live ones: the first of each 1 / target s. FE states are recorded too, between them.
 class LiveGrid {

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/analysis/machine_load.h"
+#include "core/base/elapsed.h"
 #include "core/trajectory/record_archive.h"
 #include "core/trajectory/sink_relay.h"
 
@@ -72,8 +73,7 @@ SettledWorld simulateSettled(const RunDescription& description, const Execution&
     const SimulationResult result = simulate(description, islands, execution, checkpoints);
     SettledWorld settled;
     SimulatedWorld& world = settled.world;
-    world.wallSeconds =
-        result.checkpoints.secondsBefore + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    world.wallSeconds = result.checkpoints.secondsBefore + secondsSince(start);
     world.othersShare = load.othersShare();
     world.trajectoryHash = result.trajectoryHash;
     world.endTime = result.endTime;

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/base/build.h"
+#include "core/base/elapsed.h"
 #include "core/scenario/parameters.h"
 
 namespace rubble {
@@ -12,10 +13,6 @@ namespace {
 
 /// Raised by one whenever the code of a stage changes what it makes from the same scenario.
 constexpr std::array<int, stageCount> stageVersions{1, 2, 1, 1, 1, 3};
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// One run of the pipeline: makes each part or takes it over, and keeps the account of keys and times.
 class PipelineRun {

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "core/base/elapsed.h"
 #include "core/base/error.h"
 #include "core/base/nearest_names.h"
 
@@ -74,7 +75,7 @@ CaseResult runCase(const HardCase& hardCase, const SuiteSettings& settings, cons
         result.finished = true;
         result.error = error.what();
     }
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.seconds = secondsSince(start);
     return result;
 }
 

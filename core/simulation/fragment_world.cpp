@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/elapsed.h"
 #include "core/simulation/constants.h"
 
 namespace rubble {
@@ -106,7 +107,7 @@ void FragmentWorld::runHook(double dt) {
         m_bodies[at(body.id)]->object->setLinearVelocity(toBullet(body.velocity));
         m_bodies[at(body.id)]->object->setAngularVelocity(toBullet(body.spin));
     }
-    m_hookSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+    m_hookSeconds += secondsSince(from);
 }
 
 void FragmentWorld::collectContacts() {

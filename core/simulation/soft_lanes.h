@@ -30,13 +30,14 @@ struct KeptLaneTensor {
     KeptLanes xx, yy, zz, xy, xz, yz;
 };
 
-/// What the passes change of a body. The fourth number of the velocity is 1 once a contact has acted on it in this substep.
-struct alignas(32) LaneBody {
+/// What the passes change of a body, on a line of the cache of its own. The fourth number of the velocity is 1 once a contact has
+/// acted on it in this substep.
+struct alignas(64) LaneBody {
     double velocity[4] = {};  ///< m/s
     double spin[4] = {};      ///< rad/s, world axes
 };
 /// How far a body has gone since the start of the step.
-struct alignas(32) LaneTravel {
+struct alignas(64) LaneTravel {
     double moved[4] = {};   ///< m
     double turned[4] = {};  ///< rad
 };

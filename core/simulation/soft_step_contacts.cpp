@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/elapsed.h"
 #include "core/simulation/constants.h"
 #include "core/simulation/hull_contact.h"
 #include "core/simulation/soft_step_world.h"
@@ -11,10 +12,6 @@ namespace rubble {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point from) {
-    return std::chrono::duration<double>(Clock::now() - from).count();
-}
 
 /// Patches that one pair of parts may have.
 constexpr std::uint32_t patchesPerPart = 64;
@@ -121,7 +118,7 @@ void SoftStepWorld::collidePairs(std::vector<Pair>& pairs, Kind kind, double dt)
             collidePair(pairs[i], dt, found);
         }
     });
-    const double seconds = since(from);
+    const double seconds = secondsSince(from);
     (kind == Structure ? m_costs.structureContact : m_costs.fragmentContact) += seconds;
     m_costs.motion -= seconds;
 }
@@ -170,7 +167,7 @@ void SoftStepWorld::collideWithGround(std::span<const std::uint32_t> bodies, dou
             collideWithGround(m_bodies[bodies[i]], dt, found);
         }
     });
-    const double seconds = since(from);
+    const double seconds = secondsSince(from);
     m_costs.groundContact += seconds;
     m_costs.motion -= seconds;
 }
@@ -180,7 +177,7 @@ void SoftStepWorld::collideAll(double dt) {
     m_partsUsed = 0;
     m_runs.clear();
     findPairs();
-    const double broad = since(from);
+    const double broad = secondsSince(from);
     const double pairs = std::max<double>(1.0, static_cast<double>(m_pairs[Structure].size() + m_pairs[Fragments].size()));
     m_costs.structureContact += broad * static_cast<double>(m_pairs[Structure].size()) / pairs;
     m_costs.fragmentContact += broad * static_cast<double>(m_pairs[Fragments].size()) / pairs;

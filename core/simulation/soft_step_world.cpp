@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/elapsed.h"
 #include "core/simulation/constants.h"
 
 namespace rubble {
@@ -12,10 +13,6 @@ namespace rubble {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point from) {
-    return std::chrono::duration<double>(Clock::now() - from).count();
-}
 
 /// Largest energy of spin after a free turn over that before.
 constexpr double energyTolerance = 1.001;
@@ -123,7 +120,7 @@ void SoftStepWorld::internalSingleStepSimulation(btScalar dt) {
     takeResults();
     writeBack(dt);
     settle(dt);
-    const double rest = since(from);
+    const double rest = secondsSince(from);
     m_costs.motion += rest;
 }
 
@@ -227,16 +224,16 @@ void SoftStepWorld::substeps(double dt) {
     for (int substep = 0; substep < m_substeps; ++substep) {
         const auto start = Clock::now();
         runHook(h);
-        hook += m_hook ? since(start) : 0.0;
+        hook += m_hook ? secondsSince(start) : 0.0;
         const auto moving = Clock::now();
         for (std::size_t i = 0; i < m_awake.size(); ++i) {
             m_solver.bodies[i].velocity.z() -= m_settings.gravity * h;
         }
-        motion += since(moving);
+        motion += secondsSince(moving);
         m_solver.solveSoft(pushOutSpeed);
         const auto moved = Clock::now();
         moveBodies(h);
-        motion += since(moved);
+        motion += secondsSince(moved);
         m_solver.relax();
         m_solver.book();
     }
@@ -249,7 +246,7 @@ void SoftStepWorld::substeps(double dt) {
     m_substepLength = h;
     m_costs.substepHook += hook;
     m_costs.motion -= hook;
-    shareSolveTime(since(from) - hook - motion);
+    shareSolveTime(secondsSince(from) - hook - motion);
 }
 
 int SoftStepWorld::substepsFor(double dt) {

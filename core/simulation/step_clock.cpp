@@ -4,11 +4,12 @@
 #include <numeric>
 
 #include "core/base/archive.h"
+#include "core/base/elapsed.h"
 
 namespace rubble {
 
 void StepClock::add(Instant from, double dt) {
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+    const double seconds = secondsSince(from);
     m_milliseconds.push_back(1000.0 * seconds);
     m_simulated += dt;
     m_inTime += seconds < dt;

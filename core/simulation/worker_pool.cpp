@@ -33,9 +33,9 @@ void waitWhile(const std::atomic<T>& atomic, T old) {
 
 }  // namespace
 
-WorkerPool::WorkerPool(int threads) {
-    for (int i = 1; i < threads; ++i) {
-        m_workers.emplace_back([this] { wait(); });
+WorkerPool::WorkerPool(int threads) : m_shares(static_cast<std::size_t>(std::max(1, threads))) {
+    for (std::size_t thread = 1; thread < m_shares.size(); ++thread) {
+        m_workers.emplace_back([this, thread] { wait(thread); });
     }
 }
 
@@ -52,35 +52,41 @@ void WorkerPool::share(std::size_t count, std::size_t grain, std::function<void(
     m_work = std::move(work);
     m_count = count;
     m_grain = grain;
-    const auto parts = static_cast<std::uint32_t>((count + grain - 1) / grain);
-    m_unfinished.store(parts);
-    m_untaken.store(parts);
+    m_parts = (count + grain - 1) / grain;
+    m_unfinished.store(static_cast<std::uint32_t>(m_parts));
+    for (std::size_t thread = 0; thread < m_shares.size(); ++thread) {
+        m_shares[thread].untaken.store(static_cast<std::uint32_t>(shareBegin(thread + 1) - shareBegin(thread)));
+    }
     ++m_round;
     m_round.notify_all();
-    takeParts();
+    takeParts(0);
     // Only for parts that others have begun; who comes late finds nothing and is not waited for.
     for (std::uint32_t left = m_unfinished.load(); left != 0; left = m_unfinished.load()) {
         waitWhile(m_unfinished, left);
     }
 }
 
-void WorkerPool::takeParts() {
-    std::uint32_t untaken = m_untaken.load();
-    while (untaken != 0) {
-        if (!m_untaken.compare_exchange_weak(untaken, untaken - 1)) {
-            continue;
+void WorkerPool::takeParts(std::size_t thread) {
+    // The own share first, then what others have not got to.
+    for (std::size_t k = 0; k < m_shares.size(); ++k) {
+        const std::size_t whose = (thread + k) % m_shares.size();
+        std::atomic<std::uint32_t>& share = m_shares[whose].untaken;
+        std::uint32_t untaken = share.load();
+        while (untaken != 0) {
+            if (!share.compare_exchange_weak(untaken, untaken - 1)) {
+                continue;
+            }
+            const std::size_t first = (shareBegin(whose + 1) - untaken) * m_grain;
+            m_work(first, std::min(first + m_grain, m_count));
+            if (m_unfinished.fetch_sub(1) == 1) {
+                m_unfinished.notify_all();
+            }
+            untaken = share.load();
         }
-        const std::size_t parts = (m_count + m_grain - 1) / m_grain;
-        const std::size_t first = (parts - untaken) * m_grain;
-        m_work(first, std::min(first + m_grain, m_count));
-        if (m_unfinished.fetch_sub(1) == 1) {
-            m_unfinished.notify_all();
-        }
-        untaken = m_untaken.load();
     }
 }
 
-void WorkerPool::wait() {
+void WorkerPool::wait(std::size_t thread) {
     std::uint32_t seen = 0;
     for (;;) {
         waitWhile(m_round, seen);
@@ -88,7 +94,7 @@ void WorkerPool::wait() {
         if (m_stop) {
             return;
         }
-        takeParts();
+        takeParts(thread);
     }
 }
 

@@ -10,7 +10,9 @@
 
 namespace rubble {
 
-/// A few threads that share loops. Which thread does which part never reaches a result: parts write to places of their own.
+/// A few threads that share loops. Which thread does which part never reaches a result: parts write to places of their own. Each
+/// thread begins with its own share of the parts, the same one of every loop of as many, and finds in its caches what it left
+/// there.
 class WorkerPool {
 public:
     /// @param threads  at least 1, the calling thread included
@@ -33,17 +35,25 @@ public:
     }
 
 private:
+    /// Parts of one thread that nobody has, on a line of the cache of their own.
+    struct alignas(64) Share {
+        std::atomic<std::uint32_t> untaken{0};
+    };
+
     void share(std::size_t count, std::size_t grain, std::function<void(std::size_t, std::size_t)> work);
-    void takeParts();
-    void wait();
+    void takeParts(std::size_t thread);
+    void wait(std::size_t thread);
+    /// First part of a thread's share.
+    std::size_t shareBegin(std::size_t thread) const { return m_parts * thread / m_shares.size(); }
 
     // Of the loop at hand. They stay as they are until the last part that somebody took is done, so who has a part may read them.
     std::function<void(std::size_t, std::size_t)> m_work;
     std::size_t m_count = 0;
     std::size_t m_grain = 1;
-    std::atomic<std::uint32_t> m_untaken{0};     ///< parts that nobody has
-    std::atomic<std::uint32_t> m_unfinished{0};  ///< parts
-    std::atomic<std::uint32_t> m_round{0};       ///< grows with every loop
+    std::size_t m_parts = 0;
+    std::vector<Share> m_shares;                             ///< [threads]
+    alignas(64) std::atomic<std::uint32_t> m_unfinished{0};  ///< parts
+    alignas(64) std::atomic<std::uint32_t> m_round{0};       ///< grows with every loop
     std::atomic<bool> m_stop{false};
     std::vector<std::thread> m_workers;
 };

@@ -33,7 +33,10 @@ void waitWhile(const std::atomic<T>& atomic, T old) {
 
 }  // namespace
 
-WorkerPool::WorkerPool(int threads) : m_shares(static_cast<std::size_t>(std::max(1, threads))) {
+WorkerPool::WorkerPool(int threads)
+    : m_shares(static_cast<std::size_t>(std::max(1, threads))),
+      m_unfinished(std::make_unique<Counter>()),
+      m_round(std::make_unique<Counter>()) {
     for (std::size_t thread = 1; thread < m_shares.size(); ++thread) {
         m_workers.emplace_back([this, thread] { wait(thread); });
     }
@@ -41,8 +44,8 @@ WorkerPool::WorkerPool(int threads) : m_shares(static_cast<std::size_t>(std::max
 
 WorkerPool::~WorkerPool() {
     m_stop = true;
-    ++m_round;
-    m_round.notify_all();
+    ++m_round->count;
+    m_round->count.notify_all();
     for (std::thread& worker : m_workers) {
         worker.join();
     }
@@ -53,16 +56,16 @@ void WorkerPool::share(std::size_t count, std::size_t grain, std::function<void(
     m_count = count;
     m_grain = grain;
     m_parts = (count + grain - 1) / grain;
-    m_unfinished.store(static_cast<std::uint32_t>(m_parts));
+    m_unfinished->count.store(static_cast<std::uint32_t>(m_parts));
     for (std::size_t thread = 0; thread < m_shares.size(); ++thread) {
-        m_shares[thread].untaken.store(static_cast<std::uint32_t>(shareBegin(thread + 1) - shareBegin(thread)));
+        m_shares[thread].count.store(static_cast<std::uint32_t>(shareBegin(thread + 1) - shareBegin(thread)));
     }
-    ++m_round;
-    m_round.notify_all();
+    ++m_round->count;
+    m_round->count.notify_all();
     takeParts(0);
     // Only for parts that others have begun; who comes late finds nothing and is not waited for.
-    for (std::uint32_t left = m_unfinished.load(); left != 0; left = m_unfinished.load()) {
-        waitWhile(m_unfinished, left);
+    for (std::uint32_t left = m_unfinished->count.load(); left != 0; left = m_unfinished->count.load()) {
+        waitWhile(m_unfinished->count, left);
     }
 }
 
@@ -70,7 +73,7 @@ void WorkerPool::takeParts(std::size_t thread) {
     // The own share first, then what others have not got to.
     for (std::size_t k = 0; k < m_shares.size(); ++k) {
         const std::size_t whose = (thread + k) % m_shares.size();
-        std::atomic<std::uint32_t>& share = m_shares[whose].untaken;
+        std::atomic<std::uint32_t>& share = m_shares[whose].count;
         std::uint32_t untaken = share.load();
         while (untaken != 0) {
             if (!share.compare_exchange_weak(untaken, untaken - 1)) {
@@ -78,8 +81,8 @@ void WorkerPool::takeParts(std::size_t thread) {
             }
             const std::size_t first = (shareBegin(whose + 1) - untaken) * m_grain;
             m_work(first, std::min(first + m_grain, m_count));
-            if (m_unfinished.fetch_sub(1) == 1) {
-                m_unfinished.notify_all();
+            if (m_unfinished->count.fetch_sub(1) == 1) {
+                m_unfinished->count.notify_all();
             }
             untaken = share.load();
         }
@@ -89,8 +92,8 @@ void WorkerPool::takeParts(std::size_t thread) {
 void WorkerPool::wait(std::size_t thread) {
     std::uint32_t seen = 0;
     for (;;) {
-        waitWhile(m_round, seen);
-        seen = m_round.load();
+        waitWhile(m_round->count, seen);
+        seen = m_round->count.load();
         if (m_stop) {
             return;
         }

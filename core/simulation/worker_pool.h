@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <thread>
 #include <vector>
 
@@ -35,9 +36,9 @@ public:
     }
 
 private:
-    /// Parts of one thread that nobody has, on a line of the cache of their own.
-    struct alignas(64) Share {
-        std::atomic<std::uint32_t> untaken{0};
+    /// On a line of the cache of its own: one thread changes it while others look at others.
+    struct alignas(64) Counter {
+        std::atomic<std::uint32_t> count{0};
     };
 
     void share(std::size_t count, std::size_t grain, std::function<void(std::size_t, std::size_t)> work);
@@ -51,9 +52,10 @@ private:
     std::size_t m_count = 0;
     std::size_t m_grain = 1;
     std::size_t m_parts = 0;
-    std::vector<Share> m_shares;                             ///< [threads]
-    alignas(64) std::atomic<std::uint32_t> m_unfinished{0};  ///< parts
-    alignas(64) std::atomic<std::uint32_t> m_round{0};       ///< grows with every loop
+    // On the heap: the pool itself may lie in what is allocated without regard to lines of the cache.
+    std::vector<Counter> m_shares;          ///< [threads] parts of each that nobody has
+    std::unique_ptr<Counter> m_unfinished;  ///< parts
+    std::unique_ptr<Counter> m_round;       ///< grows with every loop
     std::atomic<bool> m_stop{false};
     std::vector<std::thread> m_workers;
 };

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/fe/mesh.h"
 #include "core/scenario/parameters.h"
 #include "translations/literals.h"
 
@@ -61,6 +62,9 @@ void collectParameters(Phrases& phrases) {
             std::replace(shown.begin(), shown.end(), '_', ' ');
             phrases.choices.insert(shown);
         }
+    }
+    for (int shape = 0; shape <= static_cast<int>(rubble::ElementShape::Beam); ++shape) {
+        phrases.choices.emplace(rubble::shapeName(static_cast<rubble::ElementShape>(shape)));
     }
 }
 

@@ -1197,6 +1197,34 @@
         <source>z</source>
         <translation>z</translation>
     </message>
+    <message>
+        <source>beam</source>
+        <translation>梁</translation>
+    </message>
+    <message>
+        <source>hexahedron</source>
+        <translation>六面体</translation>
+    </message>
+    <message>
+        <source>pyramid</source>
+        <translation>棱锥</translation>
+    </message>
+    <message>
+        <source>quadrilateral</source>
+        <translation>四边形</translation>
+    </message>
+    <message>
+        <source>tetrahedron</source>
+        <translation>四面体</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>wedge</source>
+        <translation>楔形体</translation>
+    </message>
 </context>
 <context>
     <name>figures</name>

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "widgets/panel.h"
+#include "widgets/spoken_text.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
 
@@ -172,9 +173,8 @@ void Inspector::addDeath(const ElementFacts& facts) {
         if (facts.exactDeath) {
             addRow(death, tr("died at"), seconds(*facts.exactDeath), tr("s"), tr("The exact time that the file gives"));
         }
-        death->addNote(facts.reportedBy.empty()
-                           ? tr("The file gives no cause.")
-                           : tr("Reported by %1; the file gives no cause.").arg(QString::fromStdString(facts.reportedBy)));
+        death->addNote(facts.reportedBy.empty() ? tr("The file gives no cause.")
+                                                : tr("Reported by %1; the file gives no cause.").arg(spokenText(facts.reportedBy)));
     }
 }
 

@@ -8,6 +8,8 @@
 #include <QPointer>
 #include <QTabWidget>
 #include <QTextBrowser>
+#include <QUndoStack>
+#include <QUndoView>
 #include <QVariant>
 #include <QWidget>
 #include <algorithm>
@@ -262,6 +264,13 @@ void Retelling::applyTo(QObject& object) const {
         for (int i = 0; i < tabs->count(); ++i) {
             tabs->setTabText(i, retold(tabs->tabText(i), contexts));
             tabs->setTabToolTip(i, retold(tabs->tabToolTip(i), contexts));
+        }
+    }
+    if (const auto* history = qobject_cast<QUndoView*>(widget); history != nullptr && history->stack() != nullptr) {
+        for (int i = 0; i < history->stack()->count(); ++i) {
+            // The stack lends its commands for reading; what they are called is for the screen alone.
+            auto* command = const_cast<QUndoCommand*>(history->stack()->command(i));
+            command->setText(retold(command->text(), contexts));
         }
     }
     if (auto* view = qobject_cast<QAbstractItemView*>(widget);

@@ -1,6 +1,7 @@
 #include "widgets/run_list.h"
 
 #include <QDateTime>
+#include <QEvent>
 #include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
@@ -75,8 +76,19 @@ void RunList::setContent(std::vector<Line> lines) {
     if (lines == m_lines && m_list->count() == static_cast<int>(lines.size()) && !lines.empty()) {
         return;
     }
-    const int row = m_list->currentRow();
     m_lines = std::move(lines);
+    list(longer ? 0 : m_list->currentRow());
+}
+
+void RunList::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    // Dates are written as the language has them.
+    if (event->type() == QEvent::LanguageChange) {
+        list(m_list->currentRow());
+    }
+}
+
+void RunList::list(int row) {
     m_list->clear();
     for (std::size_t i = m_lines.size(); i-- > 0;) {
         const RunEntry& run = m_lines[i].run;
@@ -93,7 +105,7 @@ void RunList::setContent(std::vector<Line> lines) {
     const int shown = std::clamp(static_cast<int>(m_lines.size()), 1, 4);
     m_list->setFixedHeight(shown * (2 * m_list->fontMetrics().lineSpacing() + 10) + 4);
     if (!m_lines.empty()) {
-        m_list->setCurrentRow(longer ? 0 : std::clamp(row, 0, m_list->count() - 1));
+        m_list->setCurrentRow(std::clamp(row, 0, m_list->count() - 1));
     }
     choose();
 }

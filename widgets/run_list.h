@@ -33,7 +33,11 @@ signals:
     /// The user wants to see a kept run again. @param place  in the order in which the runs ended
     void showRequested(std::size_t place);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void list(int row);
     void choose();
     std::size_t placeOf(int row) const { return m_lines.size() - 1 - static_cast<std::size_t>(row); }
 

@@ -81,6 +81,14 @@ void Document::setParameter(const QString& key, const ParameterValue& value) {
     m_undo.push(new ScenarioCommand(*this, scenario(), after, key, m_inGesture ? m_gesture : -1));
 }
 
+void Document::retell() {
+    for (int i = 0; i < m_undo.count(); ++i) {
+        if (auto* edit = dynamic_cast<ScenarioCommand*>(const_cast<QUndoCommand*>(m_undo.command(i)))) {
+            edit->retell();
+        }
+    }
+}
+
 void Document::edit(const QString& what, const Scenario& after) {
     if (!empty() && !(after == scenario())) {
         m_undo.push(new ScenarioCommand(*this, scenario(), after, what));

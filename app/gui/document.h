@@ -29,6 +29,8 @@ public:
     bool standsOn(const Case& theCase) const;
     bool modified() const { return !empty() && !m_undo.isClean(); }
     QUndoStack& undoStack() { return m_undo; }
+    /// Names edits of parameters in the language of the window.
+    void retell();
 
     /// Takes another case; the undo stack starts anew.
     /// @param path  where it lies, empty for one that was never saved; @param base  what its inputs are relative to

@@ -46,7 +46,7 @@ ProjectDisplay::ProjectDisplay(Document& document, Computation& computation, Pan
       m_runs(new RunHistory(document, computation, stateFolder("runs"), this)),
       m_scenarios(new ScenariosDisplay(document, computation, *m_runs, deck.casePanel().scenarios(), deck.run().runs(), window)),
       m_start(new StartDisplay(document, computation, area, stateFolder("pictures"), this)),
-      m_history(new QDockWidget(tr("History"), &window)) {
+      m_history(buildHistory(document, *window.findChild<DockArea*>())) {
     connect(m_autosave, &Autosave::failed, this, &ProjectDisplay::failed);
     connect(m_autosave, &Autosave::setAside, this, [this](const QString& what, const QString& where) {
         emit failed(tr("Unsaved work of an earlier session cannot be read. %1").arg(what),
@@ -60,32 +60,28 @@ ProjectDisplay::ProjectDisplay(Document& document, Computation& computation, Pan
     connect(m_start, &StartDisplay::openRequested, this, &ProjectDisplay::openRequested);
     connect(m_start, &StartDisplay::sampleRequested, this, &ProjectDisplay::sampleRequested);
     connect(m_start, &StartDisplay::tourRequested, &actions["tour"], &QAction::trigger);
-    buildHistory(document);
     connectActions(document);
     m_layout = std::make_unique<LayoutMemory>(window, *window.findChild<DockArea*>(), splitter);
 }
 
 ProjectDisplay::~ProjectDisplay() = default;
 
-void ProjectDisplay::buildHistory(Document& document) {
-    m_history->setObjectName(QStringLiteral("historyDock"));
+QDockWidget* ProjectDisplay::buildHistory(Document& document, DockArea& docks) {
     auto* list = new QUndoView(&document.undoStack());
     list->setEmptyLabel(tr("As opened"));
     list->setAccessibleName(tr("History of edits"));
     list->setToolTip(tr("Every edit since the case was opened; a click goes back or forward to it"));
     list->setMinimumWidth(200);
-    m_history->setWidget(list);
-    m_history->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
-    m_window.addDockWidget(Qt::RightDockWidgetArea, m_history);
-    m_history->hide();
+    QDockWidget* dock = docks.addDock(list, tr("History"), QStringLiteral("historyDock"));
     QAction& shown = m_actions["history"];
-    connect(&shown, &QAction::toggled, this, [this](bool show) {
-        m_history->setVisible(show);
+    connect(&shown, &QAction::toggled, this, [dock](bool show) {
+        dock->setVisible(show);
         if (show) {
-            m_history->raise();
+            dock->raise();
         }
     });
-    connect(m_history->toggleViewAction(), &QAction::toggled, &shown, &QAction::setChecked);
+    connect(dock->toggleViewAction(), &QAction::toggled, &shown, &QAction::setChecked);
+    return dock;
 }
 
 void ProjectDisplay::retell() {

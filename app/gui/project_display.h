@@ -14,6 +14,7 @@ namespace rubble {
 
 class Actions;
 class Computation;
+class DockArea;
 class InputsDisplay;
 class LayoutMemory;
 class PanelDeck;
@@ -63,7 +64,7 @@ signals:
     void failed(const QString& what, const QString& remedy);
 
 private:
-    void buildHistory(Document& document);
+    QDockWidget* buildHistory(Document& document, DockArea& docks);
     void connectActions(Document& document);
 
     Actions& m_actions;

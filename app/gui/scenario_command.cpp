@@ -24,6 +24,12 @@ void ScenarioCommand::name() {
                      widgets::shownValue(parameterValue(m_after, m_key.toStdString()))));
 }
 
+void ScenarioCommand::retell() {
+    if (!m_key.isEmpty()) {
+        name();
+    }
+}
+
 bool ScenarioCommand::mergeWith(const QUndoCommand* other) {
     const auto* next = dynamic_cast<const ScenarioCommand*>(other);
     if (next == nullptr || next->m_key != m_key || next->m_gesture != m_gesture) {

@@ -18,6 +18,8 @@ public:
     void redo() override { m_document.put(m_after); }
     int id() const override { return m_gesture >= 0 ? 1 : -1; }
     bool mergeWith(const QUndoCommand* other) override;
+    /// Says in the language of the window what it had said in another.
+    void retell();
 
 private:
     void name();

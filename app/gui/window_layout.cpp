@@ -270,10 +270,13 @@ void MainWindow::connectFiles() {
     const auto name = [this, &stack] {
         m_actions["undo"].setEnabled(stack.canUndo());
         m_actions["redo"].setEnabled(stack.canRedo());
-        m_actions["undo"].setText(stack.canUndo() ? tr("Undo %1").arg(stack.undoText()) : tr("Undo"));
-        m_actions["redo"].setText(stack.canRedo() ? tr("Redo %1").arg(stack.redoText()) : tr("Redo"));
-        m_actions["undo"].setToolTip(m_actions["undo"].text() + QStringLiteral(" (Ctrl+Z)"));
-        m_actions["redo"].setToolTip(m_actions["redo"].text() + QStringLiteral(" (Ctrl+Shift+Z)"));
+        const auto call = [](QAction& action, const QString& text, const QString& key) {
+            action.setText(text);
+            action.setIconText(text);
+            action.setToolTip(QStringLiteral("%1 (%2)").arg(text, key));
+        };
+        call(m_actions["undo"], stack.canUndo() ? tr("Undo %1").arg(stack.undoText()) : tr("Undo"), QStringLiteral("Ctrl+Z"));
+        call(m_actions["redo"], stack.canRedo() ? tr("Redo %1").arg(stack.redoText()) : tr("Redo"), QStringLiteral("Ctrl+Shift+Z"));
     };
     connect(&stack, &QUndoStack::indexChanged, this, name);
     name();

@@ -71,7 +71,6 @@ void MainWindow::applyPreferences(const widgets::Preferences& preferences) {
     if (otherUnits && m_retellable) {
         widgets::tellUnitsChanged();
         retell();
-        m_inspection->refresh();
         m_evidence->refresh();
     }
     m_retellable = true;
@@ -90,6 +89,8 @@ void MainWindow::retell() {
     if (m_project != nullptr) {
         m_project->retell();
     }
+    m_inspection->refresh();
+    m_document.retell();
     m_document.undoStack().indexChanged(m_document.undoStack().index());
     showTitle();
     showState();

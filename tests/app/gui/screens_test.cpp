@@ -12,6 +12,7 @@
 #include "app/gui/selection_display.h"
 #include "app/gui/view_area.h"
 #include "tests/app/gui/legibility.h"
+#include "tests/app/gui/spoken_texts.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/language.h"
 #include "widgets/new_case_wizard.h"
@@ -49,6 +50,9 @@ protected:
                 for (const QString& each : illegible) {
                     ADD_FAILURE() << where.toStdString() << ": " << each.toStdString();
                 }
+                if (widgets::currentLanguage() != QLatin1String("en")) {
+                    askForEnglish(where, *screen());
+                }
                 for (const char* theme : {"light", "dark"}) {
                     if (!folder.isEmpty()) {
                         window->setTheme(QLatin1String(theme));
@@ -58,6 +62,14 @@ protected:
             }
         }
         widgets::speak(QStringLiteral("en"));
+    }
+    void askForEnglish(const QString& where, QWidget& screen) {
+        NewCase* making = window->caseInTheMaking();
+        const auto& fe = (making != nullptr ? making->computation() : window->computation()).inputs().fe;
+        for (const auto& [place, text] : textsOf(screen)) {
+            EXPECT_TRUE(strangeWords(text, namesIn(fe.get())).isEmpty())
+                << qPrintable(where) << ", " << qPrintable(place) << ": " << qPrintable(text);
+        }
     }
     static void keep(QWidget& shown, const QString& path) {
         QTest::qWait(150);

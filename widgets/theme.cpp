@@ -170,6 +170,13 @@ QScrollBar::handle { background: %hairline%; border-radius: 4px; min-height: 24p
 QScrollBar::handle:hover { background: %muted%; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+QSlider { min-height: 20px; }
+QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: %hairline%; }
+QSlider::sub-page:horizontal { border-radius: 2px; background: %accent%; }
+QSlider::sub-page:horizontal:disabled { background: %hairline%; }
+QSlider::handle:horizontal { width: 14px; margin: -6px 0; border: 1px solid %muted%; border-radius: 8px; background: %field%; }
+QSlider::handle:horizontal:hover, QSlider::handle:horizontal:focus { border-color: %accent%; }
+QSlider::handle:horizontal:disabled { border-color: %hairline%; background: %panel%; }
 QToolTip { background: %panel%; color: %text%; border: 1px solid %hairline%; padding: 4px; }
 QProgressBar { border: none; border-radius: 3px; background: %hairline%; max-height: 6px; min-height: 6px; }
 QProgressBar::chunk { background: %accent%; border-radius: 3px; }

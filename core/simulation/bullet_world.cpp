@@ -395,6 +395,9 @@ public:
             m_soft->thaw(bodyAt(body));
         }
     }
+    void onThreads(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& work) const override {
+        m_soft->onThreads(count, grain, work);
+    }
     bool keep(Archive& archive) override {
         keepColliders(archive);
         m_soft->keep(archive, bodies(), pieces());
@@ -432,6 +435,12 @@ private:
 };
 
 }  // namespace
+
+void RigidWorld::onThreads(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& work) const {
+    for (std::size_t first = 0; first < count; first += grain) {
+        work(first, std::min(first + grain, count));
+    }
+}
 
 std::unique_ptr<RigidWorld> makeWorld(SolverKind solver, const WorldSettings& settings) {
     if (solver == SolverKind::SoftStep) {

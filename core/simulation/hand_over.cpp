@@ -6,6 +6,9 @@ namespace rubble {
 
 namespace {
 
+/// Bodies that one thread makes at a time.
+constexpr std::size_t entryGrain = 16;
+
 bool sound(const Cluster& cluster, const BodyFrame& frame) {
     return std::isfinite(cluster.mass) && cluster.mass > 0.0 && cluster.centre.allFinite() && frame.inertia.allFinite() &&
            frame.inertia.minCoeff() > 0.0 && cluster.velocity.allFinite() && cluster.angularVelocity.allFinite();
@@ -76,13 +79,8 @@ void refuse(const RunDescription& description, ClusterId cluster, Findings& find
 
 }  // namespace
 
-std::optional<NewBody> bodyOf(const RunDescription& description, ClusterId id, Findings& findings) {
-    std::optional<NewBody> body =
-        soundBody(description, description.clustering->list[at(id)], description.clustering->membersOf(id));
-    if (!body) {
-        refuse(description, id, findings);
-    }
-    return body;
+std::optional<NewBody> bodyOf(const RunDescription& description, ClusterId id) {
+    return soundBody(description, description.clustering->list[at(id)], description.clustering->membersOf(id));
 }
 
 std::optional<NewBody> bodyOfFragment(const RunDescription& description, FragmentId id) {
@@ -99,11 +97,18 @@ std::optional<NewBody> bodyOfFragment(const RunDescription& description, Fragmen
 }
 
 HandOver handOver(const RunDescription& description, std::size_t first, std::size_t last, RigidWorld& world, Findings& findings) {
+    std::vector<std::optional<NewBody>> bodies(last - first);
+    world.onThreads(bodies.size(), entryGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            bodies[i] = bodyOf(description, idAt<ClusterId>(first + i));
+        }
+    });
     HandOver made;
     for (std::size_t c = first; c < last; ++c) {
         const ClusterId id = idAt<ClusterId>(c);
-        const std::optional<NewBody> body = bodyOf(description, id, findings);
+        const std::optional<NewBody>& body = bodies[c - first];
         if (!body) {
+            refuse(description, id, findings);
             continue;
         }
         const Cluster& cluster = description.clustering->list[c];

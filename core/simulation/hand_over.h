@@ -17,8 +17,8 @@ struct HandOver {
 };
 
 /// A cluster as the engine takes it, or nothing if its mass, inertia, place or velocity is no number or not positive: such a
-/// cluster is refused and counted, never repaired.
-std::optional<NewBody> bodyOf(const RunDescription& description, ClusterId cluster, Findings& findings);
+/// cluster is refused and counted by handOver(), never repaired.
+std::optional<NewBody> bodyOf(const RunDescription& description, ClusterId cluster);
 
 /// A fragment as a body of its own at its hand-over; nothing where bodyOf() would refuse it.
 std::optional<NewBody> bodyOfFragment(const RunDescription& description, FragmentId fragment);

@@ -11,6 +11,8 @@ namespace {
 
 /// A change of velocity beyond this many times what gravity does in a step is a hit and not the load of lying there.
 constexpr double hitOverRest = 1.5;
+/// Bodies that one thread follows at a time.
+constexpr std::size_t followGrain = 512;
 
 bool isNumber(const BodyMotion& motion) {
     // One sum instead of thirteen questions: it is finite only if all its terms are.
@@ -68,33 +70,49 @@ void Outcomes::carry(const Carrier& carrier) {
     }
 }
 
+bool Outcomes::follow(const RigidWorld& world, std::size_t i, const Vec3& fall) {
+    const BodyId id = idAt<BodyId>(i);
+    TrackedBody& body = m_bodies[i];
+    if (world.state(id) == BodyState::Removed || body.lost) {
+        return false;
+    }
+    const BodyMotion now = world.motion(id);
+    if (!isNumber(now)) {
+        body.lost = true;
+        return true;
+    }
+    const double hit = (now.velocity - body.latest.velocity - fall).norm();
+    if (hit > hitOverRest * fall.norm() && hit > body.hardest) {
+        body.hardest = hit;
+        body.before = body.latest;
+    }
+    body.latest = now;
+    body.kinetic = world.kineticEnergy(id);
+    return true;
+}
+
 void Outcomes::stepped(const RigidWorld& world, double time, double dt) {
     const Vec3 fall(0.0, 0.0, -m_gravity * dt);
+    std::vector<char> followed(m_bodies.size());
+    world.onThreads(m_bodies.size(), followGrain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            followed[i] = follow(world, i, fall);
+        }
+    });
     m_kinetic = m_massHeight = 0.0;
     m_lost.clear();
     for (std::size_t i = 0; i < m_bodies.size(); ++i) {
-        const BodyId id = idAt<BodyId>(i);
-        const BodyState state = world.state(id);
-        TrackedBody& body = m_bodies[i];
-        if (state == BodyState::Removed || body.lost) {
+        const TrackedBody& body = m_bodies[i];
+        if (followed[i] == 0) {
             continue;
         }
-        const BodyMotion now = world.motion(id);
-        if (!isNumber(now)) {
-            body.lost = true;
-            m_lost.push_back(id);
+        if (body.lost) {
+            m_lost.push_back(idAt<BodyId>(i));
             continue;
         }
-        const double hit = (now.velocity - body.latest.velocity - fall).norm();
-        if (hit > hitOverRest * m_gravity * dt && hit > body.hardest) {
-            body.hardest = hit;
-            body.before = body.latest;
-        }
-        body.latest = now;
-        m_maxSpeed = std::max(m_maxSpeed, now.velocity.norm());
-        body.kinetic = world.kineticEnergy(id);
+        m_maxSpeed = std::max(m_maxSpeed, body.latest.velocity.norm());
         m_kinetic += body.kinetic;
-        m_massHeight += body.mass * now.pose.position.z();
+        m_massHeight += body.mass * body.latest.pose.position.z();
     }
     std::erase_if(m_pending, [&](const Pending& pending) {
         if (pending.time > time + 1e-9 * std::abs(time)) {

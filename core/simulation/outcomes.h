@@ -54,6 +54,9 @@ private:
 
         void keep(Archive& archive);
     };
+    /// What one step did to a body; false: it is not there any more. Bodies may be followed at once.
+    /// @param fall  m/s, by which gravity alone has changed its velocity
+    bool follow(const RigidWorld& world, std::size_t i, const Vec3& fall);
     /// Notes a carrier; a fragment that is not born yet is born from its latest one.
     void carry(const Carrier& carrier);
     Vec3 placeOf(const Carrier& carrier, const Pose& body) const;

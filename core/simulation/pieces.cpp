@@ -18,6 +18,8 @@ namespace {
 
 /// m. A piece is at least twice this thick.
 constexpr double leastPieceHalfExtent = 0.005;
+/// Groups that one thread reshapes at a time.
+constexpr std::size_t groupGrain = 4;
 
 /// Corners of an element's solid at rest: shells and beams with their section.
 void appendSolid(const Mesh& mesh, ElementIndex e, double section, std::vector<Vec3>& points) {
@@ -204,14 +206,9 @@ CollisionShape Pieces::shapeOf(const Group& group) const {
     return {part};
 }
 
-void Pieces::rebuild(RigidWorld& world, Group& group, const FeState& from) {
-    if (group.piece) {
-        world.removePiece(*group.piece);
-        group.piece.reset();
-        --m_present;
-    }
+std::optional<CollisionShape> Pieces::reshape(Group& group, const FeState& from) const {
     if (group.members.empty()) {
-        return;
+        return std::nullopt;
     }
     const Mesh& mesh = m_fe.mesh();
     group.nodes.clear();
@@ -229,15 +226,31 @@ void Pieces::rebuild(RigidWorld& world, Group& group, const FeState& from) {
     group.restCentre /= static_cast<double>(group.nodes.size());
     group.box.translate(-group.restCentre);
     const std::optional<Pose> pose = fit(group, from);
-    const CollisionShape shape = shapeOf(group);
+    CollisionShape shape = shapeOf(group);
     const bool sound = std::all_of(shape.begin(), shape.end(), [](const ConvexPart& part) {
         return part.box.centre.allFinite() && part.box.halfExtents.allFinite();
     });
-    if (pose && sound) {
-        group.pose = *pose;
-        group.piece = world.addPiece(shape, *pose, m_components.list[at(group.component)].material);
+    if (!pose || !sound) {
+        return std::nullopt;
+    }
+    group.pose = *pose;
+    return shape;
+}
+
+void Pieces::replace(RigidWorld& world, Group& group, const std::optional<CollisionShape>& shape) {
+    if (group.piece) {
+        world.removePiece(*group.piece);
+        group.piece.reset();
+        --m_present;
+    }
+    if (shape) {
+        group.piece = world.addPiece(*shape, group.pose, m_components.list[at(group.component)].material);
         ++m_present;
     }
+}
+
+void Pieces::rebuild(RigidWorld& world, Group& group, const FeState& from) {
+    replace(world, group, reshape(group, from));
 }
 
 void Pieces::beginInterval(RigidWorld& world, std::size_t k) {
@@ -247,19 +260,35 @@ void Pieces::beginInterval(RigidWorld& world, std::size_t k) {
     }
     const std::shared_ptr<const FeState> from = m_fe.state(k);
     const std::shared_ptr<const FeState> to = m_fe.state(k + 1);
-    for (Group& group : m_groups) {
-        std::vector<ElementIndex> members = membersOf(group, k);
-        if (members != group.members) {
-            group.members = std::move(members);
-            rebuild(world, group, *from);
+    /// What an interval makes of a group.
+    struct Next {
+        bool changed = false;
+        std::optional<CollisionShape> shape;  ///< of a changed one; nothing: there is no piece
+        std::optional<Pose> finish;           ///< where it is at the end of the interval
+    };
+    std::vector<Next> next(m_groups.size());
+    world.onThreads(m_groups.size(), groupGrain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            Group& group = m_groups[i];
+            std::vector<ElementIndex> members = membersOf(group, k);
+            next[i].changed = members != group.members;
+            if (next[i].changed) {
+                group.members = std::move(members);
+                next[i].shape = reshape(group, *from);
+            }
+            if (next[i].changed ? next[i].shape.has_value() : group.piece.has_value()) {
+                next[i].finish = follow(group, *from, *to);
+            }
         }
-        if (!group.piece) {
-            continue;
+    });
+    for (std::size_t i = 0; i < m_groups.size(); ++i) {
+        Group& group = m_groups[i];
+        if (next[i].changed) {
+            replace(world, group, next[i].shape);
         }
-        const std::optional<Pose> finish = follow(group, *from, *to);
-        if (finish && travel(group.box, group.pose, *finish) > pieceStillTravel) {
+        if (next[i].finish && travel(group.box, group.pose, *next[i].finish) > pieceStillTravel) {
             group.start = group.pose;
-            group.finish = *finish;
+            group.finish = *next[i].finish;
             m_moving.push_back(&group);
         }
     }

@@ -116,6 +116,9 @@ public:
     virtual void wake(BodyId body) = 0;
     /// Advances by dt [s].
     virtual void step(double dt) = 0;
+    /// Calls work(first, last) for [0, count) in parts of at most `grain`, on the threads that steps run on. Not from within such a
+    /// part; parts write to places of their own and do not throw.
+    virtual void onThreads(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& work) const;
 
     /// Bodies that ever entered, removed ones included.
     virtual std::size_t bodyCount() const = 0;

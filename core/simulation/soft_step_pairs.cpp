@@ -8,7 +8,7 @@ namespace {
 
 /// All pairs in order.
 /// @param numbers  above every number of a collider
-std::vector<ColliderPair> inOrder(const std::vector<std::vector<ColliderPair>>& parts, std::size_t numbers) {
+std::vector<ColliderPair> inOrder(const std::vector<std::vector<ColliderPair>>& parts, std::size_t numbers, WorkerPool& pool) {
     std::vector<std::uint32_t> begin(numbers + 1, 0);
     for (const std::vector<ColliderPair>& part : parts) {
         for (const ColliderPair pair : part) {
@@ -25,9 +25,11 @@ std::vector<ColliderPair> inOrder(const std::vector<std::vector<ColliderPair>>& 
             ordered[next[firstOf(pair)]++] = pair;
         }
     }
-    for (std::size_t i = 0; i < numbers; ++i) {
-        std::sort(ordered.begin() + begin[i], ordered.begin() + begin[i + 1]);
-    }
+    pool.loop(numbers, 512, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            std::sort(ordered.begin() + begin[i], ordered.begin() + begin[i + 1]);
+        }
+    });
     return ordered;
 }
 
@@ -82,7 +84,7 @@ void SoftStepWorld::findPairs() {
     for (std::vector<Pair>& list : m_pairs) {
         list.clear();
     }
-    for (const ColliderPair pair : inOrder(m_pairParts, m_entered.size())) {
+    for (const ColliderPair pair : inOrder(m_pairParts, m_entered.size(), m_pool)) {
         const Entered& a = m_entered[firstOf(pair)];
         const Entered& b = m_entered[secondOf(pair)];
         const bool structure = a.kind == ColliderKind::Piece || b.kind == ColliderKind::Piece;

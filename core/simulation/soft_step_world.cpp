@@ -226,9 +226,11 @@ void SoftStepWorld::substeps(double dt) {
         runHook(h);
         hook += m_hook ? secondsSince(start) : 0.0;
         const auto moving = Clock::now();
-        for (std::size_t i = 0; i < m_awake.size(); ++i) {
-            m_solver.bodies[i].velocity.z() -= m_settings.gravity * h;
-        }
+        m_pool.loop(m_awake.size(), 512, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                m_solver.bodies[i].velocity.z() -= m_settings.gravity * h;
+            }
+        });
         motion += secondsSince(moving);
         m_solver.solveSoft(pushOutSpeed);
         const auto moved = Clock::now();
@@ -240,9 +242,11 @@ void SoftStepWorld::substeps(double dt) {
     m_parting = m_solver.part();
     m_solver.takeBack();
     m_solver.restitute(restitutionThreshold);
-    for (std::size_t i = 0; i < m_awake.size(); ++i) {
-        holdBack(i);
-    }
+    m_pool.loop(m_awake.size(), 512, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            holdBack(i);
+        }
+    });
     m_substepLength = h;
     m_costs.substepHook += hook;
     m_costs.motion -= hook;

@@ -38,6 +38,10 @@ public:
     void thaw(Collider& body);
     /// Thaws the frozen bodies that touch what is marked as leaving, and drops its contacts.
     void letGoOfLeaving();
+    /// See RigidWorld::onThreads().
+    void onThreads(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& work) {
+        m_pool.loop(count, grain, work);
+    }
     /// Its state between two steps, out or in.
     /// @param bodies, pieces  that ever entered, in order
     void keep(Archive& archive, std::span<const std::unique_ptr<Collider>> bodies,

@@ -260,7 +260,7 @@ TEST_F(Simulate, MassPropertiesComeFromTheElements) {
         Findings findings;
         for (std::size_t c = 0; c < description.clustering->list.size(); ++c) {
             const Cluster& cluster = description.clustering->list[c];
-            const auto body = bodyOf(description, idAt<ClusterId>(c), findings);
+            const auto body = bodyOf(description, idAt<ClusterId>(c));
             ASSERT_TRUE(body);
             EXPECT_EQ(body->mass, cluster.mass);
             const Mat3 axes = body->pose.orientation.toRotationMatrix();
@@ -286,7 +286,7 @@ TEST_F(Simulate, ABoxIsDrawnInToTheBulkingAskedFor) {
                 for (const FragmentId f : description.clustering->membersOf(idAt<ClusterId>(c))) {
                     material += description.fragments->list[at(f)].box.volume();
                 }
-                const auto body = bodyOf(description, idAt<ClusterId>(c), findings);
+                const auto body = bodyOf(description, idAt<ClusterId>(c));
                 ASSERT_TRUE(body);
                 ASSERT_EQ(body->shape.size(), 1u);
                 const double box = body->shape.front().box.volume();

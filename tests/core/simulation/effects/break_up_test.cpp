@@ -55,7 +55,7 @@ TEST_F(BreakingUp, AClusterAndItsFragmentsHaveTheSameMomentaAndEnergy) {
     const Quat turn(Eigen::AngleAxisd(0.8, Vec3(1, -2, 0.5).normalized()));
     const BodyRecord record = entered.bodies[0];
     const BodyMotion motion{{Vec3(30, -20, 12), turn * record.atBirth.orientation}, Vec3(4, -3, -15), Vec3(2.0, -1.0, 3.0)};
-    const NewBody whole = bodyOf(description, record.cluster, findings).value();
+    const NewBody whole = bodyOf(description, record.cluster).value();
     const auto momentaOf = [](const NewBody& body, const Pose& pose, const Vec3& velocity, const Vec3& spin) {
         const Mat3 axes = pose.orientation.toRotationMatrix();
         return rigidMomenta(body.mass, pose.position, axes * body.inertia.asDiagonal() * axes.transpose(), velocity, spin);

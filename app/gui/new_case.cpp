@@ -87,7 +87,10 @@ void NewCase::connectWizard() {
         connect(panel, &widgets::Panel::edited, this, &NewCase::edit);
     }
     connect(&wizard, &QDialog::finished, this, &NewCase::finished);
-    connect(&wizard, &widgets::NewCaseWizard::languageChanged, this, &NewCase::showResults);
+    connect(&wizard, &widgets::NewCaseWizard::languageChanged, this, [this] {
+        m_document.retell();
+        showResults();
+    });
     connect(&wizard, &widgets::NewCaseWizard::createRequested, this, &NewCase::make);
     connect(&wizard, &widgets::NewCaseWizard::undoRequested, this, [this] { m_document.undoStack().undo(); });
     connect(&wizard, &widgets::NewCaseWizard::redoRequested, this, [this] { m_document.undoStack().redo(); });

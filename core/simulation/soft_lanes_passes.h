@@ -2,6 +2,10 @@
 
 // The passes themselves; included once for each make, with RUBBLE_LANE_MAKE as the name of its namespace. Nothing with external
 // linkage may be used here: the linker would keep one of two versions, made for the wrong processor.
+#ifdef __AVX__
+#include <immintrin.h>
+#endif
+
 #include "core/simulation/soft_lanes.h"
 
 namespace rubble::RUBBLE_LANE_MAKE {
@@ -15,10 +19,18 @@ inline Lanes all(double x) {
 }
 /// In double precision.
 inline Lanes wide(KeptLanes x) {
+#ifdef __AVX__
+    return _mm256_cvtps_pd(x);  // the compiler's own conversion goes through the stack
+#else
     return __builtin_convertvector(x, Lanes);
+#endif
 }
 inline KeptLanes kept(Lanes x) {
+#ifdef __AVX__
+    return _mm256_cvtpd_ps(x);
+#else
     return __builtin_convertvector(x, KeptLanes);
+#endif
 }
 inline LaneVector wide(const KeptLaneVector& v) {
     return {wide(v.x), wide(v.y), wide(v.z)};
@@ -36,11 +48,15 @@ inline Lanes smaller(Lanes a, Lanes b) {
     return a < b ? a : b;
 }
 inline Lanes root(Lanes a) {
+#ifdef __AVX__
+    return _mm256_sqrt_pd(a);
+#else
     Lanes r;
     for (int i = 0; i < solverLanes; ++i) {
         r[i] = __builtin_sqrt(a[i]);
     }
     return r;
+#endif
 }
 inline bool any(Mask m) {
     std::int64_t r = 0;
@@ -89,6 +105,20 @@ inline void gather(const Record* records, double (Record::*member)[4], const std
         columns[i] = *reinterpret_cast<const Lanes*>(records[which[i]].*member);
     }
     transpose(columns);
+}
+
+/// Contacts ahead of the one at hand whose bodies are asked for: they lie anywhere, and the passes wait for little else.
+constexpr std::size_t asked = 2;
+
+/// Asks for the records of the bodies of a contact.
+template <class Record, class Contacts>
+inline void ask(const Record* records, const Contacts* contacts, std::size_t contact, std::size_t last) {
+    if (contact < last) {
+        for (int i = 0; i < solverLanes; ++i) {
+            __builtin_prefetch(&records[contacts[contact].a[i]], 1);
+            __builtin_prefetch(&records[contacts[contact].b[i]], 1);
+        }
+    }
 }
 
 /// The bodies at one end of the contacts.
@@ -325,6 +355,7 @@ void startParting(const LaneScene& scene, std::size_t first, std::size_t last) {
 void part(const LaneScene& scene, std::size_t first, std::size_t last, bool hold) {
     const Lanes zero = all(0.0);
     for (std::size_t i = first; i < last; ++i) {
+        ask(scene.parted, scene.partings, i + asked, last);
         const LaneParting& c = scene.partings[i];
         End a = load(scene.parted, c.a);
         End b = load(scene.parted, c.b);

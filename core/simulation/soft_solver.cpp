@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+
+#include "core/base/elapsed.h"
 
 namespace rubble {
 
@@ -28,6 +32,15 @@ constexpr int restitutionRounds = 8;
 constexpr std::size_t grain = 96;
 /// The same, side by side.
 constexpr std::size_t laneGrain = 12;
+/// Contacts that are worth a strip of their own.
+constexpr std::size_t stripContacts = 512;
+/// Threads that sleep for each other for more than this share of their time do not run at the same time.
+constexpr double crowded = 0.4;
+/// Steps after that without strips.
+constexpr int stepsAlone = 32;
+/// Times in a step that a thread looks for a while before it sleeps for another one; where they have one core, looking takes time from
+/// who is waited for.
+constexpr int mostTired = 10;
 /// Bodies that one thread takes at a time.
 constexpr std::size_t bodyGrain = 512;
 /// N s. No limit.
@@ -152,13 +165,62 @@ void SoftSolver::forEachBooked(Pass pass) {
     });
 }
 
+/// Passes one after the other, colour by colour.
 template <class Pass>
-void SoftSolver::forEachColour(Pass pass) {
-    for (const Colour& colour : m_colours) {
-        const std::size_t count = colour.last - colour.first;
-        m_pool.loop(count, colour.inOrder ? count : laneGrain,
-                    [&](std::size_t from, std::size_t to) { pass(m_scene, colour.first + from, colour.first + to); });
+void SoftSolver::forEachColour(int passes, Pass pass) {
+    if (m_strips.size() == 1) {
+        for (int i = 0; i < passes; ++i) {
+            for (const Colour& colour : m_strips[0].colours) {
+                const std::size_t count = colour.last - colour.first;
+                m_pool.loop(count, colour.inOrder ? count : laneGrain,
+                            [&](std::size_t from, std::size_t to) { pass(i, m_scene, colour.first + from, colour.first + to); });
+            }
+        }
+        return;
     }
+    const auto from = std::chrono::steady_clock::now();
+    for (Strip& strip : m_strips) {
+        strip.border.restart();
+    }
+    m_pool.together(m_strips.size(), [&](std::size_t strip) { solveStrip(m_strips[strip], passes, pass); });
+    m_solved += secondsSince(from);
+}
+
+/// Within a colour what lies at the border of a strip goes first: others wait for it with their next colour, and what lies inside gives
+/// it time to get there.
+template <class Pass>
+void SoftSolver::solveStrip(Strip& own, int passes, Pass pass) {
+    std::uint32_t met = 0;
+    for (int i = 0; i < passes; ++i) {
+        for (const Colour& colour : own.colours) {
+            if (colour.inside > colour.first) {
+                for (const Strip& other : m_strips) {
+                    const double slept = other.border.await(met, own.tired < mostTired);
+                    own.tired += slept > 0.0;
+                    own.slept += slept;
+                }
+                pass(i, m_scene, colour.first, colour.inside);
+            }
+            if (colour.meets) {
+                own.border.pass(++met);
+            }
+            pass(i, m_scene, colour.inside, colour.last);
+        }
+    }
+}
+
+/// One, where the threads do not run at the same time: they would only wait for each other.
+std::size_t SoftSolver::stripCount() {
+    double slept = 0.0;
+    for (const Strip& strip : m_strips) {
+        slept += strip.slept;
+    }
+    if (slept > crowded * m_solved * static_cast<double>(m_strips.size())) {
+        m_alone = stepsAlone;
+    }
+    m_solved = 0.0;
+    m_alone = std::max(0, m_alone - 1);
+    return m_alone > 0 ? 1 : std::clamp<std::size_t>(contacts.size() / stripContacts, 1, m_pool.threads());
 }
 
 void SoftSolver::resize(std::size_t contactCount, std::size_t pointCount) {
@@ -180,6 +242,7 @@ void SoftSolver::prepareContact(std::size_t contact, double h) {
 void SoftSolver::layOut(double h, std::size_t movable) {
     m_laneBodies.resize(bodies.size());
     m_laneTravel.assign(bodies.size(), {});
+    m_scene.movable = static_cast<std::uint32_t>(movable);
     arrange();
     m_scene = {m_lanes.data(),
                m_lanePoints.data(),
@@ -202,38 +265,62 @@ void SoftSolver::layOut(double h, std::size_t movable) {
     }
 }
 
+/// Contacts of a strip after those of the strip before, by colours, at the border before inside, those with as many points side by side;
+/// within a colour the order does not matter.
 void SoftSolver::arrange() {
+    const std::size_t colours = firstOfGroup.size() - 1;
+    const std::size_t loose = lastInOrder ? firstOfGroup[colours - 1] : contacts.size();
+    const std::size_t strips = stripCount();
+    cutIntoStrips(contacts, m_scene.movable, strips, loose, m_cut);
+    m_strips = std::vector<Strip>(strips);
+
+    constexpr std::size_t counts = 4, sections = 2 * counts;
+    std::vector<std::uint32_t> keys(contacts.size());
+    std::vector<std::uint32_t> first(strips * colours * sections + 1, 0);
+    for (std::size_t colour = 0; colour < colours; ++colour) {
+        for (std::size_t i = firstOfGroup[colour]; i < firstOfGroup[colour + 1]; ++i) {
+            const std::size_t section = m_cut.border[i] != 0 ? counts - contacts[i].points : sections - contacts[i].points;
+            keys[i] = static_cast<std::uint32_t>((m_cut.strip[i] * colours + colour) * sections + (i < loose ? section : 0));
+            ++first[keys[i] + 1];
+        }
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::uint32_t> order(contacts.size());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+        order[next[keys[i]]++] = i;
+    }
+
     m_groups.clear();
-    m_colours.clear();
-    std::vector<std::uint8_t> counts(contacts.size());
-    std::transform(contacts.begin(), contacts.end(), counts.begin(),
-                   [](const SolverContact& c) { return static_cast<std::uint8_t>(c.points); });
+    std::vector<char> meets(colours, 0);
     std::uint32_t point = 0;
-    for (std::size_t group = 0; group + 1 < firstOfGroup.size(); ++group) {
-        const bool inOrder = lastInOrder && group + 2 == firstOfGroup.size();
-        Colour colour{m_groups.size(), 0, inOrder};
-        const auto put = [&](std::uint32_t contact) {
-            const bool begin = m_groups.size() == colour.first || inOrder || m_groups.back().count == solverLanes;
-            if (begin) {
-                m_groups.push_back({point, counts[contact], 0, {}, false});
-                point += counts[contact];
+    const auto put = [&](std::size_t from, std::size_t to) {
+        const std::size_t begin = m_groups.size();
+        for (std::size_t k = from; k < to; ++k) {
+            const std::uint32_t contact = order[k];
+            if (m_groups.size() == begin || m_groups.back().count == solverLanes || contact >= loose) {
+                m_groups.push_back({point, contacts[contact].points, 0, {}, false});
+                point += contacts[contact].points;
             }
             Group& lanes = m_groups.back();
             lanes.found[lanes.count++] = contact;
-        };
-        // Those with as many points side by side; within a colour the order does not matter.
-        for (std::uint32_t count = inOrder ? 0 : 4; count > 0; --count) {
-            for (std::uint32_t i = firstOfGroup[group]; i < firstOfGroup[group + 1]; ++i) {
-                if (counts[i] == count) {
-                    put(i);
-                }
-            }
         }
-        for (std::uint32_t i = firstOfGroup[group]; inOrder && i < firstOfGroup[group + 1]; ++i) {
-            put(i);
-        }
+    };
+    for (std::size_t part = 0; part < strips * colours; ++part) {
+        const std::uint32_t* section = &first[part * sections];
+        Colour colour{m_groups.size(), 0, 0};
+        put(section[0], section[counts]);
+        colour.inside = m_groups.size();
+        put(section[counts], section[sections]);
         colour.last = m_groups.size();
-        m_colours.push_back(colour);
+        colour.inOrder = lastInOrder && part % colours + 1 == colours;
+        meets[part % colours] |= colour.inside > colour.first;
+        m_strips[part / colours].colours.push_back(colour);
+    }
+    for (Strip& strip : m_strips) {
+        for (std::size_t colour = 0; colour < colours; ++colour) {
+            strip.colours[colour].meets = meets[colour] != 0;
+        }
     }
     m_lanes.resize(m_groups.size());
     m_lanePoints.resize(point);
@@ -360,20 +447,22 @@ void SoftSolver::receive() {
 void SoftSolver::solveSoft(double push) {
     send();
     forEachBooked(m_passes.noteOpening);
-    forEachColour(
-        [&](const LaneScene& scene, std::size_t first, std::size_t last) { m_passes.warmStart(scene, first, last, warmGrowth); });
-    forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) { m_passes.soft(scene, first, last, push); });
+    forEachColour(2, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
+        if (pass == 0) {
+            m_passes.warmStart(scene, first, last, warmGrowth);
+        } else {
+            m_passes.soft(scene, first, last, push);
+        }
+    });
     receive();
 }
 
 void SoftSolver::relax() {
     send();
     sendTravel();
-    for (int pass = 0; pass < relaxPasses; ++pass) {
-        forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) {
-            m_passes.relax(scene, first, last, pass == 0, pass + 1 == relaxPasses);
-        });
-    }
+    forEachColour(relaxPasses, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
+        m_passes.relax(scene, first, last, pass == 0, pass + 1 == relaxPasses);
+    });
     receive();
 }
 
@@ -392,12 +481,13 @@ bool SoftSolver::part() {
     m_scene.parted = m_parted.data();
     m_scene.partings = m_partings.data();
     m_scene.parts = m_parts.data();
-    forEachColour(m_passes.startParting);
-    for (int pass = 0; pass < partPasses + holdPasses; ++pass) {
-        forEachColour([&](const LaneScene& scene, std::size_t first, std::size_t last) {
-            m_passes.part(scene, first, last, pass >= partPasses);
-        });
-    }
+    forEachColour(1 + partPasses + holdPasses, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
+        if (pass == 0) {
+            m_passes.startParting(scene, first, last);
+        } else {
+            m_passes.part(scene, first, last, pass > partPasses);
+        }
+    });
     return true;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/simulation/contact_strips.h"
 #include "core/simulation/soft_lanes.h"
 #include "core/simulation/worker_pool.h"
 
@@ -41,6 +42,7 @@ struct SolverContact {
     std::uint32_t a = 0, b = 0;  ///< bodies
     std::uint32_t firstPoint = 0;
     std::uint32_t points = 0;
+    Vec3 where = Vec3::Zero();    ///< m, of its first point
     Vec3 normal = Vec3::UnitZ();  ///< from a to b
     Vec3 tangent[2];              ///< orthogonal to it
     double friction = 0.0;
@@ -113,10 +115,18 @@ public:
     void restitute(double threshold);
 
 private:
-    /// Groups of lanes of one colour.
+    /// Groups of lanes of one colour in one strip; those at its borders come first.
     struct Colour {
-        std::size_t first = 0, last = 0;
+        std::size_t first = 0, inside = 0, last = 0;
         bool inOrder = false;
+        bool meets = false;  ///< some strip has such a group
+    };
+    /// A strip of the site and the thread that solves it.
+    struct Strip {
+        std::vector<Colour> colours;
+        Milestone border;    ///< colours that meet and whose groups at the border are done, in all passes at hand
+        int tired = 0;       ///< times that it went to sleep for another strip, in this step
+        double slept = 0.0;  ///< s
     };
     /// Contacts that go side by side.
     struct Group {
@@ -129,7 +139,10 @@ private:
     template <class Pass>
     void forEachBooked(Pass pass);
     template <class Pass>
-    void forEachColour(Pass pass);
+    void forEachColour(int passes, Pass pass);
+    template <class Pass>
+    void solveStrip(Strip& strip, int passes, Pass pass);
+    std::size_t stripCount();
     void arrange();
     void fillLanes(const Group& group, LaneContacts& lanes);
     void send();
@@ -139,7 +152,10 @@ private:
     WorkerPool& m_pool;
     LanePasses m_passes = lanePasses();
     LaneScene m_scene;
-    std::vector<Colour> m_colours;
+    ContactStrips m_cut;
+    std::vector<Strip> m_strips;
+    double m_solved = 0.0;  ///< s, that the strips took in this step
+    int m_alone = 0;        ///< steps for which the site is not cut
     std::vector<double> m_fastest;  ///< m/s, [contacts] speed of approach
     std::vector<Group> m_groups;
     std::vector<std::uint32_t> m_booked;  ///< groups

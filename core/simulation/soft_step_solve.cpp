@@ -280,6 +280,7 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
     const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
     const Collider& piece = pieceIsA ? *contact.a : *contact.b;
     c.points = static_cast<std::uint32_t>(contact.count);
+    c.where = contact.points[0].position;
     c.normal = contact.normal;
     c.friction = pair.friction;
     c.driven = piece.kind == ColliderKind::Piece && piece.moving;

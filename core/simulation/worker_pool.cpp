@@ -1,7 +1,10 @@
 #include "core/simulation/worker_pool.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
+
+#include "core/base/elapsed.h"
 
 namespace rubble {
 
@@ -32,6 +35,25 @@ void waitWhile(const std::atomic<T>& atomic, T old) {
 }
 
 }  // namespace
+
+void Milestone::pass(std::uint32_t steps) {
+    m_steps.store(steps);
+    m_steps.notify_all();
+}
+
+double Milestone::await(std::uint32_t steps, bool patient) const {
+    for (int i = 0; i < (patient ? patience : 1); ++i) {
+        if (m_steps.load() >= steps) {
+            return 0.0;
+        }
+        pause();
+    }
+    const auto from = std::chrono::steady_clock::now();
+    for (std::uint32_t now = m_steps.load(); now < steps; now = m_steps.load()) {
+        m_steps.wait(now);
+    }
+    return secondsSince(from);
+}
 
 WorkerPool::WorkerPool(int threads)
     : m_shares(static_cast<std::size_t>(std::max(1, threads))),

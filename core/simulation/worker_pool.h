@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,6 +11,20 @@
 #include <vector>
 
 namespace rubble {
+
+/// How far a thread has come, for others to wait for.
+class alignas(64) Milestone {
+public:
+    /// Before any thread looks at it.
+    void restart() { m_steps.store(0, std::memory_order_relaxed); }
+    void pass(std::uint32_t steps);
+    /// Returns the seconds that the thread slept for it: none as long as who is waited for runs, or comes back soon.
+    /// @param patient  look for a while before going to sleep
+    double await(std::uint32_t steps, bool patient) const;
+
+private:
+    std::atomic<std::uint32_t> m_steps{0};
+};
 
 /// A few threads that share loops. Which thread does which part never reaches a result: parts write to places of their own. Each
 /// thread begins with its own share of the parts, the same one of every loop of as many, and finds in its caches what it left
@@ -33,6 +48,16 @@ public:
             return;
         }
         share(count, grain, std::function<void(std::size_t, std::size_t)>(std::ref(work)));
+    }
+
+    std::size_t threads() const { return m_shares.size(); }
+    /// Calls work(i) for [0, count) at the same time, so that they may wait for each other; returns when all are done.
+    /// @param count  at most threads()
+    template <class Work>
+    void together(std::size_t count, Work&& work) {
+        assert(count <= threads());
+        // Who has a part takes no other one before it is done, and none is done before the others have begun or need not be waited for.
+        loop(count, 1, [&](std::size_t first, std::size_t) { work(first); });
     }
 
 private:

@@ -7,6 +7,7 @@
 
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
+#include "core/simulation/worker_pool.h"
 
 namespace rubble {
 
@@ -39,10 +40,21 @@ inline bool isNumber(const MovingBody& body) {
 struct SubstepBodies {
     std::span<MovingBody> moving;
     std::span<const std::int32_t> slotOf;  ///< [bodies that ever entered] index into `moving`; -1: frozen or gone
+    WorkerPool* pool = nullptr;            ///< null: there is but the calling thread
 
     MovingBody* find(BodyId body) const {
         const std::int32_t slot = slotOf[at(body)];
         return slot < 0 ? nullptr : &moving[static_cast<std::size_t>(slot)];
+    }
+    /// Calls work(i) for every index into `moving`, on any thread.
+    template <class Work>
+    void forEach(Work&& work) const {
+        const auto part = [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                work(i);
+            }
+        };
+        pool != nullptr ? pool->loop(moving.size(), 256, part) : part(0, moving.size());
     }
 };
 

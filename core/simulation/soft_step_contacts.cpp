@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/elapsed.h"
+#include "core/base/near.h"
 #include "core/simulation/constants.h"
 #include "core/simulation/hull_contact.h"
 #include "core/simulation/soft_step_world.h"
@@ -324,6 +325,9 @@ void SoftStepWorld::takeFound() {
     m_pool.loop(found.size(), 512, [&](std::size_t first, std::size_t last) {
         auto before = std::lower_bound(m_previous.begin(), m_previous.end(), found[first], isBefore);
         for (std::size_t i = first; i < last; ++i) {
+            if (i + recordsAhead < last) {
+                bringNear(*found[i + recordsAhead].contact);
+            }
             SoftContact& contact = m_contacts[i];
             contact = *found[i].contact;
             while (before != m_previous.end() && isBefore(*before, found[i])) {

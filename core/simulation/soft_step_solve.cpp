@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/near.h"
 #include "core/simulation/constants.h"
 #include "core/simulation/soft_step_world.h"
 
@@ -248,6 +249,9 @@ void SoftStepWorld::buildSolver(double h) {
     const double frequency = std::min(contactFrequency, 0.25 / h);
     m_pool.loop(taken.size(), 256, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
+            if (k + recordsAhead < last) {
+                bringNear(m_contacts[taken[colours.order[k + recordsAhead]].contact]);
+            }
             const Taken& from = taken[colours.order[k]];
             SolverContact& c = m_solver.contacts[k];
             c = {};
@@ -447,6 +451,9 @@ void SoftStepWorld::takeResults() {
     m_outcomes.resize(m_solver.contacts.size());
     m_pool.loop(m_outcomes.size(), 256, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
+            if (i + recordsAhead < last) {
+                bringNear(m_contacts[m_solver.contacts[i + recordsAhead].found]);
+            }
             takeResult(m_solver.contacts[i], m_outcomes[i]);
         }
     });

@@ -321,7 +321,7 @@ void SoftStepWorld::runHook(double h) {
             m_hooked[i].spin = m_solver.bodies[i].spin;
         }
     });
-    m_hook({m_hooked, m_slotOf}, h);
+    m_hook({m_hooked, m_slotOf, &m_pool}, h);
     m_pool.loop(m_awake.size(), 256, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             if (!isNumber(m_hooked[i])) {

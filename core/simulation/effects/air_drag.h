@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "core/base/archive.h"
 #include "core/scenario/scenario.h"
 #include "core/simulation/effects/effect.h"
@@ -28,6 +30,7 @@ public:
 private:
     double m_half;  ///< kg/m3, rho C_d / 2
     double m_work = 0.0;
+    std::vector<double> m_works;  ///< J, [moving bodies] in this substep
 };
 
 }  // namespace rubble

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 #include "core/simulation/effects/submerged_box.h"
 
@@ -82,9 +83,11 @@ void Water::turn(MovingBody& body, const Wet& wet, double h) const {
 void Water::beforeSubstep(const SubstepBodies& bodies, double h) {
     ++m_substep;
     m_expected.resize(bodies.slotOf.size());
-    for (MovingBody& body : bodies.moving) {
+    m_works.assign(bodies.moving.size(), 0.0);
+    bodies.forEach([&](std::size_t i) {
+        MovingBody& body = bodies.moving[i];
         if (body.inverseMass <= 0.0 || !isNumber(body)) {
-            continue;
+            return;
         }
         Wet wet;
         wet.box = body.box;
@@ -92,7 +95,7 @@ void Water::beforeSubstep(const SubstepBodies& bodies, double h) {
         wet.box.orientation = body.orientation * body.box.orientation;
         wet.below = submerge(wet.box, m_level);
         if (wet.below.volume <= 0.0) {
-            continue;
+            return;
         }
         wet.share = std::min(1.0, wet.below.volume / wet.box.volume());
         wet.displaced = m_density * wet.share * body.volume;
@@ -100,9 +103,10 @@ void Water::beforeSubstep(const SubstepBodies& bodies, double h) {
         const double before = kineticEnergy(body);
         carry(body, wet, h);
         turn(body, wet, h);
-        m_work += kineticEnergy(body) - before;
+        m_works[i] = kineticEnergy(body) - before;
         m_expected[at(body.id)] = {body.velocity - Vec3(0.0, 0.0, m_gravity * h), m_substep};
-    }
+    });
+    m_work = std::accumulate(m_works.begin(), m_works.end(), m_work);
 }
 
 }  // namespace rubble

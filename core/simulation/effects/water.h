@@ -63,6 +63,7 @@ private:
     std::vector<Expected> m_expected;  ///< [bodies]
     std::uint64_t m_substep = 0;
     double m_work = 0.0;
+    std::vector<double> m_works;  ///< J, [moving bodies] in this substep
 };
 
 }  // namespace rubble

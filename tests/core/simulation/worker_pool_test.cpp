@@ -67,5 +67,26 @@ TEST(WorkerPool, OneThreadDoesThePartsThatSeveralDo) {
     EXPECT_TRUE(partsOn(1, 0, 7).empty());
 }
 
+TEST(WorkerPool, RunsWhatWaitsForEachOtherAtTheSameTime) {
+    // Each goes on when the other has: in more threads than cores, so that some sleep.
+    WorkerPool pool(5);
+    std::vector<Milestone> reached(5);
+    std::vector<int> sums(5, 0);
+    for (Milestone& milestone : reached) {
+        milestone.restart();
+    }
+    pool.together(5, [&](std::size_t own) {
+        for (std::uint32_t step = 1; step <= 400; ++step) {
+            for (const Milestone& milestone : reached) {
+                milestone.await(step - 1, step < 200);
+            }
+            ++sums[own];
+            reached[own].pass(step);
+        }
+    });
+    EXPECT_EQ(sums, std::vector<int>(5, 400));
+    EXPECT_EQ(reached[0].await(400, true), 0.0);
+}
+
 }  // namespace
 }  // namespace rubble

@@ -1,0 +1,174 @@
+#include "core/simulation/contact_strips.h"
+#include "core/base/standard_gravity.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "core/simulation/soft_solver.h"
+
+namespace rubble {
+namespace {
+
+/// A heap along x: every body touches some that lie near it, and the ground; one of them touches more than there are colours.
+struct Heap {
+    static constexpr std::uint32_t bodies = 1500;
+    static constexpr double h = 1.0 / 150.0;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+    WorkerPool pool;
+    SoftSolver solver{pool};
+
+    explicit Heap(int threads) : pool(threads) {
+        std::mt19937 random(11);
+        const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+        solver.bodies.resize(bodies + 1);
+        for (std::uint32_t i = 0; i < bodies; ++i) {
+            SolverBody& body = solver.bodies[i];
+            body.velocity = Vec3(between(-1, 1), between(-1, 1), between(-1, 1));
+            body.inverseMass = between(0.5, 2.0);
+            body.inverseInertia = Vec3(between(2, 4), between(2, 4), between(2, 4)).asDiagonal();
+            ends.emplace_back(bodies, i);
+            for (std::uint32_t k = 1; k < 5 && i + k < bodies; ++k) {
+                ends.emplace_back(i, i + k);
+            }
+            if (i > 700 && i < 790) {
+                ends.emplace_back(700, i);
+            }
+        }
+        ContactColours colours;
+        colourContacts(ends, bodies, colours);
+        EXPECT_TRUE(colours.lastInOrder);
+        solver.firstOfGroup = colours.first;
+        solver.lastInOrder = colours.lastInOrder;
+        for (const std::uint32_t k : colours.order) {
+            SolverContact c;
+            std::tie(c.a, c.b) = ends[k];
+            c.where = Vec3(0.1 * c.b, between(0.0, 5.0), 0.0);
+            c.firstPoint = static_cast<std::uint32_t>(solver.points.size());
+            c.points = 1 + k % 4;
+            c.normal = Vec3(between(-0.5, 0.5), between(-0.5, 0.5), 1.0).normalized();
+            c.tangent[0] = c.normal.unitOrthogonal();
+            c.tangent[1] = c.normal.cross(c.tangent[0]);
+            c.friction = 0.6;
+            c.frequency = 30.0;
+            c.sinkAllowed = 0.03;
+            c.weight = standardGravity * h;
+            c.impulseLimit = -1.0;
+            c.booked = k % 3 == 0;
+            c.parting = k % 4 == 0 ? 0.01 : 0.0;
+            for (std::uint32_t n = 0; n < c.points; ++n) {
+                SolverPoint p;
+                p.fromA = Vec3(between(-0.5, 0.5), between(-0.5, 0.5), 0.5);
+                p.fromB = Vec3(between(-0.5, 0.5), between(-0.5, 0.5), -0.5);
+                p.separation = between(-0.02, 0.005);
+                p.normalImpulse = between(0.0, 0.05);
+                solver.points.push_back(p);
+            }
+            solver.contacts.push_back(c);
+        }
+        solver.resize(solver.contacts.size(), solver.points.size());
+    }
+
+    /// All numbers that a few steps leave.
+    std::vector<double> run() {
+        std::vector<double> numbers;
+        for (int step = 0; step < 3; ++step) {
+            for (std::size_t i = 0; i < solver.contacts.size(); ++i) {
+                solver.prepareContact(i, h);
+            }
+            solver.layOut(h, bodies);
+            for (int substep = 0; substep < 2; ++substep) {
+                solver.solveSoft(1.0);
+                solver.relax();
+                solver.book();
+            }
+            EXPECT_TRUE(solver.part());
+            for (std::uint32_t i = 0; i < bodies; ++i) {
+                numbers.insert(numbers.end(), solver.parted()[i].velocity, solver.parted()[i].velocity + 3);
+                numbers.insert(numbers.end(), solver.bodies[i].velocity.begin(), solver.bodies[i].velocity.end());
+                numbers.insert(numbers.end(), solver.bodies[i].spin.begin(), solver.bodies[i].spin.end());
+            }
+            solver.takeBack();
+            for (const SolverContact& c : solver.contacts) {
+                numbers.push_back(c.work);
+            }
+        }
+        return numbers;
+    }
+};
+
+TEST(ContactStrips, GiveTheSameBitsWhateverTheNumberOfThreads) {
+    const std::vector<double> alone = Heap(1).run();
+    EXPECT_GT(*std::max_element(alone.begin(), alone.end()), 0.0);
+    for (const int threads : {2, 3, 8}) {
+        EXPECT_EQ(Heap(threads).run(), alone) << threads;
+    }
+}
+
+TEST(ContactStrips, HaveAboutAsManyContactsEach) {
+    const Heap heap(1);
+    ContactStrips strips;
+    cutIntoStrips(heap.solver.contacts, Heap::bodies, 3, heap.solver.contacts.size(), strips);
+    ASSERT_EQ(strips.strip.size(), heap.solver.contacts.size());
+    for (std::uint16_t strip = 0; strip < 3; ++strip) {
+        const auto count = std::count(strips.strip.begin(), strips.strip.end(), strip);
+        EXPECT_NEAR(static_cast<double>(count), static_cast<double>(strips.strip.size()) / 3.0, 60.0) << strip;
+    }
+    // Across the heap, which is longer in x: further along, no earlier strip.
+    for (std::size_t i = 1; i < heap.solver.contacts.size(); ++i) {
+        for (std::size_t j : {i - 1, i / 2}) {
+            if (heap.solver.contacts[i].where.x() > heap.solver.contacts[j].where.x()) {
+                ASSERT_GE(strips.strip[i], strips.strip[j]);
+            }
+        }
+    }
+}
+
+TEST(ContactStrips, MeetWhereABodyHasContactsInSeveral) {
+    const Heap heap(1);
+    ContactStrips strips;
+    cutIntoStrips(heap.solver.contacts, Heap::bodies, 2, heap.solver.contacts.size(), strips);
+    std::vector<std::pair<bool, bool>> in(Heap::bodies);
+    const auto movable = [](std::uint32_t body) { return body < Heap::bodies; };
+    for (std::size_t i = 0; i < heap.solver.contacts.size(); ++i) {
+        for (const std::uint32_t body : {heap.solver.contacts[i].a, heap.solver.contacts[i].b}) {
+            if (movable(body)) {
+                (strips.strip[i] == 0 ? in[body].first : in[body].second) = true;
+            }
+        }
+    }
+    int atBorder = 0;
+    for (std::size_t i = 0; i < heap.solver.contacts.size(); ++i) {
+        const auto common = [&](std::uint32_t body) { return movable(body) && in[body].first && in[body].second; };
+        EXPECT_EQ(strips.border[i] != 0, common(heap.solver.contacts[i].a) || common(heap.solver.contacts[i].b)) << i;
+        atBorder += strips.border[i] != 0;
+    }
+    EXPECT_GT(atBorder, 0);
+    EXPECT_LT(atBorder, static_cast<int>(heap.solver.contacts.size()) / 10);
+}
+
+TEST(ContactStrips, TakeWhatIsNowhereAndWhatMustGoOneByOneIntoTheFirst) {
+    Heap heap(1);
+    const std::size_t loose = heap.solver.firstOfGroup[heap.solver.firstOfGroup.size() - 2];
+    ASSERT_LT(loose, heap.solver.contacts.size());
+    heap.solver.contacts[5].where.x() = std::numeric_limits<double>::quiet_NaN();
+    ContactStrips strips;
+    cutIntoStrips(heap.solver.contacts, Heap::bodies, 4, loose, strips);
+    EXPECT_EQ(strips.strip[5], 0);
+    for (std::size_t i = loose; i < heap.solver.contacts.size(); ++i) {
+        EXPECT_EQ(strips.strip[i], 0) << i;
+    }
+    for (SolverContact& c : heap.solver.contacts) {
+        c.where.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    cutIntoStrips(heap.solver.contacts, Heap::bodies, 4, loose, strips);
+    EXPECT_EQ(std::count(strips.strip.begin(), strips.strip.end(), 0), static_cast<std::ptrdiff_t>(strips.strip.size()));
+}
+
+}  // namespace
+}  // namespace rubble

@@ -7,7 +7,8 @@ namespace rubble {
 /// Records ahead of the one at hand that a loop asks for.
 constexpr std::size_t recordsAhead = 4;
 
-/// Asks the memory for a record that a loop will come to a little later: where records lie anywhere, such loops wait for little else.
+/// Asks the memory for a record that a loop will come to a little later: where records lie anywhere, such loops wait for little
+/// else.
 template <class Record>
 inline void bringNear(const Record& record) {
     constexpr std::size_t line = 64;

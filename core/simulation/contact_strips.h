@@ -9,8 +9,8 @@ namespace rubble {
 
 struct SolverContact;
 
-/// Contacts by strips of the site: a thread that keeps to one strip has its bodies in its own cache, and waits for others only where
-/// strips meet.
+/// Contacts by strips of the site: a thread that keeps to one strip has its bodies in its own cache, and waits for others only
+/// where strips meet.
 struct ContactStrips {
     std::size_t count = 1;
     std::vector<std::uint16_t> strip;  ///< [contacts]

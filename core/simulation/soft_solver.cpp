@@ -38,8 +38,8 @@ constexpr std::size_t stripContacts = 512;
 constexpr double crowded = 0.4;
 /// Steps after that without strips.
 constexpr int stepsAlone = 32;
-/// Times in a step that a thread looks for a while before it sleeps for another one; where they have one core, looking takes time from
-/// who is waited for.
+/// Times in a step that a thread looks for a while before it sleeps for another one; where they have one core, looking takes time
+/// from who is waited for.
 constexpr int mostTired = 10;
 /// Bodies that one thread takes at a time.
 constexpr std::size_t bodyGrain = 512;
@@ -186,8 +186,8 @@ void SoftSolver::forEachColour(int passes, Pass pass) {
     m_solved += secondsSince(from);
 }
 
-/// Within a colour what lies at the border of a strip goes first: others wait for it with their next colour, and what lies inside gives
-/// it time to get there.
+/// Within a colour what lies at the border of a strip goes first: others wait for it with their next colour, and what lies inside
+/// gives it time to get there.
 template <class Pass>
 void SoftSolver::solveStrip(Strip& own, int passes, Pass pass) {
     std::uint32_t met = 0;
@@ -265,8 +265,8 @@ void SoftSolver::layOut(double h, std::size_t movable) {
     }
 }
 
-/// Contacts of a strip after those of the strip before, by colours, at the border before inside, those with as many points side by side;
-/// within a colour the order does not matter.
+/// Contacts of a strip after those of the strip before, by colours, at the border before inside, those with as many points side by
+/// side; within a colour the order does not matter.
 void SoftSolver::arrange() {
     const std::size_t colours = firstOfGroup.size() - 1;
     const std::size_t loose = lastInOrder ? firstOfGroup[colours - 1] : contacts.size();

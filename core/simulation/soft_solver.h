@@ -154,8 +154,8 @@ private:
     LaneScene m_scene;
     ContactStrips m_cut;
     std::vector<Strip> m_strips;
-    double m_solved = 0.0;  ///< s, that the strips took in this step
-    int m_alone = 0;        ///< steps for which the site is not cut
+    double m_solved = 0.0;          ///< s, that the strips took in this step
+    int m_alone = 0;                ///< steps for which the site is not cut
     std::vector<double> m_fastest;  ///< m/s, [contacts] speed of approach
     std::vector<Group> m_groups;
     std::vector<std::uint32_t> m_booked;  ///< groups

@@ -56,7 +56,8 @@ public:
     template <class Work>
     void together(std::size_t count, Work&& work) {
         assert(count <= threads());
-        // Who has a part takes no other one before it is done, and none is done before the others have begun or need not be waited for.
+        // Who has a part takes no other one before it is done, and none is done before the others have begun or need not be waited
+        // for.
         loop(count, 1, [&](std::size_t first, std::size_t) { work(first); });
     }
 

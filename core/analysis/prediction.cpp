@@ -15,10 +15,8 @@ namespace {
 constexpr std::size_t pointsLeast = 4;
 /// How far beyond the measured range of a number anything is said.
 constexpr double beyond = 1.6;
-/// Scatter that is likely before any point is seen, as a share: of measures of debris, and of times, which also differ from run to
-/// run on one machine. Settled on the sweeps of both arches (bench/RESULTS.md).
+/// Scatter that is likely before any point is seen, as a share. Settled on the sweeps of both arches (bench/RESULTS.md).
 constexpr double likelyScatter = 0.06;
-constexpr double likelyScatterOfTimes = 0.1;
 /// What a measure of 0 counts as: logarithms need something.
 constexpr double smallest = 1e-6;
 
@@ -245,8 +243,7 @@ Prediction predict(Predicted what, const KnownPoint& open, std::span<const Known
             return notKnown("prediction.outside", "it lies too far outside the {0} earlier points", {alike.size()});
         }
     }
-    const FitInterval found =
-        IntervalFit(std::move(samples), ofTime(what) ? likelyScatterOfTimes : likelyScatter).predict(at, predictionChance);
+    const FitInterval found = IntervalFit(std::move(samples), likelyScatter).predict(at, predictionChance);
     Prediction prediction;
     prediction.points = alike.size();
     prediction.value = fromLog(what, found.value);

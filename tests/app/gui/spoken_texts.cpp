@@ -42,7 +42,8 @@ const std::set<QString>& sameEverywhere() {
     static const std::set<QString> words = [] {
         std::set<QString> list;
         const QString plain = QStringLiteral(
-            "Rubble rubble cli Slurm sbatch ParaView Bullet bullet Exodus II CSV PVD SVG PNG JSON VTU HDF GTX NVIDIA IoU RMS FPS "
+            "Rubble rubble cli ffmpeg Slurm sbatch ParaView Bullet bullet Exodus II CSV PVD SVG PNG JSON VTU HDF GTX NVIDIA IoU "
+            "RMS FPS "
             "VTKHDF FE MB MiB GiB "
             "kB kg mm ms "
             "min kJ MJ GJ TJ nbsp amp lt gt quot Ctrl Shift Enter Delete Esc Home End Space Tab Alt auto Auto English "

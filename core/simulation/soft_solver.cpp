@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
-
-#include "core/base/elapsed.h"
 
 namespace rubble {
 
@@ -34,13 +31,8 @@ constexpr std::size_t grain = 96;
 constexpr std::size_t laneGrain = 12;
 /// Contacts that are worth a strip of their own.
 constexpr std::size_t stripContacts = 512;
-/// Threads that sleep for each other for more than this share of their time do not run at the same time.
-constexpr double crowded = 0.4;
-/// Steps after that without strips.
+/// Steps without strips after one in which the threads did not run at the same time.
 constexpr int stepsAlone = 32;
-/// Times in a step that a thread looks for a while before it sleeps for another one; where they have one core, looking takes time
-/// from who is waited for.
-constexpr int mostTired = 10;
 /// Bodies that one thread takes at a time.
 constexpr std::size_t bodyGrain = 512;
 /// N s. No limit.
@@ -178,48 +170,50 @@ void SoftSolver::forEachColour(int passes, Pass pass) {
         }
         return;
     }
-    const auto from = std::chrono::steady_clock::now();
     for (Strip& strip : m_strips) {
         strip.border.restart();
+        strip.done = 0;
     }
-    m_pool.together(m_strips.size(), [&](std::size_t strip) { solveStrip(m_strips[strip], passes, pass); });
-    m_solved += secondsSince(from);
+    if (!m_givenUp) {
+        m_pool.together(m_strips.size(), [&](std::size_t strip) { solveStrip(m_strips[strip], passes, pass); });
+    }
+    // What is left where the threads gave up, in the order in which they would have done it.
+    const std::size_t colours = m_strips[0].colours.size();
+    for (std::size_t k = 0; m_givenUp && k < static_cast<std::size_t>(passes) * colours; ++k) {
+        for (const Strip& strip : m_strips) {
+            if (strip.done <= k) {
+                pass(static_cast<int>(k / colours), m_scene, strip.colours[k % colours].first, strip.colours[k % colours].last);
+            }
+        }
+    }
 }
 
 /// Within a colour what lies at the border of a strip goes first: others wait for it with their next colour, and what lies inside
 /// gives it time to get there.
 template <class Pass>
 void SoftSolver::solveStrip(Strip& own, int passes, Pass pass) {
+    Patience patience(m_givenUp);
     std::uint32_t met = 0;
     for (int i = 0; i < passes; ++i) {
         for (const Colour& colour : own.colours) {
-            if (colour.inside > colour.first) {
-                for (const Strip& other : m_strips) {
-                    const double slept = other.border.await(met, own.tired < mostTired);
-                    own.tired += slept > 0.0;
-                    own.slept += slept;
-                }
-                pass(i, m_scene, colour.first, colour.inside);
+            const bool atBorder = colour.inside > colour.first;
+            const auto isThere = [&](const Strip& other) { return patience.await(other.border, met); };
+            if (patience.givenUp() || (atBorder && !std::ranges::all_of(m_strips, isThere))) {
+                return;
             }
+            pass(i, m_scene, colour.first, colour.inside);
             if (colour.meets) {
                 own.border.pass(++met);
             }
             pass(i, m_scene, colour.inside, colour.last);
+            ++own.done;
         }
     }
 }
 
-/// One, where the threads do not run at the same time: they would only wait for each other.
+/// One for a while, where the threads did not run at the same time.
 std::size_t SoftSolver::stripCount() {
-    double slept = 0.0;
-    for (const Strip& strip : m_strips) {
-        slept += strip.slept;
-    }
-    if (slept > crowded * m_solved * static_cast<double>(m_strips.size())) {
-        m_alone = stepsAlone;
-    }
-    m_solved = 0.0;
-    m_alone = std::max(0, m_alone - 1);
+    m_alone = m_givenUp.exchange(false) ? stepsAlone : std::max(0, m_alone - 1);
     return m_alone > 0 ? 1 : std::clamp<std::size_t>(contacts.size() / stripContacts, 1, m_pool.threads());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -124,9 +125,8 @@ private:
     /// A strip of the site and the thread that solves it.
     struct Strip {
         std::vector<Colour> colours;
-        Milestone border;    ///< colours that meet and whose groups at the border are done, in all passes at hand
-        int tired = 0;       ///< times that it went to sleep for another strip, in this step
-        double slept = 0.0;  ///< s
+        Milestone border;      ///< colours that meet and whose groups at the border are done, in all passes at hand
+        std::size_t done = 0;  ///< colours, in all passes at hand
     };
     /// Contacts that go side by side.
     struct Group {
@@ -154,9 +154,9 @@ private:
     LaneScene m_scene;
     ContactStrips m_cut;
     std::vector<Strip> m_strips;
-    double m_solved = 0.0;          ///< s, that the strips took in this step
-    int m_alone = 0;                ///< steps for which the site is not cut
-    std::vector<double> m_fastest;  ///< m/s, [contacts] speed of approach
+    std::atomic<bool> m_givenUp{false};  ///< the threads do not run at the same time, in this step
+    int m_alone = 0;                     ///< steps for which the site is not cut
+    std::vector<double> m_fastest;       ///< m/s, [contacts] speed of approach
     std::vector<Group> m_groups;
     std::vector<std::uint32_t> m_booked;  ///< groups
     std::vector<LaneContacts> m_lanes;

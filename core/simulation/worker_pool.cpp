@@ -22,6 +22,11 @@ void pause() {
 /// milliseconds later.
 constexpr int patience = 20000;
 
+/// Looks at a milestone that are not worth a look at the clock.
+constexpr int shortWait = 1000;
+/// s, that a thread waits for others without giving up, beside half of its time.
+constexpr double longestWait = 1e-3;
+
 /// Waits until the atomic is no longer `old`.
 template <class T>
 void waitWhile(const std::atomic<T>& atomic, T old) {
@@ -36,23 +41,27 @@ void waitWhile(const std::atomic<T>& atomic, T old) {
 
 }  // namespace
 
-void Milestone::pass(std::uint32_t steps) {
-    m_steps.store(steps);
-    m_steps.notify_all();
-}
-
-double Milestone::await(std::uint32_t steps, bool patient) const {
-    for (int i = 0; i < (patient ? patience : 1); ++i) {
-        if (m_steps.load() >= steps) {
-            return 0.0;
+bool Patience::await(const Milestone& milestone, std::uint32_t steps) {
+    for (int i = 0; i < shortWait; ++i) {
+        if (milestone.reached(steps)) {
+            return true;
         }
         pause();
     }
     const auto from = std::chrono::steady_clock::now();
-    for (std::uint32_t now = m_steps.load(); now < steps; now = m_steps.load()) {
-        m_steps.wait(now);
+    while (!milestone.reached(steps)) {
+        for (int i = 0; i < shortWait / 4; ++i) {
+            pause();
+        }
+        if (m_waited + secondsSince(from) > longestWait + 0.5 * secondsSince(m_from)) {
+            m_givenUp.store(true, std::memory_order_relaxed);
+        }
+        if (givenUp()) {
+            return false;
+        }
     }
-    return secondsSince(from);
+    m_waited += secondsSince(from);
+    return true;
 }
 
 WorkerPool::WorkerPool(int threads)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -17,13 +18,28 @@ class alignas(64) Milestone {
 public:
     /// Before any thread looks at it.
     void restart() { m_steps.store(0, std::memory_order_relaxed); }
-    void pass(std::uint32_t steps);
-    /// Returns the seconds that the thread slept for it: none as long as who is waited for runs, or comes back soon.
-    /// @param patient  look for a while before going to sleep
-    double await(std::uint32_t steps, bool patient) const;
+    void pass(std::uint32_t steps) { m_steps.store(steps, std::memory_order_release); }
+    bool reached(std::uint32_t steps) const { return m_steps.load(std::memory_order_acquire) >= steps; }
 
 private:
     std::atomic<std::uint32_t> m_steps{0};
+};
+
+/// Waits of one of several threads that work together. Who waits for one that does not run, because others have its core, would
+/// wait for each of its steps anew; so once a thread has waited for half of its time, all of them give up.
+class Patience {
+public:
+    /// @param givenUp  of all of them
+    explicit Patience(std::atomic<bool>& givenUp) : m_givenUp(givenUp) {}
+
+    /// Returns whether it was reached, before anybody gave up.
+    bool await(const Milestone& milestone, std::uint32_t steps);
+    bool givenUp() const { return m_givenUp.load(std::memory_order_relaxed); }
+
+private:
+    std::atomic<bool>& m_givenUp;
+    std::chrono::steady_clock::time_point m_from = std::chrono::steady_clock::now();
+    double m_waited = 0.0;  ///< s
 };
 
 /// A few threads that share loops. Which thread does which part never reaches a result: parts write to places of their own. Each

@@ -67,25 +67,37 @@ TEST(WorkerPool, OneThreadDoesThePartsThatSeveralDo) {
     EXPECT_TRUE(partsOn(1, 0, 7).empty());
 }
 
-TEST(WorkerPool, RunsWhatWaitsForEachOtherAtTheSameTime) {
-    // Each goes on when the other has: in more threads than cores, so that some sleep.
-    WorkerPool pool(5);
-    std::vector<Milestone> reached(5);
-    std::vector<int> sums(5, 0);
-    for (Milestone& milestone : reached) {
-        milestone.restart();
-    }
-    pool.together(5, [&](std::size_t own) {
-        for (std::uint32_t step = 1; step <= 400; ++step) {
-            for (const Milestone& milestone : reached) {
-                milestone.await(step - 1, step < 200);
+TEST(WorkerPool, RunsWhatWaitsForEachOtherAtTheSameTimeOrGivesUp) {
+    // Each goes on when the others have: in more threads than cores they give up sooner or later, all of them, none for ever.
+    for (const int threads : {2, 5}) {
+        WorkerPool pool(threads);
+        std::vector<Milestone> reached(static_cast<std::size_t>(threads));
+        std::vector<std::uint32_t> steps(reached.size(), 0);
+        std::atomic<bool> givenUp{false};
+        pool.together(reached.size(), [&](std::size_t own) {
+            Patience patience(givenUp);
+            for (std::uint32_t step = 0; step < 400; ++step) {
+                if (!std::ranges::all_of(reached, [&](const Milestone& m) { return patience.await(m, step); })) {
+                    return;
+                }
+                ++steps[own];
+                reached[own].pass(step + 1);
             }
-            ++sums[own];
-            reached[own].pass(step);
-        }
-    });
-    EXPECT_EQ(sums, std::vector<int>(5, 400));
-    EXPECT_EQ(reached[0].await(400, true), 0.0);
+        });
+        const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
+        EXPECT_TRUE(givenUp || *least == 400u);
+        EXPECT_LE(*most - *least, 1u) << "nobody goes on without the others";
+    }
+}
+
+TEST(WorkerPool, GivesUpOnWhoNeverComes) {
+    Milestone never;
+    std::atomic<bool> givenUp{false};
+    Patience patience(givenUp);
+    EXPECT_TRUE(patience.await(never, 0));
+    EXPECT_FALSE(patience.givenUp());
+    EXPECT_FALSE(patience.await(never, 1));
+    EXPECT_TRUE(givenUp);
 }
 
 }  // namespace

@@ -1,16 +1,15 @@
 #include "core/simulation/contact_strips.h"
-#include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 #include <random>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "core/simulation/soft_solver.h"
+#include "tests/core/simulation/solver_contact.h"
 
 namespace rubble {
 namespace {
@@ -46,19 +45,9 @@ struct Heap {
         solver.firstOfGroup = colours.first;
         solver.lastInOrder = colours.lastInOrder;
         for (const std::uint32_t k : colours.order) {
-            SolverContact c;
-            std::tie(c.a, c.b) = ends[k];
+            SolverContact c =
+                scenes::solverContact(ends[k], k, solver.points.size(), Vec3(between(-0.5, 0.5), between(-0.5, 0.5), 1.0), h);
             c.where = Vec3(0.1 * c.b, between(0.0, 5.0), 0.0);
-            c.firstPoint = static_cast<std::uint32_t>(solver.points.size());
-            c.points = 1 + k % 4;
-            c.normal = Vec3(between(-0.5, 0.5), between(-0.5, 0.5), 1.0).normalized();
-            c.tangent[0] = c.normal.unitOrthogonal();
-            c.tangent[1] = c.normal.cross(c.tangent[0]);
-            c.friction = 0.6;
-            c.frequency = 30.0;
-            c.sinkAllowed = 0.03;
-            c.weight = standardGravity * h;
-            c.impulseLimit = -1.0;
             c.booked = k % 3 == 0;
             c.parting = k % 4 == 0 ? 0.01 : 0.0;
             for (std::uint32_t n = 0; n < c.points; ++n) {

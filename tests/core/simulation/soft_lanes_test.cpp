@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <random>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "core/simulation/soft_solver.h"
+#include "tests/core/simulation/solver_contact.h"
 
 namespace rubble {
 namespace {
@@ -42,17 +42,8 @@ struct Column {
         solver.firstOfGroup = colours.first;
         solver.lastInOrder = colours.lastInOrder;
         for (const std::uint32_t k : colours.order) {
-            SolverContact c;
-            std::tie(c.a, c.b) = ends[k];
-            c.firstPoint = static_cast<std::uint32_t>(solver.points.size());
-            c.points = 1 + k % 4;
-            c.normal = Vec3(between(-0.2, 0.2), between(-0.2, 0.2), 1.0).normalized();
-            c.tangent[0] = c.normal.unitOrthogonal();
-            c.tangent[1] = c.normal.cross(c.tangent[0]);
-            c.friction = 0.6;
-            c.frequency = 30.0;
-            c.sinkAllowed = 0.03;
-            c.weight = standardGravity * h;
+            SolverContact c =
+                scenes::solverContact(ends[k], k, solver.points.size(), Vec3(between(-0.2, 0.2), between(-0.2, 0.2), 1.0), h);
             c.impulseLimit = k % 5 == 0 ? 0.02 : -1.0;
             c.booked = k % 2 == 0;
             c.parting = k % 4 == 0 ? 0.2 : 0.0;

@@ -51,12 +51,7 @@ struct Heap {
             c.booked = k % 3 == 0;
             c.parting = k % 4 == 0 ? 0.01 : 0.0;
             for (std::uint32_t n = 0; n < c.points; ++n) {
-                SolverPoint p;
-                p.fromA = Vec3(between(-0.5, 0.5), between(-0.5, 0.5), 0.5);
-                p.fromB = Vec3(between(-0.5, 0.5), between(-0.5, 0.5), -0.5);
-                p.separation = between(-0.02, 0.005);
-                p.normalImpulse = between(0.0, 0.05);
-                solver.points.push_back(p);
+                solver.points.push_back(scenes::solverPoint(between));
             }
             solver.contacts.push_back(c);
         }

@@ -48,13 +48,7 @@ struct Column {
             c.booked = k % 2 == 0;
             c.parting = k % 4 == 0 ? 0.2 : 0.0;
             for (std::uint32_t n = 0; n < c.points; ++n) {
-                SolverPoint p;
-                p.fromA = Vec3(between(-0.5, 0.5), between(-0.5, 0.5), 0.5);
-                p.fromB = Vec3(between(-0.5, 0.5), between(-0.5, 0.5), -0.5);
-                p.separation = between(-0.02, 0.005);
-                p.normalImpulse = between(0.0, 0.05);
-                p.tangentImpulse[0] = between(-0.01, 0.01);
-                solver.points.push_back(p);
+                solver.points.push_back(scenes::solverPoint(between));
             }
             solver.contacts.push_back(c);
         }

@@ -27,4 +27,17 @@ inline SolverContact solverContact(std::pair<std::uint32_t, std::uint32_t> ends,
     return c;
 }
 
+/// A point of it anywhere on faces half a metre from both centres, a little open or in overlap, that carries something.
+/// @param between  a random number between two
+template <class Between>
+SolverPoint solverPoint(const Between& between) {
+    SolverPoint p;
+    p.fromA = Vec3(between(-0.5, 0.5), between(-0.5, 0.5), 0.5);
+    p.fromB = Vec3(between(-0.5, 0.5), between(-0.5, 0.5), -0.5);
+    p.separation = between(-0.02, 0.005);
+    p.normalImpulse = between(0.0, 0.05);
+    p.tangentImpulse[0] = between(-0.01, 0.01);
+    return p;
+}
+
 }  // namespace rubble::scenes

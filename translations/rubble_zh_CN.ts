@@ -2590,10 +2590,6 @@
         <translation>请设置 birth_time = state 以同样处理所有单元。</translation>
     </message>
     <message>
-        <source>Set birth_time = state, or birth_window = 0.</source>
-        <translation>请设置 birth_time = state，或 birth_window = 0。</translation>
-    </message>
-    <message>
         <source>Set component[NAME].density.</source>
         <translation>请设置 component[NAME].density。</translation>
     </message>
@@ -3364,10 +3360,6 @@
     <message>
         <source>birth/death field</source>
         <translation>生死场</translation>
-    </message>
-    <message>
-        <source>birth_window takes states together, and birth_time = exact parts them.</source>
-        <translation>birth_window 把状态合在一起，而 birth_time = exact 又把它们分开。</translation>
     </message>
     <message>
         <source>bodies can meet: the fall columns of {0} and {1} overlap by {2}</source>
@@ -7612,8 +7604,8 @@
         <translation>实时帧率</translation>
     </message>
     <message>
-        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 60 for bodies of up to 0.3 m, fewer with the square root of their size down to 30; always 60 for bullet.</source>
-        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 60，更大时随尺寸平方根减小，最低 30；bullet 始终为 60。</translation>
+        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 40 for bodies of up to 0.3 m, fewer with the square root of their size down to 20; always 60 for bullet.</source>
+        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 40，更大时随尺寸平方根减小，最低 20；bullet 始终为 60。</translation>
     </message>
     <message>
         <source>Material</source>
@@ -7860,8 +7852,8 @@
         <translation>水</translation>
     </message>
     <message>
-        <source>What dies within this time becomes debris together, at the first state of it, so that one cluster can hold what the states part: fewer and fuller bodies, which leave the FE result a little earlier. 0: each state by itself. The reference does not read it.</source>
-        <translation>在此时间内失效者在其首个状态一起成为堆积物，使一个聚类可以容纳被状态分开的碎块：刚体更少、更饱满，但稍早脱离有限元结果。0：每个状态各自独立。基准计算不读取此值。</translation>
+        <source>What dies within this time becomes debris together, at the first state of it, so that one cluster can hold what the states part: fewer and fuller bodies, which leave the FE result a little earlier. 0: each state by itself. The reference does not read it, nor does birth_time = exact.</source>
+        <translation>在此时间内失效者在其首个状态一起成为堆积物，使一个聚类可以容纳被状态分开的碎块：刚体更少、更饱满，但稍早脱离有限元结果。0：每个状态各自独立。基准计算和 birth_time = exact 均不读取此值。</translation>
     </message>
     <message>
         <source>What one component is made of: decides friction and restitution, and whether clusters break up. Automatic: from its density: from 7,000 to 9,000 kg/m3 steel, from 2,550 to 3,500 stone, from 1,400 to 2,100 masonry, anything else concrete.</source>

@@ -57,13 +57,18 @@ BirthWindows::BirthWindows(const std::vector<Lifetime>& ended, const std::vector
     }
 }
 
+double birthWindowOf(const FragmentSettings& settings) {
+    return settings.birthTime == BirthTime::Exact ? 0.0 : settings.birthWindow;
+}
+
 Activity simulatedActivity(const FeResult& fe, const FragmentSettings& settings) {
     Activity activity = activityUnder(fe.activity(), settings.revival);
-    if (!(settings.birthWindow > 0.0)) {
+    const double window = birthWindowOf(settings);
+    if (!(window > 0.0)) {
         return activity;
     }
     const std::vector<Lifetime> ended = endedIn(activity);
-    const BirthWindows windows(ended, fe.times(), settings.birthWindow);
+    const BirthWindows windows(ended, fe.times(), window);
     for (const Lifetime& life : ended) {
         for (std::uint32_t state = windows.handOver(life.lastActive) + 1; state <= life.lastActive; ++state) {
             activity.set(state, life.element, false);

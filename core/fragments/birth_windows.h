@@ -27,6 +27,9 @@ private:
     std::vector<std::uint32_t> m_handOver;  // [states]
 };
 
+/// s, of the windows that these settings ask for: none with exact birth times, which part what a window takes together.
+double birthWindowOf(const FragmentSettings& settings);
+
 /// Activity as the simulation takes it: under the policy (activityUnder()), and with a birth window an element is inactive from the
 /// state after its hand-over on.
 Activity simulatedActivity(const FeResult& fe, const FragmentSettings& settings);

@@ -78,13 +78,8 @@ FragmentSet FragmentMaker::make(const Execution& execution) {
 
 /// The lifetimes as they are handed over. Their order does not depend on the birth window.
 std::vector<Lifetime> FragmentMaker::handedOver(const Execution& execution) {
-    if (m_settings.birthWindow > 0.0 && m_settings.birthTime == BirthTime::Exact) {
-        throw UsageError(
-            {"fragments.window_of_exact_times", "birth_window takes states together, and birth_time = exact parts them.", {}},
-            {"fragments.window_of_exact_times.remedy", "Set birth_time = state, or birth_window = 0.", {}});
-    }
     std::vector<Lifetime> lives = endedLifetimes(m_fe, m_components, m_settings.revival, m_set.findings, execution);
-    const BirthWindows windows(lives, m_fe.times(), m_settings.birthWindow);
+    const BirthWindows windows(lives, m_fe.times(), birthWindowOf(m_settings));
     for (Lifetime& life : lives) {
         life.lastActive = windows.handOver(life.lastActive);
         life.firstDead = life.lastActive + 1;

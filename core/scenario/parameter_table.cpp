@@ -64,7 +64,7 @@ std::vector<Parameter> fragmentRows() {
             "birth_window", "s", 0, 1000, RUBBLE_AT(fragments.birthWindow), "Birth window",
             "What dies within this time becomes debris together, at the first state of it, so that one cluster can hold what the "
             "states part: fewer and fuller bodies, which leave the FE result a little earlier. 0: each state by itself. The "
-            "reference does not read it.")
+            "reference does not read it, nor does birth_time = exact.")
         .choice("birth_velocity", {"fe", "rest"}, RUBBLE_AT(fragments.birthVelocity), "Birth velocity",
                 "fe: fragments keep the velocity their element had. rest: they are born at rest, as in the published method.")
         .number("minimum_thickness_ratio", "", 0.001, 1, RUBBLE_AT(fragments.minimumThicknessRatio), "Thinnest fragment",
@@ -119,7 +119,7 @@ std::vector<Parameter> simulationRows() {
         .number(
             "step_rate", "1/s", 10, 10000, RUBBLE_AT(simulation.stepRate), "Steps per second",
             "Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. "
-            "Automatic: 60 for bodies of up to 0.3 m, fewer with the square root of their size down to 30; always 60 for bullet.")
+            "Automatic: 40 for bodies of up to 0.3 m, fewer with the square root of their size down to 20; always 60 for bullet.")
         .integer("iterations", 1, 1000, RUBBLE_AT(simulation.iterations), "Solver iterations",
                  "Iterations of Bullet's contact solver in each step. Costs time; a smaller step buys more.")
         .integer(

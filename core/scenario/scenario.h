@@ -42,7 +42,7 @@ struct ImportSettings {
 struct FragmentSettings {
     BirthTime birthTime = BirthTime::State;
     Revival revival = Revival::Latch;
-    double birthWindow = 0.0;  ///< s; what dies within it is handed over together, at the first state; 0: each state by itself
+    double birthWindow = 0.1;  ///< s; what dies within it is handed over together, at the first state; 0: each state by itself
     BirthVelocity birthVelocity = BirthVelocity::Fe;
     double minimumThicknessRatio = 0.025;  ///< smallest half extent of a fragment over its longest
     double minimumHalfExtent = 0.005;      ///< m

@@ -54,18 +54,19 @@ double travel(const Aabb& box, const Pose& a, const Pose& b) {
 /// number.
 std::optional<Pose> fittedMotion(const std::vector<std::uint32_t>& nodes, const std::vector<Vec3>& from,
                                  const std::vector<Vec3>& to) {
-    const auto meanOf = [&](const std::vector<Vec3>& places) {
-        Vec3 sum = Vec3::Zero();
-        for (const std::uint32_t node : nodes) {
-            sum += places[node];
-        }
-        return Vec3(sum / static_cast<double>(nodes.size()));
-    };
-    const Vec3 before = meanOf(from), after = meanOf(to);
-    Mat3 covariance = Mat3::Zero();
+    // In one pass over the nodes, which lie anywhere: places from that of the first one, so that little cancels.
+    const Vec3 fromFirst = from[nodes.front()], toFirst = to[nodes.front()];
+    Vec3 fromSum = Vec3::Zero(), toSum = Vec3::Zero();
+    Mat3 products = Mat3::Zero();
     for (const std::uint32_t node : nodes) {
-        covariance += (to[node] - after) * (from[node] - before).transpose();
+        const Vec3 a = from[node] - fromFirst, b = to[node] - toFirst;
+        fromSum += a;
+        toSum += b;
+        products += b * a.transpose();
     }
+    const auto count = static_cast<double>(nodes.size());
+    const Vec3 after = toFirst + toSum / count;
+    const Mat3 covariance = products - toSum * fromSum.transpose() / count;
     if (!covariance.allFinite() || !after.allFinite()) {
         return std::nullopt;
     }
@@ -167,13 +168,18 @@ bool Pieces::exposed(ElementIndex e, std::size_t k) const {
     return false;
 }
 
-std::vector<ElementIndex> Pieces::membersOf(const Group& group, std::size_t k) const {
-    std::vector<ElementIndex> members;
-    for (const ElementIndex e : group.elements) {
-        if (activeThrough(e, k) && (m_kind != PieceKind::Surface || exposed(e, k))) {
-            members.push_back(e);
-        }
+/// The group's elements that belong to its piece in the interval after state k, if they are others than in the one before.
+std::optional<std::vector<ElementIndex>> Pieces::newMembers(const Group& group, std::size_t k) const {
+    const auto belongs = [&](ElementIndex e) { return activeThrough(e, k) && (m_kind != PieceKind::Surface || exposed(e, k)); };
+    // Most groups stay what they are.
+    std::size_t same = 0;
+    const bool changed = std::ranges::any_of(
+        group.elements, [&](ElementIndex e) { return belongs(e) && (same == group.members.size() || group.members[same++] != e); });
+    if (!changed && same == group.members.size()) {
+        return std::nullopt;
     }
+    std::vector<ElementIndex> members;
+    std::ranges::copy_if(group.elements, std::back_inserter(members), belongs);
     return members;
 }
 
@@ -270,10 +276,10 @@ void Pieces::beginInterval(RigidWorld& world, std::size_t k) {
     world.onThreads(m_groups.size(), groupGrain, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             Group& group = m_groups[i];
-            std::vector<ElementIndex> members = membersOf(group, k);
-            next[i].changed = members != group.members;
-            if (next[i].changed) {
-                group.members = std::move(members);
+            std::optional<std::vector<ElementIndex>> members = newMembers(group, k);
+            next[i].changed = members.has_value();
+            if (members) {
+                group.members = std::move(*members);
                 next[i].shape = reshape(group, *from);
             }
             if (next[i].changed ? next[i].shape.has_value() : group.piece.has_value()) {
@@ -281,6 +287,7 @@ void Pieces::beginInterval(RigidWorld& world, std::size_t k) {
             }
         }
     });
+
     for (std::size_t i = 0; i < m_groups.size(); ++i) {
         Group& group = m_groups[i];
         if (next[i].changed) {

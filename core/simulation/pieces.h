@@ -59,7 +59,7 @@ private:
     void findNeighbours();
     bool exposed(ElementIndex e, std::size_t k) const;
     bool activeThrough(ElementIndex e, std::size_t k) const;
-    std::vector<ElementIndex> membersOf(const Group& group, std::size_t k) const;
+    std::optional<std::vector<ElementIndex>> newMembers(const Group& group, std::size_t k) const;
     /// Nodes, place and shape of what is left of a group; nothing if that makes no piece. Groups may be reshaped at once.
     std::optional<CollisionShape> reshape(Group& group, const FeState& from) const;
     void replace(RigidWorld& world, Group& group, const std::optional<CollisionShape>& shape);

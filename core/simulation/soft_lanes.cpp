@@ -1,5 +1,7 @@
 #include "core/simulation/soft_lanes.h"
 
+#include <functional>
+
 #define RUBBLE_LANE_MAKE common_lanes
 #include "core/simulation/soft_lanes_passes.h"
 
@@ -11,8 +13,12 @@ const LanePasses& commonLanePasses() {
 
 const LanePasses& lanePasses() {
 #ifdef RUBBLE_WIDE_LANES
-    static const bool wide = __builtin_cpu_supports("avx2") != 0;
-    return wide ? *wideLanePasses() : commonLanePasses();
+    static const LanePasses& best = [] {
+        const bool wide = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+        const bool widest = wide && __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512vl") != 0;
+        return std::cref(widest ? *widestLanePasses() : wide ? *wideLanePasses() : commonLanePasses());
+    }();
+    return best;
 #else
     return commonLanePasses();
 #endif

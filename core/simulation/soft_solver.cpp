@@ -11,8 +11,6 @@ namespace rubble {
 
 namespace {
 
-/// Damping ratio of a contact: above 1, so that overlap comes apart without a bounce.
-constexpr double dampingRatio = 10.0;
 /// A load comes back in the next substep, a blow does not: what is new may grow by this factor from substep to substep. Lower:
 /// slow under a pile that is lifted; higher: what was hit flies on.
 constexpr double warmGrowth = 3.0;
@@ -21,7 +19,7 @@ constexpr double warmGrowth = 3.0;
 constexpr int relaxPasses = 3;
 /// Passes that bring overlap apart, then such that only keep others from being pressed together for it; both go on from what the
 /// step before found. More of the first: it comes apart sooner; fewer of the second: piles are pressed into themselves and tremble.
-constexpr int partPasses = 48;
+constexpr int partPasses = 24;
 constexpr int holdPasses = 4;
 /// Rounds over the points of a contact that bounces.
 constexpr int restitutionRounds = 8;
@@ -54,41 +52,6 @@ void apply(SolverBody& a, SolverBody& b, const SolverPoint& p, const Vec3& impul
         b.velocity += b.inverseMass * impulse;
         b.spin += b.inverseInertia * p.fromB.cross(impulse);
     }
-}
-
-/// kg that a push at the point along a direction moves.
-double massAlong(const SolverBody& a, const SolverBody& b, const SolverPoint& p, const Vec3& direction) {
-    const Vec3 ra = p.fromA.cross(direction);
-    const Vec3 rb = p.fromB.cross(direction);
-    const double inverse = a.inverseMass + ra.dot(a.inverseInertia * ra) + b.inverseMass + rb.dot(b.inverseInertia * rb);
-    return inverse > 0.0 ? 1.0 / inverse : 0.0;
-}
-
-/// Stiffness of a soft contact as rates for one substep (Catto 2024, Solver2D).
-void setSoftness(SolverContact& c, double omega, double h) {
-    const double a1 = 2.0 * dampingRatio + h * omega;
-    const double a2 = h * omega * a1;
-    const double a3 = 1.0 / (1.0 + a2);
-    c.biasRate = omega / a1;
-    c.massScale = a2 * a3;
-    c.impulseScale = a3;
-}
-
-void prepareContact(SolverContact& c, std::span<SolverPoint> points, const SolverBody& a, const SolverBody& b, double h) {
-    const double soft = 2.0 * std::numbers::pi * c.frequency;
-    double squared = soft * soft;
-    for (SolverPoint& p : points) {
-        p.normalMass = massAlong(a, b, p, c.normal);
-        p.tangentMass[0] = massAlong(a, b, p, c.tangent[0]);
-        p.tangentMass[1] = massAlong(a, b, p, c.tangent[1]);
-        p.approachSpeed = -c.normal.dot(relativeVelocity(a, b, p));
-        p.largestImpulse = p.impulseSum = 0.0;
-        // At rest a contact sinks by load / (mass omega^2).
-        if (p.normalMass > 0.0) {
-            squared = std::max(squared, p.normalImpulse / h / (p.normalMass * c.sinkAllowed));
-        }
-    }
-    setSoftness(c, std::min(std::sqrt(squared), SoftSolver::stiffest / h), h);
 }
 
 void restituteContact(const SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b, double threshold) {
@@ -223,44 +186,36 @@ void SoftSolver::resize(std::size_t contactCount, std::size_t pointCount) {
     m_fastest.resize(contactCount);
 }
 
-void SoftSolver::prepareContact(std::size_t contact, double h) {
-    SolverContact& c = contacts[contact];
-    const auto own = std::span<SolverPoint>(points).subspan(c.firstPoint, c.points);
-    rubble::prepareContact(c, own, bodies[c.a], bodies[c.b], h);
-    m_fastest[contact] = 0.0;
-    for (const SolverPoint& p : own) {
-        m_fastest[contact] = std::max(m_fastest[contact], p.approachSpeed);
-    }
-}
-
-void SoftSolver::layOut(double h, std::size_t movable) {
-    m_laneBodies.resize(bodies.size());
-    m_laneTravel.assign(bodies.size(), {});
-    m_scene.movable = static_cast<std::uint32_t>(movable);
+void SoftSolver::layOut(double h, const Source& source) {
     arrange();
-    m_scene = {m_lanes.data(),
-               m_lanePoints.data(),
-               m_laneWorks.data(),
-               m_laneBodies.data(),
-               m_laneTravel.data(),
-               static_cast<std::uint32_t>(movable),
-               h};
+    m_scene.contacts = m_lanes.data();
+    m_scene.tallies = m_tallies.data();
+    m_scene.points = m_lanePoints.data();
+    m_scene.pointTallies = m_pointTallies.data();
+    m_scene.works = m_laneWorks.data();
+    m_scene.h = h;
     m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            fillLanes(m_groups[i], m_lanes[i]);
-            m_groups[i].booked = m_lanes[i].booked;
+            if (i + 1 < to) {
+                std::for_each_n(m_groups[i + 1].found, m_groups[i + 1].count, source.ask);
+            }
+            fillLanes(i, source);
+            m_passes.prepare(m_scene, i, i + 1);
+            for (std::uint32_t lane = 0; lane < m_groups[i].count; ++lane) {
+                m_fastest[m_groups[i].found[lane]] = m_tallies[i].fastest[lane];
+            }
         }
     });
     m_booked.clear();
     for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
-        if (m_groups[i].booked) {
+        if (m_lanes[i].booked) {
             m_booked.push_back(i);
         }
     }
 }
 
-/// Contacts of a strip after those of the strip before, by colours, at the border before inside, those with as many points side by
-/// side; within a colour the order does not matter.
+/// Contacts of a strip after those of the strip before, by colours, at the border before inside, those between two that move before
+/// those with what does not, those with as many points side by side; within a colour the order does not matter.
 void SoftSolver::arrange() {
     const std::size_t colours = firstOfGroup.size() - 1;
     const std::size_t loose = lastInOrder ? firstOfGroup[colours - 1] : contacts.size();
@@ -268,12 +223,15 @@ void SoftSolver::arrange() {
     cutIntoStrips(contacts, m_scene.movable, strips, loose, m_cut);
     m_strips = std::vector<Strip>(strips);
 
-    constexpr std::size_t counts = 4, sections = 2 * counts;
+    constexpr std::size_t counts = 4, idle = counts, still = 2 * counts, half = 4 * counts, sections = 2 * half;
     std::vector<std::uint32_t> keys(contacts.size());
     std::vector<std::uint32_t> first(strips * colours * sections + 1, 0);
     for (std::size_t colour = 0; colour < colours; ++colour) {
         for (std::size_t i = firstOfGroup[colour]; i < firstOfGroup[colour + 1]; ++i) {
-            const std::size_t section = m_cut.border[i] != 0 ? counts - contacts[i].points : sections - contacts[i].points;
+            const SolverContact& c = contacts[i];
+            const std::size_t section = (m_cut.border[i] != 0 ? 0 : half) +
+                                        (c.a >= m_scene.movable || c.b >= m_scene.movable ? still : 0) + (c.idle ? idle : 0) +
+                                        counts - c.points;
             keys[i] = static_cast<std::uint32_t>((m_cut.strip[i] * colours + colour) * sections + (i < loose ? section : 0));
             ++first[keys[i] + 1];
         }
@@ -287,25 +245,24 @@ void SoftSolver::arrange() {
 
     m_groups.clear();
     std::vector<char> meets(colours, 0);
-    std::uint32_t point = 0;
     const auto put = [&](std::size_t from, std::size_t to) {
         const std::size_t begin = m_groups.size();
         for (std::size_t k = from; k < to; ++k) {
             const std::uint32_t contact = order[k];
             if (m_groups.size() == begin || m_groups.back().count == solverLanes || contact >= loose) {
-                m_groups.push_back({point, contacts[contact].points, 0, {}, false});
-                point += contacts[contact].points;
+                m_groups.emplace_back();
             }
             Group& lanes = m_groups.back();
             lanes.found[lanes.count++] = contact;
+            lanes.points = std::max(lanes.points, contacts[contact].points);
         }
     };
     for (std::size_t part = 0; part < strips * colours; ++part) {
         const std::uint32_t* section = &first[part * sections];
         Colour colour{m_groups.size(), 0, 0};
-        put(section[0], section[counts]);
+        put(section[0], section[half]);
         colour.inside = m_groups.size();
-        put(section[counts], section[sections]);
+        put(section[half], section[sections]);
         colour.last = m_groups.size();
         colour.inOrder = lastInOrder && part % colours + 1 == colours;
         meets[part % colours] |= colour.inside > colour.first;
@@ -316,8 +273,16 @@ void SoftSolver::arrange() {
             strip.colours[colour].meets = meets[colour] != 0;
         }
     }
+    std::uint32_t point = 0;
+    for (Group& group : m_groups) {
+        group.firstPoint = point;
+        point += group.points;
+    }
+
     m_lanes.resize(m_groups.size());
+    m_tallies.resize(m_groups.size());
     m_lanePoints.resize(point);
+    m_pointTallies.resize(point);
     m_laneWorks.resize(point);
     m_parts.resize(point);
     m_partings.resize(m_groups.size());
@@ -325,13 +290,13 @@ void SoftSolver::arrange() {
 
 namespace {
 
-void setLane(KeptLaneVector& to, int lane, const Vec3& v) {
+void setLane(KeptLaneVector& to, std::size_t lane, const Vec3& v) {
     to.x[lane] = static_cast<KeptNumber>(v.x());
     to.y[lane] = static_cast<KeptNumber>(v.y());
     to.z[lane] = static_cast<KeptNumber>(v.z());
 }
 
-void setLane(KeptLaneTensor& to, int lane, const Mat3& t) {
+void setLane(KeptLaneTensor& to, std::size_t lane, const Mat3& t) {
     to.xx[lane] = static_cast<KeptNumber>(t(0, 0));
     to.yy[lane] = static_cast<KeptNumber>(t(1, 1));
     to.zz[lane] = static_cast<KeptNumber>(t(2, 2));
@@ -340,106 +305,154 @@ void setLane(KeptLaneTensor& to, int lane, const Mat3& t) {
     to.yz[lane] = static_cast<KeptNumber>(t(1, 2));
 }
 
-void setLane(LanePoint& to, int lane, const SolverPoint& p) {
+void setLane(LanePoint& to, LanePointTally& tally, std::size_t lane, const SolverPoint& p) {
     setLane(to.fromA, lane, p.fromA);
     setLane(to.fromB, lane, p.fromB);
-    to.separation[lane] = to.now[lane] = p.separation;
-    to.normalMass[lane] = static_cast<KeptNumber>(p.normalMass);
-    to.normalImpulse[lane] = p.normalImpulse;
-    to.before[lane] = static_cast<KeptNumber>(p.normalImpulse);
+    tally.separation[lane] = to.now[lane] = static_cast<KeptNumber>(p.separation);
+    to.normalMass[lane] = 1;
+    to.normalImpulse[lane] = tally.before[lane] = static_cast<KeptNumber>(p.normalImpulse);
     for (int t = 0; t < 2; ++t) {
-        to.tangentMass[t][lane] = static_cast<KeptNumber>(p.tangentMass[t]);
-        to.tangentImpulse[t][lane] = p.tangentImpulse[t];
+        to.tangentImpulse[t][lane] = static_cast<KeptNumber>(p.tangentImpulse[t]);
     }
 }
 
 }  // namespace
 
-void SoftSolver::fillLanes(const Group& group, LaneContacts& lanes) {
+void SoftSolver::fillLanes(std::size_t at, const Source& source) {
+    const Group& group = m_groups[at];
+    LaneContacts& lanes = m_lanes[at];
+    LaneTally& tally = m_tallies[at];
     const std::uint32_t count = group.count, first = group.firstPoint, most = group.points;
     lanes = LaneContacts{};
+    tally = LaneTally{};
     lanes.firstPoint = first;
     lanes.points = most;
-    lanes.count = count;
-    std::copy_n(group.found, solverLanes, lanes.found);
     const auto still = static_cast<std::uint32_t>(bodies.size() - 1);
     for (std::uint32_t i = count; i < solverLanes; ++i) {
         lanes.a[i] = lanes.b[i] = still;
     }
+    lanes.allMove = count == solverLanes;
     std::fill_n(m_lanePoints.begin() + first, most, LanePoint{});
+    std::fill_n(m_pointTallies.begin() + first, most, LanePointTally{});
     for (std::uint32_t k = 0; k < most; ++k) {
-        m_parts[first + k].push = Lanes{};
+        m_parts[first + k].push = {};
     }
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const int lane = static_cast<int>(i);
-        const SolverContact& c = contacts[lanes.found[i]];
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
+        source.fill(group.found[lane]);
+        const SolverContact& c = contacts[group.found[lane]];
         const SolverBody& a = bodies[c.a];
         const SolverBody& b = bodies[c.b];
-        lanes.a[i] = c.a;
-        lanes.b[i] = c.b;
+        lanes.a[lane] = c.a;
+        lanes.b[lane] = c.b;
+        lanes.allMove = lanes.allMove && c.a < m_scene.movable && c.b < m_scene.movable;
         setLane(lanes.normal, lane, c.normal);
-        setLane(lanes.tangent[0], lane, c.tangent[0]);
-        setLane(lanes.tangent[1], lane, c.tangent[1]);
+        setLane(lanes.tangent, lane, c.tangent[0]);
         setLane(lanes.inverseInertiaA, lane, a.inverseInertia);
         setLane(lanes.inverseInertiaB, lane, b.inverseInertia);
         lanes.friction[lane] = static_cast<KeptNumber>(c.friction);
         lanes.inverseMassA[lane] = a.inverseMass;
         lanes.inverseMassB[lane] = b.inverseMass;
-        lanes.weight[lane] = static_cast<KeptNumber>(c.weight);
-        lanes.biasRate[lane] = static_cast<KeptNumber>(c.biasRate);
-        lanes.massScale[lane] = static_cast<KeptNumber>(c.massScale);
-        lanes.impulseScale[lane] = static_cast<KeptNumber>(c.impulseScale);
-        lanes.parting[lane] = static_cast<KeptNumber>(c.parting);
-        lanes.lift[lane] = static_cast<KeptNumber>(c.lift);
         lanes.impulseLimit[lane] = c.impulseLimit < 0.0 ? unlimited : static_cast<KeptNumber>(c.impulseLimit);
-        lanes.bookedShare[lane] = c.booked ? 1 : 0;
-        lanes.drivenByA[lane] = c.driven && a.inverseMass == 0.0 ? 1 : 0;
-        lanes.drivenByB[lane] = c.driven && a.inverseMass != 0.0 ? 1 : 0;
+        tally.weight[lane] = static_cast<KeptNumber>(c.weight);
+        tally.frequency[lane] = static_cast<KeptNumber>(c.frequency);
+        tally.sinkAllowed[lane] = static_cast<KeptNumber>(c.sinkAllowed);
+        tally.parting[lane] = static_cast<KeptNumber>(c.parting);
+        tally.lift[lane] = static_cast<KeptNumber>(c.lift);
+        tally.bookedShare[lane] = c.booked ? 1 : 0;
+        tally.drivenByA[lane] = c.driven && a.inverseMass == 0.0 ? 1 : 0;
+        tally.drivenByB[lane] = c.driven && a.inverseMass != 0.0 ? 1 : 0;
         lanes.booked = lanes.booked || c.booked || c.driven;
         for (std::uint32_t k = 0; k < c.points; ++k) {
-            setLane(m_lanePoints[first + k], lane, points[c.firstPoint + k]);
-            m_parts[first + k].push[lane] = points[c.firstPoint + k].push;
+            setLane(m_lanePoints[first + k], m_pointTallies[first + k], lane, points[c.firstPoint + k]);
+            m_parts[first + k].push[lane] = static_cast<KeptNumber>(points[c.firstPoint + k].push);
         }
     }
 }
 
-void SoftSolver::send() {
+void SoftSolver::begin(std::size_t movable) {
+    m_scene.movable = static_cast<std::uint32_t>(movable);
+    m_laneBodies.resize(bodies.size());
+    m_laneTravel.resize(bodies.size());
+    m_lanePoses.resize(bodies.size());
+    m_laneSolids.resize(bodies.size());
+    m_scene.bodies = m_laneBodies.data();
+    m_scene.travel = m_laneTravel.data();
+    m_scene.poses = m_lanePoses.data();
+    m_scene.solids = m_laneSolids.data();
     m_pool.loop(bodies.size(), bodyGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            LaneBody& lane = m_laneBodies[i];
+            const SolverBody& body = bodies[i];
+            setVelocity(i, body.velocity, body.spin);
+            m_laneBodies[i].velocity[3] = 0.0;
+            m_laneTravel[i] = {};
             for (int k = 0; k < 3; ++k) {
-                lane.velocity[k] = bodies[i].velocity[k];
-                lane.spin[k] = bodies[i].spin[k];
+                m_lanePoses[i].position[k] = body.pose.position[k];
+                m_laneSolids[i].inertia[k] = body.inertia[k];
             }
-            lane.velocity[3] = 0.0;
+            for (int k = 0; k < 4; ++k) {
+                m_lanePoses[i].orientation[k] = body.pose.orientation.coeffs()[k];
+            }
+            m_laneSolids[i].inertia[3] = body.radius;
+            m_laneSolids[i].limit[0] = body.fastest;
         }
     });
 }
 
-void SoftSolver::sendTravel() {
-    m_pool.loop(bodies.size(), bodyGrain, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) {
-            for (int k = 0; k < 3; ++k) {
-                m_laneTravel[i].moved[k] = bodies[i].moved[k];
-                m_laneTravel[i].turned[k] = bodies[i].turned[k];
-            }
-        }
-    });
+void SoftSolver::bound(std::size_t body, double fastest) {
+    bodies[body].fastest = m_laneSolids[body].limit[0] = fastest;
 }
 
-void SoftSolver::receive() {
+SolverMotion SoftSolver::motion(std::size_t body) const {
+    const LanePose& pose = m_lanePoses[body];
+    const LaneBody& lane = m_laneBodies[body];
+    return {{Vec3(pose.position), Quat(pose.orientation)}, Vec3(lane.velocity), Vec3(lane.spin)};
+}
+
+void SoftSolver::setVelocity(std::size_t body, const Vec3& velocity, const Vec3& spin) {
+    for (int k = 0; k < 3; ++k) {
+        m_laneBodies[body].velocity[k] = velocity[k];
+        m_laneBodies[body].spin[k] = spin[k];
+    }
+}
+
+void SoftSolver::fall(double speed) {
     m_pool.loop(m_scene.movable, bodyGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            const LaneBody& lane = m_laneBodies[i];
-            bodies[i].velocity = Vec3(lane.velocity);
-            bodies[i].spin = Vec3(lane.spin);
-            bodies[i].active = lane.velocity[3] > 0.0;
+            m_laneBodies[i].velocity[2] -= speed;
+            m_laneBodies[i].velocity[3] = 0.0;
+        }
+    });
+}
+
+std::int64_t SoftSolver::move(double gravity) {
+    std::atomic<std::int64_t> held = 0;
+    m_pool.loop(m_scene.movable, bodyGrain,
+                [&](std::size_t from, std::size_t to) { held += m_passes.move(m_scene, from, to, gravity); });
+    for (std::size_t i = m_scene.movable; i < bodies.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            m_laneTravel[i].moved[k] += m_scene.h * m_laneBodies[i].velocity[k];
+            m_laneTravel[i].turned[k] += m_scene.h * m_laneBodies[i].spin[k];
+        }
+    }
+    return held;
+}
+
+void SoftSolver::end() {
+    m_pool.loop(m_scene.movable, bodyGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            const SolverMotion now = motion(i);
+            SolverBody& body = bodies[i];
+            body.velocity = now.velocity;
+            body.spin = now.spin;
+            body.pose = now.pose;
+            body.moved = Vec3(m_laneTravel[i].moved);
+            body.turned = Vec3(m_laneTravel[i].turned);
+            body.active = m_laneTravel[i].moved[3] > 0.0 || m_laneBodies[i].velocity[3] > 0.0;
         }
     });
 }
 
 void SoftSolver::solveSoft(double push) {
-    send();
     forEachBooked(m_passes.noteOpening);
     forEachColour(2, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
         if (pass == 0) {
@@ -448,16 +461,12 @@ void SoftSolver::solveSoft(double push) {
             m_passes.soft(scene, first, last, push);
         }
     });
-    receive();
 }
 
 void SoftSolver::relax() {
-    send();
-    sendTravel();
     forEachColour(relaxPasses, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
         m_passes.relax(scene, first, last, pass == 0, pass + 1 == relaxPasses);
     });
-    receive();
 }
 
 void SoftSolver::book() {
@@ -467,11 +476,11 @@ void SoftSolver::book() {
 bool SoftSolver::part() {
     if (std::none_of(contacts.begin(), contacts.end(), [](const SolverContact& c) { return c.parting > 0.0; })) {
         for (LanePart& part : m_parts) {
-            part.push = Lanes{};
+            part.push = {};
         }
         return false;
     }
-    m_parted.assign(bodies.size(), LaneBody{});
+    m_parted.assign(bodies.size(), LaneWay{});
     m_scene.parted = m_parted.data();
     m_scene.partings = m_partings.data();
     m_scene.parts = m_parts.data();
@@ -485,23 +494,30 @@ bool SoftSolver::part() {
     return true;
 }
 
+SolverWay SoftSolver::parted(std::size_t body) const {
+    const LaneWay& way = m_parted[body];
+    return {Vec3(way.moved[0], way.moved[1], way.moved[2]), Vec3(way.turned[0], way.turned[1], way.turned[2])};
+}
+
 void SoftSolver::takeBack() {
     m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            const LaneContacts& lanes = m_lanes[i];
-            for (std::uint32_t k = 0; k < lanes.count; ++k) {
-                const int lane = static_cast<int>(k);
-                SolverContact& c = contacts[lanes.found[k]];
-                c.work = lanes.work[lane];
+            const Group& group = m_groups[i];
+            for (std::uint32_t lane = 0; lane < group.count; ++lane) {
+                SolverContact& c = contacts[group.found[lane]];
+                c.work = m_tallies[i].work[lane];
                 for (std::uint32_t n = 0; n < c.points; ++n) {
-                    const LanePoint& lanePoint = m_lanePoints[lanes.firstPoint + n];
+                    const LanePoint& lanePoint = m_lanePoints[group.firstPoint + n];
+                    const LanePointTally& tally = m_pointTallies[group.firstPoint + n];
                     SolverPoint& p = points[c.firstPoint + n];
+                    p.normalMass = lanePoint.normalMass[lane];
+                    p.approachSpeed = tally.approach[lane];
                     p.normalImpulse = lanePoint.normalImpulse[lane];
                     p.tangentImpulse[0] = lanePoint.tangentImpulse[0][lane];
                     p.tangentImpulse[1] = lanePoint.tangentImpulse[1][lane];
-                    p.largestImpulse = lanePoint.largestImpulse[lane];
-                    p.impulseSum = lanePoint.impulseSum[lane];
-                    p.push = m_parts[lanes.firstPoint + n].push[lane];
+                    p.largestImpulse = tally.largestImpulse[lane];
+                    p.impulseSum = tally.impulseSum[lane];
+                    p.push = m_parts[group.firstPoint + n].push[lane];
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,18 +22,33 @@ struct SolverBody {
     double inverseMass = 0.0;            ///< 1/kg
     Mat3 inverseInertia = Mat3::Zero();  ///< 1/(kg m2), world axes
     double yield = 1.0;                  ///< share of the true inverse mass and inertia that the two above are
-    bool active = false;                 ///< a contact acts on it in this substep
+    Pose pose;                           ///< of its centre of mass and principal axes
+    Vec3 inertia = Vec3::Ones();         ///< kg m2, principal
+    double radius = 0.0;                 ///< m, of its farthest corner
+    double fastest = 1e300;              ///< m/s, that it and its corners may get to in this step where contacts act on it
+    bool active = false;                 ///< a contact acted on it in this step
+};
+/// A body in the middle of a step.
+struct SolverMotion {
+    Pose pose;
+    Vec3 velocity = Vec3::Zero();  ///< m/s
+    Vec3 spin = Vec3::Zero();      ///< rad/s, world axes
+};
+
+/// How far a body is brought by position only.
+struct SolverWay {
+    Vec3 moved = Vec3::Zero();   ///< m
+    Vec3 turned = Vec3::Zero();  ///< rad
 };
 
 /// One contact point prepared for the solver.
 struct SolverPoint {
     Vec3 fromA, fromB;           ///< m, from the centres of mass, at the start of the step
     double separation = 0.0;     ///< m, at the start of the step, rest offset taken off
-    double normalMass = 0.0;     ///< kg
+    double normalMass = 0.0;     ///< kg, known after the substeps
     double normalImpulse = 0.0;  ///< N s in a substep, carried from step to step
-    double tangentMass[2] = {0.0, 0.0};
     double tangentImpulse[2] = {0.0, 0.0};
-    double approachSpeed = 0.0;   ///< m/s at the start of the step, positive when closing
+    double approachSpeed = 0.0;   ///< m/s at the start of the step, positive when closing; known after the substeps
     double largestImpulse = 0.0;  ///< N s, of any substep
     double impulseSum = 0.0;      ///< N s along the normal, over the substeps
     double push = 0.0;            ///< kg m in a step, by position only, carried from step to step
@@ -43,7 +59,7 @@ struct SolverContact {
     std::uint32_t a = 0, b = 0;  ///< bodies
     std::uint32_t firstPoint = 0;
     std::uint32_t points = 0;
-    Vec3 where = Vec3::Zero();    ///< m, of its first point
+    Vec3 where = Vec3::Zero();    ///< m, about where it is
     Vec3 normal = Vec3::UnitZ();  ///< from a to b
     Vec3 tangent[2];              ///< orthogonal to it
     double friction = 0.0;
@@ -51,14 +67,12 @@ struct SolverContact {
     double frequency = 0.0;     ///< Hz, of the contact as an oscillator, at least
     double sinkAllowed = 0.0;   ///< m, by which the load may press the two into each other; stiffer if it takes that
     double weight = 0.0;        ///< N s, impulse of the lighter body's weight in a substep
-    double biasRate = 0.0;      ///< 1/s, of the soft pass
-    double massScale = 1.0;     ///< of the soft pass
-    double impulseScale = 0.0;  ///< of the soft pass
     double parting = 0.0;       ///< m, by which the two are brought apart by position only in this step; zero: none
     double lift = 0.0;          ///< m/s, what an upward impulse gains against gravity in a substep; see LaneContacts
     double impulseLimit = 0.0;  ///< N s per point and substep; negative: none
     double work = 0.0;          ///< J, in this step: of pushing the bodies apart, or of a moving piece
     std::uint32_t found = 0;    ///< where the contact came from
+    bool idle = false;          ///< carried nothing in the step before
     bool booked = false;        ///< account for the work of pushing apart
     bool driven = false;        ///< account for the work of the immovable one of the two
 };
@@ -79,9 +93,6 @@ void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> end
 /// Contacts lie in the order of the colours. The passes run over several contacts of a colour side by side (soft_lanes.h).
 class SoftSolver {
 public:
-    /// Largest omega h of a contact. Higher: what is pressed hard trembles; lower: it sinks in.
-    static constexpr double stiffest = 1.1;
-
     explicit SoftSolver(WorkerPool& pool) : m_pool(pool) {}
 
     /// Takes another make of the passes than the processor's own.
@@ -95,11 +106,28 @@ public:
 
     /// Makes room for contacts and points.
     void resize(std::size_t contactCount, std::size_t pointCount);
-    /// Masses of the points, speeds of approach and stiffness of a contact for substeps of h [s]. On any thread.
-    void prepareContact(std::size_t contact, double h);
-    /// Lays the prepared contacts side by side.
+    /// Where contacts come from. What the order of the passes is made of, ends, number of points, place and whether it is idle, is
+    /// in them from the start.
+    struct Source {
+        std::function<void(std::uint32_t contact)> fill = [](std::uint32_t) {};  ///< makes the rest of a contact and its points
+        std::function<void(std::uint32_t contact)> ask = [](std::uint32_t) {};   ///< which one is made soon
+    };
+    /// Takes the bodies as they are into a step; from here to its end what moves them lies elsewhere.
     /// @param movable  bodies below this one move
-    void layOut(double h, std::size_t movable);
+    void begin(std::size_t movable);
+    /// Lays contacts side by side for substeps of h [s], with what their points move and how stiff they are.
+    void layOut(double h, const Source& source);
+    /// What a body may get to where contacts act on it, m/s.
+    void bound(std::size_t body, double fastest);
+    /// Between the passes.
+    SolverMotion motion(std::size_t body) const;
+    void setVelocity(std::size_t body, const Vec3& velocity, const Vec3& spin);
+    /// Begins a substep: what moves gets `speed` [m/s] faster downwards.
+    void fall(double speed);
+    /// Moves and turns the bodies through the substep, under `gravity` [m/s2]. Returns how many were too fast and held back.
+    std::int64_t move(double gravity);
+    /// Bodies are what the substeps made of them.
+    void end();
     /// Applies the impulses of the substep before and solves once, pushing overlap apart at `push` [m/s] at most.
     void solveSoft(double push);
     /// Solves without the push until little of it is left.
@@ -108,8 +136,8 @@ public:
     void book();
     /// Brings apart by position only what overlaps from birth or is jammed, after the last substep; false: nothing does.
     bool part();
-    /// m and rad that this moves and turns the bodies by.
-    std::span<const LaneBody> parted() const { return m_parted; }
+    /// What this moves and turns a body by.
+    SolverWay parted(std::size_t body) const;
     /// Puts impulses and work into contacts and points. The passes above do not reach those.
     void takeBack();
     /// Gives back the speed of approach of every hit above `threshold` [m/s].
@@ -134,7 +162,6 @@ private:
         std::uint32_t points = 0;  ///< the most of any of them
         std::uint32_t count = 0;
         std::uint32_t found[solverLanes] = {};
-        bool booked = false;  ///< one of them accounts for its work
     };
     template <class Pass>
     void forEachBooked(Pass pass);
@@ -144,10 +171,7 @@ private:
     void solveStrip(Strip& strip, int passes, Pass pass);
     std::size_t stripCount();
     void arrange();
-    void fillLanes(const Group& group, LaneContacts& lanes);
-    void send();
-    void sendTravel();
-    void receive();
+    void fillLanes(std::size_t group, const Source& source);
 
     WorkerPool& m_pool;
     LanePasses m_passes = lanePasses();
@@ -160,13 +184,17 @@ private:
     std::vector<Group> m_groups;
     std::vector<std::uint32_t> m_booked;  ///< groups
     std::vector<LaneContacts> m_lanes;
+    std::vector<LaneTally> m_tallies;  ///< beside them
     std::vector<LanePoint> m_lanePoints;
+    std::vector<LanePointTally> m_pointTallies;  ///< beside them, as the next ones
     std::vector<LanePointWork> m_laneWorks;
     std::vector<LaneBody> m_laneBodies;
     std::vector<LaneTravel> m_laneTravel;
+    std::vector<LanePose> m_lanePoses;
+    std::vector<LaneSolid> m_laneSolids;
     std::vector<LaneParting> m_partings;  ///< beside the contacts
     std::vector<LanePart> m_parts;        ///< beside the points
-    std::vector<LaneBody> m_parted;       ///< [bodies]
+    std::vector<LaneWay> m_parted;        ///< [bodies]
 };
 
 }  // namespace rubble

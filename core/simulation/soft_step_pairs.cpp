@@ -48,20 +48,24 @@ void SoftStepWorld::findPairs() {
     for (const std::uint32_t i : m_awake) {
         m_stirring.push_back(m_bodies[i].collider->number);
     }
-    for (const Solid& piece : m_pieces) {
-        if (piece.collider != nullptr && (piece.collider->moving || piece.collider->newborn)) {
-            m_stirring.push_back(piece.collider->number);
+    for (const std::uint32_t i : m_standing) {
+        if (const Collider& piece = *m_pieces[i].collider; piece.moving || piece.newborn) {
+            m_stirring.push_back(piece.number);
         }
     }
+    constexpr std::size_t grain = 128;
+    m_pool.loop(m_stirring.size(), grain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            Entered& entered = m_entered[m_stirring[i]];
+            entered.stirs = true;
+            entered.swept = solidOf(*entered.collider).swept;
+        }
+    });
     for (const std::uint32_t number : m_stirring) {
-        Entered& entered = m_entered[number];
-        entered.stirs = true;
-        entered.swept = solidOf(*entered.collider).swept;
-        m_boxes.set(number, entered.swept);
+        m_boxes.set(number, m_entered[number].swept);
     }
     m_boxes.refit();
 
-    constexpr std::size_t grain = 128;
     m_pairParts.resize(std::max(m_pairParts.size(), m_stirring.size() / grain + 1));
     for (std::vector<ColliderPair>& part : m_pairParts) {
         part.clear();

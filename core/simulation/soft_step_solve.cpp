@@ -144,6 +144,9 @@ void SoftStepWorld::takeBodies() {
             body.spin = solid.spin;
             body.inverseMass = solid.inverseMass;
             body.inverseInertia = axes * solid.inertia.cwiseInverse().asDiagonal() * axes.transpose();
+            body.pose = solid.pose;
+            body.inertia = solid.inertia;
+            body.radius = solid.collider->radius;
             m_solver.bodies[i] = body;
             solid.drivers = 0;
             m_supported[i] = solid.supported;
@@ -163,6 +166,12 @@ SoftStepWorld::Kind SoftStepWorld::kindOf(const SoftContact& contact) {
     return contact.a->kind == ColliderKind::Ground ? Ground : piece ? Structure : Fragments;
 }
 
+bool SoftStepWorld::idle(const SoftContact& contact) {
+    const auto points = std::span(contact.points).first(static_cast<std::size_t>(contact.count));
+    return contact.offset == 0.0 &&
+           std::ranges::all_of(points, [](const SoftContact::Point& p) { return p.impulse == 0.0 && p.push == 0.0; });
+}
+
 /// Contacts that the solver gets, from the ground up, so that one pass carries the support of the lower ones to the upper ones.
 std::vector<SoftStepWorld::Taken> SoftStepWorld::takeContacts() {
     const auto slotOf = [&](const Collider& c) {
@@ -179,12 +188,16 @@ std::vector<SoftStepWorld::Taken> SoftStepWorld::takeContacts() {
             if (driven && (contact.depth > -contactMargin || contact.approach > 0.0)) {
                 std::atomic_ref(solidOf(pieceIsA ? *contact.b : *contact.a).drivers).fetch_add(1, std::memory_order_relaxed);
             }
-            all[i] = {heightKey(contact.points[0].position.z()),
+            const Vec3& where = contact.points[0].position;
+            all[i] = {heightKey(where.z()),
+                      static_cast<float>(where.x()),
+                      static_cast<float>(where.y()),
                       static_cast<std::uint32_t>(i),
                       slotOf(*contact.a),
                       slotOf(*contact.b),
-                      contact.yielding ? 0 : static_cast<std::uint32_t>(contact.count),
-                      kindOf(contact)};
+                      static_cast<std::uint8_t>(contact.yielding ? 0 : contact.count),
+                      static_cast<std::uint8_t>(kindOf(contact)),
+                      idle(contact)};
         }
     });
     std::erase_if(all, [&](const Taken& x) { return x.points == 0 || (x.a >= m_awake.size() && x.b >= m_awake.size()); });
@@ -202,9 +215,9 @@ void SoftStepWorld::buildSolver(double h) {
     colourContacts(ends, m_awake.size(), colours);
     m_solver.firstOfGroup = colours.first;
     m_solver.lastInOrder = colours.lastInOrder;
-    std::vector<std::uint32_t> firstPoint(taken.size() + 1, 0);
     m_points.fill(0.0);
     m_ends.resize(taken.size());
+    std::vector<std::uint32_t> firstPoint(taken.size() + 1, 0);
     for (std::size_t k = 0; k < taken.size(); ++k) {
         const Taken& from = taken[colours.order[k]];
         firstPoint[k + 1] = firstPoint[k] + from.points;
@@ -212,23 +225,27 @@ void SoftStepWorld::buildSolver(double h) {
         m_ends[k] = {from.a, from.b};
     }
     m_solver.resize(taken.size(), firstPoint.back());
-    const double frequency = std::min(contactFrequency, 0.25 / h);
     m_pool.loop(taken.size(), 256, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
-            if (k + recordsAhead < last) {
-                bringNear(m_contacts[taken[colours.order[k + recordsAhead]].contact]);
-            }
             const Taken& from = taken[colours.order[k]];
             SolverContact& c = m_solver.contacts[k];
             c = {};
-            c.firstPoint = firstPoint[k];
-            c.found = from.contact;
             c.a = from.a;
             c.b = from.b;
-            fillContact(m_contacts[from.contact], c, frequency, h);
-            m_solver.prepareContact(k, h);
+            c.firstPoint = firstPoint[k];
+            c.points = from.points;
+            c.where = Vec3(from.x, from.y, 0.0);
+            c.found = from.contact;
+            c.idle = from.idle;
         }
     });
+    const double frequency = std::min(contactFrequency, 0.25 / h);
+    m_solver.begin(m_awake.size());
+    m_solver.layOut(h, {[&](std::uint32_t k) {
+                            SolverContact& c = m_solver.contacts[k];
+                            fillContact(m_contacts[c.found], c, frequency, h);
+                        },
+                        [&](std::uint32_t k) { bringNear(m_contacts[m_solver.contacts[k].found]); }});
 }
 
 /// m by which the two are brought apart by position only in this step: overlap at birth, or what others have jammed.
@@ -249,8 +266,6 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
     const PairProperties& pair = m_settings.pairs.of(contact.a->material, contact.b->material);
     const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
     const Collider& piece = pieceIsA ? *contact.a : *contact.b;
-    c.points = static_cast<std::uint32_t>(contact.count);
-    c.where = contact.points[0].position;
     c.normal = contact.normal;
     c.friction = pair.friction;
     c.driven = piece.kind == ColliderKind::Piece && piece.moving;
@@ -377,8 +392,8 @@ double SoftStepWorld::pressedByParting(const SolverContact& c, const SoftContact
         if (slot >= m_awake.size()) {
             return Vec3(Vec3::Zero());
         }
-        const LaneBody& parted = m_solver.parted()[slot];
-        return Vec3(Vec3(parted.velocity) + Vec3(parted.spin).cross(arm));
+        const SolverWay parted = m_solver.parted(slot);
+        return Vec3(parted.moved + parted.turned.cross(arm));
     };
     double pressed = 0.0;
     for (std::uint32_t k = 0; k < c.points; ++k) {
@@ -528,28 +543,25 @@ void SoftStepWorld::boundSpeeds(double dt) {
             }
         }
     }
-    m_fastest.resize(movable);
     for (std::size_t i = 0; i < movable; ++i) {
-        m_fastest[i] = (struck[i] > 0.0 ? struck[i] : 2.0 * reach[i]) + pushOutSpeed + 2.0 * m_settings.gravity * dt;
+        m_solver.bound(i, (struck[i] > 0.0 ? struck[i] : 2.0 * reach[i]) + pushOutSpeed + 2.0 * m_settings.gravity * dt);
     }
 }
 
-void SoftStepWorld::holdBack(std::size_t slot) {
-    SolverBody& body = m_solver.bodies[slot];
-    const Solid& solid = m_bodies[m_awake[slot]];
-    if (!solid.active && !body.active) {
+/// After the substeps, which hold back what is too fast by themselves.
+void SoftStepWorld::holdBack(SolverBody& body) {
+    if (!body.active) {
         return;
     }
-    const double most = m_fastest[slot];
     const double speed = body.velocity.norm();
-    const double turning = body.spin.norm() * solid.collider->radius;
-    if (speed > most) {
-        body.velocity *= most / speed;
+    const double turning = body.spin.norm() * body.radius;
+    if (speed > body.fastest) {
+        body.velocity *= body.fastest / speed;
     }
-    if (turning > most) {
-        body.spin *= most / turning;
+    if (turning > body.fastest) {
+        body.spin *= body.fastest / turning;
     }
-    if (speed > most || turning > most) {
+    if (speed > body.fastest || turning > body.fastest) {
         std::atomic_ref(m_report.speedLimits).fetch_add(1, std::memory_order_relaxed);
     }
 }

@@ -8,6 +8,11 @@ void SoftStepWorld::keep(Archive& archive, std::span<const std::unique_ptr<Colli
     archive(m_report, m_freeze, m_substepLength, m_justThawed, m_still);
     keepSolids(archive, m_bodies, bodies);
     keepSolids(archive, m_pieces, pieces);
+    for (std::uint32_t i = 0; archive.reading() && i < m_pieces.size(); ++i) {
+        if (m_pieces[i].collider != nullptr) {
+            m_standing.push_back(i);
+        }
+    }
     keepContacts(archive, m_contacts);
     // By pair, in order.
     const std::size_t asleep = archive.count(m_asleep.size());

@@ -14,42 +14,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Largest energy of spin after a free turn over that before.
-constexpr double energyTolerance = 1.001;
-
 Quat turnedBy(const Quat& q, const Vec3& spin, double time) {
     const Vec3 half = 0.5 * time * spin;
     const Quat turn = Quat(1.0, half.x(), half.y(), half.z()) * q;
     return turn.normalized();
-}
-
-/// Turns by the spin with the angular momentum kept: a quarter turn with the present spin gives the axes at which the mean spin is
-/// taken (midpoint rule about a conserved momentum).
-void turn(Quat& orientation, Vec3& spin, const Vec3& inertia, double h, Vec3& turned) {
-    if (spin.squaredNorm() == 0.0) {
-        return;
-    }
-    const Mat3 axes = orientation.toRotationMatrix();
-    const Vec3 momentum = axes * inertia.cwiseProduct(axes.transpose() * spin);
-    const auto spinAt = [&](const Quat& q) {
-        const Mat3 r = q.toRotationMatrix();
-        return Vec3(r * (r.transpose() * momentum).cwiseQuotient(inertia));
-    };
-    const auto energy = [&](const Vec3& local) { return local.cwiseProduct(inertia).dot(local); };
-    const Vec3 before = axes.transpose() * spin;
-    const Vec3 middle = spinAt(turnedBy(orientation, spin, 0.5 * h));
-    const Quat next = turnedBy(orientation, middle, h);
-    const Vec3 after = spinAt(next);
-    if (energy(next.conjugate() * after) <= energyTolerance * energy(before)) {
-        orientation = next;
-        turned += h * middle;
-        spin = after;
-        return;
-    }
-    // A needle that turns far in one substep: its momentum cannot be followed; its spin stays what it is in the body's own axes.
-    orientation = turnedBy(orientation, spin, h);
-    turned += h * spin;
-    spin = orientation * before;
 }
 
 }  // namespace
@@ -90,6 +58,7 @@ void SoftStepWorld::addPiece(Collider* piece) {
     solid.collider = piece;
     solid.pose = fromBullet(piece->object->getWorldTransform());
     solid.hull = std::any_of(piece->parts.begin(), piece->parts.end(), [](const ConvexPart& p) { return !p.points.empty(); });
+    m_standing.push_back(static_cast<std::uint32_t>(m_pieces.size()));
     m_pieces.push_back(std::move(solid));
     enter(*piece);
 }
@@ -129,24 +98,7 @@ void SoftStepWorld::takeSlots(double dt) {
         m_bodies[i].slot = -1;
     }
     listAwake();
-    m_moving.clear();
-    for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
-        Solid& piece = m_pieces[i];
-        piece.slot = -1;
-        if (piece.collider == nullptr) {
-            continue;
-        }
-        piece.velocity = piece.spin = Vec3::Zero();
-        piece.rim = 0.0;
-        if (piece.collider->moving) {
-            const Pose end = fromBullet(piece.collider->object->getWorldTransform());
-            piece.velocity = (end.position - piece.pose.position) / dt;
-            const Quat q = end.orientation * piece.pose.orientation.conjugate();
-            piece.spin = (q.w() < 0.0 ? -2.0 : 2.0) / dt * q.vec();
-            piece.slot = static_cast<std::int32_t>(m_awake.size() + m_moving.size());
-            m_moving.push_back(i);
-        }
-    }
+    listMoving(dt);
     m_stillSlot = static_cast<std::uint32_t>(m_awake.size() + m_moving.size());
     m_pool.loop(m_awake.size(), 64, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -158,10 +110,34 @@ void SoftStepWorld::takeSlots(double dt) {
             body.collider->penetration = body.collider->overlapLeft = 0.0;
         }
     });
-    for (Solid& piece : m_pieces) {
-        if (piece.collider != nullptr && (piece.collider->moving || piece.collider->newborn)) {
-            place(piece);
-            sweep(piece, dt);
+}
+
+/// Pieces that move in this step, in the order of entry, and how; places and sweeps those and the new ones.
+void SoftStepWorld::listMoving(double dt) {
+    std::erase_if(m_standing, [&](std::uint32_t i) { return m_pieces[i].collider == nullptr; });
+    m_pool.loop(m_standing.size(), 64, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            Solid& piece = m_pieces[m_standing[i]];
+            piece.slot = -1;
+            piece.velocity = piece.spin = Vec3::Zero();
+            piece.rim = 0.0;
+            if (piece.collider->moving) {
+                const Pose end = fromBullet(piece.collider->object->getWorldTransform());
+                piece.velocity = (end.position - piece.pose.position) / dt;
+                const Quat q = end.orientation * piece.pose.orientation.conjugate();
+                piece.spin = (q.w() < 0.0 ? -2.0 : 2.0) / dt * q.vec();
+            }
+            if (piece.collider->moving || piece.collider->newborn) {
+                place(piece);
+                sweep(piece, dt);
+            }
+        }
+    });
+    m_moving.clear();
+    for (const std::uint32_t i : m_standing) {
+        if (m_pieces[i].collider->moving) {
+            m_pieces[i].slot = static_cast<std::int32_t>(m_awake.size() + m_moving.size());
+            m_moving.push_back(i);
         }
     }
 }
@@ -212,10 +188,11 @@ double SoftStepWorld::marginOf(const Collider& a, const Collider& b, double dt) 
 void SoftStepWorld::substeps(double dt) {
     const auto from = Clock::now();
     m_substeps = substepsFor(dt);
+
     const double h = dt / m_substeps;
     buildSolver(h);
-    m_solver.layOut(h, m_awake.size());
     boundSpeeds(dt);
+
     if (m_hook) {
         prepareHook();
     }
@@ -225,26 +202,21 @@ void SoftStepWorld::substeps(double dt) {
         const auto start = Clock::now();
         runHook(h);
         hook += m_hook ? secondsSince(start) : 0.0;
-        const auto moving = Clock::now();
-        m_pool.loop(m_awake.size(), 512, [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i) {
-                m_solver.bodies[i].velocity.z() -= m_settings.gravity * h;
-            }
-        });
-        motion += secondsSince(moving);
+        m_solver.fall(m_settings.gravity * h);
         m_solver.solveSoft(pushOutSpeed);
-        const auto moved = Clock::now();
-        moveBodies(h);
-        motion += secondsSince(moved);
+        const auto moving = Clock::now();
+        m_report.speedLimits += m_solver.move(m_settings.gravity);
+        motion += secondsSince(moving);
         m_solver.relax();
         m_solver.book();
     }
     m_parting = m_solver.part();
+    m_solver.end();
     m_solver.takeBack();
     m_solver.restitute(restitutionThreshold);
     m_pool.loop(m_awake.size(), 512, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            holdBack(i);
+            holdBack(m_solver.bodies[i]);
         }
     });
     m_substepLength = h;
@@ -275,7 +247,7 @@ int SoftStepWorld::substepsFor(double dt) {
         }
     });
     for (int doublings = 0; doublings < mostDoublings; ++doublings) {
-        const double most = SoftSolver::stiffest * substeps / dt;
+        const double most = stiffestContact * substeps / dt;
         const auto tooSoft = std::count_if(needed.begin(), needed.end(), [&](double x) { return x > most * most; });
         if (static_cast<double>(tooSoft) <= softShare * static_cast<double>(m_contacts.size())) {
             break;
@@ -314,11 +286,11 @@ void SoftStepWorld::runHook(double h) {
     }
     m_pool.loop(m_awake.size(), 256, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            const Pose& pose = m_bodies[m_awake[i]].pose;
-            m_hooked[i].position = pose.position;
-            m_hooked[i].orientation = pose.orientation;
-            m_hooked[i].velocity = m_solver.bodies[i].velocity;
-            m_hooked[i].spin = m_solver.bodies[i].spin;
+            const SolverMotion now = m_solver.motion(i);
+            m_hooked[i].position = now.pose.position;
+            m_hooked[i].orientation = now.pose.orientation;
+            m_hooked[i].velocity = now.velocity;
+            m_hooked[i].spin = now.spin;
         }
     });
     m_hook({m_hooked, m_slotOf, &m_pool}, h);
@@ -328,34 +300,9 @@ void SoftStepWorld::runHook(double h) {
                 m_bodies[m_awake[i]].collider->broken = true;
                 continue;
             }
-            m_solver.bodies[i].velocity = m_hooked[i].velocity;
-            m_solver.bodies[i].spin = m_hooked[i].spin;
+            m_solver.setVelocity(i, m_hooked[i].velocity, m_hooked[i].spin);
         }
     });
-}
-
-void SoftStepWorld::moveBodies(double h) {
-    m_pool.loop(m_awake.size(), 128, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            holdBack(i);
-            SolverBody& body = m_solver.bodies[i];
-            Solid& solid = m_bodies[m_awake[i]];
-            Vec3 way = h * body.velocity;
-            if (!body.active) {
-                // Free flight moves with the mean of old and new velocity.
-                way.z() += 0.5 * m_settings.gravity * h * h;
-            }
-            solid.active = solid.active || body.active;
-            body.moved += way;
-            solid.pose.position += way;
-            turn(solid.pose.orientation, body.spin, solid.inertia, h, body.turned);
-        }
-    });
-    for (std::size_t i = 0; i < m_moving.size(); ++i) {
-        SolverBody& piece = m_solver.bodies[m_awake.size() + i];
-        piece.moved += h * piece.velocity;
-        piece.turned += h * piece.spin;
-    }
 }
 
 void SoftStepWorld::writeBack(double dt) {
@@ -363,8 +310,11 @@ void SoftStepWorld::writeBack(double dt) {
     m_pool.loop(m_awake.size(), 128, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             Solid& solid = m_bodies[m_awake[i]];
-            solid.velocity = m_solver.bodies[i].velocity;
-            solid.spin = m_solver.bodies[i].spin;
+            const SolverBody& moved = m_solver.bodies[i];
+            solid.pose = moved.pose;
+            solid.velocity = moved.velocity;
+            solid.spin = moved.spin;
+            solid.active = moved.active;
             solid.supported = m_supportedNow[i] != 0;
             lifting[i] = bringApart(i, dt) + keepAboveGround(solid, dt);
             btRigidBody& object = *solid.collider->object;
@@ -374,10 +324,13 @@ void SoftStepWorld::writeBack(double dt) {
         }
     });
     m_report.overlapWork = std::accumulate(lifting.begin(), lifting.end(), m_report.overlapWork);
-    for (const std::uint32_t i : m_moving) {
-        m_pieces[i].pose = fromBullet(m_pieces[i].collider->object->getWorldTransform());
-        place(m_pieces[i]);
-    }
+    m_pool.loop(m_moving.size(), 128, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            Solid& piece = m_pieces[m_moving[i]];
+            piece.pose = fromBullet(piece.collider->object->getWorldTransform());
+            place(piece);
+        }
+    });
 }
 
 /// Moves and turns what lies in others from birth or is jammed in them, without a change of its speed. Returns the work [J] that it
@@ -387,8 +340,7 @@ double SoftStepWorld::bringApart(std::size_t slot, double dt) {
         return 0.0;
     }
     Solid& solid = m_bodies[m_awake[slot]];
-    const LaneBody& parted = m_solver.parted()[slot];
-    Vec3 way(parted.velocity), turned(parted.spin);
+    auto [way, turned] = m_solver.parted(slot);
     const double length = way.norm() + turned.norm() * solid.collider->radius;
     const double most = partingReach * m_settings.overlapSpeed * dt;
     if (length > most) {
@@ -429,27 +381,37 @@ void SoftStepWorld::settle(double dt) {
         }
     }
     m_unloaded.clear();
+    enum : char { GoesOn = 0, Freezes = 1, Watched = 2 };
+    std::vector<char> next(m_awake.size());
+    m_pool.loop(m_awake.size(), 256, [&](std::size_t first, std::size_t last) {
+        for (std::size_t slot = first; slot < last; ++slot) {
+            const std::uint32_t i = m_awake[slot];
+            const Solid& solid = m_bodies[i];
+            Collider& body = *solid.collider;
+            // What a body does by position only, as overlap comes apart, is motion too.
+            const SolverBody& way = m_solver.bodies[slot];
+            const double moved = (way.moved.norm() + way.turned.norm() * body.radius) / dt;
+            const double speed = std::max(solid.velocity.norm() + solid.spin.norm() * body.radius,
+                                          (body.penetration > restingDepth * body.smallestSide ? 1.0 : settlingShare) * moved);
+            const bool freezes = m_freeze.quiet(i, speed, dt) && solid.active && m_settings.freeze;
+            next[slot] = static_cast<char>((freezes ? Freezes : GoesOn) | (m_freeze.watched(i) ? Watched : GoesOn));
+            body.newborn = false;
+        }
+    });
     std::vector<char> froze(m_bodies.size(), 0);
-    for (const std::uint32_t i : m_awake) {
-        Solid& solid = m_bodies[i];
-        Collider& body = *solid.collider;
-        // What a body does by position only, as overlap comes apart, is motion too.
-        const SolverBody& way = m_solver.bodies[static_cast<std::size_t>(solid.slot)];
-        const double moved = (way.moved.norm() + way.turned.norm() * body.radius) / dt;
-        const double speed = std::max(solid.velocity.norm() + solid.spin.norm() * body.radius,
-                                      (body.penetration > restingDepth * body.smallestSide ? 1.0 : settlingShare) * moved);
-        if (m_freeze.quiet(i, speed, dt) && solid.active && m_settings.freeze) {
-            freeze(body);
+    for (std::size_t slot = 0; slot < next.size(); ++slot) {
+        const std::uint32_t i = m_awake[slot];
+        if ((next[slot] & Freezes) != 0) {
+            freeze(*m_bodies[i].collider);
             froze[i] = 1;
         }
-        if (m_freeze.watched(i)) {
-            for (const std::uint32_t dependant : m_freeze.takeDependants(i, solid.pose.position)) {
+        if ((next[slot] & Watched) != 0) {
+            for (const std::uint32_t dependant : m_freeze.takeDependants(i, m_bodies[i].pose.position)) {
                 if (m_bodies[dependant].collider != nullptr && m_freeze.frozen(dependant)) {
                     thaw(*m_bodies[dependant].collider);
                 }
             }
         }
-        body.newborn = false;
     }
     const bool anyFroze = std::find(froze.begin(), froze.end(), 1) != froze.end();
     for (std::size_t i = 0; anyFroze && i < m_contacts.size(); ++i) {
@@ -466,21 +428,34 @@ void SoftStepWorld::settle(double dt) {
 
 /// What no longer stirs keeps its contacts apart from those that are looked at in every step.
 void SoftStepWorld::putAsideWhatRests() {
+    constexpr std::size_t grain = 512;
     std::vector<char> rests(m_contacts.size());
-    m_pool.loop(m_contacts.size(), 512, [&](std::size_t first, std::size_t last) {
+    std::vector<std::size_t> kept(m_contacts.size() / grain + 2, 0);  // before each part
+    m_pool.loop(m_contacts.size(), grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             rests[i] = !stirs(*m_contacts[i].a) && !stirs(*m_contacts[i].b);
         }
+        kept[first / grain + 1] = static_cast<std::size_t>(
+            std::count(rests.begin() + static_cast<std::ptrdiff_t>(first), rests.begin() + static_cast<std::ptrdiff_t>(last), 0));
     });
-    auto kept = static_cast<std::size_t>(std::find(rests.begin(), rests.end(), 1) - rests.begin());
-    for (std::size_t i = kept; i < m_contacts.size(); ++i) {
-        if (rests[i] != 0) {
-            m_asleep[m_contacts[i].pair].push_back(m_contacts[i]);
-        } else {
-            m_contacts[kept++] = m_contacts[i];
-        }
+    std::partial_sum(kept.begin(), kept.end(), kept.begin());
+    if (kept.back() == m_contacts.size()) {
+        return;
     }
-    m_contacts.resize(kept);
+    for (auto i = std::find(rests.begin(), rests.end(), 1); i != rests.end(); i = std::find(i + 1, rests.end(), 1)) {
+        const SoftContact& contact = m_contacts[static_cast<std::size_t>(i - rests.begin())];
+        m_asleep[contact.pair].push_back(contact);
+    }
+    m_previous.resize(kept.back());
+    m_pool.loop(m_contacts.size(), grain, [&](std::size_t first, std::size_t last) {
+        std::size_t to = kept[first / grain];
+        for (std::size_t i = first; i < last; ++i) {
+            if (rests[i] == 0) {
+                m_previous[to++] = m_contacts[i];
+            }
+        }
+    });
+    m_contacts.swap(m_previous);
 }
 
 void SoftStepWorld::freeze(Collider& body) {

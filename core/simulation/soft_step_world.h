@@ -93,10 +93,12 @@ private:
     /// A contact on its way to the solver.
     struct Taken {
         std::uint64_t height = 0;  ///< of its first point, as a number that grows with it
+        float x = 0.0f, y = 0.0f;  ///< m, where that is
         std::uint32_t contact = 0;
         std::uint32_t a = 0, b = 0;  ///< slots
-        std::uint32_t points = 0;
-        Kind kind = Ground;
+        std::uint8_t points = 0;
+        std::uint8_t kind = Ground;
+        bool idle = false;  ///< carried nothing in the step before
     };
     /// What the solver made of a contact.
     struct Outcome {
@@ -118,6 +120,7 @@ private:
     void keepContacts(Archive& archive, std::vector<SoftContact>& contacts);
     void takeSlots(double dt);
     void listAwake();
+    void listMoving(double dt);
     void place(Solid& solid);
     void sweep(Solid& solid, double dt);
     void findPairs();
@@ -137,7 +140,7 @@ private:
     void wakeByContact(const SoftContact& contact, std::vector<std::uint32_t>& lifted);
     void wakeAbove(std::vector<std::uint32_t> lifted);
     void boundSpeeds(double dt);
-    void holdBack(std::size_t slot);
+    void holdBack(SolverBody& body);
     void wakeAndCollideAgain(double dt);
     std::vector<Found> foundInOrder() const;
     void takeFound();
@@ -152,6 +155,7 @@ private:
     static double thicknessOf(const Collider& c) { return c.kind == ColliderKind::Body ? c.smallestSide : 1e300; }
     double partingOf(const SoftContact& contact, double dt) const;
     void fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h);
+    static bool idle(const SoftContact& contact);
     void weighDown(const std::vector<Taken>& taken);
     double yieldOf(const SolverContact& c) const;
     void noteSupport(const SolverContact& c);
@@ -163,7 +167,6 @@ private:
     double sinkAllowed(const SoftContact& contact) const;
     void prepareHook();
     void runHook(double h);
-    void moveBodies(double h);
     void takeResult(const SolverContact& c, Outcome& outcome);
     void takeResults();
     double pressedByParting(const SolverContact& c, const SoftContact& contact) const;
@@ -186,14 +189,14 @@ private:
     ContactReport m_report;
     SoftSolver m_solver;
     SubstepHook m_hook;
-    std::vector<Solid> m_bodies;          ///< [bodies]
-    std::vector<Solid> m_pieces;          ///< [pieces]
-    std::vector<std::uint32_t> m_awake;   ///< body of each slot, in order of entry
-    std::vector<std::uint32_t> m_moving;  ///< piece of each slot behind the bodies
-    std::vector<char> m_still;            ///< [bodies] frozen or gone
+    std::vector<Solid> m_bodies;            ///< [bodies]
+    std::vector<Solid> m_pieces;            ///< [pieces]
+    std::vector<std::uint32_t> m_standing;  ///< pieces that are there, in order of entry
+    std::vector<std::uint32_t> m_awake;     ///< body of each slot, in order of entry
+    std::vector<std::uint32_t> m_moving;    ///< piece of each slot behind the bodies
+    std::vector<char> m_still;              ///< [bodies] frozen or gone
     std::uint32_t m_stillSlot = 0;
     std::vector<char> m_supported, m_supportedNow;  ///< [slots] firm in the step before, in this step; moving pieces never
-    std::vector<double> m_fastest;                  ///< m/s, [slots] that a body may get to in this step
     std::vector<SlotPair> m_ends;                   ///< [contacts of the solver]
     std::array<double, Kinds> m_points{};           ///< contact points that the solver got, by kind
     bool m_parting = false;                         ///< bodies come apart by position in this step

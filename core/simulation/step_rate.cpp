@@ -10,9 +10,10 @@ namespace rubble {
 
 namespace {
 
-constexpr double finestRate = 60.0;    ///< 1/s
-constexpr double coarsestRate = 30.0;  ///< 1/s
-constexpr double finestSize = 0.3;     ///< m, of bodies that the finest rate was verified with
+constexpr double bulletRate = 60.0;    ///< 1/s
+constexpr double finestRate = 40.0;    ///< 1/s
+constexpr double coarsestRate = 20.0;  ///< 1/s
+constexpr double finestSize = 0.3;     ///< m, of bodies that get the finest rate
 
 /// m3, of each body's elements at rest.
 /// @param apart  clusters break up
@@ -43,8 +44,11 @@ double stepRateOf(const RunDescription& description, const EffectDecisions& deci
     if (settings.stepRate) {
         return *settings.stepRate;
     }
+    if (settings.solver == SolverKind::Bullet) {
+        return bulletRate;
+    }
     std::vector<double> volumes = bodyVolumes(description, isOn(decisions, EffectKind::BreakUp));
-    if (settings.solver == SolverKind::Bullet || volumes.empty()) {
+    if (volumes.empty()) {
         return finestRate;
     }
     const auto middle = volumes.begin() + static_cast<std::ptrdiff_t>(volumes.size() / 2);

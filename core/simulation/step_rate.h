@@ -6,10 +6,10 @@
 namespace rubble {
 
 /// Steps per second that a run is simulated with at least: the scenario's, or by itself as many as its bodies need. In piles of
-/// similar shape under gravity the time in which anything happens grows with the square root of the size (Froude); blocks of 0.3 m
-/// are well resolved at 60 steps a second, so bodies of size d get 60 sqrt(0.3 m / d), from 30 to 60. d: median of the cube roots
-/// of the volumes, of fragments alone where clusters break up. 60 for Bullet's solver, whose piles squeeze together at larger
-/// steps.
+/// similar shape under gravity the time in which anything happens grows with the square root of the size (Froude); debris of
+/// 0.8 m lies no nearer to its reference with more than 25 steps a second (bench/RESULTS.md), so bodies of size d get
+/// 40 sqrt(0.3 m / d), from 20 to 40. d: median of the cube roots of the volumes, of fragments alone where clusters break up. 60
+/// for Bullet's solver, whose piles squeeze together at larger steps.
 double stepRateOf(const RunDescription& description, const EffectDecisions& decisions);
 
 }  // namespace rubble

@@ -62,18 +62,18 @@ struct Heap {
     std::vector<double> run() {
         std::vector<double> numbers;
         for (int step = 0; step < 3; ++step) {
-            for (std::size_t i = 0; i < solver.contacts.size(); ++i) {
-                solver.prepareContact(i, h);
-            }
-            solver.layOut(h, bodies);
+            solver.begin(bodies);
+            solver.layOut(h, {});
             for (int substep = 0; substep < 2; ++substep) {
                 solver.solveSoft(1.0);
                 solver.relax();
                 solver.book();
             }
             EXPECT_TRUE(solver.part());
+            solver.end();
             for (std::uint32_t i = 0; i < bodies; ++i) {
-                numbers.insert(numbers.end(), solver.parted()[i].velocity, solver.parted()[i].velocity + 3);
+                const Vec3 moved = solver.parted(i).moved;
+                numbers.insert(numbers.end(), moved.begin(), moved.end());
                 numbers.insert(numbers.end(), solver.bodies[i].velocity.begin(), solver.bodies[i].velocity.end());
                 numbers.insert(numbers.end(), solver.bodies[i].spin.begin(), solver.bodies[i].spin.end());
             }

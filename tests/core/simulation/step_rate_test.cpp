@@ -29,13 +29,13 @@ double rateOf(double side, Scenario scenario = {}) {
 }
 
 TEST(StepRate, FallsWithTheRootOfTheSize) {
-    EXPECT_NEAR(rateOf(0.6), 60.0 * std::sqrt(0.5), 1e-9);
-    EXPECT_NEAR(rateOf(0.9), 60.0 / std::sqrt(3.0), 1e-9);
+    EXPECT_NEAR(rateOf(0.6), 40.0 * std::sqrt(0.5), 1e-9);
+    EXPECT_NEAR(rateOf(0.9), 40.0 / std::sqrt(3.0), 1e-9);
 }
 
 TEST(StepRate, StaysWithinWhatWasVerified) {
-    EXPECT_EQ(rateOf(0.05), 60.0);
-    EXPECT_EQ(rateOf(5.0), 30.0);
+    EXPECT_EQ(rateOf(0.05), 40.0);
+    EXPECT_EQ(rateOf(5.0), 20.0);
 }
 
 TEST(StepRate, OfTheScenarioGoesFirst) {
@@ -44,7 +44,7 @@ TEST(StepRate, OfTheScenarioGoesFirst) {
     EXPECT_EQ(rateOf(5.0, scenario), 90.0);
 }
 
-TEST(StepRate, IsThatOfTheFinestForBullet) {
+TEST(StepRate, IsThatOfItsDefaultsForBullet) {
     Scenario scenario;
     scenario.simulation.solver = SolverKind::Bullet;
     EXPECT_EQ(rateOf(5.0, scenario), 60.0);

@@ -62,7 +62,8 @@ std::vector<BodyRecord> BreakUp::brokenBy(const RigidWorld& world, double dt, st
     for (Candidate& candidate : m_candidates) {
         const Vec3 now = world.motion(candidate.record.body).velocity;
         const Vec3 change = now - candidate.velocity - fall - candidate.excused;
-        const double hit = (candidate.change + change).norm();
+        // A hit may be spread over two steps, in one of which, about, what it lies on carries its weight.
+        const double hit = (candidate.change + change).norm() - m_gravity * dt;
         candidate.velocity = now;
         candidate.change = change;
         candidate.excused = Vec3::Zero();

@@ -59,6 +59,8 @@ class AccuracyStudy : public testing::Test {
 protected:
     void SetUp() override {
         scenario.simulation.settleTime = 1.0;
+        // As the reference, so that multiple 1 is that.
+        scenario.fragments.birthWindow = 0.0;
         inputs.fe = scenes::collapsingWall(4, 3);
         options.timed = false;
         options.machine = "this one";

@@ -123,10 +123,16 @@ TEST(BirthWindows, TheStructureLosesWhatBecameDebris) {
     }
 }
 
-TEST(BirthWindows, ExactTimesArePartedByThem) {
+TEST(BirthWindows, AreNotReadWithExactTimes) {
     FragmentSettings settings = windowOf(0.1);
     settings.birthTime = BirthTime::Exact;
-    EXPECT_THROW(fragmentsOf(sceneOf(deaths), settings), UsageError);
+    const ElementScene scene = sceneOf(deaths);
+    EXPECT_EQ(handOvers(fragmentsOf(scene, settings)), (States{2, 3, 4, 7}));
+    const auto fe = scene.result();
+    const Activity activity = simulatedActivity(*fe, settings);
+    for (std::size_t k = 0; k < fe->stateCount(); ++k) {
+        EXPECT_EQ(activity.activeCount(k), fe->activity().activeCount(k)) << k;
+    }
 }
 
 }  // namespace

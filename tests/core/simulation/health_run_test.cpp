@@ -47,6 +47,7 @@ protected:
 
     void SetUp() override {
         scenario.simulation.settleTime = 2.0;
+        scenario.fragments.birthWindow = 0.0;
         scenario.simulation.solver = SolverKind::Bullet;
         for (const EffectKind kind : {EffectKind::AirDrag, EffectKind::Ties, EffectKind::BreakUp}) {
             scenario.effects.of(kind) = EffectSwitch::Off;

@@ -129,6 +129,7 @@ scenes::Block block(const std::string& name, const Vec3& low, const Vec3& size, 
 Scenario scenarioFor(double settleTime) {
     Scenario scenario;
     scenario.simulation.settleTime = settleTime;
+    scenario.simulation.stepRate = 60.0;
     return scenario;
 }
 

@@ -113,6 +113,7 @@ TEST(Decisions, StructureContactIsOnIfActiveStructureLiesWithinReach) {
     const auto withTower = [](double x, std::size_t dies, double height = 20.0) {
         Scene scene = oneCube();
         scene.blocks.push_back(block("tower", {x, 0, 0}, {1, 1, height}, dies));
+        scene.scenario.fragments.birthWindow = 0.0;
         return scene;
     };
     EXPECT_TRUE(withTower(0.99, scenes::never).on(EffectKind::StructureContact));
@@ -125,6 +126,9 @@ TEST(Decisions, StructureContactIsOnIfActiveStructureLiesWithinReach) {
     EXPECT_TRUE(withTower(0.0, 4, 2.0).on(EffectKind::StructureContact));
     EXPECT_FALSE(withTower(0.0, 3, 2.0).on(EffectKind::StructureContact)) << "handed over together";
     EXPECT_FALSE(withTower(0.0, 1, 2.0).on(EffectKind::StructureContact));
+    Scene together = withTower(0.0, 4, 2.0);
+    together.scenario.fragments.birthWindow = 0.1;
+    EXPECT_FALSE(together.on(EffectKind::StructureContact)) << "handed over together by the window";
 }
 
 TEST(Decisions, SidewaysSpeedWidensTheReach) {

@@ -1,3 +1,6 @@
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cassert>
 #include <chrono>
@@ -34,6 +37,11 @@ constexpr std::size_t listBlock = 8192;
 constexpr std::size_t queueBytes = std::size_t{16} << 20;
 
 static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Eigen::Quaternionf) == 16 && sizeof(BodyState) == 1);
+
+/// Lets this thread run where others leave room: writing can wait, threads that simulate wait for each other.
+void giveWay() {
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 10);
+}
 
 std::size_t sizeOf(const TrajectoryFrame& frame) {
     return frame.bodies() * 33;
@@ -82,6 +90,7 @@ private:
     }
 
     void work() {
+        giveWay();
         std::unique_lock lock(m_mutex);
         for (;;) {
             m_changed.wait(lock, [this] { return m_closing || !m_jobs.empty(); });

@@ -5,12 +5,12 @@
 
 namespace rubble {
 
-/// Contacts that the solver takes side by side: no two of them move the same body. Eight keep a processor busy while each waits for
-/// what it worked out last.
+/// Contacts that the solver takes side by side: no two of them move the same body. Eight fill one register of 512 bits, or two of
+/// 256 that fill each other's waits.
 constexpr int solverLanes = 8;
 
-/// One number of each of those contacts. In single precision momentum would be kept to six digits only, and towers of twenty blocks
-/// lean.
+/// One number of each of those contacts. Speeds in single precision would keep momentum to six digits only, and towers of twenty
+/// blocks lean.
 struct alignas(8 * solverLanes) Lanes {
     double at[solverLanes];
     double& operator[](std::size_t i) { return at[i]; }
@@ -66,7 +66,7 @@ struct alignas(32) LaneWay {
 
 /// A point of each contact, as every pass sees it; where a contact has fewer points, its masses are zero.
 struct alignas(4 * solverLanes) LanePoint {
-    KeptLanes normalImpulse;  ///< N s in a substep; what is applied is the difference of what is kept
+    KeptLanes normalImpulse;  ///< N s in a substep
     KeptLanes tangentImpulse[2];
     KeptLanes now;                ///< m, separation in this substep, rest offset taken off
     KeptLaneVector fromA, fromB;  ///< m, from the centres of mass, at the start of the step

@@ -11,7 +11,8 @@ using Manifest = std::array<std::string, effectCount>;
 
 /// "on: reason", in the order of the effects.
 Manifest manifestOf(const arches::Arch& arch) {
-    const Scenario scenario;
+    Scenario scenario;
+    scenario.fragments.birthWindow = 0.0;
     const Sizing sizing = sizeBasicGrid(arch.fragments, arch.mesh(), arch.components, scenario.grid, Execution());
     const Clustering clusters = makeClusters(arch.fragments, arch.mesh(), sizing.grid, scenario.grid, Execution());
     Manifest lines;

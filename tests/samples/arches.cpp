@@ -11,7 +11,10 @@ Arch make(const std::string& name, const std::vector<RegroupStep>& steps) {
     const Execution execution;
     arch.fe = io::openFe(std::string(RUBBLE_SOURCE_DIR) + "/resources/samples/" + name, {}, {}, execution);
     arch.components = groupComponents(arch.fe->mesh(), steps, {}, {});
-    arch.fragments = makeFragments(*arch.fe, arch.components, {}, execution);
+    // Each state by itself, as the independent script and the published method count them.
+    FragmentSettings byState;
+    byState.birthWindow = 0.0;
+    arch.fragments = makeFragments(*arch.fe, arch.components, byState, execution);
     return arch;
 }
 

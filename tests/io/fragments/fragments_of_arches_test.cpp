@@ -30,7 +30,10 @@ const Arch& arch(const std::string& name) {
     if (!arch.fe) {
         arch.fe = io::openFe(RUBBLE_SOURCE_DIR "/resources/samples/" + name + ".exo", {}, {}, Execution());
         arch.components = groupComponents(arch.fe->mesh(), {}, {}, {});
-        arch.fragments = makeFragments(*arch.fe, arch.components, {}, Execution());
+        // Each state by itself, as the independent scripts count them.
+        FragmentSettings byState;
+        byState.birthWindow = 0.0;
+        arch.fragments = makeFragments(*arch.fe, arch.components, byState, Execution());
     }
     return arch;
 }

@@ -415,9 +415,7 @@ Case sampleCase() {
     Case theCase = caseForFe(sampleFolder + "stone-arch.exo", sampleFolder + "stone-arch.rubble");
     theCase.title = "Stone arch bridge, four spans";
     theCase.inputs[0].sha256 = sha256OfFile(sampleFolder + "stone-arch.exo");
-    theCase.scenarios[0].note =
-        "The strips whose loss of strength starts the collapse belong to their arch rings. As many bodies as the published run had "
-        "clusters.";
+    theCase.scenarios[0].note = "The strips whose loss of strength starts the collapse belong to their arch rings.";
     theCase.scenarios[0].scenario.grid.bodiesMax = 4086;
     for (const std::string ring : {"arch ring 1", "arch ring 4"}) {
         theCase.scenarios[0].scenario.regrouping.emplace_back(MergeComponents{{ring, ring + ", failing strip"}, ring});

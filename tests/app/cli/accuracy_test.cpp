@@ -164,7 +164,7 @@ TEST_F(AccuracyCommand, NoNumberButThoseOfTimeDependsOnJobsOrInterruption) {
     const std::string csv = m_folder / "a.csv";
     const auto sweep = [&](const std::string& cache, std::vector<std::string> more) {
         more.insert(more.begin(), {"--no-fps", "--no-timing", "--csv", csv, "--cache", m_folder / cache});
-        std::vector<std::string> all{"accuracy", m_path, "--set", "settle_time=0.5"};
+        std::vector<std::string> all{"accuracy", m_path, "--set", "settle_time=0.5", "--set", "birth_window=0"};
         all.insert(all.end(), more.begin(), more.end());
         return all;
     };

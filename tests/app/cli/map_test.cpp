@@ -152,6 +152,7 @@ TEST_F(Map, LiesWhereControlPointsPutTheCase) {
 }
 
 TEST_F(Map, FollowsTheTimeAndTheSwitch) {
+    run({"--set", "birth_window=0"}, "1");
     EXPECT_EQ(mapJson({"--time", "0"})["fragments"], 0);
     EXPECT_EQ(mapJson({"--time", "0.15"})["fragments"], 2);
     EXPECT_EQ(mapJson({"--time", "fe_end"})["time_s"], 0.5);

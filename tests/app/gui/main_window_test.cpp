@@ -86,6 +86,8 @@ TEST_F(Workbench, AnEditIsCountedAnewAndUndone) {
 TEST_F(Workbench, SimulatesPlaysMeanwhileAndGoesStale) {
     openArch();
     makeCheap();
+    // Long enough to be looked at.
+    window->document().setParameter(QStringLiteral("settle_time"), 20.0);
     window->simulate(false);
     ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().simulating(); }, patience));
     EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::Running);

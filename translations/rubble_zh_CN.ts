@@ -7604,8 +7604,8 @@
         <translation>实时帧率</translation>
     </message>
     <message>
-        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 40 for bodies of up to 0.3 m, fewer with the square root of their size down to 20; always 60 for bullet.</source>
-        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 40，更大时随尺寸平方根减小，最低 20；bullet 始终为 60。</translation>
+        <source>Lower bound; steps are equal within an FE interval and meet every state. More steps: deeper piles hold, slower run. Automatic: 40 for bodies of up to 0.3 m, up to 60 for more than 10,000 of them, fewer with the square root of their size down to 20; always 60 for bullet.</source>
+        <translation>下限；步长在每个有限元区间内相等并对准每个状态。步数越多：较深的堆积体更稳定，计算更慢。自动：0.3 m 以内的刚体为 40，多于 10,000 个时最高 60，更大时随尺寸平方根减小，最低 20；bullet 始终为 60。</translation>
     </message>
     <message>
         <source>Material</source>

@@ -19,7 +19,9 @@ constexpr double warmGrowth = 3.0;
 constexpr int relaxPasses = 3;
 /// Passes that bring overlap apart, then such that only keep others from being pressed together for it; both go on from what the
 /// step before found. More of the first: it comes apart sooner; fewer of the second: piles are pressed into themselves and tremble.
-constexpr int partPasses = 24;
+/// A push has to get through a pile from body to body, so larger ones take more of the first, as the cube root of their contacts.
+constexpr int fewestPartPasses = 24, mostPartPasses = 72;
+constexpr double contactsOfFewest = 16000;
 constexpr int holdPasses = 4;
 /// Rounds over the points of a contact that bounces.
 constexpr int restitutionRounds = 8;
@@ -110,6 +112,15 @@ void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> end
         colours.first.pop_back();
     }
 }
+
+namespace {
+
+int partPassesFor(std::size_t contacts) {
+    const double wanted = fewestPartPasses * std::cbrt(static_cast<double>(contacts) / contactsOfFewest);
+    return static_cast<int>(std::clamp<double>(wanted, fewestPartPasses, mostPartPasses));
+}
+
+}  // namespace
 
 template <class Pass>
 void SoftSolver::forEachBooked(Pass pass) {
@@ -484,6 +495,7 @@ bool SoftSolver::part() {
     m_scene.parted = m_parted.data();
     m_scene.partings = m_partings.data();
     m_scene.parts = m_parts.data();
+    const int partPasses = partPassesFor(contacts.size());
     forEachColour(1 + partPasses + holdPasses, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
         if (pass == 0) {
             m_passes.startParting(scene, first, last);

@@ -10,8 +10,10 @@ namespace rubble {
 
 namespace {
 
-constexpr double bulletRate = 60.0;    ///< 1/s
-constexpr double finestRate = 40.0;    ///< 1/s
+constexpr double bulletRate = 60.0;   ///< 1/s
+constexpr double finestRate = 40.0;   ///< 1/s, of few bodies
+constexpr double deepestRate = 60.0;  ///< 1/s, of many: deep piles are pressed into themselves at longer steps
+constexpr double fewBodies = 10000.0;
 constexpr double coarsestRate = 20.0;  ///< 1/s
 constexpr double finestSize = 0.3;     ///< m, of bodies that get the finest rate
 
@@ -54,7 +56,9 @@ double stepRateOf(const RunDescription& description, const EffectDecisions& deci
     const auto middle = volumes.begin() + static_cast<std::ptrdiff_t>(volumes.size() / 2);
     std::nth_element(volumes.begin(), middle, volumes.end());
     const double size = std::cbrt(*middle);
-    return size > 0.0 ? std::clamp(finestRate * std::sqrt(finestSize / size), coarsestRate, finestRate) : finestRate;
+    const double layers = std::cbrt(static_cast<double>(volumes.size()) / fewBodies);
+    const double finest = std::clamp(finestRate * layers, finestRate, deepestRate);
+    return size > 0.0 ? std::clamp(finest * std::sqrt(finestSize / size), coarsestRate, finest) : finest;
 }
 
 }  // namespace rubble

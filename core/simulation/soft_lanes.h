@@ -65,9 +65,9 @@ struct alignas(32) LaneWay {
 };
 
 /// A point of each contact, as every pass sees it; where a contact has fewer points, its masses are zero.
-struct alignas(4 * solverLanes) LanePoint {
-    KeptLanes normalImpulse;  ///< N s in a substep
-    KeptLanes tangentImpulse[2];
+struct alignas(8 * solverLanes) LanePoint {
+    Lanes normalImpulse;  ///< N s in a substep
+    Lanes tangentImpulse[2];
     KeptLanes now;                ///< m, separation in this substep, rest offset taken off
     KeptLaneVector fromA, fromB;  ///< m, from the centres of mass, at the start of the step
     KeptLanes normalMass;         ///< kg; before it is prepared 1 where there is a point

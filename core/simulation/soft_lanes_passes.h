@@ -59,24 +59,23 @@ inline void apply(const Pair& c, End& a, End& b, const Arms& arms, const RowVect
 }
 
 inline RowVector impulseOf(const Pair& c, const LanePoint& p) {
-    return plusProduct(plusProduct(wide(p.normalImpulse) * c.normal, wide(p.tangentImpulse[0]), c.tangent[0]),
-                       wide(p.tangentImpulse[1]), c.tangent[1]);
+    return plusProduct(plusProduct(get(p.normalImpulse) * c.normal, get(p.tangentImpulse[0]), c.tangent[0]),
+                       get(p.tangentImpulse[1]), c.tangent[1]);
 }
 
-/// Keeps an impulse, rounded; returns by how much it has changed, which is what both bodies get.
-inline Row keep(KeptLanes& impulse, Row total) {
-    const KeptRow rounded = kept(total);
-    const Row before = wide(impulse);
-    put(impulse, rounded);
+/// Keeps an impulse; returns by how much it has changed.
+inline Row keep(Lanes& impulse, Row total) {
+    const Row before = get(impulse);
+    put(impulse, total);
     return total - before;
 }
 
 inline void applyFriction(const Pair& c, End& a, End& b, LanePoint& p) {
     const Arms arms(p);
     const RowVector relative = relativeVelocity(a, b, arms);
-    const Row t0 = minusProduct(wide(p.tangentImpulse[0]), wide(p.tangentMass[0]), dot(c.tangent[0], relative));
-    const Row t1 = minusProduct(wide(p.tangentImpulse[1]), wide(p.tangentMass[1]), dot(c.tangent[1], relative));
-    const Row limit = c.friction * wide(p.normalImpulse);
+    const Row t0 = minusProduct(get(p.tangentImpulse[0]), wide(p.tangentMass[0]), dot(c.tangent[0], relative));
+    const Row t1 = minusProduct(get(p.tangentImpulse[1]), wide(p.tangentMass[1]), dot(c.tangent[1], relative));
+    const Row limit = c.friction * get(p.normalImpulse);
     const Row length = plusProduct(t0 * t0, t1, t1);
     const Mask beyond = length > limit * limit;
     const Row scale = choose(beyond, limit / root(choose(beyond, length, all(1.0))), all(1.0));
@@ -121,7 +120,7 @@ inline void solve(const LaneScene& scene, std::size_t contact, double push) {
             now = wide(p.now);
         }
         const Row mass = wide(p.normalMass);
-        const Row before = wide(p.normalImpulse);
+        const Row before = get(p.normalImpulse);
         const Mask apart = now > zero;
         const Row ahead = now * perSubstep;
         const Row speed = dot(pair.normal, relativeVelocity(a, b, arms));
@@ -154,10 +153,10 @@ inline void solve(const LaneScene& scene, std::size_t contact, double push) {
             put(scene.works[c.firstPoint + k].raised, impulseOf(pair, points[k]).z);
         }
         if (Push || Last) {
-            put(tallies[k].largestImpulse, larger(get(tallies[k].largestImpulse), get(points[k].normalImpulse)));
+            put(tallies[k].largestImpulse, larger(get(tallies[k].largestImpulse), kept(get(points[k].normalImpulse))));
         }
         if (Last) {
-            put(tallies[k].impulseSum, get(tallies[k].impulseSum) + wide(points[k].normalImpulse));
+            put(tallies[k].impulseSum, get(tallies[k].impulseSum) + get(points[k].normalImpulse));
         }
     }
     a.touched = larger(a.touched, acted);
@@ -198,7 +197,7 @@ void prepare(const LaneScene& scene, std::size_t first, std::size_t last) {
             fastest = larger(fastest, approach);
             // At rest a contact sinks by load / (mass omega^2).
             const Row carried = mass * sink;
-            const Row load = wide(p.normalImpulse) * all(1.0 / scene.h);
+            const Row load = get(p.normalImpulse) * all(1.0 / scene.h);
             squared = larger(squared, choose(carried > zero, load / choose(carried > zero, carried, one), zero));
         }
         put(tally.fastest, kept(fastest));
@@ -222,17 +221,17 @@ void warmStart(const LaneScene& scene, std::size_t first, std::size_t last, doub
         for (std::uint32_t k = 0; k < c.points; ++k) {
             LanePoint& p = points[k];
             LanePointTally& tally = scene.pointTallies[c.firstPoint + k];
-            const Row impulse = wide(p.normalImpulse);
+            const Row impulse = get(p.normalImpulse);
             const Row most = all(growth) * larger(wide(tally.before), weight);
-            put(tally.before, get(p.normalImpulse));
+            put(tally.before, kept(impulse));
             const Mask over = impulse > most;
             // Friction that has lost its load is none, whatever the contacts beside this one carry.
             const Row loaded = choose(impulse > all(0.0), all(1.0), all(0.0));
             const Row scale = choose(over, most / choose(over, impulse, all(1.0)), loaded);
-            put(p.tangentImpulse[0], kept(wide(p.tangentImpulse[0]) * scale));
-            put(p.tangentImpulse[1], kept(wide(p.tangentImpulse[1]) * scale));
+            put(p.tangentImpulse[0], get(p.tangentImpulse[0]) * scale);
+            put(p.tangentImpulse[1], get(p.tangentImpulse[1]) * scale);
             const Row carried = choose(over, most, impulse);
-            put(p.normalImpulse, kept(carried));
+            put(p.normalImpulse, carried);
             largest = larger(largest, carried);
         }
         if (!anyAbove(largest, all(0.0))) {

@@ -321,9 +321,10 @@ void setLane(LanePoint& to, LanePointTally& tally, std::size_t lane, const Solve
     setLane(to.fromB, lane, p.fromB);
     tally.separation[lane] = to.now[lane] = static_cast<KeptNumber>(p.separation);
     to.normalMass[lane] = 1;
-    to.normalImpulse[lane] = tally.before[lane] = static_cast<KeptNumber>(p.normalImpulse);
+    to.normalImpulse[lane] = p.normalImpulse;
+    tally.before[lane] = static_cast<KeptNumber>(p.normalImpulse);
     for (int t = 0; t < 2; ++t) {
-        to.tangentImpulse[t][lane] = static_cast<KeptNumber>(p.tangentImpulse[t]);
+        to.tangentImpulse[t][lane] = p.tangentImpulse[t];
     }
 }
 

@@ -324,22 +324,27 @@ void columnAxisymmetric(const CaseSetting& setting, Outcome& outcome) {
 void columnChannel(const CaseSetting& setting, Outcome& outcome) {
     std::vector<Collapse> collapses;
     HeightFactors height;
-    for (const double aspect : {4.0, 8.0, 14.0, 20.0}) {
-        if (setting.small && aspect > 14.0) {
-            break;
-        }
-        // The front of a channel eight blocks wide differs by a tenth from filling to filling.
+    // The front of a channel eight blocks wide differs by 6 % (standard deviation) from filling to filling, the height at its wall
+    // by 8 %: a law is held against means of several, of more where the column is low, for these pull the exponent and cost little.
+    struct Columns {
+        double aspect;
+        int fillings;
+        int small;  ///< fillings in the small suite
+    };
+    for (const Columns& columns : {Columns{4.0, 8, 3}, Columns{8.0, 4, 2}, Columns{14.0, 4, 2}, Columns{20.0, 4, 0}}) {
+        const int fillings = setting.small ? columns.small : columns.fillings;
         Collapse c;
-        const int fillings = setting.small ? 1 : 2;
         for (int i = 0; i < fillings; ++i) {
-            const Collapse one = channel(setting, aspect, 12 + static_cast<std::uint64_t>(i));
+            const Collapse one = channel(setting, columns.aspect, 12 + static_cast<std::uint64_t>(i));
             c.aspect += one.aspect / fillings;
             c.runOut += one.runOut / fillings;
             c.height += one.height / fillings;
         }
-        // Lajeunesse et al. 2005: h = 0.65 L a^(1/3); Lube et al. 2005: 0.72 L a^(2/5). Measured against the nearer one.
-        height.add(std::min(apart(c.height, 0.65 * std::cbrt(c.aspect)), apart(c.height, 0.72 * std::pow(c.aspect, 0.4))));
-        collapses.push_back(c);
+        if (fillings > 0) {
+            // Lajeunesse et al. 2005: h = 0.65 L a^(1/3); Lube et al. 2005: 0.72 L a^(2/5). Measured against the nearer one.
+            height.add(std::min(apart(c.height, 0.65 * std::cbrt(c.aspect)), apart(c.height, 0.72 * std::pow(c.aspect, 0.4))));
+            collapses.push_back(c);
+        }
     }
     height.check("0.65 a^(1/3) or 0.72 a^(2/5)", outcome);
     const PowerLaw law = fitted(collapses);
@@ -396,7 +401,7 @@ std::vector<HardCase> granularCases() {
         {"form-column-axis", "round column of blocks collapses, a = 2.5 to 10", "flows like a liquid, or not at all",
          "run-out 1.6 a^0.5: exponent +- 0.12, factor 1.6; height within a factor of 1.6", 60.0, columnAxisymmetric},
         {"form-column-channel", "column of blocks collapses in a channel, a = 2.5 to 13", "flows like a liquid, or not at all",
-         "run-out 1.9 a^(2/3): exponent +- 0.12, factor 1.6; height within a factor of 1.6", 25.0, columnChannel},
+         "run-out 1.9 a^(2/3): exponent +- 0.12, factor 1.6; height within a factor of 1.6", 140.0, columnChannel},
         {"form-repose", "cubes are poured on a heap", "flattens, stands like a wall", "angle of repose 30 to 45 degrees", 20.0,
          repose},
     };

@@ -27,10 +27,9 @@ double variance(const std::vector<double>& values) {
 std::pair<int, std::vector<double>> cutsOf(std::span<const SolverContact> contacts, std::size_t count) {
     std::array<std::vector<double>, 2> along;
     for (std::size_t i = 0; i < contacts.size(); i += contacts.size() / sampleSize + 1) {
-        const Vec3& where = contacts[i].where;
-        if (std::isfinite(where.x()) && std::isfinite(where.y())) {
-            along[0].push_back(where.x());
-            along[1].push_back(where.y());
+        if (std::isfinite(contacts[i].x) && std::isfinite(contacts[i].y)) {
+            along[0].push_back(contacts[i].x);
+            along[1].push_back(contacts[i].y);
         }
     }
     if (along[0].empty()) {
@@ -61,8 +60,9 @@ void cutIntoStrips(std::span<const SolverContact> contacts, std::size_t movable,
     std::vector<std::uint16_t> stripOf(movable, nowhere);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const SolverContact& c = contacts[i];
+        const double where = axis == 0 ? c.x : c.y;
         const auto strip = static_cast<std::uint16_t>(
-            i < loose ? std::count_if(cuts.begin(), cuts.end(), [&](double cut) { return c.where[axis] >= cut; }) : 0);
+            i < loose ? std::count_if(cuts.begin(), cuts.end(), [&](double cut) { return where >= cut; }) : 0);
         strips.strip[i] = strip;
         for (const std::uint32_t body : {c.a, c.b}) {
             if (body < movable) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/simulation/collider.h"
 #include "core/simulation/constants.h"
 
 namespace rubble {
@@ -28,6 +29,24 @@ void SoftContact::keep(Archive& archive) {
     for (Point& point : std::span(points).first(static_cast<std::size_t>(count))) {
         archive(point);
     }
+}
+
+SoftContact asFound(const FoundContact& found) {
+    const ContactPatch& patch = found.patch;
+    SoftContact contact;
+    contact.pair = colliderPair(found.a->number, found.b->number);
+    contact.part = found.part;
+    contact.a = found.a;
+    contact.b = found.b;
+    contact.normal = patch.normal;
+    contact.count = patch.count;
+    contact.depth = -patch.separation;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
+        contact.points[i].position = patch.points[i].position;
+        contact.points[i].separation = patch.points[i].separation;
+        contact.points[i].feature = patch.points[i].feature;
+    }
+    return contact;
 }
 
 void carryOver(const SoftContact& from, SoftContact& to) {

@@ -7,12 +7,21 @@
 
 #include "core/base/archive.h"
 #include "core/simulation/birth_overlap.h"
-#include "core/simulation/collider.h"
 #include "core/simulation/contact_patch.h"
 
 namespace rubble {
 
-/// A contact between parts of two colliders and what it carries from step to step.
+struct Collider;
+
+/// A contact between parts of two colliders as it is found in a step.
+struct FoundContact {
+    Collider* a = nullptr;  ///< entered first
+    Collider* b = nullptr;
+    std::uint32_t part = 0;  ///< which parts of the two shapes, and which patch of theirs
+    ContactPatch patch;
+};
+
+/// The same and what it carries from step to step.
 struct SoftContact {
     struct Point {
         Vec3 position = Vec3::Zero();
@@ -25,7 +34,7 @@ struct SoftContact {
         void keep(Archive& archive) { archive(position, separation, feature, impulse, friction, push); }
     };
     ColliderPair pair = 0;
-    std::uint32_t part = 0;  ///< which parts of the two shapes, and which patch of theirs
+    std::uint32_t part = 0;  ///< as found
     Collider* a = nullptr;   ///< entered first
     Collider* b = nullptr;
     Vec3 normal = Vec3::UnitZ();  ///< from a to b
@@ -45,11 +54,15 @@ struct SoftContact {
     bool yielded = false;          ///< the piece of this contact has given way
     bool yielding = false;         ///< and goes on into the body now
     bool pressing = false;         ///< it strikes from above or from the side
+    bool aside = false;            ///< put to those that sleep
 
     std::pair<ColliderPair, std::uint32_t> key() const { return {pair, part}; }
-    /// All but a and b, which the pair names.
+    /// All but a and b, which the pair names; none that is put aside.
     void keep(Archive& archive);
 };
+
+/// A contact that carries nothing yet.
+SoftContact asFound(const FoundContact& found);
 
 /// Hands on what a contact carries to the one found in its place a step later. Points are matched by feature, then by nearness.
 void carryOver(const SoftContact& from, SoftContact& to);

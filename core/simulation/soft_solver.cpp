@@ -217,6 +217,7 @@ void SoftSolver::layOut(double h, const Source& source) {
             }
         }
     });
+    m_back.assign(m_groups.size(), 0);
     m_booked.clear();
     for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
         if (m_lanes[i].booked) {
@@ -307,13 +308,13 @@ void setLane(KeptLaneVector& to, std::size_t lane, const Vec3& v) {
     to.z[lane] = static_cast<KeptNumber>(v.z());
 }
 
-void setLane(KeptLaneTensor& to, std::size_t lane, const Mat3& t) {
-    to.xx[lane] = static_cast<KeptNumber>(t(0, 0));
-    to.yy[lane] = static_cast<KeptNumber>(t(1, 1));
-    to.zz[lane] = static_cast<KeptNumber>(t(2, 2));
-    to.xy[lane] = static_cast<KeptNumber>(t(0, 1));
-    to.xz[lane] = static_cast<KeptNumber>(t(0, 2));
-    to.yz[lane] = static_cast<KeptNumber>(t(1, 2));
+void setLane(KeptLaneTensor& to, std::size_t lane, const KeptNumber (&t)[6]) {
+    to.xx[lane] = t[0];
+    to.yy[lane] = t[1];
+    to.zz[lane] = t[2];
+    to.xy[lane] = t[3];
+    to.xz[lane] = t[4];
+    to.yz[lane] = t[5];
 }
 
 void setLane(LanePoint& to, LanePointTally& tally, std::size_t lane, const SolverPoint& p) {
@@ -352,8 +353,8 @@ void SoftSolver::fillLanes(std::size_t at, const Source& source) {
     for (std::uint32_t lane = 0; lane < count; ++lane) {
         source.fill(group.found[lane]);
         const SolverContact& c = contacts[group.found[lane]];
-        const SolverBody& a = bodies[c.a];
-        const SolverBody& b = bodies[c.b];
+        const Grip& a = m_grips[c.a];
+        const Grip& b = m_grips[c.b];
         lanes.a[lane] = c.a;
         lanes.b[lane] = c.b;
         lanes.allMove = lanes.allMove && c.a < m_scene.movable && c.b < m_scene.movable;
@@ -383,6 +384,7 @@ void SoftSolver::fillLanes(std::size_t at, const Source& source) {
 
 void SoftSolver::begin(std::size_t movable) {
     m_scene.movable = static_cast<std::uint32_t>(movable);
+    m_grips.resize(bodies.size());
     m_laneBodies.resize(bodies.size());
     m_laneTravel.resize(bodies.size());
     m_lanePoses.resize(bodies.size());
@@ -394,6 +396,10 @@ void SoftSolver::begin(std::size_t movable) {
     m_pool.loop(bodies.size(), bodyGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             const SolverBody& body = bodies[i];
+            const Mat3& t = body.inverseInertia;
+            m_grips[i] = {body.inverseMass,
+                          {static_cast<KeptNumber>(t(0, 0)), static_cast<KeptNumber>(t(1, 1)), static_cast<KeptNumber>(t(2, 2)),
+                           static_cast<KeptNumber>(t(0, 1)), static_cast<KeptNumber>(t(0, 2)), static_cast<KeptNumber>(t(1, 2))}};
             setVelocity(i, body.velocity, body.spin);
             m_laneBodies[i].velocity[3] = 0.0;
             m_laneTravel[i] = {};
@@ -512,32 +518,51 @@ SolverWay SoftSolver::parted(std::size_t body) const {
     return {Vec3(way.moved[0], way.moved[1], way.moved[2]), Vec3(way.turned[0], way.turned[1], way.turned[2])};
 }
 
-void SoftSolver::takeBack() {
-    m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
+void SoftSolver::takeGroupBack(std::size_t at) {
+    const Group& group = m_groups[at];
+    for (std::uint32_t lane = 0; lane < group.count; ++lane) {
+        SolverContact& c = contacts[group.found[lane]];
+        c.work = m_tallies[at].work[lane];
+        for (std::uint32_t n = 0; n < c.points; ++n) {
+            const LanePoint& lanePoint = m_lanePoints[group.firstPoint + n];
+            const LanePointTally& tally = m_pointTallies[group.firstPoint + n];
+            SolverPoint& p = points[c.firstPoint + n];
+            p.normalMass = lanePoint.normalMass[lane];
+            p.approachSpeed = tally.approach[lane];
+            p.normalImpulse = lanePoint.normalImpulse[lane];
+            p.tangentImpulse[0] = lanePoint.tangentImpulse[0][lane];
+            p.tangentImpulse[1] = lanePoint.tangentImpulse[1][lane];
+            p.largestImpulse = tally.largestImpulse[lane];
+            p.impulseSum = tally.impulseSum[lane];
+            p.push = m_parts[group.firstPoint + n].push[lane];
+        }
+    }
+    m_back[at] = 1;
+}
+
+void SoftSolver::takeBack(const Target& target) {
+    m_pool.loop(m_groups.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            const Group& group = m_groups[i];
-            for (std::uint32_t lane = 0; lane < group.count; ++lane) {
-                SolverContact& c = contacts[group.found[lane]];
-                c.work = m_tallies[i].work[lane];
-                for (std::uint32_t n = 0; n < c.points; ++n) {
-                    const LanePoint& lanePoint = m_lanePoints[group.firstPoint + n];
-                    const LanePointTally& tally = m_pointTallies[group.firstPoint + n];
-                    SolverPoint& p = points[c.firstPoint + n];
-                    p.normalMass = lanePoint.normalMass[lane];
-                    p.approachSpeed = tally.approach[lane];
-                    p.normalImpulse = lanePoint.normalImpulse[lane];
-                    p.tangentImpulse[0] = lanePoint.tangentImpulse[0][lane];
-                    p.tangentImpulse[1] = lanePoint.tangentImpulse[1][lane];
-                    p.largestImpulse = tally.largestImpulse[lane];
-                    p.impulseSum = tally.impulseSum[lane];
-                    p.push = m_parts[group.firstPoint + n].push[lane];
-                }
+            if (i + 1 < to) {
+                std::for_each_n(m_groups[i + 1].found, m_groups[i + 1].count, target.ask);
             }
+            if (m_back[i] == 0) {
+                takeGroupBack(i);
+            }
+            std::for_each_n(m_groups[i].found, m_groups[i].count, target.take);
         }
     });
 }
 
 void SoftSolver::restitute(double threshold) {
+    m_pool.loop(m_groups.size(), laneGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            const KeptLanes& fastest = m_tallies[i].fastest;
+            if (std::any_of(fastest.at, fastest.at + m_groups[i].count, [&](KeptNumber x) { return x >= threshold; })) {
+                takeGroupBack(i);
+            }
+        }
+    });
     std::vector<std::uint32_t> hit;
     for (std::size_t group = 0; group + 1 < firstOfGroup.size(); ++group) {
         hit.clear();

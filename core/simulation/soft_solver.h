@@ -21,7 +21,6 @@ struct SolverBody {
     Vec3 turned = Vec3::Zero();          ///< rad, since the start of the step
     double inverseMass = 0.0;            ///< 1/kg
     Mat3 inverseInertia = Mat3::Zero();  ///< 1/(kg m2), world axes
-    double yield = 1.0;                  ///< share of the true inverse mass and inertia that the two above are
     Pose pose;                           ///< of its centre of mass and principal axes
     Vec3 inertia = Vec3::Ones();         ///< kg m2, principal
     double radius = 0.0;                 ///< m, of its farthest corner
@@ -59,7 +58,9 @@ struct SolverContact {
     std::uint32_t a = 0, b = 0;  ///< bodies
     std::uint32_t firstPoint = 0;
     std::uint32_t points = 0;
-    Vec3 where = Vec3::Zero();    ///< m, about where it is
+    float x = 0.0f, y = 0.0f;     ///< m, about where it is
+    std::uint32_t found = 0;      ///< where the contact came from
+    bool idle = false;            ///< carried nothing in the step before
     Vec3 normal = Vec3::UnitZ();  ///< from a to b
     Vec3 tangent[2];              ///< orthogonal to it
     double friction = 0.0;
@@ -71,8 +72,6 @@ struct SolverContact {
     double lift = 0.0;          ///< m/s, what an upward impulse gains against gravity in a substep; see LaneContacts
     double impulseLimit = 0.0;  ///< N s per point and substep; negative: none
     double work = 0.0;          ///< J, in this step: of pushing the bodies apart, or of a moving piece
-    std::uint32_t found = 0;    ///< where the contact came from
-    bool idle = false;          ///< carried nothing in the step before
     bool booked = false;        ///< account for the work of pushing apart
     bool driven = false;        ///< account for the work of the immovable one of the two
 };
@@ -138,10 +137,15 @@ public:
     bool part();
     /// What this moves and turns a body by.
     SolverWay parted(std::size_t body) const;
-    /// Puts impulses and work into contacts and points. The passes above do not reach those.
-    void takeBack();
     /// Gives back the speed of approach of every hit above `threshold` [m/s].
     void restitute(double threshold);
+    /// Where contacts go.
+    struct Target {
+        std::function<void(std::uint32_t contact)> take = [](std::uint32_t) {};  ///< is given each once it is complete
+        std::function<void(std::uint32_t contact)> ask = [](std::uint32_t) {};   ///< which one is given soon
+    };
+    /// Puts impulses and work into contacts and points. The passes above do not reach those.
+    void takeBack(const Target& target);
 
 private:
     /// Groups of lanes of one colour in one strip; those at its borders come first.
@@ -155,6 +159,11 @@ private:
         std::vector<Colour> colours;
         Milestone border;      ///< colours that meet and whose groups at the border are done, in all passes at hand
         std::size_t done = 0;  ///< colours, in all passes at hand
+    };
+    /// What contacts take of a body, close together.
+    struct Grip {
+        double inverseMass = 0.0;           ///< 1/kg
+        KeptNumber inverseInertia[6] = {};  ///< 1/(kg m2), in the order of KeptLaneTensor
     };
     /// Contacts that go side by side.
     struct Group {
@@ -172,6 +181,7 @@ private:
     std::size_t stripCount();
     void arrange();
     void fillLanes(std::size_t group, const Source& source);
+    void takeGroupBack(std::size_t group);
 
     WorkerPool& m_pool;
     LanePasses m_passes = lanePasses();
@@ -182,12 +192,14 @@ private:
     int m_alone = 0;                     ///< steps for which the site is not cut
     std::vector<double> m_fastest;       ///< m/s, [contacts] speed of approach
     std::vector<Group> m_groups;
+    std::vector<char> m_back;             ///< [groups] contacts and points have what the passes made
     std::vector<std::uint32_t> m_booked;  ///< groups
     std::vector<LaneContacts> m_lanes;
     std::vector<LaneTally> m_tallies;  ///< beside them
     std::vector<LanePoint> m_lanePoints;
     std::vector<LanePointTally> m_pointTallies;  ///< beside them, as the next ones
     std::vector<LanePointWork> m_laneWorks;
+    std::vector<Grip> m_grips;  ///< [bodies], as the next ones
     std::vector<LaneBody> m_laneBodies;
     std::vector<LaneTravel> m_laneTravel;
     std::vector<LanePose> m_lanePoses;

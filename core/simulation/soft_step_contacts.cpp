@@ -46,76 +46,70 @@ bool apart(const PlacedBox& a, const PlacedBox& b, double margin) {
     return (a.centre - b.centre).squaredNorm() > reach * reach;
 }
 
-void append(const ContactPatch& patch, std::uint32_t part, Collider& a, Collider& b, std::vector<SoftContact>& found) {
-    if (patch.count == 0) {
-        return;
-    }
-    SoftContact& contact = found.emplace_back();
-    contact.pair = colliderPair(a.number, b.number);
-    contact.part = part;
-    contact.a = &a;
-    contact.b = &b;
-    contact.normal = patch.normal;
-    contact.count = patch.count;
-    contact.depth = -patch.separation;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
-        const PatchPoint& point = patch.points[i];
-        contact.points[i].position = point.position;
-        contact.points[i].separation = point.separation;
-        contact.points[i].feature = point.feature;
+void append(const ContactPatch& patch, std::uint32_t part, Collider& a, Collider& b, std::vector<FoundContact>& found) {
+    if (patch.count > 0) {
+        found.push_back({&a, &b, part, patch});
     }
 }
 
 }  // namespace
 
-void SoftStepWorld::prepareHulls(Solid& solid) {
+void SoftStepWorld::prepareHulls(const Collider& collider) {
+    Solid& solid = solidOf(collider);
     if (solid.hulls.empty()) {
-        for (const ConvexPart& part : solid.collider->parts) {
+        for (const ConvexPart& part : collider.parts) {
             solid.hulls.push_back(hullOfPart(part));
         }
     }
 }
 
-void SoftStepWorld::collideParts(const Solid& a, std::size_t i, const Solid& b, std::size_t j, double margin,
-                                 ContactPatch& patch) const {
-    const ConvexPart& partA = a.collider->parts[i];
-    const ConvexPart& partB = b.collider->parts[j];
-    if (partA.points.empty() && partB.points.empty()) {
-        patch = collideBoxes(a.placed[i], b.placed[j], margin);
-    } else {
-        patch = collideHulls(*a.hulls[i], placeOfPart(a.pose, partA), *b.hulls[j], placeOfPart(b.pose, partB), margin);
-    }
+void SoftStepWorld::collideHullParts(const Collider& a, std::size_t i, const Collider& b, std::size_t j, double margin,
+                                     ContactPatch& patch) const {
+    const Solid& solidA = solidOf(a);
+    const Solid& solidB = solidOf(b);
+    patch = collideHulls(*solidA.hulls[i], placeOfPart(solidA.pose, a.parts[i]), *solidB.hulls[j],
+                         placeOfPart(solidB.pose, b.parts[j]), margin);
 }
 
-void SoftStepWorld::collidePair(const Pair& pair, double dt, std::vector<SoftContact>& found) const {
-    const Solid& a = solidOf(*pair.a);
-    const Solid& b = solidOf(*pair.b);
-    const double margin = marginOf(*pair.a, *pair.b, dt);
-    for (std::size_t i = 0; i < a.placed.size(); ++i) {
-        for (std::size_t j = 0; j < b.placed.size(); ++j) {
-            if (apart(a.placed[i], b.placed[j], margin)) {
+void SoftStepWorld::collidePair(const Pair& pair, double dt, std::vector<FoundContact>& found) const {
+    const Entered& a = m_entered[pair.a];
+    const Entered& b = m_entered[pair.b];
+    const double margin = marginOf(pair.a, pair.b, dt);
+    const std::size_t partsA = a.collider->parts.size(), partsB = b.collider->parts.size();
+    for (std::size_t i = 0; i < partsA; ++i) {
+        for (std::size_t j = 0; j < partsB; ++j) {
+            const PlacedBox& boxA = m_placed[a.part + i];
+            const PlacedBox& boxB = m_placed[b.part + j];
+            if (apart(boxA, boxB, margin)) {
                 continue;
             }
             ContactPatch patch;
-            collideParts(a, i, b, j, margin, patch);
-            append(patch, static_cast<std::uint32_t>(i * partsPerShape + j), *pair.a, *pair.b, found);
+            if (a.collider->parts[i].points.empty() && b.collider->parts[j].points.empty()) {
+                patch = collideBoxes(boxA, boxB, margin);
+            } else {
+                collideHullParts(*a.collider, i, *b.collider, j, margin, patch);
+            }
+            append(patch, static_cast<std::uint32_t>(i * partsPerShape + j), *a.collider, *b.collider, found);
         }
     }
 }
 
-void SoftStepWorld::collidePairs(std::vector<Pair>& pairs, Kind kind, double dt) {
+void SoftStepWorld::collidePairs(const std::vector<Pair>& pairs, Kind kind, double dt) {
     const auto from = Clock::now();
     for (const Pair& pair : pairs) {
-        if (solidOf(*pair.a).hull || solidOf(*pair.b).hull) {
-            prepareHulls(solidOf(*pair.a));
-            prepareHulls(solidOf(*pair.b));
+        if (m_entered[pair.a].hull || m_entered[pair.b].hull) {
+            prepareHulls(*m_entered[pair.a].collider);
+            prepareHulls(*m_entered[pair.b].collider);
         }
     }
     constexpr std::size_t grain = 256;
     const std::size_t begin = beginRun(pairs.size(), grain);
     m_pool.loop(pairs.size(), grain, [&](std::size_t first, std::size_t last) {
-        std::vector<SoftContact>& found = m_parts[begin + first / grain];
+        std::vector<FoundContact>& found = m_parts[begin + first / grain];
         for (std::size_t i = first; i < last; ++i) {
+            if (i + recordsAhead < last) {
+                bringNear(m_placed[m_entered[pairs[i + recordsAhead].b].part]);
+            }
             collidePair(pairs[i], dt, found);
         }
     });
@@ -136,7 +130,7 @@ std::size_t SoftStepWorld::beginRun(std::size_t count, std::size_t grain) {
     return first;
 }
 
-void SoftStepWorld::collideWithGround(Solid& solid, double dt, std::vector<SoftContact>& found) {
+void SoftStepWorld::collideWithGround(Solid& solid, double dt, std::vector<FoundContact>& found) {
     const double highest = m_surface.terrain ? m_surface.terrain->highestOver(solid.swept.min().x(), solid.swept.min().y(),
                                                                               solid.swept.max().x(), solid.swept.max().y())
                                              : m_surface.levelHeight;
@@ -144,7 +138,7 @@ void SoftStepWorld::collideWithGround(Solid& solid, double dt, std::vector<SoftC
         return;
     }
     std::vector<ContactPatch> patches;
-    const double margin = marginOf(m_ground, *solid.collider, dt);
+    const double margin = marginOf(m_ground.number, solid.collider->number, dt);
     for (std::size_t part = 0; part < solid.collider->parts.size(); ++part) {
         patches.clear();
         collideGround(m_surface, solid.collider->parts[part], solid.pose, solid.velocity, dt, margin, patches);
@@ -163,7 +157,7 @@ void SoftStepWorld::collideWithGround(std::span<const std::uint32_t> bodies, dou
     constexpr std::size_t grain = 128;
     const std::size_t begin = beginRun(bodies.size(), grain);
     m_pool.loop(bodies.size(), grain, [&](std::size_t first, std::size_t last) {
-        std::vector<SoftContact>& found = m_parts[begin + first / grain];
+        std::vector<FoundContact>& found = m_parts[begin + first / grain];
         for (std::size_t i = first; i < last; ++i) {
             collideWithGround(m_bodies[bodies[i]], dt, found);
         }
@@ -190,21 +184,11 @@ void SoftStepWorld::collideAll(double dt) {
     if (wakeByContacts()) {
         wakeAndCollideAgain(dt);
     }
-    takeFound();
-    recallSleeping();
-    rest(dt);
+    takeFound(dt);
 }
 
 /// What lies on a lifted body is lifted in the same instant: as long as it sleeps it is a wall above the piece.
 void SoftStepWorld::wakeAbove(std::vector<std::uint32_t> lifted) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> above;  // lower, upper
-    for (const auto& [pair, contacts] : m_asleep) {
-        const SoftContact& c = contacts.front();
-        if (c.a->kind == ColliderKind::Body && c.b->kind == ColliderKind::Body && std::abs(c.normal.z()) > supportingNormal) {
-            above.emplace_back(c.normal.z() > 0.0 ? c.a->index : c.b->index, c.normal.z() > 0.0 ? c.b->index : c.a->index);
-        }
-    }
-    std::sort(above.begin(), above.end());
     std::vector<char> seen(m_bodies.size(), 0);
     while (!lifted.empty()) {
         const std::uint32_t body = lifted.back();
@@ -213,35 +197,40 @@ void SoftStepWorld::wakeAbove(std::vector<std::uint32_t> lifted) {
             continue;
         }
         m_justThawed.push_back(body);
-        for (auto i = std::lower_bound(above.begin(), above.end(), std::pair{body, 0u}); i != above.end() && i->first == body;
-             ++i) {
-            if (m_bodies[i->second].collider != nullptr && m_freeze.frozen(i->second)) {
-                lifted.push_back(i->second);
+        m_asleep.forEachPairOf(m_bodies[body].collider->number, [&](const SoftContact& c) {
+            if (c.a->kind != ColliderKind::Body || c.b->kind != ColliderKind::Body || std::abs(c.normal.z()) <= supportingNormal) {
+                return;
             }
-        }
+            const Collider& lower = c.normal.z() > 0.0 ? *c.a : *c.b;
+            const Collider& upper = c.normal.z() > 0.0 ? *c.b : *c.a;
+            if (lower.index == body && m_freeze.frozen(upper.index)) {
+                lifted.push_back(upper.index);
+            }
+        });
     }
 }
 
-void SoftStepWorld::wakeByContact(const SoftContact& contact, std::vector<std::uint32_t>& lifted) {
+void SoftStepWorld::wakeByContact(const FoundContact& contact, std::vector<std::uint32_t>& lifted) {
+    const ContactPatch& patch = contact.patch;
     for (auto [sleeper, other] : {std::pair{contact.a, contact.b}, std::pair{contact.b, contact.a}}) {
         if (sleeper->kind != ColliderKind::Body || awake(*sleeper) || other->kind == ColliderKind::Ground) {
             continue;
         }
         double closest = 1e300;
         Vec3 where = Vec3::Zero();
-        for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
-            if (contact.points[i].separation < closest) {
-                closest = contact.points[i].separation;
-                where = contact.points[i].position;
+        for (const PatchPoint& point : std::span(patch.points).first(static_cast<std::size_t>(patch.count))) {
+            if (point.separation < closest) {
+                closest = point.separation;
+                where = point.position;
             }
         }
         const Solid& solid = solidOf(*other);
-        const double along = contact.normal.dot(solid.velocity + solid.spin.cross(where - solid.pose.position));
+        const double along = patch.normal.dot(solid.velocity + solid.spin.cross(where - solid.pose.position));
         const double approach = other == contact.a ? along : -along;
         const bool carriedOff = other->kind == ColliderKind::Piece && (other->moving || other->newborn) && closest < contactMargin;
         if (carriedOff || (awake(*other) && approach > thawSpeed)) {
             m_justThawed.push_back(sleeper->index);
-            const double up = (other == contact.a ? 1.0 : -1.0) * contact.normal.z();
+            const double up = (other == contact.a ? 1.0 : -1.0) * patch.normal.z();
             if (carriedOff && approach > 0.0 && up >= carryingNormal) {
                 lifted.push_back(sleeper->index);
             }
@@ -255,7 +244,7 @@ bool SoftStepWorld::wakeByContacts() {
     m_pool.loop(m_partsUsed, 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t part = first; part < last; ++part) {
             hasSleepers[part] =
-                std::ranges::any_of(m_parts[part], [&](const SoftContact& c) { return sleeps(*c.a) || sleeps(*c.b); });
+                std::ranges::any_of(m_parts[part], [&](const FoundContact& c) { return sleeps(*c.a) || sleeps(*c.b); });
         }
     });
     std::vector<std::uint32_t> lifted;
@@ -281,6 +270,7 @@ void SoftStepWorld::wakeAndCollideAgain(double dt) {
     for (const std::uint32_t i : woken) {
         thaw(*m_bodies[i].collider);
         m_bodies[i].active = false;
+        m_bodies[i].drivers = 0;
     }
     listAwake();
     for (std::size_t i = 0; i < m_moving.size(); ++i) {
@@ -302,8 +292,8 @@ std::vector<SoftStepWorld::Found> SoftStepWorld::foundInOrder() const {
         const auto begin = static_cast<std::ptrdiff_t>(all.size());
         const std::size_t end = run + 1 < m_runs.size() ? m_runs[run + 1] : m_partsUsed;
         for (std::size_t i = m_runs[run]; i < end; ++i) {
-            for (const SoftContact& contact : m_parts[i]) {
-                all.push_back({contact.pair, contact.part, &contact});
+            for (const FoundContact& contact : m_parts[i]) {
+                all.push_back({colliderPair(contact.a->number, contact.b->number), contact.part, &contact});
             }
         }
         // On terrain and after a body woke a run may not be in order.
@@ -315,53 +305,76 @@ std::vector<SoftStepWorld::Found> SoftStepWorld::foundInOrder() const {
     return all;
 }
 
-/// Puts the contacts found into their order and hands on to each what it carried in the step before.
-void SoftStepWorld::takeFound() {
+/// Puts the contacts found into their order, hands on to each what it carried in the step before, and looks at what rests on what:
+/// pair by pair, so that memory is gone through once.
+void SoftStepWorld::takeFound(double dt) {
+    const auto from = Clock::now();
     const std::vector<Found> found = foundInOrder();
     m_previous.swap(m_contacts);
     m_contacts.resize(found.size());
-    m_fresh.assign(found.size(), 0);
-    const auto isBefore = [](const SoftContact& x, const Found& y) { return x.pair != y.pair ? x.pair < y.pair : x.part < y.part; };
-    m_pool.loop(found.size(), 512, [&](std::size_t first, std::size_t last) {
+    m_taken.resize(found.size());
+    m_thinLoads.resize(found.size());
+    constexpr std::size_t grain = 256;
+    m_recalled.resize(std::max(m_recalled.size(), found.size() / grain + 1));
+    m_pool.loop(found.size(), grain, [&](std::size_t first, std::size_t last) {
+        std::vector<std::pair<ColliderPair, std::uint32_t>>& recalled = m_recalled[first / grain];
+        recalled.clear();
+        // A pair belongs to the part in which it begins.
+        while (first > 0 && first < last && found[first].pair == found[first - 1].pair) {
+            ++first;
+        }
+        if (first == last) {
+            return;
+        }
+        const auto isBefore = [](const SoftContact& x, const Found& y) {
+            return x.pair != y.pair ? x.pair < y.pair : x.part < y.part;
+        };
         auto before = std::lower_bound(m_previous.begin(), m_previous.end(), found[first], isBefore);
-        for (std::size_t i = first; i < last; ++i) {
-            if (i + recordsAhead < last) {
-                bringNear(*found[i + recordsAhead].contact);
+        while (first < last) {
+            const ColliderPair pair = found[first].pair;
+            std::size_t end = first;
+            for (; end < found.size() && found[end].pair == pair; ++end) {
+                if (end + recordsAhead < found.size()) {
+                    bringNear(*found[end + recordsAhead].contact);
+                }
+                SoftContact& contact = m_contacts[end];
+                contact = asFound(*found[end].contact);
+                while (before != m_previous.end() && isBefore(*before, found[end])) {
+                    ++before;
+                }
+                if (before != m_previous.end() && before->key() == contact.key() && !before->aside) {
+                    carryOver(*before, contact);
+                } else if (recall(contact)) {
+                    recalled.push_back(contact.key());
+                }
             }
-            SoftContact& contact = m_contacts[i];
-            contact = *found[i].contact;
-            while (before != m_previous.end() && isBefore(*before, found[i])) {
-                ++before;
+            restPair(first, end, dt);
+            for (; first < end; ++first) {
+                m_taken[first] = taken(first);
+                m_thinLoads[first] = thinLoad(m_contacts[first]);
             }
-            if (before != m_previous.end() && before->key() == contact.key()) {
-                carryOver(*before, contact);
-            }
-            m_fresh[i] = contact.fresh;
         }
     });
+    for (std::size_t part = 0; part * grain < found.size(); ++part) {
+        for (const auto& [pair, which] : m_recalled[part]) {
+            m_asleep.remove(pair, which);
+        }
+    }
+    m_takingSeconds = secondsSince(from);
 }
 
 /// A contact that was not there in the step before may have been put aside when both of its bodies came to rest.
-void SoftStepWorld::recallSleeping() {
-    for (std::size_t i = 0; i < m_contacts.size() && !m_asleep.empty(); ++i) {
-        if (m_fresh[i] == 0) {
-            continue;
-        }
-        SoftContact& contact = m_contacts[i];
-        const auto kept = m_asleep.find(contact.pair);
-        if (kept == m_asleep.end()) {
-            continue;
-        }
-        auto& parts = kept->second;
-        const auto same = std::find_if(parts.begin(), parts.end(), [&](const SoftContact& c) { return c.part == contact.part; });
-        if (same != parts.end()) {
-            carryOver(*same, contact);
-            parts.erase(same);
-        }
-        if (parts.empty()) {
-            m_asleep.erase(kept);
-        }
+bool SoftStepWorld::recall(SoftContact& contact) const {
+    const std::vector<SoftContact>* const kept = m_asleep.of(contact.pair);
+    if (kept == nullptr) {
+        return false;
     }
+    const auto same = std::find_if(kept->begin(), kept->end(), [&](const SoftContact& c) { return c.part == contact.part; });
+    if (same == kept->end()) {
+        return false;
+    }
+    carryOver(*same, contact);
+    return true;
 }
 
 }  // namespace rubble

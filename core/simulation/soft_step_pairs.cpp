@@ -92,7 +92,7 @@ void SoftStepWorld::findPairs() {
         const Entered& a = m_entered[firstOf(pair)];
         const Entered& b = m_entered[secondOf(pair)];
         const bool structure = a.kind == ColliderKind::Piece || b.kind == ColliderKind::Piece;
-        m_pairs[structure ? Structure : Fragments].push_back({a.collider, b.collider});
+        m_pairs[structure ? Structure : Fragments].push_back({firstOf(pair), secondOf(pair)});
     }
 }
 
@@ -113,8 +113,8 @@ void SoftStepWorld::findPairsOfWoken(const std::vector<std::uint32_t>& woken, do
             if (m_entered[other].stirs || (awake(met) && other <= own.number) || !mayMeet(own.kind, met.kind)) {
                 return;
             }
-            const Pair pair = own.number < other ? Pair{&own, &met} : Pair{&met, &own};
-            (met.kind == ColliderKind::Piece ? structure : fragments).push_back(pair);
+            (met.kind == ColliderKind::Piece ? structure : fragments)
+                .push_back({std::min(own.number, other), std::max(own.number, other)});
         });
     }
 }

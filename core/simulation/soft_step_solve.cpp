@@ -22,23 +22,6 @@ void raise(double& number, double least) {
 
 }  // namespace
 
-void SoftStepWorld::rest(double dt) {
-    m_pool.loop(m_contacts.size(), 512, [&](std::size_t first, std::size_t last) {
-        // A pair belongs to the part in which it begins.
-        while (first > 0 && first < last && m_contacts[first].pair == m_contacts[first - 1].pair) {
-            ++first;
-        }
-        while (first < last) {
-            std::size_t end = first + 1;
-            while (end < m_contacts.size() && m_contacts[end].pair == m_contacts[first].pair) {
-                ++end;
-            }
-            restPair(first, end, dt);
-            first = end;
-        }
-    });
-}
-
 void SoftStepWorld::restPair(std::size_t first, std::size_t last, double dt) {
     Collider& a = *m_contacts[first].a;
     Collider& b = *m_contacts[first].b;
@@ -50,7 +33,7 @@ void SoftStepWorld::restPair(std::size_t first, std::size_t last, double dt) {
         }
         if (contact.fresh && contact.depth > contactMargin) {
             // Nothing comes into being deep: what lies deeper than the way of one step was there, under another part's name.
-            contact.offset = std::max(contact.offset, contact.depth - marginOf(a, b, dt));
+            contact.offset = std::max(contact.offset, contact.depth - marginOf(a.number, b.number, dt));
         }
         for (auto [born, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
             const bool older = other->kind == ColliderKind::Piece || (other->kind == ColliderKind::Body && !other->newborn);
@@ -135,6 +118,9 @@ void SoftStepWorld::takeBodies() {
     m_supported.assign(m_stillSlot + 1, 0);
     m_supported[m_stillSlot] = 1;
     m_supportedNow.assign(m_stillSlot + 1, 0);
+    m_sides.resize(m_stillSlot);
+    m_inverse.assign(m_stillSlot + 1, 0.0);
+    m_reach.assign(m_stillSlot + 1, 0.0);
     m_pool.loop(m_awake.size(), 128, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             Solid& solid = m_bodies[m_awake[i]];
@@ -148,7 +134,9 @@ void SoftStepWorld::takeBodies() {
             body.inertia = solid.inertia;
             body.radius = solid.collider->radius;
             m_solver.bodies[i] = body;
-            solid.drivers = 0;
+            m_sides[i] = sideOf(*solid.collider);
+            m_inverse[i] = body.inverseMass;
+            m_reach[i] = speedOf(solid);
             m_supported[i] = solid.supported;
         }
     });
@@ -157,8 +145,28 @@ void SoftStepWorld::takeBodies() {
         body.velocity = m_pieces[m_moving[i]].velocity;
         body.spin = m_pieces[m_moving[i]].spin;
         m_solver.bodies[m_awake.size() + i] = body;
+        m_sides[m_awake.size() + i] = sideOf(*m_pieces[m_moving[i]].collider);
+        m_reach[m_awake.size() + i] = speedOf(m_pieces[m_moving[i]]);
     }
     m_solver.bodies[m_stillSlot] = {};
+}
+
+SoftStepWorld::Side SoftStepWorld::sideOf(const Collider& collider) const {
+    Side side;
+    side.thickness = thicknessOf(collider);
+    side.material = collider.material;
+    side.swelling = collider.kind == ColliderKind::Body && collider.overlapping;
+    if (collider.kind != ColliderKind::Ground) {
+        const Solid& solid = solidOf(collider);
+        side.centre = solid.pose.position;
+        side.inverseMass = awake(collider) ? solid.inverseMass : 0.0;
+    }
+    return side;
+}
+
+/// @param still  room for what has no slot of its own
+const SoftStepWorld::Side& SoftStepWorld::sideOf(std::uint32_t slot, const Collider& collider, Side& still) const {
+    return slot != m_stillSlot ? m_sides[slot] : still = sideOf(collider);
 }
 
 SoftStepWorld::Kind SoftStepWorld::kindOf(const SoftContact& contact) {
@@ -172,43 +180,42 @@ bool SoftStepWorld::idle(const SoftContact& contact) {
            std::ranges::all_of(points, [](const SoftContact::Point& p) { return p.impulse == 0.0 && p.push == 0.0; });
 }
 
-/// Contacts that the solver gets, from the ground up, so that one pass carries the support of the lower ones to the upper ones.
-std::vector<SoftStepWorld::Taken> SoftStepWorld::takeContacts() {
+/// A contact on its way to the solver, which other contacts of its body hear of.
+SoftStepWorld::Taken SoftStepWorld::taken(std::size_t i) {
+    const SoftContact& contact = m_contacts[i];
     const auto slotOf = [&](const Collider& c) {
         const std::int32_t slot = c.kind == ColliderKind::Ground ? -1 : solidOf(c).slot;
         return slot < 0 ? m_stillSlot : static_cast<std::uint32_t>(slot);
     };
-    std::vector<Taken> all(m_contacts.size());
-    m_pool.loop(m_contacts.size(), 512, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const SoftContact& contact = m_contacts[i];
-            const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
-            const Collider& piece = pieceIsA ? *contact.a : *contact.b;
-            const bool driven = piece.kind == ColliderKind::Piece && piece.moving && !contact.yielding;
-            if (driven && (contact.depth > -contactMargin || contact.approach > 0.0)) {
-                std::atomic_ref(solidOf(pieceIsA ? *contact.b : *contact.a).drivers).fetch_add(1, std::memory_order_relaxed);
-            }
-            const Vec3& where = contact.points[0].position;
-            all[i] = {heightKey(where.z()),
-                      static_cast<float>(where.x()),
-                      static_cast<float>(where.y()),
-                      static_cast<std::uint32_t>(i),
-                      slotOf(*contact.a),
-                      slotOf(*contact.b),
-                      static_cast<std::uint8_t>(contact.yielding ? 0 : contact.count),
-                      static_cast<std::uint8_t>(kindOf(contact)),
-                      idle(contact)};
-        }
-    });
-    std::erase_if(all, [&](const Taken& x) { return x.points == 0 || (x.a >= m_awake.size() && x.b >= m_awake.size()); });
-    sortByHeight(all);
-    return all;
+    const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
+    const Collider& piece = pieceIsA ? *contact.a : *contact.b;
+    const bool driven = piece.kind == ColliderKind::Piece && piece.moving && !contact.yielding;
+    if (driven && (contact.depth > -contactMargin || contact.approach > 0.0)) {
+        std::atomic_ref(solidOf(pieceIsA ? *contact.b : *contact.a).drivers).fetch_add(1, std::memory_order_relaxed);
+    }
+    const double up = contact.normal.z();
+    const Vec3& where = contact.points[0].position;
+    return {heightKey(where.z()),
+            static_cast<float>(where.x()),
+            static_cast<float>(where.y()),
+            static_cast<std::uint32_t>(i),
+            slotOf(*contact.a),
+            slotOf(*contact.b),
+            static_cast<std::uint8_t>(contact.yielding ? 0 : contact.count),
+            static_cast<std::uint8_t>(kindOf(contact)),
+            std::abs(up) <= supportingNormal ? Support::None
+            : up > 0.0                       ? Support::ByA
+                                             : Support::ByB,
+            idle(contact)};
 }
 
+/// From the ground up, so that one pass carries the support of the lower contacts to the upper ones.
 void SoftStepWorld::buildSolver(double h) {
     takeBodies();
-    const std::vector<Taken> taken = takeContacts();
-    weighDown(taken);
+    std::erase_if(m_taken, [&](const Taken& x) { return x.points == 0 || (x.a >= m_awake.size() && x.b >= m_awake.size()); });
+    sortByHeight(m_taken);
+    const std::vector<Taken>& taken = m_taken;
+    weighDown();
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ends(taken.size());
     std::transform(taken.begin(), taken.end(), ends.begin(), [](const Taken& x) { return std::pair{x.a, x.b}; });
     ContactColours colours;
@@ -234,7 +241,8 @@ void SoftStepWorld::buildSolver(double h) {
             c.b = from.b;
             c.firstPoint = firstPoint[k];
             c.points = from.points;
-            c.where = Vec3(from.x, from.y, 0.0);
+            c.x = from.x;
+            c.y = from.y;
             c.found = from.contact;
             c.idle = from.idle;
         }
@@ -249,38 +257,43 @@ void SoftStepWorld::buildSolver(double h) {
 }
 
 /// m by which the two are brought apart by position only in this step: overlap at birth, or what others have jammed.
-double SoftStepWorld::partingOf(const SoftContact& contact, double dt) const {
-    const auto lightness = [&](const Collider& x) { return x.kind == ColliderKind::Body ? solidOf(x).inverseMass : 0.0; };
-    const double thickness = std::min(thicknessOf(*contact.a), thicknessOf(*contact.b));
+double SoftStepWorld::partingOf(const SoftContact& contact, double thickness, double dt) const {
     // Every pair has its time for it, so that a pile comes to rest with what it cannot get rid of.
     const double overlap = contact.partedFor < m_settings.overlapTime ? contact.offset : 0.0;
     // Only where overlap at birth pushes bodies about; elsewhere contacts alone decide how deep they carry.
     const auto points = std::span(contact.points).first(static_cast<std::size_t>(contact.count));
-    const double strong = jammingPush / std::max(lightness(*contact.a), lightness(*contact.b));
-    const bool pushed = std::ranges::any_of(points, [&](const SoftContact::Point& p) { return p.push > strong; });
+    double push = 0.0;
+    for (const SoftContact::Point& point : points) {
+        push = std::max(push, point.push);
+    }
+    const auto lightness = [&](const Collider& x) { return x.kind == ColliderKind::Body ? solidOf(x).inverseMass : 0.0; };
+    const bool pushed = push > 0.0 && push > jammingPush / std::max(lightness(*contact.a), lightness(*contact.b));
     const double jammed = contact.depth - contact.offset - jammedDepth * thickness;
     return std::clamp(pushed ? std::max(overlap, jammed) : overlap, 0.0, m_settings.overlapSpeed * dt);
 }
 
 void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h) {
-    const PairProperties& pair = m_settings.pairs.of(contact.a->material, contact.b->material);
-    const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
-    const Collider& piece = pieceIsA ? *contact.a : *contact.b;
+    Side stillA, stillB;
+    const Side& a = sideOf(c.a, *contact.a, stillA);
+    const Side& b = sideOf(c.b, *contact.b, stillB);
+    const PairProperties& pair = m_settings.pairs.of(a.material, b.material);
+    const auto moves = [&](std::uint32_t slot) { return slot >= m_awake.size() && slot != m_stillSlot; };
+    const bool pieceIsA = moves(c.a);
     c.normal = contact.normal;
     c.friction = pair.friction;
-    c.driven = piece.kind == ColliderKind::Piece && piece.moving;
+    c.driven = pieceIsA || moves(c.b);
     // What is limited or still overlaps does not bounce.
     c.restitution = contact.offset > 0.0 || c.driven ? 0.0 : pair.restitution;
     // What a body in overlap does to others, overlap does.
-    const auto swelling = [](const Collider& x) { return x.kind == ColliderKind::Body && x.overlapping; };
-    c.booked = !c.driven && (contact.offset > 0.0 || swelling(*contact.a) || swelling(*contact.b));
+    c.booked = !c.driven && (contact.offset > 0.0 || a.swelling || b.swelling);
     c.impulseLimit = -1.0;
-    c.parting = c.driven ? 0.0 : partingOf(contact, h * m_substeps);
+    const double thickness = std::min(a.thickness, b.thickness);
+    c.parting = c.driven ? 0.0 : partingOf(contact, thickness, h * m_substeps);
     const bool immovable = c.a >= m_awake.size() || c.b >= m_awake.size();
     c.lift = immovable ? (c.a >= m_awake.size() ? 1.0 : -1.0) * m_settings.gravity * h : 0.0;
     c.frequency = immovable ? 2.0 * frequency : frequency;
-    c.sinkAllowed = sinkAllowed(contact);
-    c.weight = m_settings.gravity * h / std::max(m_solver.bodies[c.a].inverseMass, m_solver.bodies[c.b].inverseMass);
+    c.sinkAllowed = sinkAllowed(thickness);
+    c.weight = m_settings.gravity * h / std::max(a.inverseMass, b.inverseMass);
     if (c.driven) {
         const double mass = 1.0 / solidOf(pieceIsA ? *contact.b : *contact.a).inverseMass;
         const double dt = h * m_substeps;
@@ -293,12 +306,8 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
         c.impulseLimit = mass * speed / (contact.count * (carrying ? 1 : m_substeps * std::max(1, pieces)));
     }
     // What a body carried while it counted as heavier must not hit it when it no longer does.
-    const double yielded = std::min(1.0, contact.yield / yieldOf(c));
+    const double yielded = std::min(1.0, contact.yield / std::min(a.yield, b.yield));
     const double carried = (m_substepLength > 0.0 ? h / m_substepLength : 1.0) * yielded;
-    const auto centreOf = [&](const Collider& collider) {
-        return collider.kind == ColliderKind::Ground ? Vec3(Vec3::Zero()) : solidOf(collider).pose.position;
-    };
-    const Vec3 a = centreOf(*contact.a), b = centreOf(*contact.b);
     // Any direction off the normal will do for the first tangent, as long as it depends on the normal alone.
     const Vec3& n = c.normal;
     const Vec3 off = std::abs(n.x()) < 0.57735 ? Vec3(0.0, n.z(), -n.y()) : Vec3(n.y(), -n.x(), 0.0);
@@ -307,8 +316,8 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
     for (std::uint32_t k = 0; k < c.points; ++k) {
         const SoftContact::Point& point = contact.points[k];
         SolverPoint p;
-        p.fromA = point.position - a;
-        p.fromB = point.position - b;
+        p.fromA = point.position - a.centre;
+        p.fromB = point.position - b.centre;
         p.separation = point.separation + contact.offset;
         p.normalImpulse = c.impulseLimit < 0.0 ? carried * point.impulse : std::min(carried * point.impulse, c.impulseLimit);
         p.push = yielded * point.push;
@@ -321,30 +330,27 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
 /// A light body that stands on something cannot be pressed away by a heavy one above it; passes over pairs alone would take as many
 /// rounds as the ratio of the masses to find that out. It counts as heavier, from the top of a stack down, and in all its contacts
 /// alike: were it heavy in one and light in another, their impulses would outgrow each other.
-void SoftStepWorld::weighDown(const std::vector<Taken>& taken) {
-    for (auto entry = taken.rbegin(); entry != taken.rend(); ++entry) {
-        const SoftContact& contact = m_contacts[entry->contact];
-        if (entry->a >= m_awake.size() || entry->b >= m_awake.size() || std::abs(contact.normal.z()) <= supportingNormal) {
+void SoftStepWorld::weighDown() {
+    for (auto entry = m_taken.rbegin(); entry != m_taken.rend(); ++entry) {
+        if (entry->a >= m_awake.size() || entry->b >= m_awake.size() || entry->support == Support::None) {
             continue;
         }
-        const bool aBelow = contact.normal.z() > 0.0;
-        SolverBody& below = m_solver.bodies[aBelow ? entry->a : entry->b];
-        const double share = mostMassRatio * m_solver.bodies[aBelow ? entry->b : entry->a].inverseMass / below.inverseMass;
-        if (share >= 1.0) {
-            continue;
-        }
-        const Solid& solid = solidOf(aBelow ? *contact.a : *contact.b);
+        const std::uint32_t below = entry->support == Support::ByA ? entry->a : entry->b;
+        const double share = mostMassRatio * m_inverse[entry->a + entry->b - below] / m_inverse[below];
         // One that moves would hand on more momentum than it has.
-        if (solid.supported && solid.velocity.norm() + solid.spin.norm() * solid.collider->radius <= standingSpeed) {
-            below.inverseMass *= share;
-            below.inverseInertia *= share;
-            below.yield *= share;
+        if (share < 1.0 && m_supported[below] != 0 && m_reach[below] <= standingSpeed) {
+            SolverBody& body = m_solver.bodies[below];
+            body.inverseMass *= share;
+            body.inverseInertia *= share;
+            m_sides[below].yield *= share;
+            m_inverse[below] = m_sides[below].inverseMass = body.inverseMass;
         }
     }
 }
 
 double SoftStepWorld::yieldOf(const SolverContact& c) const {
-    return std::min(m_solver.bodies[c.a].yield, m_solver.bodies[c.b].yield);
+    const auto of = [&](std::uint32_t slot) { return slot < m_awake.size() ? m_sides[slot].yield : 1.0; };
+    return std::min(of(c.a), of(c.b));
 }
 
 void SoftStepWorld::noteSupport(const SolverContact& c) {
@@ -408,12 +414,13 @@ void SoftStepWorld::takeResult(const SolverContact& c, Outcome& outcome) {
     SoftContact& contact = m_contacts[c.found];
     contact.yield = yieldOf(c);
     outcome = {};
+    double pushed = 0.0;  // N s along the normal, over the substeps
     for (std::uint32_t k = 0; k < c.points; ++k) {
         const SolverPoint& p = m_solver.points[c.firstPoint + k];
         contact.points[k].impulse = p.normalImpulse;
         contact.points[k].push = p.push;
         contact.points[k].friction = p.tangentImpulse[0] * c.tangent[0] + p.tangentImpulse[1] * c.tangent[1];
-        outcome.pushed += p.impulseSum;
+        pushed += p.impulseSum;
         outcome.points = outcome.points > 0 || p.largestImpulse > 0.0 ? c.points : 0;
     }
     if (outcome.points > 0) {
@@ -424,37 +431,32 @@ void SoftStepWorld::takeResult(const SolverContact& c, Outcome& outcome) {
     }
     contact.partedFor += c.parting > 0.0 ? m_substepLength * m_substeps : 0.0;
     contact.load += loadMemory * (loadOf(contact) - contact.load);
-    outcome.unloads = (c.a == m_stillSlot || c.b == m_stillSlot) && unloads(contact);
-    outcome.works = c.driven || c.booked;
+    if ((c.a == m_stillSlot || c.b == m_stillSlot) && unloads(contact)) {
+        const bool sleeperIsA = contact.a->kind == ColliderKind::Body && !awake(*contact.a);
+        outcome.unloaded = (sleeperIsA ? contact.a : contact.b)->index;
+    }
+    outcome.work = c.driven || c.booked ? c.work : 0.0;
+    outcome.driven = c.driven;
+    if (c.driven) {
+        bookPiece(contact, c, pushed);
+    }
 }
 
+/// Takes in what the contacts have become. Sums are made in their order.
 void SoftStepWorld::takeResults() {
     m_outcomes.resize(m_solver.contacts.size());
-    m_pool.loop(m_outcomes.size(), 256, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            if (i + recordsAhead < last) {
-                bringNear(m_contacts[m_solver.contacts[i + recordsAhead].found]);
-            }
-            takeResult(m_solver.contacts[i], m_outcomes[i]);
-        }
-    });
+    m_solver.takeBack({[&](std::uint32_t k) { takeResult(m_solver.contacts[k], m_outcomes[k]); },
+                       [&](std::uint32_t k) { bringNear(m_contacts[m_solver.contacts[k].found]); }});
     m_report.pairs = 0;
     m_report.points = 0;
-    for (std::size_t i = 0; i < m_outcomes.size(); ++i) {
-        const Outcome& outcome = m_outcomes[i];
+    for (const Outcome& outcome : m_outcomes) {
         m_report.pairs += outcome.points > 0;
         m_report.points += outcome.points;
-        const SolverContact& c = m_solver.contacts[i];
-        if (outcome.unloads) {
-            const SoftContact& contact = m_contacts[c.found];
-            const bool sleeperIsA = contact.a->kind == ColliderKind::Body && !awake(*contact.a);
-            m_unloaded.push_back((sleeperIsA ? contact.a : contact.b)->index);
+        if (outcome.unloaded != nobody) {
+            m_unloaded.push_back(outcome.unloaded);
         }
-        if (outcome.works) {
-            (c.driven ? m_report.pieceWork : m_report.overlapWork) += c.work;
-        }
-        if (outcome.works && c.driven) {
-            bookPiece(m_contacts[c.found], c, outcome.pushed);
+        if (outcome.work != 0.0) {
+            (outcome.driven ? m_report.pieceWork : m_report.overlapWork) += outcome.work;
         }
     }
 }
@@ -466,7 +468,7 @@ void SoftStepWorld::bookPiece(SoftContact& contact, const SolverContact& c, doub
         contact.pushes = 0;
         return;
     }
-    body.pushed = true;
+    std::atomic_ref(body.pushed).store(true, std::memory_order_relaxed);
     if (contact.approach <= pieceYieldSpeed) {
         // Pressing as hard as it may and still coming deeper: it has given way, however slowly.
         const double most = c.impulseLimit * c.points * m_substeps;
@@ -493,7 +495,7 @@ void SoftStepWorld::bookPiece(SoftContact& contact, const SolverContact& c, doub
     }
     if (gaveWay && !contact.yielded) {
         contact.yielded = true;
-        ++m_report.piecesYielded;
+        std::atomic_ref(m_report.piecesYielded).fetch_add(1, std::memory_order_relaxed);
     }
     if (gaveWay) {
         contact.offset = std::max(contact.offset, contact.depth);
@@ -504,17 +506,8 @@ void SoftStepWorld::bookPiece(SoftContact& contact, const SolverContact& c, doub
 /// keeps what is left over where their passes have not converged, and would be shot out.
 void SoftStepWorld::boundSpeeds(double dt) {
     const std::size_t movable = m_awake.size();
-    std::vector<double> reach(m_stillSlot + 1, 0.0);
-    const auto speedOf = [](const Solid& solid) { return solid.velocity.norm() + solid.spin.norm() * solid.collider->radius; };
-    for (std::size_t i = 0; i < movable; ++i) {
-        reach[i] = speedOf(m_bodies[m_awake[i]]);
-    }
-    for (std::size_t i = 0; i < m_moving.size(); ++i) {
-        reach[movable + i] = speedOf(m_pieces[m_moving[i]]);
-    }
-    std::vector<double> inverse(m_stillSlot + 1);
-    std::transform(m_solver.bodies.begin(), m_solver.bodies.end(), inverse.begin(),
-                   [](const SolverBody& b) { return b.inverseMass; });
+    std::vector<double>& reach = m_reach;
+    const std::vector<double>& inverse = m_inverse;
     const auto hand = [&](std::uint32_t from, std::uint32_t to) {
         if (to < movable) {
             // Of a blow in the middle, two masses m and M: at most 2 M / (m + M) of the speed.

@@ -13,23 +13,9 @@ void SoftStepWorld::keep(Archive& archive, std::span<const std::unique_ptr<Colli
             m_standing.push_back(i);
         }
     }
+    std::erase_if(m_contacts, [](const SoftContact& c) { return c.aside; });
     keepContacts(archive, m_contacts);
-    // By pair, in order.
-    const std::size_t asleep = archive.count(m_asleep.size());
-    auto next = m_asleep.begin();
-    for (std::size_t i = 0; i < asleep; ++i) {
-        if (!archive.reading()) {
-            keepContacts(archive, (next++)->second);
-            continue;
-        }
-        std::vector<SoftContact> contacts;
-        keepContacts(archive, contacts);
-        if (contacts.empty()) {
-            Archive::fail();
-        }
-        const ColliderPair pair = contacts.front().pair;
-        m_asleep.emplace_hint(m_asleep.end(), pair, std::move(contacts));
-    }
+    m_asleep.keep(archive, [this](Archive& to, std::vector<SoftContact>& contacts) { keepContacts(to, contacts); });
     if (m_still.size() != m_bodies.size() || m_freeze.size() != m_bodies.size()) {
         Archive::fail();
     }

@@ -46,7 +46,6 @@ void SoftStepWorld::addBody(Collider* body) {
     solid.spin = fromBullet(body->object->getAngularVelocity());
     solid.inertia = fromBullet(body->object->getInvInertiaDiagLocal()).cwiseInverse();
     solid.inverseMass = body->object->getInvMass();
-    solid.hull = std::any_of(body->parts.begin(), body->parts.end(), [](const ConvexPart& p) { return !p.points.empty(); });
     m_bodies.push_back(std::move(solid));
     enter(*body);
     m_freeze.addBody();
@@ -57,7 +56,6 @@ void SoftStepWorld::addPiece(Collider* piece) {
     Solid solid;
     solid.collider = piece;
     solid.pose = fromBullet(piece->object->getWorldTransform());
-    solid.hull = std::any_of(piece->parts.begin(), piece->parts.end(), [](const ConvexPart& p) { return !p.points.empty(); });
     m_standing.push_back(static_cast<std::uint32_t>(m_pieces.size()));
     m_pieces.push_back(std::move(solid));
     enter(*piece);
@@ -65,8 +63,13 @@ void SoftStepWorld::addPiece(Collider* piece) {
 
 void SoftStepWorld::enter(Collider& collider) {
     m_entered.resize(std::max<std::size_t>(m_entered.size(), collider.number + 1));
-    m_entered[collider.number].collider = &collider;
-    m_entered[collider.number].kind = collider.kind;
+    m_paces.resize(m_entered.size());
+    Entered& entered = m_entered[collider.number];
+    entered.collider = &collider;
+    entered.kind = collider.kind;
+    entered.hull = std::ranges::any_of(collider.parts, [](const ConvexPart& p) { return !p.points.empty(); });
+    entered.part = static_cast<std::uint32_t>(m_placed.size());
+    m_placed.resize(m_placed.size() + collider.parts.size());
 }
 
 void SoftStepWorld::forget(Collider& collider) {
@@ -77,7 +80,6 @@ void SoftStepWorld::forget(Collider& collider) {
         m_still[collider.index] = 1;
     }
     m_boxes.remove(collider.number);
-    solid.placed.clear();
     solid.hulls.clear();
 }
 
@@ -86,7 +88,6 @@ void SoftStepWorld::internalSingleStepSimulation(btScalar dt) {
     takeSlots(dt);
     collideAll(dt);
     substeps(dt);
-    takeResults();
     writeBack(dt);
     settle(dt);
     const double rest = secondsSince(from);
@@ -106,6 +107,7 @@ void SoftStepWorld::takeSlots(double dt) {
             place(body);
             sweep(body, dt);
             body.active = false;
+            body.drivers = 0;
             body.collider->overlapping = false;
             body.collider->penetration = body.collider->overlapLeft = 0.0;
         }
@@ -120,7 +122,7 @@ void SoftStepWorld::listMoving(double dt) {
             Solid& piece = m_pieces[m_standing[i]];
             piece.slot = -1;
             piece.velocity = piece.spin = Vec3::Zero();
-            piece.rim = 0.0;
+            m_paces[piece.collider->number] = {};
             if (piece.collider->moving) {
                 const Pose end = fromBullet(piece.collider->object->getWorldTransform());
                 piece.velocity = (end.position - piece.pose.position) / dt;
@@ -154,34 +156,33 @@ void SoftStepWorld::listAwake() {
 }
 
 void SoftStepWorld::place(Solid& solid) {
-    const CollisionShape& parts = solid.collider->parts;
-    solid.placed.resize(parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        solid.placed[i].centre = solid.pose * parts[i].box.centre;
-        solid.placed[i].axes = (solid.pose.orientation * parts[i].box.orientation).toRotationMatrix();
-        solid.placed[i].halfExtents = parts[i].box.halfExtents;
+    const std::span<PlacedBox> placed = placedOf(*solid.collider);
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const OrientedBox& box = solid.collider->parts[i].box;
+        placed[i].centre = solid.pose * box.centre;
+        placed[i].axes = (solid.pose.orientation * box.orientation).toRotationMatrix();
+        placed[i].halfExtents = box.halfExtents;
     }
 }
 
 void SoftStepWorld::sweep(Solid& solid, double dt) {
     Aabb box;
-    for (const PlacedBox& part : solid.placed) {
+    for (const PlacedBox& part : placedOf(*solid.collider)) {
         const Vec3 reach = part.axes.cwiseAbs() * part.halfExtents;
         box.extend(part.centre - reach);
         box.extend(part.centre + reach);
     }
     const Vec3 travel = solid.velocity * dt;
-    solid.rim = solid.spin.norm() * solid.collider->radius;
-    const double slack = contactMargin + solid.rim * dt + m_settings.gravity * dt * dt;
+    const double rim = solid.spin.norm() * solid.collider->radius;
+    m_paces[solid.collider->number] = {solid.velocity, rim};
+    const double slack = contactMargin + rim * dt + m_settings.gravity * dt * dt;
     box.min() += travel.cwiseMin(0.0) - Vec3::Constant(slack);
     box.max() += travel.cwiseMax(0.0) + Vec3::Constant(slack);
     solid.swept = box;
 }
 
-double SoftStepWorld::marginOf(const Collider& a, const Collider& b, double dt) const {
-    const auto spinning = [&](const Collider& c) { return c.kind == ColliderKind::Ground ? 0.0 : solidOf(c).rim; };
-    const Vec3 va = a.kind == ColliderKind::Ground ? Vec3(Vec3::Zero()) : solidOf(a).velocity;
-    const double speed = (solidOf(b).velocity - va).norm() + spinning(a) + spinning(b);
+double SoftStepWorld::marginOf(std::uint32_t a, std::uint32_t b, double dt) const {
+    const double speed = (m_paces[b].velocity - m_paces[a].velocity).norm() + m_paces[a].rim + m_paces[b].rim;
     return contactMargin + speed * dt + m_settings.gravity * dt * dt;
 }
 
@@ -212,7 +213,6 @@ void SoftStepWorld::substeps(double dt) {
     }
     m_parting = m_solver.part();
     m_solver.end();
-    m_solver.takeBack();
     m_solver.restitute(restitutionThreshold);
     m_pool.loop(m_awake.size(), 512, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -220,35 +220,32 @@ void SoftStepWorld::substeps(double dt) {
         }
     });
     m_substepLength = h;
+    takeResults();
     m_costs.substepHook += hook;
     m_costs.motion -= hook;
-    shareSolveTime(secondsSince(from) - hook - motion);
+    shareSolveTime(m_takingSeconds + secondsSince(from) - hook - motion);
 }
 
-int SoftStepWorld::substepsFor(double dt) {
-    int substeps = m_settings.substeps;
-    if (m_substepLength <= 0.0) {
-        return substeps;
+/// (rad/s)^2 that a thin contact takes to carry its load; zero: it is not thin.
+double SoftStepWorld::thinLoad(const SoftContact& contact) const {
+    const double thickness = std::min(thicknessOf(*contact.a), thicknessOf(*contact.b));
+    if (m_substepLength <= 0.0 || thickness >= thinSide) {
+        return 0.0;
     }
-    std::vector<double> needed(m_contacts.size(), 0.0);  // (rad/s)^2 that a thin contact takes to carry its load
-    m_pool.loop(m_contacts.size(), 512, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const SoftContact& contact = m_contacts[i];
-            if (std::min(thicknessOf(*contact.a), thicknessOf(*contact.b)) >= thinSide) {
-                continue;
-            }
-            double load = 0.0;
-            for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k) {
-                load += contact.points[k].impulse / m_substepLength;
-            }
-            const double inverse = (awake(*contact.a) ? solidOf(*contact.a).inverseMass : 0.0) +
-                                   (awake(*contact.b) ? solidOf(*contact.b).inverseMass : 0.0);
-            needed[i] = pointShare * load * inverse / sinkAllowed(contact);
-        }
-    });
+    double load = 0.0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k) {
+        load += contact.points[k].impulse / m_substepLength;
+    }
+    const double inverse =
+        (awake(*contact.a) ? solidOf(*contact.a).inverseMass : 0.0) + (awake(*contact.b) ? solidOf(*contact.b).inverseMass : 0.0);
+    return pointShare * load * inverse / sinkAllowed(thickness);
+}
+
+int SoftStepWorld::substepsFor(double dt) const {
+    int substeps = m_settings.substeps;
     for (int doublings = 0; doublings < mostDoublings; ++doublings) {
         const double most = stiffestContact * substeps / dt;
-        const auto tooSoft = std::count_if(needed.begin(), needed.end(), [&](double x) { return x > most * most; });
+        const auto tooSoft = std::count_if(m_thinLoads.begin(), m_thinLoads.end(), [&](double x) { return x > most * most; });
         if (static_cast<double>(tooSoft) <= softShare * static_cast<double>(m_contacts.size())) {
             break;
         }
@@ -257,8 +254,9 @@ int SoftStepWorld::substepsFor(double dt) {
     return substeps;
 }
 
-double SoftStepWorld::sinkAllowed(const SoftContact& contact) const {
-    return std::max(1e-5, sinkShare * std::min(thicknessOf(*contact.a), thicknessOf(*contact.b)));
+/// m, for the thinner of the two.
+double SoftStepWorld::sinkAllowed(double thickness) {
+    return std::max(1e-5, sinkShare * thickness);
 }
 
 /// The bodies as the hook sees them, but for how they move.
@@ -413,49 +411,27 @@ void SoftStepWorld::settle(double dt) {
             }
         }
     }
-    const bool anyFroze = std::find(froze.begin(), froze.end(), 1) != froze.end();
-    for (std::size_t i = 0; anyFroze && i < m_contacts.size(); ++i) {
-        SoftContact& c = m_contacts[i];
-        const bool frozenNow = (c.a->kind == ColliderKind::Body && froze[c.a->index] != 0) ||
-                               (c.b->kind == ColliderKind::Body && froze[c.b->index] != 0);
-        if (frozenNow) {
-            c.restLoad = c.load;
-        }
-    }
     linkDependants();
-    putAsideWhatRests();
+    putAsideWhatRests(froze);
 }
 
 /// What no longer stirs keeps its contacts apart from those that are looked at in every step.
-void SoftStepWorld::putAsideWhatRests() {
-    constexpr std::size_t grain = 512;
-    std::vector<char> rests(m_contacts.size());
-    std::vector<std::size_t> kept(m_contacts.size() / grain + 2, 0);  // before each part
-    m_pool.loop(m_contacts.size(), grain, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            rests[i] = !stirs(*m_contacts[i].a) && !stirs(*m_contacts[i].b);
-        }
-        kept[first / grain + 1] = static_cast<std::size_t>(
-            std::count(rests.begin() + static_cast<std::ptrdiff_t>(first), rests.begin() + static_cast<std::ptrdiff_t>(last), 0));
-    });
-    std::partial_sum(kept.begin(), kept.end(), kept.begin());
-    if (kept.back() == m_contacts.size()) {
-        return;
-    }
-    for (auto i = std::find(rests.begin(), rests.end(), 1); i != rests.end(); i = std::find(i + 1, rests.end(), 1)) {
-        const SoftContact& contact = m_contacts[static_cast<std::size_t>(i - rests.begin())];
-        m_asleep[contact.pair].push_back(contact);
-    }
-    m_previous.resize(kept.back());
-    m_pool.loop(m_contacts.size(), grain, [&](std::size_t first, std::size_t last) {
-        std::size_t to = kept[first / grain];
-        for (std::size_t i = first; i < last; ++i) {
-            if (rests[i] == 0) {
-                m_previous[to++] = m_contacts[i];
+/// @param froze  [bodies] in this step: their contacts keep the loads that they came to rest under
+void SoftStepWorld::putAsideWhatRests(const std::vector<char>& froze) {
+    const auto frozeNow = [&](const Collider& c) { return c.kind == ColliderKind::Body && froze[c.index] != 0; };
+    m_pool.loop(m_contacts.size(), 512, [&](std::size_t first, std::size_t last) {
+        for (SoftContact& contact : std::span(m_contacts).subspan(first, last - first)) {
+            if (frozeNow(*contact.a) || frozeNow(*contact.b)) {
+                contact.restLoad = contact.load;
             }
+            contact.aside = !stirs(*contact.a) && !stirs(*contact.b);
         }
     });
-    m_contacts.swap(m_previous);
+    for (const SoftContact& contact : m_contacts) {
+        if (contact.aside) {
+            m_asleep.put(contact);
+        }
+    }
 }
 
 void SoftStepWorld::freeze(Collider& body) {
@@ -482,21 +458,17 @@ void SoftStepWorld::linkDependants() {
     if (m_justThawed.empty()) {
         return;
     }
+    const auto links = [](const SoftContact& c) { return c.a->justThawed != c.b->justThawed && c.depth >= -contactMargin; };
     const auto link = [&](const SoftContact& c) {
-        if (c.a->justThawed == c.b->justThawed || c.depth < -contactMargin) {
-            return;
-        }
         const Collider& thawed = c.a->justThawed ? *c.a : *c.b;
         const Collider& other = c.a->justThawed ? *c.b : *c.a;
-        if (other.kind == ColliderKind::Body && m_freeze.frozen(other.index)) {
+        if (links(c) && other.kind == ColliderKind::Body && m_freeze.frozen(other.index)) {
             m_freeze.addDependant(thawed.index, other.index);
         }
     };
-    for (const SoftContact& c : m_contacts) {
-        link(c);
-    }
-    for (const auto& [pair, contacts] : m_asleep) {
-        link(contacts.front());
+    forEachContact(link);
+    for (const std::uint32_t body : m_justThawed) {
+        m_asleep.forEachPairOf(m_bodies[body].collider->number, link);
     }
     for (const std::uint32_t body : m_justThawed) {
         m_freeze.sortDependants(body);
@@ -516,12 +488,8 @@ void SoftStepWorld::letGoOfLeaving() {
             sleepers.push_back(&left);
         }
     };
-    for (const SoftContact& c : m_contacts) {
-        look(c);
-    }
-    for (const auto& [pair, contacts] : m_asleep) {
-        look(contacts.front());
-    }
+    forEachContact(look);
+    m_asleep.forEachPair(look);
     std::sort(sleepers.begin(), sleepers.end(), [](const Collider* x, const Collider* y) { return x->number < y->number; });
     for (Collider* sleeper : sleepers) {
         if (m_freeze.frozen(sleeper->index)) {
@@ -531,7 +499,7 @@ void SoftStepWorld::letGoOfLeaving() {
     linkDependants();
     const auto gone = [](const SoftContact& c) { return c.a->leaving || c.b->leaving; };
     std::erase_if(m_contacts, gone);
-    std::erase_if(m_asleep, [&](const auto& entry) { return gone(entry.second.front()); });
+    m_asleep.removeIf(gone);
 }
 
 }  // namespace rubble

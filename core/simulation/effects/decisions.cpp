@@ -76,7 +76,7 @@ private:
     const EffectSettings& m_effects;
     bool m_terrainOn = false, m_groundOn = false;
     std::vector<Reach> m_reach;  ///< [clusters]
-    LiveStructure m_live;
+    LiveReach m_live;
     Aabb m_site;  ///< of all that falls
 };
 
@@ -133,7 +133,7 @@ EffectDecisions Decider::decide() {
     m_terrainOn = settle(EffectKind::Terrain, terrain()).on;
     m_groundOn = settle(EffectKind::Ground, ground()).on;
     m_reach = reaches(m_scene, limits());
-    m_live = liveStructure(m_scene, surface(), limits());
+    m_live = liveReach(m_scene, surface(), limits());
     m_site = m_live.site;
     for (const Reach& reach : m_reach) {
         m_site.extend(reach.box);
@@ -164,7 +164,7 @@ Verdict Decider::terrain() const {
     limits.surface = asked(EffectKind::Ground, EffectSwitch::Off)
                          ? terrain->lowest()
                          : std::min(terrain->lowest(), m_scene.scenario.simulation.groundHeight);
-    Aabb site = liveStructure(m_scene, surface(), limits).site;
+    Aabb site = liveReach(m_scene, surface(), limits).site;
     for (const Reach& reach : reaches(m_scene, limits)) {
         site.extend(reach.box);
     }

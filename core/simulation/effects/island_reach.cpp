@@ -8,8 +8,8 @@
 
 namespace rubble {
 
-LiveStructure liveStructure(const EffectScene& scene, const SiteSurface& ground, const FallLimits& limits) {
-    LiveStructure live;
+LiveReach liveReach(const EffectScene& scene, const SiteSurface& ground, const FallLimits& limits) {
+    LiveReach live;
     const FeResult& fe = scene.fe;
     const bool release = scene.scenario.effects.islands == LiveIslandPolicy::Released;
     const Activity activity = simulatedActivity(fe, scene.scenario.fragments);

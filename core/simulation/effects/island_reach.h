@@ -8,13 +8,13 @@
 namespace rubble {
 
 /// What is left of the structure when the FE result ends, as the effects meet it.
-struct LiveStructure {
+struct LiveReach {
     std::vector<Reach> released;  ///< of each loose island that is to be released; empty where they are held
     std::vector<Aabb> standing;   ///< m, of each island that is held or supported, at the last state
     Aabb site;                    ///< m, of all that is released
 };
 
-LiveStructure liveStructure(const EffectScene& scene, const SiteSurface& ground, const FallLimits& limits);
+LiveReach liveReach(const EffectScene& scene, const SiteSurface& ground, const FallLimits& limits);
 
 /// How deep the reach of a released island overlaps any of the boxes, m: the largest of the smallest overlaps along the axes;
 /// negative where all stay clear of each other.

@@ -47,7 +47,8 @@ struct Heap {
         for (const std::uint32_t k : colours.order) {
             SolverContact c =
                 scenes::solverContact(ends[k], k, solver.points.size(), Vec3(between(-0.5, 0.5), between(-0.5, 0.5), 1.0), h);
-            c.where = Vec3(0.1 * c.b, between(0.0, 5.0), 0.0);
+            c.x = 0.1f * static_cast<float>(c.b);
+            c.y = static_cast<float>(between(0.0, 5.0));
             c.booked = k % 3 == 0;
             c.parting = k % 4 == 0 ? 0.01 : 0.0;
             for (std::uint32_t n = 0; n < c.points; ++n) {
@@ -77,7 +78,7 @@ struct Heap {
                 numbers.insert(numbers.end(), solver.bodies[i].velocity.begin(), solver.bodies[i].velocity.end());
                 numbers.insert(numbers.end(), solver.bodies[i].spin.begin(), solver.bodies[i].spin.end());
             }
-            solver.takeBack();
+            solver.takeBack({});
             for (const SolverContact& c : solver.contacts) {
                 numbers.push_back(c.work);
             }
@@ -106,7 +107,7 @@ TEST(ContactStrips, HaveAboutAsManyContactsEach) {
     // Across the heap, which is longer in x: further along, no earlier strip.
     for (std::size_t i = 1; i < heap.solver.contacts.size(); ++i) {
         for (std::size_t j : {i - 1, i / 2}) {
-            if (heap.solver.contacts[i].where.x() > heap.solver.contacts[j].where.x()) {
+            if (heap.solver.contacts[i].x > heap.solver.contacts[j].x) {
                 ASSERT_GE(strips.strip[i], strips.strip[j]);
             }
         }
@@ -140,7 +141,7 @@ TEST(ContactStrips, TakeWhatIsNowhereAndWhatMustGoOneByOneIntoTheFirst) {
     Heap heap(1);
     const std::size_t loose = heap.solver.firstOfGroup[heap.solver.firstOfGroup.size() - 2];
     ASSERT_LT(loose, heap.solver.contacts.size());
-    heap.solver.contacts[5].where.x() = std::numeric_limits<double>::quiet_NaN();
+    heap.solver.contacts[5].x = std::numeric_limits<float>::quiet_NaN();
     ContactStrips strips;
     cutIntoStrips(heap.solver.contacts, Heap::bodies, 4, loose, strips);
     EXPECT_EQ(strips.strip[5], 0);
@@ -148,7 +149,7 @@ TEST(ContactStrips, TakeWhatIsNowhereAndWhatMustGoOneByOneIntoTheFirst) {
         EXPECT_EQ(strips.strip[i], 0) << i;
     }
     for (SolverContact& c : heap.solver.contacts) {
-        c.where.setConstant(std::numeric_limits<double>::quiet_NaN());
+        c.x = c.y = std::numeric_limits<float>::quiet_NaN();
     }
     cutIntoStrips(heap.solver.contacts, Heap::bodies, 4, loose, strips);
     EXPECT_EQ(std::count(strips.strip.begin(), strips.strip.end(), 0), static_cast<std::ptrdiff_t>(strips.strip.size()));

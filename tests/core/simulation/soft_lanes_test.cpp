@@ -82,7 +82,7 @@ void expectAlike(const LanePasses& make) {
     for (Column* column : {&common, &fast}) {
         EXPECT_TRUE(column->solver.part());
         column->solver.end();
-        column->solver.takeBack();
+        column->solver.takeBack({});
     }
     for (std::size_t i = 0; i < Column::bodies; ++i) {
         const SolverBody& a = common.solver.bodies[i];
@@ -211,7 +211,7 @@ TEST(SoftLanes, PushesApartGoOnFromTheStepBefore) {
     const double first = missing();
     double last = first;
     for (int step = 0; step < 30; ++step) {
-        column.solver.takeBack();
+        column.solver.takeBack({});
         column.prepare();
         last = missing();
     }
@@ -265,7 +265,7 @@ TEST(SoftLanes, WorkBookedCoversWhatContactsPutIn) {
     column.solver.relax();
     column.solver.book();
     column.solver.end();
-    column.solver.takeBack();
+    column.solver.takeBack({});
     double work = 0.0;
     for (const SolverContact& c : column.solver.contacts) {
         work += c.work;

@@ -50,6 +50,12 @@ constexpr bool mayBeMissing(RunDataset dataset) {
            dataset == RunDataset::Breaches;
 }
 
+/// One of the lists that every frame adds as many rows to as it has bodies.
+constexpr bool growsWithFrames(RunDataset dataset) {
+    return dataset == RunDataset::Positions || dataset == RunDataset::Orientations || dataset == RunDataset::Speeds ||
+           dataset == RunDataset::States;
+}
+
 /// A released island; its elements are a part of IslandElements.
 struct IslandRow {
     std::uint32_t body = 0;

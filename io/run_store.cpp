@@ -125,6 +125,9 @@ void RunStore::openDatasets() {
         open.dataset = rowsOf(layout).open(m_file.get(), layout.path);
         require(open.dataset.valid());
         open.memoryType = memoryTypeOf(dataset);
+        if (growsWithFrames(dataset)) {
+            open.packed.emplace(rowsOf(layout), layout.rowBytes / layout.width);
+        }
     }
 }
 
@@ -139,7 +142,8 @@ void RunStore::appendOpen(RunDataset dataset, const void* rows, std::size_t coun
     }
     const RunDatasetLayout& layout = layoutOf(dataset);
     Open& open = m_open[static_cast<std::size_t>(dataset)];
-    const auto failure = rowsOf(layout).append(open.dataset.get(), open.memoryType.get(), open.rows, rows, count);
+    const auto failure = open.packed ? open.packed->append(open.dataset.get(), open.memoryType.get(), rows, count)
+                                     : rowsOf(layout).append(open.dataset.get(), open.memoryType.get(), open.rows, rows, count);
     require(true);
     if (failure) {
         fail(*failure);

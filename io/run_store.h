@@ -8,6 +8,7 @@
 
 #include "core/base/hash.h"
 #include "core/trajectory/trajectory.h"
+#include "io/packed_rows.h"
 #include "io/run_layout.h"
 
 namespace rubble::io {
@@ -47,6 +48,7 @@ private:
     struct Open {
         Hdf5Handle dataset;
         Hdf5Handle memoryType;
+        std::optional<PackedRows> packed;  ///< of the datasets that grow with every frame
         std::uint64_t rows = 0;
         Hasher hasher;
     };

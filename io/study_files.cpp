@@ -19,7 +19,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int formatVersion = 1;
+constexpr int studyVersion = 1;
 
 std::string nameOf(Hasher& hasher) {
     return hasher.finish().hex();
@@ -39,7 +39,7 @@ Digest digestFrom(const JsonCursor& cursor) {
 }
 
 json costJson(const WorldOrigin& origin, const SettingCost& cost) {
-    return {{"version", formatVersion},
+    return {{"version", studyVersion},
             {"world", origin.key.hex()},
             {"machine", origin.machine},
             {"threads", cost.threads},
@@ -56,13 +56,13 @@ json pointJson(const KnownPoint& point) {
     for (std::size_t w = 0; w < predictedCount; ++w) {
         values[std::string(predictedKey(static_cast<Predicted>(w)))] = jsonNumber(point.values[w]);
     }
-    return {{"version", formatVersion},     {"scene", point.scene.hex()}, {"machine", point.machine},
+    return {{"version", studyVersion},      {"scene", point.scene.hex()}, {"machine", point.machine},
             {"threads", point.threads},     {"setting", point.setting},   {"parameters", point.parameters},
             {"fragments", point.fragments}, {"bodies", point.bodies},     {"values", values}};
 }
 
 KnownPoint pointFrom(const JsonCursor& cursor) {
-    if (cursor["version"].integer() != formatVersion) {
+    if (cursor["version"].integer() != studyVersion) {
         cursor["version"].fail("version 1");
     }
     KnownPoint point;
@@ -96,7 +96,7 @@ json calibrationJson(const Calibration& calibration) {
                           {"drawing_fps", jsonNumber(point.drawingFps)},
                           {"live_fps", jsonNumber(point.liveFps)}});
     }
-    return {{"version", formatVersion},
+    return {{"version", studyVersion},
             {"machine", calibration.machine},
             {"renderer", calibration.renderer},
             {"build", calibration.build},
@@ -108,7 +108,7 @@ json calibrationJson(const Calibration& calibration) {
 }
 
 Calibration calibrationFrom(const JsonCursor& cursor) {
-    if (cursor["version"].integer() != formatVersion) {
+    if (cursor["version"].integer() != studyVersion) {
         cursor["version"].fail("version 1");
     }
     Calibration calibration;
@@ -231,7 +231,7 @@ bool StudyFiles::keeps(const WorldOrigin& origin) {
 std::optional<SettingCost> StudyFiles::cost(const WorldOrigin& origin, int threads) {
     Findings ignored;
     return readKept(costPath(origin, threads), ignored, [&](const JsonCursor& cursor) {
-        if (cursor["version"].integer() != formatVersion || cursor["world"].text() != origin.key.hex() ||
+        if (cursor["version"].integer() != studyVersion || cursor["world"].text() != origin.key.hex() ||
             cursor["machine"].text() != origin.machine || cursor["threads"].integer() != threads) {
             cursor.fail("the cost of this world on this machine");
         }

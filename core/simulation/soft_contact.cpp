@@ -12,7 +12,7 @@ namespace {
 /// m. A point without its feature takes the impulse of one this near.
 constexpr double nearPoint = 0.05;
 
-void take(const SoftContact::Point& from, const SoftContact& to, SoftContact::Point& point) {
+void takePoint(const SoftContact::Point& from, const SoftContact& to, SoftContact::Point& point) {
     point.impulse = from.impulse;
     point.push = from.push;
     point.friction = from.friction - from.friction.dot(to.normal) * to.normal;
@@ -31,9 +31,9 @@ void SoftContact::keep(Archive& archive) {
     }
 }
 
-SoftContact asFound(const FoundContact& found) {
+void take(const FoundContact& found, SoftContact& contact) {
     const ContactPatch& patch = found.patch;
-    SoftContact contact;
+    static_cast<SoftContactState&>(contact) = {};
     contact.pair = colliderPair(found.a->number, found.b->number);
     contact.part = found.part;
     contact.a = found.a;
@@ -42,11 +42,11 @@ SoftContact asFound(const FoundContact& found) {
     contact.count = patch.count;
     contact.depth = -patch.separation;
     for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
+        contact.points[i] = {};
         contact.points[i].position = patch.points[i].position;
         contact.points[i].separation = patch.points[i].separation;
         contact.points[i].feature = patch.points[i].feature;
     }
-    return contact;
 }
 
 void carryOver(const SoftContact& from, SoftContact& to) {
@@ -66,7 +66,7 @@ void carryOver(const SoftContact& from, SoftContact& to) {
         for (int j = 0; j < from.count; ++j) {
             const auto ti = static_cast<std::size_t>(i), fj = static_cast<std::size_t>(j);
             if (!fromDone[fj] && from.points[fj].feature == to.points[ti].feature) {
-                take(from.points[fj], to, to.points[ti]);
+                takePoint(from.points[fj], to, to.points[ti]);
                 fromDone[fj] = toDone[ti] = true;
                 break;
             }
@@ -86,7 +86,7 @@ void carryOver(const SoftContact& from, SoftContact& to) {
             }
         }
         if (best < 4) {
-            take(from.points[best], to, to.points[i]);
+            takePoint(from.points[best], to, to.points[i]);
             fromDone[best] = true;
         }
     }

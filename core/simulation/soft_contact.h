@@ -21,25 +21,14 @@ struct FoundContact {
     ContactPatch patch;
 };
 
-/// The same and what it carries from step to step.
-struct SoftContact {
-    struct Point {
-        Vec3 position = Vec3::Zero();
-        double separation = 0.0;
-        std::uint32_t feature = 0;
-        double impulse = 0.0;          ///< N s in a substep, along the normal
-        Vec3 friction = Vec3::Zero();  ///< N s in a substep, on b
-        double push = 0.0;             ///< kg m in a step, along the normal, by position only
-
-        void keep(Archive& archive) { archive(position, separation, feature, impulse, friction, push); }
-    };
+/// What a contact carries from step to step as a whole.
+struct SoftContactState {
     ColliderPair pair = 0;
     std::uint32_t part = 0;  ///< as found
     Collider* a = nullptr;   ///< entered first
     Collider* b = nullptr;
     Vec3 normal = Vec3::UnitZ();  ///< from a to b
     int count = 0;
-    std::array<Point, 4> points;
     double depth = 0.0;            ///< m, of the two solids in each other along the normal
     double yield = 1.0;            ///< share of the lighter one's inverse mass that the impulses were found with
     Vec3 load = Vec3::Zero();      ///< N, on b, mean of the last steps
@@ -55,14 +44,32 @@ struct SoftContact {
     bool yielding = false;         ///< and goes on into the body now
     bool pressing = false;         ///< it strikes from above or from the side
     bool aside = false;            ///< put to those that sleep
+};
 
+/// A contact between parts of two colliders and what it carries from step to step.
+struct SoftContact : SoftContactState {
+    struct Point {
+        Vec3 position = Vec3::Zero();
+        double separation = 0.0;
+        std::uint32_t feature = 0;
+        double impulse = 0.0;          ///< N s in a substep, along the normal
+        Vec3 friction = Vec3::Zero();  ///< N s in a substep, on b
+        double push = 0.0;             ///< kg m in a step, along the normal, by position only
+
+        void keep(Archive& archive) { archive(position, separation, feature, impulse, friction, push); }
+    };
+    /// As many as are counted; the others are never looked at. Last, so that a contact of few points ends sooner.
+    std::array<Point, 4> points;
+
+    /// Bytes of one with so many points that are ever looked at.
+    static constexpr std::size_t bytes(std::size_t points) { return sizeof(SoftContact) - (4 - points) * sizeof(Point); }
     std::pair<ColliderPair, std::uint32_t> key() const { return {pair, part}; }
     /// All but a and b, which the pair names; none that is put aside.
     void keep(Archive& archive);
 };
 
-/// A contact that carries nothing yet.
-SoftContact asFound(const FoundContact& found);
+/// Makes it the contact that was found, which carries nothing yet.
+void take(const FoundContact& found, SoftContact& contact);
 
 /// Hands on what a contact carries to the one found in its place a step later. Points are matched by feature, then by nearness.
 void carryOver(const SoftContact& from, SoftContact& to);

@@ -338,7 +338,7 @@ void SoftStepWorld::takeFound(double dt) {
                     bringNear(*found[end + recordsAhead].contact);
                 }
                 SoftContact& contact = m_contacts[end];
-                contact = asFound(*found[end].contact);
+                take(*found[end].contact, contact);
                 while (before != m_previous.end() && isBefore(*before, found[end])) {
                     ++before;
                 }

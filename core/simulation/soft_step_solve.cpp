@@ -253,7 +253,7 @@ void SoftStepWorld::buildSolver(double h) {
                             SolverContact& c = m_solver.contacts[k];
                             fillContact(m_contacts[c.found], c, frequency, h);
                         },
-                        [&](std::uint32_t k) { bringNear(m_contacts[m_solver.contacts[k].found]); }});
+                        [&](std::uint32_t k) { askFor(m_solver.contacts[k]); }});
 }
 
 /// m by which the two are brought apart by position only in this step: overlap at birth, or what others have jammed.
@@ -446,7 +446,7 @@ void SoftStepWorld::takeResult(const SolverContact& c, Outcome& outcome) {
 void SoftStepWorld::takeResults() {
     m_outcomes.resize(m_solver.contacts.size());
     m_solver.takeBack({[&](std::uint32_t k) { takeResult(m_solver.contacts[k], m_outcomes[k]); },
-                       [&](std::uint32_t k) { bringNear(m_contacts[m_solver.contacts[k].found]); }});
+                       [&](std::uint32_t k) { askFor(m_solver.contacts[k]); }});
     m_report.pairs = 0;
     m_report.points = 0;
     for (const Outcome& outcome : m_outcomes) {

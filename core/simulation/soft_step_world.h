@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/near.h"
 #include "core/simulation/box_contact.h"
 #include "core/simulation/box_index.h"
 #include "core/simulation/collider.h"
@@ -191,6 +192,7 @@ private:
     static double sinkAllowed(double thickness);
     void prepareHook();
     void runHook(double h);
+    void askFor(const SolverContact& c) const { bringNear(m_contacts[c.found], SoftContact::bytes(c.points)); }
     void takeResult(const SolverContact& c, Outcome& outcome);
     void takeResults();
     double pressedByParting(const SolverContact& c, const SoftContact& contact) const;

@@ -18,7 +18,7 @@ constexpr std::uintmax_t pairBytesMax = 10 << 20;
 constexpr std::array<std::string_view, 5> columnNames{"picture_x_px", "picture_y_px", "x_m", "y_m", "z_m"};
 
 /// One line of a table in its fields. Quotes may enclose separators, not ends of lines.
-std::vector<std::string> fieldsOf(const std::string& line) {
+std::vector<std::string> fieldsOfRow(const std::string& line) {
     std::vector<std::string> fields(1);
     bool inside = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -86,7 +86,7 @@ std::vector<PointPair> readPointPairs(const std::string& path) {
     if (line.starts_with("\xef\xbb\xbf")) {
         line.erase(0, 3);
     }
-    const Columns columns(fieldsOf(line), path);
+    const Columns columns(fieldsOfRow(line), path);
     std::vector<PointPair> pairs;
     for (std::size_t number = 2; std::getline(in, line); ++number) {
         if (line.find_first_not_of(" \t\r") == std::string::npos) {
@@ -96,7 +96,7 @@ std::vector<PointPair> readPointPairs(const std::string& path) {
             throw ParseError({"pairs.too_many", "{0}, line {1}: there are more than {2} pairs", {path, number, pairsMax}},
                              {"pairs.too_many.remedy", "A few dozen pairs are enough.", {}});
         }
-        const std::vector<std::string> fields = fieldsOf(line);
+        const std::vector<std::string> fields = fieldsOfRow(line);
         std::array<double, 5> values{};
         for (std::size_t c = 0; c < values.size(); ++c) {
             values[c] = numberIn(fields, columns.numbers[c], columnNames[c], path, number);

@@ -12,7 +12,7 @@ namespace rubble::io {
 
 namespace {
 
-std::vector<std::string> fieldsOf(const std::string& line) {
+std::vector<std::string> fieldsOfRow(const std::string& line) {
     std::vector<std::string> fields;
     std::string field;
     for (const char c : line + ",") {
@@ -61,7 +61,7 @@ std::vector<DeathEntry> readDeathList(const std::string& path) {
     bool names = false;
     for (std::string line; std::getline(file, line);) {
         ++number;
-        const std::vector<std::string> fields = fieldsOf(line);
+        const std::vector<std::string> fields = fieldsOfRow(line);
         if (fields.empty() || fields[0].starts_with("#")) {
             continue;
         }

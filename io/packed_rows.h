@@ -21,15 +21,15 @@ public:
     /// @param numberBytes  of each number in a row
     PackedRows(const GrowingRows& rows, std::size_t numberBytes);
 
-    /// Returns why the library could not; nothing if it could.
-    /// @param type  of one number in memory, the same as in the file
-    std::optional<std::string> append(hid_t dataset, hid_t type, const void* rows, std::size_t count);
+    /// Returns why the library could not; nothing if it could. All rows of the dataset come through here, in order.
+    /// @param type  of one number in memory, the same as in the file. @param before  rows that are there
+    std::optional<std::string> append(hid_t dataset, hid_t type, hsize_t before, const void* rows, hsize_t count);
 
 private:
     struct Free {
         void operator()(libdeflate_compressor* own) const { libdeflate_free_compressor(own); }
     };
-    std::optional<std::string> writeChunk(hid_t dataset);
+    std::optional<std::string> writeChunk(hid_t dataset, hsize_t first);
 
     GrowingRows m_growing;
     std::size_t m_numberBytes;
@@ -37,7 +37,6 @@ private:
     std::vector<unsigned char> m_chunk;   ///< as it is
     std::vector<unsigned char> m_planes;  ///< shuffled
     std::vector<unsigned char> m_packed;
-    std::size_t m_rows = 0;  ///< in all
 };
 
 }  // namespace rubble::io

@@ -142,7 +142,7 @@ void RunStore::appendOpen(RunDataset dataset, const void* rows, std::size_t coun
     }
     const RunDatasetLayout& layout = layoutOf(dataset);
     Open& open = m_open[static_cast<std::size_t>(dataset)];
-    const auto failure = open.packed ? open.packed->append(open.dataset.get(), open.memoryType.get(), rows, count)
+    const auto failure = open.packed ? open.packed->append(open.dataset.get(), open.memoryType.get(), open.rows, rows, count)
                                      : rowsOf(layout).append(open.dataset.get(), open.memoryType.get(), open.rows, rows, count);
     require(true);
     if (failure) {

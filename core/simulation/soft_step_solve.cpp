@@ -249,11 +249,12 @@ void SoftStepWorld::buildSolver(double h) {
     });
     const double frequency = std::min(contactFrequency, 0.25 / h);
     m_solver.begin(m_awake.size());
-    m_solver.layOut(h, {[&](std::uint32_t k) {
-                            SolverContact& c = m_solver.contacts[k];
-                            fillContact(m_contacts[c.found], c, frequency, h);
-                        },
-                        [&](std::uint32_t k) { askFor(m_solver.contacts[k]); }});
+    m_solver.layOut(h, {.fill =
+                            [&](std::uint32_t k) {
+                                SolverContact& c = m_solver.contacts[k];
+                                fillContact(m_contacts[c.found], c, frequency, h);
+                            },
+                        .ask = [&](std::uint32_t k) { askFor(m_solver.contacts[k]); }});
 }
 
 /// m by which the two are brought apart by position only in this step: overlap at birth, or what others have jammed.
@@ -445,8 +446,8 @@ void SoftStepWorld::takeResult(const SolverContact& c, Outcome& outcome) {
 /// Takes in what the contacts have become. Sums are made in their order.
 void SoftStepWorld::takeResults() {
     m_outcomes.resize(m_solver.contacts.size());
-    m_solver.takeBack({[&](std::uint32_t k) { takeResult(m_solver.contacts[k], m_outcomes[k]); },
-                       [&](std::uint32_t k) { askFor(m_solver.contacts[k]); }});
+    m_solver.takeBack({.take = [&](std::uint32_t k) { takeResult(m_solver.contacts[k], m_outcomes[k]); },
+                       .ask = [&](std::uint32_t k) { askFor(m_solver.contacts[k]); }});
     m_report.pairs = 0;
     m_report.points = 0;
     for (const Outcome& outcome : m_outcomes) {

@@ -27,7 +27,7 @@ void expectRowsBack(hid_t type, hsize_t width, const std::vector<Number>& number
     PackedRows packed(growing, sizeof(Number));
     std::size_t rows = 0;
     for (const std::size_t count : {7u, 43u, 50u, 1u, 260u, 0u, 30u}) {
-        ASSERT_EQ(packed.append(dataset.get(), type, numbers.data() + rows * width, count), std::nullopt);
+        ASSERT_EQ(packed.append(dataset.get(), type, rows, numbers.data() + rows * width, count), std::nullopt);
         rows += count;
         std::vector<Number> back(rows * width);
         ASSERT_GE(H5Dread(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, back.data()), 0);

@@ -31,6 +31,14 @@ std::vector<std::string> listed(const QString& text) {
     return values;
 }
 
+QString tolerancesText(const std::vector<double>& tolerances) {
+    QStringList texts;
+    for (const double tolerance : tolerances) {
+        texts << QLocale::c().toString(tolerance, 'g', 6);
+    }
+    return texts.join(QStringLiteral(", "));
+}
+
 }  // namespace
 
 AccuracyPanel::AccuracyPanel(QWidget* parent)
@@ -140,22 +148,15 @@ void AccuracyPanel::readTolerances() {
     m_toleranceField->setProperty("wrong", !good);
     m_toleranceField->style()->unpolish(m_toleranceField);
     m_toleranceField->style()->polish(m_toleranceField);
-    m_toleranceWhy->setText(tr("One to %1 distances from %2 to %3 m, separated by commas, please. In force: %4.")
-                                .arg(mostTolerances)
-                                .arg(QLocale().toString(leastTolerance), QLocale().toString(greatestTolerance), tolerancesText()));
+    m_toleranceWhy->setText(
+        tr("One to %1 distances from %2 to %3 m, separated by commas, please. In force: %4.")
+            .arg(mostTolerances)
+            .arg(QLocale().toString(leastTolerance), QLocale().toString(greatestTolerance), tolerancesText(m_tolerances)));
     m_toleranceWhy->setVisible(!good);
     if (good && read != m_tolerances) {
         m_tolerances = std::move(read);
         emit tolerancesChanged(m_tolerances);
     }
-}
-
-QString AccuracyPanel::tolerancesText() const {
-    QStringList texts;
-    for (const double tolerance : m_tolerances) {
-        texts << QLocale::c().toString(tolerance, 'g', 6);
-    }
-    return texts.join(QStringLiteral(", "));
 }
 
 AccuracyPanel::Request AccuracyPanel::request() const {
@@ -193,6 +194,9 @@ void AccuracyPanel::setRequest(const Request& request) {
     }
     m_varied->setText(varied.join(QStringLiteral("; ")));
     m_repeats->setValue(request.repeats);
+    m_toleranceField->setText(tolerancesText(request.tolerances));
+    readTolerances();
+    m_liveFps->setChecked(request.liveFps);
     m_place->setOnCluster(request.onCluster);
 }
 

@@ -31,7 +31,7 @@ public:
         std::vector<std::string> sbatchOptions;
     };
     Request request() const;
-    /// Shows what was asked for earlier; nothing is announced.
+    /// Shows what was asked for earlier; only other tolerances are announced.
     void setRequest(const Request& request);
     PlaceChoice& place() { return *m_place; }
     /// @param why  it cannot be started, or what happens meanwhile
@@ -56,7 +56,6 @@ private:
     void buildChoices();
     void buildMachine();
     void readTolerances();
-    QString tolerancesText() const;
 
     QLineEdit* m_multiples;
     QLineEdit* m_varied;

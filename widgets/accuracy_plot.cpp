@@ -215,10 +215,10 @@ void AccuracyPlot::paintTarget(QPainter& painter, std::vector<QRectF>& taken) co
         painter.drawText(at, Qt::AlignCenter, words);
         taken.push_back(at);
     };
-    if (m_content.target) {
-        const double x = place({*m_content.target, m_accuracy.low}).x();
+    if (const QPolygonF line = targetLine(); !line.isEmpty()) {
+        const double x = line.front().x();
         painter.setPen(QPen(m_palette.good, 1.5, Qt::DashLine));
-        painter.drawLine(QPointF(x, m_frame.top()), QPointF(x, m_frame.bottom()));
+        painter.drawPolyline(line);
         const QString words = tr("%1 FPS on this machine").arg(QLocale().toString(m_content.fpsTarget, 'g', 4));
         const QSizeF size(metrics.horizontalAdvance(words) + 2.0, metrics.height());
         const bool right = x + 8.0 + size.width() < m_frame.right();
@@ -236,17 +236,29 @@ void AccuracyPlot::paintTarget(QPainter& painter, std::vector<QRectF>& taken) co
         // Where no point lies; the first place if points lie everywhere.
         std::vector<QRectF> places;
         for (const double y : {inside, outside}) {
-            for (const double x : {m_frame.left() + 6.0, right, 0.5 * (m_frame.left() + right)}) {
+            for (const double share : {0.0, 1.0, 0.5, 0.25, 0.75}) {
+                const double x = m_frame.left() + 6.0 + share * (right - m_frame.left() - 6.0);
                 places.emplace_back(QPointF(x, std::clamp(y, m_frame.top() + 2.0, m_frame.bottom() - size.height() - 2.0)), size);
             }
         }
         const auto free = std::find_if(places.begin(), places.end(), [&](const QRectF& where) {
             const QRectF around = where.adjusted(-2.0 * radius, -2.0 * radius, 2.0 * radius, 2.0 * radius);
-            return std::none_of(m_content.points.begin(), m_content.points.end(),
+            return !crosses(targetLine(), around) &&
+                   std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(around); }) &&
+                   std::none_of(m_content.points.begin(), m_content.points.end(),
                                 [&](const PlotPoint& point) { return around.contains(place(point.at)); });
         });
         write(free != places.end() ? *free : places.front(), words, m_palette.accent);
     }
+}
+
+/// Where the cost reaches the target for FPS; empty: that is not known.
+QPolygonF AccuracyPlot::targetLine() const {
+    if (!m_content.target) {
+        return {};
+    }
+    const double x = place({*m_content.target, m_accuracy.low}).x();
+    return {{x, m_frame.top()}, {x, m_frame.bottom()}};
 }
 
 QPolygonF AccuracyPlot::frontLine() const {
@@ -297,7 +309,7 @@ void AccuracyPlot::paintNames(QPainter& painter, std::vector<QRectF>& taken) con
         return p->inUse ? 0 : p->published ? 1 : p->row == referenceRow ? 2 : p->front ? 3 : 4;
     };
     std::stable_sort(order.begin(), order.end(), [&](const PlotPoint* a, const PlotPoint* b) { return rank(a) < rank(b); });
-    const QPolygonF front = frontLine();
+    const QPolygonF front = frontLine(), target = targetLine();
     for (const PlotPoint* point : order) {
         QFont font = m_font;
         font.setBold(point->inUse);
@@ -317,8 +329,9 @@ void AccuracyPlot::paintNames(QPainter& painter, std::vector<QRectF>& taken) con
                 places.push_back(where);
             }
         }
-        // On the line of the front only where there is no other place.
-        auto chosen = std::find_if(places.begin(), places.end(), [&](const QRectF& where) { return !crosses(front, where); });
+        // On a line only where there is no other place.
+        auto chosen = std::find_if(places.begin(), places.end(),
+                                   [&](const QRectF& where) { return !crosses(front, where) && !crosses(target, where); });
         if (chosen == places.end()) {
             chosen = places.begin();
         }

@@ -68,6 +68,7 @@ private:
     void paintAxes(QPainter& painter) const;
     void paintBand(QPainter& painter) const;
     void paintTarget(QPainter& painter, std::vector<QRectF>& taken) const;
+    QPolygonF targetLine() const;
     QPolygonF frontLine() const;
     void paintFront(QPainter& painter) const;
     void paintPoint(QPainter& painter, const PlotPoint& point) const;

@@ -1,5 +1,6 @@
 #include "app/gui/accuracy_display.h"
 
+#include "app/gui/comparison_memory.h"
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
 #include "app/gui/panel_deck.h"
@@ -38,6 +39,7 @@ AccuracyDisplay::AccuracyDisplay(Document& document, Computation& computation, P
     connect(&m_computation, &Computation::stateChanged, this, &AccuracyDisplay::showPanel);
     connect(&m_document, &Document::scenarioChanged, this, &AccuracyDisplay::refresh);
     m_deck.accuracy().setFolder(AccuracyWork::folder());
+    m_deck.accuracy().setRequest(rememberedComparison(m_deck.accuracy().request()));
     refresh();
 }
 
@@ -77,7 +79,9 @@ void AccuracyDisplay::compare() {
     panel.setError({});
     panel.setFindings({});
     try {
-        m_work.start(m_computation.inputs(), m_document.scenario(), panel.request(), jobCaseOf(m_document));
+        const widgets::AccuracyPanel::Request request = panel.request();
+        m_work.start(m_computation.inputs(), m_document.scenario(), request, jobCaseOf(m_document));
+        rememberComparison(request);
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
         panel.setError(failure->what, failure->remedy);

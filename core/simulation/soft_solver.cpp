@@ -40,6 +40,11 @@ constexpr KeptNumber unlimited = std::numeric_limits<KeptNumber>::max();
 /// Groups; a body with more contacts than this puts the rest into the ordered group.
 constexpr std::uint32_t mostColours = 63;
 
+int partPassesFor(std::size_t contacts) {
+    const double wanted = fewestPartPasses * std::cbrt(static_cast<double>(contacts) / contactsOfFewest);
+    return static_cast<int>(std::clamp<double>(wanted, fewestPartPasses, mostPartPasses));
+}
+
 Vec3 relativeVelocity(const SolverBody& a, const SolverBody& b, const SolverPoint& p) {
     return b.velocity + b.spin.cross(p.fromB) - a.velocity - a.spin.cross(p.fromA);
 }
@@ -112,15 +117,6 @@ void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> end
         colours.first.pop_back();
     }
 }
-
-namespace {
-
-int partPassesFor(std::size_t contacts) {
-    const double wanted = fewestPartPasses * std::cbrt(static_cast<double>(contacts) / contactsOfFewest);
-    return static_cast<int>(std::clamp<double>(wanted, fewestPartPasses, mostPartPasses));
-}
-
-}  // namespace
 
 template <class Pass>
 void SoftSolver::forEachBooked(Pass pass) {

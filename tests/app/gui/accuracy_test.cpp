@@ -1,11 +1,13 @@
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSettings>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <fstream>
 #include <sstream>
 
 #include "app/gui/accuracy_display.h"
+#include "app/gui/comparison_memory.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/view_area.h"
 #include "core/analysis/sweep_table.h"
@@ -93,6 +95,33 @@ TEST_F(AccuracyWorkbench, ComparesShowsAndUsesASettingWhichUndoTakesBack) {
     EXPECT_EQ(window->document().scenario(), before);
     EXPECT_EQ(inUse(), 0);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+}
+
+TEST_F(AccuracyWorkbench, TheNextWindowAsksForTheSameComparison) {
+    widgets::AccuracyPanel::Request asked = panel().request();
+    asked.multiples = {"auto", "2"};
+    asked.varied = {{"friction", {"0.3"}}, {"cluster_shape", {"axis_box", "hull"}}};
+    asked.repeats = 1;
+    asked.tolerances = {0.05, 1.5};
+    asked.liveFps = false;
+    panel().setRequest(asked);
+    compare();
+    MainWindow next;
+    const widgets::AccuracyPanel::Request found = next.deck().accuracy().request();
+    EXPECT_EQ(found.multiples, asked.multiples);
+    ASSERT_EQ(found.varied.size(), 2u);
+    EXPECT_EQ(found.varied[1].key, "cluster_shape");
+    EXPECT_EQ(found.varied[1].values, asked.varied[1].values);
+    EXPECT_EQ(found.repeats, 1);
+    EXPECT_EQ(found.tolerances, asked.tolerances);
+    EXPECT_FALSE(found.liveFps);
+
+    QSettings().setValue(QStringLiteral("comparison/tolerances_m"), QStringLiteral("nan"));
+    QSettings().setValue(QStringLiteral("comparison/repeats"), QStringLiteral("many"));
+    const widgets::AccuracyPanel::Request standard;
+    const widgets::AccuracyPanel::Request read = rememberedComparison(standard);
+    EXPECT_EQ(read.tolerances, standard.tolerances) << "what does not read is as delivered";
+    EXPECT_EQ(read.repeats, standard.repeats);
 }
 
 TEST_F(AccuracyWorkbench, PointsOfAnotherCaseOfAffairsAreStaleAndCannotBeUsed) {

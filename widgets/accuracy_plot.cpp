@@ -233,21 +233,31 @@ void AccuracyPlot::paintTarget(QPainter& painter, std::vector<QRectF>& taken) co
         const double inside = up ? edge - size.height() - 3.0 : edge + 3.0;
         const double outside = up ? edge + 3.0 : edge - size.height() - 3.0;
         const double right = m_frame.right() - size.width() - 6.0;
-        // Where no point lies; the first place if points lie everywhere.
+        // Where neither points nor lines lie, then where at least no point does; the first place if points lie everywhere.
+        const double far = up ? place({m_cost.low, m_content.band->second}).y() + 3.0
+                              : place({m_cost.low, m_content.band->first}).y() - size.height() - 3.0;
         std::vector<QRectF> places;
-        for (const double y : {inside, outside}) {
+        for (const double y : {inside, outside, far}) {
             for (const double share : {0.0, 1.0, 0.5, 0.25, 0.75}) {
                 const double x = m_frame.left() + 6.0 + share * (right - m_frame.left() - 6.0);
                 places.emplace_back(QPointF(x, std::clamp(y, m_frame.top() + 2.0, m_frame.bottom() - size.height() - 2.0)), size);
             }
         }
-        const auto free = std::find_if(places.begin(), places.end(), [&](const QRectF& where) {
-            const QRectF around = where.adjusted(-2.0 * radius, -2.0 * radius, 2.0 * radius, 2.0 * radius);
-            return !crosses(targetLine(), around) &&
-                   std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(around); }) &&
-                   std::none_of(m_content.points.begin(), m_content.points.end(),
-                                [&](const PlotPoint& point) { return around.contains(place(point.at)); });
-        });
+        const auto aroundOf = [](const QRectF& where) {
+            return where.adjusted(-2.0 * radius, -2.0 * radius, 2.0 * radius, 2.0 * radius);
+        };
+        const auto offPoints = [&](const QRectF& where) {
+            const auto holds = [&](const PlotPoint& point) { return aroundOf(where).contains(place(point.at)); };
+            const auto meets = [&](const QRectF& other) { return other.intersects(where); };
+            return std::ranges::none_of(m_content.points, holds) && std::ranges::none_of(taken, meets);
+        };
+        const auto offLines = [&](const QRectF& where) {
+            return !crosses(targetLine(), aroundOf(where)) && !crosses(frontLine(), where);
+        };
+        auto free = std::ranges::find_if(places, [&](const QRectF& where) { return offPoints(where) && offLines(where); });
+        if (free == places.end()) {
+            free = std::ranges::find_if(places, offPoints);
+        }
         write(free != places.end() ? *free : places.front(), words, m_palette.accent);
     }
 }

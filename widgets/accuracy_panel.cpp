@@ -34,7 +34,7 @@ std::vector<std::string> listed(const QString& text) {
 QString tolerancesText(const std::vector<double>& tolerances) {
     QStringList texts;
     for (const double tolerance : tolerances) {
-        texts << QLocale::c().toString(tolerance, 'g', 6);
+        texts << QLocale::c().toString(tolerance, 'g', QLocale::FloatingPointShortest);
     }
     return texts.join(QStringLiteral(", "));
 }

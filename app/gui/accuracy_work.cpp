@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/gui/comparison_memory.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/machine.h"
@@ -12,56 +13,6 @@
 namespace rubble {
 
 namespace {
-
-std::string joined(const std::vector<std::string>& values) {
-    std::string text;
-    for (const std::string& value : values) {
-        text += (text.empty() ? "" : ",") + value;
-    }
-    return text;
-}
-
-std::vector<std::string> split(const std::string& text) {
-    std::vector<std::string> values;
-    for (const QString& value : QString::fromStdString(text).split(u',', Qt::SkipEmptyParts)) {
-        values.push_back(value.toStdString());
-    }
-    return values;
-}
-
-/// A request in the words of rubble-cli accuracy.
-std::vector<std::string> wordsOf(const widgets::AccuracyPanel::Request& request) {
-    std::vector<std::string> words{"--multiples", joined(request.multiples), "--repeats", std::to_string(request.repeats)};
-    for (const VariedParameter& varied : request.varied) {
-        words.insert(words.end(), {"--vary", varied.key + "=" + joined(varied.values)});
-    }
-    return words;
-}
-
-/// What such words ask for, and the rest as it was.
-widgets::AccuracyPanel::Request requestFrom(const std::vector<std::string>& words, widgets::AccuracyPanel::Request request) {
-    request.multiples.clear();
-    request.varied.clear();
-    request.repeats = StudySettings().repeats;
-    request.onCluster = true;
-    bool multiples = false;
-    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-        const std::string& value = words[i + 1];
-        const std::size_t sign = value.find('=');
-        if (words[i] == "--multiples") {
-            request.multiples = split(value);
-            multiples = true;
-        } else if (words[i] == "--vary" && sign != std::string::npos) {
-            request.varied.push_back({value.substr(0, sign), split(value.substr(sign + 1))});
-        } else if (words[i] == "--repeats") {
-            request.repeats = std::clamp(QString::fromStdString(value).toInt(), 1, 100);
-        }
-    }
-    if (!multiples && request.varied.empty()) {
-        request.multiples = usualMultiples();
-    }
-    return request;
-}
 
 std::string storeFolder() {
     try {
@@ -165,6 +116,7 @@ void AccuracyWork::resume(const Inputs& inputs, const Scenario& scenario, const 
     const auto comparison = std::make_shared<Comparison>(Comparison{inputs, scenario, request, m_machine, ++m_generation});
     const auto found = [this, comparison](const io::JobRecord& record) -> std::string {
         comparison->request = requestFrom(record.request, comparison->request);
+        comparison->request.onCluster = true;
         QMetaObject::invokeMethod(
             this,
             [this, comparison] {

@@ -2,7 +2,10 @@
 
 #include <QSettings>
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
+
+#include "core/analysis/accuracy_study.h"
 
 namespace rubble {
 
@@ -10,74 +13,94 @@ namespace {
 
 const QString memory = QStringLiteral("comparison");
 
-QStringList listOf(const std::vector<std::string>& values) {
-    QStringList list;
+std::string joined(const std::vector<std::string>& values) {
+    std::string text;
     for (const std::string& value : values) {
-        list << QString::fromStdString(value);
+        text += (text.empty() ? "" : ",") + value;
     }
-    return list;
+    return text;
 }
 
-std::vector<std::string> valuesOf(const QStringList& list) {
+std::vector<std::string> split(const std::string& text) {
     std::vector<std::string> values;
-    for (const QString& each : list) {
-        values.push_back(each.toStdString());
+    for (const QString& value : QString::fromStdString(text).split(u',', Qt::SkipEmptyParts)) {
+        values.push_back(value.toStdString());
     }
     return values;
 }
 
 }  // namespace
 
+std::vector<std::string> wordsOf(const widgets::AccuracyPanel::Request& request) {
+    std::vector<std::string> words{"--multiples", joined(request.multiples), "--repeats", std::to_string(request.repeats)};
+    for (const VariedParameter& varied : request.varied) {
+        words.insert(words.end(), {"--vary", varied.key + "=" + joined(varied.values)});
+    }
+    return words;
+}
+
+widgets::AccuracyPanel::Request requestFrom(const std::vector<std::string>& words, widgets::AccuracyPanel::Request request) {
+    request.multiples.clear();
+    request.varied.clear();
+    request.repeats = StudySettings().repeats;
+    bool multiples = false;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        const std::string& value = words[i + 1];
+        const std::size_t sign = value.find('=');
+        if (words[i] == "--multiples") {
+            request.multiples = split(value);
+            multiples = true;
+        } else if (words[i] == "--vary" && sign != std::string::npos) {
+            request.varied.push_back({value.substr(0, sign), split(value.substr(sign + 1))});
+        } else if (words[i] == "--repeats") {
+            bool number = false;
+            const int repeats = QString::fromStdString(value).toInt(&number);
+            request.repeats = number ? std::clamp(repeats, 1, 100) : request.repeats;
+        }
+    }
+    if (!multiples && request.varied.empty()) {
+        request.multiples = usualMultiples();
+    }
+    return request;
+}
+
 void rememberComparison(const widgets::AccuracyPanel::Request& request) {
     QSettings settings;
-    settings.remove(memory);
     settings.beginGroup(memory);
-    settings.setValue(QStringLiteral("multiples"), listOf(request.multiples));
-    settings.setValue(QStringLiteral("repeats"), request.repeats);
-    settings.setValue(QStringLiteral("live_fps"), request.liveFps);
+    QStringList words;
+    for (const std::string& word : wordsOf(request)) {
+        words << QString::fromStdString(word);
+    }
     QStringList tolerances;
     for (const double tolerance : request.tolerances) {
         tolerances << QString::number(tolerance, 'g', 17);
     }
+    settings.setValue(QStringLiteral("words"), words);
     settings.setValue(QStringLiteral("tolerances_m"), tolerances);
-    settings.beginWriteArray(QStringLiteral("varied"), static_cast<int>(request.varied.size()));
-    for (std::size_t i = 0; i < request.varied.size(); ++i) {
-        settings.setArrayIndex(static_cast<int>(i));
-        settings.setValue(QStringLiteral("key"), QString::fromStdString(request.varied[i].key));
-        settings.setValue(QStringLiteral("values"), listOf(request.varied[i].values));
-    }
-    settings.endArray();
-    settings.endGroup();
+    settings.setValue(QStringLiteral("live_fps"), request.liveFps);
 }
 
 widgets::AccuracyPanel::Request rememberedComparison(const widgets::AccuracyPanel::Request& standard) {
-    widgets::AccuracyPanel::Request request = standard;
     QSettings settings;
     settings.beginGroup(memory);
-    if (!settings.contains(QStringLiteral("multiples"))) {
-        return request;
+    if (!settings.contains(QStringLiteral("words"))) {
+        return standard;
     }
-    request.multiples = valuesOf(settings.value(QStringLiteral("multiples")).toStringList());
-    request.liveFps = settings.value(QStringLiteral("live_fps"), standard.liveFps).toBool();
-    bool number = false;
-    const int repeats = settings.value(QStringLiteral("repeats")).toInt(&number);
-    request.repeats = number && repeats >= 1 ? repeats : standard.repeats;
+    std::vector<std::string> words;
+    for (const QString& word : settings.value(QStringLiteral("words")).toStringList()) {
+        words.push_back(word.toStdString());
+    }
+    widgets::AccuracyPanel::Request request = requestFrom(words, standard);
     std::vector<double> tolerances;
     for (const QString& each : settings.value(QStringLiteral("tolerances_m")).toStringList()) {
+        bool number = false;
         const double tolerance = each.toDouble(&number);
         if (number && std::isfinite(tolerance)) {
             tolerances.push_back(tolerance);
         }
     }
     request.tolerances = tolerances.empty() ? standard.tolerances : tolerances;
-    request.varied.clear();
-    const int varied = settings.beginReadArray(QStringLiteral("varied"));
-    for (int i = 0; i < varied; ++i) {
-        settings.setArrayIndex(i);
-        request.varied.push_back({settings.value(QStringLiteral("key")).toString().toStdString(),
-                                  valuesOf(settings.value(QStringLiteral("values")).toStringList())});
-    }
-    settings.endArray();
+    request.liveFps = settings.value(QStringLiteral("live_fps"), standard.liveFps).toBool();
     return request;
 }
 

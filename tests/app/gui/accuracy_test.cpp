@@ -102,7 +102,7 @@ TEST_F(AccuracyWorkbench, TheNextWindowAsksForTheSameComparison) {
     asked.multiples = {"auto", "2"};
     asked.varied = {{"friction", {"0.3"}}, {"cluster_shape", {"axis_box", "hull"}}};
     asked.repeats = 1;
-    asked.tolerances = {0.05, 1.5};
+    asked.tolerances = {0.05, 1.2345678};
     asked.liveFps = false;
     panel().setRequest(asked);
     compare();
@@ -117,7 +117,7 @@ TEST_F(AccuracyWorkbench, TheNextWindowAsksForTheSameComparison) {
     EXPECT_FALSE(found.liveFps);
 
     QSettings().setValue(QStringLiteral("comparison/tolerances_m"), QStringLiteral("nan"));
-    QSettings().setValue(QStringLiteral("comparison/repeats"), QStringLiteral("many"));
+    QSettings().setValue(QStringLiteral("comparison/words"), QStringList{QStringLiteral("--repeats"), QStringLiteral("many")});
     const widgets::AccuracyPanel::Request standard;
     const widgets::AccuracyPanel::Request read = rememberedComparison(standard);
     EXPECT_EQ(read.tolerances, standard.tolerances) << "what does not read is as delivered";

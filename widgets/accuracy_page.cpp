@@ -113,7 +113,7 @@ QWidget* AccuracyPage::buildChoices() {
     row->addLayout(segments);
     row->addStretch();
     fillKinds();
-    setAccuracy({Measure::FootprintIou, std::nullopt});
+    setAccuracy({});
     connect(m_accuracy, &QComboBox::currentIndexChanged, this, &AccuracyPage::showPlot);
     connect(m_costs, &QButtonGroup::idClicked, this, [this](int id) { setCost(static_cast<CostKind>(id)); });
     return choices;

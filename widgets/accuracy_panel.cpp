@@ -48,6 +48,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
       m_toleranceField(new QLineEdit(QStringLiteral("0.1, 0.2, 0.3"))),
       m_toleranceWhy(new QLabel),
       m_repeats(new QSpinBox),
+      m_settingRepeats(new QSpinBox),
       m_liveFps(new QCheckBox(tr("Measure live FPS"))),
       m_retimed(new QCheckBox(tr("Measure times again"))),
       m_place(new PlaceChoice),
@@ -100,6 +101,13 @@ void AccuracyPanel::buildChoices() {
     field(tr("Repeats of the reference"), m_repeats,
           tr("How often the reference is repeated with births shifted by a micrometre: what its own debris differs by says what a "
              "difference means. Each takes as long as the reference"));
+    m_settingRepeats->setObjectName(QStringLiteral("settingRepeats"));
+    m_settingRepeats->setRange(0, 100);
+    m_settingRepeats->setSpecialValueText(tr("none"));
+    m_settingRepeats->setAlignment(Qt::AlignRight);
+    field(tr("Repeats of every setting"), m_settingRepeats,
+          tr("How often every setting is repeated with births shifted by a micrometre: the chart shows as a line through its point how "
+             "far its own accuracy scatters, so that two settings are not told apart by chance. Each takes as long as the setting"));
     m_toleranceField->setObjectName(QStringLiteral("tolerances"));
     field(tr("Tolerances, m"), m_toleranceField,
           tr("Accuracy rates count the fragments within these distances of their place in the reference, and the view coloured by "
@@ -172,6 +180,7 @@ AccuracyPanel::Request AccuracyPanel::request() const {
     }
     request.tolerances = m_tolerances;
     request.repeats = m_repeats->value();
+    request.settingRepeats = m_settingRepeats->value();
     request.liveFps = m_liveFps->isChecked();
     request.retimed = m_retimed->isChecked();
     request.onCluster = m_place->onCluster();
@@ -194,6 +203,7 @@ void AccuracyPanel::setRequest(const Request& request) {
     }
     m_varied->setText(varied.join(QStringLiteral("; ")));
     m_repeats->setValue(request.repeats);
+    m_settingRepeats->setValue(request.settingRepeats);
     m_toleranceField->setText(tolerancesText(request.tolerances));
     readTolerances();
     m_liveFps->setChecked(request.liveFps);
@@ -203,7 +213,8 @@ void AccuracyPanel::setRequest(const Request& request) {
 void AccuracyPanel::setReady(bool ready, bool running, const QString& why) {
     m_start->setReady(ready, running, why);
     for (QWidget* editor :
-         std::initializer_list<QWidget*>{m_multiples, m_varied, m_toleranceField, m_repeats, m_liveFps, m_retimed}) {
+         std::initializer_list<QWidget*>{m_multiples, m_varied, m_toleranceField, m_repeats, m_settingRepeats, m_liveFps,
+                                        m_retimed}) {
         editor->setEnabled(!running);
     }
 }

@@ -23,7 +23,8 @@ public:
     struct Request {
         std::vector<std::string> multiples;  ///< of the mean distance, "auto" among them; empty: the grid as set
         std::vector<VariedParameter> varied;
-        int repeats = 2;
+        int repeats = 2;         ///< of the reference
+        int settingRepeats = 0;  ///< of every setting
         std::vector<double> tolerances{0.1, 0.2, 0.3};  ///< m, of the accuracy rate; ascending
         bool liveFps = true;
         bool retimed = false;  ///< times that are kept do not count
@@ -63,6 +64,7 @@ private:
     QLabel* m_toleranceWhy;
     std::vector<double> m_tolerances{0.1, 0.2, 0.3};
     QSpinBox* m_repeats;
+    QSpinBox* m_settingRepeats;
     QCheckBox* m_liveFps;
     QCheckBox* m_retimed;
     PlaceChoice* m_place;

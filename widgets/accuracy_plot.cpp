@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/analysis/accuracy_settings.h"
+#include "core/base/unknown.h"
 #include "widgets/accuracy_words.h"
 #include "widgets/chart_axis.h"
 #include "widgets/timeline.h"
@@ -44,8 +45,12 @@ PlotContent plotContent(const AccuracyReport& report, CostKind cost, const Accur
     content.band = floorBand(report, accuracy);
     content.fpsTarget = fpsTarget;
     const auto add = [&](const AccuracyPoint& point, int row) {
-        PlotPoint shown{row, settingWords(point.setting), pointWords(point), {costOf(point, cost), 0.0}};
-        shown.at.accuracy = point.done ? accuracyOf(point.difference, accuracy) : std::numeric_limits<double>::quiet_NaN();
+        PlotPoint shown;
+        shown.row = row;
+        shown.name = settingWords(point.setting);
+        shown.words = pointWords(point);
+        shown.at = {costOf(point, cost), point.done ? accuracyOf(point.difference, accuracy) : unknown};
+        shown.range = accuracyRange(point, accuracy);
         shown.published = row != referenceRow && point.setting == paperSetting;
         shown.inUse = inUse == row;
         if (point.done && std::isfinite(shown.at.cost) && shown.at.cost > 0.0 && std::isfinite(shown.at.accuracy)) {
@@ -114,6 +119,10 @@ AccuracyPlot::Axis AccuracyPlot::accuracyAxis() const {
     };
     for (const PlotPoint& point : m_content.points) {
         hold(point.at.accuracy);
+        if (point.range) {
+            hold(point.range->first);
+            hold(point.range->second);
+        }
     }
     if (m_content.band) {
         hold(m_content.band->first);
@@ -157,6 +166,9 @@ void AccuracyPlot::paint(QPainter& painter) const {
     std::vector<QRectF> taken;
     paintTarget(painter, taken);
     paintFront(painter);
+    for (const PlotPoint& point : m_content.points) {
+        paintSpread(painter, point, taken);
+    }
     for (const PlotPoint& point : m_content.points) {
         paintPoint(painter, point);
         const QPointF at = place(point.at);
@@ -285,6 +297,19 @@ void AccuracyPlot::paintFront(QPainter& painter) const {
     painter.setPen(QPen(m_palette.muted, 1.4));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(frontLine());
+}
+
+void AccuracyPlot::paintSpread(QPainter& painter, const PlotPoint& point, std::vector<QRectF>& taken) const {
+    if (!point.range) {
+        return;
+    }
+    const QPointF low = place({point.at.cost, point.range->first}), high = place({point.at.cost, point.range->second});
+    const QPointF cap(0.6 * radius, 0.0);
+    painter.setPen(QPen(point.published ? m_palette.fragment : m_palette.muted, 1.2));
+    painter.drawLine(low, high);
+    painter.drawLine(low - cap, low + cap);
+    painter.drawLine(high - cap, high + cap);
+    taken.push_back(QRectF(low - cap, high + cap).normalized());
 }
 
 void AccuracyPlot::paintPoint(QPainter& painter, const PlotPoint& point) const {

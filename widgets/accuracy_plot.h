@@ -20,6 +20,7 @@ struct PlotPoint {
     QString name;
     QString words;  ///< all its numbers
     CostAccuracy at;
+    std::optional<std::pair<double, double>> range;  ///< of the accuracy, over it and its own repeats
     bool front = false;      ///< on the Pareto front
     bool published = false;  ///< the published method: a square
     bool inUse = false;
@@ -71,6 +72,7 @@ private:
     QPolygonF targetLine() const;
     QPolygonF frontLine() const;
     void paintFront(QPainter& painter) const;
+    void paintSpread(QPainter& painter, const PlotPoint& point, std::vector<QRectF>& taken) const;
     void paintPoint(QPainter& painter, const PlotPoint& point) const;
     void paintNames(QPainter& painter, std::vector<QRectF>& taken) const;
 

@@ -127,17 +127,6 @@ QString shownAccuracy(const AccuracyKind& kind, double value) {
     return unit.isEmpty() ? QLocale().toString(value, 'f', 3) : shownNumber(value) + QChar(0x00A0) + unit;
 }
 
-std::vector<AccuracyKind> accuracyKinds(const std::vector<double>& tolerances) {
-    std::vector<AccuracyKind> kinds;
-    for (std::size_t m = 0; m < measureCount; ++m) {
-        kinds.push_back({static_cast<Measure>(m), std::nullopt});
-    }
-    for (const double tolerance : tolerances) {
-        kinds.push_back({Measure::MedianDistance, tolerance});
-    }
-    return kinds;
-}
-
 QString pointWords(const AccuracyPoint& point) {
     QStringList lines{settingWords(point.setting)};
     if (const double bodies = costOf(point, CostKind::Bodies); std::isfinite(bodies)) {
@@ -159,6 +148,11 @@ QString pointWords(const AccuracyPoint& point) {
         QString line = QStringLiteral("%1: %2").arg(accuracyWords(kind), shownAccuracy(kind, accuracyOf(point.difference, kind)));
         if (!kind.tolerance && point.standings[static_cast<std::size_t>(kind.measure)] == Standing::Below) {
             line += tr(" (no more than the floor)");
+        }
+        if (const auto range = accuracyRange(point, kind)) {
+            line += tr(", %1 to %2 over %3 runs")
+                        .arg(shownAccuracy(kind, range->first), shownAccuracy(kind, range->second))
+                        .arg(1 + point.repeats.size());
         }
         lines << line;
     }

@@ -23,9 +23,6 @@ QString accuracyTip(const AccuracyKind& kind);
 QString shownCost(CostKind kind, double value);
 QString shownAccuracy(const AccuracyKind& kind, double value);
 
-/// All kinds of accuracy of a sweep with these tolerances [m], the robust ones first.
-std::vector<AccuracyKind> accuracyKinds(const std::vector<double>& tolerances);
-
 /// The numbers of one setting, one to a line: what the chart says on hover and reads aloud.
 QString pointWords(const AccuracyPoint& point);
 

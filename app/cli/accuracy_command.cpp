@@ -19,6 +19,7 @@ namespace rubble::cli {
 namespace {
 
 constexpr int jobsMax = 1024;
+constexpr int settingRepeatsMax = 100;
 
 std::vector<std::string> parseMultiples(const Arguments& arguments) {
     const auto text = arguments.value("--multiples");
@@ -55,6 +56,7 @@ AccuracyOptions parseOptions(const Arguments& arguments) {
     tolerances.insert(tolerances.end(), publishedTolerances.begin(), publishedTolerances.end());
     std::sort(tolerances.begin(), tolerances.end());
     tolerances.erase(std::unique(tolerances.begin(), tolerances.end()), tolerances.end());
+    options.settingRepeats = parseCount(arguments, "--setting-repeats", 0, settingRepeatsMax, 0);
     options.jobs = parseCount(arguments, "--jobs", 1, jobsMax, 0);
     options.timed = !arguments.has("--no-timing");
     options.retimed = arguments.has("--retime");
@@ -180,6 +182,8 @@ Command accuracyCommand() {
         {"--multiples", "A,B", false,
          "multiples of the mean distance to sweep, auto among them (default: 1,1.5,2,2.5,3,4); empty: the grid as set"},
         {"--vary", "KEY=A,B", true, "values of a parameter to sweep, in every combination with the others"},
+        {"--setting-repeats", "N", false,
+         "repeats of every setting, births shifted as for the floor: how far its own accuracy scatters (default: 0)"},
         {"--jobs", "N", false, "worlds at a time for the accuracy (default: one for each thread); no accuracy depends on it"},
         {"--no-fps", "", false, "leave live FPS out: saves drawing each setting once"},
         {"--no-timing", "", false, "leave wall time and ms per step out: saves simulating each setting once more"},
@@ -200,8 +204,8 @@ Command accuracyCommand() {
         "accuracy",
         "FE|CASE",
         "what accuracy costs in time, against the repeat floor",
-        "Simulates the reference (each fragment its own body), its repeats with births shifted by a micrometre, and every setting; "
-        "compares each with the reference, and then times each alone. Worlds that were simulated before are taken from the cache: "
+        "Simulates the reference (each fragment its own body), its repeats with births shifted by a micrometre, and every setting, "
+        "on request with repeats of its own; compares each with the reference, and then times each alone. Worlds that were simulated before are taken from the cache: "
         "after Ctrl-C the same command goes on from there.",
         std::move(options),
         measureAccuracy};

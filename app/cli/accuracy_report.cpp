@@ -6,6 +6,7 @@
 #include "app/cli/measure_output.h"
 #include "app/cli/published_tables.h"
 #include "app/cli/text_output.h"
+#include "core/analysis/accuracy_front.h"
 #include "core/analysis/sweep_table.h"
 
 namespace rubble::cli {
@@ -51,6 +52,10 @@ Json detailJson(const AccuracyPoint& point, const Predictions* predictions) {
     forEachMeasure([&](Measure measure, std::size_t m) {
         object["standings"][std::string(measureKey(measure))] = standingName(point.standings[m]);
     });
+    object["repeats"] = Json::array();
+    for (const DebrisDifference& repeat : point.repeats) {
+        object["repeats"].push_back(differenceJson(repeat));
+    }
     object["fps_worst"] = point.cost.fpsWorst;
     object["others_share"] = point.cost.othersShare;
     object["threads"] = point.cost.threads;
@@ -184,6 +189,29 @@ TextTable AccuracyOutput::measureTable() const {
     return table;
 }
 
+TextTable AccuracyOutput::spreadTable() const {
+    const std::vector<AccuracyKind> kinds = accuracyKinds(options.study.measures.tolerances);
+    std::vector<TextTable::Column> columns{{"setting", ""}, {"runs", ""}};
+    for (const AccuracyKind& kind : kinds) {
+        columns.push_back(
+            {kind.tolerance ? "within " + englishNumber(*kind.tolerance) + " m" : std::string(measureTitle(kind.measure)), ""});
+    }
+    TextTable table(std::move(columns));
+    for (const AccuracyPoint& point : report.points) {
+        if (point.repeats.empty()) {
+            continue;
+        }
+        std::vector<Cell> cells{textCell(point.setting), integerCell(static_cast<std::int64_t>(1 + point.repeats.size()))};
+        for (const AccuracyKind& kind : kinds) {
+            const auto range = accuracyRange(point, kind);
+            const auto text = [&](double value) { return kind.tolerance ? percentOrDash(value) : numberOrDash(value); };
+            cells.push_back({range ? text(range->first) + " to " + text(range->second) : "-", "", true});
+        }
+        table.add(std::move(cells));
+    }
+    return table;
+}
+
 TextTable AccuracyOutput::costTable() const {
     TextTable table({{"setting", ""},
                      {"bodies", ""},
@@ -253,6 +281,10 @@ void AccuracyOutput::print(std::ostream& out) const {
         printFloor(out, *report.floor, options.study.birthShift);
         printHeading(out, "Accuracy: each setting less the reference (~ no larger than the floor, which says nothing)");
         measureTable().print(out);
+        if (const TextTable spread = spreadTable(); spread.rows() > 0) {
+            printHeading(out, "Spread of each setting: least to largest amount over its run and the repeats of it");
+            spread.print(out);
+        }
         printHeading(out, "Cost, one setting at a time");
         costTable().print(out);
         printHeading(out, "Table 1 of the published method: live FPS without and with clusters");

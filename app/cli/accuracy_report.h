@@ -33,6 +33,8 @@ struct AccuracyOutput {
 private:
     TextTable costTable() const;
     TextTable measureTable() const;
+    /// Only of settings that were repeated.
+    TextTable spreadTable() const;
     TextTable predictionTable() const;
     TextTable checkTable() const;
 };

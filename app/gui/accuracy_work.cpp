@@ -37,6 +37,7 @@ struct AccuracyWork::Comparison {
     AccuracyOptions options(io::StudyFiles& files) const {
         AccuracyOptions options;
         options.study.repeats = request.repeats;
+        options.settingRepeats = request.settingRepeats;
         options.study.measures.tolerances = request.tolerances;
         options.machine = machine;
         options.store = &files;

@@ -29,10 +29,18 @@ std::vector<std::string> split(const std::string& text) {
     return values;
 }
 
+/// A number of repeats.
+int countIn(const std::string& text, int least, int otherwise) {
+    bool number = false;
+    const int count = QString::fromStdString(text).toInt(&number);
+    return number ? std::clamp(count, least, 100) : otherwise;
+}
+
 }  // namespace
 
 std::vector<std::string> wordsOf(const widgets::AccuracyPanel::Request& request) {
-    std::vector<std::string> words{"--multiples", joined(request.multiples), "--repeats", std::to_string(request.repeats)};
+    std::vector<std::string> words{"--multiples", joined(request.multiples), "--repeats", std::to_string(request.repeats),
+                                   "--setting-repeats", std::to_string(request.settingRepeats)};
     for (const VariedParameter& varied : request.varied) {
         words.insert(words.end(), {"--vary", varied.key + "=" + joined(varied.values)});
     }
@@ -43,6 +51,7 @@ widgets::AccuracyPanel::Request requestFrom(const std::vector<std::string>& word
     request.multiples.clear();
     request.varied.clear();
     request.repeats = StudySettings().repeats;
+    request.settingRepeats = AccuracyOptions().settingRepeats;
     bool multiples = false;
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
         const std::string& value = words[i + 1];
@@ -53,9 +62,9 @@ widgets::AccuracyPanel::Request requestFrom(const std::vector<std::string>& word
         } else if (words[i] == "--vary" && sign != std::string::npos) {
             request.varied.push_back({value.substr(0, sign), split(value.substr(sign + 1))});
         } else if (words[i] == "--repeats") {
-            bool number = false;
-            const int repeats = QString::fromStdString(value).toInt(&number);
-            request.repeats = number ? std::clamp(repeats, 1, 100) : request.repeats;
+            request.repeats = countIn(value, 1, request.repeats);
+        } else if (words[i] == "--setting-repeats") {
+            request.settingRepeats = countIn(value, 0, request.settingRepeats);
         }
     }
     if (!multiples && request.varied.empty()) {

@@ -19,6 +19,17 @@ bool AccuracyKind::moreIsBetter() const {
     return tolerance.has_value() || overlap(measure);
 }
 
+std::vector<AccuracyKind> accuracyKinds(const std::vector<double>& tolerances) {
+    std::vector<AccuracyKind> kinds;
+    for (std::size_t m = 0; m < measureCount; ++m) {
+        kinds.push_back({static_cast<Measure>(m), std::nullopt});
+    }
+    for (const double tolerance : tolerances) {
+        kinds.push_back({Measure::MedianDistance, tolerance});
+    }
+    return kinds;
+}
+
 double costOf(const AccuracyPoint& point, CostKind kind) {
     switch (kind) {
         case CostKind::Bodies:
@@ -41,6 +52,19 @@ double accuracyOf(const DebrisDifference& difference, const AccuracyKind& kind) 
     const auto found = std::find(difference.tolerances.begin(), difference.tolerances.end(), *kind.tolerance);
     const auto index = static_cast<std::size_t>(found - difference.tolerances.begin());
     return index < difference.accuracy.size() ? difference.accuracy[index] : unknown;
+}
+
+std::optional<std::pair<double, double>> accuracyRange(const AccuracyPoint& point, const AccuracyKind& kind) {
+    if (!point.done || point.repeats.empty()) {
+        return std::nullopt;
+    }
+    const double own = accuracyOf(point.difference, kind);
+    std::pair range(own, own);
+    for (const DebrisDifference& repeat : point.repeats) {
+        const double value = accuracyOf(repeat, kind);
+        range = {std::fmin(range.first, value), std::fmax(range.second, value)};
+    }
+    return std::isfinite(range.first) ? std::optional(range) : std::nullopt;
 }
 
 std::optional<std::pair<double, double>> floorBand(const AccuracyReport& report, const AccuracyKind& kind) {

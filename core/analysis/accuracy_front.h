@@ -20,7 +20,7 @@ inline constexpr std::size_t costKindCount = 4;
 
 /// How accurate a setting is, in one figure: a measure of debris as an amount, or the share of fragments within a tolerance.
 struct AccuracyKind {
-    Measure measure = Measure::FootprintIou;
+    Measure measure = Measure::MassMap;
     std::optional<double> tolerance;  ///< m; set: the accuracy rate within it, whatever the measure
 
     bool operator==(const AccuracyKind&) const = default;
@@ -28,10 +28,16 @@ struct AccuracyKind {
     bool moreIsBetter() const;
 };
 
+/// All kinds of accuracy of a sweep with these tolerances [m], the robust ones first.
+std::vector<AccuracyKind> accuracyKinds(const std::vector<double>& tolerances);
+
 /// NaN where it is not known.
 double costOf(const AccuracyPoint& point, CostKind kind);
 /// NaN where the debris has no such figure, or the tolerance was not measured.
 double accuracyOf(const DebrisDifference& difference, const AccuracyKind& kind);
+
+/// Smallest and largest of that among a setting and its own repeats; unset without a repeat, or where none has such a figure.
+std::optional<std::pair<double, double>> accuracyRange(const AccuracyPoint& point, const AccuracyKind& kind);
 
 /// The values between which a difference from the reference means nothing, since the reference repeats no better; unset without a
 /// repeat or where the floor has no such figure.

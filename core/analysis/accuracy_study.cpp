@@ -27,10 +27,10 @@ double middleOf(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-/// One world of a sweep: the reference, one of its repeats, or a setting.
+/// One world of a sweep: the reference, a setting, or a repeat of one of them.
 struct SweepWorld {
-    AccuracyPoint* point = nullptr;  ///< null: a repeat
-    int repeat = 0;
+    AccuracyPoint* point = nullptr;
+    int repeat = 0;  ///< 0: the run itself
     std::string name;
     Results results;  ///< up to the clusters
     WorldOrigin origin;
@@ -38,6 +38,10 @@ struct SweepWorld {
     std::size_t twin = 0;  ///< first world of the same bits: itself, unless a setting before differs in nothing that counts
     std::shared_ptr<const SimulatedWorld> world;
     bool simulatedAlone = false;  ///< here and now, with the whole machine to itself
+    std::vector<std::size_t> repeats;           ///< of the first of its bits: the worlds that repeat it
+    std::optional<DebrisDifference> difference;  ///< of a repeat: it less the reference, once measured
+
+    bool isRepeat() const { return repeat > 0; }
 };
 
 /// A sweep while it is made.
@@ -57,21 +61,12 @@ public:
         report.reference.scenario = reference;
         report.points.resize(settings.size());
         add(report.reference, m_base.results);
-        for (int repeat = 1; repeat <= m_options.study.repeats; ++repeat) {
-            SweepWorld world;
-            world.repeat = repeat;
-            world.name = "repeat " + std::to_string(repeat);
-            world.results = m_base.results;
-            world.weight = m_worlds.front().weight;
-            world.origin = origin(reference, repeat);
-            world.twin = m_worlds.size();
-            m_worlds.push_back(std::move(world));
-        }
+        addRepeats(m_options.study.repeats);
         for (std::size_t i = 0; i < settings.size(); ++i) {
             AccuracyPoint& point = report.points[i];
             point.setting = settings[i].name;
             point.scenario = settings[i].scenario;
-            if (m_options.choice.single() && !m_options.choice.wants(origin(point.scenario, 0).key)) {
+            if (m_options.choice.single() && !wantsAny(point.scenario)) {
                 continue;
             }
             m_execution.report({"analysis.accuracy_plan", "clustering {0} settings", {settings.size()}},
@@ -79,6 +74,9 @@ public:
             Results results = run(m_inputs, point.scenario, Stage::Clusters, m_base.results, nullptr, m_execution);
             if (comparable(*results.fragments)) {
                 add(point, std::move(results));
+                if (m_worlds.back().twin + 1 == m_worlds.size()) {
+                    addRepeats(m_options.settingRepeats);
+                }
             } else {
                 point.failure = {
                     "accuracy.other_fragments", "an element makes a fragment here or in the reference, not in both", {}};
@@ -91,8 +89,7 @@ public:
         for (std::size_t i = 0; i < m_worlds.size(); ++i) {
             const SweepWorld& world = m_worlds[i];
             if (world.twin == i) {
-                list.push_back(studyTask(m_inputs, world.point ? world.point->scenario : m_base.scenario, &world.results,
-                                         world.origin, world.name));
+                list.push_back(studyTask(m_inputs, world.point->scenario, &world.results, world.origin, world.name));
             }
         }
         return list;
@@ -162,8 +159,16 @@ public:
         report.floor = floorOf(*m_measured[0], std::span(m_measured).subspan(1, floorWorlds - 1), m_base.scenario.fragments.seed);
         report.spread = spreadOf(floorFields);
         for (std::size_t i = 0; i < m_worlds.size(); ++i) {
-            if (m_worlds[i].point && m_measured[i]) {
-                fill(*m_worlds[i].point, m_worlds[i], *m_measured[0], *m_measured[i]);
+            SweepWorld& world = m_worlds[i];
+            if (m_measured[i] && !world.isRepeat()) {
+                fill(*world.point, world, *m_measured[0], *m_measured[i]);
+            } else if (m_measured[i] && !world.difference) {
+                world.difference = compareDebris(m_measured[0]->field, m_measured[i]->field);
+            }
+        }
+        for (SweepWorld& world : m_worlds) {
+            if (!world.isRepeat() && world.point != &report.reference) {
+                fillRepeats(*world.point, m_worlds[world.twin]);
             }
         }
     }
@@ -181,11 +186,11 @@ public:
     void measureCosts() {
         double all = 0.0;
         for (const SweepWorld& world : m_worlds) {
-            all += world.point ? world.weight : 0.0;
+            all += world.isRepeat() ? 0.0 : world.weight;
         }
         double before = 0.0;
         for (SweepWorld& world : m_worlds) {
-            if (!world.point || !world.point->failure.empty() || (m_options.choice.single() && !world.simulatedAlone)) {
+            if (world.isRepeat() || !world.point->failure.empty() || (m_options.choice.single() && !world.simulatedAlone)) {
                 continue;
             }
             const double from = before / all;
@@ -206,8 +211,8 @@ public:
     /// Something failed, or was left open because others were to make it.
     bool lacking() const {
         const auto lacks = [this](const SweepWorld& world) {
-            return world.point ? !world.point->failure.empty() || !world.point->done
-                               : !m_options.choice.all() && world.world == nullptr;
+            return world.isRepeat() ? !m_options.choice.all() && world.world == nullptr
+                                    : !world.point->failure.empty() || !world.point->done;
         };
         const auto failed = [](const AccuracyPoint& point) { return !point.failure.empty(); };
         return std::ranges::any_of(m_worlds, lacks) || std::ranges::any_of(report.points, failed);
@@ -224,6 +229,15 @@ private:
     bool comparable(const FragmentSet& fragments) const {
         const std::vector<Fragment>& own = fragments.list;
         return std::ranges::equal(own, m_base.results.fragments->list, {}, &Fragment::element, &Fragment::element);
+    }
+
+    /// A world of this setting is one of those chosen.
+    bool wantsAny(const Scenario& scenario) const {
+        bool wanted = false;
+        for (int repeat = 0; repeat <= m_options.settingRepeats; ++repeat) {
+            wanted = wanted || m_options.choice.wants(origin(scenario, repeat).key);
+        }
+        return wanted;
     }
 
     int threads() const { return m_options.study.threads > 0 ? m_options.study.threads : m_execution.threads(); }
@@ -251,9 +265,28 @@ private:
         m_worlds.push_back(std::move(world));
     }
 
+    /// Repeats of the world that was added last.
+    void addRepeats(int count) {
+        const std::size_t of = m_worlds.size() - 1;
+        for (int repeat = 1; repeat <= count; ++repeat) {
+            SweepWorld world;
+            world.point = m_worlds[of].point;
+            world.repeat = repeat;
+            world.name = (of == 0 ? "" : m_worlds[of].name + " ") + "repeat " + std::to_string(repeat);
+            world.results = m_worlds[of].results;
+            world.weight = m_worlds[of].weight;
+            world.origin = origin(world.point->scenario, repeat);
+            world.twin = m_worlds.size();
+            m_worlds[of].repeats.push_back(world.twin);
+            m_worlds.push_back(std::move(world));
+        }
+    }
+
     RunDescription describe(const SweepWorld& world, const Execution& execution) const {
-        return world.point ? describeRun(m_inputs, world.point->scenario, world.results)
-                           : describeRepeat(m_base, m_options.study, world.repeat, execution);
+        const Scenario& scenario = world.point->scenario;
+        return world.isRepeat()
+                   ? describeRepeat({m_inputs, scenario, world.results}, m_options.study.birthShift, world.repeat, execution)
+                   : describeRun(m_inputs, scenario, world.results);
     }
 
     void simulateTogether(const std::vector<std::size_t>& order, int jobs) {
@@ -263,7 +296,7 @@ private:
         }
         const bool alone = jobs == 1 || threads() == 1 || m_options.choice.single();
         runInParallel(order.size(), share,
-                      {"analysis.accuracy", "simulating {0} worlds: the reference, its repeats, the settings", {order.size()}},
+                      {"analysis.accuracy", "simulating {0} worlds: the reference, the settings, their repeats", {order.size()}},
                       m_execution, [&](std::size_t i, const Execution& own) {
                           SweepWorld& world = m_worlds[order[i]];
                           simulateOne(world, own);
@@ -271,7 +304,7 @@ private:
                       });
     }
 
-    static bool outOfMemory(const SweepWorld& world) { return world.point && world.point->failure.id == memoryFailure; }
+    static bool outOfMemory(const SweepWorld& world) { return !world.isRepeat() && world.point->failure.id == memoryFailure; }
 
     void takeKept(SweepWorld& world) {
         if (!m_options.store) {
@@ -283,7 +316,7 @@ private:
             return;
         }
         world.world = std::make_shared<const SimulatedWorld>(std::move(*kept));
-        if (world.point) {
+        if (!world.isRepeat()) {
             world.point->kept = true;
         }
     }
@@ -298,13 +331,12 @@ private:
             world.world = std::make_shared<const SimulatedWorld>(std::move(made));
         };
         AccuracyPoint lost;
-        AccuracyPoint& point = world.point ? *world.point : lost;
-        guarded(point, simulated);
-        if (!world.point && !lost.failure.empty()) {
+        guarded(world.isRepeat() ? lost : *world.point, simulated);
+        if (!lost.failure.empty()) {
             const std::scoped_lock lock(m_mutex);
-            report.findings.add({"accuracy.repeat_lost", "A repeat of the reference could not be simulated.", {}},
+            report.findings.add({"accuracy.repeat_lost", "A repeat could not be simulated.", {}},
                                 {"accuracy.repeat_lost.remedy", "Start again: what is done is kept.", {}},
-                                englishText(lost.failure));
+                                world.point->setting + ": " + englishText(lost.failure));
         }
         tell();
     }
@@ -357,6 +389,17 @@ private:
             point.standings[m] = point.trajectoryHash == reference.trajectoryHash
                                      ? Standing::Identical
                                      : standingOf(point.difference.departure(measure), report.floor->largest.departure(measure));
+        }
+    }
+
+    /// @param first  of the same bits as the point's own world
+    void fillRepeats(AccuracyPoint& point, const SweepWorld& first) const {
+        point.repeats.clear();
+        const std::size_t asked = std::min(first.repeats.size(), static_cast<std::size_t>(m_options.settingRepeats));
+        for (const std::size_t i : std::span(first.repeats).first(asked)) {
+            if (m_worlds[i].difference) {
+                point.repeats.push_back(*m_worlds[i].difference);
+            }
         }
     }
 
@@ -439,7 +482,7 @@ private:
     const Execution& m_execution;
     StudyBase m_base;
     std::map<Digest, std::size_t> m_firstOf;            ///< world of its bits, among reference and settings
-    std::vector<SweepWorld> m_worlds;                   ///< the reference, its repeats, the settings
+    std::vector<SweepWorld> m_worlds;                   ///< the reference and the settings, each before its repeats
     std::vector<std::optional<StudyWorld>> m_measured;  ///< of the same
     std::mutex m_mutex;                                 ///< of worlds, report and findings while worlds run
     bool m_screenWorks = true;

@@ -21,6 +21,7 @@ struct AccuracyReport;
 /// How a sweep is made.
 struct AccuracyOptions {
     StudySettings study;
+    int settingRepeats = 0;       ///< of every setting, births shifted as the reference's are; 0: none
     int jobs = 0;                 ///< worlds at a time for the accuracy columns; 0: one for each thread
     bool simulated = true;        ///< false: only clusters are made, and the report holds nothing that is measured
     bool retimed = false;         ///< figures of time that are kept do not count
@@ -53,6 +54,7 @@ struct AccuracyPoint {
     std::int64_t bodiesPeak = 0;                     ///< at one time
     DebrisDifference difference;                     ///< this less the reference
     std::array<Standing, measureCount> standings{};  ///< of each measure against the floor
+    std::vector<DebrisDifference> repeats;           ///< likewise, of its own repeats that are done, in their order
     std::vector<double> fragmentErrors;              ///< m, from the place in the reference; NaN where absent [fragments]
     SettingCost cost;
 };
@@ -78,7 +80,7 @@ struct AccuracyReport {
     bool complete = false;  ///< false after a cancel or a failure: what is done is there
 };
 
-/// Simulates the reference of a scenario, its repeats and every setting, and compares each with the reference; then times each
+/// Simulates the reference of a scenario and every setting, each with its repeats, and compares each with the reference; then times each
 /// setting with nothing beside it, and measures its live FPS. Whole worlds run in parallel for the accuracy; no figure but those of
 /// time depends on how many at a time, nor on whether a sweep was interrupted. What the store keeps is not simulated again.
 /// A setting that fails (memory, disk) is reported as failed and the others go on; a store that is full is a finding.
@@ -87,7 +89,7 @@ struct AccuracyReport {
 AccuracyReport accuracyStudy(const Inputs& inputs, const Scenario& scenario, std::span<const AccuracySetting> settings,
                              const AccuracyOptions& options, const Execution& execution);
 
-/// The worlds of such a sweep: the reference, its repeats, the settings. Throws what accuracyStudy() throws, and Cancelled.
+/// The worlds of such a sweep: the reference, the settings, their repeats. Throws what accuracyStudy() throws, and Cancelled.
 std::vector<StudyTask> accuracyTasks(const Inputs& inputs, const Scenario& scenario, std::span<const AccuracySetting> settings,
                                      const AccuracyOptions& options, const Execution& execution);
 

@@ -152,7 +152,8 @@ private:
         if (i == 0) {
             return describeBase(m_base);
         }
-        return i <= m_repeats ? describeRepeat(m_base, m_settings, static_cast<int>(i), own)
+        return i <= m_repeats ? describeRepeat({m_base.inputs, m_base.scenario, m_base.results}, m_settings.birthShift,
+                                                 static_cast<int>(i), own)
                               : describeRun(m_base.inputs, m_switched[i - m_repeats - 1].scenario, m_base.results);
     }
 

@@ -43,16 +43,16 @@ RunDescription describeBase(const StudyBase& base) {
     return describeRun(base.inputs, base.scenario, base.results);
 }
 
-RunDescription describeRepeat(const StudyBase& base, const StudySettings& settings, int repeat, const Execution& execution) {
+RunDescription describeRepeat(const RepeatedRun& run, double birthShift, int repeat, const Execution& execution) {
     assert(repeat > 0);
-    Scenario shifted = base.scenario;
-    shifted.fragments.birthShift = std::max(shifted.fragments.birthShift, settings.birthShift);
+    Scenario shifted = run.scenario;
+    shifted.fragments.birthShift = std::max(shifted.fragments.birthShift, birthShift);
     shifted.fragments.seed += repeat;
-    Results results = base.results;
+    Results results = run.results;
     results.fragments =
-        std::make_shared<const FragmentSet>(makeFragments(*base.inputs.fe, *base.results.components, shifted.fragments, execution));
-    results.clustering = std::make_shared<const Clustering>(rejoinClusters(*base.results.clustering, *results.fragments));
-    return describeRun(base.inputs, shifted, results);
+        std::make_shared<const FragmentSet>(makeFragments(*run.inputs.fe, *run.results.components, shifted.fragments, execution));
+    results.clustering = std::make_shared<const Clustering>(rejoinClusters(*run.results.clustering, *results.fragments));
+    return describeRun(run.inputs, shifted, results);
 }
 
 SimulatedWorld simulateDebris(const RunDescription& description, const Execution& execution, CheckpointStore* checkpoints) {

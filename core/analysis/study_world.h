@@ -64,10 +64,18 @@ EffectDecisions decideUnder(const StudyBase& base, const Scenario& scenario);
 /// The world of the base itself.
 RunDescription describeBase(const StudyBase& base);
 
-/// The same scene with every birth shifted by settings.birthShift in a direction that depends on the seed and the element; the
-/// clusters are those of the base, so that nothing else changes. A scenario that shifts its births itself keeps its own length.
+/// A run that can be repeated. Refers to what it is made of.
+struct RepeatedRun {
+    const Inputs& inputs;
+    const Scenario& scenario;
+    const Results& results;  ///< up to the clusters
+};
+
+/// The same run with every birth shifted in a direction that depends on the seed and the element; the clusters stay, so that nothing
+/// else changes. A scenario that shifts its births itself keeps its own length.
+/// @param birthShift  m
 /// @param repeat  1, 2, ...: added to the seed of the scenario
-RunDescription describeRepeat(const StudyBase& base, const StudySettings& settings, int repeat, const Execution& execution);
+RunDescription describeRepeat(const RepeatedRun& run, double birthShift, int repeat, const Execution& execution);
 
 /// Simulates a world; frames are not kept. Throws what simulate() throws.
 /// @param checkpoints  null: none are kept

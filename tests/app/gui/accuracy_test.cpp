@@ -102,6 +102,7 @@ TEST_F(AccuracyWorkbench, TheNextWindowAsksForTheSameComparison) {
     asked.multiples = {"auto", "2"};
     asked.varied = {{"friction", {"0.3"}}, {"cluster_shape", {"axis_box", "hull"}}};
     asked.repeats = 1;
+    asked.settingRepeats = 3;
     asked.tolerances = {0.05, 1.2345678};
     asked.liveFps = false;
     panel().setRequest(asked);
@@ -113,6 +114,7 @@ TEST_F(AccuracyWorkbench, TheNextWindowAsksForTheSameComparison) {
     EXPECT_EQ(found.varied[1].key, "cluster_shape");
     EXPECT_EQ(found.varied[1].values, asked.varied[1].values);
     EXPECT_EQ(found.repeats, 1);
+    EXPECT_EQ(found.settingRepeats, 3);
     EXPECT_EQ(found.tolerances, asked.tolerances);
     EXPECT_FALSE(found.liveFps);
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 
+#include "core/analysis/accuracy_front.h"
 #include "core/base/error.h"
 #include "core/selftest/element_scene.h"
 #include "tests/scenes/fe_scenes.h"
@@ -84,6 +85,10 @@ void expectSamePoint(const AccuracyPoint& a, const AccuracyPoint& b) {
     EXPECT_EQ(a.bodies, b.bodies);
     EXPECT_EQ(a.bodiesPeak, b.bodiesPeak);
     EXPECT_EQ(a.fragmentErrors, b.fragmentErrors);
+    ASSERT_EQ(a.repeats.size(), b.repeats.size());
+    for (std::size_t r = 0; r < a.repeats.size(); ++r) {
+        EXPECT_EQ(a.repeats[r].values, b.repeats[r].values);
+    }
 }
 
 void expectSame(const AccuracyReport& a, const AccuracyReport& b) {
@@ -212,7 +217,59 @@ TEST_F(AccuracyStudy, TheFloorIsThatOfTheReference) {
     }
 }
 
+TEST_F(AccuracyStudy, RepeatsOfASettingShowHowFarItScatters) {
+    const AccuracyReport without = study();
+    MemoryStore store;
+    options.store = &store;
+    options.settingRepeats = 2;
+    const AccuracyReport report = study();
+    EXPECT_TRUE(report.complete);
+    EXPECT_EQ(store.worlds.size(), 9u) << "the reference, which multiple 1 is too, multiple 2.2 and the paper, each with two repeats";
+    // Of the reference they are those of the floor.
+    ASSERT_EQ(report.points[0].repeats.size(), 2u);
+    for (std::size_t r = 0; r < 2; ++r) {
+        EXPECT_EQ(report.points[0].repeats[r].values, report.floor->repeats[r].difference.values);
+    }
+    // By hand.
+    const StudyBase reference = beginStudy(inputs, referenceScenario(scenario), options.study, Execution());
+    const DebrisField field = simulateWorld(describeBase(reference), reference, options.study, Execution()).field;
+    for (std::size_t i = 1; i < report.points.size(); ++i) {
+        const AccuracyPoint& point = report.points[i];
+        ASSERT_EQ(point.repeats.size(), 2u) << point.setting;
+        EXPECT_NE(point.repeats[0].values, point.repeats[1].values);
+        const StudyBase own = beginStudy(inputs, point.scenario, options.study, Execution());
+        const RunDescription second =
+            describeRepeat({own.inputs, own.scenario, own.results}, options.study.birthShift, 2, Execution());
+        const StudyWorld world = simulateWorld(second, reference, options.study, Execution());
+        EXPECT_EQ(point.repeats[1].values, compareDebris(field, world.field).values) << point.setting;
+        for (const AccuracyKind& kind : accuracyKinds(options.study.measures.tolerances)) {
+            const auto range = accuracyRange(point, kind);
+            ASSERT_TRUE(range);
+            const double amount = accuracyOf(point.difference, kind);
+            const double first = accuracyOf(point.repeats[0], kind), other = accuracyOf(point.repeats[1], kind);
+            EXPECT_EQ(*range, std::pair(std::min({amount, first, other}), std::max({amount, first, other})));
+        }
+        EXPECT_FALSE(accuracyRange(without.points[i], {}));
+    }
+    // They change nothing else.
+    for (std::size_t i = 0; i < report.points.size(); ++i) {
+        EXPECT_EQ(report.points[i].trajectoryHash, without.points[i].trajectoryHash);
+        EXPECT_EQ(report.points[i].standings, without.points[i].standings);
+    }
+    EXPECT_EQ(report.floor->largest.values, without.floor->largest.values);
+    EXPECT_EQ(accuracyTasks(inputs, scenario, sweepSettings(scenario, multiples, {}), options, Execution()).size(), 9u);
+    // One of them alone, as a task of a cluster, needs no other.
+    const WorldOrigin wanted = originOf(inputs, report.points[1].scenario, 2, options.study.birthShift, options.machine);
+    MemoryStore empty;
+    options.store = &empty;
+    options.choice = WorldChoice::only(wanted.key);
+    study();
+    ASSERT_EQ(empty.order.size(), 1u);
+    EXPECT_EQ(empty.order.front().key, wanted.key);
+}
+
 TEST_F(AccuracyStudy, DoesNotDependOnHowManyWorldsRunAtOnce) {
+    options.settingRepeats = 1;
     options.jobs = 1;
     const AccuracyReport one = study();
     for (const int jobs : {2, 5}) {

@@ -82,7 +82,7 @@ TEST_F(RepeatFloorTest, AClusteredRunIsRepeatedWithItsOwnClusters) {
     scenario.grid.length = scenario.grid.width = scenario.grid.height = 2.0;
     const StudySettings settings;
     const StudyBase base = beginStudy(inputs, scenario, settings, Execution());
-    const RunDescription repeat = describeRepeat(base, settings, 1, Execution());
+    const RunDescription repeat = describeRepeat({base.inputs, base.scenario, base.results}, settings.birthShift, 1, Execution());
     EXPECT_LT(base.results.clustering->list.size(), base.results.fragments->size());
     EXPECT_EQ(repeat.clustering->of, base.results.clustering->of);
     EXPECT_NE(repeat.fragments->list[0].centre, base.results.fragments->list[0].centre);

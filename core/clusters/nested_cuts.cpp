@@ -1,7 +1,10 @@
 #include "core/clusters/nested_cuts.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numeric>
 #include <tuple>
 
@@ -16,12 +19,31 @@ constexpr double slack = 1.0 + 1e-9;
 /// Fewer are sorted by comparing, which is quicker then.
 constexpr std::size_t few = 512;
 constexpr unsigned digitBits = 11;
+/// Of the mean moment, added along every direction: of fragments of no thickness no box would have the shape.
+constexpr double thickness = 1e-4;
+/// A direction is worth a cut across it if the centres lie further apart along it than along an axis by this share of the square.
+constexpr double skew = 0.01;
+
+/// Second moment of mass of a body from its inertia.
+Mat3 secondMoment(const Mat3& inertia) {
+    return 0.5 * inertia.trace() * Mat3::Identity() - inertia;
+}
+
+Mat3 thickened(const Mat3& moment) {
+    return moment + thickness / 3.0 * moment.trace() * Mat3::Identity();
+}
 
 }  // namespace
 
 NestedCuts::NestedCuts(const FragmentSet& fragments, const Mesh& mesh) {
+    Mat3 all = Mat3::Zero();
     for (const Fragment& fragment : fragments.list) {
-        m_solids.push_back({fragment.centre, fragment.bounds.sizes(), fragment.mass});
+        m_solids.push_back({fragment.centre, fragment.mass, secondMoment(fragment.inertia)});
+        all += m_solids.back().second;
+    }
+    if (all.trace() > 0.0) {
+        const Vec3 squares = thickened(all).diagonal();
+        m_usual = (squares / std::cbrt(squares.prod())).cwiseSqrt();
     }
     std::vector<std::tuple<double, std::int64_t, std::uint32_t>> keys(fragments.size());
     for (int axis = 0; axis < 3; ++axis) {
@@ -39,28 +61,26 @@ NestedCuts::NestedCuts(const FragmentSet& fragments, const Mesh& mesh) {
     }
 }
 
-NestedCuts::Spread NestedCuts::spreadOf(std::span<const std::uint32_t> members, const std::array<double, 3>& size) const {
+NestedCuts::Form NestedCuts::formOf(std::span<const std::uint32_t> members, const Vec3& stretch) const {
+    Form form;
+    Mat3 within = Mat3::Zero();
     double mass = 0.0;
     Vec3 moment = Vec3::Zero();
     const Vec3 origin = m_solids[members.front()].centre;
     for (const std::uint32_t f : members) {
-        mass += m_solids[f].mass;
-        moment += m_solids[f].mass * (m_solids[f].centre - origin);
-    }
-    const Vec3 centre = origin + moment / mass;
-    Vec3 between = Vec3::Zero();
-    Vec3 within = Vec3::Zero();
-    for (const std::uint32_t f : members) {
         const Solid& solid = m_solids[f];
-        between += solid.mass * (solid.centre - centre).cwiseAbs2();
-        within += solid.mass / 12.0 * solid.extents.cwiseAbs2();
+        const Vec3 place = solid.centre - origin;
+        mass += solid.mass;
+        moment += solid.mass * place;
+        form.between += solid.mass * place * place.transpose();
+        within += solid.second;
     }
-    const Vec3 scale = Vec3(size[0], size[1], size[2]).cwiseAbs2().cwiseInverse() / mass;
-    between = between.cwiseProduct(scale);
-    Spread spread;
-    spread.perMass = between.sum() + within.dot(scale);
-    between.maxCoeff(&spread.axis);
-    return spread;
+    form.between -= moment * moment.transpose() / mass;
+    const Mat3 shape = thickened(within);
+    form.box = stretch.asDiagonal() * (shape / std::cbrt(shape.determinant())) * stretch.asDiagonal();
+    form.inverse = form.box.inverse();
+    form.perMass = form.inverse.cwiseProduct(form.between + within).sum() / mass;
+    return form;
 }
 
 /// Sorts numbers below that of the fragments, digit by digit from the least where there are many: then the time grows as their
@@ -85,28 +105,43 @@ void NestedCuts::sort(std::span<std::uint32_t> numbers) {
     }
 }
 
-/// Orders the members along the axis; returns how many stand before the cut that leaves the least spread on its two sides.
-std::size_t NestedCuts::bestCut(std::span<std::uint32_t> members, int axis) {
+void NestedCuts::sortAlongAxis(std::span<std::uint32_t> members, int axis) {
     const AxisRanks& ranks = m_ranks[static_cast<std::size_t>(axis)];
     std::ranges::transform(members, members.begin(), [&](std::uint32_t f) { return ranks.rank[f]; });
     sort(members);
     std::ranges::transform(members, members.begin(), [&](std::uint32_t rank) { return ranks.at[rank]; });
-    const double origin = m_solids[members.front()].centre[axis];
+}
+
+/// Leaves the members in m_sorted.
+void NestedCuts::sortAlong(std::span<const std::uint32_t> members, const Vec3& normal) {
+    m_along.clear();
+    const Vec3 origin = m_solids[members.front()].centre;
+    for (const std::uint32_t f : members) {
+        m_along.emplace_back(normal.dot(m_solids[f].centre - origin), f);
+    }
+    std::ranges::sort(m_along);
+    m_sorted.resize(members.size());
+    std::ranges::transform(m_along, m_sorted.begin(), [](const auto& each) { return each.second; });
+}
+
+/// How many stand before the cut that leaves the least spread along the normal on its two sides.
+std::size_t NestedCuts::bestAlong(std::span<const std::uint32_t> ordered, const Vec3& normal) const {
+    const Vec3 origin = m_solids[ordered.front()].centre;
     double mass = 0.0;
     double moment = 0.0;
-    for (const std::uint32_t f : members) {
+    for (const std::uint32_t f : ordered) {
         mass += m_solids[f].mass;
-        moment += m_solids[f].mass * (m_solids[f].centre[axis] - origin);
+        moment += m_solids[f].mass * normal.dot(m_solids[f].centre - origin);
     }
     // Least within the sides is most between them.
-    std::size_t best = members.size() / 2;
+    std::size_t best = ordered.size() / 2;
     double most = 0.0;
     double before = 0.0;
     double momentBefore = 0.0;
-    for (std::size_t k = 0; k + 1 < members.size(); ++k) {
-        const Solid& solid = m_solids[members[k]];
+    for (std::size_t k = 0; k + 1 < ordered.size(); ++k) {
+        const Solid& solid = m_solids[ordered[k]];
         before += solid.mass;
-        momentBefore += solid.mass * (solid.centre[axis] - origin);
+        momentBefore += solid.mass * normal.dot(solid.centre - origin);
         const double apart = momentBefore / before - (moment - momentBefore) / (mass - before);
         const double between = before * (mass - before) * apart * apart;
         if (between > most) {
@@ -117,19 +152,58 @@ std::size_t NestedCuts::bestCut(std::span<std::uint32_t> members, int axis) {
     return best;
 }
 
+/// By how much a cut makes the spread less.
+double NestedCuts::gainOf(std::span<const std::uint32_t> ordered, std::size_t first, const Mat3& inverse) const {
+    const Vec3 origin = m_solids[ordered.front()].centre;
+    std::array<double, 2> mass{};
+    std::array<Vec3, 2> moment{Vec3::Zero(), Vec3::Zero()};
+    for (std::size_t k = 0; k < ordered.size(); ++k) {
+        const Solid& solid = m_solids[ordered[k]];
+        const std::size_t side = k < first ? 0 : 1;
+        mass[side] += solid.mass;
+        moment[side] += solid.mass * (solid.centre - origin);
+    }
+    const Vec3 apart = moment[1] / mass[1] - moment[0] / mass[0];
+    return mass[0] * mass[1] / (mass[0] + mass[1]) * apart.dot(inverse * apart);
+}
+
+/// Orders the members; returns how many stand before the cut.
+std::size_t NestedCuts::cutPart(std::span<std::uint32_t> members, const Form& form) {
+    int axis = 0;
+    const double widest = form.between.diagonal().cwiseQuotient(form.box.diagonal()).maxCoeff(&axis);
+    sortAlongAxis(members, axis);
+    const std::size_t across = bestAlong(members, Vec3::Unit(axis));
+    const Eigen::LLT<Mat3> root(form.box);
+    const Mat3 half = root.matrixL().solve(form.between);
+    Eigen::SelfAdjointEigenSolver<Mat3> directions;
+    directions.computeDirect(root.matrixL().solve(Mat3(half.transpose())));
+    if (!(directions.eigenvalues()[2] > (1.0 + skew) * widest)) {
+        return across;
+    }
+    const Vec3 normal = root.matrixU().solve(Vec3(directions.eigenvectors().col(2)));
+    sortAlong(members, normal);
+    const std::size_t along = bestAlong(m_sorted, normal);
+    if (!(gainOf(m_sorted, along, form.inverse) > gainOf(members, across, form.inverse))) {
+        return across;
+    }
+    std::ranges::copy(m_sorted, members.begin());
+    return along;
+}
+
 void NestedCuts::cut(const std::array<double, 3>& size, std::span<std::uint32_t> members, std::vector<std::uint32_t>& sizes) {
     assert(size[0] > 0.0 && size[1] > 0.0 && size[2] > 0.0);
+    const Vec3 stretch = Vec3(size[0], size[1], size[2]).cwiseQuotient(m_usual);
     m_open.assign(1, members);
     while (!m_open.empty()) {
         const std::span<std::uint32_t> part = m_open.back();
         m_open.pop_back();
-        const Spread spread = spreadOf(part, size);
-        if (part.size() < 2 || spread.perMass <= spreadOfBox * slack) {
+        const Form form = formOf(part, stretch);
+        if (part.size() < 2 || form.perMass <= spreadOfBox * slack) {
             sort(part);
             sizes.push_back(static_cast<std::uint32_t>(part.size()));
             continue;
         }
-        const std::size_t first = bestCut(part, spread.axis);
+        const std::size_t first = cutPart(part, form);
         m_open.push_back(part.subspan(first));
         m_open.push_back(part.first(first));
     }

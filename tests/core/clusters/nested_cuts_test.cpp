@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -31,23 +33,29 @@ std::vector<Members> partsOf(const FragmentBlocks& blocks, const Size& size) {
     return parts;
 }
 
-/// D along one axis in terms of the grid, from all pairs: sum of m_i m_j (x_i - x_j)^2 / 2 over the mass, and the solids' own.
-double spreadAlong(const FragmentBlocks& blocks, const Members& part, const Size& size, int axis, bool own) {
-    double pairs = 0.0;
+/// Second moment of mass of a part's fragments, each about its own centre, from their solids; thin ones as if they were thicker.
+Mat3 ownMoment(const FragmentBlocks& blocks, const Members& part, bool thickened) {
+    Mat3 sum = Mat3::Zero();
+    for (const std::uint32_t f : part) {
+        const Fragment& fragment = blocks.set.list[f];
+        sum += 0.5 * fragment.inertia.trace() * Mat3::Identity() - fragment.inertia;
+    }
+    return thickened ? Mat3(sum + 1e-4 / 3.0 * sum.trace() * Mat3::Identity()) : sum;
+}
+
+/// Of their centres, from all pairs: sum of m_i m_j (x_i - x_j) (x_i - x_j)^T / 2 over the mass.
+Mat3 momentBetween(const FragmentBlocks& blocks, const Members& part) {
+    Mat3 pairs = Mat3::Zero();
     double mass = 0.0;
-    double within = 0.0;
     for (const std::uint32_t i : part) {
         const Fragment& a = blocks.set.list[i];
         mass += a.mass;
-        within += a.mass * a.bounds.sizes()[axis] * a.bounds.sizes()[axis] / 12.0;
         for (const std::uint32_t j : part) {
-            const Fragment& b = blocks.set.list[j];
-            const double apart = a.centre[axis] - b.centre[axis];
-            pairs += 0.5 * a.mass * b.mass * apart * apart;
+            const Vec3 apart = a.centre - blocks.set.list[j].centre;
+            pairs += 0.5 * a.mass * blocks.set.list[j].mass * apart * apart.transpose();
         }
     }
-    const double square = size[static_cast<std::size_t>(axis)] * size[static_cast<std::size_t>(axis)];
-    return (pairs / mass + (own ? within : 0.0)) / square;
+    return pairs / mass;
 }
 
 double massOf(const FragmentBlocks& blocks, const Members& part) {
@@ -58,12 +66,43 @@ double massOf(const FragmentBlocks& blocks, const Members& part) {
     return mass;
 }
 
+/// T of a part.
+Mat3 boxOf(const FragmentBlocks& blocks, const Members& part, const Size& size) {
+    Members everyone(blocks.set.size());
+    std::iota(everyone.begin(), everyone.end(), 0u);
+    const Vec3 mean = ownMoment(blocks, everyone, true).diagonal();
+    const Mat3 shape = ownMoment(blocks, part, true);
+    const Vec3 stretch = Vec3(size[0], size[1], size[2]).cwiseQuotient((mean / std::cbrt(mean.prod())).cwiseSqrt());
+    return stretch.asDiagonal() * (shape / std::cbrt(shape.determinant())) * stretch.asDiagonal();
+}
+
 bool compact(const FragmentBlocks& blocks, const Members& part, const Size& size) {
-    double spread = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        spread += spreadAlong(blocks, part, size, axis, true);
-    }
+    const Mat3 all = momentBetween(blocks, part) + ownMoment(blocks, part, false);
+    const double spread = boxOf(blocks, part, size).fullPivLu().solve(all).trace();
     return part.size() == 1 || spread <= 0.25 * massOf(blocks, part) * (1.0 + 1e-9);
+}
+
+/// A part in two, and what its centres are apart within both.
+struct Halves {
+    std::array<Members, 2> sides;
+    double left = std::numeric_limits<double>::infinity();
+};
+
+/// Every cut across a direction; the one that leaves the least spread along it.
+Halves bestAcross(const FragmentBlocks& blocks, Members part, const Vec3& normal) {
+    std::ranges::sort(part, {}, [&](std::uint32_t f) { return normal.dot(blocks.set.list[f].centre); });
+    Halves best;
+    for (std::size_t k = 1; k < part.size(); ++k) {
+        const auto middle = part.begin() + static_cast<std::ptrdiff_t>(k);
+        Halves halves{{Members(part.begin(), middle), Members(middle, part.end())}, 0.0};
+        for (const Members& side : halves.sides) {
+            halves.left += normal.dot(momentBetween(blocks, side) * normal);
+        }
+        if (halves.left < best.left) {
+            best = halves;
+        }
+    }
+    return best;
 }
 
 /// The cuts by trying every one, with spreads from all pairs.
@@ -73,29 +112,33 @@ void cutPlainly(const FragmentBlocks& blocks, const Size& size, Members part, st
         parts.insert(part);
         return;
     }
+    const Mat3 box = boxOf(blocks, part, size);
+    const Mat3 between = momentBetween(blocks, part);
     int longest = 0;
-    for (const int axis : {1, 2}) {
-        if (spreadAlong(blocks, part, size, axis, false) > spreadAlong(blocks, part, size, longest, false)) {
-            longest = axis;
+    const double square = between.diagonal().cwiseQuotient(box.diagonal()).maxCoeff(&longest);
+    std::vector<Halves> cuts{bestAcross(blocks, part, Vec3::Unit(longest))};
+    // The direction n with the largest n.B n / n.T n.
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Mat3> directions(between, box);
+    if (directions.eigenvalues()[2] > 1.01 * square) {
+        cuts.push_back(bestAcross(blocks, part, directions.eigenvectors().col(2)));
+    }
+    for (Halves& cut : cuts) {
+        cut.left = 0.0;
+        for (const Members& side : cut.sides) {
+            cut.left += box.fullPivLu().solve(momentBetween(blocks, side)).trace();
         }
     }
-    std::ranges::stable_sort(part, [&](std::uint32_t a, std::uint32_t b) {
-        return blocks.set.list[a].centre[longest] < blocks.set.list[b].centre[longest];
-    });
-    double least = std::numeric_limits<double>::infinity();
-    std::size_t best = 0;
-    for (std::size_t k = 1; k < part.size(); ++k) {
-        const auto middle = part.begin() + static_cast<std::ptrdiff_t>(k);
-        const double left = spreadAlong(blocks, Members(part.begin(), middle), size, longest, false) +
-                            spreadAlong(blocks, Members(middle, part.end()), size, longest, false);
-        if (left < least) {
-            least = left;
-            best = k;
-        }
+    for (const Members& side : std::ranges::min(cuts, {}, &Halves::left).sides) {
+        cutPlainly(blocks, size, side, parts);
     }
-    const auto middle = part.begin() + static_cast<std::ptrdiff_t>(best);
-    cutPlainly(blocks, size, Members(part.begin(), middle), parts);
-    cutPlainly(blocks, size, Members(middle, part.end()), parts);
+}
+
+/// Turns the solids of fragments about y, each about its own centre.
+void turnSolids(FragmentBlocks& blocks, double degrees) {
+    const Mat3 turn = Eigen::AngleAxisd(degrees * EIGEN_PI / 180.0, Vec3::UnitY()).toRotationMatrix();
+    for (Fragment& fragment : blocks.set.list) {
+        fragment.inertia = turn * fragment.inertia * turn.transpose();
+    }
 }
 
 TEST(NestedCuts, AFullBoxIsOnePartAndTwiceAsMuchIsTwo) {
@@ -152,6 +195,63 @@ TEST(NestedCuts, EqualsTryingEveryCut) {
             EXPECT_TRUE(std::ranges::is_sorted(part));
         }
     }
+}
+
+TEST(NestedCuts, PartsAreInTheProportionsOfTheirOwnFragments) {
+    // Two fields of 8 x 8 x 8 fragments of one volume: tall ones and flat ones. Of both the grid takes 2 x 2 x 2 together.
+    FragmentBlocks blocks;
+    const std::array<Vec3, 2> forms{Vec3(1.0, 1.0, 4.0), Vec3(2.0, 2.0, 1.0)};
+    for (std::size_t field = 0; field < 2; ++field) {
+        for (int i = 0; i < 512; ++i) {
+            const Vec3 place(i % 8, i / 8 % 8, i / 64);
+            blocks.add(Vec3(100.0 * static_cast<double>(field), 0, 0) + place.cwiseProduct(forms[field]), forms[field]);
+        }
+    }
+    const double side = 1.001 * 2.0 * std::cbrt(4.0);  // the tall ones count as slightly thicker
+    const Vec3 mean = ((forms[0].cwiseAbs2() + forms[1].cwiseAbs2()) / 2.0).cwiseSqrt();
+    const Vec3 size = side * mean / std::cbrt(mean.prod());
+    const std::vector<Members> parts = partsOf(blocks, {size.x(), size.y(), size.z()});
+    EXPECT_EQ(parts.size(), 128u);
+    for (const Members& part : parts) {
+        Aabb bounds;
+        for (const std::uint32_t f : part) {
+            bounds.extend(blocks.set.list[f].bounds);
+        }
+        EXPECT_EQ(bounds.sizes(), 2.0 * forms[part.front() / 512]);
+    }
+}
+
+TEST(NestedCuts, WhatLeansIsCutAcrossWhereItLeans) {
+    // A leaning wall, thin across: 2 x 16 stones along directions that are those of no axis.
+    for (const double degrees : {0.0, 20.0, 45.0, 70.0}) {
+        const Mat3 turn = Eigen::AngleAxisd(degrees * EIGEN_PI / 180.0, Vec3::UnitY()).toRotationMatrix();
+        FragmentBlocks blocks;
+        for (int i = 0; i < 32; ++i) {
+            const Vec3 centre = turn * Vec3(i % 2, 0.0, i / 2);
+            blocks.add(centre - 0.5 * Vec3::Ones(), Vec3::Ones());
+        }
+        turnSolids(blocks, degrees);
+        const std::vector<Members> parts = partsOf(blocks, {2.0, 2.0, 2.0});
+        std::set<Members> squares;
+        for (std::uint32_t i = 0; i < 32; i += 4) {
+            squares.insert({i, i + 1, i + 2, i + 3});
+        }
+        EXPECT_EQ(std::set<Members>(parts.begin(), parts.end()), squares) << degrees;
+    }
+}
+
+TEST(NestedCuts, FragmentsWithoutThicknessAreCutLikeOthers) {
+    FragmentBlocks blocks;
+    for (int i = 0; i < 64; ++i) {
+        blocks.add(Vec3(i % 8, i / 8, 0.0), Vec3(1.0, 1.0, 0.0)).mass = 1.0;
+        blocks.set.list.back().inertia = Vec3(1.0, 1.0, 2.0).asDiagonal();
+        blocks.set.list.back().inertia /= 12.0;
+    }
+    // The box has no thickness either; of 2 x 2 of its own volume.
+    const double thin = std::sqrt(1e-4 / 3.0 * 2.0);
+    const std::vector<Members> parts = partsOf(blocks, {2.0, 2.0, 2.0 * thin});
+    EXPECT_EQ(parts.size(), 16u);
+    EXPECT_TRUE(std::ranges::all_of(parts, [](const Members& part) { return part.size() == 4; }));
 }
 
 TEST(NestedCuts, FragmentsAtOnePlaceThatAreTooLargeTogetherStandAlone) {

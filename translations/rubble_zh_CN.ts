@@ -4034,8 +4034,8 @@
         <translation>正在为重复性下限模拟 {0} 次计算</translation>
     </message>
     <message>
-        <source>simulating {0} worlds: the reference, its repeats, the settings</source>
-        <translation>正在模拟 {0} 次计算：基准、其重复和各项设置</translation>
+        <source>simulating {0} worlds: the reference, the settings, their repeats</source>
+        <translation>正在模拟 {0} 次计算：基准、各项设置及其重复</translation>
     </message>
     <message>
         <source>simulating {0} worlds: the run, {1} repeats, {2} effects switched</source>
@@ -7876,8 +7876,8 @@
         <translation>latch（锁定）：失效即永久失效。follow（跟随）：单元复活时碎块结束。refuse（拒绝）：此类文件视为错误。</translation>
     </message>
     <message>
-        <source>nested: the fragments of a component that are born together are cut in two, again and again, until each cluster is as compact as a full box of the Basic Grid. axes: those with the same groups along x, y and z, as published.</source>
-        <translation>nested（嵌套）：同一构件中同时产生的碎块不断一分为二，直到每个聚类与一个装满的基本网格盒同样紧凑。axes（按轴）：沿 x、y、z 分组相同的碎块归为一类，如论文。</translation>
+        <source>nested: the fragments of a component that are born together are cut in two, again and again, until each cluster is as compact as a full box of the Basic Grid in the proportions of its own fragments. axes: those with the same groups along x, y and z, as published.</source>
+        <translation>nested（嵌套）：同一构件中同时产生的碎块不断一分为二，直到每个聚类与一个按其自身碎块比例、装满的基本网格盒同样紧凑。axes（按轴）：沿 x、y、z 分组相同的碎块归为一类，如论文。</translation>
     </message>
     <message>
         <source>soft-step: soft contacts in small substeps; piles keep their volume, several times faster in large ones. bullet: sequential impulses as Bullet has them; large piles squeeze into themselves.</source>
@@ -9840,8 +9840,8 @@
         <translation>在本次计算中，相隔不超过 %1 s 的失效一起交接，取该时段首个状态的位置、形状和速度。</translation>
     </message>
     <message>
-        <source>In this run clusters are made by nested cuts: the fragments of each component and birth are cut in two where that leaves the least spread, until every part is as compact as a full box of the grid.</source>
-        <translation>本次计算的聚类由嵌套切割得到：每个构件、每次产生的碎块在使离散最小处一分为二，直到每部分与网格的满格一样紧凑。</translation>
+        <source>In this run clusters are made by nested cuts: the fragments of each component and birth are cut in two where that leaves the least spread, until every part is as compact as a full box of the grid that has the proportions of its own fragments.</source>
+        <translation>本次计算的聚类由嵌套切割得到：每个构件、每次产生的碎块在使离散最小处一分为二，直到每部分与按其自身碎块比例的网格满格一样紧凑。</translation>
     </message>
     <message>
         <source>In this run clusters are the product of groups along the three axes, as in the published method.</source>

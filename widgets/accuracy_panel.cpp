@@ -105,9 +105,11 @@ void AccuracyPanel::buildChoices() {
     m_settingRepeats->setRange(0, 100);
     m_settingRepeats->setSpecialValueText(tr("none"));
     m_settingRepeats->setAlignment(Qt::AlignRight);
-    field(tr("Repeats of every setting"), m_settingRepeats,
-          tr("How often every setting is repeated with births shifted by a micrometre: the chart shows as a line through its point how "
-             "far its own accuracy scatters, so that two settings are not told apart by chance. Each takes as long as the setting"));
+    field(
+        tr("Repeats of every setting"), m_settingRepeats,
+        tr("How often every setting is repeated with births shifted by a micrometre: the chart shows as a line through its point "
+           "how "
+           "far its own accuracy scatters, so that two settings are not told apart by chance. Each takes as long as the setting"));
     m_toleranceField->setObjectName(QStringLiteral("tolerances"));
     field(tr("Tolerances, m"), m_toleranceField,
           tr("Accuracy rates count the fragments within these distances of their place in the reference, and the view coloured by "
@@ -212,9 +214,8 @@ void AccuracyPanel::setRequest(const Request& request) {
 
 void AccuracyPanel::setReady(bool ready, bool running, const QString& why) {
     m_start->setReady(ready, running, why);
-    for (QWidget* editor :
-         std::initializer_list<QWidget*>{m_multiples, m_varied, m_toleranceField, m_repeats, m_settingRepeats, m_liveFps,
-                                        m_retimed}) {
+    for (QWidget* editor : std::initializer_list<QWidget*>{m_multiples, m_varied, m_toleranceField, m_repeats, m_settingRepeats,
+                                                           m_liveFps, m_retimed}) {
         editor->setEnabled(!running);
     }
 }

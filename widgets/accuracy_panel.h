@@ -23,8 +23,8 @@ public:
     struct Request {
         std::vector<std::string> multiples;  ///< of the mean distance, "auto" among them; empty: the grid as set
         std::vector<VariedParameter> varied;
-        int repeats = 2;         ///< of the reference
-        int settingRepeats = 0;  ///< of every setting
+        int repeats = 2;                                ///< of the reference
+        int settingRepeats = 0;                         ///< of every setting
         std::vector<double> tolerances{0.1, 0.2, 0.3};  ///< m, of the accuracy rate; ascending
         bool liveFps = true;
         bool retimed = false;  ///< times that are kept do not count

@@ -21,8 +21,8 @@ struct PlotPoint {
     QString words;  ///< all its numbers
     CostAccuracy at;
     std::optional<std::pair<double, double>> range;  ///< of the accuracy, over it and its own repeats
-    bool front = false;      ///< on the Pareto front
-    bool published = false;  ///< the published method: a square
+    bool front = false;                              ///< on the Pareto front
+    bool published = false;                          ///< the published method: a square
     bool inUse = false;
 };
 

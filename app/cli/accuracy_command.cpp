@@ -205,7 +205,8 @@ Command accuracyCommand() {
         "FE|CASE",
         "what accuracy costs in time, against the repeat floor",
         "Simulates the reference (each fragment its own body), its repeats with births shifted by a micrometre, and every setting, "
-        "on request with repeats of its own; compares each with the reference, and then times each alone. Worlds that were simulated before are taken from the cache: "
+        "on request with repeats of its own; compares each with the reference, and then times each alone. Worlds that were "
+        "simulated before are taken from the cache: "
         "after Ctrl-C the same command goes on from there.",
         std::move(options),
         measureAccuracy};

@@ -39,7 +39,8 @@ int countIn(const std::string& text, int least, int otherwise) {
 }  // namespace
 
 std::vector<std::string> wordsOf(const widgets::AccuracyPanel::Request& request) {
-    std::vector<std::string> words{"--multiples", joined(request.multiples), "--repeats", std::to_string(request.repeats),
+    std::vector<std::string> words{"--multiples",       joined(request.multiples),
+                                   "--repeats",         std::to_string(request.repeats),
                                    "--setting-repeats", std::to_string(request.settingRepeats)};
     for (const VariedParameter& varied : request.varied) {
         words.insert(words.end(), {"--vary", varied.key + "=" + joined(varied.values)});

@@ -37,8 +37,8 @@ struct SweepWorld {
     double weight = 1.0;
     std::size_t twin = 0;  ///< first world of the same bits: itself, unless a setting before differs in nothing that counts
     std::shared_ptr<const SimulatedWorld> world;
-    bool simulatedAlone = false;  ///< here and now, with the whole machine to itself
-    std::vector<std::size_t> repeats;           ///< of the first of its bits: the worlds that repeat it
+    bool simulatedAlone = false;                 ///< here and now, with the whole machine to itself
+    std::vector<std::size_t> repeats;            ///< of the first of its bits: the worlds that repeat it
     std::optional<DebrisDifference> difference;  ///< of a repeat: it less the reference, once measured
 
     bool isRepeat() const { return repeat > 0; }

@@ -80,10 +80,10 @@ struct AccuracyReport {
     bool complete = false;  ///< false after a cancel or a failure: what is done is there
 };
 
-/// Simulates the reference of a scenario and every setting, each with its repeats, and compares each with the reference; then times each
-/// setting with nothing beside it, and measures its live FPS. Whole worlds run in parallel for the accuracy; no figure but those of
-/// time depends on how many at a time, nor on whether a sweep was interrupted. What the store keeps is not simulated again.
-/// A setting that fails (memory, disk) is reported as failed and the others go on; a store that is full is a finding.
+/// Simulates the reference of a scenario and every setting, each with its repeats, and compares each with the reference; then times
+/// each setting with nothing beside it, and measures its live FPS. Whole worlds run in parallel for the accuracy; no figure but
+/// those of time depends on how many at a time, nor on whether a sweep was interrupted. What the store keeps is not simulated
+/// again. A setting that fails (memory, disk) is reported as failed and the others go on; a store that is full is a finding.
 /// Returns what there is when cancelled. Throws UsageError for settings out of range, and what the pipeline throws for the
 /// reference.
 AccuracyReport accuracyStudy(const Inputs& inputs, const Scenario& scenario, std::span<const AccuracySetting> settings,

@@ -153,7 +153,7 @@ private:
             return describeBase(m_base);
         }
         return i <= m_repeats ? describeRepeat({m_base.inputs, m_base.scenario, m_base.results}, m_settings.birthShift,
-                                                 static_cast<int>(i), own)
+                                               static_cast<int>(i), own)
                               : describeRun(m_base.inputs, m_switched[i - m_repeats - 1].scenario, m_base.results);
     }
 

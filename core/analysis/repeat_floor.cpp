@@ -42,9 +42,9 @@ RepeatFloor repeatFloor(const Inputs& inputs, const Scenario& scenario, const St
     std::vector<std::optional<StudyWorld>> done(worlds);
     runInParallel(worlds, {settings.threads}, {"analysis.floor", "simulating {0} worlds for the repeat floor", {worlds}}, execution,
                   [&](std::size_t i, const Execution& own) {
-                      const RunDescription description =
-                          i == 0 ? describeBase(base) : describeRepeat({base.inputs, base.scenario, base.results}, settings.birthShift,
-                                                                 static_cast<int>(i), own);
+                      const RunDescription description = i == 0 ? describeBase(base)
+                                                                : describeRepeat({base.inputs, base.scenario, base.results},
+                                                                                 settings.birthShift, static_cast<int>(i), own);
                       done[i] = simulateWorld(description, base, settings, own);
                   });
     return floorOf(*done[0], std::span(done).subspan(1), scenario.fragments.seed);

@@ -71,8 +71,8 @@ struct RepeatedRun {
     const Results& results;  ///< up to the clusters
 };
 
-/// The same run with every birth shifted in a direction that depends on the seed and the element; the clusters stay, so that nothing
-/// else changes. A scenario that shifts its births itself keeps its own length.
+/// The same run with every birth shifted in a direction that depends on the seed and the element; the clusters stay, so that
+/// nothing else changes. A scenario that shifts its births itself keeps its own length.
 /// @param birthShift  m
 /// @param repeat  1, 2, ...: added to the seed of the scenario
 RunDescription describeRepeat(const RepeatedRun& run, double birthShift, int repeat, const Execution& execution);

@@ -24,9 +24,26 @@ constexpr double thickness = 1e-4;
 /// A direction is worth a cut across it if the centres lie further apart along it than along an axis by this share of the square.
 constexpr double skew = 0.01;
 
+using Moment = Eigen::Matrix<double, 6, 1>;
+
 /// Second moment of mass of a body from its inertia.
-Mat3 secondMoment(const Mat3& inertia) {
-    return 0.5 * inertia.trace() * Mat3::Identity() - inertia;
+Moment secondMoment(const Mat3& inertia) {
+    Moment moment;
+    moment << Vec3::Constant(0.5 * inertia.trace()) - inertia.diagonal(), -inertia(0, 1), -inertia(0, 2), -inertia(1, 2);
+    return moment;
+}
+
+/// x x^T
+Moment square(const Vec3& x) {
+    return Moment{x[0] * x[0], x[1] * x[1], x[2] * x[2], x[0] * x[1], x[0] * x[2], x[1] * x[2]};
+}
+
+Mat3 matrixOf(const Moment& moment) {
+    Mat3 matrix;
+    matrix << moment[0], moment[3], moment[4],  //
+        moment[3], moment[1], moment[5],        //
+        moment[4], moment[5], moment[2];
+    return matrix;
 }
 
 Mat3 thickened(const Mat3& moment) {
@@ -36,13 +53,13 @@ Mat3 thickened(const Mat3& moment) {
 }  // namespace
 
 NestedCuts::NestedCuts(const FragmentSet& fragments, const Mesh& mesh) {
-    Mat3 all = Mat3::Zero();
+    Moment all = Moment::Zero();
     for (const Fragment& fragment : fragments.list) {
         m_solids.push_back({fragment.centre, fragment.mass, secondMoment(fragment.inertia)});
         all += m_solids.back().second;
     }
-    if (all.trace() > 0.0) {
-        const Vec3 squares = thickened(all).diagonal();
+    if (const Mat3 moment = matrixOf(all); moment.trace() > 0.0) {
+        const Vec3 squares = thickened(moment).diagonal();
         m_usual = (squares / std::cbrt(squares.prod())).cwiseSqrt();
     }
     std::vector<std::tuple<double, std::int64_t, std::uint32_t>> keys(fragments.size());
@@ -62,8 +79,8 @@ NestedCuts::NestedCuts(const FragmentSet& fragments, const Mesh& mesh) {
 }
 
 NestedCuts::Form NestedCuts::formOf(std::span<const std::uint32_t> members, const Vec3& stretch) const {
-    Form form;
-    Mat3 within = Mat3::Zero();
+    Moment between = Moment::Zero();
+    Moment own = Moment::Zero();
     double mass = 0.0;
     Vec3 moment = Vec3::Zero();
     const Vec3 origin = m_solids[members.front()].centre;
@@ -72,10 +89,12 @@ NestedCuts::Form NestedCuts::formOf(std::span<const std::uint32_t> members, cons
         const Vec3 place = solid.centre - origin;
         mass += solid.mass;
         moment += solid.mass * place;
-        form.between += solid.mass * place * place.transpose();
-        within += solid.second;
+        between += solid.mass * square(place);
+        own += solid.second;
     }
-    form.between -= moment * moment.transpose() / mass;
+    Form form;
+    form.between = matrixOf(between - square(moment) / mass);
+    const Mat3 within = matrixOf(own);
     const Mat3 shape = thickened(within);
     form.box = stretch.asDiagonal() * (shape / std::cbrt(shape.determinant())) * stretch.asDiagonal();
     form.inverse = form.box.inverse();
@@ -169,6 +188,9 @@ double NestedCuts::gainOf(std::span<const std::uint32_t> ordered, std::size_t fi
 
 /// Orders the members; returns how many stand before the cut.
 std::size_t NestedCuts::cutPart(std::span<std::uint32_t> members, const Form& form) {
+    if (members.size() == 2) {
+        return 1;
+    }
     int axis = 0;
     const double widest = form.between.diagonal().cwiseQuotient(form.box.diagonal()).maxCoeff(&axis);
     sortAlongAxis(members, axis);
@@ -197,8 +219,9 @@ void NestedCuts::cut(const std::array<double, 3>& size, std::span<std::uint32_t>
     while (!m_open.empty()) {
         const std::span<std::uint32_t> part = m_open.back();
         m_open.pop_back();
-        const Form form = formOf(part, stretch);
-        if (part.size() < 2 || form.perMass <= spreadOfBox * slack) {
+        const bool single = part.size() == 1;
+        const Form form = single ? Form() : formOf(part, stretch);
+        if (single || form.perMass <= spreadOfBox * slack) {
             sort(part);
             sizes.push_back(static_cast<std::uint32_t>(part.size()));
             continue;

@@ -35,10 +35,12 @@ public:
     void cut(const std::array<double, 3>& size, std::span<std::uint32_t> members, std::vector<std::uint32_t>& sizes);
 
 private:
+    /// A second moment: xx, yy, zz, xy, xz, yz.
+    using Moment = Eigen::Matrix<double, 6, 1>;
     struct Solid {
-        Vec3 centre = Vec3::Zero();  ///< m, of mass
-        double mass = 0.0;           ///< kg
-        Mat3 second = Mat3::Zero();  ///< kg m2, second moment of mass about the centre
+        Vec3 centre = Vec3::Zero();      ///< m, of mass
+        double mass = 0.0;               ///< kg
+        Moment second = Moment::Zero();  ///< kg m2, of mass about the centre
     };
     /// A part against a box of the grid.
     struct Form {

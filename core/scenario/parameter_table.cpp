@@ -90,7 +90,8 @@ std::vector<Parameter> sizingRows() {
         .choice(
             "grouping", {"nested", "axes"}, RUBBLE_AT(grid.grouping), "Grouping",
             "nested: the fragments of a component that are born together are cut in two, again and again, until each cluster is "
-            "as compact as a full box of the Basic Grid. axes: those with the same groups along x, y and z, as published.")
+            "as compact as a full box of the Basic Grid in the proportions of its own fragments. axes: those with the same groups "
+            "along x, y and z, as published.")
         .number("multiple", "x d", 0.01, 1000, RUBBLE_AT(grid.multiple), "Multiple of mean distance",
                 "Size of the Basic Grid as a multiple of the mean distance of adjacent fragments. Automatic: the smallest that "
                 "keeps to "

@@ -224,7 +224,8 @@ TEST_F(AccuracyStudy, RepeatsOfASettingShowHowFarItScatters) {
     options.settingRepeats = 2;
     const AccuracyReport report = study();
     EXPECT_TRUE(report.complete);
-    EXPECT_EQ(store.worlds.size(), 9u) << "the reference, which multiple 1 is too, multiple 2.2 and the paper, each with two repeats";
+    EXPECT_EQ(store.worlds.size(), 9u)
+        << "the reference, which multiple 1 is too, multiple 2.2 and the paper, each with two repeats";
     // Of the reference they are those of the floor.
     ASSERT_EQ(report.points[0].repeats.size(), 2u);
     for (std::size_t r = 0; r < 2; ++r) {

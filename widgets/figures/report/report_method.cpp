@@ -55,7 +55,9 @@ void ReportSections::addGridMethod() {
          : m_facts.scenario.grid.grouping == Grouping::Nested
              ? tr("In this run clusters are made by nested cuts: the fragments of each component and birth are cut in two where "
                   "that "
-                  "leaves the least spread, until every part is as compact as a full box of the grid.")
+                  "leaves the least spread, until every part is as compact as a full box of the grid that has the proportions of "
+                  "its own "
+                  "fragments.")
              : tr("In this run clusters are the product of groups along the three axes, as in the published method."));
 }
 

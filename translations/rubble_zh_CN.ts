@@ -1374,10 +1374,6 @@
         <translation>重复性下限至少需要 1 次重复和大于零的产生位置扰动。</translation>
     </message>
     <message>
-        <source>A repeat of the reference could not be simulated.</source>
-        <translation>基准的一次重复无法模拟。</translation>
-    </message>
-    <message>
         <source>A result could not be kept for a second start.</source>
         <translation>某项结果无法保留供再次启动使用。</translation>
     </message>
@@ -7173,6 +7169,10 @@
         <source>element {0} ({1}), {2} s</source>
         <translation>单元 {0}（{1}），{2} s</translation>
     </message>
+    <message>
+        <source>A repeat could not be simulated.</source>
+        <translation>一次重复未能模拟。</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -11164,6 +11164,10 @@
         <source>cost: bodies that the engine moves</source>
         <translation>代价：引擎移动的刚体数</translation>
     </message>
+    <message>
+        <source>, %1 to %2 over %3 runs</source>
+        <translation>，%3 次计算中为 %1 至 %2</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::AccuracyChart</name>
@@ -11416,6 +11420,18 @@
     <message>
         <source>Stop comparing, on a cluster after a question; what is done is kept, and comparing again goes on</source>
         <translation>停止比较，在集群上会先询问；已完成的保留，再次比较时继续</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Repeats of every setting</source>
+        <translation>每项设置的重复次数</translation>
+    </message>
+    <message>
+        <source>How often every setting is repeated with births shifted by a micrometre: the chart shows as a line through its point how far its own accuracy scatters, so that two settings are not told apart by chance. Each takes as long as the setting</source>
+        <translation>每项设置以移动一微米的产生位置重复多少次：图中以穿过其点的竖线表示其自身精度的离散，以免把出于偶然的差别当作两项设置的差别。每次重复耗时与该设置相同</translation>
     </message>
 </context>
 <context>

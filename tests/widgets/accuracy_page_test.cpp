@@ -110,6 +110,27 @@ TEST_F(AccuracyWidgets, ThePlotHoldsOnePointForEachSettingWithBothFigures) {
     EXPECT_LT(*content.target, 12.0);
 }
 
+TEST_F(AccuracyWidgets, ALineThroughAPointShowsItsOwnSpread) {
+    chart.setContent(contentOf(*report));
+    const QImage without = chart.grab().toImage();
+    // The least of all, and a better one.
+    report->points[0].repeats = {differing(0.60), differing(0.92)};
+    const PlotContent content = contentOf(*report);
+    ASSERT_EQ(content.points.front().row, 0);
+    EXPECT_EQ(content.points.front().range, std::pair(0.60, 0.92));
+    EXPECT_FALSE(content.points[1].range);
+    EXPECT_TRUE(content.points.front().words.contains(QStringLiteral("0.600 to 0.920 over 3 runs")));
+    chart.setContent(content);
+    // The axis reaches that far, and the line is drawn down to there.
+    const AccuracyPlot plot(content, QRectF(chart.rect()), headingFont(), tints());
+    const QPointF low = plot.place({content.points.front().at.cost, 0.61});
+    EXPECT_TRUE(plot.frame().contains(low));
+    const QImage with = chart.grab().toImage();
+    const auto isMuted = [&](const QPoint& at) { return std::abs(with.pixelColor(at).value() - tints().muted.value()) < 60; };
+    EXPECT_TRUE(isMuted(low.toPoint()) || isMuted(low.toPoint() - QPoint(1, 0)));
+    EXPECT_NE(with, without);
+}
+
 TEST_F(AccuracyWidgets, PlacesFollowTheFigures) {
     chart.setContent(contentOf(*report));
     const QPoint cheap = placeOf(chart, 0);

@@ -160,6 +160,25 @@ TEST_F(AccuracyCommand, JsonHoldsPointsFloorTablesAndStandings) {
     EXPECT_TRUE(object["check"].is_null());
 }
 
+TEST_F(AccuracyCommand, RepeatsOfSettingsTellTheirOwnSpread) {
+    const std::vector<std::string> asked{"--no-fps", "--no-timing", "--multiples", "2", "--repeats", "1", "--setting-repeats", "2"};
+    const Outcome tables = cli(words(asked));
+    ASSERT_EQ(tables.exitCode, 0) << tables.err;
+    EXPECT_THAT(tables.out, HasSubstr("Spread of each setting"));
+    std::vector<std::string> json = asked;
+    json.push_back("--json");
+    const nlohmann::json object = cli(words(json)).json();
+    for (const nlohmann::json& detail : object["details"]) {
+        EXPECT_EQ(detail["kept"], true);
+        ASSERT_EQ(detail["repeats"].size(), 2u);
+        EXPECT_TRUE(detail["repeats"][1]["mass_map_difference"].is_number());
+        EXPECT_NE(detail["repeats"][0], detail["repeats"][1]);
+    }
+    const Outcome without = cli(words({"--no-fps", "--no-timing", "--multiples", "2", "--repeats", "1"}));
+    EXPECT_THAT(without.out, testing::Not(HasSubstr("Spread of each setting")));
+    EXPECT_EQ(cli(words({"--setting-repeats", "-1"})).exitCode, 2);
+}
+
 TEST_F(AccuracyCommand, NoNumberButThoseOfTimeDependsOnJobsOrInterruption) {
     const std::string csv = m_folder / "a.csv";
     const auto sweep = [&](const std::string& cache, std::vector<std::string> more) {

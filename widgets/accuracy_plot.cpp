@@ -349,32 +349,40 @@ void AccuracyPlot::paintNames(QPainter& painter, std::vector<QRectF>& taken) con
         QFont font = m_font;
         font.setBold(point->inUse);
         const QFontMetricsF metrics(font);
-        const QString name = point->inUse ? tr("%1 (in use)").arg(point->name) : point->name;
-        const QSizeF size(metrics.horizontalAdvance(name) + 2.0, metrics.height());
         const QPointF at = place(point->at);
-        const double gap = radius + (point->inUse ? 8.0 : 4.0);
-        const double left = at.x() - gap - size.width(), right = at.x() + gap, middle = at.x() - 0.5 * size.width();
-        const double above = at.y() - gap - size.height(), beside = at.y() - 0.5 * size.height(), below = at.y() + gap;
-        std::vector<QRectF> places;
-        for (const QPointF& corner : {QPointF(right, beside), QPointF(middle, above), QPointF(middle, below), QPointF(left, beside),
-                                      QPointF(right, at.y() + 2.0), QPointF(left, at.y() + 2.0), QPointF(left, above)}) {
-            const QRectF where(corner, size);
-            if (m_frame.contains(where) &&
-                std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(where); })) {
-                places.push_back(where);
+        // Where the whole name finds no room the mark is named at least.
+        QStringList names{point->inUse ? tr("%1 (in use)").arg(point->name) : point->name};
+        if (point->inUse) {
+            names << tr("in use");
+        }
+        for (const QString& name : std::as_const(names)) {
+            const QSizeF size(metrics.horizontalAdvance(name) + 2.0, metrics.height());
+            const double gap = radius + (point->inUse ? 8.0 : 4.0);
+            const double left = at.x() - gap - size.width(), right = at.x() + gap, middle = at.x() - 0.5 * size.width();
+            const double above = at.y() - gap - size.height(), beside = at.y() - 0.5 * size.height(), below = at.y() + gap;
+            std::vector<QRectF> places;
+            for (const QPointF& corner :
+                 {QPointF(right, beside), QPointF(middle, above), QPointF(middle, below), QPointF(left, beside),
+                  QPointF(right, at.y() + 2.0), QPointF(left, at.y() + 2.0), QPointF(left, above)}) {
+                const QRectF where(corner, size);
+                if (m_frame.contains(where) &&
+                    std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(where); })) {
+                    places.push_back(where);
+                }
             }
-        }
-        // On a line only where there is no other place.
-        auto chosen = std::find_if(places.begin(), places.end(),
-                                   [&](const QRectF& where) { return !crosses(front, where) && !crosses(target, where); });
-        if (chosen == places.end()) {
-            chosen = places.begin();
-        }
-        if (chosen != places.end()) {
-            painter.setFont(font);
-            painter.setPen(point->published ? m_palette.fragment : point->inUse ? m_palette.text : m_palette.muted);
-            painter.drawText(*chosen, Qt::AlignCenter, name);
-            taken.push_back(*chosen);
+            auto chosen = std::find_if(places.begin(), places.end(),
+                                       [&](const QRectF& where) { return !crosses(front, where) && !crosses(target, where); });
+            // On a line rather than nowhere, if it is marked.
+            if (chosen == places.end() && rank(point) < 3 && name == names.back()) {
+                chosen = places.begin();
+            }
+            if (chosen != places.end()) {
+                painter.setFont(font);
+                painter.setPen(point->published ? m_palette.fragment : point->inUse ? m_palette.text : m_palette.muted);
+                painter.drawText(*chosen, Qt::AlignCenter, name);
+                taken.push_back(*chosen);
+                break;
+            }
         }
     }
     painter.setFont(m_font);

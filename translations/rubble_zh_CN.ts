@@ -11448,6 +11448,10 @@
         <source>%1 (in use)</source>
         <translation>%1（正在使用）</translation>
     </message>
+    <message>
+        <source>in use</source>
+        <translation>使用中</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::AccuracyTable</name>

@@ -61,7 +61,7 @@ public:
         report.reference.scenario = reference;
         report.points.resize(settings.size());
         add(report.reference, m_base.results);
-        addRepeats(m_options.study.repeats);
+        addRepeats(0, m_options.study.repeats);
         for (std::size_t i = 0; i < settings.size(); ++i) {
             AccuracyPoint& point = report.points[i];
             point.setting = settings[i].name;
@@ -74,9 +74,7 @@ public:
             Results results = run(m_inputs, point.scenario, Stage::Clusters, m_base.results, nullptr, m_execution);
             if (comparable(*results.fragments)) {
                 add(point, std::move(results));
-                if (m_worlds.back().twin + 1 == m_worlds.size()) {
-                    addRepeats(m_options.settingRepeats);
-                }
+                addRepeats(m_worlds.back().twin, m_options.settingRepeats);
             } else {
                 point.failure = {
                     "accuracy.other_fragments", "an element makes a fragment here or in the reference, not in both", {}};
@@ -265,10 +263,9 @@ private:
         m_worlds.push_back(std::move(world));
     }
 
-    /// Repeats of the world that was added last.
-    void addRepeats(int count) {
-        const std::size_t of = m_worlds.size() - 1;
-        for (int repeat = 1; repeat <= count; ++repeat) {
+    /// Repeats of a world, up to so many in all.
+    void addRepeats(std::size_t of, int count) {
+        for (int repeat = static_cast<int>(m_worlds[of].repeats.size()) + 1; repeat <= count; ++repeat) {
             SweepWorld world;
             world.point = m_worlds[of].point;
             world.repeat = repeat;

@@ -259,6 +259,15 @@ TEST_F(AccuracyStudy, RepeatsOfASettingShowHowFarItScatters) {
     }
     EXPECT_EQ(report.floor->largest.values, without.floor->largest.values);
     EXPECT_EQ(accuracyTasks(inputs, scenario, sweepSettings(scenario, multiples, {}), options, Execution()).size(), 9u);
+    // More than the floor has: the setting that is the reference gets them too, and the floor stays.
+    options.settingRepeats = 3;
+    const AccuracyReport more = study();
+    for (const AccuracyPoint& point : more.points) {
+        EXPECT_EQ(point.repeats.size(), 3u) << point.setting;
+    }
+    EXPECT_EQ(more.floor->largest.values, without.floor->largest.values);
+    EXPECT_EQ(store.worlds.size(), 12u);
+    options.settingRepeats = 2;
     // One of them alone, as a task of a cluster, needs no other.
     const WorldOrigin wanted = originOf(inputs, report.points[1].scenario, 2, options.study.birthShift, options.machine);
     MemoryStore empty;

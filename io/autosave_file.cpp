@@ -1,6 +1,7 @@
 #include "io/autosave_file.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "io/case_file.h"
 #include "io/files.h"

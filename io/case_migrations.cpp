@@ -1,6 +1,7 @@
 #include "io/case_migrations.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "io/ensemble_json.h"
 

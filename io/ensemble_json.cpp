@@ -1,5 +1,7 @@
 #include "io/ensemble_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "core/base/error.h"
 
 namespace rubble::io {

@@ -1,4 +1,6 @@
 #include "io/acknowledgements.h"
+
+#include <nlohmann/json.hpp>
 #include "io/exports.h"
 #include "io/run_json.h"
 #include "io/terrain/site_place.h"

@@ -1,5 +1,7 @@
 #include "io/findings_json.h"
 
+#include <nlohmann/json.hpp>
+
 namespace rubble::io {
 
 using nlohmann::json;

@@ -1,5 +1,7 @@
 #include "io/json_text.h"
 
+#include <nlohmann/json.hpp>
+
 namespace rubble::io {
 
 using nlohmann::json;

@@ -1,6 +1,7 @@
 #include "io/photograph_json.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace rubble::io {
 

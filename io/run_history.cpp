@@ -1,6 +1,7 @@
 #include "io/run_history.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "io/files.h"

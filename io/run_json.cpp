@@ -1,6 +1,7 @@
 #include "io/run_json.h"
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <type_traits>
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <mutex>
+#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "io/case_migrations.h"

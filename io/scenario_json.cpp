@@ -1,6 +1,7 @@
 #include "io/scenario_json.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <type_traits>
 
 #include "core/base/error.h"

@@ -1,5 +1,7 @@
 #include "io/site_json.h"
 
+#include <nlohmann/json.hpp>
+
 namespace rubble::io {
 
 nlohmann::json siteJson(const Site& site) {

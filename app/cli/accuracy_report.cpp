@@ -68,18 +68,27 @@ Json detailJson(const AccuracyPoint& point, const Predictions* predictions) {
     return object;
 }
 
-/// What is not done, and why.
-Json openJson(const AccuracyReport& report) {
-    Json list = Json::array();
+/// What is not done.
+std::vector<const AccuracyPoint*> openPoints(const AccuracyReport& report) {
+    std::vector<const AccuracyPoint*> list;
     const auto add = [&list](const AccuracyPoint& point) {
         if (!point.done || !point.failure.empty()) {
-            list.push_back({{"setting", point.setting},
-                            {"bodies", point.bodies},
-                            {"failure", point.failure.empty() ? Json() : Json(englishText(point.failure))}});
+            list.push_back(&point);
         }
     };
     add(report.reference);
     std::for_each(report.points.begin(), report.points.end(), add);
+    return list;
+}
+
+/// What is not done, and why.
+Json openJson(const AccuracyReport& report) {
+    Json list = Json::array();
+    for (const AccuracyPoint* point : openPoints(report)) {
+        list.push_back({{"setting", point->setting},
+                        {"bodies", point->bodies},
+                        {"failure", point->failure.empty() ? Json() : Json(englishText(point->failure))}});
+    }
     return list;
 }
 
@@ -294,10 +303,9 @@ void AccuracyOutput::print(std::ostream& out) const {
     } else if (options.simulated) {
         out << "  the reference was not simulated to its end\n";
     }
-    for (const Json& open : openJson(report)) {
+    for (const AccuracyPoint* open : openPoints(report)) {
         if (options.simulated) {
-            out << "  not done: " << open["setting"].get<std::string>()
-                << (open["failure"].is_null() ? "" : ": " + open["failure"].get<std::string>()) << '\n';
+            out << "  not done: " << open->setting << (open->failure.empty() ? "" : ": " + englishText(open->failure)) << '\n';
         }
     }
     if (!predictions.empty()) {

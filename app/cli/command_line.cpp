@@ -108,7 +108,7 @@ public:
         m_line.clear();
         m_err << "rubble-cli: cancelled\n";
         if (json()) {
-            m_out << Json{{"cancelled", true}}.dump(2) << '\n';
+            m_out << Json{{"cancelled", true}}.text() << '\n';
         }
     }
 
@@ -123,7 +123,7 @@ public:
         if (json()) {
             Json object;
             object["error"] = {{"id", id}, {"what", what}, {"remedy", remedy}};
-            m_out << object.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+            m_out << object.text() << '\n';
         }
     }
 

@@ -3,8 +3,7 @@
 namespace rubble::cli {
 
 void printJson(Session& session, const Json& object) {
-    // Names from files may hold bytes that are not UTF-8; they are replaced rather than refused.
-    session.out() << object.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    session.out() << object.text() << '\n';
 }
 
 Json findingsJson(const Findings& findings) {

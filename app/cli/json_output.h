@@ -1,17 +1,16 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "app/cli/session.h"
 #include "core/base/finding.h"
 #include "core/clusters/sizing.h"
+#include "io/json_value.h"
 
 namespace rubble::cli {
 
 /// Keys stay in the order in which the manual lists them.
-using Json = nlohmann::ordered_json;
+using Json = io::JsonValue;
 
-/// Writes the one object of --json; numbers that are not finite as null. Throws WorldError if the output does not take it.
+/// Writes the one object of --json. Throws WorldError if the output does not take it.
 void printJson(Session& session, const Json& object);
 
 /// [{id, count, what, example, remedy}]

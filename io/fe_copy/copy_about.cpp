@@ -1,5 +1,7 @@
 #include "io/fe_copy/copy_about.h"
 
+#include <nlohmann/json.hpp>
+
 #include "core/base/build.h"
 #include "io/findings_json.h"
 #include "io/scenario_json.h"

@@ -1,6 +1,7 @@
 #include "io/fe_copy/file_traces.h"
 
 #include <sys/stat.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>

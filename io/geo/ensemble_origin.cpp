@@ -1,5 +1,7 @@
 #include "io/geo/ensemble_origin.h"
 
+#include <nlohmann/json.hpp>
+
 #include "core/base/build.h"
 #include "core/base/csv_text.h"
 #include "io/ensemble_json.h"

@@ -1,4 +1,5 @@
 #include <charconv>
+#include <nlohmann/json.hpp>
 
 #include "core/base/csv_text.h"
 #include "io/acknowledgements.h"

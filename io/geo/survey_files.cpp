@@ -2,6 +2,7 @@
 
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>

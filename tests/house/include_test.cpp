@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "tests/house/source_tree.h"
+#include "tests/support/places.h"
 
 namespace rubble::house {
 
@@ -70,7 +71,7 @@ const std::vector<Room>& rooms() {
         {"widgets", {"core", "widgets"}, {"Eigen", "VTK", "Qt"}},
         {"app/gui", {"core", "io", "widgets", "app/gui"}, {"Eigen", "Qt"}},
         {"app/python", {"core", "io", "app/python"}, {"Eigen", "Python"}},
-        {"app/cli", {"core", "io", "widgets/render", "widgets/figures", "app/cli"}, {"Eigen", "Qt", "nlohmann"}},
+        {"app/cli", {"core", "io", "widgets/render", "widgets/figures", "app/cli"}, {"Eigen", "Qt"}},
     };
     return table;
 }
@@ -234,7 +235,7 @@ TEST(Include, HeadersThatOthersIncludeShowNoPrivateLibrary) {
 
 /// Paths of the headers that are installed.
 std::set<std::string> publicHeaders() {
-    std::ifstream stream(std::string(RUBBLE_SOURCE_DIR) + "/cmake/public_headers.cmake");
+    std::ifstream stream(sourcePath("cmake/public_headers.cmake"));
     std::set<std::string> headers;
     const std::regex path("^ +((core|io)/[a-z0-9_/]+\\.h)");
     for (std::string line; std::getline(stream, line);) {
@@ -289,7 +290,7 @@ TEST(Include, TypesOfPublicHeadersAreExplained) {
 
 TEST(Include, TheVersionOfTheHeadersIsThatOfTheProject) {
     const auto first = [](const std::string& path, const std::string& pattern) {
-        std::ifstream stream(std::string(RUBBLE_SOURCE_DIR) + "/" + path);
+        std::ifstream stream(sourcePath() + "/" + path);
         std::stringstream text;
         text << stream.rdbuf();
         const std::string whole = text.str();
@@ -305,7 +306,7 @@ TEST(Include, TheVersionOfTheHeadersIsThatOfTheProject) {
 }
 
 TEST(Include, QuotedIncludesExistAndAreWrittenFromTheRoot) {
-    const std::filesystem::path root(RUBBLE_SOURCE_DIR);
+    const std::filesystem::path root(sourcePath());
     for (const SourceFile& file : allSources()) {
         for (const Include& include : includesOf(file)) {
             // What moc makes lies in the build folder.

@@ -17,12 +17,13 @@
 #include "io/exodus/exodus_reader.h"
 #include "io/fe_reader.h"
 #include "io/vtk/vtk_reader.h"
+#include "tests/support/places.h"
 
 namespace {
 
 using namespace rubble;
 
-const std::string fixtures = RUBBLE_BINARY_DIR "/tests/fe/";
+const std::string fixtures = buildPath("tests/fe/");
 
 /// A result, and how ours and VTK's reader read it.
 struct Subject {
@@ -64,7 +65,7 @@ Subject legacy() {
     return {fixtures + "vtk-legacy-anim_to_vtk/PROJ_001.vtk", io::readVtk, readWhole<vtkUnstructuredGridReader>};
 }
 Subject exodus() {
-    return {RUBBLE_SOURCE_DIR "/resources/samples/stone-arch.exo", io::readExodus, readExodusByVtk};
+    return {sourcePath("resources/samples/stone-arch.exo"), io::readExodus, readExodusByVtk};
 }
 
 // Files of states: an index file among them is text that takes no time.

@@ -19,6 +19,7 @@
 #include "core/pipeline/pipeline.h"
 #include "io/fe_reader.h"
 #include "io/run_file.h"
+#include "tests/support/places.h"
 #include "widgets/figures/draw.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/palette.h"
@@ -216,7 +217,7 @@ int main(int argc, char** argv) {
         return 1;
     }
     try {
-        Playback made(argc > 1 ? argv[1] : RUBBLE_SOURCE_DIR "/resources/samples/stone-arch.exo", argc > 2 ? argv[2] : "");
+        Playback made(argc > 1 ? argv[1] : sourcePath("resources/samples/stone-arch.exo"), argc > 2 ? argv[2] : "");
         playback = &made;
         benchmark::RunSpecifiedBenchmarks();
         playback = nullptr;

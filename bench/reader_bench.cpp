@@ -19,12 +19,13 @@
 
 #include "io/d3plot/d3plot_reader.h"
 #include "io/fe_reader.h"
+#include "tests/support/places.h"
 
 namespace {
 
 using namespace rubble;
 
-const std::string projectile = RUBBLE_BINARY_DIR "/tests/fe/projectile/d3plot";
+const std::string projectile = buildPath("tests/fe/projectile/d3plot");
 
 /// A family of bricks in a temporary folder, 4-byte little-endian, a state a file.
 class SparseFamily {

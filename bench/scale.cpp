@@ -20,6 +20,7 @@
 #include "io/fe_reader.h"
 #include "io/machine.h"
 #include "io/run_file.h"
+#include "tests/support/places.h"
 
 namespace rubble {
 
@@ -116,7 +117,7 @@ io::RunOrigin originOf(const Inputs& inputs, const Scenario& scenario) {
 /// One size, in a process of its own: makes the result and forgets it, then goes through the stages from the file.
 void makeResult(const std::string& folder, std::array<int, 3> split, std::size_t states) {
     const Execution execution;
-    const auto coarse = io::openFe(std::string(RUBBLE_SOURCE_DIR) + "/resources/samples/stone-arch.exo", {}, {}, execution);
+    const auto coarse = io::openFe(sourcePath("resources/samples/stone-arch.exo"), {}, {}, execution);
     io::writeFeCopy(folder + "/arch.h5", *refinedResult(coarse, split, states), Vec3::Zero(), execution);
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/places.h"
+
 namespace rubble::house {
 
 namespace {
@@ -14,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path& folder() {
-    static const fs::path path = fs::path(RUBBLE_SOURCE_DIR) / "resources/manual";
+    static const fs::path path = fs::path(sourcePath("resources/manual"));
     return path;
 }
 

@@ -1,4 +1,5 @@
 #include "tests/house/source_tree.h"
+#include "tests/support/places.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -10,7 +11,7 @@ namespace rubble::house {
 namespace fs = std::filesystem;
 
 std::vector<SourceFile> readSources(const std::vector<std::string>& folders) {
-    const fs::path root(RUBBLE_SOURCE_DIR);
+    const fs::path root(sourcePath());
     std::vector<SourceFile> files;
     for (const std::string& folder : folders) {
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "tests/house/source_tree.h"
+#include "tests/support/places.h"
 
 namespace rubble::house {
 
@@ -167,7 +168,7 @@ TEST(Style, TheProgramUsesNoDistributionsOfTheStandardLibrary) {
 }
 
 TEST(Style, PackagesAreListedOnceInOrder) {
-    std::ifstream stream(std::string(RUBBLE_SOURCE_DIR) + "/packages.txt");
+    std::ifstream stream(sourcePath("packages.txt"));
     std::vector<std::string> packages;
     for (std::string line; std::getline(stream, line);) {
         packages.push_back(line);
@@ -181,7 +182,7 @@ TEST(Style, PackagesAreListedOnceInOrder) {
 }
 
 TEST(Style, LicenceIsBsdThreeClause) {
-    std::ifstream stream(std::string(RUBBLE_SOURCE_DIR) + "/LICENSE");
+    std::ifstream stream(sourcePath("LICENSE"));
     std::stringstream text;
     text << stream.rdbuf();
     for (const char* part : {"BSD 3-Clause License", "The Rubble authors", "Neither the name of the copyright holder"}) {

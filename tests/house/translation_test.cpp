@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/support/places.h"
 #include "translations/literals.h"
 
 namespace rubble::house {
@@ -79,7 +80,7 @@ std::vector<Entry> entriesOf(const std::string& catalogue) {
 }
 
 const fs::path& catalogue() {
-    static const fs::path path = fs::path(RUBBLE_SOURCE_DIR) / "translations/rubble_zh_CN.ts";
+    static const fs::path path = fs::path(sourcePath("translations/rubble_zh_CN.ts"));
     return path;
 }
 
@@ -119,7 +120,7 @@ TEST(Translation, TheCatalogueHoldsExactlyWhatTheSourcesSay) {
     const fs::path phrases = folder.file("phrases_source.cpp");
     const fs::path updated = folder.file("rubble_zh_CN.ts");
     fs::copy_file(catalogue(), updated);
-    const std::string root = RUBBLE_SOURCE_DIR;
+    const std::string root = sourcePath();
     const std::string collect = std::string(RUBBLE_PHRASES) + " " + root + " " + phrases.string() + " > /dev/null";
     ASSERT_EQ(std::system(collect.c_str()), 0);
     const std::string update = std::string(RUBBLE_LUPDATE) + " -silent -locations none -no-obsolete -I " + root + " " + root +
@@ -177,7 +178,7 @@ TEST(Translation, WhiteSpaceAtTheEndsIsThatOfTheSource) {
 
 // The window says "fragments" by one word only; the list of terms stands in translations/README.md.
 TEST(Translation, TermsOfTheGlossaryAreKept) {
-    const std::string glossary = contentOf(fs::path(RUBBLE_SOURCE_DIR) / "translations/README.md");
+    const std::string glossary = contentOf(fs::path(sourcePath("translations/README.md")));
     std::map<std::string, std::string> terms;
     const std::regex row(R"(\|([A-Za-z][^|]*)\|([^|]+)\|)");
     for (std::sregex_iterator at(glossary.begin(), glossary.end(), row); at != std::sregex_iterator(); ++at) {

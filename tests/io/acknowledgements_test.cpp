@@ -12,7 +12,7 @@
 #include "io/exports.h"
 #include "io/run_file.h"
 #include "tests/io/sample_run.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

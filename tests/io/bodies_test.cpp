@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "io/exports.h"
 #include "tests/io/sample_run.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 

@@ -15,15 +15,16 @@
 #include "io/case_migrations.h"
 #include "io/fe_reader.h"
 #include "io/files.h"
-#include "tests/io/temporary_folder.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/places.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 namespace {
 
 using nlohmann::json;
 
-const std::string sampleFolder = RUBBLE_SOURCE_DIR "/resources/samples/";
+const std::string sampleFolder = sourcePath("resources/samples/");
 
 ParameterValue randomValue(const Parameter& row, std::mt19937& engine) {
     const auto between = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
@@ -432,7 +433,7 @@ Case sampleCase() {
 TEST(SampleCase, IsWhatTheProgramWrites) {
     const std::string expected = caseText(sampleCase());
     if (wholeFile(sampleFolder + "stone-arch.rubble") != expected) {
-        const std::string actual = RUBBLE_BINARY_DIR "/stone-arch.rubble.actual";
+        const std::string actual = buildPath("stone-arch.rubble.actual");
         saveCase(actual, sampleCase());
         FAIL() << "the sample case differs from what the program would write: see " << actual;
     }

@@ -18,8 +18,8 @@
 #include "io/machine.h"
 #include "io/settled_files.h"
 #include "io/world_record.h"
-#include "tests/io/temporary_folder.h"
 #include "tests/scenes/fe_scenes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

@@ -5,8 +5,8 @@
 #include "core/base/error.h"
 #include "io/case_file.h"
 #include "io/fe_reader.h"
-#include "tests/io/exodus/exodus_builder.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/exodus_builder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

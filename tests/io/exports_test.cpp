@@ -20,8 +20,8 @@
 #include "core/base/error.h"
 #include "io/files.h"
 #include "tests/io/run_over_fe.h"
-#include "tests/io/temporary_folder.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 namespace {

@@ -12,7 +12,7 @@
 #include "io/series_digest.h"
 #include "tests/io/d3plot/d3plot_builder.h"
 #include "tests/io/radioss/anim_builder.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 

@@ -12,8 +12,8 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "tests/io/temporary_folder.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 namespace {

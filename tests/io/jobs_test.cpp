@@ -13,7 +13,7 @@
 #include "io/jobs/job_record.h"
 #include "io/jobs/program.h"
 #include "io/jobs/slurm_jobs.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 

@@ -7,7 +7,7 @@
 
 #include "io/case_file.h"
 #include "io/journal_check.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/hdf5_handle.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

@@ -12,7 +12,8 @@
 #include "io/embedded_text.h"
 #include "io/fe_reader.h"
 #include "io/files.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/places.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {
@@ -110,7 +111,7 @@ TEST(Provenance, FilesWithoutOneOrWithADamagedOneAreTold) {
 
 TEST(Provenance, FindsTheCaseThatStandsOnTheSameFeResult) {
     const TemporaryFolder folder;
-    const std::string fe = RUBBLE_SOURCE_DIR "/resources/samples/rc-arch.exo";
+    const std::string fe = sourcePath("resources/samples/rc-arch.exo");
     const std::string sha = sha256OfFe(fe);
     std::filesystem::create_directories(folder / "figures");
     Case right = caseForFe(fe, folder / "right.rubble");

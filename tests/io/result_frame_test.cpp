@@ -12,8 +12,8 @@
 #include "core/fe/unit_evidence.h"
 #include "core/fragments/fragment_set.h"
 #include "io/fe_reader.h"
-#include "tests/io/exodus/exodus_builder.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/exodus_builder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

@@ -8,11 +8,12 @@
 #include "io/fe_reader.h"
 #include "io/files.h"
 #include "io/terrain_reader.h"
+#include "tests/support/places.h"
 
 namespace rubble::io {
 namespace {
 
-const std::string samples = std::string(RUBBLE_SOURCE_DIR) + "/resources/samples/";
+const std::string samples = sourcePath("resources/samples/");
 
 /// The formula of river-valley.md.
 double valley(double x, double y) {

@@ -11,8 +11,8 @@
 #include "io/run_file.h"
 #include "io/run_layout.h"
 #include "tests/io/sample_run.h"
-#include "tests/io/temporary_folder.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 namespace {

@@ -20,7 +20,8 @@
 #include "io/run_json.h"
 #include "io/run_tables.h"
 #include "tests/io/sample_run.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/places.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {
@@ -477,7 +478,7 @@ TEST(RunFile, ANewRunTakesThePlaceOfOneThatIsBeingShown) {
 TEST(RunFile, OpensRunsOfBeforeTheMonitor) {
     const TemporaryFolder folder;
     const std::string path = folder / "older.run.h5";
-    std::filesystem::copy_file(RUBBLE_SOURCE_DIR "/tests/io/older/before-health.run.h5", path);
+    std::filesystem::copy_file(sourcePath("tests/io/older/before-health.run.h5"), path);
     const auto reader = openRun(path);
     ASSERT_TRUE(reader->complete());
     const auto result = reader->result();
@@ -501,7 +502,7 @@ TEST(RunFile, RefusesWhatIsNoRun) {
     EXPECT_THROW(openRun(folder / "empty"), ParseError);
     std::ofstream(folder / "text") << std::string(5000, 'x');
     EXPECT_THROW(openRun(folder / "text"), ParseError);
-    EXPECT_THROW(openRun(RUBBLE_SOURCE_DIR "/resources/samples/rc-arch.exo"), ParseError);
+    EXPECT_THROW(openRun(sourcePath("resources/samples/rc-arch.exo")), ParseError);
 }
 
 }  // namespace

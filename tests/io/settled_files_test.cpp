@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "io/ensemble_json.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

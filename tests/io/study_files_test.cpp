@@ -13,7 +13,7 @@
 #include "core/base/error.h"
 #include "io/machine.h"
 #include "io/world_record.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

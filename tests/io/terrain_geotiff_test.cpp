@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "io/terrain_reader.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "io/files.h"
 #include "io/terrain/height_raster.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

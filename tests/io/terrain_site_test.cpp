@@ -14,7 +14,7 @@
 #include "io/geo/site_mesh_file.h"
 #include "io/site_reader.h"
 #include "io/terrain_reader.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

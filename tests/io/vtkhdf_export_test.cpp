@@ -20,7 +20,7 @@
 #include "io/exports.h"
 #include "io/vtk/hdf5_table.h"
 #include "tests/io/run_over_fe.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

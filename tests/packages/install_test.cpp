@@ -3,9 +3,10 @@
 
 #include <filesystem>
 
-#include "tests/app/cli/command_run.h"
-#include "tests/app/cli/small_collapse.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/command_run.h"
+#include "tests/support/places.h"
+#include "tests/support/small_collapse.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::cli {
 
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string build = RUBBLE_BINARY_DIR;
+const std::string build = buildPath();
 
 void expectOk(const Outcome& outcome) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;

@@ -1,6 +1,7 @@
 #include "tests/samples/arches.h"
 
 #include "io/fe_reader.h"
+#include "tests/support/places.h"
 
 namespace rubble::arches {
 
@@ -9,7 +10,7 @@ namespace {
 Arch make(const std::string& name, const std::vector<RegroupStep>& steps) {
     Arch arch;
     const Execution execution;
-    arch.fe = io::openFe(std::string(RUBBLE_SOURCE_DIR) + "/resources/samples/" + name, {}, {}, execution);
+    arch.fe = io::openFe(sourcePath("resources/samples/") + name, {}, {}, execution);
     arch.components = groupComponents(arch.fe->mesh(), steps, {}, {});
     // Each state by itself, as the independent script and the published method count them.
     FragmentSettings byState;

@@ -1,4 +1,5 @@
-#include "tests/app/cli/command_run.h"
+#include "tests/support/command_run.h"
+#include "tests/support/places.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -144,11 +145,7 @@ Outcome cli(std::vector<std::string> words) {
 }
 
 std::string cliPath() {
-    return std::string(RUBBLE_BINARY_DIR) + "/bin/rubble-cli";
-}
-
-std::string sourcePath(const std::string& relative) {
-    return std::string(RUBBLE_SOURCE_DIR) + "/" + relative;
+    return buildPath("bin/rubble-cli");
 }
 
 std::string textOf(const std::string& path) {

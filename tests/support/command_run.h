@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/places.h"
+
 namespace rubble::cli {
 
 /// What a program did.
@@ -55,8 +57,6 @@ Outcome cli(std::vector<std::string> words);
 
 /// Path of the shipped rubble-cli.
 std::string cliPath();
-/// Path of a file of the source tree.
-std::string sourcePath(const std::string& relative);
 /// The whole content of a file. Throws if it cannot be read.
 std::string textOf(const std::string& path);
 

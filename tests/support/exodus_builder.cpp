@@ -1,4 +1,4 @@
-#include "tests/io/exodus/exodus_builder.h"
+#include "tests/support/exodus_builder.h"
 
 #include <exodusII.h>
 

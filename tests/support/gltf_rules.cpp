@@ -1,4 +1,4 @@
-#include "tests/io/gltf/gltf_rules.h"
+#include "tests/support/gltf_rules.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "tests/app/cli/photographed_case.h"
+#include "tests/support/photographed_case.h"
 
 #include <array>
 #include <filesystem>

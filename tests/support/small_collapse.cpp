@@ -1,9 +1,9 @@
-#include "tests/app/cli/small_collapse.h"
+#include "tests/support/small_collapse.h"
 
 #include <array>
 
 #include "core/base/standard_gravity.h"
-#include "tests/app/cli/command_run.h"
+#include "tests/support/command_run.h"
 
 namespace rubble::cli {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/io/exodus/exodus_builder.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/exodus_builder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::cli {
 

@@ -1,4 +1,4 @@
-#include "tests/app/cli/study_comparison.h"
+#include "tests/support/study_comparison.h"
 
 #include <algorithm>
 #include <array>

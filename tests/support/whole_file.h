@@ -5,6 +5,8 @@
 #include <iterator>
 #include <string>
 
+#include "tests/support/places.h"
+
 namespace rubble::io {
 
 /// All that a file holds; empty if it cannot be read.
@@ -20,7 +22,7 @@ inline void writeContent(const std::filesystem::path& path, const std::string& b
 
 /// Where a file of the unpacked FE results lies.
 inline std::string fixture(const std::string& name) {
-    return std::string(RUBBLE_BINARY_DIR) + "/tests/fe/" + name;
+    return buildPath("tests/fe/") + name;
 }
 
 }  // namespace rubble::io

@@ -1,13 +1,12 @@
-#include <gtest/gtest.h>
-
 #include <QApplication>
 #include <QLocale>
+
+#include "tests/support/run_tests.h"
 
 // Widgets without OpenGL need no X server.
 int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication application(argc, argv);
     QLocale::setDefault(QLocale(QLocale::English));
-    testing::InitGoogleTest(&argc, argv);
-    return RUN_ALL_TESTS();
+    return rubble::runTests(argc, argv);
 }

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <iomanip>
 
-#include "tests/app/cli/command_run.h"
 #include "tests/core/evidence/camera_scene.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/command_run.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::cli {
 

@@ -6,9 +6,9 @@
 #include "io/case_file.h"
 #include "io/fe_reader.h"
 #include "io/files.h"
-#include "tests/app/cli/command_run.h"
-#include "tests/app/cli/small_collapse.h"
 #include "tests/core/evidence/camera_scene.h"
+#include "tests/support/command_run.h"
+#include "tests/support/small_collapse.h"
 
 namespace rubble::cli {
 

@@ -4,8 +4,8 @@
 #include <csignal>
 #include <filesystem>
 
-#include "tests/app/cli/command_run.h"
-#include "tests/app/cli/small_collapse.h"
+#include "tests/support/command_run.h"
+#include "tests/support/small_collapse.h"
 
 namespace rubble::cli {
 

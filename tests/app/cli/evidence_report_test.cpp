@@ -10,7 +10,7 @@
 #include "io/files.h"
 #include "io/provenance.h"
 #include "io/run_file.h"
-#include "tests/app/cli/photographed_case.h"
+#include "tests/support/photographed_case.h"
 
 namespace rubble::cli {
 

@@ -7,10 +7,10 @@
 #include <map>
 #include <optional>
 
-#include "tests/app/cli/command_run.h"
-#include "tests/app/cli/small_collapse.h"
-#include "tests/app/cli/study_comparison.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/command_run.h"
+#include "tests/support/small_collapse.h"
+#include "tests/support/study_comparison.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::cli {
 

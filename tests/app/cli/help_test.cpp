@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/app/cli/command_run.h"
+#include "tests/support/command_run.h"
 
 namespace rubble::cli {
 

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
-#include "tests/app/cli/command_run.h"
-#include "tests/app/cli/small_collapse.h"
+#include "tests/support/command_run.h"
+#include "tests/support/places.h"
+#include "tests/support/small_collapse.h"
 
 namespace rubble::cli {
 
@@ -18,7 +19,7 @@ const std::vector<std::string> theCauses{"west", "both", "pier", "crown"};
 /// One stone bridge and four causes of its collapse. Members are shared by all comparisons, few and coarse for the time they take.
 class HiddenCause : public testing::Test {
 protected:
-    static std::string result(const std::string& cause) { return RUBBLE_BINARY_DIR "/tests/fe/causes/" + cause + ".exo"; }
+    static std::string result(const std::string& cause) { return buildPath("tests/fe/causes/") + cause + ".exo"; }
 
     /// Evidence of a collapse whose cause is not told: what a survey would have found, under a friction and births of no member.
     std::vector<std::string> survey(const std::string& truth) {

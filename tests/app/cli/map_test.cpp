@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "io/case_file.h"
-#include "tests/app/cli/command_run.h"
-#include "tests/app/cli/small_collapse.h"
+#include "tests/support/command_run.h"
+#include "tests/support/small_collapse.h"
 
 namespace rubble::cli {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "tests/app/cli/photographed_case.h"
+#include "tests/support/photographed_case.h"
 
 namespace rubble::cli {
 

@@ -5,8 +5,9 @@
 #include <sstream>
 #include <utility>
 
-#include "tests/app/cli/command_run.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/command_run.h"
+#include "tests/support/places.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::cli {
 
@@ -46,7 +47,7 @@ TEST(Readme, ItsCommandsRunAndPrintWhatItShows) {
     const io::TemporaryFolder folder;
     fs::create_directories(folder / "build/release");
     fs::create_directory_symlink(sourcePath("resources"), folder / "resources");
-    fs::create_directory_symlink(std::string(RUBBLE_BINARY_DIR) + "/bin", folder / "build/release/bin");
+    fs::create_directory_symlink(buildPath("bin"), folder / "build/release/bin");
     std::size_t commands = 0;
     std::size_t shown = 0;
     std::string printed;

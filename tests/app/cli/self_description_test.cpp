@@ -4,9 +4,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/app/cli/command_run.h"
-#include "tests/app/cli/small_collapse.h"
-#include "tests/io/gltf/gltf_rules.h"
+#include "tests/support/command_run.h"
+#include "tests/support/gltf_rules.h"
+#include "tests/support/small_collapse.h"
 
 namespace rubble::cli {
 

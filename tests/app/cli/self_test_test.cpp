@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/selftest/suite.h"
-#include "tests/app/cli/command_run.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/command_run.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::cli {
 

@@ -3,8 +3,9 @@
 
 #include <filesystem>
 
-#include "tests/app/cli/command_run.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/command_run.h"
+#include "tests/support/places.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::cli {
 
@@ -13,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const std::string data = RUBBLE_BINARY_DIR "/tests/fe/";
+const std::string data = buildPath("tests/fe/");
 
 /// Results that are a row of files, from the first look to the proof that a run repeats.
 class Series : public testing::Test {

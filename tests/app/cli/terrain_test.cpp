@@ -6,9 +6,9 @@
 
 #include "io/case_file.h"
 #include "io/files.h"
-#include "tests/app/cli/command_run.h"
-#include "tests/app/cli/small_collapse.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/command_run.h"
+#include "tests/support/small_collapse.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::cli {
 

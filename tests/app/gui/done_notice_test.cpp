@@ -9,8 +9,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "tests/app/cli/small_collapse.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/small_collapse.h"
 
 namespace rubble {
 

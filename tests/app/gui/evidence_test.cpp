@@ -11,6 +11,7 @@
 #include "io/case_file.h"
 #include "io/files.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/places.h"
 #include "widgets/evidence_page.h"
 #include "widgets/evidence_panel.h"
 #include "widgets/figures/camera_picture.h"
@@ -21,7 +22,7 @@ namespace {
 
 /// Where the photographs of these tests and their case lie; kept for a look.
 QString folder() {
-    const QString path = QStringLiteral(RUBBLE_BINARY_DIR "/evidence");
+    const QString path = QString::fromStdString(buildPath("evidence"));
     QDir().mkpath(path);
     return path;
 }

@@ -14,8 +14,8 @@
 #include "app/gui/view_area.h"
 #include "io/case_file.h"
 #include "io/run_file.h"
-#include "tests/app/cli/photographed_case.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/photographed_case.h"
 #include "widgets/report_panel.h"
 
 namespace rubble {

@@ -1,5 +1,3 @@
-#include <gtest/gtest.h>
-
 #include <QApplication>
 #include <QLocale>
 #include <QSettings>
@@ -7,6 +5,7 @@
 #include <QTemporaryDir>
 
 #include "tests/app/gui/left_session.h"
+#include "tests/support/run_tests.h"
 
 #ifdef __SANITIZE_ADDRESS__
 // Libraries stay where they are, so that what they have lost at the end has a name.
@@ -36,6 +35,5 @@ int main(int argc, char** argv) {
     const QTemporaryDir cache;
     qputenv("XDG_CACHE_HOME", cache.path().toUtf8());
     keepSettingsIn(state.path());
-    testing::InitGoogleTest(&argc, argv);
-    return RUN_ALL_TESTS();
+    return rubble::runTests(argc, argv);
 }

@@ -13,8 +13,8 @@
 
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
-#include "tests/app/cli/small_collapse.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/small_collapse.h"
 #include "widgets/case_preview.h"
 #include "widgets/new_case_wizard.h"
 #include "widgets/parameter_editor.h"

@@ -13,6 +13,7 @@
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/places.h"
 #include "widgets/case_preview.h"
 #include "widgets/new_case_wizard.h"
 
@@ -35,7 +36,7 @@ protected:
     static constexpr double shareTolerance = 0.04;
 
     static QString kept(const QString& name) {
-        return QStringLiteral(RUBBLE_SOURCE_DIR "/resources/manual/pictures/") + name + QStringLiteral(".png");
+        return QString::fromStdString(sourcePath("resources/manual/pictures/")) + name + QStringLiteral(".png");
     }
 
     static QImage smallPictureOf(QWidget& shown) {
@@ -89,7 +90,7 @@ protected:
         ASSERT_EQ(before.size(), now.size()) << kept(name).toStdString();
         const double share = shareOfOthers(before, now);
         if (share > shareTolerance) {
-            const QString actual = QStringLiteral(RUBBLE_BINARY_DIR "/") + name + QStringLiteral(".actual.png");
+            const QString actual = QString::fromStdString(buildPath()) + '/' + name + QStringLiteral(".actual.png");
             now.save(actual);
             ADD_FAILURE() << name.toStdString() << ": " << 100.0 * share << " % of the tiles are others; see "
                           << actual.toStdString() << ". RUBBLE_TAKE_PICTURES=1 takes all pictures anew.";

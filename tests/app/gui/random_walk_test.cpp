@@ -24,9 +24,9 @@
 
 #include "app/gui/file_commands.h"
 #include "app/gui/view_area.h"
-#include "tests/app/cli/small_collapse.h"
 #include "tests/app/gui/complaints.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/small_collapse.h"
 #include "widgets/timeline.h"
 
 namespace rubble {

@@ -19,9 +19,9 @@
 #include "core/base/error.h"
 #include "io/autosave_file.h"
 #include "io/case_file.h"
-#include "tests/app/cli/small_collapse.h"
 #include "tests/app/gui/left_session.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/small_collapse.h"
 #include "widgets/notice_bar.h"
 
 namespace rubble {

@@ -7,8 +7,8 @@
 #include <QTest>
 
 #include "app/gui/view_area.h"
-#include "tests/app/cli/small_collapse.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/small_collapse.h"
 #include "widgets/scenario_bar.h"
 
 namespace rubble {

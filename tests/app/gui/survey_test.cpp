@@ -13,7 +13,7 @@
 #include "app/gui/view_area.h"
 #include "io/case_file.h"
 #include "tests/app/gui/workbench.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "widgets/case_panel.h"
 #include "widgets/evidence_panel.h"
 #include "widgets/site_dialog.h"

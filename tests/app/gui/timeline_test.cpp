@@ -15,8 +15,8 @@
 #include "app/gui/project_display.h"
 #include "app/gui/timeline_display.h"
 #include "io/case_file.h"
-#include "tests/app/cli/small_collapse.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/small_collapse.h"
 #include "widgets/bookmark_editor.h"
 
 namespace rubble {

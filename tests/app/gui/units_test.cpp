@@ -9,8 +9,8 @@
 
 #include "app/gui/file_commands.h"
 #include "app/gui/view_area.h"
-#include "tests/app/cli/small_collapse.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/small_collapse.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/fragments_panel.h"
 #include "widgets/parameter_editor.h"

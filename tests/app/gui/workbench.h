@@ -14,6 +14,7 @@
 
 #include "app/gui/main_window.h"
 #include "app/gui/panel_deck.h"
+#include "tests/support/places.h"
 
 namespace rubble {
 
@@ -31,7 +32,7 @@ QImage pictureOf(QWidget& shown);
 /// A window of the smallest size, and the steps that tests begin with.
 class Workbench : public testing::Test {
 protected:
-    static QString arch() { return QStringLiteral(RUBBLE_SOURCE_DIR "/resources/samples/rc-arch.exo"); }
+    static QString arch() { return QString::fromStdString(sourcePath("resources/samples/rc-arch.exo")); }
     /// ms. Patience for machines that do much else at the same time; nothing is asserted about how long things take.
     static constexpr int patience = 300'000;
 

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "tests/support/places.h"
+
 extern "C" PyObject* PyInit__rubble();
 
 namespace py = pybind11;
@@ -16,7 +18,7 @@ int main(int argc, char** argv) {
     const py::scoped_interpreter interpreter(true, argc - 1, argv + 1, false);
     try {
         py::module_ sys = py::module_::import("sys");
-        sys.attr("path").attr("insert")(0, RUBBLE_SOURCE_DIR "/app/python");
+        sys.attr("path").attr("insert")(0, rubble::sourcePath("app/python"));
         sys.attr("dont_write_bytecode") = true;
         sys.attr("modules")["rubble._rubble"] = py::module_::import("_rubble");
         py::module_::import("runpy").attr("run_path")(argv[1], py::none(), "__main__");

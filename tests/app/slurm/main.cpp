@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/slurm/one_node.h"
+#include "tests/support/run_tests.h"
 
 int main(int argc, char** argv) {
-    testing::InitGoogleTest(&argc, argv);
     testing::AddGlobalTestEnvironment(new rubble::OneNode);
-    return RUN_ALL_TESTS();
+    return rubble::runTests(argc, argv);
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/app/cli/command_run.h"
+#include "tests/support/command_run.h"
 
 namespace rubble {
 

@@ -13,11 +13,11 @@
 #include <sstream>
 #include <thread>
 
-#include "tests/app/cli/command_run.h"
-#include "tests/app/cli/small_collapse.h"
-#include "tests/app/cli/study_comparison.h"
 #include "tests/app/slurm/one_node.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/command_run.h"
+#include "tests/support/small_collapse.h"
+#include "tests/support/study_comparison.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::cli {
 

@@ -11,6 +11,7 @@
 #include "core/base/message.h"
 #include "core/fe/components.h"
 #include "tests/scenes/fe_scenes.h"
+#include "tests/support/places.h"
 
 namespace rubble {
 namespace {
@@ -82,7 +83,7 @@ TEST(PairTable, OneNumberTakesThePlaceOfAll) {
 }
 
 TEST(PairTable, IsPrintedInTheManualWithItsSources) {
-    std::ifstream file(std::string(RUBBLE_SOURCE_DIR) + "/resources/manual/effects.md");
+    std::ifstream file(sourcePath("resources/manual/effects.md"));
     const std::string manual{std::istreambuf_iterator<char>(file), {}};
     for (const PairSource& row : pairSources()) {
         const std::string line = "| `" + pairName(row.pair) + "` | " + englishNumber(row.value.friction) + " | " +

@@ -20,8 +20,8 @@
 #include "io/convert/fe_conversion.h"
 #include "io/fe_reader.h"
 #include "tests/io/convert/mixed_result.h"
-#include "tests/io/temporary_folder.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 namespace {

@@ -16,8 +16,8 @@
 #include "io/files.h"
 #include "tests/io/convert/mixed_result.h"
 #include "tests/io/formats/collapse_digest.h"
-#include "tests/io/temporary_folder.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 namespace {

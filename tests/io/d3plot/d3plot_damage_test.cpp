@@ -10,8 +10,8 @@
 #include "core/base/error.h"
 #include "io/fe_reader.h"
 #include "tests/io/d3plot/d3plot_builder.h"
-#include "tests/io/temporary_folder.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 

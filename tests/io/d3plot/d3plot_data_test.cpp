@@ -11,7 +11,7 @@
 #include "io/fe_reader.h"
 #include "io/one_point_volume.h"
 #include "tests/io/collapse_identity.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 

@@ -10,7 +10,7 @@
 #include "io/fe_reader.h"
 #include "tests/io/collapse_identity.h"
 #include "tests/io/d3plot/d3plot_builder.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 

@@ -5,6 +5,7 @@
 
 #include "core/fe/audit.h"
 #include "io/fe_reader.h"
+#include "tests/support/places.h"
 
 namespace rubble::io {
 namespace {
@@ -13,7 +14,7 @@ using ::testing::ElementsAre;
 
 struct Opened {
     explicit Opened(const std::string& name)
-        : fe(openFe(std::string(RUBBLE_SOURCE_DIR) + "/resources/samples/" + name, {}, {}, Execution{})),
+        : fe(openFe(sourcePath("resources/samples/") + name, {}, {}, Execution{})),
           components(groupComponents(fe->mesh(), {}, {}, {})),
           audit(auditDeaths(*fe, components, Execution{})) {
         for (const ComponentAudit& component : audit.components) {

@@ -10,9 +10,9 @@
 #include "io/exodus/classic_header.h"
 #include "io/exodus/exodus_reader.h"
 #include "io/fe_reader.h"
-#include "tests/io/exodus/exodus_builder.h"
-#include "tests/io/temporary_folder.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/exodus_builder.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 namespace {

@@ -10,8 +10,8 @@
 #include "core/base/error.h"
 #include "core/fe/components.h"
 #include "io/fe_reader.h"
-#include "tests/io/exodus/exodus_builder.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/exodus_builder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

@@ -13,7 +13,7 @@
 #include "io/native_lock.h"
 #include "tests/io/convert/mixed_result.h"
 #include "tests/io/fe_copy/chunk_damage.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

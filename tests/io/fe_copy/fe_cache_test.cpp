@@ -14,7 +14,7 @@
 #include "tests/io/convert/mixed_result.h"
 #include "tests/io/d3plot/d3plot_builder.h"
 #include "tests/io/fe_copy/chunk_damage.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

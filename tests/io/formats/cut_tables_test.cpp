@@ -12,7 +12,7 @@
 #include "io/hdf5_handle.h"
 #include "io/vtk/vtkhdf_reader.h"
 #include "io/xdmf/xdmf_reader.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

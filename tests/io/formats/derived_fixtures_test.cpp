@@ -7,7 +7,7 @@
 
 #include "io/fe_reader.h"
 #include "tests/io/formats/collapse_digest.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 namespace {

@@ -8,8 +8,9 @@
 #include "core/base/error.h"
 #include "io/ansys/rst_reader.h"
 #include "io/fe_reader.h"
-#include "tests/io/temporary_folder.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/places.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 namespace {
@@ -369,7 +370,7 @@ TEST_F(GridTest, AnAnsysResultIsReadWithAListOfDeaths) {
 }
 
 TEST_F(GridTest, ASmallAnsysResultCutOffAtEveryByteIsReadOrRefused) {
-    const std::string bytes = wholeFile(std::string(RUBBLE_SOURCE_DIR) + "/tests/fuzz/corpus/rst/small.rst");
+    const std::string bytes = wholeFile(sourcePath("tests/fuzz/corpus/rst/small.rst"));
     writeContent(m_folder / "small.rst", bytes);
     writeContent(m_folder / "small.rst.deaths.csv", "element,time\n2,1.5\n");
     const auto fe = open("small.rst");

@@ -22,8 +22,8 @@
 #include "core/base/error.h"
 #include "io/vtk/grid_file.h"
 #include "io/vtk/vtk_reader.h"
-#include "tests/io/temporary_folder.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 namespace {

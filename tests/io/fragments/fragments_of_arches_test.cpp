@@ -11,6 +11,7 @@
 
 #include "core/fragments/fragment_set.h"
 #include "io/fe_reader.h"
+#include "tests/support/places.h"
 
 // The two sample results through reader, components and fragments, against what is known of them from independent scripts.
 
@@ -28,7 +29,7 @@ const Arch& arch(const std::string& name) {
     static std::map<std::string, Arch> arches;
     Arch& arch = arches[name];
     if (!arch.fe) {
-        arch.fe = io::openFe(RUBBLE_SOURCE_DIR "/resources/samples/" + name + ".exo", {}, {}, Execution());
+        arch.fe = io::openFe(sourcePath("resources/samples/") + name + ".exo", {}, {}, Execution());
         arch.components = groupComponents(arch.fe->mesh(), {}, {}, {});
         // Each state by itself, as the independent scripts count them.
         FragmentSettings byState;

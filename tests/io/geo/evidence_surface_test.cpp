@@ -8,7 +8,7 @@
 #include "io/geo/ensemble_origin.h"
 #include "io/geo/map_files.h"
 #include "tests/core/analysis/debris_scene.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

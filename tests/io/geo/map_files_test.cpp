@@ -19,8 +19,8 @@
 #include "core/base/error.h"
 #include "io/files.h"
 #include "tests/core/analysis/debris_scene.h"
-#include "tests/io/temporary_folder.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "core/evidence/survey_comparison.h"
 #include "io/geo/survey_files.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

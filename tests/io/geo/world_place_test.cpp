@@ -17,7 +17,7 @@
 #include "io/geo/survey_file.h"
 #include "io/geo/survey_files.h"
 #include "tests/core/analysis/debris_scene.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::io {
 namespace {

@@ -16,10 +16,10 @@
 #include "io/exports.h"
 #include "io/fragment_places.h"
 #include "io/gltf/body_motion.h"
-#include "tests/io/gltf/gltf_rules.h"
 #include "tests/io/sample_run.h"
-#include "tests/io/temporary_folder.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/gltf_rules.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 

@@ -12,8 +12,8 @@
 #include "io/radioss/anim_file.h"
 #include "tests/io/collapse_identity.h"
 #include "tests/io/radioss/anim_builder.h"
-#include "tests/io/temporary_folder.h"
-#include "tests/io/whole_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
 
 namespace rubble::io {
 

@@ -6,8 +6,8 @@
 #include <QFile>
 
 #include "core/base/error.h"
-#include "tests/io/temporary_folder.h"
 #include "tests/scenes/fe_scenes.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/widgets/scenes/ballistic_run.h"
 #include "widgets/figures/figure_file.h"
 

@@ -12,7 +12,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rubble::figures {
 namespace {

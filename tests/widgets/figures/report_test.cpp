@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "tests/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/report/formula.h"
 #include "widgets/figures/report/report_chart.h"

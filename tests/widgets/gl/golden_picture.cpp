@@ -1,4 +1,5 @@
 #include "tests/widgets/gl/golden_picture.h"
+#include "tests/support/places.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +60,7 @@ PictureDifference differenceOf(const QImage& actual, const QImage& expected) {
 
 void expectGolden(const QImage& actual, const std::string& name) {
     const QString expectedPath =
-        QStringLiteral(RUBBLE_SOURCE_DIR "/tests/widgets/gl/golden/%1.png").arg(QString::fromStdString(name));
+        QString::fromStdString(sourcePath("tests/widgets/gl/golden/%1.png")).arg(QString::fromStdString(name));
     if (std::getenv("RUBBLE_RENEW_GOLDEN") != nullptr) {
         ASSERT_TRUE(actual.convertToFormat(QImage::Format_RGB32).save(expectedPath, "PNG", 1)) << expectedPath.toStdString();
         return;
@@ -69,7 +70,7 @@ void expectGolden(const QImage& actual, const std::string& name) {
     if (difference.sameSize && difference.share <= mostOff) {
         return;
     }
-    const QDir folder(QStringLiteral(RUBBLE_BINARY_DIR "/golden"));
+    const QDir folder(QString::fromStdString(buildPath("golden")));
     folder.mkpath(QStringLiteral("."));
     const QString base = folder.filePath(QString::fromStdString(name));
     actual.save(base + QStringLiteral(".actual.png"));

@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 
 #include "tests/app/slurm/one_node.h"
+#include "tests/support/run_tests.h"
 
 // Runs under an X server (xvfb-run) and beside the Slurm of one node.
 int main(int argc, char** argv) {
@@ -18,7 +19,6 @@ int main(int argc, char** argv) {
     const QTemporaryDir state;
     qputenv("RUBBLE_STATE", state.path().toUtf8());
     QSettings().clear();
-    testing::InitGoogleTest(&argc, argv);
     testing::AddGlobalTestEnvironment(new rubble::OneNode);
-    return RUN_ALL_TESTS();
+    return rubble::runTests(argc, argv);
 }

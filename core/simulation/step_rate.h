@@ -7,7 +7,7 @@ namespace rubble {
 
 /// Steps per second that a run is simulated with at least: the scenario's, or by itself as many as its bodies need. In piles of
 /// similar shape under gravity the time in which anything happens grows with the square root of the size (Froude); debris of
-/// 0.8 m lies no nearer to its reference with more than 25 steps a second (bench/RESULTS.md), so bodies of size d get
+/// 0.8 m lies no nearer to its reference with more than 25 steps a second (docs/solver.md), so bodies of size d get
 /// 40 sqrt(0.3 m / d), from 20 to 40. A pile of more than 10,000 has more layers, through which pushes have to get, and lies in
 /// itself at such steps: up to 60 in place of 40, as the cube root of their number. d: median of the cube roots of the volumes, of
 /// fragments alone where clusters break up. 60 for Bullet's solver, whose piles squeeze together at larger steps.

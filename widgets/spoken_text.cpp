@@ -4,6 +4,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 #include <array>
+#include <vector>
 
 #include "widgets/language.h"
 #include "widgets/wording.h"
@@ -60,17 +61,36 @@ constexpr std::array madeTexts = {
     QT_TRANSLATE_NOOP("messages", "beam"),
     QT_TRANSLATE_NOOP("messages", "mixed")};
 
+/// A made text, and the form that finds its values in English.
+struct MadeForm {
+    const char* text;
+    QRegularExpression form;
+};
+
+/// Compiled once: a panel that is shown asks for hundreds of texts, and forms made for each took half of the window's time.
+const std::vector<MadeForm>& madeForms() {
+    static const std::vector<MadeForm> forms = [] {
+        const QRegularExpression place(QStringLiteral("\\\\\\{(\\d)\\\\\\}"));
+        std::vector<MadeForm> made;
+        for (const char* text : madeTexts) {
+            QString form = QRegularExpression::escape(QString::fromUtf8(text));
+            form.replace(place, QStringLiteral("(?<v\\1>.+?)"));
+            made.push_back({text, QRegularExpression(u'^' + form + u'$')});
+            made.back().form.optimize();
+        }
+        return made;
+    }();
+    return forms;
+}
+
 /// What a made text says, if it is one: its values go from the English pattern into the one of the window.
 QString filledText(const QString& english) {
-    static const QRegularExpression place(QStringLiteral("\\\\\\{(\\d)\\\\\\}"));
-    for (const char* made : madeTexts) {
-        QString form = QRegularExpression::escape(QString::fromUtf8(made));
-        form.replace(place, QStringLiteral("(?<v\\1>.+?)"));
-        const QRegularExpressionMatch match = QRegularExpression(u'^' + form + u'$').match(english);
+    for (const MadeForm& made : madeForms()) {
+        const QRegularExpressionMatch match = made.form.match(english);
         if (!match.hasMatch()) {
             continue;
         }
-        QString text = said("messages", made);
+        QString text = said("messages", made.text);
         for (int i = 0; i < 5; ++i) {
             const QString value = match.captured(QStringLiteral("v%1").arg(i));
             text.replace(QStringLiteral("{%1}").arg(i), value.isEmpty() ? value : spokenText(value.toStdString()));

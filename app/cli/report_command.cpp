@@ -102,8 +102,7 @@ void addSelfTest(ReportFacts& facts, const Arguments& arguments, Session& sessio
     if (scope == "none") {
         return;
     }
-    const std::vector<std::string> ids = scope == "all" ? std::vector<std::string>{} : std::vector<std::string>{scope};
-    facts.selfTest = selftest::reportChecks(selftest::runSuite(selftest::chosenCases(ids), {}, session.execution()));
+    facts.selfTest = selftest::reportChecks(selftest::runSuite(selftest::reportCases(scope), {}, session.execution()));
     session.execution().check();
     facts.selfTestScope = scope;
 }

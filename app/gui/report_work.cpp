@@ -45,9 +45,7 @@ void addSelfTest(ReportFacts& facts, const QString& scope, const Execution& exec
         return;
     }
     execution.report({"report.testing", "Testing this machine", {}}, 0.5);
-    const std::vector<std::string> ids =
-        scope == QLatin1String("all") ? std::vector<std::string>{} : std::vector<std::string>{scope.toStdString()};
-    facts.selfTest = selftest::reportChecks(selftest::runSuite(selftest::chosenCases(ids), {}, execution));
+    facts.selfTest = selftest::reportChecks(selftest::runSuite(selftest::reportCases(scope.toStdString()), {}, execution));
     execution.check();
     facts.selfTestScope = scope.toStdString();
 }

@@ -7,8 +7,8 @@ namespace rubble {
 /// Version of the program, as in the changelog: "0.1.0".
 std::string_view versionText();
 
-/// Names what can change a result bit for bit: program version, the content of all sources of core and io, compiler, word size and
-/// flags of this build.
+/// Names what can change a result bit for bit: program version, the sources of core and io that make results (without comments),
+/// compiler, word size and flags of this build.
 /// Part of every fingerprint.
 std::string_view buildText();
 

@@ -306,7 +306,7 @@ void columnAxisymmetric(const CaseSetting& setting, Outcome& outcome) {
     std::vector<Collapse> collapses;
     HeightFactors height;
     for (const double aspect : {4.0, 8.0, 12.0, 16.0}) {
-        if (setting.small && aspect > 12.0) {
+        if (setting.small && aspect > 8.0) {
             break;
         }
         collapses.push_back(axisymmetric(setting, aspect));
@@ -331,7 +331,7 @@ void columnChannel(const CaseSetting& setting, Outcome& outcome) {
         int fillings;
         int small;  ///< fillings in the small suite
     };
-    for (const Columns& columns : {Columns{4.0, 8, 3}, Columns{8.0, 4, 2}, Columns{14.0, 4, 2}, Columns{20.0, 4, 0}}) {
+    for (const Columns& columns : {Columns{4.0, 8, 3}, Columns{8.0, 4, 2}, Columns{14.0, 4, 0}, Columns{20.0, 4, 0}}) {
         const int fillings = setting.small ? columns.small : columns.fillings;
         Collapse c;
         for (int i = 0; i < fillings; ++i) {

@@ -57,6 +57,19 @@ std::vector<const HardCase*> chosenCases(const std::vector<std::string>& ids) {
     return chosen;
 }
 
+std::vector<const HardCase*> reportCases(std::string_view scope) {
+    if (scope == "all") {
+        return chosenCases({});
+    }
+    if (scope != closedFormGroup) {
+        return {};
+    }
+    constexpr double longest = 10.0;
+    std::vector<const HardCase*> cases = chosenCases({std::string(scope)});
+    std::erase_if(cases, [](const HardCase* one) { return one->seconds > longest; });
+    return cases;
+}
+
 CaseResult runCase(const HardCase& hardCase, const SuiteSettings& settings, const Execution& execution) {
     CaseResult result;
     result.hardCase = &hardCase;

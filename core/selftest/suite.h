@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/selftest/hard_case.h"
@@ -14,6 +15,10 @@ const std::vector<HardCase>& hardCases();
 /// The cases with the given ids, in table order; "closed-form" stands for all whose id begins with "form-". Empty: all.
 /// Throws UsageError for an id that does not exist.
 std::vector<const HardCase*> chosenCases(const std::vector<std::string>& ids);
+
+/// The cases that a report runs by its scope: "all"; "closed-form", of which it leaves out those that take more than ten seconds
+/// (heaps and columns of blocks, minutes in all); "none". Empty for any other scope.
+std::vector<const HardCase*> reportCases(std::string_view scope);
 
 /// What became of one case.
 struct CaseResult {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/selftest/suite.h"
+#include "tests/support/run_tests.h"
 
 namespace rubble::selftest {
 namespace {
@@ -24,12 +25,12 @@ std::string nameOf(const testing::TestParamInfo<const HardCase*>& info) {
 }
 
 /// The suite that users run, case by case. The long ones (pile-50000, shaft-900, pile-rest-60s, form-repose, the columns) run in a
-/// smaller size here, with the same criteria; `rubble-cli self-test` runs the full size.
+/// smaller size here, with the same criteria; `./run test all` and `rubble-cli self-test` run the full size.
 class HardCases : public testing::TestWithParam<const HardCase*> {};
 
 TEST_P(HardCases, HoldItsCriterion) {
     SuiteSettings settings;
-    settings.small = true;
+    settings.small = !wholeTests();
     const CaseResult result = runCase(*GetParam(), settings, Execution());
     EXPECT_TRUE(result.finished);
     EXPECT_EQ(result.error, "");

@@ -83,6 +83,20 @@ TEST(Suite, ChoosesByIdAndByGroup) {
     EXPECT_THROW(chosenCases({"freefall"}), UsageError);
 }
 
+// A report says "seconds" of the laws: it made its reader wait for ten minutes of columns.
+TEST(Suite, AReportTakesOfTheLawsThoseOfSeconds) {
+    const auto laws = reportCases("closed-form");
+    EXPECT_GE(laws.size(), 7u);
+    double seconds = 0.0;
+    for (const HardCase* one : laws) {
+        EXPECT_TRUE(one->id.starts_with("form-"));
+        seconds += one->seconds;
+    }
+    EXPECT_LE(seconds, 10.0);
+    EXPECT_EQ(reportCases("all").size(), hardCases().size());
+    EXPECT_TRUE(reportCases("none").empty());
+}
+
 TEST(Suite, ResultsDoNotDependOnTheThreads) {
     const auto cases = chosenCases({"free-fall", "bounce", "slide-to-rest", "births-overlap", "piece-carries", "tower-10"});
     SuiteSettings settings;

@@ -84,8 +84,8 @@ std::vector<ManualPage> manualPages() {
         const QString own = contentOf(folder.filePath(language + u'/' + name));
         const QString& text = own.isEmpty() ? english : own;
         const QStringList headings = headingsOf(english);
-        pages.push_back(
-            {headingsOf(text).value(0), text, headings.value(0), headings, language == QLatin1String("en") || !own.isEmpty()});
+        pages.push_back({headingsOf(text).value(0), text, headings.value(0), headings,
+                         language == QLatin1String("en") || !own.isEmpty(), name});
     }
     for (const auto& [text, name] :
          {std::pair(parameterReference(), "Parameters"), std::pair(actionReference(), "Actions and keys")}) {

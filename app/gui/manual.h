@@ -9,6 +9,7 @@ class QLabel;
 class QLineEdit;
 class QListWidget;
 class QTextBrowser;
+class QUrl;
 
 namespace rubble {
 
@@ -19,6 +20,7 @@ struct ManualPage {
     QString name = {};          ///< its title in English, by which it is asked for
     QStringList headings = {};  ///< all its headings in English, in their order, which is the same in every language
     bool ownLanguage = true;    ///< false: there is no version in the language asked for, and this is the English one
+    QString file = {};          ///< by which other pages link to it: "survey.md"; empty for pages made from tables
 };
 
 /// The headings of a page, as they stand.
@@ -63,6 +65,8 @@ private:
     void openFind(int row);
     void open(int page);
     void goToHeading(const QString& heading);
+    /// Opens what a page links to: "survey.md", "command-line.md#worlds-made-elsewhere", "#materials".
+    void follow(const QUrl& link);
     void pointAt(const QString& words, bool go);
     void loadPages();
 

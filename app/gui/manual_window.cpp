@@ -27,6 +27,19 @@ QString plainLine(QString line) {
     return line.replace(u'|', QStringLiteral("  ")).simplified();
 }
 
+/// "What to ask the solver for": what-to-ask-the-solver-for, as links name it.
+QString anchorOf(const QString& heading) {
+    QString anchor;
+    for (const QChar c : heading.toLower()) {
+        if (c.isLetterOrNumber() || c == u'-' || c == u'_') {
+            anchor += c;
+        } else if (c == u' ') {
+            anchor += u'-';
+        }
+    }
+    return anchor;
+}
+
 bool holdsAll(const QString& text, const QStringList& words) {
     return std::all_of(words.begin(), words.end(), [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
@@ -123,7 +136,9 @@ ManualWindow::ManualWindow(QWidget* parent)
     column->addWidget(m_results, 1);
     column->addWidget(m_language);
     m_text->document()->setDocumentMargin(16);
-    m_text->setOpenExternalLinks(false);
+    // The browser itself would look for a file beside the program.
+    m_text->setOpenLinks(false);
+    connect(m_text, &QTextBrowser::anchorClicked, this, &ManualWindow::follow);
     row->addWidget(left);
     row->addWidget(m_text, 1);
     connect(m_titles, &QListWidget::currentRowChanged, this, &ManualWindow::open);
@@ -174,6 +189,23 @@ void ManualWindow::goToHeading(const QString& heading) {
             m_text->setTextCursor(cursor);
             return;
         }
+    }
+}
+
+void ManualWindow::follow(const QUrl& link) {
+    const auto page =
+        std::find_if(m_pages.begin(), m_pages.end(), [&](const ManualPage& each) { return each.file == link.path(); });
+    if (!link.path().isEmpty() && page != m_pages.end()) {
+        m_search->clear();
+        m_titles->setCurrentRow(static_cast<int>(page - m_pages.begin()));
+        m_text->moveCursor(QTextCursor::Start);
+    }
+    if (link.hasFragment() && m_titles->currentRow() >= 0) {
+        // Anchors are made of the English headings in every language, which stand in the same order.
+        const ManualPage& shown = m_pages[static_cast<std::size_t>(m_titles->currentRow())];
+        const auto heading = std::find_if(shown.headings.begin(), shown.headings.end(),
+                                          [&](const QString& each) { return anchorOf(each) == link.fragment(); });
+        goToHeading(headingsOf(shown.text).value(heading - shown.headings.begin()));
     }
 }
 

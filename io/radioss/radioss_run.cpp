@@ -239,10 +239,12 @@ private:
     void noteGaps(Findings& findings) const {
         std::int64_t before = -1;
         for (const std::string& file : m_run.files) {
-            std::string name = fs::path(file).filename().string();
-            name.resize(name.size() - (name.ends_with(".gz") ? 3 : 0));
-            name.resize(name.size() - (name.ends_with(".vtk") ? 4 : 0));
-            const std::string digits = name.substr(name.find_last_not_of("0123456789") + 1);
+            const std::string whole = fs::path(file).filename().string();
+            std::string_view name = whole;
+            for (const std::string_view ending : {".gz", ".vtk"}) {
+                name.remove_suffix(name.ends_with(ending) ? ending.size() : 0);
+            }
+            const std::string digits(name.substr(name.find_last_not_of("0123456789") + 1));
             const std::int64_t number = allDigits(digits) && digits.size() < 10 ? std::stoll(digits) : -1;
             if (before >= 0 && number != before + 1) {
                 findings.add({"anim.gap", "Numbers are missing in the series; deaths are known less exactly there", {}},

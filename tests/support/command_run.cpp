@@ -144,6 +144,16 @@ Outcome cli(std::vector<std::string> words) {
     return CommandRun().cli(std::move(words));
 }
 
+bool catches(pid_t process, int signal) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("SigCgt:")) {
+            return (std::stoull(line.substr(line.find('\t') + 1), nullptr, 16) >> (signal - 1)) & 1u;
+        }
+    }
+    return false;
+}
+
 std::string cliPath() {
     return buildPath("bin/rubble-cli");
 }

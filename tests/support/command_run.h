@@ -55,6 +55,9 @@ private:
 /// The shipped rubble-cli with these words.
 Outcome cli(std::vector<std::string> words);
 
+/// Whether a process has come so far that it answers a signal itself, as programs do a while after their start.
+bool catches(pid_t process, int signal);
+
 /// Path of the shipped rubble-cli.
 std::string cliPath();
 /// The whole content of a file. Throws if it cannot be read.

@@ -39,7 +39,7 @@ TEST_F(Notices, ComeWhenLongWorkEndsAndTheUserIsElsewhere) {
     EXPECT_TRUE(told.isEmpty()) << "the window is in front: its status line tells";
     QApplication::setActiveWindow(nullptr);
     simulate();
-    ASSERT_EQ(told.size(), 2);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return told.size() == 2; }, patience));
     EXPECT_TRUE(told[0].startsWith(QStringLiteral("Simulated in"))) << told[0].toStdString();
     EXPECT_EQ(told[1], QStringLiteral("small"));
 }

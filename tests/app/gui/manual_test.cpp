@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QRegularExpression>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <set>
 
@@ -52,6 +54,37 @@ TEST(Manual, HasAPageForEveryEntryOfTheRail) {
         window.showPage(QLatin1String(title));
         EXPECT_TRUE(window.findChild<QTextBrowser*>()->toPlainText().startsWith(QLatin1String(title))) << title;
     }
+}
+
+// A click on a link blanked the page: the browser looked for a file beside the program.
+TEST(Manual, LinksOpenThePageAndThePlaceTheyName) {
+    ManualWindow window;
+    auto* text = window.findChild<QTextBrowser*>();
+    window.showPage(QStringLiteral("Case"));
+    emit text->anchorClicked(QUrl(QStringLiteral("survey.md")));
+    EXPECT_TRUE(text->toPlainText().startsWith(QLatin1String("Survey"))) << text->toPlainText().left(40).toStdString();
+    emit text->anchorClicked(QUrl(QStringLiteral("command-line.md#worlds-made-elsewhere")));
+    EXPECT_EQ(text->textCursor().block().text(), QStringLiteral("Worlds made elsewhere"));
+}
+
+TEST(Manual, EveryLinkOfEveryPageLeadsSomewhere) {
+    ManualWindow window;
+    auto* text = window.findChild<QTextBrowser*>();
+    static const QRegularExpression link(QStringLiteral("[^!]\\[[^\\]]*\\]\\(([^)]+)\\)"));
+    int followed = 0;
+    for (const ManualPage& page : manualPages()) {
+        for (auto links = link.globalMatch(page.text); links.hasNext();) {
+            const QString target = links.next().captured(1);
+            window.showPage(page.name);
+            text->moveCursor(QTextCursor::End);
+            const int before = text->textCursor().position();
+            emit text->anchorClicked(QUrl(target));
+            EXPECT_NE(text->textCursor().position(), before) << page.name.toStdString() << ": " << target.toStdString();
+            EXPECT_FALSE(text->toPlainText().isEmpty()) << target.toStdString();
+            ++followed;
+        }
+    }
+    EXPECT_GT(followed, 20);
 }
 
 TEST(Actions, KeysAndIdsAreUnique) {

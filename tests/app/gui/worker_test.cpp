@@ -14,12 +14,21 @@ namespace rubble {
 
 namespace {
 
+/// What has begun to work until it is cancelled, since the start.
+std::atomic<int> begun = 0;
+
 /// Works until it is cancelled.
 void untilCancelled(const Execution& execution) {
+    ++begun;
     while (true) {
         execution.report({"test", "working", {}}, 0.5);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
+}
+
+/// Waits for the next of it, however long a busy machine lets it wait.
+bool beginsAfter(int before) {
+    return QTest::qWaitFor([before] { return begun > before; }, 300'000);
 }
 
 }  // namespace
@@ -68,12 +77,12 @@ TEST(Worker, TheLatestOfAKindWins) {
     std::atomic<int> last = 0;
     int finished = 0;
     bool firstCancelled = false;
+    const int before = begun;
     worker.start({Worker::Kind::Update, untilCancelled, [&](std::exception_ptr thrown) {
                       firstCancelled = thrown != nullptr && !failureOf(thrown);
                       ++finished;
                   }});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return worker.busy(Worker::Kind::Update); }));
-    QTest::qWait(20);
+    ASSERT_TRUE(beginsAfter(before));
     for (int i = 1; i <= 5; ++i) {
         worker.start({Worker::Kind::Update, [&, i](const Execution&) { last = i; }, [&](std::exception_ptr) { ++finished; }});
     }
@@ -86,9 +95,10 @@ TEST(Worker, CancelReachesWorkWithinHalfASecondAndDropsWhatWaits) {
     Worker worker;
     bool ended = false;
     bool ran = false;
+    const int before = begun;
     worker.start({Worker::Kind::Simulate, untilCancelled, [&](std::exception_ptr) { ended = true; }});
     worker.start({Worker::Kind::Write, [&](const Execution&) { ran = true; }, [](std::exception_ptr) {}});
-    QTest::qWait(20);
+    ASSERT_TRUE(beginsAfter(before));
     worker.cancel();
     ASSERT_TRUE(QTest::qWaitFor([&] { return ended; }, 5000));
     EXPECT_FALSE(ran);
@@ -99,8 +109,9 @@ TEST(Worker, DyingWhileItWorksIsClean) {
     bool ended = false;
     {
         Worker worker;
+        const int before = begun;
         worker.start({Worker::Kind::Simulate, untilCancelled, [&](std::exception_ptr) { ended = true; }});
-        QTest::qWait(20);
+        ASSERT_TRUE(beginsAfter(before));
     }
     QTest::qWait(20);
     EXPECT_FALSE(ended);  // nobody is left to be told

@@ -11,7 +11,7 @@ namespace rubble {
 namespace {
 
 std::string script() {
-    return cli::sourcePath("tests/app/slurm/one_node.sh");
+    return sourcePath("tests/app/slurm/one_node.sh");
 }
 
 }  // namespace

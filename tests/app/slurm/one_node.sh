@@ -60,7 +60,7 @@ ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 SwitchType=switch/none
 MpiDefault=none
-MessageTimeout=5
+MessageTimeout=30
 SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU_Memory
 SchedulerParameters=sched_interval=1,batch_sched_delay=0
@@ -78,13 +78,28 @@ CONF
     export SLURM_CONF=$folder/slurm.conf
     slurmctld -c -f "$SLURM_CONF"
     slurmd -c -f "$SLURM_CONF"
-    for _ in $(seq 150); do
-        [ "$(sinfo --noheader --format=%T 2>/dev/null)" = idle ] && return 0
+    # However long a busy machine takes: only a daemon that has ended, or a test that has, makes waiting vain.
+    while [ "$(sinfo --noheader --format=%T 2>/dev/null)" != idle ]; do
+        if ! runs slurmctld || ! runs slurmd || ! kill -0 "$owner" 2>/dev/null; then
+            return 1
+        fi
         sleep 0.2
     done
-    echo "the node did not come up; its logs:" >&2
+}
+
+# A daemon has written its process down and lives, or is still on its way to that (a minute at most).
+runs() {
+    local pid
+    for _ in $(seq 300); do
+        pid=$(cat "$folder/$1.pid" 2>/dev/null) && [ -n "$pid" ] && break
+        sleep 0.2
+    done
+    [ -n "$pid" ] && kill -0 "$pid" 2>/dev/null
+}
+
+tell_logs() {
+    echo "the node did not come up: a daemon ended; the logs:" >&2
     tail -n 20 "$folder"/*.log >&2
-    return 1
 }
 
 stop() {
@@ -96,7 +111,8 @@ stop() {
 case $1 in
     start)
         [ -n "$owner" ] || usage
-        start || { stop; exit 1; }
+        # A port that was free may be taken by another program before a daemon has it: then with others.
+        start || { stop; start; } || { tell_logs; stop; exit 1; }
         # A test that is killed leaves no daemons.
         (while kill -0 "$owner" 2>/dev/null; do sleep 1; done; stop) </dev/null >/dev/null 2>&1 &
         ;;

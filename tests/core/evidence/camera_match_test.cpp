@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <set>
 
 #include "core/base/error.h"
 #include "tests/core/evidence/camera_scene.h"
+#include "tests/support/run_tests.h"
 
 namespace rubble {
 namespace {
@@ -60,6 +62,10 @@ TEST(CameraMatch, WorksInTheCoordinatesOfACountry) {
     EXPECT_LT((scene.match().camera.place - scene.camera.place - country).norm(), 1e-4);
 }
 
+std::uint64_t trialCount() {
+    return sizedTo<std::uint64_t>(200, 1000);
+}
+
 /// What the 95 % region and the stated spread are worth.
 struct Trials {
     int inside = 0;
@@ -75,10 +81,9 @@ struct Trials {
         stated += match.covariance.diagonal().head<3>();
     }
     void expectHonest() const {
-        // Of 1,000 trials at 95 % the share inside has a standard deviation of 0.7 %.
+        // Of 1,000 trials at 95 % the share inside has a standard deviation of 0.7 %, of 200 of 1.5 %: three of them are allowed.
         testing::Test::RecordProperty("inside", inside);
-        EXPECT_GE(inside, 0.93 * done);
-        EXPECT_LE(inside, 0.97 * done);
+        EXPECT_NEAR(inside, 0.95 * done, 3.0 * std::sqrt(0.95 * 0.05 * done));
         for (int axis = 0; axis < 3; ++axis) {
             const double ratio = std::sqrt(square[axis] / stated[axis]);
             testing::Test::RecordProperty("spread_over_stated_" + std::to_string(axis), std::to_string(ratio));
@@ -88,9 +93,9 @@ struct Trials {
     }
 };
 
-TEST(CameraMatch, StatesItsUncertaintyHonestlyOverAThousandTrials) {
+TEST(CameraMatch, StatesItsUncertaintyHonestly) {
     Trials trials;
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trialCount(); ++seed) {
         trials.add(CameraScene(seed, 12, 2.0));
     }
     trials.expectHonest();
@@ -98,7 +103,7 @@ TEST(CameraMatch, StatesItsUncertaintyHonestlyOverAThousandTrials) {
 
 TEST(CameraMatch, StatesItWithAFreeFocalLengthDistortionAndWrongPairsToo) {
     Trials trials;
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trialCount(); ++seed) {
         CameraScene scene(seed, 20, 1.5);
         scene.camera.radial[0] = -0.08;
         scene.retake(1.5);

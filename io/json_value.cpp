@@ -98,7 +98,7 @@ JsonValue& JsonValue::operator[](std::string_view key) {
     if (m_kind == Kind::Null) {
         m_kind = Kind::Object;
     }
-    assert(m_kind == Kind::Object && "a key of what is no object");
+    assert(m_kind == Kind::Object);
     const auto found = std::find(m_keys.begin(), m_keys.end(), key);
     if (found != m_keys.end()) {
         return m_items[static_cast<std::size_t>(found - m_keys.begin())];
@@ -111,7 +111,7 @@ void JsonValue::push_back(JsonValue item) {
     if (m_kind == Kind::Null) {
         m_kind = Kind::Array;
     }
-    assert(m_kind == Kind::Array && "an item for what is no array");
+    assert(m_kind == Kind::Array);
     m_items.push_back(std::move(item));
 }
 

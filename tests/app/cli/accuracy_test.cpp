@@ -45,7 +45,7 @@ std::vector<std::string> fields(const std::string& line) {
 }
 
 /// The columns that no clock decides.
-std::vector<std::string> withoutTimes(const std::string& csv) {
+std::vector<std::string> rowsWithoutTimes(const std::string& csv) {
     std::vector<std::string> rows;
     for (const std::string& line : lines(csv)) {
         std::string row;
@@ -188,12 +188,12 @@ TEST_F(AccuracyCommand, NoNumberButThoseOfTimeDependsOnJobsOrInterruption) {
         return all;
     };
     ASSERT_EQ(cli(sweep("one", {"--jobs", "1"})).exitCode, 0);
-    const std::vector<std::string> whole = withoutTimes(textOf(csv));
+    const std::vector<std::string> whole = rowsWithoutTimes(textOf(csv));
     ASSERT_EQ(whole.size(), 10u);
     const std::size_t worlds = keptWorlds("one");
     EXPECT_EQ(worlds, 5u) << "the reference, two repeats, the paper, and of six multiples those that make other clusters";
     ASSERT_EQ(cli(sweep("many", {"--jobs", "7"})).exitCode, 0);
-    EXPECT_EQ(withoutTimes(textOf(csv)), whole);
+    EXPECT_EQ(rowsWithoutTimes(textOf(csv)), whole);
     // Interrupted as soon as some worlds are there, and gone on with.
     bool sent = false;
     const auto interrupt = [&](pid_t program) {
@@ -206,7 +206,7 @@ TEST_F(AccuracyCommand, NoNumberButThoseOfTimeDependsOnJobsOrInterruption) {
     EXPECT_TRUE(cut.exitCode == 3 || kept == worlds) << cut.err;
     EXPECT_GE(kept, 2u);
     ASSERT_EQ(cli(sweep("cut", {"--jobs", "3"})).exitCode, 0);
-    EXPECT_EQ(withoutTimes(textOf(csv)), whole);
+    EXPECT_EQ(rowsWithoutTimes(textOf(csv)), whole);
     EXPECT_EQ(keptWorlds("cut"), worlds);
 }
 
@@ -219,7 +219,7 @@ TEST_F(AccuracyCommand, GoesOnInsideAWorldThatWasKilled) {
             "--csv",       csv,         "--cache", m_folder / cache};
     };
     ASSERT_EQ(cli(sweep("whole")).exitCode, 0);
-    const std::vector<std::string> whole = withoutTimes(textOf(csv));
+    const std::vector<std::string> whole = rowsWithoutTimes(textOf(csv));
     const fs::path checkpoints = m_folder / "cut/checkpoints";
     // Once there is another checkpoint than before.
     const auto once = [&](int signal) {
@@ -238,7 +238,7 @@ TEST_F(AccuracyCommand, GoesOnInsideAWorldThatWasKilled) {
     const Outcome last = start().cli(sweep("cut"));
     ASSERT_EQ(last.exitCode, 0) << last.err;
     EXPECT_THAT(last.err, HasSubstr("1 went on from checkpoints, the latest at "));
-    EXPECT_EQ(withoutTimes(textOf(csv)), whole);
+    EXPECT_EQ(rowsWithoutTimes(textOf(csv)), whole);
     EXPECT_TRUE(fs::is_empty(checkpoints)) << "worlds that are kept need none";
     EXPECT_THAT(cli({"cache", "list", "--cache", m_folder / "cut"}).out, testing::Not(HasSubstr("checkpoints")));
 }

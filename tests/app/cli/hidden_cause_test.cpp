@@ -5,6 +5,7 @@
 
 #include "tests/support/command_run.h"
 #include "tests/support/places.h"
+#include "tests/support/run_tests.h"
 #include "tests/support/small_collapse.h"
 
 namespace rubble::cli {
@@ -14,7 +15,11 @@ namespace {
 using testing::AnyOf;
 using testing::HasSubstr;
 
-const std::vector<std::string> theCauses{"west", "both", "pier", "crown"};
+/// Three of the causes, or with the whole tests all four.
+std::vector<std::string> supposed() {
+    return wholeTests() ? std::vector<std::string>{"west", "both", "pier", "crown"}
+                        : std::vector<std::string>{"west", "pier", "crown"};
+}
 
 /// One stone bridge and four causes of its collapse. Members are shared by all comparisons, few and coarse for the time they take.
 class HiddenCause : public testing::Test {
@@ -47,7 +52,7 @@ protected:
         return outcome.json();
     }
     static std::vector<std::string> without(const std::string& cause) {
-        std::vector<std::string> others = theCauses;
+        std::vector<std::string> others = supposed();
         std::erase(others, cause);
         return others;
     }
@@ -56,10 +61,10 @@ protected:
 };
 
 TEST_F(HiddenCause, OfAStoneBridgeIsFoundAndWhatIsNotAmongThemIsNot) {
-    for (const std::string truth : {"both", "crown", "pier"}) {
+    for (const std::string& truth : sizedTo<std::vector<std::string>>({"pier"}, {"both", "crown", "pier"})) {
         SCOPED_TRACE(truth);
         const std::vector<std::string> evidence = survey(truth);
-        const nlohmann::json found = compare(theCauses, evidence);
+        const nlohmann::json found = compare(supposed(), evidence);
         EXPECT_EQ(found["closest"], truth);
         EXPECT_TRUE(found["told_apart"]) << found["words"];
         EXPECT_FALSE(found["unexplained"]) << found["fit"];
@@ -70,8 +75,11 @@ TEST_F(HiddenCause, OfAStoneBridgeIsFoundAndWhatIsNotAmongThemIsNot) {
         EXPECT_THAT(none["words"].get<std::string>(), HasSubstr("perhaps none of the hypotheses is the cause"));
         EXPECT_EQ(none["warnings"][0]["id"], "causes.no_fit");
     }
-    // With a second strip at the other end the debris covers the same ground as without: an outline cannot tell.
-    const nlohmann::json outline = compare(theCauses, {survey("both").back()});
+}
+
+// With a second strip at the other end the debris covers the same ground as without: an outline cannot tell.
+TEST_F(HiddenCause, WholeAnOutlineCannotTellWhatCoversTheSameGround) {
+    const nlohmann::json outline = compare(supposed(), {survey("both").back()});
     EXPECT_FALSE(outline["told_apart"]) << outline["words"];
     EXPECT_THAT(outline["closest"].get<std::string>(), AnyOf("west", "both"));
     std::vector<std::string> alike = outline["not_told_from"];

@@ -8,6 +8,7 @@
 #include "app/cli/output_file.h"
 #include "app/cli/run_report.h"
 #include "app/cli/run_sinks.h"
+#include "app/cli/run_summary.h"
 #include "app/cli/subject.h"
 #include "app/cli/temporary_run.h"
 #include "core/base/error.h"
@@ -60,6 +61,24 @@ ExitCode reportPartial(const Arguments& arguments, Session& session, const Ledge
     return ExitCode::Cancelled;
 }
 
+/// For people: the summary, and the tables where they are asked for.
+/// @param debris  of a run that no file took
+void printReport(const Arguments& arguments, Session& session, const RunReport& report, const io::RunReader* recorded,
+                 const DebrisRecorder& debris) {
+    const Results& results = report.results;
+    std::optional<DebrisFigures> figures;
+    if (!results.fragments->list.empty()) {
+        figures = figuresAtEnd(report.subject, results,
+                               recorded ? debrisAt(*results.fragments, *results.components, *recorded, results.simulation->endTime)
+                                        : debris.debris(DebrisInstant::AtRest));
+    }
+    printSummary(session.out(), report, figures);
+    if (arguments.has("--tables")) {
+        session.out() << '\n';
+        report.print(session.out());
+    }
+}
+
 ExitCode runScenario(const Arguments& arguments, Session& session) {
     const Subject subject = openSubject(arguments, session);
     checkCsvPath(arguments, subject.files);
@@ -85,7 +104,8 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
     if (!runPath.empty()) {
         file = io::continueRun(runPath, originOf(subject));
     }
-    LedgerRecorder recorder(file.get());
+    DebrisRecorder debris;
+    LedgerRecorder recorder(file ? file.get() : &debris);
     Results results;
     try {
         results = runTo(subject, Stage::Simulation, &recorder, session.execution(), checkpoint ? &*checkpoint : nullptr);
@@ -101,14 +121,14 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
         exports.perform(io::openRun(runPath), subject.inputs, {subject.casePath, subject.terrain}, session);
     }
     writeCsv(arguments, ledgerTable(recorder.ledger()));
-    const io::Taint taint =
-        runPath.empty() ? io::Taint{results.simulation->health.breaches.size(), {}, {}, true} : io::taintOf(*io::openRun(runPath));
+    const std::shared_ptr<io::RunReader> recorded = runPath.empty() ? nullptr : io::openRun(runPath);
+    const io::Taint taint = recorded ? io::taintOf(*recorded) : io::Taint{results.simulation->health.breaches.size(), {}, {}, true};
     const RunReport report{subject,         results, recorder.ledger(), allFindings(subject, results), temporary ? "" : runPath,
                            exports.paths(), taint};
     if (arguments.json()) {
         printJson(session, report.json());
     } else {
-        report.print(session.out());
+        printReport(arguments, session, report, recorded.get(), debris);
     }
     warnIfTainted(session, temporary ? "" : runPath, taint);
     return ExitCode::Ok;
@@ -130,13 +150,15 @@ Command runCommand() {
     for (const Option& option : MapRequest::options()) {
         options.push_back(option);
     }
+    options.push_back({"--tables", "", false, "print the tables of the run after its summary"});
     options.push_back(csvOption("write the ledger, one row for each FE state and each second after"));
     return {
         "run",
         "FE|CASE",
         "fragments, Basic Grid, clusters, and where they go",
-        "Simulates the whole collapse and prints its tables. Ctrl-C stops it: with --out what was simulated so far is kept, and "
-        "the run file reopens at its last complete frame. With --out and solver = soft-step a checkpoint is kept beside the run "
+        "Simulates the whole collapse and prints a summary; --tables adds the tables. Ctrl-C stops it: with --out what was "
+        "simulated so far is kept, and the run file reopens at its last complete frame. With --out and solver = soft-step a "
+        "checkpoint is kept beside the run "
         "once a minute; the same command goes on from it after Ctrl-C or a kill, and ends bit for bit as one that was not stopped.",
         std::move(options),
         runScenario};

@@ -12,7 +12,7 @@
 
 namespace rubble::cli {
 
-/// A finished run, as its tables and its JSON object report it.
+/// A finished run, as its summary, its tables and its JSON object report it.
 struct RunReport {
     const Subject& subject;
     const Results& results;

@@ -80,7 +80,7 @@ TEST_F(Effects, ARunShowsTheAccountOfAStep) {
     EXPECT_EQ(costs["measured"], measured);
     EXPECT_NEAR(costs["difference_percent"], 100.0 * (sum - measured) / measured, 1e-9);
     EXPECT_GT(costs["recording"], 0.0);
-    const Outcome text = cli({"run", m_path, "--set", "settle_time=2"});
+    const Outcome text = cli({"run", m_path, "--set", "settle_time=2", "--tables"});
     for (const char* row :
          {"motion, freezing", "health monitor", "bookkeeping", "measured step", "differs from the measured step by"}) {
         EXPECT_THAT(text.out, HasSubstr(row));

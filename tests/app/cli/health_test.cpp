@@ -84,7 +84,12 @@ TEST_F(Health, ABreachTaintsTheRunUntilItIsAcknowledged) {
 }
 
 TEST_F(Health, TheReportListsTheBreaches) {
-    const Outcome outcome = cli({"run", m_path, "--set", "ground=off", "--set", "settle_time=6"});
+    const Outcome summary = cli({"run", m_path, "--set", "ground=off", "--set", "settle_time=6"});
+    EXPECT_EQ(summary.exitCode, 0);
+    EXPECT_THAT(summary.out, HasSubstr("not acknowledged: "));
+    EXPECT_THAT(summary.out, HasSubstr("first to do"));
+    EXPECT_THAT(summary.out, Not(HasSubstr("outside_site"))) << "words, not names of checks";
+    const Outcome outcome = cli({"run", m_path, "--set", "ground=off", "--set", "settle_time=6", "--tables"});
     EXPECT_EQ(outcome.exitCode, 0);
     EXPECT_THAT(outcome.out, HasSubstr("breaches, tainted"));
     EXPECT_THAT(outcome.out, HasSubstr("outside_site"));

@@ -162,9 +162,31 @@ TEST_F(Run, LedgerTableClosesAtEveryHandOver) {
     }
 }
 
+TEST_F(Run, SummaryIsTenLinesThatAPersonReads) {
+    const Outcome kept = cli({"run", m_path, "--set", "settle_time=1", "--out", m_out});
+    ASSERT_EQ(kept.exitCode, 0) << kept.err;
+    EXPECT_LE(linesOf(kept.out).size(), 10u) << kept.out;
+    for (const std::string& said : {std::string("5 fragments, 10 t, in "), std::string("run-out of "),
+                                    std::string(" s of wall time"), std::string("of the bodies"), std::string("health"),
+                                    std::string("findings"), m_out, std::string("--tables prints every table")}) {
+        EXPECT_THAT(kept.out, HasSubstr(said));
+    }
+    EXPECT_THAT(kept.out, testing::Not(HasSubstr("Basic Grid")));
+    // The same is measured where no file took the run.
+    const auto lies = [](const std::string& text) {
+        const std::size_t at = text.find("  lies ");
+        return at == std::string::npos ? std::string() : text.substr(at, text.find('\n', at) - at);
+    };
+    const Outcome passing = cli({"run", m_path, "--set", "settle_time=1"});
+    EXPECT_NE(lies(kept.out), "");
+    EXPECT_EQ(lies(passing.out), lies(kept.out));
+    EXPECT_THAT(passing.out, HasSubstr("--out RUN.h5 keeps it"));
+}
+
 TEST_F(Run, TablesNameTheirParts) {
-    const Outcome outcome = cli({"run", m_path, "--set", "settle_time=1"});
+    const Outcome outcome = cli({"run", m_path, "--set", "settle_time=1", "--tables"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_LT(outcome.out.find("--tables prints every table"), outcome.out.find("Fragments: 5")) << "the summary comes first";
     for (const char* heading : {"Fragments: 5", "Basic Grid", "Clusters", "Run", "Ledger", "trajectory hash", "bulking factor"}) {
         EXPECT_THAT(outcome.out, HasSubstr(heading));
     }

@@ -51,7 +51,7 @@ TEST(Completion, OffersEveryCommandAndItsOptions) {
     ASSERT_GT(commands().size(), 15u);
     EXPECT_THAT(completions({""}), IsSupersetOf(commands()));
     EXPECT_THAT(completions({"ins"}), testing::ElementsAre("inspect"));
-    EXPECT_THAT(completions({"run", "--"}), IsSupersetOf({"--set", "--out", "--json", "--export"}));
+    EXPECT_THAT(completions({"run", "--"}), IsSupersetOf({"--set", "--out", "--json", "--export", "--tables"}));
     EXPECT_THAT(completions({"inspect", "--o"}), IsEmpty());
     EXPECT_THAT(completions({"cache", ""}), testing::UnorderedElementsAre("list", "clear"));
 }

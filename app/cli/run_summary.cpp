@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "app/cli/measure_output.h"
 #include "app/cli/text_output.h"
@@ -65,13 +66,24 @@ const HealthBreach* gravestBreach(const HealthReport& health) {
     return longest == health.breaches.end() ? nullptr : &*longest;
 }
 
+/// The gravest breach with its numbers, of the others what they are.
 std::string healthText(const HealthReport& health, const io::Taint& taint) {
     const HealthBreach* gravest = gravestBreach(health);
     if (!gravest) {
         return "no limit was passed";
     }
-    return counted(static_cast<std::int64_t>(health.breaches.size()), "breach", "breaches") +
-           (taint.tainted() ? ", not acknowledged: " : ", acknowledged: ") + englishText(gravest->what);
+    std::set<std::string> others;
+    for (const HealthBreach& breach : health.breaches) {
+        if (breach.check != gravest->check) {
+            others.insert(englishText(healthCheckTitle(breach.check)));
+        }
+    }
+    std::string text = counted(static_cast<std::int64_t>(health.breaches.size()), "breach", "breaches") +
+                       (taint.tainted() ? ", not acknowledged: " : ", acknowledged: ") + englishText(gravest->what);
+    for (const std::string& other : others) {
+        text += (&other == &*others.begin() ? "; also: " : ", ") + other;
+    }
+    return text;
 }
 
 /// Of the gravest breach; without one of the first finding, as what is wrong early is wrong in all that follows.

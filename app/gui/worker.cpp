@@ -105,15 +105,31 @@ void Worker::loop() {
         Job job = std::move(m_waiting.front());
         m_waiting.pop_front();
         m_running = job.kind;
-        m_execution = Execution([this, kind = job.kind](const Progress& progress) {
-            QMetaObject::invokeMethod(this, [this, kind, progress] { emit progressed(kind, progress); }, Qt::QueuedConnection);
-        });
+        m_execution = Execution([this, kind = job.kind](const Progress& progress) { noteProgress(kind, progress); });
         const int threads = threadsOfWork();
         const Execution execution = threads > 0 ? m_execution.withThreads(threads) : m_execution;
         lock.unlock();
         QMetaObject::invokeMethod(this, [this] { emit changed(); }, Qt::QueuedConnection);
         runOne(job, execution);
     }
+}
+
+void Worker::noteProgress(Kind kind, const Progress& progress) {
+    const std::lock_guard lock(m_progressMutex);
+    const bool waits = m_latest.has_value();
+    m_latest.emplace(kind, progress);
+    if (waits) {
+        return;
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            std::unique_lock taking(m_progressMutex);
+            const auto latest = std::exchange(m_latest, std::nullopt);
+            taking.unlock();
+            emit progressed(latest->first, latest->second);
+        },
+        Qt::QueuedConnection);
 }
 
 void Worker::runOne(Job& job, const Execution& execution) {

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/base/execution.h"
@@ -60,6 +61,9 @@ signals:
     void changed();
 
 private:
+    /// Progress that comes faster than it can be drawn is not drawn late: the latest is told once the thread of the window has
+    /// time.
+    void noteProgress(Kind kind, const Progress& progress);
     void enqueue(Job job);
     void dropWaiting(Kind kind);
     void loop();
@@ -72,6 +76,8 @@ private:
     // Done, but not yet told on the GUI thread: busy until then.
     std::vector<Kind> m_finishing;
     Execution m_execution;
+    std::mutex m_progressMutex;
+    std::optional<std::pair<Kind, Progress>> m_latest;  ///< progress that is not told yet
     bool m_stopping = false;
     std::thread m_thread;
 };

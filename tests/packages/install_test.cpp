@@ -100,7 +100,7 @@ TEST_F(Installed, TheDesktopKnowsTheProgramAndItsFiles) {
 }
 
 // find_package(Rubble) from a project of somebody else.
-TEST_F(Installed, TheLibrariesBuildTheExamples) {
+TEST_F(Installed, WholeTheLibrariesBuildTheExamples) {
     install("development");
     const std::string examples = m_prefix + "/share/rubble/examples/library";
     const std::string folder = m_folder / "examples";

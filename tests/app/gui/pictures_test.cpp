@@ -98,7 +98,7 @@ protected:
     }
 };
 
-TEST_F(Pictures, OfTheManualShowTheWindowAsItIs) {
+TEST_F(Pictures, WholeOfTheManualShowTheWindowAsItIs) {
     window->setTheme(QStringLiteral("light"));
     hold(QStringLiteral("start"), *window);
     openArch();
@@ -127,7 +127,7 @@ TEST_F(Pictures, OfTheManualShowTheWindowAsItIs) {
 }
 
 // What the tolerance lets pass is less than any of these.
-TEST_F(Pictures, TellAMissingViewAnotherPanelAndAnotherTheme) {
+TEST_F(Pictures, WholeTellAMissingViewAnotherPanelAndAnotherTheme) {
     window->setTheme(QStringLiteral("light"));
     openArch();
     window->showInstant(window->playback().clock().last());

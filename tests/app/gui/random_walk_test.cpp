@@ -26,6 +26,7 @@
 #include "app/gui/view_area.h"
 #include "tests/app/gui/complaints.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/run_tests.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/timeline.h"
 
@@ -34,7 +35,7 @@ namespace rubble {
 namespace {
 
 #ifndef RUBBLE_WALK_LENGTH
-#define RUBBLE_WALK_LENGTH 300
+#define RUBBLE_WALK_LENGTH sizedTo(100, 300)
 #endif
 
 int fromEnvironment(const char* name, int otherwise) {

@@ -133,7 +133,7 @@ TEST_F(Screens, CanBeReadWholeWithARun) {
     }
 }
 
-TEST_F(Screens, CanBeReadWholeInDialogs) {
+TEST_F(Screens, WholeDialogsCanBeReadWhole) {
     simulated();
     window->actions()["duplicate_scenario"].trigger();
     for (const char* action : {"preferences", "manual", "compare_scenarios", "export_figure", "export_movie", "site", "about"}) {
@@ -141,7 +141,7 @@ TEST_F(Screens, CanBeReadWholeInDialogs) {
     }
 }
 
-TEST_F(Screens, CanBeReadWholeInTheWizard) {
+TEST_F(Screens, WholeTheWizardCanBeReadWhole) {
     window->newCase(arch());
     NewCase& making = *window->caseInTheMaking();
     static const std::array steps{"units", "ground", "components", "deaths", "case"};

@@ -144,7 +144,7 @@ TEST_F(ClusterWorkbench, AComparisonRunsOnTheClusterAndItsPointsComeIn) {
     }
 }
 
-TEST_F(ClusterWorkbench, ClosingTheWindowStopsNothingAndTheCaseFindsItsJobAgain) {
+TEST_F(ClusterWorkbench, WholeClosingTheWindowStopsNothingAndTheCaseFindsItsJobAgain) {
     showAccuracy();
     OneNode::drain();
     compare();
@@ -164,7 +164,7 @@ TEST_F(ClusterWorkbench, ClosingTheWindowStopsNothingAndTheCaseFindsItsJobAgain)
     ASSERT_TRUE(QTest::qWaitFor([&] { return done() == 4; }, patience));
 }
 
-TEST_F(ClusterWorkbench, CancelAsksAndTheSecondStartSendsOnlyWhatIsMissing) {
+TEST_F(ClusterWorkbench, WholeCancelAsksAndTheSecondStartSendsOnlyWhatIsMissing) {
     showAccuracy();
     compare();
     ASSERT_TRUE(QTest::qWaitFor([&] { return done() > 0; }, patience));
@@ -189,7 +189,7 @@ TEST_F(ClusterWorkbench, CancelAsksAndTheSecondStartSendsOnlyWhatIsMissing) {
     EXPECT_LE(static_cast<std::size_t>(std::count(second.begin(), second.end(), '\n')), 6 - kept);
 }
 
-TEST_F(ClusterWorkbench, MembersOfAnEnsembleComeFromTheCluster) {
+TEST_F(ClusterWorkbench, WholeMembersOfAnEnsembleComeFromTheCluster) {
     window->document().setEnsemble({{variationFrom("friction", "uniform:0.3:0.5")}, 4, 1}, QStringLiteral("fewer"));
     ASSERT_TRUE(window->files().saveTo(m_case));
     window->actions()["show_ensemble"].trigger();

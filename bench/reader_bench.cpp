@@ -65,8 +65,8 @@ private:
         put(file, head);
         std::vector<float> places;
         for (std::int64_t n = 0; n < nodes; ++n) {
-            places.insert(places.end(),
-                          {static_cast<float>(n / 100 % 100), static_cast<float>(n % 100), static_cast<float>(n / 10000)});
+            const std::int64_t row = n / 100 % 100, column = n % 100, layer = n / 10000;
+            places.insert(places.end(), {static_cast<float>(row), static_cast<float>(column), static_cast<float>(layer)});
         }
         file.write(reinterpret_cast<const char*>(places.data()), static_cast<std::streamsize>(places.size() * sizeof(float)));
         std::vector<std::int32_t> rows;

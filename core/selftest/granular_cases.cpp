@@ -364,7 +364,8 @@ void repose(const CaseSetting& setting, Outcome& outcome) {
     double top = 0.0;
     for (int pour = 0; pour < pours; ++pour) {
         for (int i = 0; i < 6; ++i) {
-            const Vec3 aside(0.36 * (i % 3 - 1), 0.36 * (i / 3) - 0.18, top + 0.45);
+            const int row = i / 3;
+            const Vec3 aside(0.36 * (i % 3 - 1), 0.36 * row - 0.18, top + 0.45);
             pile.add(aside, Vec3::Constant(cubeSide), random.turn());
         }
         scene.run(0.25);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 
 #include "core/base/execution.h"
@@ -28,7 +29,7 @@ public:
     /// Runs for a time; `before` is called before each step with the time at its end.
     template <class Before>
     void run(double seconds, Before before) {
-        const auto steps = static_cast<int>(seconds / dt + 0.5);
+        const auto steps = static_cast<int>(std::lround(seconds / dt));
         for (int i = 0; i < steps; ++i) {
             m_time += dt;
             before(m_time);

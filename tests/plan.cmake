@@ -8,4 +8,4 @@ set(tests_beyond_quick core/selftest/long_hard_case)
 # of the command line, those that it takes as a smoke test;
 set(tests_of_smoke app/cli/help app/cli/inspect app/cli/health)
 # those that run as three entries side by side.
-set(tests_in_parts app/gui/project app/cli/report app/gui/main_window app/gui/inspection app/gui/language)
+set(tests_in_parts core/selftest/long_hard_case app/gui/project app/cli/report app/gui/main_window app/gui/inspection app/gui/language)

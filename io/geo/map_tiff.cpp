@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 
@@ -104,6 +105,7 @@ bool writeBlocks(GDALDataset& file, const DebrisMap& map, const std::vector<MapL
         for (std::size_t b = 0; b < layers.size(); ++b) {
             block.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), noData);
             const std::vector<double>& values = map.layer(layers[b]);
+            assert(values.size() == map.cells.size());
             for (std::size_t p = first; p < last; ++p) {
                 const MapCell& cell = map.cells[placed[p].cell];
                 const double value = values[placed[p].cell];

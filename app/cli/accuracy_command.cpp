@@ -18,7 +18,6 @@ namespace rubble::cli {
 
 namespace {
 
-constexpr int jobsMax = 1024;
 constexpr int settingRepeatsMax = 100;
 
 std::vector<std::string> parseMultiples(const Arguments& arguments) {

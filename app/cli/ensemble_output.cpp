@@ -25,30 +25,6 @@ bool isFolder(const std::string& path) {
     return path.ends_with('/') || fs::is_directory(path, ignored);
 }
 
-std::vector<MapLayer> ensembleLayers() {
-    std::vector<MapLayer> layers;
-    std::copy_if(mapLayers().begin(), mapLayers().end(), std::back_inserter(layers),
-                 [](MapLayer layer) { return mapLayerRow(layer).ensemble; });
-    return layers;
-}
-
-std::vector<MapLayer> parseLayers(const std::string& text) {
-    std::vector<MapLayer> layers;
-    std::string keys;
-    for (const MapLayer layer : ensembleLayers()) {
-        keys += (keys.empty() ? "" : ", ") + std::string(mapLayerRow(layer).key);
-    }
-    for (const std::string& key : splitAtCommas(text)) {
-        const std::vector<MapLayer> all = ensembleLayers();
-        const auto found = std::find_if(all.begin(), all.end(), [&](MapLayer layer) { return mapLayerRow(layer).key == key; });
-        if (found == all.end()) {
-            throw wrongValue("--layers", key, "some of " + keys);
-        }
-        layers.push_back(*found);
-    }
-    return layers;
-}
-
 std::string drawnText(const DrawnValues& drawn) {
     std::string text;
     for (const auto& [key, value] : drawn) {
@@ -222,7 +198,7 @@ EnsembleMaps::EnsembleMaps(const Arguments& arguments, std::vector<MapLayer> pic
         checkOutputPath(path, operandsOf(arguments));
     }
     if (const auto layers = arguments.value("--layers")) {
-        m_layers = parseLayers(*layers);
+        m_layers = parseLayers(*layers, true);
     }
     if (const auto size = arguments.value("--size")) {
         m_pixels = parsePictureSize(*size);

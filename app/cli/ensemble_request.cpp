@@ -15,25 +15,6 @@ namespace rubble::cli {
 
 namespace {
 
-constexpr int jobsMax = 1024;
-
-bool onOff(const Arguments& arguments, std::string_view option, bool byDefault) {
-    const auto text = arguments.value(option);
-    if (text && *text != "on" && *text != "off") {
-        throw wrongValue(option, *text, "on or off");
-    }
-    return text ? *text == "on" : byDefault;
-}
-
-double metres(const Arguments& arguments, std::string_view option, double byDefault, bool zeroToo) {
-    const auto text = arguments.value(option);
-    double number = byDefault;
-    if (text && (!parseNumber(*text, number) || !std::isfinite(number) || !(zeroToo ? number >= 0.0 : number > 0.0))) {
-        throw wrongValue(option, *text, zeroToo ? "metres, not below zero" : "metres, above zero");
-    }
-    return number;
-}
-
 void addInput(EnsembleSubject& subject, const std::string& role, const std::string& path, const std::string& sha256) {
     const bool known = std::any_of(subject.inputs.begin(), subject.inputs.end(),
                                    [&](const io::EnsembleInput& input) { return input.path == path; });
@@ -100,9 +81,9 @@ EnsembleRequest::EnsembleRequest(const Arguments& arguments) {
     };
     m_members = number("--members", 1, static_cast<int>(ensembleMembersMax));
     m_seed = number("--seed", 0, 2147483647);
-    m_surface.cell = metres(arguments, "--cell", m_surface.cell, false);
-    m_surface.withFallen = onOff(arguments, "--live", true);
-    m_surface.liveThreshold = metres(arguments, "--live-threshold", m_surface.liveThreshold, true);
+    m_surface.cell = parseLength(arguments, "--cell", m_surface.cell);
+    m_surface.withFallen = parseOnOff(arguments, "--live", true);
+    m_surface.liveThreshold = parseLength(arguments, "--live-threshold", m_surface.liveThreshold, true);
     const std::string instant = arguments.value("--instant").value_or("rest");
     if (instant != "rest" && instant != "fe_end") {
         throw wrongValue("--instant", instant, "rest or fe_end");

@@ -17,54 +17,25 @@
 
 namespace rubble::cli {
 
-namespace {
-
-bool endsWith(const std::string& path, std::string_view ending) {
-    if (path.size() < ending.size()) {
-        return false;
-    }
-    return std::equal(ending.begin(), ending.end(), path.end() - static_cast<std::ptrdiff_t>(ending.size()),
-                      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
-}
-
-double parseLength(const Arguments& arguments, std::string_view option, double byDefault, bool zeroToo = false) {
-    const std::optional<std::string> text = arguments.value(option);
-    if (!text) {
-        return byDefault;
-    }
-    double metres = 0.0;
-    if (!parseNumber(*text, metres) || !std::isfinite(metres) || !(zeroToo ? metres >= 0.0 : metres > 0.0)) {
-        throw wrongValue(option, *text, zeroToo ? "metres, not below zero" : "metres, above zero");
-    }
-    return metres;
-}
-
-std::string layerKeys() {
+std::vector<MapLayer> parseLayers(const std::string& text, bool ensemble) {
+    std::vector<MapLayer> offered;
+    std::copy_if(mapLayers().begin(), mapLayers().end(), std::back_inserter(offered),
+                 [ensemble](MapLayer layer) { return mapLayerRow(layer).ensemble == ensemble; });
     std::string keys;
-    for (const MapLayer layer : mapLayers()) {
-        if (mapLayerRow(layer).ensemble) {
-            continue;
-        }
+    for (const MapLayer layer : offered) {
         keys += (keys.empty() ? "" : ", ") + std::string(mapLayerRow(layer).key);
     }
-    return keys;
-}
-
-std::vector<MapLayer> parseLayers(const std::string& text) {
     std::vector<MapLayer> layers;
     for (const std::string& key : splitAtCommas(text)) {
-        const auto found = std::find_if(mapLayers().begin(), mapLayers().end(), [&](MapLayer layer) {
-            return mapLayerRow(layer).key == key && !mapLayerRow(layer).ensemble;
-        });
-        if (found == mapLayers().end()) {
-            throw wrongValue("--layers", key, "some of " + layerKeys());
+        const auto found =
+            std::find_if(offered.begin(), offered.end(), [&](MapLayer layer) { return mapLayerRow(layer).key == key; });
+        if (found == offered.end()) {
+            throw wrongValue("--layers", key, "some of " + keys);
         }
         layers.push_back(*found);
     }
     return layers;
 }
-
-}  // namespace
 
 std::vector<Option> MapRequest::options() {
     return {
@@ -88,14 +59,9 @@ MapRequest::MapRequest(const Arguments& arguments) {
     m_settings.liveThreshold = parseLength(arguments, "--live-threshold", m_settings.liveThreshold, true);
     m_contours = parseLength(arguments, "--contours", m_contours);
     if (const auto layers = arguments.value("--layers")) {
-        m_layers = parseLayers(*layers);
+        m_layers = parseLayers(*layers, false);
     }
-    if (const auto live = arguments.value("--live")) {
-        if (*live != "on" && *live != "off") {
-            throw wrongValue("--live", *live, "on or off");
-        }
-        m_live = *live == "on";
-    }
+    m_live = parseOnOff(arguments, "--live", m_live);
     if (const auto size = arguments.value("--size")) {
         m_pixels = parsePictureSize(*size);
     }
@@ -103,7 +69,7 @@ MapRequest::MapRequest(const Arguments& arguments) {
 
 void MapRequest::checkFormat(const std::string& option, const std::string& path) {
     for (const std::string_view ending : {".tif", ".tiff", ".gpkg", ".csv", ".png"}) {
-        if (endsWith(path, ending)) {
+        if (hasEnding(path, ending)) {
             return;
         }
     }
@@ -134,13 +100,13 @@ std::vector<MapLayer> MapRequest::layersOf(const DebrisMap& map) const {
 void MapRequest::write(const std::string& path, const RunMap& made, const io::RunReader& run, Session& session) const {
     const io::MapOrigin origin = io::mapOrigin(run, made.map, made.shown);
     const std::vector<MapLayer> layers = layersOf(made.map);
-    if (endsWith(path, ".csv")) {
+    if (hasEnding(path, ".csv")) {
         io::writeMapCsv(path, made.map, layers, origin, session.execution());
-    } else if (endsWith(path, ".gpkg")) {
+    } else if (hasEnding(path, ".gpkg")) {
         const std::shared_ptr<const FragmentSet> fragments = run.fragments();
         const io::MapFragments list{fragments.get(), &made.debris, run.elementIds(), made.arrivals, made.energies};
         io::writeMapPackage(path, made.map, list, m_contours, origin, session.execution());
-    } else if (endsWith(path, ".png")) {
+    } else if (hasEnding(path, ".png")) {
         quietQt();
         figures::ensureGuiApplication();
         figures::MapPictureStyle style;

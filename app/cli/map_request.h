@@ -15,6 +15,10 @@
 
 namespace rubble::cli {
 
+/// Layers by their keys, separated by commas. @param ensemble  of maps of an ensemble instead of one run
+/// Throws UsageError for a layer that such a map does not have.
+std::vector<MapLayer> parseLayers(const std::string& text, bool ensemble);
+
 /// What a debris map of a run is to show, as given by --time, --cell, --layers, --live, --live-threshold, --contours and --size.
 class MapRequest {
 public:

@@ -68,14 +68,9 @@ std::vector<const Photograph*> choose(const Case& theCase, const Arguments& argu
     return chosen;
 }
 
-ComparisonSettings settingsFrom(const Arguments& arguments) {
+ComparisonSettings comparisonSettingsFrom(const Arguments& arguments) {
     ComparisonSettings settings;
-    if (const auto live = arguments.value("--live")) {
-        if (*live != "on" && *live != "off") {
-            throw wrongValue("--live", *live, "on or off");
-        }
-        settings.withFallen = *live == "on";
-    }
+    settings.withFallen = parseOnOff(arguments, "--live", settings.withFallen);
     if (const auto cameras = arguments.value("--cameras")) {
         if (!parseNumber(*cameras, settings.cameras) || settings.cameras < 2 || settings.cameras > 10000) {
             throw wrongValue("--cameras", *cameras, "a whole number from 2 to 10000");
@@ -218,7 +213,7 @@ TextTable scoreTable(const std::vector<Seen>& list) {
 
 ExitCode photo(const Arguments& arguments, Session& session) {
     const std::string& path = arguments.operand();
-    const ComparisonSettings settings = settingsFrom(arguments);
+    const ComparisonSettings settings = comparisonSettingsFrom(arguments);
     checkCsvPath(arguments, std::vector<std::string>{path});
     const Case theCase = io::loadCase(path);
     const std::vector<const Photograph*> chosen = choose(theCase, arguments);

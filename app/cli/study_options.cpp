@@ -1,7 +1,5 @@
 #include "app/cli/study_options.h"
 
-#include <cmath>
-
 #include "app/cli/option_value.h"
 
 namespace rubble::cli {
@@ -9,7 +7,6 @@ namespace rubble::cli {
 namespace {
 
 constexpr int repeatsMax = 100;
-constexpr int threadsMax = 1024;
 
 }  // namespace
 
@@ -20,33 +17,10 @@ std::vector<Option> studyOptions() {
             {"--threads", "N", false, "threads to work on (default: as many as the machine has); no result depends on it"}};
 }
 
-int parseCount(const Arguments& arguments, std::string_view option, int low, int high, int otherwise) {
-    const auto text = arguments.value(option);
-    int number = otherwise;
-    if (text && (!parseNumber(*text, number) || number < low || number > high)) {
-        throw wrongValue(option, *text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
-    }
-    return number;
-}
-
-std::vector<double> parsePositives(const Arguments& arguments, std::string_view option, std::string_view offered) {
-    std::vector<double> numbers;
-    if (const auto text = arguments.value(option)) {
-        for (const std::string& part : splitAtCommas(*text)) {
-            double number = 0.0;
-            if (!parseNumber(part, number) || !std::isfinite(number) || number <= 0.0) {
-                throw wrongValue(option, part, offered);
-            }
-            numbers.push_back(number);
-        }
-    }
-    return numbers;
-}
-
 StudySettings parseStudySettings(const Arguments& arguments, int repeatsLeast) {
     StudySettings settings;
     settings.repeats = parseCount(arguments, "--repeats", repeatsLeast, repeatsMax, settings.repeats);
-    settings.threads = parseCount(arguments, "--threads", 1, threadsMax, settings.threads);
+    settings.threads = parseCount(arguments, "--threads", 1, jobsMax, settings.threads);
     const std::string instant = arguments.value("--instant").value_or("rest");
     if (instant == "fe_end") {
         settings.instant = DebrisInstant::AtFeEnd;

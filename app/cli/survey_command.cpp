@@ -28,36 +28,15 @@ namespace rubble::cli {
 
 namespace {
 
-bool endsWith(const std::string& path, std::string_view ending) {
-    return path.size() >= ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
-}
-
-double lengthOf(const Arguments& arguments, std::string_view option, double byDefault, bool zeroToo) {
-    const std::optional<std::string> text = arguments.value(option);
-    double metres = byDefault;
-    if (text && (!parseNumber(*text, metres) || !std::isfinite(metres) || metres < 0.0 || (metres == 0.0 && !zeroToo))) {
-        throw wrongValue(option, *text, zeroToo ? "metres, not below zero" : "metres, above zero");
-    }
-    return metres;
-}
-
-SurveySettings settingsFrom(const Arguments& arguments) {
+SurveySettings surveySettingsFrom(const Arguments& arguments) {
     SurveySettings settings;
-    settings.cell = lengthOf(arguments, "--cell", settings.cell, false);
-    settings.leastHeight = lengthOf(arguments, "--least-height", settings.leastHeight, true);
-    settings.liveThreshold = lengthOf(arguments, "--live-threshold", settings.liveThreshold, true);
-    settings.shiftMost = lengthOf(arguments, "--shift-most", settings.shiftMost, true);
-    if (const auto live = arguments.value("--live")) {
-        if (*live != "on" && *live != "off") {
-            throw wrongValue("--live", *live, "on or off");
-        }
-        settings.withFallen = *live == "on";
-    }
-    if (const auto shown = arguments.value("--survey-live")) {
-        if (*shown != "on" && *shown != "off") {
-            throw wrongValue("--survey-live", *shown, "on or off");
-        }
-        settings.showsFallen = *shown == "on";
+    settings.cell = parseLength(arguments, "--cell", settings.cell);
+    settings.leastHeight = parseLength(arguments, "--least-height", settings.leastHeight, true);
+    settings.liveThreshold = parseLength(arguments, "--live-threshold", settings.liveThreshold, true);
+    settings.shiftMost = parseLength(arguments, "--shift-most", settings.shiftMost, true);
+    settings.withFallen = parseOnOff(arguments, "--live", settings.withFallen);
+    if (arguments.has("--survey-live")) {
+        settings.showsFallen = parseOnOff(arguments, "--survey-live", true);
     }
     if (const auto fit = arguments.value("--register")) {
         if (*fit != "none" && *fit != "ground" && *fit != "debris") {
@@ -219,12 +198,12 @@ void writePicture(const std::string& path, const SurveyComparison& made, const i
 }
 
 ExitCode survey(const Arguments& arguments, Session& session) {
-    SurveySettings settings = settingsFrom(arguments);
+    SurveySettings settings = surveySettingsFrom(arguments);
     const std::optional<double> time = timeFrom(arguments);
     const std::vector<std::string> files = arguments.values("--out");
     const std::vector<std::string> inputs{arguments.operand(), arguments.value("--survey").value_or(arguments.operand())};
     for (const std::string& path : files) {
-        if (!endsWith(path, ".tif") && !endsWith(path, ".tiff") && !endsWith(path, ".png")) {
+        if (!hasEnding(path, ".tif") && !hasEnding(path, ".tiff") && !hasEnding(path, ".png")) {
             throw wrongValue("--out", path, "a path that ends in .tif or .png");
         }
         checkOutputPath(path, inputs);
@@ -240,7 +219,7 @@ ExitCode survey(const Arguments& arguments, Session& session) {
                            subject.run->result(),   subject.inputs.terrain, subject.run->origin().scenario};
     const SurveyComparison made = compareRunWithSurvey(mapped, time, input.survey, settings, session.execution());
     for (const std::string& path : files) {
-        if (endsWith(path, ".png")) {
+        if (hasEnding(path, ".png")) {
             writePicture(path, made, input, *subject.run, arguments);
         } else {
             io::writeSurveyTiff(path, made, io::surveyOrigin(*subject.run, made, input), session.execution());

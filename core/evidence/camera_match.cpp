@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/evidence/camera_search.h"
 #include "core/evidence/confidence.h"
+#include "core/evidence/refusal.h"
 
 namespace rubble {
 
@@ -26,11 +27,6 @@ constexpr double flat = 0.01;
 constexpr std::size_t guessesKept = 6;
 /// Cameras that chance alone would offer, at most.
 constexpr double chanceMost = 0.01;
-
-[[noreturn]] void refuse(Message what, std::string_view remedy) {
-    std::string id = what.id + ".remedy";
-    throw UsageError(std::move(what), {std::move(id), std::string(remedy), {}});
-}
 
 std::vector<int> numbersToFind(const CameraKnowledge& known) {
     std::vector<int> found{0, 1, 2, 3, 4, 5};

@@ -10,15 +10,11 @@
 
 #include "core/base/error.h"
 #include "core/evidence/confidence.h"
+#include "core/evidence/refusal.h"
 
 namespace rubble {
 
 namespace {
-
-[[noreturn]] void refuse(Message what, std::string_view remedy) {
-    std::string id = what.id + ".remedy";
-    throw UsageError(std::move(what), {std::move(id), std::string(remedy), {}});
-}
 
 /// Normal numbers by Box and Muller: the library's own distribution is not the same everywhere.
 class NormalNumbers {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int sideMin = 16;                // px
 constexpr int photographSideMax = 100000;  // px
-constexpr std::array<const char*, 4> formats{"JPEG", "PNG", "GTiff", nullptr};
+constexpr std::array<const char*, 4> photographFormats{"JPEG", "PNG", "GTiff", nullptr};
 constexpr const char* siblings[] = {nullptr};  // no file beside the photograph says anything of it
 
 struct CloseDataset {
@@ -38,8 +38,8 @@ void checkPhotograph(const std::string& path) {
 }
 
 Dataset openPicture(const std::string& path) {
-    Dataset dataset(
-        GDALDataset::FromHandle(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, formats.data(), nullptr, siblings)));
+    Dataset dataset(GDALDataset::FromHandle(
+        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, photographFormats.data(), nullptr, siblings)));
     if (!dataset || dataset->GetRasterCount() < 1) {
         throw ParseError({"photo.no_photograph", "{0} is no photograph that can be read: {1}", {path, GdalCalls::reason()}},
                          {"photo.no_photograph.remedy", "Give a JPEG, PNG or TIFF file, copied anew from where it came.", {}});

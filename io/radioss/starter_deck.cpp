@@ -12,7 +12,7 @@ namespace rubble::io {
 
 namespace {
 
-constexpr std::size_t longestLine = 1000;
+constexpr std::size_t deckLineMax = 1000;
 
 /// A block of the deck: its keyword split at the slashes, and its lines without comments.
 struct Block {
@@ -117,7 +117,7 @@ StarterDeck readStarterDeck(const std::string& path) {
     DeckReader reader;
     Block block;
     for (std::string line; std::getline(file, line);) {
-        if (line.size() > longestLine || line.starts_with("#")) {
+        if (line.size() > deckLineMax || line.starts_with("#")) {
             continue;
         }
         if (line.starts_with("/")) {

@@ -21,7 +21,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-std::string errorOf(const std::string& path) {
+std::string openErrorOf(const std::string& path) {
     try {
         openFe(path, {}, {}, Execution{});
     } catch (const Error& error) {
@@ -44,7 +44,7 @@ TEST(FeReader, ContentDecidesNotTheName) {
 
 TEST(FeReader, AFolderWithOneResultOpens) {
     const TemporaryFolder folder;
-    EXPECT_THAT(errorOf(folder.path()), AllOf(HasSubstr("without an FE result"), HasSubstr("LS-DYNA d3plot")));
+    EXPECT_THAT(openErrorOf(folder.path()), AllOf(HasSubstr("without an FE result"), HasSubstr("LS-DYNA d3plot")));
     D3plotBuilder().write(folder / "d3plot");
     std::ofstream(folder / "messages.txt") << "all is well\n";
     const auto fe = openFe(folder.path(), {}, {}, Execution{});
@@ -57,7 +57,7 @@ TEST(FeReader, AFolderWithOneResultOpens) {
     EXPECT_EQ(preferred->contents().format, "OpenRadioss animation");
     EXPECT_EQ(preferred->contents().findings.count("fe.folder_others"), 1);
     putFile(folder / "OTHERA001", AnimBuilder().file(0));
-    EXPECT_THAT(errorOf(folder.path()), AllOf(HasSubstr("2 results"), HasSubstr("\"OTHERA001\", \"RUNA001\"")));
+    EXPECT_THAT(openErrorOf(folder.path()), AllOf(HasSubstr("2 results"), HasSubstr("\"OTHERA001\", \"RUNA001\"")));
 }
 
 TEST(FeReader, DigestsOfSeries) {
@@ -101,30 +101,30 @@ TEST(FeReader, WhatIsOutOfScopeIsSaid) {
         const hid_t file = H5Fcreate((folder / name).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
         H5Gclose(H5Gcreate2(file, group, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
         H5Fclose(file);
-        return errorOf(folder / name);
+        return openErrorOf(folder / name);
     };
     EXPECT_THAT(hdf5With("result.med", "INFOS_GENERALES"), AllOf(HasSubstr("MED"), HasSubstr("out of scope")));
     EXPECT_THAT(hdf5With("result.mpco", "MODEL_STAGE[1]"), AllOf(HasSubstr("OpenSees"), HasSubstr("out of scope")));
     std::ofstream(folder / "collapse.out") << "0.25 Elem 17\n0.25 Node 3\n";
-    EXPECT_THAT(errorOf(folder / "collapse.out"), AllOf(HasSubstr("OpenSees"), HasSubstr("out of scope"), HasSubstr("pvd")));
+    EXPECT_THAT(openErrorOf(folder / "collapse.out"), AllOf(HasSubstr("OpenSees"), HasSubstr("out of scope"), HasSubstr("pvd")));
     for (const char* deck :
          {"*Heading\n wall\n*NODE\n", "** wall\n*HEADING\n", "*KEYWORD\n", "#RADIOSS STARTER\n", "/VERS/2022\n"}) {
         std::ofstream(folder / "wall.inp") << deck;
-        EXPECT_THAT(errorOf(folder / "wall.inp"), AllOf(HasSubstr("an input deck"), HasSubstr("read with it"))) << deck;
+        EXPECT_THAT(openErrorOf(folder / "wall.inp"), AllOf(HasSubstr("an input deck"), HasSubstr("read with it"))) << deck;
     }
     const std::string title(84, ' ');
     std::ofstream(folder / "RUNT01") << std::string(3, '\0') + "T" + title + std::string(3, '\0') + "T" + std::string(3, '\0') +
                                             "P  Fri Nov 20 02:32:25 2026 RADIOSS";
-    EXPECT_THAT(errorOf(folder / "RUNT01"), AllOf(HasSubstr("a time history"), HasSubstr("RUNA001")));
+    EXPECT_THAT(openErrorOf(folder / "RUNT01"), AllOf(HasSubstr("a time history"), HasSubstr("RUNA001")));
     for (const char* listing : {" RUN_0001.out\n****\n**   OpenRadioss Engine   **\n", "SUMMARY OF JOB INFORMATION\n  STEP\n",
                                 "\n stresses (elem, integ.pnt.,sxx) for set EALL and time  0.1E+01\n"}) {
         std::ofstream(folder / "wall.out") << listing;
-        EXPECT_THAT(errorOf(folder / "wall.out"), AllOf(HasSubstr("a listing"), HasSubstr(".frd"))) << listing;
+        EXPECT_THAT(openErrorOf(folder / "wall.out"), AllOf(HasSubstr("a listing"), HasSubstr(".frd"))) << listing;
     }
     std::ofstream(folder / "wall.mac") << "! step 2\nekill,1\n";
-    EXPECT_THAT(errorOf(folder / "wall.mac"), AllOf(HasSubstr("a macro of Ansys"), HasSubstr(".cdb")));
+    EXPECT_THAT(openErrorOf(folder / "wall.mac"), AllOf(HasSubstr("a macro of Ansys"), HasSubstr(".cdb")));
     std::ofstream(folder / "text") << "12.5 elephants\n";
-    EXPECT_THAT(errorOf(folder / "text"), AllOf(HasSubstr("a text"), ::testing::Not(HasSubstr("OpenSees"))));
+    EXPECT_THAT(openErrorOf(folder / "text"), AllOf(HasSubstr("a text"), ::testing::Not(HasSubstr("OpenSees"))));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -271,6 +272,12 @@ void writeIn(const std::string& path, std::string_view content) {
 std::string unfinishedName(const std::string& path) {
     static std::atomic<unsigned> counter{0};
     return path + "." + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
+}
+
+bool hasEnding(std::string_view path, std::string_view ending) {
+    return path.size() >= ending.size() &&
+           std::equal(ending.begin(), ending.end(), path.end() - static_cast<std::ptrdiff_t>(ending.size()),
+                      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
 void writeProvenance(const std::string& exportedPath, std::string_view text) {

@@ -35,6 +35,9 @@ void writeIn(const std::string& path, std::string_view content);
 /// A name beside a path that nobody else has, with the ending of what is not whole (".part").
 std::string unfinishedName(const std::string& path);
 
+/// Whether a path ends so, in capitals or not. @param ending  in small letters, with its point
+bool hasEnding(std::string_view path, std::string_view ending);
+
 /// Writes NAME.provenance.json beside an exported file.
 void writeProvenance(const std::string& exportedPath, std::string_view text);
 

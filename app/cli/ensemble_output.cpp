@@ -10,6 +10,7 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/text_output.h"
 #include "core/base/error.h"
+#include "io/files.h"
 #include "io/terrain/site_place.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/map_picture.h"
@@ -192,7 +193,7 @@ EnsembleMaps::EnsembleMaps(const Arguments& arguments, std::vector<MapLayer> pic
             continue;
         }
         MapRequest::checkFormat("--out", path);
-        if (path.ends_with(".gpkg")) {
+        if (io::hasEnding(path, ".gpkg")) {
             throw wrongValue("--out", path, "a path that ends in .tif, .csv or .png: a map of an ensemble has no fragments");
         }
         checkOutputPath(path, operandsOf(arguments));
@@ -213,9 +214,9 @@ std::vector<std::string> EnsembleMaps::folders() const {
 
 void EnsembleMaps::writeOne(const std::string& path, const DebrisMap& map, const std::vector<MapLayer>& layers,
                             const io::MapOrigin& origin, Session& session) const {
-    if (path.ends_with(".csv")) {
+    if (io::hasEnding(path, ".csv")) {
         io::writeMapCsv(path, map, layers, origin, session.execution());
-    } else if (path.ends_with(".png")) {
+    } else if (io::hasEnding(path, ".png")) {
         quietQt();
         figures::ensureGuiApplication();
         figures::MapPictureStyle style;

@@ -7,6 +7,7 @@
 #include "app/cli/output_file.h"
 #include "core/base/error.h"
 #include "io/exports.h"
+#include "io/files.h"
 
 namespace rubble::cli {
 
@@ -39,11 +40,11 @@ ExportRequest::ExportRequest(const Arguments& arguments, std::span<const std::st
             FigureRequest::checkFormat("--export figure", path);
         } else if (kind == "debris-map") {
             MapRequest::checkFormat("--export debris-map", path);
-        } else if (kind == "footprint" && !path.ends_with(".gpkg")) {
+        } else if (kind == "footprint" && !io::hasEnding(path, ".gpkg")) {
             throw wrongValue("--export footprint", path, "a GeoPackage, whose name ends in .gpkg");
-        } else if (kind == "gltf" && !path.ends_with(".glb")) {
+        } else if (kind == "gltf" && !io::hasEnding(path, ".glb")) {
             throw wrongValue("--export gltf", path, "a binary glTF file, whose name ends in .glb");
-        } else if (kind == "vtkhdf" && !path.ends_with(".vtkhdf")) {
+        } else if (kind == "vtkhdf" && !io::hasEnding(path, ".vtkhdf")) {
             throw wrongValue("--export vtkhdf", path, "a VTKHDF file, whose name ends in .vtkhdf");
         }
         const auto known = exportKinds();

@@ -9,6 +9,7 @@
 #include "app/cli/option_value.h"
 #include "app/cli/picture_options.h"
 #include "core/base/error.h"
+#include "io/files.h"
 #include "io/geo/map_files.h"
 #include "io/provenance.h"
 #include "io/terrain/site_place.h"
@@ -69,7 +70,7 @@ MapRequest::MapRequest(const Arguments& arguments) {
 
 void MapRequest::checkFormat(const std::string& option, const std::string& path) {
     for (const std::string_view ending : {".tif", ".tiff", ".gpkg", ".csv", ".png"}) {
-        if (hasEnding(path, ending)) {
+        if (io::hasEnding(path, ending)) {
             return;
         }
     }
@@ -100,13 +101,13 @@ std::vector<MapLayer> MapRequest::layersOf(const DebrisMap& map) const {
 void MapRequest::write(const std::string& path, const RunMap& made, const io::RunReader& run, Session& session) const {
     const io::MapOrigin origin = io::mapOrigin(run, made.map, made.shown);
     const std::vector<MapLayer> layers = layersOf(made.map);
-    if (hasEnding(path, ".csv")) {
+    if (io::hasEnding(path, ".csv")) {
         io::writeMapCsv(path, made.map, layers, origin, session.execution());
-    } else if (hasEnding(path, ".gpkg")) {
+    } else if (io::hasEnding(path, ".gpkg")) {
         const std::shared_ptr<const FragmentSet> fragments = run.fragments();
         const io::MapFragments list{fragments.get(), &made.debris, run.elementIds(), made.arrivals, made.energies};
         io::writeMapPackage(path, made.map, list, m_contours, origin, session.execution());
-    } else if (hasEnding(path, ".png")) {
+    } else if (io::hasEnding(path, ".png")) {
         quietQt();
         figures::ensureGuiApplication();
         figures::MapPictureStyle style;

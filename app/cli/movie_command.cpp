@@ -9,6 +9,7 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/run_inputs.h"
 #include "app/cli/virtual_display.h"
+#include "io/files.h"
 #include "io/provenance.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/movie.h"
@@ -64,7 +65,7 @@ ExitCode movie(const Arguments& arguments, Session& session) {
         throw UsageError({"cli.no_movie", "rubble-cli movie does not know where to write.", {}},
                          {"cli.no_movie.remedy", "Name an MP4 or a folder for pictures: --out F.mp4 or --out FOLDER.", {}});
     }
-    const bool encoded = path->ends_with(".mp4") || path->ends_with(".MP4");
+    const bool encoded = io::hasEnding(*path, ".mp4");
     if (encoded) {
         checkOutputPath(*path, std::vector<std::string>{arguments.operand()});
     }

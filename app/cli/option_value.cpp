@@ -1,7 +1,5 @@
 #include "app/cli/option_value.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace rubble::cli {
@@ -61,12 +59,6 @@ bool parseOnOff(const Arguments& arguments, std::string_view option, bool otherw
         throw wrongValue(option, *text, "on or off");
     }
     return text ? *text == "on" : otherwise;
-}
-
-bool hasEnding(std::string_view path, std::string_view ending) {
-    return path.size() >= ending.size() &&
-           std::equal(ending.begin(), ending.end(), path.end() - static_cast<std::ptrdiff_t>(ending.size()),
-                      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
 }  // namespace rubble::cli

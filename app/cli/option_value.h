@@ -39,7 +39,4 @@ double parseLength(const Arguments& arguments, std::string_view option, double o
 /// Whether an option was given as on or as off; what otherwise holds if it was not given.
 bool parseOnOff(const Arguments& arguments, std::string_view option, bool otherwise);
 
-/// Whether a path ends so, in capitals or not. @param ending  in small letters, with its point
-bool hasEnding(std::string_view path, std::string_view ending);
-
 }  // namespace rubble::cli

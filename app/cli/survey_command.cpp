@@ -203,7 +203,7 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     const std::vector<std::string> files = arguments.values("--out");
     const std::vector<std::string> inputs{arguments.operand(), arguments.value("--survey").value_or(arguments.operand())};
     for (const std::string& path : files) {
-        if (!hasEnding(path, ".tif") && !hasEnding(path, ".tiff") && !hasEnding(path, ".png")) {
+        if (!io::hasEnding(path, ".tif") && !io::hasEnding(path, ".tiff") && !io::hasEnding(path, ".png")) {
             throw wrongValue("--out", path, "a path that ends in .tif or .png");
         }
         checkOutputPath(path, inputs);
@@ -219,7 +219,7 @@ ExitCode survey(const Arguments& arguments, Session& session) {
                            subject.run->result(),   subject.inputs.terrain, subject.run->origin().scenario};
     const SurveyComparison made = compareRunWithSurvey(mapped, time, input.survey, settings, session.execution());
     for (const std::string& path : files) {
-        if (hasEnding(path, ".png")) {
+        if (io::hasEnding(path, ".png")) {
             writePicture(path, made, input, *subject.run, arguments);
         } else {
             io::writeSurveyTiff(path, made, io::surveyOrigin(*subject.run, made, input), session.execution());

@@ -100,11 +100,11 @@ std::shared_ptr<const RecordedMap> RecordedRun::map(double cell, std::optional<d
 void saveMap(const RecordedMap& map, const std::string& path, const Execution& execution) {
     const DebrisMap& cells = map.made.map;
     const io::MapOrigin origin = io::mapOrigin(*map.run, cells, map.made.shown);
-    if (path.ends_with(".tif") || path.ends_with(".tiff")) {
+    if (io::hasEnding(path, ".tif") || io::hasEnding(path, ".tiff")) {
         io::writeMapTiff(path, cells, cells.present(), origin, execution);
-    } else if (path.ends_with(".csv")) {
+    } else if (io::hasEnding(path, ".csv")) {
         io::writeMapCsv(path, cells, cells.present(), origin, execution);
-    } else if (path.ends_with(".gpkg")) {
+    } else if (io::hasEnding(path, ".gpkg")) {
         const auto fragments = map.run->fragments();
         const io::MapFragments list{fragments.get(), &map.made.debris, map.run->elementIds(), map.made.arrivals, map.made.energies};
         constexpr double contourSpacing = 0.5;

@@ -107,6 +107,14 @@ TEST(AtomicWrite, NamesAFolderThatDoesNotExist) {
     EXPECT_EQ(entriesIn(folder.path()), 0u);
 }
 
+TEST(FileName, EndsInCapitalsOrNot) {
+    EXPECT_TRUE(hasEnding("out/map.tif", ".tif"));
+    EXPECT_TRUE(hasEnding("out/MAP.TIF", ".tif"));
+    EXPECT_TRUE(hasEnding(".png", ".png"));
+    EXPECT_FALSE(hasEnding("png", ".png"));
+    EXPECT_FALSE(hasEnding("map.tiff", ".tif"));
+}
+
 TEST(Provenance, LiesBesideTheExportedFile) {
     const TemporaryFolder folder;
     writeProvenance(folder / "fragments.csv", "{}");

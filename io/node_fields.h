@@ -16,6 +16,18 @@ struct NodeFields {
     std::vector<Vec3> velocities;  ///< [nodes]; empty where the file has none
 };
 
+/// Which nodes of a result must have a place and a velocity.
+struct NodeUse {
+    const std::string& path;  ///< named in errors
+    const Mesh& mesh;
+    const Activity& activity;
+};
+/// Replaces what is no usable number at nodes that no active element uses at a state: by the values of `instead`, or zero without.
+/// @param what  says in errors what the values are
+/// Throws ParseError naming the first such node that an active element uses.
+void replaceUnusable(std::vector<Vec3>& values, std::size_t state, const std::string& what, const NodeUse& use,
+                     const std::vector<Vec3>* instead);
+
 /// Turns what a reader gives for a state into the state of a result. Nodes that no active element uses may have any value: those
 /// that are no usable number stand at their first place, at rest. The same at a node of an active element is a ParseError.
 class FieldSource : public StateSource {
@@ -28,8 +40,6 @@ public:
     FeState read(std::size_t k) const override;
 
 private:
-    void mend(std::size_t k, const char* what, std::vector<Vec3>& values, bool places) const;
-
     std::string m_path;
     std::shared_ptr<const Mesh> m_mesh;
     Activity m_activity;

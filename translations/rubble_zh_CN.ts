@@ -2310,10 +2310,6 @@
         <translation>厚度未知：假定为 {0}</translation>
     </message>
     <message>
-        <source>Nodes of active elements need finite values: let the analysis write the state again, or cut the file before it.</source>
-        <translation>激活单元的节点需要有限值：请让分析程序重新写出该状态，或在其之前截断文件。</translation>
-    </message>
-    <message>
         <source>Nodes of active elements need finite values: let the analysis write the state again, or cut the result before it.</source>
         <translation>激活单元的节点需要有限值：请让分析程序重新写出该状态，或在其之前截断结果。</translation>
     </message>

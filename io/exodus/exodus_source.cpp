@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/base/error.h"
-#include "io/mesh_builder.h"
+#include "io/node_fields.h"
 
 namespace rubble::io {
 
@@ -36,45 +35,14 @@ FeState ExodusSource::read(std::size_t k) const {
 std::vector<Vec3> ExodusSource::readVector(std::size_t k, const VectorVariable& variable) const {
     std::vector<Vec3> values(m_mesh->nodeCount());
     std::vector<double> component(m_mesh->nodeCount());
-    bool sound = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         m_file->readNodal(k, variable.index[axis], component);
         for (std::size_t n = 0; n < component.size(); ++n) {
             values[n][static_cast<Eigen::Index>(axis)] = component[n];
-            sound &= usableLength(component[n]);
         }
     }
-    if (!sound) {
-        mend(k, variable, values);
-    }
+    replaceUnusable(values, k, variable.name, {m_file->path(), *m_mesh, m_activity}, nullptr);
     return values;
-}
-
-void ExodusSource::mend(std::size_t k, const VectorVariable& variable, std::vector<Vec3>& values) const {
-    std::vector<bool> needed(values.size(), false);
-    for (std::size_t e = 0; e < m_mesh->elementCount(); ++e) {
-        const ElementIndex id = idAt<ElementIndex>(e);
-        if (m_activity.active(k, id)) {
-            for (const std::uint32_t node : m_mesh->cornersOf(id)) {
-                needed[node] = true;
-            }
-        }
-    }
-    for (std::size_t n = 0; n < values.size(); ++n) {
-        if (usablePlace(values[n])) {
-            continue;
-        }
-        if (needed[n]) {
-            throw ParseError(
-                {"exodus.bad_value",
-                 "{0}: {1} of node {2} at state {3} is ({4}, {5}, {6})",
-                 {m_file->path(), variable.name, m_mesh->nodeIds[n], k, values[n].x(), values[n].y(), values[n].z()}},
-                {"exodus.bad_value.remedy",
-                 "Nodes of active elements need finite values: let the analysis write the state again, or cut the file before it.",
-                 {}});
-        }
-        values[n].setZero();
-    }
 }
 
 }  // namespace rubble::io

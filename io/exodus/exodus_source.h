@@ -22,7 +22,6 @@ public:
 
 private:
     std::vector<Vec3> readVector(std::size_t k, const VectorVariable& variable) const;
-    void mend(std::size_t k, const VectorVariable& variable, std::vector<Vec3>& values) const;
 
     std::shared_ptr<const ExodusFile> m_file;
     std::shared_ptr<const Mesh> m_mesh;

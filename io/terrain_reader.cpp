@@ -9,9 +9,7 @@
 #include "core/base/error.h"
 #include "core/fe/frame_transform.h"
 #include "io/case_file.h"
-#include "io/exodus/trial.h"
 #include "io/files.h"
-#include "io/native_lock.h"
 #include "io/terrain/height_reading.h"
 #include "io/terrain/site_place.h"
 
@@ -65,7 +63,7 @@ private:
 
     const std::string& m_path;
     const Aabb& m_around;
-    HeightRaster m_raster;
+    HeightGrid m_raster;
     TerrainInput m_result;
 };
 
@@ -131,7 +129,7 @@ TerrainInput TerrainReading::read() {
     closeGaps();
     const double dx = m_raster.dx;
     const double dy = m_raster.dy;
-    HeightRaster raster = withSquareCells(std::move(m_raster));
+    HeightGrid raster = withSquareCells(std::move(m_raster));
     if (raster.dx != dx || (raster.dy != dy && std::abs(dx - dy) > 1e-3 * dx)) {
         find("terrain.not_square", "cells of {0} by {1} were resampled to {2}", {{dx, "m"}, {dy, "m"}, {raster.dx, "m"}},
              "none is needed; heights between nodes are interpolated");
@@ -142,16 +140,6 @@ TerrainInput TerrainReading::read() {
     m_result.path = m_path;
     m_result.sha256 = sha256OfFile(m_path);
     return std::move(m_result);
-}
-
-// GDAL may crash on a damaged file: all of it is read in a child process first.
-void tryTerrain(const std::string& path, const Frame& frame, const Site& site, const Aabb& around) {
-    const std::scoped_lock lock(nativeLibraries());
-    const auto readAll = [&] { readHeights(path, frame, site, around, Execution{}); };
-    if (!survivesTrial(readAll)) {
-        throw ParseError({"terrain.crash", "{0} is damaged so that the library that reads rasters fails on it", {path}},
-                         {"terrain.empty.remedy", "Copy it again from where it came.", {}});
-    }
 }
 
 /// The first input of a role; counts them.
@@ -172,7 +160,6 @@ TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb
                          const Site& site) {
     checkTerrain(path);
     execution.check();
-    tryTerrain(path, frame, site, around);
     HeightReading heights = readHeights(path, frame, site, around, execution);
     if (heights.debrisMap) {
         throw ParseError(

@@ -4122,10 +4122,6 @@
         <translation>控制块及其扩展</translation>
     </message>
     <message>
-        <source>the coordinate system of the terrain could not be held against that of the case</source>
-        <translation>无法将地形的坐标系与案例的坐标系核对</translation>
-    </message>
-    <message>
         <source>the coordinates</source>
         <translation>坐标</translation>
     </message>
@@ -4430,24 +4426,12 @@
         <translation>实体的张量</translation>
     </message>
     <message>
-        <source>the terrain does not say in which unit its heights are; they are taken as metres</source>
-        <translation>地形未说明高程单位；按米处理</translation>
-    </message>
-    <message>
         <source>the terrain ends {0} beside all that falls</source>
         <translation>地形在所有下落物旁边 {0} 处终止</translation>
     </message>
     <message>
         <source>the terrain ends {0} short of the outline of the structure and goes on level from there</source>
         <translation>地形在距结构轮廓 {0} 处终止，由此以水平面延续</translation>
-    </message>
-    <message>
-        <source>the terrain gives its heights in &quot;{0}&quot;; they are taken as metres</source>
-        <translation>地形高程的单位为“{0}”；按米处理</translation>
-    </message>
-    <message>
-        <source>the terrain has {0} bands; the first is taken as heights</source>
-        <translation>地形有 {0} 个波段；取第一个为高程</translation>
     </message>
     <message>
         <source>the terrain is not the one the case was saved with</source>
@@ -5000,10 +4984,6 @@
     <message>
         <source>{0} is no static or transient analysis of Ansys</source>
         <translation>{0} 不是 Ansys 的静力或瞬态分析</translation>
-    </message>
-    <message>
-        <source>{0} is no terrain that can be read: {1}</source>
-        <translation>{0} 不是可读取的地形：{1}</translation>
     </message>
     <message>
         <source>{0} is no tolerance for the accuracy rate.</source>
@@ -5694,24 +5674,12 @@
         <translation>二进制 glTF (*.glb)</translation>
     </message>
     <message>
-        <source>Bring it over with gdalwarp -t_srs.</source>
-        <translation>请用 gdalwarp -t_srs 转换。</translation>
-    </message>
-    <message>
-        <source>Bring it over with ogr2ogr -t_srs.</source>
-        <translation>请用 ogr2ogr -t_srs 转换。</translation>
-    </message>
-    <message>
         <source>CONNECTIVITY should follow OFFSETS</source>
         <translation>OFFSETS 之后应为 CONNECTIVITY</translation>
     </message>
     <message>
         <source>Cells of {0} are no size</source>
         <translation>{0} 不是有效的单元尺寸</translation>
-    </message>
-    <message>
-        <source>Check its coordinate system and that of the case, or choose larger cells.</source>
-        <translation>请检查其坐标系与案例的坐标系，或选用更大的单元格。</translation>
     </message>
     <message>
         <source>Check the coordinate systems of survey and case, the origin of the frame and the control points.</source>
@@ -5768,10 +5736,6 @@
     <message>
         <source>Choose points as far apart as the site allows.</source>
         <translation>请在场地允许的范围内选择相距尽可能远的点。</translation>
-    </message>
-    <message>
-        <source>Cut it to the site with gdal_translate -projwin, or make it coarser with -tr.</source>
-        <translation>请用 gdal_translate -projwin 裁剪到现场，或用 -tr 降低分辨率。</translation>
     </message>
     <message>
         <source>Drawing the figure</source>
@@ -5842,10 +5806,6 @@
         <translation>长度以米为单位且不小于零，扇区为 1 到 360 个。</translation>
     </message>
     <message>
-        <source>Give polygons (GeoPackage, GeoJSON, Shapefile) or a raster of heights.</source>
-        <translation>请给出多边形（GeoPackage、GeoJSON、Shapefile）或高程栅格。</translation>
-    </message>
-    <message>
         <source>Give the case a projected system in metres, such as EPSG:25832.</source>
         <translation>请为案例指定以米为单位的投影坐标系，如 EPSG:25832。</translation>
     </message>
@@ -5860,10 +5820,6 @@
     <message>
         <source>Give the outline of the debris as one or more polygons.</source>
         <translation>请以一个或多个多边形给出残骸轮廓。</translation>
-    </message>
-    <message>
-        <source>Give the outline of the debris as polygons.</source>
-        <translation>请以多边形给出碎块轮廓。</translation>
     </message>
     <message>
         <source>Give three, such as 0.25, 0.5 and 1 m.</source>
@@ -6102,10 +6058,6 @@
         <translation>{0} 的像素没有尺寸</translation>
     </message>
     <message>
-        <source>The polygons of {0} cover no cell of {1}, or lie too far from the site</source>
-        <translation>{0} 的多边形未覆盖任何 {1} 的单元格，或离现场太远</translation>
-    </message>
-    <message>
         <source>The raster has no place at the site in the system of the case</source>
         <translation>栅格在案例坐标系的场地处没有位置</translation>
     </message>
@@ -6186,10 +6138,6 @@
         <translation>区分各原因之处</translation>
     </message>
     <message>
-        <source>Write the map with the layer height.</source>
-        <translation>请在写出地图时包含 height 图层。</translation>
-    </message>
-    <message>
         <source>a mean and a standard deviation above zero</source>
         <translation>一个平均值和一个大于零的标准差</translation>
     </message>
@@ -6264,10 +6212,6 @@
     <message>
         <source>height that half of the members stay below, 0 where they have no debris</source>
         <translation>半数成员低于此高度，无碎块处计为 0</translation>
-    </message>
-    <message>
-        <source>heights of the terrain count from &quot;{0}&quot;, those of the case from &quot;{1}&quot;; they were not converted</source>
-        <translation>地形高程基准为“{0}”，案例为“{1}”；未做换算</translation>
     </message>
     <message>
         <source>how far the probability may be off because the members are so few, by Agresti and Coull</source>
@@ -6446,10 +6390,6 @@
         <translation>计算的指纹为 {0},其输入和设置现在得出 {1}</translation>
     </message>
     <message>
-        <source>the terrain was projected from &quot;{0}&quot; to the system of the case</source>
-        <translation>地形已从“{0}”投影到案例坐标系</translation>
-    </message>
-    <message>
         <source>the types of cells</source>
         <translation>单元的类型</translation>
     </message>
@@ -6482,16 +6422,8 @@
         <translation>uniform:最小:最大、normal:平均:偏差 或 choice:A:B</translation>
     </message>
     <message>
-        <source>{0} cannot be brought from its coordinate system into that of the case: {1}</source>
-        <translation>{0} 无法从其坐标系转换到案例的坐标系：{1}</translation>
-    </message>
-    <message>
         <source>{0} cannot be read as a VTK grid: before byte {1} {2}</source>
         <translation>无法把 {0} 作为 VTK 网格读取：在字节 {1} 之前，{2}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be read as evidence: {1}</source>
-        <translation>{0} 不能作为证据读取：{1}</translation>
     </message>
     <message>
         <source>{0} cannot be varied as &quot;{1}&quot;.</source>
@@ -6538,18 +6470,6 @@
         <translation>{0} 的三角形超过 {1} 个</translation>
     </message>
     <message>
-        <source>{0} has no layer of heights</source>
-        <translation>{0} 没有高度图层</translation>
-    </message>
-    <message>
-        <source>{0} has no layer of polygons</source>
-        <translation>{0} 没有多边形图层</translation>
-    </message>
-    <message>
-        <source>{0} has {1} x {2} pixels, more than can be compared</source>
-        <translation>{0} 有 {1} x {2} 个像素，超出可比较的数量</translation>
-    </message>
-    <message>
         <source>{0} heights around the structure are more than can be used: cells of {1} were averaged to {2}</source>
         <translation>结构周围的 {0} 个高程超出上限：{1} 的单元已平均为 {2}</translation>
     </message>
@@ -6572,10 +6492,6 @@
     <message>
         <source>{0} is damaged so that the library that reads rasters fails on it</source>
         <translation>{0} 已损坏，读取栅格的库无法处理它</translation>
-    </message>
-    <message>
-        <source>{0} is in another coordinate system than the case, {1}</source>
-        <translation>{0} 的坐标系与案例的坐标系 {1} 不同</translation>
     </message>
     <message>
         <source>{0} is no mesh that can be read</source>
@@ -6608,10 +6524,6 @@
     <message>
         <source>{0} lies in degrees, and the case does not say where on Earth it is</source>
         <translation>{0} 采用经纬度，而案例未说明其地理位置</translation>
-    </message>
-    <message>
-        <source>{0} lies too far from the site to be compared on cells of {1}</source>
-        <translation>{0} 离现场太远，无法在 {1} 的单元格上比较</translation>
     </message>
     <message>
         <source>{0} of simulated debris lies where nothing was surveyed and is left out</source>
@@ -7046,10 +6958,6 @@
         <translation>{0} 个松脱的未失效部分被固定在有限元结果结束处；在测量中它们已坠落</translation>
     </message>
     <message>
-        <source>Give a height model of the site, or a debris map with the layer height as its first.</source>
-        <translation>请给出现场的高程模型，或第一层为 height 的堆积物图。</translation>
-    </message>
-    <message>
         <source>Heights above the ground have no ground that could be laid on another</source>
         <translation>从地面算起的高度没有可与另一地面配准的地面</translation>
     </message>
@@ -7080,10 +6988,6 @@
     <message>
         <source>{0} is a debris map: its heights are above the ground, not those of a ground</source>
         <translation>{0} 是堆积物图：其高度从地面算起，不是地面的高度</translation>
-    </message>
-    <message>
-        <source>{0} is a map that Rubble made, and its first band, &quot;{1}&quot;, holds no heights</source>
-        <translation>{0} 是 Rubble 生成的图，其第一波段“{1}”不含高度</translation>
     </message>
     <message>
         <source>A live rate of {0} is out of reach: even at the upper bounds {1} clusters are awake at once, {2} are allowed; about {3} can be reached</source>
@@ -7168,6 +7072,98 @@
     <message>
         <source>A repeat could not be simulated.</source>
         <translation>一次重复未能模拟。</translation>
+    </message>
+    <message>
+        <source>Give a GeoPackage, GeoJSON, Shapefile, FlatGeobuf or KML.</source>
+        <translation>请给出 GeoPackage、GeoJSON、Shapefile、FlatGeobuf 或 KML。</translation>
+    </message>
+    <message>
+        <source>Give a height model of the site, or a map with the layer height.</source>
+        <translation>请给出现场的高程模型，或含 height 图层的图。</translation>
+    </message>
+    <message>
+        <source>Make one file of it with gdal_translate, such as a GeoTIFF.</source>
+        <translation>请用 gdal_translate 将其做成单个文件，例如 GeoTIFF。</translation>
+    </message>
+    <message>
+        <source>The polygons of {0} cover no cell of {1}</source>
+        <translation>{0} 的多边形未覆盖任何 {1} 的单元格</translation>
+    </message>
+    <message>
+        <source>give outlines as polygons if they belong to the debris</source>
+        <translation>若属于堆积物，请以多边形给出轮廓</translation>
+    </message>
+    <message>
+        <source>heights of the raster count from &quot;{0}&quot;, those of the case from &quot;{1}&quot;; they were not converted</source>
+        <translation>栅格高程基准为“{0}”，案例为“{1}”；未做换算</translation>
+    </message>
+    <message>
+        <source>none is needed</source>
+        <translation>无需处理</translation>
+    </message>
+    <message>
+        <source>none is needed; the comparison leaves these places out</source>
+        <translation>无需处理；比较时略去这些位置</translation>
+    </message>
+    <message>
+        <source>the coordinate system of the raster could not be held against that of the case; both are taken as one</source>
+        <translation>无法将栅格的坐标系与案例的坐标系核对；视为同一坐标系</translation>
+    </message>
+    <message>
+        <source>the outline names no coordinate system; it is taken to be that of the case</source>
+        <translation>轮廓未给出坐标系；按案例的坐标系处理</translation>
+    </message>
+    <message>
+        <source>the outline says that it lies in degrees, but cannot; it is taken as metres</source>
+        <translation>轮廓称其坐标为度，但不可能；按米处理</translation>
+    </message>
+    <message>
+        <source>the outline was projected from &quot;{0}&quot; to the system of the case</source>
+        <translation>轮廓已从“{0}”投影到案例坐标系</translation>
+    </message>
+    <message>
+        <source>the raster does not say in which unit its heights are; they are taken as metres</source>
+        <translation>栅格未说明高程单位；按米处理</translation>
+    </message>
+    <message>
+        <source>the raster gives its heights in &quot;{0}&quot;; they are taken as metres</source>
+        <translation>栅格高程的单位为“{0}”；按米处理</translation>
+    </message>
+    <message>
+        <source>the raster has {0} bands; the first is taken as heights</source>
+        <translation>栅格有 {0} 个波段；取第一个为高程</translation>
+    </message>
+    <message>
+        <source>the raster was projected from &quot;{0}&quot; to the system of the case</source>
+        <translation>栅格已从“{0}”投影到案例坐标系</translation>
+    </message>
+    <message>
+        <source>write the outline with the system that its coordinates are of</source>
+        <translation>请写出轮廓坐标所属的坐标系</translation>
+    </message>
+    <message>
+        <source>{0} is a map that Rubble made, and none of its bands holds heights</source>
+        <translation>{0} 是 Rubble 生成的图，其各波段均不含高度</translation>
+    </message>
+    <message>
+        <source>{0} is no file of polygons that can be read</source>
+        <translation>{0} 不是可读取的多边形文件</translation>
+    </message>
+    <message>
+        <source>{0} is no raster of heights that can be read: {1}</source>
+        <translation>{0} 不是可读取的高程栅格：{1}</translation>
+    </message>
+    <message>
+        <source>{0} of {1} heights of the survey have no value ({2} %): nothing was surveyed there</source>
+        <translation>测量的 {1} 个高程中有 {0} 个没有值（{2} %）：该处未测量</translation>
+    </message>
+    <message>
+        <source>{0} points or lines in the file were left out</source>
+        <translation>略去了文件中的 {0} 个点或线</translation>
+    </message>
+    <message>
+        <source>{0} points to heights in other files, which may change unnoticed</source>
+        <translation>{0} 指向其他文件中的高程，这些文件可能在不知不觉中改变</translation>
     </message>
 </context>
 <context>

@@ -105,7 +105,8 @@ CauseEvidence readEvidence(const Arguments& arguments, const EnsembleRequest& re
     const EnsembleScene& scene = first.scenes.front();
     const SiteSurface ground{true, scene.scenario.simulation.groundHeight, scene.inputs.terrain};
     for (const io::EvidenceFile& file : against.files) {
-        evidence.surfaces.push_back(io::readEvidence(file, first.frame, first.theCase.site, request.surface(), ground));
+        evidence.surfaces.push_back(
+            io::readEvidence(file, first.frame, first.theCase.site, request.surface(), ground, findings, session.execution()));
         first.inputs.push_back({"evidence", file.path, io::sha256OfFile(file.path)});
     }
     if (against.photographs) {

@@ -48,7 +48,8 @@ CauseEvidence readAll(const CauseOrder& causes, const StudyOrder& order, const i
     const SiteSurface ground{true, scene.scenario.simulation.groundHeight, scene.inputs.terrain};
     for (const io::EvidenceFile& file : causes.files) {
         execution.check();
-        evidence.surfaces.push_back(io::readEvidence(file, first.frame, first.site, order.surface, ground));
+        evidence.surfaces.push_back(
+            io::readEvidence(file, first.frame, first.site, order.surface, ground, made.findings, execution));
         made.inputs.push_back({"evidence", file.path, io::sha256OfFile(file.path)});
     }
     Case chosen = causes.photographed;

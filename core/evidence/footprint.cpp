@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -176,6 +177,72 @@ double signedArea(const FootprintRing& ring) {
         twice += static_cast<double>(a.i) * b.j - static_cast<double>(b.i) * a.j;
     }
     return 0.5 * twice;
+}
+
+std::pair<Eigen::Vector2d, Eigen::Vector2d> Outline::bounds() const {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    Eigen::Vector2d low(infinite, infinite);
+    Eigen::Vector2d high(-infinite, -infinite);
+    for (const OutlinePolygon& polygon : polygons) {
+        for (const OutlineRing& ring : polygon) {
+            for (const Eigen::Vector2d& corner : ring) {
+                low = low.cwiseMin(corner);
+                high = high.cwiseMax(corner);
+            }
+        }
+    }
+    return {low, high};
+}
+
+void addCrossings(const OutlineRing& ring, double y, std::vector<double>& crossings) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Eigen::Vector2d& a = ring[k];
+        const Eigen::Vector2d& b = ring[k + 1 < ring.size() ? k + 1 : 0];
+        if ((a.y() <= y) != (b.y() <= y)) {
+            crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+        }
+    }
+}
+
+OutlineFill::OutlineFill(const Outline& outline) : m_outline(outline) {
+    for (const OutlinePolygon& polygon : outline.polygons) {
+        Reach& reach =
+            m_reaches.emplace_back(Reach{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()});
+        for (const OutlineRing& ring : polygon) {
+            for (const Eigen::Vector2d& corner : ring) {
+                reach.low = std::min(reach.low, corner.y());
+                reach.high = std::max(reach.high, corner.y());
+            }
+        }
+    }
+}
+
+const std::vector<std::pair<double, double>>& OutlineFill::within(double y) {
+    m_spans.clear();
+    for (std::size_t p = 0; p < m_outline.polygons.size(); ++p) {
+        if (y < m_reaches[p].low || y > m_reaches[p].high) {
+            continue;
+        }
+        m_crossings.clear();
+        for (const OutlineRing& ring : m_outline.polygons[p]) {
+            addCrossings(ring, y, m_crossings);
+        }
+        std::sort(m_crossings.begin(), m_crossings.end());
+        for (std::size_t k = 0; k + 1 < m_crossings.size(); k += 2) {
+            m_spans.emplace_back(m_crossings[k], m_crossings[k + 1]);
+        }
+    }
+    std::sort(m_spans.begin(), m_spans.end());
+    std::size_t last = 0;
+    for (std::size_t k = 1; k < m_spans.size(); ++k) {
+        if (m_spans[k].first < m_spans[last].second) {
+            m_spans[last].second = std::max(m_spans[last].second, m_spans[k].second);
+        } else {
+            m_spans[++last] = m_spans[k];
+        }
+    }
+    m_spans.resize(std::min(m_spans.size(), last + 1));
+    return m_spans;
 }
 
 }  // namespace rubble

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/analysis/cell_map.h"
+#include "core/base/geometry.h"
 
 namespace rubble {
 
@@ -25,5 +27,41 @@ std::vector<FootprintPolygon> footprintOf(std::span<const MapCell> cells);
 
 /// Area of a ring, in cells: negative for a hole.
 double signedArea(const FootprintRing& ring);
+
+/// A closed line in a plane; the last corner is joined to the first.
+using OutlineRing = std::vector<Eigen::Vector2d>;
+/// A place within an odd number of the rings lies in the polygon.
+using OutlinePolygon = std::vector<OutlineRing>;
+
+/// What polygons cover, each for itself: where they overlap they cover no less.
+struct Outline {
+    std::vector<OutlinePolygon> polygons;  ///< m, in the local frame
+
+    /// Least and greatest corner; inverted and infinite without any.
+    std::pair<Eigen::Vector2d, Eigen::Vector2d> bounds() const;
+};
+
+/// Adds where the level line through y crosses a ring, in the order of its edges.
+void addCrossings(const OutlineRing& ring, double y, std::vector<double>& crossings);
+
+/// Fills an outline along level lines. The outline must outlive this object.
+class OutlineFill {
+public:
+    explicit OutlineFill(const Outline& outline);
+
+    /// Stretches of the level line through y that lie within, ascending, none within another. Valid until the next call.
+    const std::vector<std::pair<double, double>>& within(double y);
+
+private:
+    struct Reach {
+        double low;
+        double high;
+    };
+
+    const Outline& m_outline;
+    std::vector<Reach> m_reaches;  ///< [polygons] m, along y
+    std::vector<double> m_crossings;
+    std::vector<std::pair<double, double>> m_spans;
+};
 
 }  // namespace rubble

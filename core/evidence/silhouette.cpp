@@ -113,13 +113,7 @@ void mark(std::vector<std::uint8_t>& pixels, const SitePicture& grid, const std:
     for (int y = 0; y < grid.height; ++y) {
         const double level = (y + 0.5) / grid.scale;
         crossings.clear();
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-            const Eigen::Vector2d& a = corners[k];
-            const Eigen::Vector2d& b = corners[(k + 1) % corners.size()];
-            if ((a.y() <= level) != (b.y() <= level)) {
-                crossings.push_back(a.x() + (level - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
-            }
-        }
+        addCrossings(corners, level, crossings);
         std::sort(crossings.begin(), crossings.end());
         for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
             const double from = std::ceil(crossings[k] * grid.scale - 0.5);

@@ -36,16 +36,7 @@ std::pair<Eigen::Vector2d, Eigen::Vector2d> Survey::bounds() const {
                 {heights.x0 + heights.dx * static_cast<double>(heights.nx - 1),
                  heights.y0 + heights.dy * static_cast<double>(heights.ny - 1)}};
     }
-    constexpr double far = std::numeric_limits<double>::infinity();
-    Eigen::Vector2d low(far, far);
-    Eigen::Vector2d high(-far, -far);
-    for (const auto& ring : footprint.rings) {
-        for (const Eigen::Vector2d& corner : ring) {
-            low = low.cwiseMin(corner);
-            high = high.cwiseMax(corner);
-        }
-    }
-    return {low, high};
+    return footprint.bounds();
 }
 
 }  // namespace rubble

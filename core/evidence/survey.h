@@ -1,33 +1,22 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
-#include "core/base/geometry.h"
+#include "core/evidence/footprint.h"
+#include "core/fe/height_grid.h"
 
 namespace rubble {
 
-/// Heights surveyed after the collapse, on a regular grid in the local frame; what has none is not a number.
-struct SurveyHeights {
-    double x0 = 0.0;  ///< m, first node
-    double y0 = 0.0;
-    double dx = 1.0;  ///< m, between nodes; positive
-    double dy = 1.0;
-    std::size_t nx = 0;
-    std::size_t ny = 0;
-    std::vector<double> heights;  ///< [ny * nx] m, row by row from the lowest y
-    bool aboveGround = false;     ///< they count from the ground, and beyond the outermost nodes nothing lies on it
+/// Heights surveyed after the collapse.
+struct SurveyHeights : HeightGrid {
+    bool aboveGround = false;  ///< they count from the ground, and are means of cells around the nodes
+    bool everywhere = false;   ///< where there is no height lies nothing; else nothing was surveyed there
 
-    /// Between nodes by bilinear interpolation; not a number beyond the outermost nodes and beside a gap. Heights above the ground
-    /// are means of cells around the nodes: that of the cell.
+    /// Between nodes by bilinear interpolation; not a number beyond the outermost nodes and beside a gap. Heights above the ground:
+    /// that of the cell.
     double at(double x, double y) const;
-};
-
-/// The outline of the real debris: rings in the local frame [m], a place within an odd number of them lies in it.
-struct SurveyFootprint {
-    std::vector<std::vector<Eigen::Vector2d>> rings;
 };
 
 /// What a surveyor measured of the real debris: heights, or only an outline.
@@ -35,7 +24,7 @@ struct Survey {
     std::string name;
     bool isFootprint = false;
     SurveyHeights heights;
-    SurveyFootprint footprint;
+    Outline footprint;
     std::optional<bool> showsFallen;  ///< whether live structure that fell is in it; unset: the file does not say
 
     /// Box around what was surveyed, m.

@@ -24,10 +24,10 @@ double heightIn(const SurveyHeights& heights, const SiteSurface& ground, const E
             const double x = corner.x() + cell * (i + 0.5) / points;
             const double y = corner.y() + cell * (j + 0.5) / points;
             double height = heights.at(x - shift.x(), y - shift.y()) + shift.z();
-            if (heights.aboveGround) {
-                height = std::isnan(height) ? 0.0 : height;
-            } else {
+            if (!heights.aboveGround) {
                 height -= ground.height(x, y);
+            } else if (heights.everywhere && std::isnan(height)) {
+                height = 0.0;
             }
             if (std::isfinite(height)) {
                 sum += height;
@@ -50,26 +50,15 @@ void addSpan(CellGrid& grid, int row, double from, double to) {
     }
 }
 
-void layFootprint(CellGrid& grid, const SurveyFootprint& footprint, const Vec3& shift, const Execution& execution) {
+void layFootprint(CellGrid& grid, const Outline& footprint, const Vec3& shift, const Execution& execution) {
     grid.values.assign(grid.values.size(), 0.0);
-    std::vector<double> crossings;
+    OutlineFill fill(footprint);
     for (int row = 0; row < grid.rows; ++row) {
         execution.check();
         for (int line = 0; line < lines; ++line) {
             const double y = grid.cell * (grid.low.j + row + (line + 0.5) / lines) - shift.y();
-            crossings.clear();
-            for (const auto& ring : footprint.rings) {
-                for (std::size_t k = 0; k < ring.size(); ++k) {
-                    const Eigen::Vector2d& a = ring[k];
-                    const Eigen::Vector2d& b = ring[k + 1 < ring.size() ? k + 1 : 0];
-                    if ((a.y() <= y) != (b.y() <= y)) {
-                        crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()) + shift.x());
-                    }
-                }
-            }
-            std::sort(crossings.begin(), crossings.end());
-            for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
-                addSpan(grid, row, crossings[k], crossings[k + 1]);
+            for (const auto& [from, to] : fill.within(y)) {
+                addSpan(grid, row, from + shift.x(), to + shift.x());
             }
         }
     }

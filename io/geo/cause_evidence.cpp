@@ -14,12 +14,17 @@ std::string_view evidenceKeyword(EvidenceFile::Kind kind) {
 }
 
 SurfaceEvidence readEvidence(const EvidenceFile& file, const Frame& frame, const Site& site, const SurfaceSettings& settings,
-                             const SiteSurface& ground) {
+                             const SiteSurface& ground, Findings& findings, const Execution& execution) {
+    SurveyRequest request;
+    request.holds = SurveyRequest::Holds::Heights;
     if (file.kind == EvidenceFile::Kind::Footprint) {
-        return readFootprint(file.path, frame, site, settings.cell, settings.withFallen);
+        request.holds = SurveyRequest::Holds::Outline;
     }
-    const auto meaning = file.kind == EvidenceFile::Kind::Heights ? SurveyedHeights::OfDebris : SurveyedHeights::OfSurface;
-    return readHeights(file.path, frame, site, settings.cell, meaning, settings.withFallen, ground);
+    request.aboveGround = file.kind == EvidenceFile::Kind::Heights;
+    request.withFallen = settings.withFallen;
+    const SurveyInput survey = readSurvey(file.path, frame, site, Aabb(), execution, request);
+    findings.append(survey.findings);
+    return surfaceEvidence(survey, settings.cell, ground, execution);
 }
 
 std::vector<PhotoEvidence> photographsAsEvidence(const Case& theCase, Findings& findings, const Execution& execution) {

@@ -24,9 +24,10 @@ struct EvidenceFile {
 /// "footprint", "height", "surface"
 std::string_view evidenceKeyword(EvidenceFile::Kind kind);
 
-/// Reads a file of evidence onto the cells of the ensembles. Throws as readFootprint() and readHeights().
+/// Reads a file of evidence, as a survey is read, onto the cells of the ensembles. What is assumed or left out is added to the
+/// findings. Throws as readSurvey() and surfaceEvidence().
 SurfaceEvidence readEvidence(const EvidenceFile& file, const Frame& frame, const Site& site, const SurfaceSettings& settings,
-                             const SiteSurface& ground);
+                             const SiteSurface& ground, Findings& findings, const Execution& execution);
 
 /// The photographs of a case that say where debris lay at rest and whose camera is known, in their order; every other one is a
 /// finding. Throws Cancelled.

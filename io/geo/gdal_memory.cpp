@@ -1,35 +1,14 @@
 #include "io/geo/gdal_memory.h"
 
-#include <cpl_conv.h>
-#include <cpl_error.h>
 #include <cpl_vsi.h>
-#include <gdal_priv.h>
 
 #include <atomic>
 
 #include "core/base/error.h"
 #include "io/files.h"
+#include "io/site/gdal_session.h"
 
 namespace rubble::io {
-
-GdalCalls::GdalCalls() : m_lock(nativeLibraries()) {
-    static const bool registered = [] {
-        GDALAllRegister();
-        return true;
-    }();
-    (void)registered;
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
-}
-
-GdalCalls::~GdalCalls() {
-    CPLPopErrorHandler();
-}
-
-std::string GdalCalls::reason() {
-    const std::string text = CPLGetLastErrorMsg();
-    return text.empty() ? "no more is known" : text;
-}
 
 GdalMemoryFile::GdalMemoryFile(const std::string& suffix) {
     static std::atomic<unsigned> counter{0};
@@ -37,13 +16,13 @@ GdalMemoryFile::GdalMemoryFile(const std::string& suffix) {
 }
 
 GdalMemoryFile::~GdalMemoryFile() {
-    const GdalCalls calls;
+    const GdalSession session;
     VSIUnlink(m_name.c_str());
     VSIUnlink((m_name + ".aux.xml").c_str());
 }
 
 void GdalMemoryFile::save(const std::string& path) const {
-    const GdalCalls calls;
+    const GdalSession session;
     vsi_l_offset size = 0;
     const GByte* bytes = VSIGetMemFileBuffer(m_name.c_str(), &size, FALSE);
     if (bytes == nullptr || size == 0) {
@@ -55,7 +34,7 @@ void GdalMemoryFile::save(const std::string& path) const {
 
 void failGdal(const std::string& path) {
     throw WorldError(
-        {"map.file_failed", "{0} cannot be made: {1}", {path, GdalCalls::reason()}},
+        {"map.file_failed", "{0} cannot be made: {1}", {path, GdalSession::reason()}},
         {"map.file_failed.remedy", "Choose larger cells if memory is short; else look at the coordinate system of the case.", {}});
 }
 

@@ -1,26 +1,8 @@
 #pragma once
 
-#include <mutex>
 #include <string>
 
-#include "io/native_lock.h"
-
 namespace rubble::io {
-
-/// While it lives, GDAL belongs to this thread, prints no errors and keeps the last one.
-class GdalCalls {
-public:
-    GdalCalls();
-    ~GdalCalls();
-    GdalCalls(const GdalCalls&) = delete;
-    GdalCalls& operator=(const GdalCalls&) = delete;
-
-    /// Why the last call failed, in GDAL's words.
-    static std::string reason();
-
-private:
-    std::scoped_lock<std::recursive_mutex> m_lock;
-};
 
 /// A file that GDAL writes into memory, so that what reaches the disk is whole or not there: its drivers write in place and tell
 /// of a full disk late or not at all. Removed with this object.

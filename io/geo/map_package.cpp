@@ -13,6 +13,7 @@
 #include "io/geo/gdal_memory.h"
 #include "io/geo/map_files.h"
 #include "io/geo/map_place.h"
+#include "io/site/gdal_session.h"
 
 namespace rubble::io {
 
@@ -207,7 +208,7 @@ void writeMapPackage(const std::string& path, const DebrisMap& map, const MapFra
     const MapPlace place(origin.frame, origin.site);
     const GdalMemoryFile memory(".gpkg");
     {
-        const GdalCalls calls;
+        const GdalSession session;
         const NoDate noDate;
         GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
         GDALDatasetUniquePtr file(driver == nullptr ? nullptr

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "io/geo/gdal_memory.h"
+#include "io/site/gdal_session.h"
 
 namespace rubble::io {
 
 MapPlace::MapPlace(const Frame& frame, const Site& site) : m_site(frame, site), m_system(std::make_unique<OGRSpatialReference>()) {
-    const GdalCalls calls;
+    const GdalSession session;
     if (frame.crs.empty()) {
         m_name = m_site.upright() ? "local, metres" : "that of the control points, metres";
         m_system->SetLocalCS(m_site.upright() ? "Local frame of the case" : "Frame of the control points");

@@ -12,6 +12,7 @@
 #include "io/geo/gdal_memory.h"
 #include "io/geo/map_files.h"
 #include "io/geo/map_place.h"
+#include "io/site/gdal_session.h"
 
 namespace rubble::io {
 
@@ -134,7 +135,7 @@ void writeMapTiff(const std::string& path, const DebrisMap& map, const std::vect
     checkSize(map, extent, layers.size());
     const GdalMemoryFile memory(".tif");
     {
-        const GdalCalls calls;
+        const GdalSession session;
         GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
         // Empty blocks are left out of the file and read as no data.
         const std::array<const char*, 7> options{"TILED=YES",       "COMPRESS=DEFLATE", "PREDICTOR=3", "SPARSE_OK=TRUE",

@@ -13,7 +13,7 @@
 
 #include "core/base/error.h"
 #include "io/files.h"
-#include "io/geo/gdal_memory.h"
+#include "io/site/gdal_session.h"
 
 namespace rubble::io {
 
@@ -24,11 +24,6 @@ constexpr int photographSideMax = 100000;  // px
 constexpr std::array<const char*, 4> photographFormats{"JPEG", "PNG", "GTiff", nullptr};
 constexpr const char* siblings[] = {nullptr};  // no file beside the photograph says anything of it
 
-struct CloseDataset {
-    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
-
 void checkPhotograph(const std::string& path) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error) || !std::ifstream(path, std::ios::binary)) {
@@ -37,11 +32,11 @@ void checkPhotograph(const std::string& path) {
     }
 }
 
-Dataset openPicture(const std::string& path) {
-    Dataset dataset(GDALDataset::FromHandle(
+GDALDatasetUniquePtr openPicture(const std::string& path) {
+    GDALDatasetUniquePtr dataset(GDALDataset::FromHandle(
         GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, photographFormats.data(), nullptr, siblings)));
     if (!dataset || dataset->GetRasterCount() < 1) {
-        throw ParseError({"photo.no_photograph", "{0} is no photograph that can be read: {1}", {path, GdalCalls::reason()}},
+        throw ParseError({"photo.no_photograph", "{0} is no photograph that can be read: {1}", {path, GdalSession::reason()}},
                          {"photo.no_photograph.remedy", "Give a JPEG, PNG or TIFF file, copied anew from where it came.", {}});
     }
     const int shortest = std::min(dataset->GetRasterXSize(), dataset->GetRasterYSize());
@@ -239,7 +234,7 @@ PhotographFile readPhotograph(const std::string& path) {
     checkPhotograph(path);
     PhotographFile file;
     {
-        const GdalCalls calls;
+        const GdalSession session;
         file.facts = factsOf(*openPicture(path));
     }
     file.sha256 = sha256OfFile(path);
@@ -249,8 +244,8 @@ PhotographFile readPhotograph(const std::string& path) {
 
 PhotoPicture readPicture(const std::string& path, int longestSide, const Execution& execution) {
     checkPhotograph(path);
-    const GdalCalls calls;
-    const Dataset dataset = openPicture(path);
+    const GdalSession session;
+    const GDALDatasetUniquePtr dataset = openPicture(path);
     const double scale =
         std::min(1.0, static_cast<double>(longestSide) / std::max(dataset->GetRasterXSize(), dataset->GetRasterYSize()));
     const int w = std::max(1, static_cast<int>(std::lround(scale * dataset->GetRasterXSize())));
@@ -270,12 +265,12 @@ PhotoPicture readPicture(const std::string& path, int longestSide, const Executi
         execution.check();
     }
     if (!whole) {
-        throw ParseError({"photo.no_pixels", "The pixels of {0} cannot be read: {1}", {path, GdalCalls::reason()}},
+        throw ParseError({"photo.no_pixels", "The pixels of {0} cannot be read: {1}", {path, GdalSession::reason()}},
                          {"photo.no_pixels.remedy", "Copy the photograph anew from where it came, or save it again as JPEG.", {}});
     }
     PhotoPicture picture;
     if (CPLGetLastErrorType() != CE_None) {
-        find(picture.findings, {"photo.damaged", "The photograph is damaged: {0}", {GdalCalls::reason()}},
+        find(picture.findings, {"photo.damaged", "The photograph is damaged: {0}", {GdalSession::reason()}},
              "A part of it may be missing; copy it anew from where it came.");
     }
     applyTable(*dataset->GetRasterBand(1), rgb);

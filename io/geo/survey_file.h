@@ -21,13 +21,21 @@ struct SurveyInput {
     Findings findings;
 };
 
-/// Reads a surveyed height model (anything that openTerrain() reads; gaps stay gaps) or the outline of the debris (polygons of a
-/// GeoPackage, GeoJSON or Shapefile; of several layers that named "footprint", else all) into the local frame of a case. Of a
-/// debris map of our own the heights are above the ground.
+/// What a survey is taken to be.
+struct SurveyRequest {
+    enum class Holds { Either, Outline, Heights };
+    Holds holds = Holds::Either;
+    bool aboveGround = false;  ///< heights count from the ground, not from the zero of the case
+    bool withFallen = false;   ///< of a map of our own: fallen live structure is debris
+};
+
+/// Reads a surveyed height model (anything that openTerrain() reads, in the same way; gaps stay gaps) or the outline of the debris
+/// (as readOutline() does) into the local frame of a case. Of a debris map of our own the heights are above the ground. What is
+/// assumed, resampled or left out is a counted finding.
 /// @param around  m, local, of the structure at rest; empty: all of a raster is read
-/// Throws WorldError, ParseError (neither heights nor polygons, degrees in a case without a coordinate system), UsageError,
-/// Cancelled.
+/// Throws WorldError, ParseError (neither heights nor polygons, or not what was asked for; degrees in a case without a coordinate
+/// system), UsageError, Cancelled.
 SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
-                       const Execution& execution);
+                       const Execution& execution, const SurveyRequest& request = {});
 
 }  // namespace rubble::io

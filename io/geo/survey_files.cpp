@@ -14,6 +14,7 @@
 #include "io/geo/gdal_memory.h"
 #include "io/geo/map_place.h"
 #include "io/run_json.h"
+#include "io/site/gdal_session.h"
 
 namespace rubble::io {
 
@@ -83,7 +84,7 @@ void writeSurveyTiff(const std::string& path, const SurveyComparison& made, cons
     const CellGrid& grid = made.difference;
     const GdalMemoryFile memory(".tif");
     {
-        const GdalCalls calls;
+        const GdalSession session;
         GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
         const std::array<const char*, 4> options{"COMPRESS=DEFLATE", "PREDICTOR=3", "INTERLEAVE=BAND", nullptr};
         GDALDatasetUniquePtr file(

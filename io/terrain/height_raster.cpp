@@ -20,7 +20,7 @@ double nodesFor(double step, double cell, std::size_t n) {
     return std::ceil(static_cast<double>(n - 1) * step / cell - aligned) + 1.0;
 }
 
-double between(const HeightRaster& raster, double column, double row) {
+double between(const HeightGrid& raster, double column, double row) {
     const double u = std::min(column, static_cast<double>(raster.nx - 1));
     const double v = std::min(row, static_cast<double>(raster.ny - 1));
     const std::size_t i = std::min(static_cast<std::size_t>(u), raster.nx - 2);
@@ -35,7 +35,7 @@ double between(const HeightRaster& raster, double column, double row) {
 /// The gaps of a raster, filled ring by ring: a ring sees only what was there before it, so no order reaches the result.
 class GapFilling {
 public:
-    explicit GapFilling(HeightRaster& raster) : m_raster(raster), m_queued(raster.heights.size(), 0) {}
+    explicit GapFilling(HeightGrid& raster) : m_raster(raster), m_queued(raster.heights.size(), 0) {}
 
     void fill() {
         std::vector<std::size_t> ring;
@@ -92,7 +92,7 @@ private:
         return sum / count;
     }
 
-    HeightRaster& m_raster;
+    HeightGrid& m_raster;
     std::vector<char> m_queued;
 };
 
@@ -109,7 +109,7 @@ bool standsOut(double height, std::vector<double>& around, double cell) {
 
 }  // namespace
 
-std::vector<HeightSpike> removeSpikes(HeightRaster& raster) {
+std::vector<HeightSpike> removeSpikes(HeightGrid& raster) {
     std::vector<HeightSpike> spikes;
     std::vector<double> around;
     for (std::size_t j = 0; j < raster.ny; ++j) {
@@ -136,7 +136,7 @@ std::vector<HeightSpike> removeSpikes(HeightRaster& raster) {
     return spikes;
 }
 
-void flipRows(HeightRaster& raster) {
+void flipRows(HeightGrid& raster) {
     for (std::size_t j = 0; j < raster.ny / 2; ++j) {
         const auto low = raster.heights.begin() + static_cast<std::ptrdiff_t>(j * raster.nx);
         const auto high = raster.heights.begin() + static_cast<std::ptrdiff_t>((raster.ny - 1 - j) * raster.nx);
@@ -144,18 +144,18 @@ void flipRows(HeightRaster& raster) {
     }
 }
 
-void flipColumns(HeightRaster& raster) {
+void flipColumns(HeightGrid& raster) {
     for (std::size_t j = 0; j < raster.ny; ++j) {
         const auto from = raster.heights.begin() + static_cast<std::ptrdiff_t>(j * raster.nx);
         std::reverse(from, from + static_cast<std::ptrdiff_t>(raster.nx));
     }
 }
 
-std::int64_t countGaps(const HeightRaster& raster) {
+std::int64_t countGaps(const HeightGrid& raster) {
     return std::count_if(raster.heights.begin(), raster.heights.end(), [](double height) { return std::isnan(height); });
 }
 
-void fillGaps(HeightRaster& raster) {
+void fillGaps(HeightGrid& raster) {
     GapFilling(raster).fill();
 }
 
@@ -167,12 +167,12 @@ double squareNodeCount(double dx, double dy, std::size_t nx, std::size_t ny) {
     return nodesFor(dx, cell, nx) * nodesFor(dy, cell, ny);
 }
 
-HeightRaster withSquareCells(HeightRaster raster) {
+HeightGrid withSquareCells(HeightGrid raster) {
     if (square(raster.dx, raster.dy, raster.nx, raster.ny)) {
         raster.dy = raster.dx;
         return raster;
     }
-    HeightRaster even;
+    HeightGrid even;
     even.x0 = raster.x0;
     even.y0 = raster.y0;
     even.dx = even.dy = std::min(raster.dx, raster.dy);

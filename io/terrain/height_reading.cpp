@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "io/exodus/trial.h"
+#include "io/native_lock.h"
 #include "io/terrain/raster_file.h"
 #include "io/terrain/raster_sampling.h"
 
@@ -31,8 +33,11 @@ struct Axis {
 
     double low() const { return std::min(origin, origin + step * static_cast<double>(pixels - 1)); }
     double high() const { return std::max(origin, origin + step * static_cast<double>(pixels - 1)); }
-    /// Pixels that span an interval, one beyond each end where there is one, two at least.
+    /// Pixels that span an interval, one beyond each end where there is one, two at least if there are as many.
     Range around(double from, double to) const {
+        if (pixels == 1) {
+            return {0, 1};
+        }
         const double last = static_cast<double>(pixels - 1);
         const double a = std::clamp((from - origin) / step, 0.0, last);
         const double b = std::clamp((to - origin) / step, 0.0, last);
@@ -55,12 +60,15 @@ struct Axis {
 /// Turns one file into heights.
 class Reading {
 public:
-    Reading(const std::string& path, const Frame& frame, const Site& site, const Aabb& around, const Execution& execution)
+    Reading(const std::string& path, const Frame& frame, const Site& site, const Aabb& around, const HeightMeaning& meaning,
+            const Execution& execution)
         : m_path(path),
           m_frame(frame),
           m_site(site),
           m_place(frame, site),
           m_around(around),
+          m_withFallen(meaning.withFallen),
+          m_aboveGround(meaning.aboveGround),
           m_execution(execution),
           m_file(path) {}
 
@@ -94,6 +102,8 @@ private:
     const Site& m_site;
     SitePlace m_place;
     const Aabb& m_around;
+    bool m_withFallen;
+    bool m_aboveGround;
     const Execution& m_execution;
     RasterFile m_file;
     bool m_upright = true;
@@ -104,11 +114,21 @@ void Reading::checkOurs() {
     if (m_file.entry("RUBBLE_CLASS").empty()) {
         return;
     }
-    if (m_file.firstBand() != "height") {
-        refuse("terrain.our_map", "{0} is a map that Rubble made, and its first band, \"{1}\", holds no heights",
-               {m_file.firstBand()}, "Give a height model of the site, or a debris map with the layer height as its first.");
+    const std::vector<std::string> names = m_file.bandNames();
+    std::vector<int> bands;
+    for (int b = 0; b < m_file.bands(); ++b) {
+        const std::string& name = names[static_cast<std::size_t>(b)];
+        if (name == "height" || name == "height_p50" || (m_withFallen && name == "live_height")) {
+            bands.push_back(b);
+        }
     }
+    if (bands.empty()) {
+        refuse("terrain.our_map", "{0} is a map that Rubble made, and none of its bands holds heights", {},
+               "Give a height model of the site, or a map with the layer height.");
+    }
+    m_file.take(bands);
     m_result.debrisMap = true;
+    m_aboveGround = true;
 }
 
 void Reading::checkCrs() {
@@ -124,15 +144,16 @@ void Reading::checkCrs() {
                {m_file.crsName(), m_frame.crs}, "Give the case a projected system in metres, such as EPSG:25832.");
     }
     if (same == RasterFile::SameCrs::Unknown && !m_frame.crs.empty()) {
-        find("terrain.crs_unknown", "the coordinate system of the terrain could not be held against that of the case", {},
+        find("terrain.crs_unknown",
+             "the coordinate system of the raster could not be held against that of the case; both are taken as one", {},
              "make sure that both are in the same one");
     }
     if (same == RasterFile::SameCrs::No) {
-        find("terrain.projected", "the terrain was projected from \"{0}\" to the system of the case", {m_file.crsName()},
+        find("terrain.projected", "the raster was projected from \"{0}\" to the system of the case", {m_file.crsName()},
              "none is needed; heights are interpolated between those of the file");
     }
     if (m_file.bands() > 1 && !m_result.debrisMap) {
-        find("terrain.bands", "the terrain has {0} bands; the first is taken as heights", {m_file.bands()},
+        find("terrain.bands", "the raster has {0} bands; the first is taken as heights", {m_file.bands()},
              "give a raster with one band if that is not right");
     }
 }
@@ -142,7 +163,7 @@ void Reading::checkDatum() {
     const std::string ofCase = RasterFile::verticalDatum(m_frame.crs);
     if (!m_result.verticalDatum.empty() && !ofCase.empty() && m_result.verticalDatum != ofCase && m_site.heightShift == 0.0) {
         find("terrain.other_datum",
-             "heights of the terrain count from \"{0}\", those of the case from \"{1}\"; they were not converted",
+             "heights of the raster count from \"{0}\", those of the case from \"{1}\"; they were not converted",
              {m_result.verticalDatum, ofCase}, "set the height shift of the site to the difference there");
     }
 }
@@ -150,15 +171,16 @@ void Reading::checkDatum() {
 void Reading::checkUnit() {
     if (m_file.metresPerHeightUnit() == 0.0) {
         if (m_file.heightUnit().empty()) {
-            find("terrain.height_unit", "the terrain does not say in which unit its heights are; they are taken as metres", {},
+            find("terrain.height_unit", "the raster does not say in which unit its heights are; they are taken as metres", {},
                  "convert them first if they are feet");
         } else {
-            find("terrain.height_unit_unknown", "the terrain gives its heights in \"{0}\"; they are taken as metres",
+            find("terrain.height_unit_unknown", "the raster gives its heights in \"{0}\"; they are taken as metres",
                  {m_file.heightUnit()}, "convert them first if they are not");
         }
     }
     const RasterPlace& place = m_file.place();
-    if (place.columns < 2 || place.rows < 2) {
+    const std::size_t least = m_aboveGround ? 1 : 2;
+    if (place.columns < least || place.rows < least) {
         refuse("terrain.too_few", "{0} has {1} columns and {2} rows; a surface takes two of each", {place.columns, place.rows},
                "Give a raster that covers the site.");
     }
@@ -210,7 +232,7 @@ void Reading::readUpright() {
         columns = x.around(m_around.min().x() - margin, m_around.max().x() + margin);
         rows = y.around(m_around.min().y() - margin, m_around.max().y() + margin);
     }
-    HeightRaster& raster = m_result.raster;
+    HeightGrid& raster = m_result.raster;
     raster.dx = std::abs(x.step);
     raster.dy = std::abs(y.step);
     const double nodes = std::max(squareNodeCount(raster.dx, raster.dy, columns.count, rows.count),
@@ -218,7 +240,8 @@ void Reading::readUpright() {
     const std::size_t factor = factorFor(nodes, std::min(raster.dx, raster.dy));
     columns.count -= columns.count % factor;
     rows.count -= rows.count % factor;
-    if (columns.count < 2 * factor || rows.count < 2 * factor) {
+    const std::size_t least = m_aboveGround ? factor : 2 * factor;
+    if (columns.count < least || rows.count < least) {
         refuse("terrain.strip", "{0} is too long and narrow around the structure to be made coarser", {},
                "Resample it to square cells with gdalwarp.");
     }
@@ -255,22 +278,25 @@ void Reading::readResampled() {
     const double nodes = (size.x() / cell + 1.0) * (size.y() / cell + 1.0);
     const std::size_t factor = factorFor(nodes, cell);
     cell *= static_cast<double>(factor);
-    HeightRaster& raster = m_result.raster;
+    HeightGrid& raster = m_result.raster;
     raster.dx = raster.dy = cell;
     raster.x0 = low.x();
     raster.y0 = low.y();
-    raster.nx = static_cast<std::size_t>(std::floor(size.x() / cell + 1e-9)) + 1;
-    raster.ny = static_cast<std::size_t>(std::floor(size.y() / cell + 1e-9)) + 1;
-    if (raster.nx < 2 || raster.ny < 2) {
+    // Of a map in a turned frame the last cells lie on the edge, but for rounding.
+    const double rounding = m_aboveGround ? 1e-3 : 1e-9;
+    raster.nx = static_cast<std::size_t>(std::floor(size.x() / cell + rounding)) + 1;
+    raster.ny = static_cast<std::size_t>(std::floor(size.y() / cell + rounding)) + 1;
+    if (!m_aboveGround && (raster.nx < 2 || raster.ny < 2)) {
         refuse("terrain.coarse", "{0} has cells of {1}, larger than what it shares with the site", {{cell, "m"}},
                "Give a raster with finer cells, or one that covers more of the site.");
     }
-    raster.heights = sampling.heights(raster, factor, m_execution);
+    const auto pick = m_aboveGround ? RasterSampling::Pick::Nearest : RasterSampling::Pick::Between;
+    raster.heights = sampling.heights(raster, factor, pick, m_execution);
 }
 
 void Reading::toMetres() {
     const double unit = m_file.metresPerHeightUnit() > 0.0 ? m_file.metresPerHeightUnit() : 1.0;
-    const double offset = m_result.debrisMap ? 0.0 : m_place.toLocal(Vec3::Zero()).z() + m_site.heightShift;
+    const double offset = m_aboveGround ? 0.0 : m_place.toLocal(Vec3::Zero()).z() + m_site.heightShift;
     std::int64_t unmarked = 0;
     double example = 0.0;
     for (double& height : m_result.raster.heights) {
@@ -291,7 +317,7 @@ void Reading::toMetres() {
 HeightReading Reading::read() {
     checkOurs();
     checkCrs();
-    if (!m_result.debrisMap) {
+    if (!m_aboveGround) {
         checkDatum();
     }
     checkUnit();
@@ -303,8 +329,16 @@ HeightReading Reading::read() {
 }  // namespace
 
 HeightReading readHeights(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
-                          const Execution& execution) {
-    return Reading(path, frame, site, around, execution).read();
+                          const Execution& execution, const HeightMeaning& meaning) {
+    {
+        const std::scoped_lock lock(nativeLibraries());
+        const auto readAll = [&] { Reading(path, frame, site, around, meaning, Execution{}).read(); };
+        if (!survivesTrial(readAll)) {
+            throw ParseError({"terrain.crash", "{0} is damaged so that the library that reads rasters fails on it", {path}},
+                             {"terrain.empty.remedy", "Copy it again from where it came.", {}});
+        }
+    }
+    return Reading(path, frame, site, around, meaning, execution).read();
 }
 
 }  // namespace rubble::io

@@ -15,13 +15,19 @@ inline constexpr double terrainNodesMax = 8e6;
 /// Heights of the structure around it that fragments may reach.
 inline constexpr double windowHeights = 10.0;
 
+/// What the heights of a file are, and which of its bands count.
+struct HeightMeaning {
+    bool aboveGround = false;  ///< they count from the ground and are means of cells: neither brought to the case nor interpolated
+    bool withFallen = false;   ///< of a map of our own also the heights of fallen live structure, where they are greater
+};
+
 /// Heights of a file in the local frame, with gaps.
 struct HeightReading {
-    HeightRaster raster;  ///< m; rows and columns along x and y
-    std::string crs;      ///< name of the file's system
+    HeightGrid raster;  ///< m; rows and columns along x and y
+    std::string crs;    ///< name of the file's system
     std::string verticalDatum;
-    /// A debris map of our own: its heights are above the ground and were not brought to those of the case, and fallen live
-    /// structure lies in another band.
+    /// A debris map of our own, or the median of an ensemble: its heights are above the ground whatever was said of them, and where
+    /// it has none lies nothing.
     bool debrisMap = false;
     double missing = 0.0;  ///< m, by which the file ends short of the outline of the structure
     Findings findings;
@@ -30,11 +36,11 @@ struct HeightReading {
 /// Reads the heights of a file around a structure: a window ten times its height or its own length to each side, whichever is
 /// more. A raster in another system than the case's, in degrees, turned, or in a case with control points is brought to cells
 /// along x and y by bilinear interpolation; one with more heights than a terrain may have is made coarser by averaging. What cannot
-/// be a height of land is a gap. Every such liberty is a finding.
-/// A map of our own without heights is refused.
+/// be a height of land is a gap. Every such liberty is a finding. Of heights above the ground each node takes the nearest.
+/// A map of our own without heights is refused. All is read in a child process first, for GDAL may crash on a damaged file.
 /// @param around  m, local, of the structure at rest; empty: the whole raster is read
 /// Throws as openTerrain().
 HeightReading readHeights(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
-                          const Execution& execution);
+                          const Execution& execution, const HeightMeaning& meaning = {});
 
 }  // namespace rubble::io

@@ -1,7 +1,5 @@
 #include "io/terrain/raster_file.h"
 
-#include <cpl_conv.h>
-#include <cpl_error.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
@@ -10,10 +8,9 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <mutex>
 
 #include "core/base/error.h"
-#include "io/native_lock.h"
+#include "io/site/gdal_session.h"
 
 namespace rubble::io {
 
@@ -27,34 +24,19 @@ constexpr std::array<const char*, 17> formats{"GTiff",   "COG",     "AAIGrid", "
 constexpr std::array<const char*, 8> pictures{"GTiff", "COG", "JPEG", "PNG", "JP2OpenJPEG", "HFA", "ENVI", nullptr};
 constexpr std::size_t rowsAtOnce = 256;
 
-/// The lock, and errors of GDAL kept for the message instead of printed.
-class Session {
-public:
-    Session() : m_lock(nativeLibraries()) {
-        CPLPushErrorHandler(CPLQuietErrorHandler);
-        CPLErrorReset();
-        // Else whole numbers on the first lines make an integer grid, in which "nan" further down would be read as zero.
-        CPLSetThreadLocalConfigOption("AAIGRID_DATATYPE", "Float64");
-    }
-    ~Session() {
-        CPLSetThreadLocalConfigOption("AAIGRID_DATATYPE", nullptr);
-        CPLPopErrorHandler();
-    }
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
-
-    static std::string reason() {
-        const std::string text = CPLGetLastErrorMsg();
-        return text.empty() ? "no more is known" : text;
-    }
-
-private:
-    std::scoped_lock<std::recursive_mutex> m_lock;
-};
+/// Formats that only say where the heights are.
+constexpr std::array<std::string_view, 5> pointers{"VRT", "GTI", "WMS", "WCS", "STACTA"};
+/// Formats that hold colours and nothing else.
+constexpr std::array<std::string_view, 5> picturesOnly{"PNG", "JPEG", "GIF", "BMP", "WEBP"};
 
 [[noreturn]] void refuse(Message what, std::string_view remedy) {
     std::string id = what.id + ".remedy";
     throw ParseError(std::move(what), {std::move(id), std::string(remedy), {}});
+}
+
+[[noreturn]] void refusePicture(const std::string& path) {
+    refuse({"terrain.picture", "{0} holds colours or complex numbers, not heights", {path}},
+           "Give the elevation model, not a picture of it.");
 }
 
 /// Metres in a unit of height by the names that files use; 0 if unknown.
@@ -83,34 +65,59 @@ double metresInUnit(std::string name) {
 
 }  // namespace
 
+namespace {
+
+/// Says what a file is that cannot be opened as heights.
+[[noreturn]] void refuseHeights(const std::string& path) {
+    const std::string reason = GdalSession::reason();
+    GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
+    const std::string format = driver != nullptr ? GDALGetDriverShortName(driver) : "";
+    if (std::find(pointers.begin(), pointers.end(), format) != pointers.end()) {
+        refuse({"terrain.points_elsewhere", "{0} points to heights in other files, which may change unnoticed", {path}},
+               "Make one file of it with gdal_translate, such as a GeoTIFF.");
+    }
+    if (std::find(picturesOnly.begin(), picturesOnly.end(), format) != picturesOnly.end()) {
+        refusePicture(path);
+    }
+    refuse({"terrain.unknown_format", "{0} is no raster of heights that can be read: {1}", {path, reason}},
+           "Give a raster of heights with one band: GeoTIFF, ESRI ASCII grid, BIL, ENVI, IMG, HGT, DTED, XYZ or Surfer.");
+}
+
+/// A band that says which pixels are there, where GDAL itself does not take it as a mask; null: none.
+GDALRasterBand* opacityOf(GDALDataset& file) {
+    const int last = file.GetRasterCount();
+    GDALRasterBand* band = last > 1 ? file.GetRasterBand(last) : nullptr;
+    return band != nullptr && band->GetColorInterpretation() == GCI_AlphaBand ? band : nullptr;
+}
+
+}  // namespace
+
 struct RasterFile::Handles {
     GDALDatasetUniquePtr dataset;
     GDALRasterBand* band = nullptr;
+    std::vector<GDALRasterBand*> others;  ///< whose values count where they are greater
+    GDALRasterBand* opacity = nullptr;    ///< of all bands; null: none
 };
 
 RasterFile::RasterFile(const std::string& path, Holds what) : m_path(path), m_handles(std::make_unique<Handles>()) {
-    const Session session;
-    static const bool registered = [] {
-        GDALAllRegister();
-        return true;
-    }();
-    (void)registered;
+    const GdalSession session;
     m_handles->dataset.reset(
         GDALDataset::FromHandle(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                            what == Holds::Heights ? formats.data() : pictures.data(), nullptr, nullptr)));
     if (!m_handles->dataset && what == Holds::Colours) {
-        refuse({"terrain.unknown_picture", "{0} is no orthophoto that can be read: {1}", {path, Session::reason()}},
+        refuse({"terrain.unknown_picture", "{0} is no orthophoto that can be read: {1}", {path, GdalSession::reason()}},
                "Give a picture of the ground with its place: GeoTIFF, JPEG 2000, or JPEG or PNG with a world file.");
     }
     if (!m_handles->dataset) {
-        refuse({"terrain.unknown_format", "{0} is no terrain that can be read: {1}", {path, Session::reason()}},
-               "Give a raster of heights with one band: GeoTIFF, ESRI ASCII grid, BIL, ENVI, IMG, HGT, DTED, XYZ or Surfer.");
+        refuseHeights(path);
     }
     m_bands = m_handles->dataset->GetRasterCount();
     if (m_bands < 1) {
         refuse({"terrain.no_band", "{0} holds no raster", {path}}, "Give a raster of heights with one band.");
     }
     m_handles->band = m_handles->dataset->GetRasterBand(1);
+    m_handles->opacity = opacityOf(*m_handles->dataset);
+    m_bands -= m_handles->opacity != nullptr ? 1 : 0;
     checkLength();
     checkKind(what);
     readPlace();
@@ -133,8 +140,7 @@ void RasterFile::checkKind(Holds what) const {
     const GDALColorInterp meaning = m_handles->band->GetColorInterpretation();
     const bool complex = GDALDataTypeIsComplex(m_handles->band->GetRasterDataType());
     if (what == Holds::Heights && (meaning == GCI_RedBand || meaning == GCI_PaletteIndex || complex)) {
-        refuse({"terrain.picture", "{0} holds colours or complex numbers, not heights", {m_path}},
-               "Give the elevation model, not a picture of it.");
+        refusePicture(m_path);
     }
     if (what == Holds::Colours && (complex || (m_handles->band->GetRasterDataType() != GDT_Byte && m_bands < 3))) {
         refuse({"terrain.no_picture", "{0} holds no colours", {m_path}}, "Give an orthophoto: three bands, or one of bytes.");
@@ -142,7 +148,7 @@ void RasterFile::checkKind(Holds what) const {
 }
 
 RasterFile::~RasterFile() {
-    const Session session;
+    const GdalSession session;
     m_handles->dataset.reset();
 }
 
@@ -186,7 +192,7 @@ void RasterFile::readUnits() {
 }
 
 RasterFile::SameCrs RasterFile::sameCrs(const std::string& text) const {
-    const Session session;
+    const GdalSession session;
     const OGRSpatialReference* own = m_handles->dataset->GetSpatialRef();
     OGRSpatialReference other;
     if (own == nullptr || own->IsEmpty() || text.empty() ||
@@ -201,25 +207,39 @@ RasterFile::SameCrs RasterFile::sameCrs(const std::string& text) const {
 }
 
 std::string RasterFile::entry(const std::string& name) const {
-    const Session session;
+    const GdalSession session;
     const char* text = m_handles->dataset->GetMetadataItem(name.c_str());
     return text != nullptr ? text : "";
 }
 
-std::string RasterFile::firstBand() const {
-    const Session session;
-    return m_handles->dataset->GetRasterBand(1)->GetDescription();
+std::vector<std::string> RasterFile::bandNames() const {
+    const GdalSession session;
+    std::vector<std::string> names;
+    for (int b = 1; b <= m_bands; ++b) {
+        names.emplace_back(m_handles->dataset->GetRasterBand(b)->GetDescription());
+    }
+    return names;
+}
+
+void RasterFile::take(const std::vector<int>& bands) {
+    const GdalSession session;
+    m_handles->others.clear();
+    for (const int band : bands) {
+        m_handles->others.push_back(m_handles->dataset->GetRasterBand(band + 1));
+    }
+    m_handles->band = m_handles->others.front();
+    m_handles->others.erase(m_handles->others.begin());
 }
 
 std::string RasterFile::verticalDatum() const {
-    const Session session;
+    const GdalSession session;
     const OGRSpatialReference* own = m_handles->dataset->GetSpatialRef();
     const char* name = own != nullptr ? own->GetAttrValue("VERT_CS") : nullptr;
     return name != nullptr ? name : "";
 }
 
 std::string RasterFile::verticalDatum(const std::string& crs) {
-    const Session session;
+    const GdalSession session;
     OGRSpatialReference system;
     if (crs.empty() ||
         system.SetFromUserInput(crs.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) != OGRERR_NONE) {
@@ -230,7 +250,7 @@ std::string RasterFile::verticalDatum(const std::string& crs) {
 }
 
 void RasterFile::change(const std::string& crs, bool toFile, std::vector<Eigen::Vector2d>& places) const {
-    const Session session;
+    const GdalSession session;
     const OGRSpatialReference* own = m_handles->dataset->GetSpatialRef();
     if (crs.empty() || own == nullptr || own->IsEmpty()) {
         for (Eigen::Vector2d& place : places) {
@@ -307,33 +327,45 @@ bool readRows(GDALRasterBand& band, const RasterWindow& window, std::size_t from
 }  // namespace
 
 std::vector<double> RasterFile::values(const RasterWindow& window, const Execution& execution) const {
-    GDALRasterBand& band = *m_handles->band;
+    std::vector<double> all(window.width() * window.height(), std::numeric_limits<double>::quiet_NaN());
+    readGreater(*m_handles->band, window, all, execution);
+    for (GDALRasterBand* band : m_handles->others) {
+        readGreater(*band, window, all, execution);
+    }
+    return all;
+}
+
+void RasterFile::readGreater(GDALRasterBand& band, const RasterWindow& window, std::vector<double>& all,
+                             const Execution& execution) const {
     const std::size_t columns = window.width();
     const std::size_t rows = window.height();
     const std::size_t atOnce = std::max<std::size_t>(1, rowsAtOnce / window.factor);
-    std::vector<double> all(columns * rows);
-    std::vector<std::uint8_t> mask(columns * std::min(rows, atOnce));
+    std::vector<double> values(columns * std::min(rows, atOnce));
+    std::vector<std::uint8_t> mask(values.size());
     for (std::size_t from = 0; from < rows; from += atOnce) {
         execution.check();
-        const Session session;
+        const GdalSession session;
         const std::size_t count = std::min(atOnce, rows - from);
-        double* target = &all[from * columns];
-        const bool masked = (band.GetMaskFlags() & GMF_ALL_VALID) == 0;
-        if (!readRows(band, window, from, count, target, GDT_Float64) ||
-            (masked && !readRows(*band.GetMaskBand(), window, from, count, mask.data(), GDT_Byte))) {
+        // GDAL takes an opacity beside heights with fractions for one more height: then its average of pixels mixes in hidden ones.
+        const bool known = (band.GetMaskFlags() & GMF_ALL_VALID) == 0;
+        GDALRasterBand* masking = known ? band.GetMaskBand() : m_handles->opacity;
+        const int least = !known && window.factor > 1 ? 255 : 1;
+        if (!readRows(band, window, from, count, values.data(), GDT_Float64) ||
+            (masking != nullptr && !readRows(*masking, window, from, count, mask.data(), GDT_Byte))) {
             refuse({"terrain.unreadable_rows",
                     "{0} cannot be read from row {1} of {2} on: {3}",
-                    {m_path, window.row + from * window.factor + 1, m_place.rows, Session::reason()}},
+                    {m_path, window.row + from * window.factor + 1, m_place.rows, GdalSession::reason()}},
                    "The file may be cut short: copy it again from where it came.");
         }
         const double scale = band.GetScale();
         const double offset = band.GetOffset();
         for (std::size_t k = 0; k < columns * count; ++k) {
-            const bool known = (!masked || mask[k] != 0) && std::isfinite(target[k]);
-            target[k] = known ? scale * target[k] + offset : std::numeric_limits<double>::quiet_NaN();
+            if ((masking == nullptr || mask[k] >= least) && std::isfinite(values[k])) {
+                double& greatest = all[from * columns + k];
+                greatest = std::fmax(greatest, scale * values[k] + offset);
+            }
         }
     }
-    return all;
 }
 
 std::vector<std::uint8_t> RasterFile::colours(const RasterWindow& window, const Execution& execution) const {
@@ -344,12 +376,12 @@ std::vector<std::uint8_t> RasterFile::colours(const RasterWindow& window, const 
     const auto read = [&](GDALRasterBand& band, std::size_t channel) {
         for (std::size_t from = 0; from < window.height(); from += atOnce) {
             execution.check();
-            const Session session;
+            const GdalSession session;
             const std::size_t count = std::min(atOnce, window.height() - from);
             if (!readRows(band, window, from, count, &plane[from * window.width()], GDT_Byte)) {
                 refuse({"terrain.unreadable_rows",
                         "{0} cannot be read from row {1} of {2} on: {3}",
-                        {m_path, window.row + from * window.factor + 1, m_place.rows, Session::reason()}},
+                        {m_path, window.row + from * window.factor + 1, m_place.rows, GdalSession::reason()}},
                        "The file may be cut short: copy it again from where it came.");
             }
         }

@@ -10,6 +10,8 @@
 #include "core/base/execution.h"
 #include "core/base/geometry.h"
 
+class GDALRasterBand;
+
 namespace rubble::io {
 
 /// Where the pixels of a raster lie: the middle of pixel (column, row) is at (x0 + column dx, y0 + row dy), in units of the file.
@@ -48,9 +50,12 @@ public:
     const RasterPlace& place() const { return m_place; }
     /// Its rows do not run along the axes of its system.
     bool turned() const { return m_turned; }
+    /// Without one that only says which pixels are there.
     int bands() const { return m_bands; }
-    /// What the file calls its first band; empty if it does not.
-    std::string firstBand() const;
+    /// What the file calls its bands, in their order; empty where it does not.
+    std::vector<std::string> bandNames() const;
+    /// Values are from now on those of these bands, counted from 0, where they overlap the greatest; at first those of the first.
+    void take(const std::vector<int>& bands);
     /// A named entry of its metadata; empty if it has none.
     std::string entry(const std::string& name) const;
     /// Name of the coordinate reference system, empty if the file states none.
@@ -83,6 +88,7 @@ public:
 
 private:
     struct Handles;
+    void readGreater(GDALRasterBand& band, const RasterWindow& window, std::vector<double>& all, const Execution& execution) const;
     void checkLength() const;
     void checkKind(Holds what) const;
     void readPlace();

@@ -138,33 +138,44 @@ Eigen::Vector2d within(const Eigen::Vector2d& pixel, const RasterWindow& window)
     return (pixel - first) / static_cast<double>(window.factor);
 }
 
+double between(const std::vector<double>& values, const RasterWindow& window, const Eigen::Vector2d& at) {
+    const auto i = std::min(static_cast<std::size_t>(at.x()), window.width() - 2);
+    const auto j = std::min(static_cast<std::size_t>(at.y()), window.height() - 2);
+    const double s = at.x() - static_cast<double>(i);
+    const double t = at.y() - static_cast<double>(j);
+    const double* low = &values[j * window.width() + i];
+    const double* high = low + window.width();
+    const auto part = [](double weight, double height) { return weight > 1e-9 ? weight * height : 0.0; };
+    return part((1.0 - t) * (1.0 - s), low[0]) + part((1.0 - t) * s, low[1]) + part(t * (1.0 - s), high[0]) + part(t * s, high[1]);
+}
+
+double nearest(const std::vector<double>& values, const RasterWindow& window, const Eigen::Vector2d& at) {
+    const auto i = static_cast<std::size_t>(std::lround(at.x()));
+    const auto j = static_cast<std::size_t>(std::lround(at.y()));
+    return values[j * window.width() + i];
+}
+
 }  // namespace
 
-std::vector<double> RasterSampling::heights(const HeightRaster& nodes, std::size_t factor, const Execution& execution) const {
+std::vector<double> RasterSampling::heights(const HeightGrid& nodes, std::size_t factor, Pick pick,
+                                            const Execution& execution) const {
     const std::vector<Eigen::Vector2d> pixels = pixelsOf(Nodes{{nodes.x0, nodes.y0}, nodes.dx, nodes.nx, nodes.ny}, execution);
     const RasterWindow window = windowAround(pixels, factor);
     std::vector<double> all(pixels.size(), unknown);
-    if (window.width() < 2 || window.height() < 2) {
+    const std::size_t least = pick == Pick::Between ? 2 : 1;
+    if (window.width() < least || window.height() < least) {
         return all;
     }
     const std::vector<double> values = m_file.values(window, execution);
     const Eigen::Vector2d last(static_cast<double>(window.width() - 1), static_cast<double>(window.height() - 1));
+    // The rim of the raster may be missed by rounding; a pixel reaches half a side around its middle.
+    const double beyond = pick == Pick::Between ? 1e-6 : 0.5;
     for (std::size_t k = 0; k < pixels.size(); ++k) {
-        Eigen::Vector2d at = within(pixels[k], window);
-        // The rim of the raster may be missed by rounding.
+        const Eigen::Vector2d at = within(pixels[k], window);
         const Eigen::Vector2d inside = at.cwiseMax(0.0).cwiseMin(last);
-        if (!((at - inside).cwiseAbs().maxCoeff() < 1e-6)) {
-            continue;
+        if ((at - inside).cwiseAbs().maxCoeff() < beyond) {
+            all[k] = pick == Pick::Between ? between(values, window, inside) : nearest(values, window, inside);
         }
-        const auto i = std::min(static_cast<std::size_t>(inside.x()), window.width() - 2);
-        const auto j = std::min(static_cast<std::size_t>(inside.y()), window.height() - 2);
-        const double s = inside.x() - static_cast<double>(i);
-        const double t = inside.y() - static_cast<double>(j);
-        const double* low = &values[j * window.width() + i];
-        const double* high = low + window.width();
-        const auto part = [](double weight, double height) { return weight > 1e-9 ? weight * height : 0.0; };
-        all[k] =
-            part((1.0 - t) * (1.0 - s), low[0]) + part((1.0 - t) * s, low[1]) + part(t * (1.0 - s), high[0]) + part(t * s, high[1]);
     }
     return all;
 }

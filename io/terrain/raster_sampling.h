@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/fe/height_grid.h"
 #include "core/fe/orthophoto.h"
-#include "io/terrain/height_raster.h"
 #include "io/terrain/raster_file.h"
 #include "io/terrain/site_place.h"
 
@@ -21,9 +21,13 @@ public:
     std::pair<Eigen::Vector2d, Eigen::Vector2d> bounds() const;
     /// Shorter side of a pixel at a place, m. Throws UsageError where the raster has no place there.
     double pixelSize(const Eigen::Vector2d& local) const;
-    /// Heights at the nodes of a raster, between pixels by bilinear interpolation; not a number where a pixel that counts has none.
+    enum class Pick {
+        Between,  ///< by bilinear interpolation; not a number where a pixel that counts has none
+        Nearest,
+    };
+    /// Heights at the nodes of a grid; not a number beyond the pixels.
     /// @param factor  pixels of the file that are put together before
-    std::vector<double> heights(const HeightRaster& nodes, std::size_t factor, const Execution& execution) const;
+    std::vector<double> heights(const HeightGrid& nodes, std::size_t factor, Pick pick, const Execution& execution) const;
     /// Colours at the middles of the pixels of a picture, whose place and size are given.
     void colour(Orthophoto& picture, std::size_t factor, const Execution& execution) const;
 

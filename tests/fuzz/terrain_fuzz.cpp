@@ -121,6 +121,16 @@ RasterFile::SameCrs RasterFile::sameCrs(const std::string&) const {
     return raster().same;
 }
 
+std::string RasterFile::entry(const std::string&) const {
+    return {};
+}
+
+std::vector<std::string> RasterFile::bandNames() const {
+    return std::vector<std::string>(static_cast<std::size_t>(m_bands));
+}
+
+void RasterFile::take(const std::vector<int>&) {}
+
 std::string RasterFile::verticalDatum() const {
     return raster().datum;
 }

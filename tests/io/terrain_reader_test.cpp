@@ -259,7 +259,7 @@ TEST_F(TerrainReader, CancelsBetweenRows) {
 }
 
 TEST(HeightRaster, SquareCellsKeepAPlane) {
-    HeightRaster raster;
+    HeightGrid raster;
     raster.x0 = 3.0;
     raster.y0 = -2.0;
     raster.dx = 2.0;
@@ -272,7 +272,7 @@ TEST(HeightRaster, SquareCellsKeepAPlane) {
                 plane(raster.x0 + raster.dx * static_cast<double>(i), raster.y0 + raster.dy * static_cast<double>(j)));
         }
     }
-    const HeightRaster even = withSquareCells(raster);
+    const HeightGrid even = withSquareCells(raster);
     EXPECT_EQ(even.dx, 0.7);
     EXPECT_EQ(even.dy, 0.7);
     EXPECT_EQ(static_cast<double>(even.heights.size()), squareNodeCount(2.0, 0.7, 11, 9));
@@ -288,7 +288,7 @@ TEST(HeightRaster, SquareCellsKeepAPlane) {
 
 TEST(HeightRaster, GapsTakeTheMeanOfTheirRim) {
     const double none = std::numeric_limits<double>::quiet_NaN();
-    HeightRaster raster;
+    HeightGrid raster;
     raster.nx = 5;
     raster.ny = 1;
     raster.heights = {none, 2.0, none, 6.0, none};
@@ -297,7 +297,7 @@ TEST(HeightRaster, GapsTakeTheMeanOfTheirRim) {
 }
 
 TEST(HeightRaster, FlippingTwiceChangesNothing) {
-    HeightRaster raster;
+    HeightGrid raster;
     raster.nx = 3;
     raster.ny = 2;
     raster.heights = {1, 2, 3, 4, 5, 6};

@@ -27,7 +27,7 @@ std::shared_ptr<const SurveyComparison> made() {
     piece.volume = 32.0;
     Survey survey;
     survey.isFootprint = true;
-    survey.footprint.rings = {{{-2.0, -2.0}, {4.0, -2.0}, {4.0, 2.0}, {-2.0, 2.0}}};
+    survey.footprint.polygons = {{{{-2.0, -2.0}, {4.0, -2.0}, {4.0, 2.0}, {-2.0, 2.0}}}};
     const SiteSurface ground;
     return std::make_shared<SurveyComparison>(compareWithSurvey(rasterOf(std::vector{piece}, 0.5, ground, Execution()), survey,
                                                                 ground, Eigen::Vector2d::Zero(), SurveySettings(), Execution()));

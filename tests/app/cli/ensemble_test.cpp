@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
@@ -141,6 +142,39 @@ TEST_F(Compare, OneCauseUnderTwoNamesIsNotToldApart) {
     const nlohmann::json object = compare({"--against", "height=" + tiff});
     EXPECT_FALSE(object["told_apart"]);
     EXPECT_EQ(object["not_told_from"].size(), 1u);
+}
+
+TEST_F(Compare, SaysWhatItAssumesOfEvidenceAsSurveyDoes) {
+    // Half a metre of debris beside a place that was not surveyed, in a unit that the file does not name.
+    const std::string grid = m_folder / "heights.asc";
+    std::ofstream out(grid);
+    out << "ncols 40\nnrows 40\nxllcorner -20\nyllcorner -20\ncellsize 1\nnodata_value -9999\n";
+    for (int cell = 0; cell < 1600; ++cell) {
+        out << (cell < 80 ? "-9999" : "0.5") << (cell % 40 == 39 ? '\n' : ' ');
+    }
+    out.close();
+    const auto counted = [](const nlohmann::json& made, const std::string& id) {
+        for (const nlohmann::json& warning : made["warnings"]) {
+            if (warning["id"] == id) {
+                return warning["count"].get<int>();
+            }
+        }
+        return 0;
+    };
+    const nlohmann::json made = compare({"--against", "height=" + grid});
+    EXPECT_EQ(counted(made, "terrain.height_unit"), 1) << made["warnings"];
+    EXPECT_EQ(counted(made, "survey.gaps"), 80) << made["warnings"];
+    const Outcome surveyed = rubble::cli::cli({"survey", m_path, "--set", "settle_time=1", "--survey", grid, "--json"});
+    ASSERT_EQ(surveyed.exitCode, 0) << surveyed.err;
+    EXPECT_EQ(counted(surveyed.json(), "terrain.height_unit"), 1);
+    EXPECT_GT(counted(surveyed.json(), "survey.gaps"), 0);
+    // What is no raster of heights is refused by name.
+    const std::string pointer = m_folder / "heights.vrt";
+    std::ofstream(pointer) << "<VRTDataset rasterXSize=\"40\" rasterYSize=\"40\"/>";
+    const Outcome refused = cli({"compare", m_path, m_other, "--against", "surface=" + pointer});
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.err, HasSubstr(pointer));
+    EXPECT_THAT(refused.err, HasSubstr("gdal_translate"));
 }
 
 TEST_F(Compare, WithoutEvidenceSaysWhatEvidenceCouldTell) {

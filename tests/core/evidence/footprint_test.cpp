@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <random>
 #include <set>
 
 #include "tests/core/analysis/random_numbers.h"
@@ -85,6 +88,61 @@ TEST(Footprint, CoversExactlyTheCellsWhateverTheirPattern) {
 
 TEST(Footprint, OfNothingIsNothing) {
     EXPECT_TRUE(footprintOf({}).empty());
+}
+
+OutlineRing rectangle(double x0, double y0, double x1, double y1) {
+    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+
+using Spans = std::vector<std::pair<double, double>>;
+
+TEST(Outline, AHoleIsNoPartOfItsPolygon) {
+    const Outline outline{{{rectangle(0.0, 0.0, 10.0, 10.0), rectangle(4.0, 4.0, 6.0, 6.0)}}};
+    OutlineFill fill(outline);
+    EXPECT_EQ(fill.within(5.0), (Spans{{0.0, 4.0}, {6.0, 10.0}}));
+    EXPECT_EQ(fill.within(7.0), (Spans{{0.0, 10.0}}));
+    EXPECT_EQ(fill.within(11.0), Spans());
+    EXPECT_EQ(fill.within(0.0), (Spans{{0.0, 10.0}})) << "the lower edge belongs to it";
+    EXPECT_EQ(fill.within(10.0), Spans()) << "the upper one does not";
+}
+
+TEST(Outline, PolygonsThatOverlapDoNotCancel) {
+    const Outline outline{{{rectangle(0.0, 0.0, 6.0, 2.0)},
+                           {rectangle(4.0, 0.0, 10.0, 2.0)},
+                           {rectangle(1.0, 0.0, 2.0, 2.0)},
+                           {rectangle(10.0, 0.0, 12.0, 2.0)}}};
+    OutlineFill fill(outline);
+    EXPECT_EQ(fill.within(1.0), (Spans{{0.0, 10.0}, {10.0, 12.0}}));
+}
+
+TEST(Outline, AreaOfAStarIsThatOfTheShoelaceFormula) {
+    std::mt19937 random(7);
+    OutlineRing ring;
+    constexpr int corners = 40;
+    for (int k = 0; k < corners; ++k) {
+        const double radius = 2.0 + 3.0 * static_cast<double>(random() % 1000) / 1000.0;
+        const double angle = 2.0 * std::numbers::pi * k / corners;
+        ring.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    double area = 0.0;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Eigen::Vector2d& a = ring[k];
+        const Eigen::Vector2d& b = ring[(k + 1) % ring.size()];
+        area += 0.5 * (a.x() * b.y() - b.x() * a.y());
+    }
+    const Outline outline{{{ring}}};
+    OutlineFill fill(outline);
+    const auto [low, high] = outline.bounds();
+    constexpr int lines = 20000;
+    const double step = (high.y() - low.y()) / lines;
+    double filled = 0.0;
+    for (int line = 0; line < lines; ++line) {
+        for (const auto& [from, to] : fill.within(low.y() + (line + 0.5) * step)) {
+            filled += step * (to - from);
+        }
+    }
+    // The rule of midpoints errs at corners only, each by less than a line is wide.
+    EXPECT_NEAR(filled, area, 1e-4 * area);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ Survey heightsOf(const std::function<double(double, double)>& height, double ste
 Survey rectangle(double x0, double y0, double x1, double y1) {
     Survey survey;
     survey.isFootprint = true;
-    survey.footprint.rings = {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
+    survey.footprint.polygons = {{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}};
     return survey;
 }
 

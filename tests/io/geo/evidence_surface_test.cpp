@@ -1,4 +1,4 @@
-#include "io/geo/evidence_surface.h"
+#include "io/geo/cause_evidence.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "io/geo/ensemble_origin.h"
 #include "io/geo/map_files.h"
+#include "io/geo/survey_file.h"
 #include "tests/core/analysis/debris_scene.h"
 #include "tests/support/temporary_folder.h"
 
@@ -34,6 +35,20 @@ protected:
         m_origin.provenance = "{}";
     }
 
+    SurfaceEvidence read(EvidenceFile::Kind kind, const std::string& path, double cell = 0.5, bool withFallen = true) {
+        SurfaceSettings settings;
+        settings.cell = cell;
+        settings.withFallen = withFallen;
+        return readEvidence({kind, path}, m_frame, Site(), settings, SiteSurface{}, m_said, Execution());
+    }
+    SurfaceEvidence readFootprint(const std::string& path, double cell = 0.5, bool withFallen = true) {
+        return read(EvidenceFile::Kind::Footprint, path, cell, withFallen);
+    }
+    SurfaceEvidence readHeights(const std::string& path, bool withFallen = true) {
+        return read(EvidenceFile::Kind::Heights, path, 0.5, withFallen);
+    }
+
+    Findings m_said;
     Frame m_frame;
     DebrisMap m_map;
     MapOrigin m_origin;
@@ -44,8 +59,7 @@ TEST_F(EvidenceSurface, HeightsOfAMapComeBack) {
     const std::string path = m_folder / "map.tif";
     writeMapTiff(path, m_map, m_map.present(), m_origin, Execution());
     for (const bool withFallen : {false, true}) {
-        const SurfaceEvidence evidence =
-            readHeights(path, m_frame, Site(), 0.5, SurveyedHeights::OfDebris, withFallen, SiteSurface{});
+        const SurfaceEvidence evidence = readHeights(path, withFallen);
         EXPECT_TRUE(evidence.everywhere);
         std::size_t expected = 0;
         for (std::size_t c = 0; c < m_map.cells.size(); ++c) {
@@ -70,9 +84,9 @@ TEST_F(EvidenceSurface, FootprintOfAPackageComesBack) {
     FragmentSet none;
     Debris nothing;
     writeMapPackage(path, m_map, MapFragments{&none, &nothing, {}, {}, {}}, 0.5, m_origin, Execution());
-    const SurfaceEvidence all = readFootprint(path, m_frame, Site(), 0.5, true);
+    const SurfaceEvidence all = readFootprint(path);
     EXPECT_EQ(all.seen.cells, m_map.cells) << "polygons that overlap do not cancel";
-    const SurfaceEvidence fragments = readFootprint(path, m_frame, Site(), 0.5, false);
+    const SurfaceEvidence fragments = readFootprint(path, 0.5, false);
     EXPECT_LT(fragments.seen.cells.size(), all.seen.cells.size());
     EXPECT_GT(fragments.seen.cells.size(), 0u);
 }
@@ -83,27 +97,27 @@ TEST_F(EvidenceSurface, APolygonCoversCellsByTheirMiddles) {
         << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon",
         "coordinates":[[[500000,5600000],[500010,5600000],[500010,5600004],[500000,5600004],[500000,5600000]],
                        [[500002,5600001],[500004,5600001],[500004,5600003],[500002,5600003],[500002,5600001]]]}}]})";
-    const SurfaceEvidence evidence = readFootprint(path, m_frame, Site(), 1.0, true);
+    const SurfaceEvidence evidence = readFootprint(path, 1.0);
     EXPECT_EQ(evidence.seen.cells.size(), 40u - 4u);
     EXPECT_LT(evidence.seen.find({1, 2}), 0) << "in the hole";
     EXPECT_GE(evidence.seen.find({3, 9}), 0);
+    EXPECT_EQ(m_said.count("survey.no_degrees"), 1) << "GeoJSON says degrees";
 }
 
 TEST_F(EvidenceSurface, WhatIsNoEvidenceIsRefused) {
-    EXPECT_THROW(readFootprint(m_folder / "none.gpkg", m_frame, Site(), 0.5, true), WorldError);
-    EXPECT_THROW(readHeights(m_folder / "none.tif", m_frame, Site(), 0.5, SurveyedHeights::OfDebris, true, SiteSurface{}),
-                 WorldError);
+    EXPECT_THROW(readFootprint(m_folder / "none.gpkg"), WorldError);
+    EXPECT_THROW(readHeights(m_folder / "none.tif"), WorldError);
     const std::string text = m_folder / "text.tif";
     std::ofstream(text) << "no raster";
-    EXPECT_THROW(readHeights(text, m_frame, Site(), 0.5, SurveyedHeights::OfDebris, true, SiteSurface{}), WorldError);
+    EXPECT_THROW(readHeights(text), ParseError);
     const std::string points = m_folder / "points.geojson";
     std::ofstream(points) << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},
         "geometry":{"type":"Point","coordinates":[1,2]}}]})";
-    EXPECT_THROW(readFootprint(points, m_frame, Site(), 0.5, true), ParseError);
+    EXPECT_THROW(readFootprint(points), ParseError);
     const std::string far = m_folder / "far.geojson";
     std::ofstream(far) << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon",
         "coordinates":[[[0,0],[1e300,0],[1e300,1e300],[0,0]]]}}]})";
-    EXPECT_THROW(readFootprint(far, m_frame, Site(), 0.5, true), ParseError);
+    EXPECT_THROW(readFootprint(far), ParseError);
 }
 
 TEST_F(EvidenceSurface, AMapOfAnEnsembleSaysWhatItIs) {
@@ -119,10 +133,15 @@ TEST_F(EvidenceSurface, AMapOfAnEnsembleSaysWhatItIs) {
     const std::string path = m_folder / "probability.tif";
     writeMapTiff(path, map, map.present(), origin, Execution());
     // Its median of heights is evidence too.
-    const SurfaceEvidence evidence = readHeights(path, m_frame, Site(), 0.5, SurveyedHeights::OfDebris, true, SiteSurface{});
+    const SurfaceEvidence evidence = readHeights(path);
     ASSERT_EQ(evidence.seen.cells.size(), 2u);
     EXPECT_NEAR(evidence.seen.heights[0], 1.5, 1e-6);
     EXPECT_NE(origin.provenance.find(std::string(64, 'b')), std::string::npos);
+    // So it is for a survey, though it is a single row of cells.
+    const Aabb around(Vec3(0.0, 0.0, 0.0), Vec3(1.0, 1.0, 1.0));
+    const SurveyInput survey = readSurvey(path, m_frame, Site(), around, Execution());
+    EXPECT_EQ(survey.survey.heights.ny, 1u);
+    EXPECT_NEAR(survey.survey.heights.at(0.75, 0.25), 1.5, 1e-6);
 }
 
 }  // namespace

@@ -84,6 +84,28 @@ TEST_F(SurveyFile, DegreesAreProjected) {
     EXPECT_THROW(readSurvey(folder / "a.geojson", frame, Site(), Aabb(), Execution()), ParseError);
 }
 
+TEST_F(SurveyFile, OutlinesThatOverlapCoverWhatTheyCoverTogether) {
+    std::ofstream(folder / "a.geojson")
+        << R"({"type":"FeatureCollection","features":[)"
+        << R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":)"
+        << R"([[[1000,1000],[1010,1000],[1010,1004],[1000,1004],[1000,1000]]]}},)"
+        << R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":)"
+        << R"([[[1006,1000],[1016,1000],[1016,1004],[1006,1004],[1006,1000]]]}},)"
+        << R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[1003,1001]}}]})";
+    frame.origin << 1000, 1000, 0;
+    const SurveyInput input = readSurvey(folder / "a.geojson", frame, Site(), Aabb(), Execution());
+    EXPECT_NEAR(areaOf(input.survey), 64.0, 1e-9);
+    EXPECT_EQ(input.findings.count("survey.other_shapes"), 1);
+    EXPECT_EQ(input.findings.count("survey.no_degrees"), 1) << "GeoJSON says degrees";
+    SurveyRequest heights;
+    heights.holds = SurveyRequest::Holds::Heights;
+    EXPECT_THROW(readSurvey(folder / "a.geojson", frame, Site(), Aabb(), Execution(), heights), ParseError);
+    SurveyRequest outline;
+    outline.holds = SurveyRequest::Holds::Outline;
+    std::ofstream(folder / "a.asc") << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 1\n1 1\n";
+    EXPECT_THROW(readSurvey(folder / "a.asc", frame, Site(), Aabb(), Execution(), outline), ParseError);
+}
+
 TEST_F(SurveyFile, NeitherHeightsNorPolygonsAreRefused) {
     EXPECT_THROW(readSurvey(folder / "none.tif", frame, Site(), Aabb(), Execution()), WorldError);
     std::ofstream(folder / "a.txt") << "nothing of the kind\n";

@@ -11,7 +11,7 @@
 
 #include "core/evidence/survey_comparison.h"
 #include "core/fe/frame_transform.h"
-#include "io/geo/evidence_surface.h"
+#include "io/geo/cause_evidence.h"
 #include "io/geo/map_files.h"
 #include "io/geo/map_place.h"
 #include "io/geo/survey_file.h"
@@ -186,8 +186,13 @@ TEST_P(WorldPlace, ATableHasEastingAndNorthing) {
 TEST_P(WorldPlace, WhatIsWrittenComesBackWhereItWas) {
     const std::string tiff = m_folder / "map.tif";
     writeMapTiff(tiff, m_map, m_map.present(), m_origin, Execution());
-    const SurfaceEvidence heights =
-        readHeights(tiff, m_lies.frame, m_lies.site, m_map.cell, SurveyedHeights::OfDebris, true, SiteSurface{});
+    SurfaceSettings settings;
+    settings.cell = m_map.cell;
+    Findings said;
+    const auto read = [&](EvidenceFile::Kind kind, const std::string& path) {
+        return readEvidence({kind, path}, m_lies.frame, m_lies.site, settings, SiteSurface{}, said, Execution());
+    };
+    const SurfaceEvidence heights = read(EvidenceFile::Kind::Heights, tiff);
     std::size_t high = 0;
     for (std::size_t c = 0; c < m_map.cells.size(); ++c) {
         const double height = m_map.layer(MapLayer::Height)[c];
@@ -201,7 +206,7 @@ TEST_P(WorldPlace, WhatIsWrittenComesBackWhereItWas) {
     EXPECT_EQ(heights.seen.cells.size(), high);
     const std::string package = m_folder / "map.gpkg";
     writePackage(package);
-    EXPECT_EQ(readFootprint(package, m_lies.frame, m_lies.site, m_map.cell, true).seen.cells, m_map.cells);
+    EXPECT_EQ(read(EvidenceFile::Kind::Footprint, package).seen.cells, m_map.cells);
 }
 
 /// A height model along east and north, as a survey has it, of level ground with a ridge of the local frame on it.

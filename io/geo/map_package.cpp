@@ -124,7 +124,7 @@ void writeContours(GDALDataset& file, const MapPlace& place, const DebrisMap& ma
     }
 }
 
-constexpr double leastSide = 1e-3;  // m, of what has no outline: a layer holds shapes of one kind
+constexpr double leastSide = 1e-3;  ///< m, of what has no outline: a layer holds shapes of one kind
 
 /// The outline of a box, or a tiny square about its centre where it has none.
 OGRPolygon outlineShape(const MapPlace& place, const DebrisFragment& lies) {

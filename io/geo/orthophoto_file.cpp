@@ -12,7 +12,7 @@ namespace rubble::io {
 
 namespace {
 
-constexpr double sideMax = 2048.0;  // px
+constexpr double sideMax = 2048.0;  ///< px
 
 }  // namespace
 

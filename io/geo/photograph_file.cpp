@@ -19,10 +19,10 @@ namespace rubble::io {
 
 namespace {
 
-constexpr int sideMin = 16;                // px
-constexpr int photographSideMax = 100000;  // px
+constexpr int sideMin = 16;                ///< px
+constexpr int photographSideMax = 100000;  ///< px
 constexpr std::array<const char*, 4> photographFormats{"JPEG", "PNG", "GTiff", nullptr};
-constexpr const char* siblings[] = {nullptr};  // no file beside the photograph says anything of it
+constexpr const char* siblings[] = {nullptr};  ///< no file beside the photograph says anything of it
 
 void checkPhotograph(const std::string& path) {
     std::error_code error;

@@ -11,7 +11,7 @@ namespace rubble::io {
 
 namespace {
 
-constexpr std::size_t stride = 16;  // nodes between those that are projected
+constexpr std::size_t stride = 16;  ///< nodes between those that are projected
 
 }  // namespace
 

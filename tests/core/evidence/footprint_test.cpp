@@ -90,14 +90,14 @@ TEST(Footprint, OfNothingIsNothing) {
     EXPECT_TRUE(footprintOf({}).empty());
 }
 
-OutlineRing rectangle(double x0, double y0, double x1, double y1) {
+OutlineRing rectangleRing(double x0, double y0, double x1, double y1) {
     return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
 
 using Spans = std::vector<std::pair<double, double>>;
 
 TEST(Outline, AHoleIsNoPartOfItsPolygon) {
-    const Outline outline{{{rectangle(0.0, 0.0, 10.0, 10.0), rectangle(4.0, 4.0, 6.0, 6.0)}}};
+    const Outline outline{{{rectangleRing(0.0, 0.0, 10.0, 10.0), rectangleRing(4.0, 4.0, 6.0, 6.0)}}};
     OutlineFill fill(outline);
     EXPECT_EQ(fill.within(5.0), (Spans{{0.0, 4.0}, {6.0, 10.0}}));
     EXPECT_EQ(fill.within(7.0), (Spans{{0.0, 10.0}}));
@@ -107,10 +107,10 @@ TEST(Outline, AHoleIsNoPartOfItsPolygon) {
 }
 
 TEST(Outline, PolygonsThatOverlapDoNotCancel) {
-    const Outline outline{{{rectangle(0.0, 0.0, 6.0, 2.0)},
-                           {rectangle(4.0, 0.0, 10.0, 2.0)},
-                           {rectangle(1.0, 0.0, 2.0, 2.0)},
-                           {rectangle(10.0, 0.0, 12.0, 2.0)}}};
+    const Outline outline{{{rectangleRing(0.0, 0.0, 6.0, 2.0)},
+                           {rectangleRing(4.0, 0.0, 10.0, 2.0)},
+                           {rectangleRing(1.0, 0.0, 2.0, 2.0)},
+                           {rectangleRing(10.0, 0.0, 12.0, 2.0)}}};
     OutlineFill fill(outline);
     EXPECT_EQ(fill.within(1.0), (Spans{{0.0, 10.0}, {10.0, 12.0}}));
 }

@@ -10,6 +10,7 @@
 #include "core/fe/frame_transform.h"
 #include "io/case_file.h"
 #include "io/files.h"
+#include "io/site/file_words.h"
 #include "io/terrain/height_reading.h"
 #include "io/terrain/site_place.h"
 
@@ -56,9 +57,7 @@ private:
     void checkSite(const TerrainGrid& grid);
     void find(std::string id, std::string_view pattern, std::vector<Argument> arguments, std::string_view remedy,
               std::int64_t count = 1) {
-        std::string remedyId = id + ".remedy";
-        m_result.findings.add({std::move(id), std::string(pattern), std::move(arguments)},
-                              {std::move(remedyId), std::string(remedy), {}}, m_path, count);
+        addFinding(m_result.findings, m_path, {std::move(id), std::string(pattern), std::move(arguments)}, remedy, count);
     }
 
     const std::string& m_path;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.h"
 #include "core/evidence/survey_grid.h"
+#include "io/site/file_words.h"
 
 namespace rubble::io {
 
@@ -13,11 +13,6 @@ namespace {
 /// m: less than this over the ground is no debris of a survey, but grass and noise; of a map of our own it is rounding.
 constexpr double leastSurveyed = 0.05;
 constexpr double leastMapped = 1e-6;
-
-[[noreturn]] void refuseEvidence(Message what, std::string_view remedy) {
-    std::string id = what.id + ".remedy";
-    throw ParseError(std::move(what), {std::move(id), std::string(remedy), {}});
-}
 
 void coverCells(SurfaceEvidence& evidence, const Survey& survey, const CellGrid& grid, const Execution& execution) {
     OutlineFill fill(survey.footprint);
@@ -69,14 +64,14 @@ SurfaceEvidence surfaceEvidence(const SurveyInput& input, double cell, const Sit
     if (survey.isFootprint) {
         coverCells(evidence, survey, grid, execution);
         if (evidence.seen.cells.empty()) {
-            refuseEvidence({"evidence.no_area", "The polygons of {0} cover no cell of {1}", {input.path, {cell, "m"}}},
-                           "Check their coordinate system and that of the case, or choose smaller cells.");
+            refuseContent({"evidence.no_area", "The polygons of {0} cover no cell of {1}", {input.path, {cell, "m"}}},
+                          "Check their coordinate system and that of the case, or choose smaller cells.");
         }
         return evidence;
     }
     liftCells(evidence, survey, grid, ground, execution);
     if (evidence.seen.cells.empty()) {
-        refuseEvidence(
+        refuseContent(
             {"evidence.no_debris", "{0} shows no debris: no cell of {1} is higher than the ground", {input.path, {cell, "m"}}},
             "Check what its heights are measured from: height= is above the ground, surface= in the heights of the case.");
     }

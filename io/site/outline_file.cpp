@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/error.h"
+#include "io/site/file_words.h"
 #include "io/site/gdal_session.h"
 #include "io/terrain/site_place.h"
 
@@ -23,11 +23,6 @@ constexpr std::size_t cornersMax = 2'000'000;
 /// m. No site reaches as far from the zero of its frame.
 constexpr double reachMax = 1e8;
 
-[[noreturn]] void refuseOutline(Message what, std::string_view remedy) {
-    std::string id = what.id + ".remedy";
-    throw ParseError(std::move(what), {std::move(id), std::string(remedy), {}});
-}
-
 /// Reads the polygons of one file.
 class PolygonReading {
 public:
@@ -39,7 +34,7 @@ public:
             readLayer(*layer);
         }
         if (m_result.outline.polygons.empty()) {
-            refuseOutline({"survey.no_polygon", "{0} holds no polygon", {m_path}},
+            refuseContent({"survey.no_polygon", "{0} holds no polygon", {m_path}},
                           "Give the outline of the debris as one or more polygons.");
         }
         conclude();
@@ -103,7 +98,7 @@ private:
         m_way.reset(OGRCreateCoordinateTransformation(&own, &other));
         m_unit = other.GetLinearUnits();
         if (!m_way) {
-            refuseOutline({"survey.no_way", "There is no way from the system of {0} to that of the case", {m_path}},
+            refuseContent({"survey.no_way", "There is no way from the system of {0} to that of the case", {m_path}},
                           "Project the outline to the system of the case first.");
         }
         m_projected = m_projected || own.IsSame(&other) == FALSE;
@@ -135,7 +130,7 @@ private:
         OutlineRing corners;
         m_corners += static_cast<std::size_t>(ring.getNumPoints());
         if (m_corners > cornersMax) {
-            refuseOutline({"survey.too_many", "{0} has more than {1} corners", {m_path, cornersMax}}, "Simplify the outline.");
+            refuseContent({"survey.too_many", "{0} has more than {1} corners", {m_path, cornersMax}}, "Simplify the outline.");
         }
         for (int p = 0; p < ring.getNumPoints(); ++p) {
             corners.push_back(localOf(ring.getX(p), ring.getY(p)));
@@ -150,14 +145,14 @@ private:
 
     Eigen::Vector2d localOf(double x, double y) {
         if (m_degrees && std::abs(x) <= 360.0 && std::abs(y) <= 90.0) {
-            refuseOutline({"survey.degrees", "{0} lies in degrees, and the case does not say where on Earth it is", {m_path}},
+            refuseContent({"survey.degrees", "{0} lies in degrees, and the case does not say where on Earth it is", {m_path}},
                           "Give the case the coordinate system of its site, such as EPSG:25832.");
         }
         m_noDegrees = m_noDegrees || m_degrees;
         const bool placed = !m_way || m_way->Transform(1, &x, &y) != FALSE;
         const Eigen::Vector2d local = m_place.toLocal(Vec3(x * m_unit, y * m_unit, 0.0)).head<2>();
         if (!placed || !local.allFinite() || local.cwiseAbs().maxCoeff() > reachMax) {
-            refuseOutline({"survey.corner", "{0} has a corner without a place in the system of the case", {m_path}},
+            refuseContent({"survey.corner", "{0} has a corner without a place in the system of the case", {m_path}},
                           "Check the coordinate systems of the outline and of the case.");
         }
         return local;
@@ -165,31 +160,28 @@ private:
 
     void conclude() {
         if (m_result.fallen > 0 && !m_withFallen) {
-            find("survey.live", "{0} outlines of live structure in the file were left out", {m_result.fallen},
+            find({"survey.live", "{0} outlines of live structure in the file were left out", {m_result.fallen}},
                  "remove the attribute \"of\" where they belong to the debris", m_result.fallen);
         }
         if (m_others > 0) {
-            find("survey.other_shapes", "{0} points or lines in the file were left out", {m_others},
+            find({"survey.other_shapes", "{0} points or lines in the file were left out", {m_others}},
                  "give outlines as polygons if they belong to the debris", m_others);
         }
         if (m_projected) {
-            find("survey.projected", "the outline was projected from \"{0}\" to the system of the case", {m_result.crs},
+            find({"survey.projected", "the outline was projected from \"{0}\" to the system of the case", {m_result.crs}},
                  "none is needed");
         }
         if (m_noDegrees) {
-            find("survey.no_degrees", "the outline says that it lies in degrees, but cannot; it is taken as metres", {},
+            find({"survey.no_degrees", "the outline says that it lies in degrees, but cannot; it is taken as metres", {}},
                  "write the outline with the system that its coordinates are of");
         } else if (m_unplaced && !m_crs.empty()) {
-            find("survey.unplaced", "the outline names no coordinate system; it is taken to be that of the case", {},
+            find({"survey.unplaced", "the outline names no coordinate system; it is taken to be that of the case", {}},
                  "make sure that both are in the same one");
         }
     }
 
-    void find(std::string id, std::string_view pattern, std::vector<Argument> arguments, std::string_view remedy,
-              std::int64_t count = 1) {
-        std::string remedyId = id + ".remedy";
-        m_result.findings.add({std::move(id), std::string(pattern), std::move(arguments)},
-                              {std::move(remedyId), std::string(remedy), {}}, m_path, count);
+    void find(Message what, std::string_view remedy, std::int64_t count = 1) {
+        addFinding(m_result.findings, m_path, std::move(what), remedy, count);
     }
 
     const std::string& m_path;

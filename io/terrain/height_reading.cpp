@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "io/exodus/trial.h"
 #include "io/native_lock.h"
+#include "io/site/file_words.h"
 #include "io/terrain/raster_file.h"
 #include "io/terrain/raster_sampling.h"
 
@@ -86,15 +87,11 @@ private:
     std::size_t factorFor(double nodes, double cell);
     void find(std::string id, std::string_view pattern, std::vector<Argument> arguments, std::string_view remedy,
               std::int64_t count = 1) {
-        std::string remedyId = id + ".remedy";
-        m_result.findings.add({std::move(id), std::string(pattern), std::move(arguments)},
-                              {std::move(remedyId), std::string(remedy), {}}, m_path, count);
+        addFinding(m_result.findings, m_path, {std::move(id), std::string(pattern), std::move(arguments)}, remedy, count);
     }
     [[noreturn]] void refuse(std::string id, std::string_view pattern, std::vector<Argument> arguments, std::string_view remedy) {
-        std::string remedyId = id + ".remedy";
         arguments.insert(arguments.begin(), m_path);
-        throw ParseError({std::move(id), std::string(pattern), std::move(arguments)},
-                         {std::move(remedyId), std::string(remedy), {}});
+        refuseContent({std::move(id), std::string(pattern), std::move(arguments)}, remedy);
     }
 
     const std::string& m_path;

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "io/site/file_words.h"
 #include "io/site/gdal_session.h"
 
 namespace rubble::io {
@@ -29,14 +30,9 @@ constexpr std::array<std::string_view, 5> pointers{"VRT", "GTI", "WMS", "WCS", "
 /// Formats that hold colours and nothing else.
 constexpr std::array<std::string_view, 5> picturesOnly{"PNG", "JPEG", "GIF", "BMP", "WEBP"};
 
-[[noreturn]] void refuse(Message what, std::string_view remedy) {
-    std::string id = what.id + ".remedy";
-    throw ParseError(std::move(what), {std::move(id), std::string(remedy), {}});
-}
-
 [[noreturn]] void refusePicture(const std::string& path) {
-    refuse({"terrain.picture", "{0} holds colours or complex numbers, not heights", {path}},
-           "Give the elevation model, not a picture of it.");
+    refuseContent({"terrain.picture", "{0} holds colours or complex numbers, not heights", {path}},
+                  "Give the elevation model, not a picture of it.");
 }
 
 /// Metres in a unit of height by the names that files use; 0 if unknown.
@@ -73,14 +69,14 @@ namespace {
     GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
     const std::string format = driver != nullptr ? GDALGetDriverShortName(driver) : "";
     if (std::find(pointers.begin(), pointers.end(), format) != pointers.end()) {
-        refuse({"terrain.points_elsewhere", "{0} points to heights in other files, which may change unnoticed", {path}},
-               "Make one file of it with gdal_translate, such as a GeoTIFF.");
+        refuseContent({"terrain.points_elsewhere", "{0} points to heights in other files, which may change unnoticed", {path}},
+                      "Make one file of it with gdal_translate, such as a GeoTIFF.");
     }
     if (std::find(picturesOnly.begin(), picturesOnly.end(), format) != picturesOnly.end()) {
         refusePicture(path);
     }
-    refuse({"terrain.unknown_format", "{0} is no raster of heights that can be read: {1}", {path, reason}},
-           "Give a raster of heights with one band: GeoTIFF, ESRI ASCII grid, BIL, ENVI, IMG, HGT, DTED, XYZ or Surfer.");
+    refuseContent({"terrain.unknown_format", "{0} is no raster of heights that can be read: {1}", {path, reason}},
+                  "Give a raster of heights with one band: GeoTIFF, ESRI ASCII grid, BIL, ENVI, IMG, HGT, DTED, XYZ or Surfer.");
 }
 
 /// A band that says which pixels are there, where GDAL itself does not take it as a mask; null: none.
@@ -105,15 +101,15 @@ RasterFile::RasterFile(const std::string& path, Holds what) : m_path(path), m_ha
         GDALDataset::FromHandle(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                            what == Holds::Heights ? formats.data() : pictures.data(), nullptr, nullptr)));
     if (!m_handles->dataset && what == Holds::Colours) {
-        refuse({"terrain.unknown_picture", "{0} is no orthophoto that can be read: {1}", {path, GdalSession::reason()}},
-               "Give a picture of the ground with its place: GeoTIFF, JPEG 2000, or JPEG or PNG with a world file.");
+        refuseContent({"terrain.unknown_picture", "{0} is no orthophoto that can be read: {1}", {path, GdalSession::reason()}},
+                      "Give a picture of the ground with its place: GeoTIFF, JPEG 2000, or JPEG or PNG with a world file.");
     }
     if (!m_handles->dataset) {
         refuseHeights(path);
     }
     m_bands = m_handles->dataset->GetRasterCount();
     if (m_bands < 1) {
-        refuse({"terrain.no_band", "{0} holds no raster", {path}}, "Give a raster of heights with one band.");
+        refuseContent({"terrain.no_band", "{0} holds no raster", {path}}, "Give a raster of heights with one band.");
     }
     m_handles->band = m_handles->dataset->GetRasterBand(1);
     m_handles->opacity = opacityOf(*m_handles->dataset);
@@ -131,8 +127,8 @@ void RasterFile::checkLength() const {
     std::error_code ignored;
     const auto bytes = static_cast<double>(std::filesystem::file_size(m_path, ignored));
     if ((format == "AAIGrid" || format == "GRASSASCIIGrid" || format == "GSAG") && bytes < values) {
-        refuse({"terrain.cut", "{0} promises more heights than it can hold", {m_path}},
-               "The file may be cut short: copy it again from where it came.");
+        refuseContent({"terrain.cut", "{0} promises more heights than it can hold", {m_path}},
+                      "The file may be cut short: copy it again from where it came.");
     }
 }
 
@@ -143,7 +139,8 @@ void RasterFile::checkKind(Holds what) const {
         refusePicture(m_path);
     }
     if (what == Holds::Colours && (complex || (m_handles->band->GetRasterDataType() != GDT_Byte && m_bands < 3))) {
-        refuse({"terrain.no_picture", "{0} holds no colours", {m_path}}, "Give an orthophoto: three bands, or one of bytes.");
+        refuseContent({"terrain.no_picture", "{0} holds no colours", {m_path}},
+                      "Give an orthophoto: three bands, or one of bytes.");
     }
 }
 
@@ -155,12 +152,13 @@ RasterFile::~RasterFile() {
 void RasterFile::readPlace() {
     std::array<double, 6>& g = m_transform;
     if (m_handles->dataset->GetGeoTransform(g.data()) != CE_None) {
-        refuse({"terrain.no_place", "{0} does not say where its pixels lie", {m_path}},
-               "Give it a place with gdal_translate -a_ullr, or put its world file beside it.");
+        refuseContent({"terrain.no_place", "{0} does not say where its pixels lie", {m_path}},
+                      "Give it a place with gdal_translate -a_ullr, or put its world file beside it.");
     }
     const bool finite = std::all_of(g.begin(), g.end(), [](double value) { return std::isfinite(value); });
     if (!finite || !(std::abs(g[1] * g[5] - g[2] * g[4]) > 0.0)) {
-        refuse({"terrain.flat_place", "The pixels of {0} have no size", {m_path}}, "Give it a place with gdal_translate -a_ullr.");
+        refuseContent({"terrain.flat_place", "The pixels of {0} have no size", {m_path}},
+                      "Give it a place with gdal_translate -a_ullr.");
     }
     m_turned = g[2] != 0.0 || g[4] != 0.0;
     m_place.columns = static_cast<std::size_t>(m_handles->dataset->GetRasterXSize());
@@ -352,10 +350,10 @@ void RasterFile::readGreater(GDALRasterBand& band, const RasterWindow& window, s
         const int least = !known && window.factor > 1 ? 255 : 1;
         if (!readRows(band, window, from, count, values.data(), GDT_Float64) ||
             (masking != nullptr && !readRows(*masking, window, from, count, mask.data(), GDT_Byte))) {
-            refuse({"terrain.unreadable_rows",
-                    "{0} cannot be read from row {1} of {2} on: {3}",
-                    {m_path, window.row + from * window.factor + 1, m_place.rows, GdalSession::reason()}},
-                   "The file may be cut short: copy it again from where it came.");
+            refuseContent({"terrain.unreadable_rows",
+                           "{0} cannot be read from row {1} of {2} on: {3}",
+                           {m_path, window.row + from * window.factor + 1, m_place.rows, GdalSession::reason()}},
+                          "The file may be cut short: copy it again from where it came.");
         }
         const double scale = band.GetScale();
         const double offset = band.GetOffset();
@@ -379,10 +377,10 @@ std::vector<std::uint8_t> RasterFile::colours(const RasterWindow& window, const 
             const GdalSession session;
             const std::size_t count = std::min(atOnce, window.height() - from);
             if (!readRows(band, window, from, count, &plane[from * window.width()], GDT_Byte)) {
-                refuse({"terrain.unreadable_rows",
-                        "{0} cannot be read from row {1} of {2} on: {3}",
-                        {m_path, window.row + from * window.factor + 1, m_place.rows, GdalSession::reason()}},
-                       "The file may be cut short: copy it again from where it came.");
+                refuseContent({"terrain.unreadable_rows",
+                               "{0} cannot be read from row {1} of {2} on: {3}",
+                               {m_path, window.row + from * window.factor + 1, m_place.rows, GdalSession::reason()}},
+                              "The file may be cut short: copy it again from where it came.");
             }
         }
         for (std::size_t k = 0; k < pixels; ++k) {

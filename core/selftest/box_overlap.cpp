@@ -98,8 +98,4 @@ std::vector<OrientedBox> placedBoxes(const RigidWorld& world, const std::vector<
     return boxes;
 }
 
-double lowestCorner(const OrientedBox& box) {
-    return box.centre.z() - halfBounds(box).z();
-}
-
 }  // namespace rubble::selftest

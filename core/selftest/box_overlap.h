@@ -26,7 +26,4 @@ OverlapMeasure measureOverlap(const std::vector<OrientedBox>& boxes);
 /// @param sizes  [bodies] full sizes of the boxes, centred on the bodies
 std::vector<OrientedBox> placedBoxes(const RigidWorld& world, const std::vector<Vec3>& sizes);
 
-/// Lowest corner of a box, m.
-double lowestCorner(const OrientedBox& box);
-
 }  // namespace rubble::selftest

@@ -87,17 +87,6 @@ std::int64_t Pile::centresBelow(double height) const {
     return count;
 }
 
-double Pile::deepestBelow(double height) const {
-    double deepest = 0.0;
-    for (const OrientedBox& box : placedBoxes(m_scene.world(), m_sizes)) {
-        const double depth = height - lowestCorner(box);
-        if (!(depth <= deepest)) {
-            deepest = depth;
-        }
-    }
-    return deepest;
-}
-
 std::vector<Vec3> Pile::places() const {
     std::vector<Vec3> places;
     for (std::size_t i = 0; i < m_sizes.size(); ++i) {

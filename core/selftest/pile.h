@@ -44,8 +44,6 @@ public:
     OverlapMeasure overlap() const { return measureOverlap(placedBoxes(m_scene.world(), m_sizes)); }
     /// Bodies whose centre lies below a height, or is not a number.
     std::int64_t centresBelow(double height) const;
-    /// How far the lowest corner of all is below the ground, m; 0 if none is.
-    double deepestBelow(double height) const;
     /// Largest distance of a body from where it was, m.
     double largestMove(const std::vector<Vec3>& from) const;
     std::vector<Vec3> places() const;

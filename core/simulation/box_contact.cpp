@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rubble {
 
@@ -21,7 +22,7 @@ constexpr std::uint32_t loneCorner = 127;
 
 /// The axis along which two boxes are least deep in each other, or farthest apart.
 struct SeparatingAxis {
-    double separation = -1e300;
+    double separation = -std::numeric_limits<double>::infinity();
     int index = -1;  ///< 0-2 faces of a, 3-5 faces of b, 6-14 edges a * 3 + b
     Vec3 normal = Vec3::UnitZ();
 };

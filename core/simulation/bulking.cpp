@@ -71,7 +71,9 @@ public:
             const std::optional<double> top = topOf(box, x, y);
             if (top) {
                 const double above = *top - m_ground.height(x, y);
-                height = above > height ? above : height;
+                if (above > height) {
+                    height = above;
+                }
             }
         });
     }

@@ -56,7 +56,7 @@ constexpr double jammedDepth = 0.04;
 constexpr double jammingPush = 0.002;
 /// Way of a body in a step over that of one contact, at most, where many bring overlap at birth apart. Lower: deep piles stay
 /// squeezed; higher: single bodies jump.
-constexpr double partingReach = 10.0;
+constexpr double correctionReach = 10.0;
 /// m/s. Soft contacts push overlap apart at most this fast. Lower: piles squeeze; higher: they burst.
 constexpr double pushOutSpeed = 1.0;
 /// m/s. Hits slower than this do not bounce. Lower: piles tremble; higher: small bounces are lost.

@@ -26,7 +26,9 @@ void EnergyAccount::update(double kinetic, double massHeight, const ContactRepor
     m_balance.kineticNow = kinetic;
     m_balance.gravityWork = m_potentialIn - m_gravity * massHeight;
     // An effect that failed on one body leaves no number; the account goes on with what was known.
-    m_balance.effectWork = std::isfinite(effectWork) ? effectWork : m_balance.effectWork;
+    if (std::isfinite(effectWork)) {
+        m_balance.effectWork = effectWork;
+    }
     m_balance.dissipated = m_balance.kineticIn - m_kineticOut + m_balance.gravityWork + contacts.overlapWork + contacts.pieceWork +
                            m_balance.effectWork - m_balance.kineticNow;
     m_dissipatedMost = std::max(m_dissipatedMost, m_balance.dissipated);

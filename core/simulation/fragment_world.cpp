@@ -1,10 +1,8 @@
 #include "core/simulation/fragment_world.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
-#include "core/base/elapsed.h"
 #include "core/simulation/constants.h"
 
 namespace rubble {
@@ -79,7 +77,7 @@ void FragmentWorld::solveConstraints(btContactSolverInfo& info) {
         const double lift = body.getWorldTransform().getOrigin().z() - m_heights[i];
         m_report.overlapWork += m_settings.gravity * lift / body.getInvMass();
     }
-    bookContacts();
+    accumulateWork();
     restoreContacts(dt);
     bleedOverlaps(dt);
     m_overlaps.endStep();
@@ -89,7 +87,6 @@ void FragmentWorld::runHook(double dt) {
     if (!m_hook) {
         return;
     }
-    const auto from = std::chrono::steady_clock::now();
     m_moving.clear();
     m_slotOf.assign(m_bodies.size(), -1);
     for (std::size_t i = 0; i < m_bodies.size(); ++i) {
@@ -107,7 +104,6 @@ void FragmentWorld::runHook(double dt) {
         m_bodies[at(body.id)]->object->setLinearVelocity(toBullet(body.velocity));
         m_bodies[at(body.id)]->object->setAngularVelocity(toBullet(body.spin));
     }
-    m_hookSeconds += secondsSince(from);
 }
 
 void FragmentWorld::collectContacts() {
@@ -187,7 +183,9 @@ void FragmentWorld::offsetContacts(double dt) {
             const double depth = contact.depth - contact.offset;
             m_report.penetrationMax = std::max(m_report.penetrationMax, depth);
             for (Collider* side : {contact.a, contact.b}) {
-                side->penetration = awake(*side) ? std::max(side->penetration, depth) : side->penetration;
+                if (awake(*side)) {
+                    side->penetration = std::max(side->penetration, depth);
+                }
             }
         }
         if (contact.offset > 0.0) {
@@ -217,7 +215,9 @@ void FragmentWorld::dropInertPoints(Contact& contact, double dt) {
         const double gap = point.getDistance() + contact.offset - inertGap;
         if (gap > 0.0 && gap + relativeAlong(*contact.a, *contact.b, point) * dt > 0.0) {
             // Bullet puts the last point in the place of the one taken out.
-            contact.deepest = contact.deepest == contact.manifold->getNumContacts() - 1 ? j : contact.deepest;
+            if (contact.deepest == contact.manifold->getNumContacts() - 1) {
+                contact.deepest = j;
+            }
             contact.manifold->removeContactPoint(j);
         }
     }
@@ -259,7 +259,7 @@ void FragmentWorld::limitPiece(Contact& contact, double dt) {
     }
 }
 
-void FragmentWorld::bookContacts() {
+void FragmentWorld::accumulateWork() {
     for (Contact& contact : m_contacts) {
         if (contact.yielding) {
             continue;

@@ -26,7 +26,6 @@ public:
     const FreezeClock& freezeClock() const { return m_freeze; }
     const ContactReport& report() const { return m_report; }
     void onSubstep(SubstepHook hook) { m_hook = std::move(hook); }
-    double hookSeconds() const { return m_hookSeconds; }
     /// A body that was added to the world, in the order of bodies.
     void addBody(Collider* body) {
         m_bodies.push_back(body);
@@ -71,7 +70,7 @@ private:
     void dropInertPoints(Contact& contact, double dt);
     void limitPiece(Contact& contact, double dt);
     void restoreContacts(double dt);
-    void bookContacts();
+    void accumulateWork();
     void bleedOverlaps(double dt);
     void runHook(double dt);
     void freeze(Collider& body);
@@ -93,7 +92,6 @@ private:
     SubstepHook m_hook;
     std::vector<MovingBody> m_moving;
     std::vector<std::int32_t> m_slotOf;
-    double m_hookSeconds = 0.0;
 };
 
 }  // namespace rubble

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace rubble {
 
@@ -58,7 +59,7 @@ void levelPatch(std::array<Corner, mostCandidates>& corners, std::size_t count, 
         const Corner& corner = corners[points[static_cast<std::size_t>(i)].feature];
         patch.points[static_cast<std::size_t>(i)] = {corner.place - Vec3(0.0, 0.0, 0.5 * corner.gap), corner.gap, corner.feature};
     }
-    patch.separation = 1e300;
+    patch.separation = std::numeric_limits<double>::infinity();
     for (const PatchPoint& point : std::span(patch.points).first(static_cast<std::size_t>(patch.count))) {
         patch.separation = std::min(patch.separation, point.separation);
     }
@@ -92,7 +93,8 @@ void collideGround(const SiteSurface& ground, const ConvexPart& part, const Pose
     const Vec3 travel = velocity * dt;
     const bool far = std::max(std::abs(travel.x()), std::abs(travel.y())) > 0.25 * ground.terrain->cell();
     // A slope may rise towards a corner that is still well above what lies below it.
-    const std::size_t count = nearCorners(ground, part, body, far ? 1e300 : 4.0 * margin, corners);
+    const std::size_t count =
+        nearCorners(ground, part, body, far ? std::numeric_limits<double>::infinity() : 4.0 * margin, corners);
     for (std::size_t i = 0; i < count; ++i) {
         const Corner& corner = corners[i];
         const Vec3 under = far && corner.gap > 0.0 ? meetingPlace(ground, corner.place, travel) : corner.place;

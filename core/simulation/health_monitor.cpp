@@ -181,7 +181,9 @@ void HealthMonitor::notePenetration(std::span<const TrackedBody> bodies, double 
         seen.bodies = tally.bodies;
         m_log.hold(seen, tally.since, time);
         // Smaller steps move nothing that rests.
-        m_unwell = moving ? time : m_unwell;
+        if (moving) {
+            m_unwell = time;
+        }
     };
     if (m_deep.bodies > 0) {
         hold(m_deep, m_deep.measured, m_limits.penetration, m_movingDeep);
@@ -307,7 +309,9 @@ void HealthMonitor::addFindings(Findings& findings) const {
     for (const HealthBreach& breach : breaches) {
         ++countOf(breach.check);
         const HealthBreach*& most = worst[static_cast<std::size_t>(breach.check)];
-        most = most == nullptr || breach.bodies > most->bodies ? &breach : most;
+        if (most == nullptr || breach.bodies > most->bodies) {
+            most = &breach;
+        }
     }
     const auto countBodies = [&](HealthCheck check, bool Watched::* ever) {
         if (countOf(check) > 0) {

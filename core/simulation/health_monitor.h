@@ -91,7 +91,9 @@ private:
         std::size_t body = 0;
         void add(std::size_t index, double value, double start) {
             ++bodies;
-            since = start < since ? start : since;
+            if (start < since) {
+                since = start;
+            }
             if (value > measured) {
                 measured = value;
                 body = index;

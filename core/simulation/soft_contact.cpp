@@ -21,8 +21,8 @@ void takePoint(const SoftContact::Point& from, const SoftContact& to, SoftContac
 }  // namespace
 
 void SoftContact::keep(Archive& archive) {
-    archive(pair, part, normal, count, depth, yield, load, restLoad, offset, partedFor, approach, pressed, jammedFor, pushes, fresh,
-            yielded, yielding, pressing);
+    archive(pair, part, normal, count, depth, yield, load, restLoad, offset, correctedFor, approach, pressed, jammedFor, pushes,
+            fresh, yielded, yielding, pressing);
     if (count < 0 || count > static_cast<int>(points.size())) {
         Archive::fail();
     }
@@ -51,10 +51,12 @@ void take(const FoundContact& found, SoftContact& contact) {
 
 void carryOver(const SoftContact& from, SoftContact& to) {
     to.offset = std::min(to.depth, from.offset);
-    to.offset = to.offset > touchingDepth ? to.offset : 0.0;
+    if (!(to.offset > touchingDepth)) {
+        to.offset = 0.0;
+    }
     to.fresh = false;
     to.pressed = from.pressed;
-    to.partedFor = from.partedFor;
+    to.correctedFor = from.correctedFor;
     to.jammedFor = from.jammedFor;
     to.yield = from.yield;
     to.load = from.load;

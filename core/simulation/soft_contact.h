@@ -34,7 +34,7 @@ struct SoftContactState {
     Vec3 load = Vec3::Zero();      ///< N, on b, mean of the last steps
     Vec3 restLoad = Vec3::Zero();  ///< N, the same when one of the two froze
     double offset = 0.0;           ///< m, rest offset: overlap at birth that is left, or what a piece that gave way has entered
-    double partedFor = 0.0;        ///< s, in which the two were brought apart by position
+    double correctedFor = 0.0;     ///< s, in which the two were brought apart by position
     double approach = 0.0;         ///< m/s, of a moving piece towards its body
     double pressed = 0.0;          ///< m/s, by which a pressing piece has changed its body's speed
     double jammedFor = 0.0;        ///< s, that a body has been deeper in a piece than it ought to be

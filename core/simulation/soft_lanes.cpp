@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#define RUBBLE_LANE_MAKE common_lanes
+#define RUBBLE_LANE_VARIANT common_lanes
 #include "core/simulation/soft_lanes_passes.h"
 
 namespace rubble {

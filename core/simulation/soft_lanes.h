@@ -90,7 +90,7 @@ struct alignas(8 * solverLanes) LanePointWork {
 };
 
 /// A point as bringing overlap apart sees it: along the normal only, so that its many passes read little.
-struct alignas(4 * solverLanes) LanePart {
+struct alignas(4 * solverLanes) LaneCorrectionPoint {
     KeptLanes push;                 ///< kg m, spent so far in this step
     KeptLaneVector turnA, turnB;    ///< m, arm x normal: how far apart a turn of the body brings the point
     KeptLaneVector swingA, swingB;  ///< 1/(kg m), turn of the body by a push
@@ -99,11 +99,11 @@ struct alignas(4 * solverLanes) LanePart {
 };
 
 /// Contacts side by side, likewise.
-struct alignas(4 * solverLanes) LaneParting {
+struct alignas(4 * solverLanes) LaneCorrection {
     std::uint32_t a[solverLanes], b[solverLanes];  ///< bodies
     KeptLanes inverseMassA, inverseMassB;          ///< 1/kg
     KeptLaneVector normal;                         ///< from a to b
-    KeptLanes parting;                             ///< m, by which the two are to come apart in this step; zero: none
+    KeptLanes correction;                          ///< m, by which the two are to come apart in this step; zero: none
     std::uint32_t firstPoint = 0;
     std::uint32_t points = 0;
     bool allMove = false;  ///< no body of any of them is immovable
@@ -115,7 +115,7 @@ struct alignas(8 * solverLanes) LaneContacts {
     std::uint32_t firstPoint = 0;
     std::uint32_t points = 0;  ///< the most of any of them
     bool allMove = false;      ///< no body of any of them is immovable
-    bool booked = false;       ///< one of them accounts for its work
+    bool countsWork = false;   ///< one of them accounts for its work
     KeptLanes friction;
     Lanes inverseMassA, inverseMassB;  ///< 1/kg, as this contact sees them
     KeptLaneTensor inverseInertiaA, inverseInertiaB;
@@ -133,9 +133,9 @@ struct alignas(8 * solverLanes) LaneTally {
     KeptLanes biasRate;      ///< 1/s, of the soft pass
     KeptLanes massScale;     ///< of the soft pass
     KeptLanes impulseScale;  ///< of the soft pass
-    KeptLanes parting;       ///< m, by which the two are brought apart by position only in this step; zero: none
+    KeptLanes correction;    ///< m, by which the two are brought apart by position only in this step; zero: none
     KeptLanes lift;          ///< m/s, what an upward impulse gains against gravity in a substep; zero between two that move
-    KeptLanes bookedShare;   ///< 1: its work of pushing apart is accounted for
+    KeptLanes workShare;     ///< 1: its work of pushing apart is accounted for
     KeptLanes drivenByA;     ///< 1: the work of a moving piece a is accounted for
     KeptLanes drivenByB;     ///< 1: the same of b
     Lanes work;              ///< J, in this step
@@ -157,15 +157,15 @@ struct LaneScene {
     LaneTravel* travel = nullptr;
     LanePose* poses = nullptr;
     const LaneSolid* solids = nullptr;
-    std::uint32_t movable = 0;        ///< bodies below this one move
-    double h = 0.0;                   ///< s, length of a substep
-    LaneParting* partings = nullptr;  ///< beside the contacts
-    LanePart* parts = nullptr;        ///< beside the points
-    LaneWay* parted = nullptr;        ///< [bodies] by which overlap is brought apart
+    std::uint32_t movable = 0;                        ///< bodies below this one move
+    double h = 0.0;                                   ///< s, length of a substep
+    LaneCorrection* corrections = nullptr;            ///< beside the contacts
+    LaneCorrectionPoint* correctionPoints = nullptr;  ///< beside the points
+    LaneWay* corrected = nullptr;                     ///< [bodies] by which overlap is brought apart
 };
 
-/// The passes over contacts [first, last) of one colour, in three makes: for every processor, and for those with 256-bit and
-/// 512-bit vectors. All round alike, and what a contact gets does not depend on those beside it.
+/// The passes over contacts [first, last) of one colour, in three SIMD variants: for every processor, and for those with 256-bit
+/// and 512-bit vectors. All round alike, and what a contact gets does not depend on those beside it.
 struct LanePasses {
     /// Masses of the points, speeds of approach and stiffness.
     void (*prepare)(const LaneScene& scene, std::size_t first, std::size_t last);
@@ -180,20 +180,20 @@ struct LanePasses {
     /// contacts act on are held back to what they may get to. Returns how many were.
     std::int64_t (*move)(const LaneScene& scene, std::size_t first, std::size_t last, double gravity);
     /// Makes out of contacts and points what the next passes read, and applies the pushes of the step before.
-    void (*startParting)(const LaneScene& scene, std::size_t first, std::size_t last);
+    void (*startCorrection)(const LaneScene& scene, std::size_t first, std::size_t last);
     /// Brings overlap apart by position only. @param hold  nothing is pushed further, only kept from going back
-    void (*part)(const LaneScene& scene, std::size_t first, std::size_t last, bool hold);
+    void (*correct)(const LaneScene& scene, std::size_t first, std::size_t last, bool hold);
     /// Notes the velocities before any impulse, for the work of contacts that are accounted for.
     void (*noteOpening)(const LaneScene& scene, std::size_t first, std::size_t last);
-    /// Books the work of a substep.
-    void (*book)(const LaneScene& scene, std::size_t first, std::size_t last);
+    /// Adds up the work of a substep.
+    void (*accumulateWork)(const LaneScene& scene, std::size_t first, std::size_t last);
 };
 
-/// The make for this processor.
+/// The variant for this processor.
 const LanePasses& lanePasses();
-/// The make for every processor.
+/// The variant for every processor.
 const LanePasses& commonLanePasses();
-/// The makes for 256-bit and 512-bit vectors; null where they were not built. Their passes need a processor that has them.
+/// The variants for 256-bit and 512-bit vectors; null where they were not built. Their passes need a processor that has them.
 const LanePasses* wideLanePasses();
 const LanePasses* widestLanePasses();
 

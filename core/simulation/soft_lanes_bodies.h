@@ -1,10 +1,10 @@
 #pragma once
 
-// Bodies of eight lanes for the passes: in and out, and how they move by themselves; included once for each make
+// Bodies of eight lanes for the passes: in and out, and how they move by themselves; included once for each variant
 // (soft_lanes_passes.h).
 #include "core/simulation/soft_lanes_numbers.h"
 
-namespace rubble::RUBBLE_LANE_MAKE {
+namespace rubble::RUBBLE_LANE_VARIANT {
 
 namespace {
 
@@ -243,4 +243,4 @@ std::int64_t move(const LaneScene& scene, std::size_t first, std::size_t last, d
 
 }  // namespace
 
-}  // namespace rubble::RUBBLE_LANE_MAKE
+}  // namespace rubble::RUBBLE_LANE_VARIANT

@@ -1,13 +1,13 @@
 #pragma once
 
-// Numbers of eight lanes for the passes; included once for each make (soft_lanes_passes.h).
+// Numbers of eight lanes for the passes; included once for each variant (soft_lanes_passes.h).
 #ifdef __AVX__
 #include <immintrin.h>
 #endif
 
 #include "core/simulation/soft_lanes.h"
 
-namespace rubble::RUBBLE_LANE_MAKE {
+namespace rubble::RUBBLE_LANE_VARIANT {
 
 namespace {
 
@@ -39,7 +39,7 @@ inline Quad root(Quad a) {
 #endif
 }
 
-// a b + c and c - a b with one rounding: every make has them, those for every processor one number at a time.
+// a b + c and c - a b with one rounding: every variant has them, those for every processor one number at a time.
 inline Quad plusProduct(Quad c, Quad a, Quad b) {
 #ifdef __FMA__
     return _mm256_fmadd_pd(a, b, c);
@@ -303,4 +303,4 @@ inline RowVector minusProduct(const RowVector& c, const RowTensor& t, const RowV
 
 }  // namespace
 
-}  // namespace rubble::RUBBLE_LANE_MAKE
+}  // namespace rubble::RUBBLE_LANE_VARIANT

@@ -1,10 +1,10 @@
 #pragma once
 
-// The passes themselves; included once for each make, with RUBBLE_LANE_MAKE as the name of its namespace. Nothing with external
-// linkage may be used here: the linker would keep one of the versions, made for the wrong processor.
+// The passes themselves; included once for each variant, with RUBBLE_LANE_VARIANT as the name of its namespace. Nothing with
+// external linkage may be used here: the linker would keep one of the versions, made for the wrong processor.
 #include "core/simulation/soft_lanes_bodies.h"
 
-namespace rubble::RUBBLE_LANE_MAKE {
+namespace rubble::RUBBLE_LANE_VARIANT {
 
 namespace {
 
@@ -12,11 +12,11 @@ namespace {
 /// more passes; higher: they swing.
 constexpr float overRelaxation = 1.3f;
 /// Contacts ahead of the one at hand whose bodies are asked for: they lie anywhere, and the passes wait for little else.
-constexpr std::size_t asked = 2;
+constexpr std::size_t groupsAhead = 2;
 
 /// Asks for the records of the bodies of a contact.
 template <class Record, class Contacts>
-inline void ask(const Record* records, const Contacts* contacts, std::size_t contact, std::size_t last) {
+inline void prefetch(const Record* records, const Contacts* contacts, std::size_t contact, std::size_t last) {
     if (contact < last) {
         for (int i = 0; i < solverLanes; ++i) {
             __builtin_prefetch(&records[contacts[contact].a[i]], 1);
@@ -141,7 +141,7 @@ inline void solve(const LaneScene& scene, std::size_t contact, double push) {
     }
     if (!anyAbove(larger(carried, acted), zero)) {
         // Without load there is no friction either, and nothing has changed.
-        for (std::uint32_t k = 0; Push && c.booked && k < c.points; ++k) {
+        for (std::uint32_t k = 0; Push && c.countsWork && k < c.points; ++k) {
             put(scene.works[c.firstPoint + k].raised, zero);
         }
         return;
@@ -149,7 +149,7 @@ inline void solve(const LaneScene& scene, std::size_t contact, double push) {
     acted = choose(acted > zero, all(1.0), zero);
     for (std::uint32_t k = 0; k < c.points; ++k) {
         applyFriction(pair, a, b, points[k]);
-        if (Push && c.booked) {
+        if (Push && c.countsWork) {
             put(scene.works[c.firstPoint + k].raised, impulseOf(pair, points[k]).z);
         }
         if (Push || Last) {
@@ -283,43 +283,44 @@ inline void store(const Way& way, LaneWay* bodies, const std::uint32_t (&which)[
     scatter(m, bodies, &LaneWay::moved, which, allMove, movable);
     scatter(t, bodies, &LaneWay::turned, which, allMove, movable);
 }
-inline void store(const Way& a, const Way& b, const LaneScene& scene, const LaneParting& c) {
+inline void store(const Way& a, const Way& b, const LaneScene& scene, const LaneCorrection& c) {
     if (c.allMove) {
-        store(a, scene.parted, c.a, true, 0);
-        store(b, scene.parted, c.b, true, 0);
+        store(a, scene.corrected, c.a, true, 0);
+        store(b, scene.corrected, c.b, true, 0);
     } else {
-        store(a, scene.parted, c.a, false, scene.movable);
-        store(b, scene.parted, c.b, false, scene.movable);
+        store(a, scene.corrected, c.a, false, scene.movable);
+        store(b, scene.corrected, c.b, false, scene.movable);
     }
 }
 
 /// Applies a push along the normal.
-inline void partBy(const LaneParting& c, const KeptRowVector& normal, const LanePart& p, KeptRow push, Way& a, Way& b) {
+inline void correctBy(const LaneCorrection& c, const KeptRowVector& normal, const LaneCorrectionPoint& p, KeptRow push, Way& a,
+                      Way& b) {
     a.moved = minusProduct(a.moved, get(c.inverseMassA) * push, normal);
     a.turned = minusProduct(a.turned, push, get(p.swingA));
     b.moved = plusProduct(b.moved, get(c.inverseMassB) * push, normal);
     b.turned = plusProduct(b.turned, push, get(p.swingB));
 }
 
-void startParting(const LaneScene& scene, std::size_t first, std::size_t last) {
+void startCorrection(const LaneScene& scene, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
         const LaneContacts& from = scene.contacts[i];
-        LaneParting& c = scene.partings[i];
+        LaneCorrection& c = scene.corrections[i];
         __builtin_memcpy(c.a, from.a, sizeof c.a);
         __builtin_memcpy(c.b, from.b, sizeof c.b);
         put(c.inverseMassA, kept(get(from.inverseMassA)));
         put(c.inverseMassB, kept(get(from.inverseMassB)));
         c.normal = from.normal;
-        c.parting = scene.tallies[i].parting;
+        c.correction = scene.tallies[i].correction;
         c.allMove = from.allMove;
         c.firstPoint = from.firstPoint;
         c.points = from.points;
-        Way a = load(scene.parted, c.a);
-        Way b = load(scene.parted, c.b);
+        Way a = load(scene.corrected, c.a);
+        Way b = load(scene.corrected, c.b);
         const Pair pair(from);
         for (std::uint32_t k = 0; k < c.points; ++k) {
             const LanePoint& point = scene.points[c.firstPoint + k];
-            LanePart& p = scene.parts[c.firstPoint + k];
+            LaneCorrectionPoint& p = scene.correctionPoints[c.firstPoint + k];
             const Arms arms(point);
             const RowVector turnA = cross(arms.a, pair.normal), turnB = cross(arms.b, pair.normal);
             put(p.turnA, turnA);
@@ -328,32 +329,32 @@ void startParting(const LaneScene& scene, std::size_t first, std::size_t last) {
             put(p.swingB, pair.inverseInertiaB * turnB);
             p.mass = point.normalMass;
             put(p.gap, larger(get(point.now), allKept(0.0f)));
-            partBy(c, get(c.normal), p, get(p.push), a, b);
+            correctBy(c, get(c.normal), p, get(p.push), a, b);
         }
         store(a, b, scene, c);
     }
 }
 
-void part(const LaneScene& scene, std::size_t first, std::size_t last, bool hold) {
+void correct(const LaneScene& scene, std::size_t first, std::size_t last, bool hold) {
     const KeptRow zero = allKept(0.0f);
     for (std::size_t i = first; i < last; ++i) {
-        ask(scene.parted, scene.partings, i + asked, last);
-        const LaneParting& c = scene.partings[i];
-        Way a = load(scene.parted, c.a);
-        Way b = load(scene.parted, c.b);
+        prefetch(scene.corrected, scene.corrections, i + groupsAhead, last);
+        const LaneCorrection& c = scene.corrections[i];
+        Way a = load(scene.corrected, c.a);
+        Way b = load(scene.corrected, c.b);
         const KeptRowVector normal = get(c.normal);
-        const KeptRow parting = get(c.parting);
+        const KeptRow correction = get(c.correction);
         for (std::uint32_t k = 0; k < c.points; ++k) {
-            LanePart& p = scene.parts[c.firstPoint + k];
+            LaneCorrectionPoint& p = scene.correctionPoints[c.firstPoint + k];
             const KeptRow push = get(p.push);
             const KeptRow mass = get(p.mass);
             const KeptRow way = dot(normal, b.moved - a.moved) + (dot(get(p.turnB), b.turned) - dot(get(p.turnA), a.turned));
             // What touches stays apart, what is open may close, what overlaps comes apart.
-            const KeptRow wanted = larger(plusProduct(push, allKept(overRelaxation) * mass, parting - get(p.gap) - way), zero);
+            const KeptRow wanted = larger(plusProduct(push, allKept(overRelaxation) * mass, correction - get(p.gap) - way), zero);
             const KeptRow held = larger(push, minusProduct(push, mass, way));
-            const KeptRow total = hold ? (parting > zero ? held : wanted) : wanted;
+            const KeptRow total = hold ? (correction > zero ? held : wanted) : wanted;
             put(p.push, total);
-            partBy(c, normal, p, total - push, a, b);
+            correctBy(c, normal, p, total - push, a, b);
         }
         store(a, b, scene, c);
     }
@@ -362,7 +363,7 @@ void part(const LaneScene& scene, std::size_t first, std::size_t last, bool hold
 void noteOpening(const LaneScene& scene, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
         const LaneContacts& c = scene.contacts[i];
-        if (!c.booked) {
+        if (!c.countsWork) {
             continue;
         }
         const End a = load(scene.bodies, c.a);
@@ -376,10 +377,10 @@ void noteOpening(const LaneScene& scene, std::size_t first, std::size_t last) {
 /// Impulse times the mean of the relative velocities before and after is what a contact adds to the kinetic energy. Bodies move
 /// with the velocities of the soft pass; between two that move this leaves their centre of mass in place, next to an immovable one
 /// it lifts.
-void book(const LaneScene& scene, std::size_t first, std::size_t last) {
+void accumulateWork(const LaneScene& scene, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
         const LaneContacts& c = scene.contacts[i];
-        if (!c.booked) {
+        if (!c.countsWork) {
             continue;
         }
         const Pair pair(c);
@@ -396,7 +397,7 @@ void book(const LaneScene& scene, std::size_t first, std::size_t last) {
                 all(0.5) * dot(impulse, get(work.opening) + relativeVelocity(a, b, arms)) + wide(tally.lift) * get(work.raised);
             done = done + (wide(tally.drivenByA) * dot(impulse, a.velocity + cross(a.spin, arms.a)) -
                            wide(tally.drivenByB) * dot(impulse, b.velocity + cross(b.spin, arms.b)) +
-                           wide(tally.bookedShare) * larger(input, all(0.0)));
+                           wide(tally.workShare) * larger(input, all(0.0)));
         }
         put(tally.work, done);
     }
@@ -405,6 +406,6 @@ void book(const LaneScene& scene, std::size_t first, std::size_t last) {
 }  // namespace
 
 extern const LanePasses passes;
-const LanePasses passes{prepare, warmStart, soft, relax, move, startParting, part, noteOpening, book};
+const LanePasses passes{prepare, warmStart, soft, relax, move, startCorrection, correct, noteOpening, accumulateWork};
 
-}  // namespace rubble::RUBBLE_LANE_MAKE
+}  // namespace rubble::RUBBLE_LANE_VARIANT

@@ -1,7 +1,7 @@
 #include "core/simulation/soft_lanes.h"
 
 #ifdef RUBBLE_WIDE_LANES
-#define RUBBLE_LANE_MAKE widest_lanes
+#define RUBBLE_LANE_VARIANT widest_lanes
 #include "core/simulation/soft_lanes_passes.h"
 #endif
 

@@ -20,7 +20,7 @@ constexpr int relaxPasses = 3;
 /// Passes that bring overlap apart, then such that only keep others from being pressed together for it; both go on from what the
 /// step before found. More of the first: it comes apart sooner; fewer of the second: piles are pressed into themselves and tremble.
 /// A push has to get through a pile from body to body, so larger ones take more of the first, as the cube root of their contacts.
-constexpr int fewestPartPasses = 24, mostPartPasses = 72;
+constexpr int fewestCorrectionPasses = 24, mostCorrectionPasses = 72;
 constexpr double contactsOfFewest = 16000;
 constexpr int holdPasses = 4;
 /// Rounds over the points of a contact that bounces.
@@ -40,9 +40,9 @@ constexpr KeptNumber unlimited = std::numeric_limits<KeptNumber>::max();
 /// Groups; a body with more contacts than this puts the rest into the ordered group.
 constexpr std::uint32_t mostColours = 63;
 
-int partPassesFor(std::size_t contacts) {
-    const double wanted = fewestPartPasses * std::cbrt(static_cast<double>(contacts) / contactsOfFewest);
-    return static_cast<int>(std::clamp<double>(wanted, fewestPartPasses, mostPartPasses));
+int correctionPassesFor(std::size_t contacts) {
+    const double wanted = fewestCorrectionPasses * std::cbrt(static_cast<double>(contacts) / contactsOfFewest);
+    return static_cast<int>(std::clamp<double>(wanted, fewestCorrectionPasses, mostCorrectionPasses));
 }
 
 Vec3 relativeVelocity(const SolverBody& a, const SolverBody& b, const SolverPoint& p) {
@@ -119,10 +119,10 @@ void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> end
 }
 
 template <class Pass>
-void SoftSolver::forEachBooked(Pass pass) {
-    m_pool.loop(m_booked.size(), laneGrain, [&](std::size_t from, std::size_t to) {
+void SoftSolver::forEachWithWork(Pass pass) {
+    m_pool.loop(m_withWork.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            pass(m_scene, m_booked[i], m_booked[i] + std::size_t{1});
+            pass(m_scene, m_withWork[i], m_withWork[i] + std::size_t{1});
         }
     });
 }
@@ -204,7 +204,7 @@ void SoftSolver::layOut(double h, const Source& source) {
     m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             if (i + 1 < to) {
-                std::for_each_n(m_groups[i + 1].found, m_groups[i + 1].count, source.ask);
+                std::for_each_n(m_groups[i + 1].found, m_groups[i + 1].count, source.prefetch);
             }
             fillLanes(i, source);
             m_passes.prepare(m_scene, i, i + 1);
@@ -214,10 +214,10 @@ void SoftSolver::layOut(double h, const Source& source) {
         }
     });
     m_back.assign(m_groups.size(), 0);
-    m_booked.clear();
+    m_withWork.clear();
     for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
-        if (m_lanes[i].booked) {
-            m_booked.push_back(i);
+        if (m_lanes[i].countsWork) {
+            m_withWork.push_back(i);
         }
     }
 }
@@ -292,8 +292,8 @@ void SoftSolver::arrange() {
     m_lanePoints.resize(point);
     m_pointTallies.resize(point);
     m_laneWorks.resize(point);
-    m_parts.resize(point);
-    m_partings.resize(m_groups.size());
+    m_correctionPoints.resize(point);
+    m_laneCorrections.resize(m_groups.size());
 }
 
 namespace {
@@ -344,13 +344,13 @@ void SoftSolver::fillLanes(std::size_t at, const Source& source) {
     std::fill_n(m_lanePoints.begin() + first, most, LanePoint{});
     std::fill_n(m_pointTallies.begin() + first, most, LanePointTally{});
     for (std::uint32_t k = 0; k < most; ++k) {
-        m_parts[first + k].push = {};
+        m_correctionPoints[first + k].push = {};
     }
     for (std::uint32_t lane = 0; lane < count; ++lane) {
         source.fill(group.found[lane]);
         const SolverContact& c = contacts[group.found[lane]];
-        const Grip& a = m_grips[c.a];
-        const Grip& b = m_grips[c.b];
+        const MassProperties& a = m_massProperties[c.a];
+        const MassProperties& b = m_massProperties[c.b];
         lanes.a[lane] = c.a;
         lanes.b[lane] = c.b;
         lanes.allMove = lanes.allMove && c.a < m_scene.movable && c.b < m_scene.movable;
@@ -365,22 +365,22 @@ void SoftSolver::fillLanes(std::size_t at, const Source& source) {
         tally.weight[lane] = static_cast<KeptNumber>(c.weight);
         tally.frequency[lane] = static_cast<KeptNumber>(c.frequency);
         tally.sinkAllowed[lane] = static_cast<KeptNumber>(c.sinkAllowed);
-        tally.parting[lane] = static_cast<KeptNumber>(c.parting);
+        tally.correction[lane] = static_cast<KeptNumber>(c.correction);
         tally.lift[lane] = static_cast<KeptNumber>(c.lift);
-        tally.bookedShare[lane] = c.booked ? 1 : 0;
+        tally.workShare[lane] = c.countsWork ? 1 : 0;
         tally.drivenByA[lane] = c.driven && a.inverseMass == 0.0 ? 1 : 0;
         tally.drivenByB[lane] = c.driven && a.inverseMass != 0.0 ? 1 : 0;
-        lanes.booked = lanes.booked || c.booked || c.driven;
+        lanes.countsWork = lanes.countsWork || c.countsWork || c.driven;
         for (std::uint32_t k = 0; k < c.points; ++k) {
             setLane(m_lanePoints[first + k], m_pointTallies[first + k], lane, points[c.firstPoint + k]);
-            m_parts[first + k].push[lane] = static_cast<KeptNumber>(points[c.firstPoint + k].push);
+            m_correctionPoints[first + k].push[lane] = static_cast<KeptNumber>(points[c.firstPoint + k].push);
         }
     }
 }
 
 void SoftSolver::begin(std::size_t movable) {
     m_scene.movable = static_cast<std::uint32_t>(movable);
-    m_grips.resize(bodies.size());
+    m_massProperties.resize(bodies.size());
     m_laneBodies.resize(bodies.size());
     m_laneTravel.resize(bodies.size());
     m_lanePoses.resize(bodies.size());
@@ -393,9 +393,10 @@ void SoftSolver::begin(std::size_t movable) {
         for (std::size_t i = from; i < to; ++i) {
             const SolverBody& body = bodies[i];
             const Mat3& t = body.inverseInertia;
-            m_grips[i] = {body.inverseMass,
-                          {static_cast<KeptNumber>(t(0, 0)), static_cast<KeptNumber>(t(1, 1)), static_cast<KeptNumber>(t(2, 2)),
-                           static_cast<KeptNumber>(t(0, 1)), static_cast<KeptNumber>(t(0, 2)), static_cast<KeptNumber>(t(1, 2))}};
+            m_massProperties[i] = {
+                body.inverseMass,
+                {static_cast<KeptNumber>(t(0, 0)), static_cast<KeptNumber>(t(1, 1)), static_cast<KeptNumber>(t(2, 2)),
+                 static_cast<KeptNumber>(t(0, 1)), static_cast<KeptNumber>(t(0, 2)), static_cast<KeptNumber>(t(1, 2))}};
             setVelocity(i, body.velocity, body.spin);
             m_laneBodies[i].velocity[3] = 0.0;
             m_laneTravel[i] = {};
@@ -429,7 +430,7 @@ void SoftSolver::setVelocity(std::size_t body, const Vec3& velocity, const Vec3&
     }
 }
 
-void SoftSolver::fall(double speed) {
+void SoftSolver::applyGravity(double speed) {
     m_pool.loop(m_scene.movable, bodyGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             m_laneBodies[i].velocity[2] -= speed;
@@ -467,7 +468,7 @@ void SoftSolver::end() {
 }
 
 void SoftSolver::solveSoft(double push) {
-    forEachBooked(m_passes.noteOpening);
+    forEachWithWork(m_passes.noteOpening);
     forEachColour(2, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
         if (pass == 0) {
             m_passes.warmStart(scene, first, last, warmGrowth);
@@ -483,34 +484,34 @@ void SoftSolver::relax() {
     });
 }
 
-void SoftSolver::book() {
-    forEachBooked(m_passes.book);
+void SoftSolver::accumulateWork() {
+    forEachWithWork(m_passes.accumulateWork);
 }
 
-bool SoftSolver::part() {
-    if (std::none_of(contacts.begin(), contacts.end(), [](const SolverContact& c) { return c.parting > 0.0; })) {
-        for (LanePart& part : m_parts) {
-            part.push = {};
+bool SoftSolver::correctPositions() {
+    if (std::none_of(contacts.begin(), contacts.end(), [](const SolverContact& c) { return c.correction > 0.0; })) {
+        for (LaneCorrectionPoint& point : m_correctionPoints) {
+            point.push = {};
         }
         return false;
     }
-    m_parted.assign(bodies.size(), LaneWay{});
-    m_scene.parted = m_parted.data();
-    m_scene.partings = m_partings.data();
-    m_scene.parts = m_parts.data();
-    const int partPasses = partPassesFor(contacts.size());
-    forEachColour(1 + partPasses + holdPasses, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
+    m_corrections.assign(bodies.size(), LaneWay{});
+    m_scene.corrected = m_corrections.data();
+    m_scene.corrections = m_laneCorrections.data();
+    m_scene.correctionPoints = m_correctionPoints.data();
+    const int correctionPasses = correctionPassesFor(contacts.size());
+    forEachColour(1 + correctionPasses + holdPasses, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
         if (pass == 0) {
-            m_passes.startParting(scene, first, last);
+            m_passes.startCorrection(scene, first, last);
         } else {
-            m_passes.part(scene, first, last, pass > partPasses);
+            m_passes.correct(scene, first, last, pass > correctionPasses);
         }
     });
     return true;
 }
 
-SolverWay SoftSolver::parted(std::size_t body) const {
-    const LaneWay& way = m_parted[body];
+SolverWay SoftSolver::correctionOf(std::size_t body) const {
+    const LaneWay& way = m_corrections[body];
     return {Vec3(way.moved[0], way.moved[1], way.moved[2]), Vec3(way.turned[0], way.turned[1], way.turned[2])};
 }
 
@@ -530,7 +531,7 @@ void SoftSolver::takeGroupBack(std::size_t at) {
             p.tangentImpulse[1] = lanePoint.tangentImpulse[1][lane];
             p.largestImpulse = tally.largestImpulse[lane];
             p.impulseSum = tally.impulseSum[lane];
-            p.push = m_parts[group.firstPoint + n].push[lane];
+            p.push = m_correctionPoints[group.firstPoint + n].push[lane];
         }
     }
     m_back[at] = 1;
@@ -540,7 +541,7 @@ void SoftSolver::takeBack(const Target& target) {
     m_pool.loop(m_groups.size(), laneGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             if (i + 1 < to) {
-                std::for_each_n(m_groups[i + 1].found, m_groups[i + 1].count, target.ask);
+                std::for_each_n(m_groups[i + 1].found, m_groups[i + 1].count, target.prefetch);
             }
             if (m_back[i] == 0) {
                 takeGroupBack(i);

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -24,8 +25,9 @@ struct SolverBody {
     Pose pose;                           ///< of its centre of mass and principal axes
     Vec3 inertia = Vec3::Ones();         ///< kg m2, principal
     double radius = 0.0;                 ///< m, of its farthest corner
-    double fastest = 1e300;              ///< m/s, that it and its corners may get to in this step where contacts act on it
-    bool active = false;                 ///< a contact acted on it in this step
+    double fastest =
+        std::numeric_limits<double>::infinity();  ///< m/s, that it and its corners may get to in this step where contacts act on it
+    bool active = false;                          ///< a contact acted on it in this step
 };
 /// A body in the middle of a step.
 struct SolverMotion {
@@ -68,11 +70,11 @@ struct SolverContact {
     double frequency = 0.0;     ///< Hz, of the contact as an oscillator, at least
     double sinkAllowed = 0.0;   ///< m, by which the load may press the two into each other; stiffer if it takes that
     double weight = 0.0;        ///< N s, impulse of the lighter body's weight in a substep
-    double parting = 0.0;       ///< m, by which the two are brought apart by position only in this step; zero: none
+    double correction = 0.0;    ///< m, by which the two are brought apart by position only in this step; zero: none
     double lift = 0.0;          ///< m/s, what an upward impulse gains against gravity in a substep; see LaneContacts
     double impulseLimit = 0.0;  ///< N s per point and substep; negative: none
     double work = 0.0;          ///< J, in this step: of pushing the bodies apart, or of a moving piece
-    bool booked = false;        ///< account for the work of pushing apart
+    bool countsWork = false;    ///< account for the work of pushing apart
     bool driven = false;        ///< account for the work of the immovable one of the two
 };
 
@@ -87,14 +89,14 @@ struct ContactColours {
 /// Contacts are taken in the order given.
 void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> ends, std::size_t movable, ContactColours& colours);
 
-/// Soft contacts solved by small substeps: one warm-started soft pass that pushes overlap apart, then, after the bodies moved, one
-/// few relax passes without the push. Macklin et al. 2019, Small steps in physics simulation; Catto 2024, Solver2D.
+/// Soft contacts solved by small substeps: one warm-started soft pass that pushes overlap apart, then, after the bodies moved,
+/// three relax passes without the push. Macklin et al. 2019, Small steps in physics simulation; Catto 2024, Solver2D.
 /// Contacts lie in the order of the colours. The passes run over several contacts of a colour side by side (soft_lanes.h).
 class SoftSolver {
 public:
     explicit SoftSolver(WorkerPool& pool) : m_pool(pool) {}
 
-    /// Takes another make of the passes than the processor's own.
+    /// Takes another variant of the passes than the processor's own.
     void use(const LanePasses& passes) { m_passes = passes; }
 
     std::vector<SolverBody> bodies;
@@ -108,8 +110,8 @@ public:
     /// Where contacts come from. What the order of the passes is made of, ends, number of points, place and whether it is idle, is
     /// in them from the start.
     struct Source {
-        std::function<void(std::uint32_t contact)> fill = [](std::uint32_t) {};  ///< makes the rest of a contact and its points
-        std::function<void(std::uint32_t contact)> ask = [](std::uint32_t) {};   ///< which one is made soon
+        std::function<void(std::uint32_t contact)> fill = [](std::uint32_t) {};      ///< makes the rest of a contact and its points
+        std::function<void(std::uint32_t contact)> prefetch = [](std::uint32_t) {};  ///< which one is made soon
     };
     /// Takes the bodies as they are into a step; from here to its end what moves them lies elsewhere.
     /// @param movable  bodies below this one move
@@ -122,7 +124,7 @@ public:
     SolverMotion motion(std::size_t body) const;
     void setVelocity(std::size_t body, const Vec3& velocity, const Vec3& spin);
     /// Begins a substep: what moves gets `speed` [m/s] faster downwards.
-    void fall(double speed);
+    void applyGravity(double speed);
     /// Moves and turns the bodies through the substep, under `gravity` [m/s2]. Returns how many were too fast and held back.
     std::int64_t move(double gravity);
     /// Bodies are what the substeps made of them.
@@ -131,18 +133,18 @@ public:
     void solveSoft(double push);
     /// Solves without the push until little of it is left.
     void relax();
-    /// Books the work of this substep.
-    void book();
+    /// Adds up the work of this substep.
+    void accumulateWork();
     /// Brings apart by position only what overlaps from birth or is jammed, after the last substep; false: nothing does.
-    bool part();
+    bool correctPositions();
     /// What this moves and turns a body by.
-    SolverWay parted(std::size_t body) const;
+    SolverWay correctionOf(std::size_t body) const;
     /// Gives back the speed of approach of every hit above `threshold` [m/s].
     void restitute(double threshold);
     /// Where contacts go.
     struct Target {
-        std::function<void(std::uint32_t contact)> take = [](std::uint32_t) {};  ///< is given each once it is complete
-        std::function<void(std::uint32_t contact)> ask = [](std::uint32_t) {};   ///< which one is given soon
+        std::function<void(std::uint32_t contact)> take = [](std::uint32_t) {};      ///< is given each once it is complete
+        std::function<void(std::uint32_t contact)> prefetch = [](std::uint32_t) {};  ///< which one is given soon
     };
     /// Puts impulses and work into contacts and points. The passes above do not reach those.
     void takeBack(const Target& target);
@@ -161,7 +163,7 @@ private:
         std::size_t done = 0;  ///< colours, in all passes at hand
     };
     /// What contacts take of a body, close together.
-    struct Grip {
+    struct MassProperties {
         double inverseMass = 0.0;           ///< 1/kg
         KeptNumber inverseInertia[6] = {};  ///< 1/(kg m2), in the order of KeptLaneTensor
     };
@@ -173,7 +175,7 @@ private:
         std::uint32_t found[solverLanes] = {};
     };
     template <class Pass>
-    void forEachBooked(Pass pass);
+    void forEachWithWork(Pass pass);
     template <class Pass>
     void forEachColour(int passes, Pass pass);
     template <class Pass>
@@ -192,21 +194,21 @@ private:
     int m_alone = 0;                     ///< steps for which the site is not cut
     std::vector<double> m_fastest;       ///< m/s, [contacts] speed of approach
     std::vector<Group> m_groups;
-    std::vector<char> m_back;             ///< [groups] contacts and points have what the passes made
-    std::vector<std::uint32_t> m_booked;  ///< groups
+    std::vector<char> m_back;               ///< [groups] contacts and points have what the passes made
+    std::vector<std::uint32_t> m_withWork;  ///< groups
     std::vector<LaneContacts> m_lanes;
     std::vector<LaneTally> m_tallies;  ///< beside them
     std::vector<LanePoint> m_lanePoints;
     std::vector<LanePointTally> m_pointTallies;  ///< beside them, as the next ones
     std::vector<LanePointWork> m_laneWorks;
-    std::vector<Grip> m_grips;  ///< [bodies], as the next ones
+    std::vector<MassProperties> m_massProperties;  ///< [bodies], as the next ones
     std::vector<LaneBody> m_laneBodies;
     std::vector<LaneTravel> m_laneTravel;
     std::vector<LanePose> m_lanePoses;
     std::vector<LaneSolid> m_laneSolids;
-    std::vector<LaneParting> m_partings;  ///< beside the contacts
-    std::vector<LanePart> m_parts;        ///< beside the points
-    std::vector<LaneWay> m_parted;        ///< [bodies]
+    std::vector<LaneCorrection> m_laneCorrections;        ///< beside the contacts
+    std::vector<LaneCorrectionPoint> m_correctionPoints;  ///< beside the points
+    std::vector<LaneWay> m_corrections;                   ///< [bodies]
 };
 
 }  // namespace rubble

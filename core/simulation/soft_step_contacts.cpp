@@ -1,9 +1,10 @@
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 
 #include "core/base/elapsed.h"
-#include "core/base/near.h"
+#include "core/base/prefetch.h"
 #include "core/simulation/constants.h"
 #include "core/simulation/hull_contact.h"
 #include "core/simulation/soft_step_world.h"
@@ -72,10 +73,11 @@ void SoftStepWorld::collideHullParts(const Collider& a, std::size_t i, const Col
 }
 
 void SoftStepWorld::collidePair(const Pair& pair, double dt, std::vector<FoundContact>& found) const {
-    const Entered& a = m_entered[pair.a];
-    const Entered& b = m_entered[pair.b];
+    const BroadPhaseEntry& a = m_entries[pair.a];
+    const BroadPhaseEntry& b = m_entries[pair.b];
     const double margin = marginOf(pair.a, pair.b, dt);
     const std::size_t partsA = a.collider->parts.size(), partsB = b.collider->parts.size();
+    assert(partsA <= std::numeric_limits<std::uint32_t>::max() / partsPerShape && partsB <= partsPerShape);
     for (std::size_t i = 0; i < partsA; ++i) {
         for (std::size_t j = 0; j < partsB; ++j) {
             const PlacedBox& boxA = m_placed[a.part + i];
@@ -97,9 +99,9 @@ void SoftStepWorld::collidePair(const Pair& pair, double dt, std::vector<FoundCo
 void SoftStepWorld::collidePairs(const std::vector<Pair>& pairs, Kind kind, double dt) {
     const auto from = Clock::now();
     for (const Pair& pair : pairs) {
-        if (m_entered[pair.a].hull || m_entered[pair.b].hull) {
-            prepareHulls(*m_entered[pair.a].collider);
-            prepareHulls(*m_entered[pair.b].collider);
+        if (m_entries[pair.a].hull || m_entries[pair.b].hull) {
+            prepareHulls(*m_entries[pair.a].collider);
+            prepareHulls(*m_entries[pair.b].collider);
         }
     }
     constexpr std::size_t grain = 256;
@@ -108,7 +110,7 @@ void SoftStepWorld::collidePairs(const std::vector<Pair>& pairs, Kind kind, doub
         std::vector<FoundContact>& found = m_parts[begin + first / grain];
         for (std::size_t i = first; i < last; ++i) {
             if (i + recordsAhead < last) {
-                bringNear(m_placed[m_entered[pairs[i + recordsAhead].b].part]);
+                prefetch(m_placed[m_entries[pairs[i + recordsAhead].b].part]);
             }
             collidePair(pairs[i], dt, found);
         }
@@ -216,7 +218,7 @@ void SoftStepWorld::wakeByContact(const FoundContact& contact, std::vector<std::
         if (sleeper->kind != ColliderKind::Body || awake(*sleeper) || other->kind == ColliderKind::Ground) {
             continue;
         }
-        double closest = 1e300;
+        double closest = std::numeric_limits<double>::infinity();
         Vec3 where = Vec3::Zero();
         for (const PatchPoint& point : std::span(patch.points).first(static_cast<std::size_t>(patch.count))) {
             if (point.separation < closest) {
@@ -335,7 +337,7 @@ void SoftStepWorld::takeFound(double dt) {
             std::size_t end = first;
             for (; end < found.size() && found[end].pair == pair; ++end) {
                 if (end + recordsAhead < found.size()) {
-                    bringNear(*found[end + recordsAhead].contact);
+                    prefetch(*found[end + recordsAhead].contact);
                 }
                 SoftContact& contact = m_contacts[end];
                 take(*found[end].contact, contact);

@@ -42,7 +42,7 @@ bool SoftStepWorld::mayMeet(ColliderKind a, ColliderKind b) const {
 /// Pairs of which one stirs and whose ways in this step may cross, in the order of their numbers.
 void SoftStepWorld::findPairs() {
     for (const std::uint32_t number : m_stirring) {
-        m_entered[number].stirs = false;
+        m_entries[number].stirs = false;
     }
     m_stirring.clear();
     for (const std::uint32_t i : m_awake) {
@@ -56,13 +56,13 @@ void SoftStepWorld::findPairs() {
     constexpr std::size_t grain = 128;
     m_pool.loop(m_stirring.size(), grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            Entered& entered = m_entered[m_stirring[i]];
+            BroadPhaseEntry& entered = m_entries[m_stirring[i]];
             entered.stirs = true;
             entered.swept = solidOf(*entered.collider).swept;
         }
     });
     for (const std::uint32_t number : m_stirring) {
-        m_boxes.set(number, m_entered[number].swept);
+        m_boxes.set(number, m_entries[number].swept);
     }
     m_boxes.refit();
 
@@ -74,9 +74,9 @@ void SoftStepWorld::findPairs() {
         std::vector<ColliderPair>& found = m_pairParts[first / grain];
         for (std::size_t i = first; i < last; ++i) {
             const std::uint32_t number = m_stirring[i];
-            const Entered& own = m_entered[number];
+            const BroadPhaseEntry& own = m_entries[number];
             m_boxes.find(own.swept, [&](std::uint32_t other) {
-                const Entered& met = m_entered[other];
+                const BroadPhaseEntry& met = m_entries[other];
                 // Of two that stir the older one finds the younger one.
                 const bool foundThere = met.stirs && other <= number;
                 if (!foundThere && mayMeet(own.kind, met.kind) && own.swept.intersects(met.swept)) {
@@ -88,9 +88,9 @@ void SoftStepWorld::findPairs() {
     for (std::vector<Pair>& list : m_pairs) {
         list.clear();
     }
-    for (const ColliderPair pair : inOrder(m_pairParts, m_entered.size(), m_pool)) {
-        const Entered& a = m_entered[firstOf(pair)];
-        const Entered& b = m_entered[secondOf(pair)];
+    for (const ColliderPair pair : inOrder(m_pairParts, m_entries.size(), m_pool)) {
+        const BroadPhaseEntry& a = m_entries[firstOf(pair)];
+        const BroadPhaseEntry& b = m_entries[secondOf(pair)];
         const bool structure = a.kind == ColliderKind::Piece || b.kind == ColliderKind::Piece;
         m_pairs[structure ? Structure : Fragments].push_back({firstOf(pair), secondOf(pair)});
     }
@@ -101,7 +101,7 @@ void SoftStepWorld::findPairsOfWoken(const std::vector<std::uint32_t>& woken, do
                                      std::vector<Pair>& fragments) const {
     for (const std::uint32_t i : woken) {
         Collider& own = *m_bodies[i].collider;
-        if (m_entered[own.number].stirs) {
+        if (m_entries[own.number].stirs) {
             continue;
         }
         Aabb swept = m_bodies[i].swept;
@@ -109,8 +109,8 @@ void SoftStepWorld::findPairsOfWoken(const std::vector<std::uint32_t>& woken, do
         swept.min().array() -= m_settings.gravity * dt * dt;
         swept.max().array() += m_settings.gravity * dt * dt;
         m_boxes.find(swept, [&](std::uint32_t other) {
-            Collider& met = *m_entered[other].collider;
-            if (m_entered[other].stirs || (awake(met) && other <= own.number) || !mayMeet(own.kind, met.kind)) {
+            Collider& met = *m_entries[other].collider;
+            if (m_entries[other].stirs || (awake(met) && other <= own.number) || !mayMeet(own.kind, met.kind)) {
                 return;
             }
             (met.kind == ColliderKind::Piece ? structure : fragments)

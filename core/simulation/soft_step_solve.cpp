@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/near.h"
+#include "core/base/prefetch.h"
 #include "core/simulation/constants.h"
 #include "core/simulation/height_order.h"
 #include "core/simulation/soft_step_world.h"
@@ -215,7 +215,7 @@ void SoftStepWorld::buildSolver(double h) {
     std::erase_if(m_taken, [&](const Taken& x) { return x.points == 0 || (x.a >= m_awake.size() && x.b >= m_awake.size()); });
     sortByHeight(m_taken);
     const std::vector<Taken>& taken = m_taken;
-    weighDown();
+    limitMassRatios();
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ends(taken.size());
     std::transform(taken.begin(), taken.end(), ends.begin(), [](const Taken& x) { return std::pair{x.a, x.b}; });
     ContactColours colours;
@@ -254,13 +254,13 @@ void SoftStepWorld::buildSolver(double h) {
                                 SolverContact& c = m_solver.contacts[k];
                                 fillContact(m_contacts[c.found], c, frequency, h);
                             },
-                        .ask = [&](std::uint32_t k) { askFor(m_solver.contacts[k]); }});
+                        .prefetch = [&](std::uint32_t k) { prefetchFor(m_solver.contacts[k]); }});
 }
 
 /// m by which the two are brought apart by position only in this step: overlap at birth, or what others have jammed.
-double SoftStepWorld::partingOf(const SoftContact& contact, double thickness, double dt) const {
+double SoftStepWorld::correctionOf(const SoftContact& contact, double thickness, double dt) const {
     // Every pair has its time for it, so that a pile comes to rest with what it cannot get rid of.
-    const double overlap = contact.partedFor < m_settings.overlapTime ? contact.offset : 0.0;
+    const double overlap = contact.correctedFor < m_settings.overlapTime ? contact.offset : 0.0;
     // Only where overlap at birth pushes bodies about; elsewhere contacts alone decide how deep they carry.
     const auto points = std::span(contact.points).first(static_cast<std::size_t>(contact.count));
     double push = 0.0;
@@ -286,10 +286,10 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
     // What is limited or still overlaps does not bounce.
     c.restitution = contact.offset > 0.0 || c.driven ? 0.0 : pair.restitution;
     // What a body in overlap does to others, overlap does.
-    c.booked = !c.driven && (contact.offset > 0.0 || a.swelling || b.swelling);
+    c.countsWork = !c.driven && (contact.offset > 0.0 || a.swelling || b.swelling);
     c.impulseLimit = -1.0;
     const double thickness = std::min(a.thickness, b.thickness);
-    c.parting = c.driven ? 0.0 : partingOf(contact, thickness, h * m_substeps);
+    c.correction = c.driven ? 0.0 : correctionOf(contact, thickness, h * m_substeps);
     const bool immovable = c.a >= m_awake.size() || c.b >= m_awake.size();
     c.lift = immovable ? (c.a >= m_awake.size() ? 1.0 : -1.0) * m_settings.gravity * h : 0.0;
     c.frequency = immovable ? 2.0 * frequency : frequency;
@@ -331,7 +331,7 @@ void SoftStepWorld::fillContact(const SoftContact& contact, SolverContact& c, do
 /// A light body that stands on something cannot be pressed away by a heavy one above it; passes over pairs alone would take as many
 /// rounds as the ratio of the masses to find that out. It counts as heavier, from the top of a stack down, and in all its contacts
 /// alike: were it heavy in one and light in another, their impulses would outgrow each other.
-void SoftStepWorld::weighDown() {
+void SoftStepWorld::limitMassRatios() {
     for (auto entry = m_taken.rbegin(); entry != m_taken.rend(); ++entry) {
         if (entry->a >= m_awake.size() || entry->b >= m_awake.size() || entry->support == Support::None) {
             continue;
@@ -391,7 +391,7 @@ bool SoftStepWorld::unloads(const SoftContact& contact) const {
 /// comes apart like all of it; taken for a load, it would be fought by impulses. The ground does not take any: what is pressed into
 /// it is pushed up again. Nor does less than jammingPush count: columns that only touch would stand and spread otherwise than
 /// grains.
-double SoftStepWorld::pressedByParting(const SolverContact& c, const SoftContact& contact) const {
+double SoftStepWorld::pressedByCorrection(const SolverContact& c, const SoftContact& contact) const {
     if (contact.a->kind == ColliderKind::Ground) {
         return 0.0;
     }
@@ -399,8 +399,8 @@ double SoftStepWorld::pressedByParting(const SolverContact& c, const SoftContact
         if (slot >= m_awake.size()) {
             return Vec3(Vec3::Zero());
         }
-        const SolverWay parted = m_solver.parted(slot);
-        return Vec3(parted.moved + parted.turned.cross(arm));
+        const SolverWay way = m_solver.correctionOf(slot);
+        return Vec3(way.moved + way.turned.cross(arm));
     };
     double pressed = 0.0;
     for (std::uint32_t k = 0; k < c.points; ++k) {
@@ -427,19 +427,19 @@ void SoftStepWorld::takeResult(const SolverContact& c, Outcome& outcome) {
     if (outcome.points > 0) {
         noteSupport(c);
     }
-    if (m_parting) {
-        contact.offset += pressedByParting(c, contact);
+    if (m_correcting) {
+        contact.offset += pressedByCorrection(c, contact);
     }
-    contact.partedFor += c.parting > 0.0 ? m_substepLength * m_substeps : 0.0;
+    contact.correctedFor += c.correction > 0.0 ? m_substepLength * m_substeps : 0.0;
     contact.load += loadMemory * (loadOf(contact) - contact.load);
     if ((c.a == m_stillSlot || c.b == m_stillSlot) && unloads(contact)) {
         const bool sleeperIsA = contact.a->kind == ColliderKind::Body && !awake(*contact.a);
         outcome.unloaded = (sleeperIsA ? contact.a : contact.b)->index;
     }
-    outcome.work = c.driven || c.booked ? c.work : 0.0;
+    outcome.work = c.driven || c.countsWork ? c.work : 0.0;
     outcome.driven = c.driven;
     if (c.driven) {
-        bookPiece(contact, c, pushed);
+        accountForPiece(contact, c, pushed);
     }
 }
 
@@ -447,7 +447,7 @@ void SoftStepWorld::takeResult(const SolverContact& c, Outcome& outcome) {
 void SoftStepWorld::takeResults() {
     m_outcomes.resize(m_solver.contacts.size());
     m_solver.takeBack({.take = [&](std::uint32_t k) { takeResult(m_solver.contacts[k], m_outcomes[k]); },
-                       .ask = [&](std::uint32_t k) { askFor(m_solver.contacts[k]); }});
+                       .prefetch = [&](std::uint32_t k) { prefetchFor(m_solver.contacts[k]); }});
     m_report.pairs = 0;
     m_report.points = 0;
     for (const Outcome& outcome : m_outcomes) {
@@ -462,7 +462,7 @@ void SoftStepWorld::takeResults() {
     }
 }
 
-void SoftStepWorld::bookPiece(SoftContact& contact, const SolverContact& c, double pushed) {
+void SoftStepWorld::accountForPiece(SoftContact& contact, const SolverContact& c, double pushed) {
     const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
     Collider& body = pieceIsA ? *contact.b : *contact.a;
     if (pushed <= 0.0) {

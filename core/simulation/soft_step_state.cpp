@@ -37,7 +37,7 @@ void SoftStepWorld::keepSolids(Archive& archive, std::vector<Solid>& solids, std
         enter(collider);
         if (!collider.newborn) {
             place(solid);
-            m_entered[collider.number].swept = solid.swept;
+            m_entries[collider.number].swept = solid.swept;
             m_boxes.set(collider.number, solid.swept);
         }
     }
@@ -48,7 +48,7 @@ Collider* SoftStepWorld::colliderNumbered(std::uint32_t number) {
     if (number == m_ground.number) {
         return &m_ground;
     }
-    return number < m_entered.size() ? m_entered[number].collider : nullptr;
+    return number < m_entries.size() ? m_entries[number].collider : nullptr;
 }
 
 void SoftStepWorld::keepContacts(Archive& archive, std::vector<SoftContact>& contacts) {

@@ -62,9 +62,9 @@ void SoftStepWorld::addPiece(Collider* piece) {
 }
 
 void SoftStepWorld::enter(Collider& collider) {
-    m_entered.resize(std::max<std::size_t>(m_entered.size(), collider.number + 1));
-    m_paces.resize(m_entered.size());
-    Entered& entered = m_entered[collider.number];
+    m_entries.resize(std::max<std::size_t>(m_entries.size(), collider.number + 1));
+    m_paces.resize(m_entries.size());
+    BroadPhaseEntry& entered = m_entries[collider.number];
     entered.collider = &collider;
     entered.kind = collider.kind;
     entered.hull = std::ranges::any_of(collider.parts, [](const ConvexPart& p) { return !p.points.empty(); });
@@ -75,7 +75,7 @@ void SoftStepWorld::enter(Collider& collider) {
 void SoftStepWorld::forget(Collider& collider) {
     Solid& solid = solidOf(collider);
     solid.collider = nullptr;
-    m_entered[collider.number].collider = nullptr;
+    m_entries[collider.number].collider = nullptr;
     if (collider.kind == ColliderKind::Body) {
         m_still[collider.index] = 1;
     }
@@ -203,15 +203,15 @@ void SoftStepWorld::substeps(double dt) {
         const auto start = Clock::now();
         runHook(h);
         hook += m_hook ? secondsSince(start) : 0.0;
-        m_solver.fall(m_settings.gravity * h);
+        m_solver.applyGravity(m_settings.gravity * h);
         m_solver.solveSoft(pushOutSpeed);
         const auto moving = Clock::now();
         m_report.speedLimits += m_solver.move(m_settings.gravity);
         motion += secondsSince(moving);
         m_solver.relax();
-        m_solver.book();
+        m_solver.accumulateWork();
     }
-    m_parting = m_solver.part();
+    m_correcting = m_solver.correctPositions();
     m_solver.end();
     m_solver.restitute(restitutionThreshold);
     m_pool.loop(m_awake.size(), 512, [&](std::size_t first, std::size_t last) {
@@ -314,7 +314,7 @@ void SoftStepWorld::writeBack(double dt) {
             solid.spin = moved.spin;
             solid.active = moved.active;
             solid.supported = m_supportedNow[i] != 0;
-            lifting[i] = bringApart(i, dt) + keepAboveGround(solid, dt);
+            lifting[i] = applyCorrection(i, dt) + keepAboveGround(solid, dt);
             btRigidBody& object = *solid.collider->object;
             object.setWorldTransform(toBullet(solid.pose));
             object.setLinearVelocity(toBullet(solid.velocity));
@@ -333,14 +333,14 @@ void SoftStepWorld::writeBack(double dt) {
 
 /// Moves and turns what lies in others from birth or is jammed in them, without a change of its speed. Returns the work [J] that it
 /// took.
-double SoftStepWorld::bringApart(std::size_t slot, double dt) {
-    if (!m_parting) {
+double SoftStepWorld::applyCorrection(std::size_t slot, double dt) {
+    if (!m_correcting) {
         return 0.0;
     }
     Solid& solid = m_bodies[m_awake[slot]];
-    auto [way, turned] = m_solver.parted(slot);
+    auto [way, turned] = m_solver.correctionOf(slot);
     const double length = way.norm() + turned.norm() * solid.collider->radius;
-    const double most = partingReach * m_settings.overlapSpeed * dt;
+    const double most = correctionReach * m_settings.overlapSpeed * dt;
     if (length > most) {
         way *= most / length;
         turned *= most / length;
@@ -443,7 +443,7 @@ void SoftStepWorld::freeze(Collider& body) {
     body.object->setAngularVelocity(btVector3(0, 0, 0));
     place(solid);
     sweep(solid, 0.0);
-    m_entered[body.number].swept = solid.swept;
+    m_entries[body.number].swept = solid.swept;
     m_boxes.set(body.number, solid.swept);
 }
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/near.h"
+#include "core/base/prefetch.h"
 #include "core/simulation/box_contact.h"
 #include "core/simulation/box_index.h"
 #include "core/simulation/collider.h"
@@ -23,7 +23,8 @@ namespace rubble {
 
 /// Bullet's world stepped by soft contacts in small substeps. Shapes and the geometry of hulls are Bullet's; the search for pairs,
 /// box and ground contact, solver, freeze, births and pieces are Rubble's. One step: boxes swept by the motion ahead, pairs,
-/// contacts once, then substeps of {the caller's hook, gravity, one soft pass, move, one relax pass}, restitution, freeze and thaw.
+/// contacts once, then substeps of {the caller's hook, gravity, one soft pass, move, three relax passes}, position correction,
+/// restitution, freeze and thaw.
 /// Every contact has its place in an order of its own, so neither threads nor the history of the search for pairs reach a result.
 class SoftStepWorld : public btDiscreteDynamicsWorld {
 public:
@@ -76,7 +77,7 @@ private:
         std::uint32_t a = 0, b = 0;  ///< numbers, in the order in which they entered
     };
     /// What the search for pairs looks at in a collider, side by side.
-    struct alignas(64) Entered {
+    struct alignas(64) BroadPhaseEntry {
         Aabb swept;
         Collider* collider = nullptr;  ///< null once gone
         ColliderKind kind = ColliderKind::Body;
@@ -92,9 +93,9 @@ private:
     /// What contacts ask of a body or piece, on a line of the cache of its own.
     struct alignas(64) Side {
         Vec3 centre = Vec3::Zero();
-        double inverseMass = 0.0;  ///< 1/kg, as the solver takes it
-        double yield = 1.0;        ///< share of the true one that this is
-        double thickness = 1e300;  ///< m
+        double inverseMass = 0.0;                                    ///< 1/kg, as the solver takes it
+        double yield = 1.0;                                          ///< share of the true one that this is
+        double thickness = std::numeric_limits<double>::infinity();  ///< m
         Material material = Material::Concrete;
         bool swelling = false;  ///< a body that is in overlap from birth in this step
     };
@@ -147,7 +148,7 @@ private:
                           std::vector<Pair>& fragments) const;
     bool mayMeet(ColliderKind a, ColliderKind b) const;
     std::span<PlacedBox> placedOf(const Collider& c) {
-        return std::span(m_placed).subspan(m_entered[c.number].part, c.parts.size());
+        return std::span(m_placed).subspan(m_entries[c.number].part, c.parts.size());
     }
     double marginOf(std::uint32_t a, std::uint32_t b, double dt) const;
     void collideAll(double dt);
@@ -175,13 +176,15 @@ private:
     Taken taken(std::size_t contact);
     double thinLoad(const SoftContact& contact) const;
     void buildSolver(double h);
-    static double thicknessOf(const Collider& c) { return c.kind == ColliderKind::Body ? c.smallestSide : 1e300; }
+    static double thicknessOf(const Collider& c) {
+        return c.kind == ColliderKind::Body ? c.smallestSide : std::numeric_limits<double>::infinity();
+    }
     Side sideOf(const Collider& collider) const;
     const Side& sideOf(std::uint32_t slot, const Collider& collider, Side& still) const;
-    double partingOf(const SoftContact& contact, double thickness, double dt) const;
+    double correctionOf(const SoftContact& contact, double thickness, double dt) const;
     void fillContact(const SoftContact& contact, SolverContact& c, double frequency, double h);
     static bool idle(const SoftContact& contact);
-    void weighDown();
+    void limitMassRatios();
     double yieldOf(const SolverContact& c) const;
     void noteSupport(const SolverContact& c);
     Vec3 loadOf(const SoftContact& contact) const;
@@ -192,13 +195,13 @@ private:
     static double sinkAllowed(double thickness);
     void prepareHook();
     void runHook(double h);
-    void askFor(const SolverContact& c) const { bringNear(m_contacts[c.found], SoftContact::bytes(c.points)); }
+    void prefetchFor(const SolverContact& c) const { prefetch(m_contacts[c.found], SoftContact::bytes(c.points)); }
     void takeResult(const SolverContact& c, Outcome& outcome);
     void takeResults();
-    double pressedByParting(const SolverContact& c, const SoftContact& contact) const;
-    void bookPiece(SoftContact& contact, const SolverContact& c, double pushed);
+    double pressedByCorrection(const SolverContact& c, const SoftContact& contact) const;
+    void accountForPiece(SoftContact& contact, const SolverContact& c, double pushed);
     void writeBack(double dt);
-    double bringApart(std::size_t slot, double dt);
+    double applyCorrection(std::size_t slot, double dt);
     double keepAboveGround(Solid& solid, double dt) const;
     void settle(double dt);
     void putAsideWhatRests(const std::vector<char>& froze);
@@ -236,12 +239,12 @@ private:
     std::vector<double> m_reach;                    ///< m/s, [slots] that its corners may get to
     std::vector<SlotPair> m_ends;                   ///< [contacts of the solver]
     std::array<double, Kinds> m_points{};           ///< contact points that the solver got, by kind
-    bool m_parting = false;                         ///< bodies come apart by position in this step
+    bool m_correcting = false;                      ///< bodies come apart by position in this step
     int m_substeps = 1;                             ///< of this step
     double m_substepLength = 0.0;                   ///< s, of the step before: what the impulses carried on are for
     std::vector<Pair> m_pairs[Kinds];
     BoxIndex m_boxes;                                    ///< swept boxes by number
-    std::vector<Entered> m_entered;                      ///< [numbers]
+    std::vector<BroadPhaseEntry> m_entries;              ///< [numbers]
     std::vector<Pace> m_paces;                           ///< [numbers], at the start of the step
     std::vector<PlacedBox> m_placed;                     ///< of the parts of every collider that entered, at the start of the step
     std::vector<std::uint32_t> m_stirring;               ///< numbers, in this step

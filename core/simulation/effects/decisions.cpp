@@ -240,7 +240,9 @@ Verdict Decider::structureContact() const {
         if (!m_reach[c].box.isEmpty()) {
             best = tree.nearest(m_reach[c].box, m_scene.clustering.list[c].handOverState, noTag, touching, best);
         }
-        falling = best.gap < before ? c : falling;
+        if (best.gap < before) {
+            falling = c;
+        }
     }
     const double released = deepestOverlap(m_live.released, m_live.standing);
     if (best.gap >= -touching && released > touching) {
@@ -300,7 +302,9 @@ Verdict Decider::fragmentContact() const {
     for (const TimedBox& column : each) {
         const double before = best.gap;
         best = tree.nearest(column.box, -1, column.tag, touching, best);
-        other = best.gap < before ? column.tag : other;
+        if (best.gap < before) {
+            other = column.tag;
+        }
         if (best.gap < -touching) {
             break;
         }

@@ -8,7 +8,9 @@ namespace {
 
 SimulationSettings pieceSettings(const RunDescription& description, bool on) {
     SimulationSettings settings = description.scenario.simulation;
-    settings.pieces = on ? settings.pieces : PieceKind::None;
+    if (!on) {
+        settings.pieces = PieceKind::None;
+    }
     return settings;
 }
 

@@ -114,8 +114,11 @@ void Ties::form(const TieSite& site, const Ends& ends, const RigidWorld& world) 
 void Ties::leaving(BodyId body) {
     std::erase_if(m_ties, [&](const Tie& tie) { return tie.a == body || tie.b == body; });
     for (Ends& ends : m_ends) {
-        ends.first = ends.first == static_cast<std::int64_t>(at(body)) ? -1 : ends.first;
-        ends.second = ends.second == static_cast<std::int64_t>(at(body)) ? -1 : ends.second;
+        for (std::int64_t* end : {&ends.first, &ends.second}) {
+            if (*end == static_cast<std::int64_t>(at(body))) {
+                *end = -1;
+            }
+        }
     }
 }
 

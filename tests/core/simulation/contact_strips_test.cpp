@@ -49,8 +49,8 @@ struct Heap {
                 scenes::solverContact(ends[k], k, solver.points.size(), Vec3(between(-0.5, 0.5), between(-0.5, 0.5), 1.0), h);
             c.x = 0.1f * static_cast<float>(c.b);
             c.y = static_cast<float>(between(0.0, 5.0));
-            c.booked = k % 3 == 0;
-            c.parting = k % 4 == 0 ? 0.01 : 0.0;
+            c.countsWork = k % 3 == 0;
+            c.correction = k % 4 == 0 ? 0.01 : 0.0;
             for (std::uint32_t n = 0; n < c.points; ++n) {
                 solver.points.push_back(scenes::solverPoint(between));
             }
@@ -68,12 +68,12 @@ struct Heap {
             for (int substep = 0; substep < 2; ++substep) {
                 solver.solveSoft(1.0);
                 solver.relax();
-                solver.book();
+                solver.accumulateWork();
             }
-            EXPECT_TRUE(solver.part());
+            EXPECT_TRUE(solver.correctPositions());
             solver.end();
             for (std::uint32_t i = 0; i < bodies; ++i) {
-                const Vec3 moved = solver.parted(i).moved;
+                const Vec3 moved = solver.correctionOf(i).moved;
                 numbers.insert(numbers.end(), moved.begin(), moved.end());
                 numbers.insert(numbers.end(), solver.bodies[i].velocity.begin(), solver.bodies[i].velocity.end());
                 numbers.insert(numbers.end(), solver.bodies[i].spin.begin(), solver.bodies[i].spin.end());

@@ -45,8 +45,8 @@ struct Column {
             SolverContact c =
                 scenes::solverContact(ends[k], k, solver.points.size(), Vec3(between(-0.2, 0.2), between(-0.2, 0.2), 1.0), h);
             c.impulseLimit = k % 5 == 0 ? 0.02 : -1.0;
-            c.booked = k % 2 == 0;
-            c.parting = k % 4 == 0 ? 0.2 : 0.0;
+            c.countsWork = k % 2 == 0;
+            c.correction = k % 4 == 0 ? 0.2 : 0.0;
             for (std::uint32_t n = 0; n < c.points; ++n) {
                 solver.points.push_back(scenes::solverPoint(between));
             }
@@ -62,25 +62,25 @@ struct Column {
     }
 
     void substep() {
-        solver.fall(standardGravity * h);
+        solver.applyGravity(standardGravity * h);
         solver.solveSoft(1.0);
         solver.move(standardGravity);
         solver.relax();
-        solver.book();
+        solver.accumulateWork();
     }
 };
 
-/// Compares with the make for every processor what another one leaves, to the bit.
-void expectAlike(const LanePasses& make) {
+/// Compares with the variant for every processor what another one leaves, to the bit.
+void expectAlike(const LanePasses& variant) {
     Column common(7), fast(7);
     common.solver.use(commonLanePasses());
-    fast.solver.use(make);
+    fast.solver.use(variant);
     for (int i = 0; i < 8; ++i) {
         common.substep();
         fast.substep();
     }
     for (Column* column : {&common, &fast}) {
-        EXPECT_TRUE(column->solver.part());
+        EXPECT_TRUE(column->solver.correctPositions());
         column->solver.end();
         column->solver.takeBack({});
     }
@@ -93,8 +93,8 @@ void expectAlike(const LanePasses& make) {
         EXPECT_EQ(a.pose.orientation.coeffs(), b.pose.orientation.coeffs()) << i;
         EXPECT_EQ(a.moved, b.moved) << i;
         EXPECT_EQ(a.turned, b.turned) << i;
-        EXPECT_EQ(common.solver.parted(i).moved, fast.solver.parted(i).moved) << i;
-        EXPECT_EQ(common.solver.parted(i).turned, fast.solver.parted(i).turned) << i;
+        EXPECT_EQ(common.solver.correctionOf(i).moved, fast.solver.correctionOf(i).moved) << i;
+        EXPECT_EQ(common.solver.correctionOf(i).turned, fast.solver.correctionOf(i).turned) << i;
     }
     for (std::size_t i = 0; i < common.solver.points.size(); ++i) {
         EXPECT_EQ(common.solver.points[i].impulseSum, fast.solver.points[i].impulseSum) << i;
@@ -104,7 +104,7 @@ void expectAlike(const LanePasses& make) {
 }
 
 TEST(SoftLanes, AllMakesRoundAlike) {
-    // A processor that takes the widest make has the other one as well.
+    // A processor that takes the widest variant has the other one as well.
     if (wideLanePasses() != nullptr && &lanePasses() != &commonLanePasses()) {
         expectAlike(*wideLanePasses());
         expectAlike(lanePasses());
@@ -127,7 +127,7 @@ TEST(SoftLanes, BodiesInTheMiddleOfAStepMoveLikeThoseAtItsEnds) {
         solver.begin(bodies);
         solver.layOut(Column::h, {});
         for (int substep = 0; substep < 4; ++substep) {
-            solver.fall(standardGravity * Column::h);
+            solver.applyGravity(standardGravity * Column::h);
             EXPECT_EQ(solver.move(standardGravity), 0);
         }
         solver.end();
@@ -192,18 +192,18 @@ TEST(SoftLanes, PushesApartGoOnFromTheStepBefore) {
     // are too few. What is open may close first.
     Column column(7, Column::bodies);
     for (SolverContact& c : column.solver.contacts) {
-        c.parting = 0.2;
+        c.correction = 0.2;
     }
     column.prepare();
     const auto missing = [&] {
-        EXPECT_TRUE(column.solver.part());
+        EXPECT_TRUE(column.solver.correctPositions());
         double most = 0.0;
         for (const SolverContact& c : column.solver.contacts) {
-            const SolverWay a = column.solver.parted(c.a), b = column.solver.parted(c.b);
+            const SolverWay a = column.solver.correctionOf(c.a), b = column.solver.correctionOf(c.b);
             for (std::uint32_t k = 0; k < c.points; ++k) {
                 const SolverPoint& p = column.solver.points[c.firstPoint + k];
                 const Vec3 way = b.moved + b.turned.cross(p.fromB) - a.moved - a.turned.cross(p.fromA);
-                most = std::max(most, c.parting - std::max(0.0, p.separation) - c.normal.dot(way));
+                most = std::max(most, c.correction - std::max(0.0, p.separation) - c.normal.dot(way));
             }
         }
         return most;
@@ -245,8 +245,8 @@ TEST(SoftLanes, ContactsKeepMomentum) {
 TEST(SoftLanes, WorkBookedCoversWhatContactsPutIn) {
     Column column(11);
     for (SolverContact& c : column.solver.contacts) {
-        c.booked = true;
-        c.parting = 0.2;
+        c.countsWork = true;
+        c.correction = 0.2;
     }
     for (SolverBody& body : column.solver.bodies) {
         body.velocity = body.spin = Vec3::Zero();
@@ -263,7 +263,7 @@ TEST(SoftLanes, WorkBookedCoversWhatContactsPutIn) {
     const double before = energy();
     column.solver.solveSoft(1.0);
     column.solver.relax();
-    column.solver.book();
+    column.solver.accumulateWork();
     column.solver.end();
     column.solver.takeBack({});
     double work = 0.0;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/simulation/constants.h"
+#include "core/simulation/scene_rules.h"
 
 namespace rubble {
 
@@ -38,7 +38,7 @@ bool BirthOverlaps::pushedInVain(ColliderPair pair, double depth) {
     Entry& entry = m_entries[pair];
     entry.pushes = entry.pushed + 1 == m_step ? entry.pushes + 1 : 1;
     entry.pushed = entry.seen = m_step;
-    if (entry.pushes < piecePushes) {
+    if (!givesWayToPushes(entry.pushes)) {
         return false;
     }
     entry.yielded = true;
@@ -48,14 +48,13 @@ bool BirthOverlaps::pushedInVain(ColliderPair pair, double depth) {
 
 double BirthOverlaps::pressLeft(ColliderPair pair) const {
     const auto entry = m_entries.find(pair);
-    return entry == m_entries.end() ? piecePressSpeed : std::max(0.0, piecePressSpeed - entry->second.pressed);
+    return rubble::pressLeft(entry == m_entries.end() ? 0.0 : entry->second.pressed);
 }
 
 bool BirthOverlaps::pressed(ColliderPair pair, double depth, double speed) {
     Entry& entry = m_entries[pair];
-    entry.pressed += speed;
     entry.pushed = entry.seen = m_step;
-    if (entry.pressed < 0.99 * piecePressSpeed) {
+    if (!givesWayToPress(entry.pressed, speed)) {
         return false;
     }
     entry.yielded = true;

@@ -74,18 +74,6 @@ OwnedShape makeBulletShape(const CollisionShape& parts) {
     return made;
 }
 
-double outerRadius(const CollisionShape& parts) {
-    double radius = 0.0;
-    for (const ConvexPart& part : parts) {
-        const Mat3 axes = part.box.orientation.toRotationMatrix();
-        for (int corner = 0; corner < 8; ++corner) {
-            const Vec3 sign(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
-            radius = std::max(radius, (part.box.centre + axes * sign.cwiseProduct(part.box.halfExtents)).norm());
-        }
-    }
-    return radius;
-}
-
 FragmentDispatcher::FragmentDispatcher(btCollisionConfiguration* configuration, std::function<bool()> cancelled)
     : btCollisionDispatcher(configuration), m_cancelled(std::move(cancelled)) {
     setNearCallback(collide);

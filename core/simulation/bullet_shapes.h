@@ -40,9 +40,6 @@ struct OwnedShape {
 };
 OwnedShape makeBulletShape(const CollisionShape& parts);
 
-/// Distance of the farthest corner from the origin of the frame, m.
-double outerRadius(const CollisionShape& parts);
-
 /// Runs the narrow phase pair by pair, offset boxes included, and stops early when told to.
 class FragmentDispatcher : public btCollisionDispatcher {
 public:

@@ -5,8 +5,8 @@
 namespace rubble {
 
 void Collider::keep(Archive& archive) {
-    archive(number, newborn, moving, pushed, bornBelow, leaving, overlapping, justThawed, broken, touched, material, birthDepth,
-            penetration, overlapLeft, lifted, smallestSide, volume, mass, inertia, parts);
+    archive(number, newborn, moving, pushed, bornBelow, leaving, overlapping, justThawed, broken, material, birthDepth, penetration,
+            overlapLeft, lifted, smallestSide, volume, mass, inertia, parts);
 }
 
 OrientedBox boxAround(const CollisionShape& parts) {
@@ -28,23 +28,16 @@ OrientedBox boxAround(const CollisionShape& parts) {
     return box;
 }
 
-MovingBody movingBody(const Collider& collider) {
-    const btRigidBody& object = *collider.object;
-    MovingBody body;
-    body.id = idAt<BodyId>(collider.index);
-    const Pose pose = fromBullet(object.getWorldTransform());
-    body.position = pose.position;
-    body.orientation = pose.orientation;
-    body.velocity = fromBullet(object.getLinearVelocity());
-    body.spin = fromBullet(object.getAngularVelocity());
-    body.inverseMass = object.getInvMass();
-    const Vec3 inverse = fromBullet(object.getInvInertiaDiagLocal());
-    body.inertia = inverse.cwiseInverse();
-    const Mat3 axes = pose.orientation.toRotationMatrix();
-    body.inverseInertia = axes * inverse.asDiagonal() * axes.transpose();
-    body.box = collider.box;
-    body.volume = collider.volume;
-    return body;
+double outerRadius(const CollisionShape& parts) {
+    double radius = 0.0;
+    for (const ConvexPart& part : parts) {
+        const Mat3 axes = part.box.orientation.toRotationMatrix();
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 sign(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
+            radius = std::max(radius, (part.box.centre + axes * sign.cwiseProduct(part.box.halfExtents)).norm());
+        }
+    }
+    return radius;
 }
 
 }  // namespace rubble

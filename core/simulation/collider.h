@@ -1,19 +1,18 @@
 #pragma once
 
-#include <btBulletDynamicsCommon.h>
-
 #include <cstdint>
-#include <memory>
 
-#include "core/simulation/bullet_shapes.h"
 #include "core/simulation/rigid_world.h"
 
 namespace rubble {
 
 enum class ColliderKind : std::uint8_t { Ground, Body, Piece };
 
-/// What stands behind a Bullet object: its place in the order of entry, and what the steps need to know about it.
+/// What every engine knows of a body, a piece or the ground: its place in the order of entry, and what contacts did to it. Where it
+/// is and how it moves stands in the engine.
 struct Collider {
+    virtual ~Collider() = default;
+
     ColliderKind kind = ColliderKind::Body;
     std::uint32_t number = 0;  ///< among all colliders, in order of entry
     std::uint32_t index = 0;   ///< among those of its kind
@@ -25,7 +24,6 @@ struct Collider {
     bool overlapping = false;  ///< a body that is in overlap from birth in this step
     bool justThawed = false;   ///< its frozen neighbours are not noted yet
     bool broken = false;       ///< a body that was given a velocity that is no number; it goes on without
-    bool touched = false;      ///< a body that a contact acted on in this step
     Material material = Material::Concrete;
     double radius = 0.0;          ///< m, of the farthest corner
     double birthDepth = 0.0;      ///< m, inside older colliders
@@ -34,25 +32,17 @@ struct Collider {
     double lifted = 0.0;          ///< m, of a body: by being brought out of overlap at birth
     double smallestSide = 0.0;    ///< m, of a body
     double volume = 0.0;          ///< m3, of its material
-    double mass = 0.0;            ///< kg, of a body, as it entered: the engine holds the inverse
+    double mass = 0.0;            ///< kg, of a body
     Vec3 inertia = Vec3::Zero();  ///< kg m2, likewise
-    const PairTable* pairs = nullptr;
     CollisionShape parts;
-    OrientedBox box;            ///< around the parts
-    Vec3 shift = Vec3::Zero();  ///< m, by which this step's bleeding moves the body
-    OwnedShape shape;
-    std::unique_ptr<btRigidBody> object;
+    OrientedBox box;  ///< around the parts
 
     /// All but what follows from kind, place and parts.
     void keep(Archive& archive);
 };
 
-inline Collider& colliderOf(const btCollisionObject* object) {
-    return *static_cast<Collider*>(object->getUserPointer());
-}
-
-/// The state of a body as the substeps see it.
-MovingBody movingBody(const Collider& collider);
+/// Distance of the farthest corner from the origin of the frame, m.
+double outerRadius(const CollisionShape& parts);
 
 /// The box around all parts of a shape in the axes of its only part, else along the axes of its frame.
 OrientedBox boxAround(const CollisionShape& parts);

@@ -9,11 +9,11 @@ namespace rubble {
 
 namespace {
 
-btVector3 pointVelocity(const Collider& collider, const btVector3& at) {
+btVector3 pointVelocity(const BulletCollider& collider, const btVector3& at) {
     return collider.object->getVelocityInLocalPoint(at - collider.object->getWorldTransform().getOrigin());
 }
 
-double relativeAlong(const Collider& a, const Collider& b, const btManifoldPoint& point) {
+double relativeAlong(const BulletCollider& a, const BulletCollider& b, const btManifoldPoint& point) {
     const btVector3& where = point.getPositionWorldOnB();
     return point.m_normalWorldOnB.dot(pointVelocity(a, where) - pointVelocity(b, where));
 }
@@ -23,18 +23,20 @@ double partingSpeed(double distance, const btContactSolverInfo& info) {
     return distance > info.m_splitImpulsePenetrationThreshold ? -distance * info.m_erp / info.m_timeStep : 0.0;
 }
 
-double inverseMass(const Collider& c, bool awake) {
+double inverseMass(const BulletCollider& c, bool awake) {
     return awake ? c.object->getInvMass() : 0.0;
 }
 
 }  // namespace
 
 FragmentWorld::FragmentWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, FragmentSolver* solver,
-                             btCollisionConfiguration* configuration, const WorldSettings& settings)
+                             btCollisionConfiguration* configuration, const WorldSettings& settings, const Scene& scene)
     : btDiscreteDynamicsWorld(dispatcher, broadphase, solver, configuration),
       m_settings(settings),
       m_surface{settings.ground, settings.groundHeight, settings.terrain},
-      m_freeze(settings.freezeSpeed, settings.freezeDelay) {
+      m_sleep(scene.sleep),
+      m_report(scene.report),
+      m_hook(scene.hook) {
     setGravity(btVector3(0.0, 0.0, -settings.gravity));
     getSolverInfo().m_numIterations = settings.iterations;
     setForceUpdateAllAabbs(false);
@@ -51,7 +53,7 @@ void FragmentWorld::solveConstraints(btContactSolverInfo& info) {
     offsetContacts(dt);
 
     m_solved.clear();
-    for (Collider* body : m_bodies) {
+    for (BulletCollider* body : m_bodies) {
         if (body != nullptr && awake(*body)) {
             m_solved.push_back(body->object.get());
         }
@@ -114,11 +116,10 @@ void FragmentWorld::collectContacts() {
         if (manifold->getNumContacts() == 0) {
             continue;
         }
-        Collider& a = colliderOf(manifold->getBody0());
-        Collider& b = colliderOf(manifold->getBody1());
+        BulletCollider& a = colliderOf(manifold->getBody0());
+        BulletCollider& b = colliderOf(manifold->getBody1());
         // A frozen body takes part only where something awake or moving touches it.
-        const bool stirs = awake(a) || awake(b) || a.moving || b.moving || a.newborn || b.newborn;
-        if (!stirs) {
+        if (!m_sleep.stirs(a) && !m_sleep.stirs(b)) {
             continue;
         }
         Contact contact{colliderPair(a.number, b.number), manifold, &a, &b};
@@ -140,53 +141,36 @@ void FragmentWorld::collectContacts() {
 void FragmentWorld::wakeByContacts() {
     for (const Contact& contact : m_contacts) {
         for (auto [sleeper, other] : {std::pair{contact.a, contact.b}, std::pair{contact.b, contact.a}}) {
-            if (sleeper->kind != ColliderKind::Body || awake(*sleeper) || other->kind == ColliderKind::Ground) {
+            if (!m_sleep.frozen(*sleeper) || other->kind == ColliderKind::Ground) {
                 continue;
             }
             const btManifoldPoint& point = contact.manifold->getContactPoint(contact.deepest);
             const double along = point.m_normalWorldOnB.dot(pointVelocity(*other, point.getPositionWorldOnB()));
             const double approach = other == contact.a ? -along : along;
-            const bool carriedOff = other->kind == ColliderKind::Piece && (other->moving || other->newborn);
-            if (carriedOff || (awake(*other) && approach > thawSpeed)) {
+            if (m_sleep.wakes(*other, approach, true)) {
                 thaw(*sleeper);
             }
         }
     }
-    linkDependants();
+    m_sleep.linkDependants([this](auto visit) { forEachTouching(visit); });
 }
 
 void FragmentWorld::offsetContacts(double dt) {
     const double deepestSeen = separationSpeed * dt / m_solverInfo.m_erp2;
     m_stock.clear();
-    for (Collider* body : m_bodies) {
+    for (BulletCollider* body : m_bodies) {
         if (body != nullptr && awake(*body)) {
             body->penetration = body->overlapLeft = 0.0;
         }
     }
     for (Contact& contact : m_contacts) {
         const bool newborn = contact.a->newborn || contact.b->newborn;
-        for (auto [born, other] : {std::pair{contact.a, contact.b}, std::pair{contact.b, contact.a}}) {
-            const bool older = other->kind == ColliderKind::Piece || (other->kind == ColliderKind::Body && !other->newborn);
-            if (born->newborn && older) {
-                born->birthDepth = std::max(born->birthDepth, contact.depth);
-            }
-        }
+        noteBirthDepth(*contact.a, *contact.b, contact.depth);
         contact.offset = m_overlaps.offset(contact.pair, contact.depth, newborn);
         limitPiece(contact, dt);
-        const bool bodies = contact.a->kind == ColliderKind::Body && contact.b->kind == ColliderKind::Body;
-        for (Collider* side : {contact.a, contact.b}) {
-            if (bodies && awake(*side)) {
-                side->overlapLeft = std::max(side->overlapLeft, contact.offset);
-            }
-        }
+        noteOverlapLeft(*contact.a, *contact.b, contact.offset, m_sleep);
         if (!contact.yielding) {
-            const double depth = contact.depth - contact.offset;
-            m_report.penetrationMax = std::max(m_report.penetrationMax, depth);
-            for (Collider* side : {contact.a, contact.b}) {
-                if (awake(*side)) {
-                    side->penetration = std::max(side->penetration, depth);
-                }
-            }
+            notePenetration(*contact.a, *contact.b, contact.depth - contact.offset, m_sleep, m_report);
         }
         if (contact.offset > 0.0) {
             dropInertPoints(contact, dt);
@@ -225,8 +209,8 @@ void FragmentWorld::dropInertPoints(Contact& contact, double dt) {
 
 void FragmentWorld::limitPiece(Contact& contact, double dt) {
     const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
-    const Collider& piece = pieceIsA ? *contact.a : *contact.b;
-    const Collider& body = pieceIsA ? *contact.b : *contact.a;
+    const BulletCollider& piece = pieceIsA ? *contact.a : *contact.b;
+    const BulletCollider& body = pieceIsA ? *contact.b : *contact.a;
     const int points = contact.manifold->getNumContacts();
     if (piece.kind != ColliderKind::Piece || !piece.moving) {
         for (int j = 0; j < points; ++j) {
@@ -245,9 +229,9 @@ void FragmentWorld::limitPiece(Contact& contact, double dt) {
         contact.approach = std::max(contact.approach, approach);
     }
     const double up = (pieceIsA ? -1.0 : 1.0) * contact.manifold->getContactPoint(contact.deepest).m_normalWorldOnB.z();
-    const bool closing = contact.approach > pieceYieldSpeed;
-    contact.yielding = gaveWay && closing;
-    contact.pressing = closing && up < carryingNormal;
+    const PieceAction action = pieceAction(contact.approach, up, gaveWay);
+    contact.yielding = action.yielding;
+    contact.pressing = action.pressing;
     const double most = mass * (contact.pressing ? m_overlaps.pressLeft(contact.pair)
                                                  : pieceCarryFactor * std::max(0.0, contact.approach) + carryAcceleration * dt);
     for (int j = 0; j < points; ++j) {
@@ -268,8 +252,8 @@ void FragmentWorld::accumulateWork() {
         double left = 0.0;
         double impulseSum = 0.0;
         const bool pieceIsA = contact.a->kind == ColliderKind::Piece;
-        Collider& piece = pieceIsA ? *contact.a : *contact.b;
-        Collider& body = pieceIsA ? *contact.b : *contact.a;
+        BulletCollider& piece = pieceIsA ? *contact.a : *contact.b;
+        BulletCollider& body = pieceIsA ? *contact.b : *contact.a;
         const bool driven = piece.kind == ColliderKind::Piece && piece.moving;
         for (int j = 0; j < contact.manifold->getNumContacts(); ++j) {
             const btManifoldPoint& point = contact.manifold->getContactPoint(j);
@@ -293,7 +277,7 @@ void FragmentWorld::accumulateWork() {
         }
         const bool gaveWay = contact.pressing
                                  ? m_overlaps.pressed(contact.pair, contact.depth, impulseSum * body.object->getInvMass())
-                                 : left > 0.5 * contact.approach && m_overlaps.pushedInVain(contact.pair, contact.depth);
+                                 : inVain(left, contact.approach) && m_overlaps.pushedInVain(contact.pair, contact.depth);
         m_report.piecesYielded += gaveWay;
     }
 }
@@ -350,13 +334,13 @@ void FragmentWorld::bleedOverlaps(double dt) {
         contact.a->overlapping = contact.b->overlapping = true;
     }
     // A body among many overlaps still moves no faster than one pair would move it.
-    const auto share = [&](const Collider& c) {
+    const auto share = [&](const BulletCollider& c) {
         const double length = c.shift.norm();
         return length > most ? most / length : 1.0;
     };
     for (const Push& push : pushes) {
-        const Collider& a = *push.contact->a;
-        const Collider& b = *push.contact->b;
+        const BulletCollider& a = *push.contact->a;
+        const BulletCollider& b = *push.contact->b;
         double& work = a.kind == ColliderKind::Piece || b.kind == ColliderKind::Piece ? m_report.pieceWork : m_report.overlapWork;
         for (const auto& [c, part] : {std::pair{&a, &push.onA}, std::pair{&b, &push.onB}}) {
             if (awake(*c)) {
@@ -366,7 +350,7 @@ void FragmentWorld::bleedOverlaps(double dt) {
         const double opened = push.normal.dot(a.shift * share(a) - b.shift * share(b));
         m_overlaps.bleed(push.contact->pair, std::max(0.0, opened));
     }
-    for (Collider* body : m_bodies) {
+    for (BulletCollider* body : m_bodies) {
         if (body != nullptr && body->overlapping) {
             btTransform transform = body->object->getWorldTransform();
             transform.setOrigin(transform.getOrigin() + toBullet(body->shift * share(*body)));
@@ -383,7 +367,7 @@ void FragmentWorld::integrateTransforms(btScalar dt) {
         const btVector3& inverse = body.getInvInertiaDiagLocal();
         return btVector3(1.0 / inverse.x(), 1.0 / inverse.y(), 1.0 / inverse.z());
     };
-    for (Collider* collider : m_bodies) {
+    for (BulletCollider* collider : m_bodies) {
         if (collider == nullptr || !awake(*collider)) {
             continue;
         }
@@ -406,12 +390,10 @@ void FragmentWorld::integrateTransforms(btScalar dt) {
         }
         const Vec3 reached = fromBullet(next.getOrigin());
         if (m_surface.depth(reached) > 0.0) {
-            // A centre below ground has been squeezed there; the box contact alone may not bring it back from under a pile.
-            const Vec3 way = m_surface.above(reached) - reached;
-            const double share = collider->bornBelow ? std::min(1.0, separationSpeed * dt / way.norm()) : 1.0;
-            next.setOrigin(next.getOrigin() + toBullet(Vec3(share * way)));
-            m_report.overlapWork += m_settings.gravity * share * way.z() / body.getInvMass();
-            const btVector3 up = toBullet(m_surface.normal(reached.x(), reached.y()));
+            const GroundRise rise = riseAboveGround(m_surface, reached, collider->bornBelow, dt);
+            next.setOrigin(next.getOrigin() + toBullet(Vec3(rise.share * rise.way)));
+            m_report.overlapWork += m_settings.gravity * rise.share * rise.way.z() / body.getInvMass();
+            const btVector3 up = toBullet(rise.normal);
             const btScalar falling = std::min<btScalar>(0.0, body.getLinearVelocity().dot(up));
             body.setLinearVelocity(body.getLinearVelocity() - falling * up);
         }
@@ -422,7 +404,7 @@ void FragmentWorld::integrateTransforms(btScalar dt) {
 
 void FragmentWorld::updateActivationState(btScalar dt) {
     for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
-        Collider* body = m_bodies[i];
+        BulletCollider* body = m_bodies[i];
         if (body == nullptr) {
             continue;
         }
@@ -430,26 +412,22 @@ void FragmentWorld::updateActivationState(btScalar dt) {
             const double speed =
                 body->object->getLinearVelocity().length() + body->object->getAngularVelocity().length() * body->radius;
             if (body->overlapping) {
-                m_freeze.restart(i);
-            } else if (m_freeze.quiet(i, speed, dt) && m_settings.freeze) {
+                m_sleep.clock().restart(i);
+            } else if (m_sleep.clock().quiet(i, speed, dt) && m_settings.freeze) {
                 freeze(*body);
             }
-            if (m_freeze.watched(i)) {
-                for (const std::uint32_t dependant :
-                     m_freeze.takeDependants(i, fromBullet(body->object->getWorldTransform().getOrigin()))) {
-                    if (m_bodies[dependant] != nullptr && m_freeze.frozen(dependant)) {
-                        thaw(*m_bodies[dependant]);
-                    }
-                }
+            const Vec3 place = fromBullet(body->object->getWorldTransform().getOrigin());
+            for (const std::uint32_t woken : m_sleep.wokenBy(*body, place)) {
+                thaw(*m_bodies[woken]);
             }
         }
         body->newborn = body->overlapping = body->touched = false;
     }
-    linkDependants();
+    m_sleep.linkDependants([this](auto visit) { forEachTouching(visit); });
 }
 
-void FragmentWorld::freeze(Collider& body) {
-    m_freeze.freeze(body.index);
+void FragmentWorld::freeze(BulletCollider& body) {
+    m_sleep.freeze(body);
     body.object->setLinearVelocity(btVector3(0, 0, 0));
     body.object->setAngularVelocity(btVector3(0, 0, 0));
     body.object->clearForces();
@@ -458,57 +436,29 @@ void FragmentWorld::freeze(Collider& body) {
     body.object->forceActivationState(DISABLE_SIMULATION);
 }
 
-void FragmentWorld::thaw(Collider& body) {
+void FragmentWorld::thaw(BulletCollider& body) {
     body.object->setLinearFactor(btVector3(1, 1, 1));
     body.object->setAngularFactor(btVector3(1, 1, 1));
     body.object->forceActivationState(ACTIVE_TAG);
-    m_freeze.thaw(body.index, fromBullet(body.object->getWorldTransform().getOrigin()));
-    body.justThawed = true;
-    m_justThawed.push_back(body.index);
+    m_sleep.thaw(body, fromBullet(body.object->getWorldTransform().getOrigin()));
 }
 
-void FragmentWorld::linkDependants() {
-    if (m_justThawed.empty()) {
-        return;
-    }
+template <class Visit>
+void FragmentWorld::forEachTouching(Visit visit) const {
     for (int i = 0; i < m_dispatcher1->getNumManifolds(); ++i) {
         const btPersistentManifold* manifold = m_dispatcher1->getManifoldByIndexInternal(i);
-        const Collider& a = colliderOf(manifold->getBody0());
-        const Collider& b = colliderOf(manifold->getBody1());
-        if (manifold->getNumContacts() > 0 && a.justThawed != b.justThawed) {
-            const Collider& thawed = a.justThawed ? a : b;
-            const Collider& other = a.justThawed ? b : a;
-            if (other.kind == ColliderKind::Body && m_freeze.frozen(other.index)) {
-                m_freeze.addDependant(thawed.index, other.index);
-            }
+        if (manifold->getNumContacts() > 0) {
+            visit(colliderOf(manifold->getBody0()), colliderOf(manifold->getBody1()));
         }
     }
-    for (const std::uint32_t body : m_justThawed) {
-        m_bodies[body]->justThawed = false;
-    }
-    m_justThawed.clear();
 }
 
 void FragmentWorld::thawNeighboursOfLeaving() {
-    std::vector<Collider*> sleepers;
-    for (int i = 0; i < m_dispatcher1->getNumManifolds(); ++i) {
-        const btPersistentManifold* manifold = m_dispatcher1->getManifoldByIndexInternal(i);
-        Collider& a = colliderOf(manifold->getBody0());
-        Collider& b = colliderOf(manifold->getBody1());
-        if (manifold->getNumContacts() > 0 && a.leaving != b.leaving) {
-            Collider& left = a.leaving ? b : a;
-            if (left.kind == ColliderKind::Body && m_freeze.frozen(left.index)) {
-                sleepers.push_back(&left);
-            }
-        }
+    const auto touching = [this](auto visit) { forEachTouching(visit); };
+    for (Collider* sleeper : m_sleep.neighboursOfLeaving(touching)) {
+        thaw(bulletCollider(*sleeper));
     }
-    std::sort(sleepers.begin(), sleepers.end(), [](const Collider* x, const Collider* y) { return x->number < y->number; });
-    for (Collider* sleeper : sleepers) {
-        if (m_freeze.frozen(sleeper->index)) {
-            thaw(*sleeper);
-        }
-    }
-    linkDependants();
+    m_sleep.linkDependants(touching);
 }
 
 }  // namespace rubble

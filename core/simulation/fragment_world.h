@@ -7,32 +7,31 @@
 
 #include "core/fe/site_surface.h"
 #include "core/simulation/birth_overlap.h"
-#include "core/simulation/collider.h"
+#include "core/simulation/bullet_collider.h"
 #include "core/simulation/fragment_solver.h"
-#include "core/simulation/freeze.h"
 #include "core/simulation/rigid_world.h"
+#include "core/simulation/scene_rules.h"
 
 namespace rubble {
 
-/// Bullet's world with what a collapse needs (PHYSICS.md): births that keep their overlap as rest offset, pieces that give way,
+/// Bullet's world with what a collapse needs: births that keep their overlap as rest offset, pieces that give way,
 /// freezing per body, a fall without the error of the stock integrator, spin about a conserved angular momentum. Contacts are
 /// solved in the order of the colliders' numbers, all in one group, so that no memory address reaches a result.
 class FragmentWorld : public btDiscreteDynamicsWorld {
 public:
+    /// What it shares with the world that it steps for.
+    struct Scene {
+        Sleep& sleep;
+        ContactReport& report;
+        const SubstepHook& hook;
+    };
     FragmentWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, FragmentSolver* solver,
-                  btCollisionConfiguration* configuration, const WorldSettings& settings);
+                  btCollisionConfiguration* configuration, const WorldSettings& settings, const Scene& scene);
 
-    FreezeClock& freezeClock() { return m_freeze; }
-    const FreezeClock& freezeClock() const { return m_freeze; }
-    const ContactReport& report() const { return m_report; }
-    void onSubstep(SubstepHook hook) { m_hook = std::move(hook); }
     /// A body that was added to the world, in the order of bodies.
-    void addBody(Collider* body) {
-        m_bodies.push_back(body);
-        m_freeze.addBody();
-    }
+    void addBody(BulletCollider& body) { m_bodies.push_back(&body); }
     void forget(std::uint32_t body) { m_bodies[body] = nullptr; }
-    void thaw(Collider& body);
+    void thaw(BulletCollider& body);
     /// Thaws the frozen bodies that touch what is marked as leaving.
     void thawNeighboursOfLeaving();
 
@@ -47,8 +46,8 @@ private:
     struct Contact {
         ColliderPair pair = 0;
         btPersistentManifold* manifold = nullptr;
-        Collider* a = nullptr;
-        Collider* b = nullptr;
+        BulletCollider* a = nullptr;
+        BulletCollider* b = nullptr;
         double depth = 0.0;     ///< m, of the deepest point
         int deepest = 0;        ///< its index
         double offset = 0.0;    ///< m
@@ -73,23 +72,23 @@ private:
     void accumulateWork();
     void bleedOverlaps(double dt);
     void runHook(double dt);
-    void freeze(Collider& body);
-    void linkDependants();
-    bool awake(const Collider& c) const { return c.kind == ColliderKind::Body && !m_freeze.frozen(c.index); }
+    void freeze(BulletCollider& body);
+    bool awake(const Collider& c) const { return m_sleep.awake(c); }
+    template <class Visit>
+    void forEachTouching(Visit visit) const;
 
     WorldSettings m_settings;
     SiteSurface m_surface;
-    FreezeClock m_freeze;
     BirthOverlaps m_overlaps;
-    ContactReport m_report;
-    std::vector<Collider*> m_bodies;  ///< [bodies]; null once removed
+    Sleep& m_sleep;
+    ContactReport& m_report;
+    const SubstepHook& m_hook;
+    std::vector<BulletCollider*> m_bodies;  ///< [bodies]; null once removed
     std::vector<Contact> m_contacts;
     std::vector<Stock> m_stock;
     std::vector<btCollisionObject*> m_solved;
     std::vector<btPersistentManifold*> m_manifolds;
     std::vector<double> m_heights;  ///< m, of the solved bodies before the solve
-    std::vector<std::uint32_t> m_justThawed;
-    SubstepHook m_hook;
     std::vector<MovingBody> m_moving;
     std::vector<std::int32_t> m_slotOf;
 };

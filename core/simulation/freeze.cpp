@@ -1,6 +1,5 @@
 #include "core/simulation/freeze.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "core/simulation/constants.h"
@@ -15,10 +14,6 @@ bool FreezeClock::quiet(std::size_t body, double cornerSpeed, double dt) {
 
 void FreezeClock::thaw(std::size_t body, const Vec3& position) {
     m_bodies[body] = {0.0, false, position, {}};
-}
-
-void FreezeClock::sortDependants(std::size_t body) {
-    std::sort(m_bodies[body].dependants.begin(), m_bodies[body].dependants.end());
 }
 
 std::vector<std::uint32_t> FreezeClock::takeDependants(std::size_t body, const Vec3& position) {

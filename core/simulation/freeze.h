@@ -14,6 +14,8 @@ public:
     FreezeClock(double speed, double delay) : m_speed(speed), m_delay(delay) {}
 
     void addBody() { m_bodies.push_back({}); }
+    /// It has left.
+    void forget(std::size_t body) { m_bodies[body] = {}; }
     /// Takes note of the speed of a body's fastest corner over one step; true when it has been quiet for long enough.
     bool quiet(std::size_t body, double cornerSpeed, double dt);
     /// Starts the wait anew.
@@ -28,7 +30,6 @@ public:
     void addDependant(std::size_t thawed, std::uint32_t dependant) { m_bodies[thawed].dependants.push_back(dependant); }
     /// The dependants of a thawed body that has moved by more than the tolerance since; they are forgotten here.
     std::vector<std::uint32_t> takeDependants(std::size_t body, const Vec3& position);
-    void sortDependants(std::size_t body);
     /// True while a thawed body may still have to thaw others.
     bool watched(std::size_t body) const { return !m_bodies[body].dependants.empty(); }
     std::size_t size() const { return m_bodies.size(); }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/simulation/collider.h"
 #include "core/simulation/constants.h"
 
 namespace rubble {
@@ -19,6 +18,10 @@ void takePoint(const SoftContact::Point& from, const SoftContact& to, SoftContac
 }
 
 }  // namespace
+
+bool SoftContactState::carries() const {
+    return (pieceIsA() ? 1.0 : -1.0) * normal.z() >= carryingNormal;
+}
 
 void SoftContact::keep(Archive& archive) {
     archive(pair, part, normal, count, depth, yield, load, restLoad, offset, correctedFor, approach, pressed, jammedFor, pushes,

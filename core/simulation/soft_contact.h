@@ -7,11 +7,10 @@
 
 #include "core/base/archive.h"
 #include "core/simulation/birth_overlap.h"
+#include "core/simulation/collider.h"
 #include "core/simulation/contact_patch.h"
 
 namespace rubble {
-
-struct Collider;
 
 /// A contact between parts of two colliders as it is found in a step.
 struct FoundContact {
@@ -44,6 +43,13 @@ struct SoftContactState {
     bool yielding = false;         ///< and goes on into the body now
     bool pressing = false;         ///< it strikes from above or from the side
     bool aside = false;            ///< put to those that sleep
+
+    bool pieceIsA() const { return a->kind == ColliderKind::Piece; }
+    /// Of a piece and a body.
+    Collider& piece() const { return pieceIsA() ? *a : *b; }
+    Collider& body() const { return pieceIsA() ? *b : *a; }
+    /// The piece is below the body.
+    bool carries() const;
 };
 
 /// A contact between parts of two colliders and what it carries from step to step.

@@ -378,12 +378,25 @@ void SoftSolver::fillLanes(std::size_t at, const Source& source) {
     }
 }
 
+void SoftSolver::resizeBodies(std::size_t count) {
+    bodies.resize(count);
+    m_lanePoses.resize(count, {{}, {0.0, 0.0, 0.0, 1.0}});
+}
+
+void SoftSolver::place(std::size_t body, const Pose& pose) {
+    for (int k = 0; k < 3; ++k) {
+        m_lanePoses[body].position[k] = pose.position[k];
+    }
+    for (int k = 0; k < 4; ++k) {
+        m_lanePoses[body].orientation[k] = pose.orientation.coeffs()[k];
+    }
+}
+
 void SoftSolver::begin(std::size_t movable) {
     m_scene.movable = static_cast<std::uint32_t>(movable);
     m_massProperties.resize(bodies.size());
     m_laneBodies.resize(bodies.size());
     m_laneTravel.resize(bodies.size());
-    m_lanePoses.resize(bodies.size());
     m_laneSolids.resize(bodies.size());
     m_scene.bodies = m_laneBodies.data();
     m_scene.travel = m_laneTravel.data();
@@ -401,11 +414,7 @@ void SoftSolver::begin(std::size_t movable) {
             m_laneBodies[i].velocity[3] = 0.0;
             m_laneTravel[i] = {};
             for (int k = 0; k < 3; ++k) {
-                m_lanePoses[i].position[k] = body.pose.position[k];
                 m_laneSolids[i].inertia[k] = body.inertia[k];
-            }
-            for (int k = 0; k < 4; ++k) {
-                m_lanePoses[i].orientation[k] = body.pose.orientation.coeffs()[k];
             }
             m_laneSolids[i].inertia[3] = body.radius;
             m_laneSolids[i].limit[0] = body.fastest;
@@ -417,10 +426,14 @@ void SoftSolver::bound(std::size_t body, double fastest) {
     bodies[body].fastest = m_laneSolids[body].limit[0] = fastest;
 }
 
-SolverMotion SoftSolver::motion(std::size_t body) const {
+Pose SoftSolver::poseOf(std::size_t body) const {
     const LanePose& pose = m_lanePoses[body];
+    return {Vec3(pose.position), Quat(pose.orientation)};
+}
+
+SolverMotion SoftSolver::motion(std::size_t body) const {
     const LaneBody& lane = m_laneBodies[body];
-    return {{Vec3(pose.position), Quat(pose.orientation)}, Vec3(lane.velocity), Vec3(lane.spin)};
+    return {poseOf(body), Vec3(lane.velocity), Vec3(lane.spin)};
 }
 
 void SoftSolver::setVelocity(std::size_t body, const Vec3& velocity, const Vec3& spin) {
@@ -455,11 +468,10 @@ std::int64_t SoftSolver::move(double gravity) {
 void SoftSolver::end() {
     m_pool.loop(m_scene.movable, bodyGrain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            const SolverMotion now = motion(i);
+            const LaneBody& lane = m_laneBodies[i];
             SolverBody& body = bodies[i];
-            body.velocity = now.velocity;
-            body.spin = now.spin;
-            body.pose = now.pose;
+            body.velocity = Vec3(lane.velocity);
+            body.spin = Vec3(lane.spin);
             body.moved = Vec3(m_laneTravel[i].moved);
             body.turned = Vec3(m_laneTravel[i].turned);
             body.active = m_laneTravel[i].moved[3] > 0.0 || m_laneBodies[i].velocity[3] > 0.0;

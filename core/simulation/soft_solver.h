@@ -22,7 +22,6 @@ struct SolverBody {
     Vec3 turned = Vec3::Zero();          ///< rad, since the start of the step
     double inverseMass = 0.0;            ///< 1/kg
     Mat3 inverseInertia = Mat3::Zero();  ///< 1/(kg m2), world axes
-    Pose pose;                           ///< of its centre of mass and principal axes
     Vec3 inertia = Vec3::Ones();         ///< kg m2, principal
     double radius = 0.0;                 ///< m, of its farthest corner
     double fastest =
@@ -105,6 +104,10 @@ public:
     std::vector<std::uint32_t> firstOfGroup;  ///< [groups + 1]
     bool lastInOrder = false;
 
+    /// Makes room for bodies.
+    void resizeBodies(std::size_t count);
+    /// Where a body is: from here on the solver has it. Any number of threads for different ones.
+    void place(std::size_t body, const Pose& pose);
     /// Makes room for contacts and points.
     void resize(std::size_t contactCount, std::size_t pointCount);
     /// Where contacts come from. What the order of the passes is made of, ends, number of points, place and whether it is idle, is
@@ -120,6 +123,8 @@ public:
     void layOut(double h, const Source& source);
     /// What a body may get to where contacts act on it, m/s.
     void bound(std::size_t body, double fastest);
+    /// Between the passes and after them.
+    Pose poseOf(std::size_t body) const;
     /// Between the passes.
     SolverMotion motion(std::size_t body) const;
     void setVelocity(std::size_t body, const Vec3& velocity, const Vec3& spin);

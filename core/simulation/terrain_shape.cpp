@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/simulation/collider.h"
+#include "core/simulation/bullet_collider.h"
 #include "core/simulation/constants.h"
 #include "core/simulation/ground_contact.h"
 
@@ -26,7 +26,7 @@ public:
                           btManifoldResult* result) override {
         const bool groundFirst = TerrainShape::of(a->getCollisionObject()) != nullptr;
         const TerrainShape& terrain = *TerrainShape::of((groundFirst ? a : b)->getCollisionObject());
-        const Collider& body = colliderOf((groundFirst ? b : a)->getCollisionObject());
+        const BulletCollider& body = colliderOf((groundFirst ? b : a)->getCollisionObject());
         const Pose pose = fromBullet(body.object->getWorldTransform());
         const Vec3 velocity = fromBullet(body.object->getLinearVelocity());
         std::vector<ContactPatch> patches;

@@ -25,7 +25,7 @@ struct Heap {
     explicit Heap(int threads) : pool(threads) {
         std::mt19937 random(11);
         const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
-        solver.bodies.resize(bodies + 1);
+        solver.resizeBodies(bodies + 1);
         for (std::uint32_t i = 0; i < bodies; ++i) {
             SolverBody& body = solver.bodies[i];
             body.velocity = Vec3(between(-1, 1), between(-1, 1), between(-1, 1));

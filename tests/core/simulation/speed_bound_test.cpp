@@ -1,0 +1,88 @@
+#include "core/simulation/speed_bound.h"
+
+#include <gtest/gtest.h>
+
+#include "core/simulation/constants.h"
+
+namespace rubble {
+namespace {
+
+/// Bodies in slots, the last of which is that of all that is still.
+struct Scene {
+    SpeedBound bound;
+    std::vector<SolverBody> bodies;
+    std::vector<SpeedBound::SlotPair> ends;
+    double restitution = 0.0;
+
+    explicit Scene(std::size_t movable) : bodies(movable + 1) { bound.begin(bodies.size(), movable); }
+    void body(std::size_t slot, double mass, double speed) {
+        bodies[slot].inverseMass = 1.0 / mass;
+        bodies[slot].velocity = Vec3(speed, 0, 0);
+        bound.set(slot, 1.0 / mass, speed);
+    }
+    std::vector<double> bounds(double fall = 0.0) {
+        std::vector<SolverContact> contacts(ends.size());
+        for (SolverContact& c : contacts) {
+            c.restitution = restitution;
+        }
+        return bound.find(ends, contacts, bodies, fall);
+    }
+};
+
+TEST(SpeedBound, LeavesRoomForOwnSpeedFallAndPush) {
+    Scene scene(1);
+    scene.body(0, 5.0, 3.0);
+    EXPECT_DOUBLE_EQ(scene.bounds(0.5)[0], 2.0 * 3.0 + pushOutSpeed + 0.5);
+}
+
+TEST(SpeedBound, HandsSpeedOnThroughOthers) {
+    Scene scene(3);
+    scene.body(0, 1.0, 10.0);
+    scene.body(1, 1.0, 0.0);
+    scene.body(2, 4.0, 0.0);
+    scene.ends = {{0, 1}, {1, 2}};
+    const std::vector<double> bounds = scene.bounds();
+    // Equal masses hand on all of it, a mass four times as large gets 2 m / (m + M) of it.
+    EXPECT_DOUBLE_EQ(bounds[1], 2.0 * 10.0 + pushOutSpeed);
+    EXPECT_DOUBLE_EQ(bounds[2], 2.0 * 10.0 * 2.0 / 5.0 + pushOutSpeed);
+}
+
+TEST(SpeedBound, NothingComesOfWhatIsStill) {
+    Scene scene(2);
+    scene.body(0, 1.0, 0.0);
+    scene.body(1, 1.0, 0.0);
+    scene.ends = {{0, 2}, {0, 1}};
+    EXPECT_DOUBLE_EQ(scene.bounds()[0], pushOutSpeed);
+}
+
+TEST(SpeedBound, AFarLighterBodyLeavesWhatStrikesItNoFasterThanItCame) {
+    Scene scene(2);
+    scene.body(0, 1000.0, 10.0);
+    scene.body(1, 1.0, 0.0);
+    scene.ends = {{0, 1}};
+    // Seen from the heavy one it comes with 10 m/s and leaves with as much: 20 m/s on the ground.
+    EXPECT_DOUBLE_EQ(scene.bounds()[1], 20.0 + pushOutSpeed);
+    // One 29 times as light is not far lighter.
+    scene.body(0, 29.0, 10.0);
+    scene.body(1, 1.0, 0.0);
+    const double handed = 10.0 * std::min(1.0, 2.0 / (1.0 + 1.0 / 29.0));
+    EXPECT_DOUBLE_EQ(scene.bounds()[1], 2.0 * handed + pushOutSpeed);
+}
+
+TEST(SpeedBound, HoldsBackOnlyWhatContactsActOn) {
+    SolverBody body;
+    body.velocity = Vec3(6.0, 0.0, 8.0);
+    body.spin = Vec3(0.0, 3.0, 0.0);
+    body.radius = 1.0;
+    body.fastest = 5.0;
+    EXPECT_FALSE(SpeedBound::holdBack(body));
+    EXPECT_EQ(body.velocity, Vec3(6.0, 0.0, 8.0));
+    body.active = true;
+    EXPECT_TRUE(SpeedBound::holdBack(body));
+    EXPECT_NEAR(body.velocity.norm(), 5.0, 1e-12);
+    EXPECT_EQ(body.spin, Vec3(0.0, 3.0, 0.0)) << "its corners are slow enough";
+    EXPECT_FALSE(SpeedBound::holdBack(body)) << "it is slow enough by now";
+}
+
+}  // namespace
+}  // namespace rubble

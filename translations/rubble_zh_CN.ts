@@ -6734,6 +6734,14 @@
         <translation>无法写入 {0}。</translation>
     </message>
     <message>
+        <source>{0} = {1}: the unit of {0} is {2}, not {3}.</source>
+        <translation>{0} = {1}：{0} 的单位是 {2}，而不是 {3}。</translation>
+    </message>
+    <message>
+        <source>Convert the value and give the number alone.</source>
+        <translation>请换算数值，只给出数字。</translation>
+    </message>
+    <message>
         <source>{0} has no scenario &quot;{1}&quot;.</source>
         <translation>{0} 没有方案“{1}”。</translation>
     </message>

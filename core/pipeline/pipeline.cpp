@@ -5,6 +5,7 @@
 
 #include "core/base/build.h"
 #include "core/base/elapsed.h"
+#include "core/pipeline/stage_reports.h"
 #include "core/scenario/parameters.h"
 
 namespace rubble {
@@ -14,22 +15,29 @@ namespace {
 /// One run of the pipeline: makes each part or takes it over, and keeps the account of keys and times.
 class PipelineRun {
 public:
-    PipelineRun(const Inputs& inputs, const Scenario& scenario, const Results& previous, const Execution& execution)
-        : m_inputs(inputs), m_scenario(scenario), m_previous(previous), m_execution(execution) {}
+    PipelineRun(const Inputs& inputs, const Scenario& scenario, const Results& previous, const Execution& execution,
+                const StageObserver& observer)
+        : m_inputs(inputs), m_scenario(scenario), m_previous(previous), m_execution(execution), m_observer(observer) {}
 
     template <class Part, class Make>
     void stage(Stage stage, std::shared_ptr<const Part> Results::* part, Make make) {
         m_execution.check();
+        if (m_observer.begins) {
+            m_observer.begins(stage);
+        }
         const std::size_t i = static_cast<std::size_t>(stage);
         results.keys[i] = stageKey(m_inputs, m_scenario, stage);
         if (m_previous.*part && m_previous.keys[i] == results.keys[i]) {
             results.*part = m_previous.*part;
             results.wallSeconds[i] = m_previous.wallSeconds[i];
-            return;
+        } else {
+            const auto start = std::chrono::steady_clock::now();
+            results.*part = std::make_shared<const Part>(make());
+            results.wallSeconds[i] = secondsSince(start);
         }
-        const auto start = std::chrono::steady_clock::now();
-        results.*part = std::make_shared<const Part>(make());
-        results.wallSeconds[i] = secondsSince(start);
+        if (m_observer.made) {
+            m_observer.made(stage, results);
+        }
     }
 
     Results results;
@@ -39,6 +47,7 @@ private:
     const Scenario& m_scenario;
     const Results& m_previous;
     const Execution& m_execution;
+    const StageObserver& m_observer;
 };
 
 }  // namespace
@@ -59,6 +68,21 @@ bool Results::has(Stage stage) const {
             return simulation != nullptr;
     }
     return false;
+}
+
+Findings stageFindings(const Results& results) {
+    Findings all;
+    const auto append = [&all](const auto& part) {
+        if (part) {
+            all.append(part->findings);
+        }
+    };
+    append(results.components);
+    append(results.fragments);
+    append(results.sizing);
+    append(results.clustering);
+    append(results.simulation);
+    return all;
 }
 
 Digest stageKey(const Inputs& inputs, const Scenario& scenario, Stage stage) {
@@ -90,10 +114,15 @@ RunDescription describeRun(const Inputs& inputs, const Scenario& scenario, const
 
 Results run(const Inputs& inputs, const Scenario& scenario, Stage last, const Results& previous, TrajectorySink* sink,
             const Execution& execution, CheckpointStore* checkpoints) {
+    return run(inputs, scenario, last, previous, sink, execution, checkpoints, StageObserver());
+}
+
+Results run(const Inputs& inputs, const Scenario& scenario, Stage last, const Results& previous, TrajectorySink* sink,
+            const Execution& execution, CheckpointStore* checkpoints, const StageObserver& observer) {
     assert(inputs.fe);
     assert(sink || last < Stage::Simulation);
     const FeResult& fe = *inputs.fe;
-    PipelineRun pipeline(inputs, scenario, previous, execution);
+    PipelineRun pipeline(inputs, scenario, previous, execution, observer);
     Results& results = pipeline.results;
     results.keys[0] = stageKey(inputs, scenario, Stage::Import);
     results.wallSeconds[0] = previous.wallSeconds[0];

@@ -30,7 +30,7 @@ struct CaseScenario {
     std::string id;  ///< "scenario-1"
     std::string name;
     std::string note;
-    std::string feInput;  ///< id of its FE input
+    std::string feInput;  ///< id of its FE input; empty: the first of the case
     Scenario scenario;
     friend bool operator==(const CaseScenario&, const CaseScenario&) = default;
 };

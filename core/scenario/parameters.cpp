@@ -52,6 +52,24 @@ std::string nearestKeys(std::string_view key) {
     throw UsageError({"parameter.refused", "{0} cannot be \"{1}\".", {key, value}}, remedy);
 }
 
+/// The number of a text such as "0.25 m"; other texts as they are. Throws UsageError for another unit than the parameter's.
+std::string_view withoutUnit(const Parameter& row, std::string_view key, std::string_view text) {
+    const bool number = row.kind == ParameterKind::Number || row.kind == ParameterKind::Integer;
+    const std::size_t blank = text.find(' ');
+    const std::size_t start = text.find_first_not_of(' ', blank);
+    if (!number || blank == std::string_view::npos || blank == 0 || start == std::string_view::npos) {
+        return text;
+    }
+    const std::string_view unit = text.substr(start);
+    if (unit != row.unit) {
+        throw UsageError({"parameter.unit",
+                          "{0} = {1}: the unit of {0} is {2}, not {3}.",
+                          {key, text, row.unit.empty() ? std::string_view("none") : row.unit, unit}},
+                         {"parameter.unit.remedy", "Convert the value and give the number alone.", {}});
+    }
+    return text.substr(0, blank);
+}
+
 std::optional<bool> switchNamed(std::string_view text) {
     if (text == "true" || text == "on" || text == "yes" || text == "1") {
         return true;
@@ -223,7 +241,7 @@ void setParameterText(Scenario& scenario, std::string_view key, std::string_view
         return;
     }
     const auto [row, subject] = findParameter(key);
-    const std::optional<ParameterValue> parsed = parse(*row, value);
+    const std::optional<ParameterValue> parsed = parse(*row, withoutUnit(*row, key, value));
     if (!parsed || !inRange(*row, *parsed)) {
         refuse(*row, key, value);
     }

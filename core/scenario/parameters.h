@@ -64,9 +64,9 @@ ParameterValue parameterValue(const Scenario& scenario, std::string_view key);
 /// the scenario is then unchanged.
 void setParameter(Scenario& scenario, std::string_view key, const ParameterValue& value);
 
-/// Sets a value from text as on the command line: "key=value" halves. Numbers with a point as decimal sign whatever the locale;
-/// switches as true/false/on/off/yes/no, also where a choice has on and off; "auto" where allowed. `preset` is accepted as a key
-/// and applies applyPreset().
+/// Sets a value from text, the halves of "key=value". Numbers have a point as decimal sign in every locale and may be followed by
+/// a blank and their unit ("0.25 m"); switches are true/false/on/off/yes/no, also for choices with on and off; "auto" where
+/// allowed. `preset` as a key applies applyPreset(). Throws UsageError as setParameter(), and for another unit.
 void setParameterText(Scenario& scenario, std::string_view key, std::string_view value);
 
 /// A value as text that setParameterText() reads back to the same value ("auto", "true", "4500", "0.5", "oriented_box").

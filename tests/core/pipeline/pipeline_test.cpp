@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/pipeline/stage_reports.h"
 #include "core/scenario/parameters.h"
 #include "tests/scenes/fe_scenes.h"
 
@@ -65,6 +66,45 @@ TEST_F(Pipeline, ReusesEverythingWhenNothingChanged) {
     EXPECT_EQ(first.simulation, second.simulation);
     EXPECT_EQ(first.keys, second.keys);
     EXPECT_EQ(first.wallSeconds, second.wallSeconds);
+}
+
+TEST_F(Pipeline, EachPartIsReportedAsItIsMadeOrReused) {
+    std::vector<Stage> begun;
+    std::vector<Stage> made;
+    StageObserver observer;
+    observer.begins = [&](Stage stage) { begun.push_back(stage); };
+    observer.made = [&](Stage stage, const Results& results) {
+        made.push_back(stage);
+        EXPECT_EQ(begun, made) << "a stage begins once the one before is made";
+        for (int i = 0; i < stageCount; ++i) {
+            EXPECT_EQ(results.has(static_cast<Stage>(i)), i <= static_cast<int>(stage)) << i;
+        }
+        EXPECT_EQ(results.keys[static_cast<std::size_t>(stage)], stageKey(inputs, scenario, stage));
+    };
+    const Results first = run(inputs, scenario, Stage::Clusters, {}, nullptr, execution, nullptr, observer);
+    EXPECT_EQ(made, (std::vector<Stage>{Stage::Components, Stage::Fragments, Stage::Sizing, Stage::Clusters}));
+    begun.clear();
+    made.clear();
+    MemoryTrajectory sink;
+    const Results second = run(inputs, scenario, Stage::Simulation, first, &sink, execution, nullptr, observer);
+    EXPECT_EQ(made.size(), 5u);
+    EXPECT_EQ(second.clustering, first.clustering) << "reported, but not made again";
+}
+
+TEST_F(Pipeline, FindingsOfAllPartsStandInTheOrderDataFlows) {
+    const Results results = runTo(Stage::Simulation);
+    Findings expected = results.components->findings;
+    expected.append(results.fragments->findings);
+    expected.append(results.sizing->findings);
+    expected.append(results.clustering->findings);
+    expected.append(results.simulation->findings);
+    const Findings found = stageFindings(results);
+    ASSERT_EQ(found.list().size(), expected.list().size());
+    for (std::size_t i = 0; i < expected.list().size(); ++i) {
+        EXPECT_EQ(found.list()[i].what.id, expected.list()[i].what.id);
+        EXPECT_EQ(found.list()[i].count, expected.list()[i].count);
+    }
+    EXPECT_TRUE(stageFindings(Results()).empty());
 }
 
 TEST_F(Pipeline, EveryParameterDropsItsStageAndAllLaterOnes) {

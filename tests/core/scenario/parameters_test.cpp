@@ -111,6 +111,20 @@ TEST(Parameters, RefusesWhatIsOutOfRangeAndChangesNothing) {
     }
 }
 
+TEST(Parameters, NumbersMayBeFollowedByTheirUnit) {
+    Scenario scenario;
+    setParameterText(scenario, "ground_height", "2 m");
+    EXPECT_EQ(scenario.simulation.groundHeight, 2.0);
+    setParameterText(scenario, "ground_height", "3  m");
+    EXPECT_EQ(scenario.simulation.groundHeight, 3.0);
+    for (const char* text : {"2 ft", "2 ", " 2", "2 m m", "m 2"}) {
+        EXPECT_THROW(setParameterText(scenario, "ground_height", text), UsageError) << text;
+    }
+    // A number without unit takes none.
+    EXPECT_THROW(setParameterText(scenario, "multiple", "2 m"), UsageError);
+    EXPECT_EQ(scenario.simulation.groundHeight, 3.0);
+}
+
 TEST(Parameters, NamesNearKeysForATypo) {
     Scenario scenario;
     try {

@@ -2,36 +2,9 @@
 
 #include <algorithm>
 
-#include "core/base/error.h"
-#include "io/case_file.h"
-#include "io/fe_copy/fe_cache.h"
-#include "io/fe_reader.h"
-#include "io/machine.h"
-#include "io/site_reader.h"
-
 namespace rubble::io {
 
 namespace {
-
-const CaseScenario& scenarioOf(const Case& theCase, const std::string& id, const std::string& base) {
-    const auto found =
-        std::find_if(theCase.scenarios.begin(), theCase.scenarios.end(), [&](const CaseScenario& each) { return each.id == id; });
-    if (found == theCase.scenarios.end()) {
-        throw UsageError({"ensemble.case_scenario", "{0} has no scenario \"{1}\".", {base, id}},
-                         {"ensemble.no_scenario.remedy", "Name scenarios of the case by their ids.", {}});
-    }
-    return *found;
-}
-
-const CaseInput& feInputOf(const Case& theCase, const CaseScenario& scenario, const std::string& base) {
-    for (const CaseInput& input : theCase.inputs) {
-        if (input.role == InputRole::Fe && (input.id == scenario.feInput || scenario.feInput.empty())) {
-            return input;
-        }
-    }
-    throw UsageError({"ensemble.no_result", "{0}: the scenario \"{1}\" stands on no FE result.", {base, scenario.name}},
-                     {"ensemble.no_result.remedy", "Add the FE result to the case.", {}});
-}
 
 void note(EnsembleSource& source, const std::string& role, const std::string& path, const std::string& sha256) {
     const bool known =
@@ -41,35 +14,19 @@ void note(EnsembleSource& source, const std::string& role, const std::string& pa
     }
 }
 
-void addScene(EnsembleSource& source, const Case& theCase, const std::string& base, const CaseScenario& scenario,
-              const OpenResult& open, bool copies, const Execution& execution) {
-    const CaseInput& input = feInputOf(theCase, scenario, base);
-    const std::string path = inputPath(base, input);
-    EnsembleScene scene{scenario.id, scenario.name, {}, scenario.scenario};
-    const ImportSettings& import = scenario.scenario.import;
-    scene.inputs.fe = open.fe != nullptr && open.path == path && open.import == import ? open.fe
-                      : copies ? openFeCached(path, import, theCase.frame, execution, cacheFolder())
-                               : openFe(path, import, theCase.frame, execution);
-    const auto& contents = scene.inputs.fe->contents();
-    scene.inputs.frame = contents.frame;
-    if (!input.sha256.empty() && input.sha256 != contents.sha256) {
-        source.findings.add({"case.input_changed", "The FE file is not the one the case was saved with.", {}},
-                            {"case.input_changed.remedy", "Find the file with the SHA-256 of the case, or save the case anew.", {}},
-                            path);
+/// @param id  as the setting "scenario" chooses it
+void addScene(EnsembleSource& source, const OpenedCase& opened, const std::string& id) {
+    source.scenes.push_back({id, opened.scenarioName, opened.inputs, opened.scenario});
+    source.theCase = opened.theCase;
+    source.frame = opened.inputs.frame;
+    source.files.insert(source.files.end(), opened.files.begin(), opened.files.end());
+    source.findings.append(openingFindings(opened));
+    const RunOrigin origin = originOf(opened);
+    note(source, "fe", origin.fePath, origin.feSha256);
+    note(source, "terrain", origin.terrainPath, origin.terrainSha256);
+    for (const RecordedInput& mesh : origin.surroundings) {
+        note(source, "surroundings", mesh.path, mesh.sha256);
     }
-    Case framed = theCase;
-    framed.frame = contents.frame;
-    const TerrainInput terrain = openSiteOfCase(framed, base, scene.inputs.fe->mesh(), execution);
-    scene.inputs.terrain = terrain.grid;
-    source.findings.append(terrain.findings);
-    note(source, "fe", path, contents.sha256);
-    note(source, "terrain", terrain.path, terrain.sha256);
-    for (const SiteFile& file : terrain.files) {
-        note(source, "surroundings", file.path, file.sha256);
-    }
-    source.frame = contents.frame;
-    source.site = theCase.site;
-    source.scenes.push_back(std::move(scene));
 }
 
 }  // namespace
@@ -86,20 +43,22 @@ std::vector<std::string> variedScenarios(const EnsembleSettings& settings) {
     return {};
 }
 
-EnsembleSource openEnsemble(const Case& theCase, const std::string& base, const std::optional<std::string>& scenario,
-                            const EnsembleSettings& settings, const OpenResult& open, bool copies, const Execution& execution) {
+EnsembleSource openEnsemble(const CaseRequest& request, const EnsembleSettings& settings, const Execution& execution) {
     EnsembleSource source;
-    source.name = theCase.title;
-    std::vector<std::string> ids = variedScenarios(settings);
-    if (scenario || ids.empty()) {
-        ids = {scenario.value_or(theCase.activeScenario)};
+    const std::vector<std::string> varied = variedScenarios(settings);
+    if (request.scenario || varied.empty()) {
+        const OpenedCase opened = openCase(request, execution);
+        addScene(source, opened, opened.scenarioId);
+        source.name = request.scenario ? opened.scenarioName : opened.theCase.title;
+        return source;
     }
-    for (const std::string& id : ids) {
+    CaseRequest each = request;
+    for (const std::string& scenario : varied) {
         execution.check();
-        const CaseScenario& chosen = scenarioOf(theCase, id, base);
-        addScene(source, theCase, base, chosen, open, copies, execution);
-        source.name = scenario ? chosen.name : source.name;
+        each.scenario = scenario;
+        addScene(source, openCase(each, execution), scenario);
     }
+    source.name = source.theCase.title;
     return source;
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/evidence/probability_map.h"
 #include "core/fe/components.h"
+#include "core/scenario/case_lookup.h"
 #include "core/scenario/differences.h"
 #include "io/acknowledgements.h"
 #include "io/case_file.h"
@@ -39,11 +40,9 @@ const CaseScenario* scenarioOf(const ReportRequest& request) {
     if (request.theCase == nullptr) {
         return nullptr;
     }
-    const std::string& id = request.scenarioId.empty() ? request.theCase->activeScenario : request.scenarioId;
-    for (const CaseScenario& scenario : request.theCase->scenarios) {
-        if (scenario.id == id || scenario.name == id) {
-            return &scenario;
-        }
+    const std::string& id = request.scenarioId;
+    if (const CaseScenario* found = findScenario(*request.theCase, id.empty() ? std::nullopt : std::optional(id))) {
+        return found;
     }
     throw UsageError({"report.no_scenario", "The case has no scenario \"{0}\"", {id}},
                      {"report.no_scenario.remedy", "Name one of its scenarios.", {}});
@@ -77,11 +76,8 @@ void addStaleSettings(std::vector<Message>& stale, const ReportRequest& request)
     if (!(ran.regrouping == scenario->scenario.regrouping)) {
         stale.push_back({"report.stale_regrouping", "the case regroups its components in another way than the run", {}});
     }
-    for (const CaseInput& input : request.theCase->inputs) {
-        if (input.role == InputRole::Fe && (input.id == scenario->feInput || scenario->feInput.empty()) && !input.sha256.empty()) {
-            addStaleFile(stale, "FE result of the case", input.path, request.run->origin().feSha256, input.sha256);
-            break;
-        }
+    if (const CaseInput* input = findFeInput(*request.theCase, *scenario); input != nullptr && !input->sha256.empty()) {
+        addStaleFile(stale, "FE result of the case", input->path, request.run->origin().feSha256, input->sha256);
     }
 }
 

@@ -5046,10 +5046,6 @@
         <translation>结构的 {0} 个松散部分（{1} 个单元）在结束时存活，固定于原处</translation>
     </message>
     <message>
-        <source>{0} names no FE result</source>
-        <translation>{0} 未指定有限元结果</translation>
-    </message>
-    <message>
         <source>{0} names the file {1}, which is not there</source>
         <translation>{0} 所指的文件 {1} 不存在</translation>
     </message>
@@ -6586,10 +6582,6 @@
         <translation>有一个模拟无法保留供再次启动时使用。</translation>
     </message>
     <message>
-        <source>Add the FE result to the case.</source>
-        <translation>请把该有限元结果加入案例。</translation>
-    </message>
-    <message>
         <source>Ask sinfo whether the cluster answers and has nodes for it; --sbatch gives sbatch more options.</source>
         <translation>请用 sinfo 查看集群是否应答、是否有合适的节点；--sbatch 可为 sbatch 添加选项。</translation>
     </message>
@@ -6734,6 +6726,42 @@
         <translation>无法写入 {0}。</translation>
     </message>
     <message>
+        <source>{0} has no scenarios.</source>
+        <translation>{0} 没有方案。</translation>
+    </message>
+    <message>
+        <source>Its scenarios: {0}.</source>
+        <translation>它的方案有：{0}。</translation>
+    </message>
+    <message>
+        <source>{0} names no FE result.</source>
+        <translation>{0} 未指定有限元结果。</translation>
+    </message>
+    <message>
+        <source>Add the FE result to the case, or open the FE result itself.</source>
+        <translation>请把该有限元结果加入案例，或直接打开有限元结果。</translation>
+    </message>
+    <message>
+        <source>{0}: the scenario &quot;{1}&quot; names the FE input &quot;{2}&quot;, which the case does not have.</source>
+        <translation>{0}：方案“{1}”指定的有限元输入“{2}”在案例中不存在。</translation>
+    </message>
+    <message>
+        <source>{0} is not a case, so it has no scenarios.</source>
+        <translation>{0} 不是案例，因此没有方案。</translation>
+    </message>
+    <message>
+        <source>Name no scenario, or open a case.</source>
+        <translation>请不要指定方案，或打开一个案例。</translation>
+    </message>
+    <message>
+        <source>the scenario names no FE result, and the case has {0}; the first is used</source>
+        <translation>方案未指定有限元结果，而案例有 {0} 个；采用第一个</translation>
+    </message>
+    <message>
+        <source>name the FE result of the scenario, or keep one in the case</source>
+        <translation>请为方案指定有限元结果，或在案例中只保留一个</translation>
+    </message>
+    <message>
         <source>{0} = {1}: the unit of {0} is {2}, not {3}.</source>
         <translation>{0} = {1}：{0} 的单位是 {2}，而不是 {3}。</translation>
     </message>
@@ -6748,10 +6776,6 @@
     <message>
         <source>{0} of {1} worlds are made; the cluster does not answer</source>
         <translation>已完成 {0}/{1} 个模拟；集群没有应答</translation>
-    </message>
-    <message>
-        <source>{0}: the scenario &quot;{1}&quot; stands on no FE result.</source>
-        <translation>{0}：方案“{1}”没有对应的有限元结果。</translation>
     </message>
     <message>
         <source>Frame of the control points</source>

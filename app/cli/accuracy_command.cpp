@@ -113,7 +113,7 @@ ExitCode measureAccuracy(const Arguments& arguments, Session& session) {
     const StudyPlace place(arguments);
     AccuracyOptions options = parseOptions(arguments);
     options.choice = place.choice();
-    const Subject subject = openSubject(arguments, session);
+    const io::OpenedCase subject = openSubject(arguments, session);
     checkCsvPath(arguments, subject.files);
     if (const auto path = arguments.value("--errors")) {
         checkOutputPath(*path, subject.files);

@@ -164,7 +164,7 @@ Json AccuracyOutput::json() const {
                                        {"half_width", check.halfWidth}});
         }
     }
-    Findings findings = allFindings(subject, {});
+    Findings findings = io::allFindings(subject, {});
     findings.append(report.findings);
     object["warnings"] = findingsJson(findings);
     return object;
@@ -318,7 +318,7 @@ void AccuracyOutput::print(std::ostream& out) const {
                               " points predicted from those of other settings");
         checkTable().print(out);
     }
-    Findings findings = allFindings(subject, {});
+    Findings findings = io::allFindings(subject, {});
     findings.append(report.findings);
     printFindings(out, findings);
 }

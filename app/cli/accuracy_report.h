@@ -17,7 +17,7 @@ using Predictions = std::array<Prediction, predictedCount>;
 
 /// A sweep as tables and JSON.
 struct AccuracyOutput {
-    const Subject& subject;
+    const io::OpenedCase& subject;
     const AccuracyReport& report;
     const AccuracyOptions& options;
     std::vector<Predictions> predictions;  ///< of the points, in their order

@@ -14,10 +14,10 @@ namespace {
 ExitCode convert(const Arguments& arguments, Session& session) {
     const std::string& path = arguments.operand(1);
     checkOutputPath(path, std::vector<std::string>{arguments.operand()});
-    const Subject subject = openSubject(arguments, session);
+    const io::OpenedCase subject = openSubject(arguments, session);
     const FeResult& fe = *subject.inputs.fe;
     const io::Conversion made = io::convertFe(fe, subject.inputs.frame, path, arguments.has("--force"), session.execution());
-    const Findings findings = allFindings(subject, {});
+    const Findings findings = io::allFindings(subject, {});
     if (arguments.json()) {
         Json object;
         object["fe"] = {{"path", subject.fePath}, {"sha256", fe.contents().sha256}};

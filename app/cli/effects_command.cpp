@@ -9,12 +9,12 @@ namespace rubble::cli {
 namespace {
 
 ExitCode effects(const Arguments& arguments, Session& session) {
-    const Subject subject = openSubject(arguments, session);
+    const io::OpenedCase subject = openSubject(arguments, session);
     checkCsvPath(arguments, subject.files);
     const Results results = runTo(subject, Stage::Clusters, nullptr, session.execution());
     const EffectDecisions decisions = decideEffects({*subject.inputs.fe, *results.components, *results.fragments,
                                                      *results.clustering, subject.inputs.terrain.get(), subject.scenario});
-    const Findings findings = allFindings(subject, results);
+    const Findings findings = io::allFindings(subject, results);
     writeCsv(arguments, effectsTable(decisions));
     if (arguments.json()) {
         Json object;

@@ -3,58 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/cli/commands.h"
 #include "app/cli/option_value.h"
 #include "app/cli/study_options.h"
+#include "app/cli/subject.h"
 #include "core/base/error.h"
 #include "io/case_file.h"
-#include "io/ensemble_source.h"
 #include "io/machine.h"
 
 namespace rubble::cli {
-
-namespace {
-
-void addInput(EnsembleSubject& subject, const std::string& role, const std::string& path, const std::string& sha256) {
-    const bool known = std::any_of(subject.inputs.begin(), subject.inputs.end(),
-                                   [&](const io::EnsembleInput& input) { return input.path == path; });
-    if (!known && !path.empty()) {
-        subject.inputs.push_back({role, path, sha256});
-    }
-}
-
-/// The command line of one scenario of an operand, as a command that takes one would have it.
-Subject openScenario(const std::string& path, const std::optional<std::string>& scenario, const Arguments& arguments,
-                     Session& session) {
-    static const Command one{"ensemble", "FE|CASE", "", "", {setOption(), scenarioOption(), cachedOption(), terrainOption()},
-                             nullptr};
-    std::vector<std::string> words;
-    for (const std::string& setting : arguments.values("--set")) {
-        words.insert(words.end(), {"--set", setting});
-    }
-    if (scenario) {
-        words.insert(words.end(), {"--scenario", *scenario});
-    }
-    if (arguments.has("--cached")) {
-        words.emplace_back("--cached");
-    }
-    if (const auto terrain = arguments.value("--terrain")) {
-        words.insert(words.end(), {"--terrain", *terrain});
-    }
-    words.insert(words.end(), {"--", path});
-    return openSubject(Arguments(one, words), session);
-}
-
-void addScene(EnsembleSubject& subject, const Subject& opened, const std::string& id) {
-    subject.scenes.push_back({id, opened.scenarioName, opened.inputs, opened.scenario});
-    subject.frame = opened.inputs.frame;
-    subject.files.insert(subject.files.end(), opened.files.begin(), opened.files.end());
-    subject.findings.append(opened.findings);
-    addInput(subject, "fe", opened.fePath, opened.inputs.fe->contents().sha256);
-    addInput(subject, "terrain", opened.terrain.path, opened.terrain.sha256);
-}
-
-}  // namespace
 
 std::vector<Option> EnsembleRequest::options() {
     return {{"--members", "N", false, "how often the collapse is simulated (default: that of the case, 16)"},
@@ -117,22 +73,16 @@ EnsembleSettings EnsembleRequest::settingsFor(const Case& theCase) const {
 
 EnsembleSubject openEnsembleSubject(const std::string& path, const std::optional<std::string>& scenario, const Arguments& arguments,
                                     const EnsembleRequest& request, Session& session) {
-    EnsembleSubject subject;
+    io::CaseRequest opening = caseRequest(arguments, path);
+    opening.scenario = scenario;
     if (io::isCaseFile(path)) {
-        subject.theCase = io::loadCase(path);
+        opening.theCase = io::loadCase(path);
     }
-    subject.settings = request.settingsFor(subject.theCase);
-    std::vector<std::string> ids = io::variedScenarios(subject.settings);
+    const EnsembleSettings settings = request.settingsFor(opening.theCase.value_or(Case()));
+    EnsembleSubject subject{io::openEnsemble(opening, settings, session.execution()), settings};
     if (scenario) {
         // One scenario is asked for: then it is not varied.
         std::erase_if(subject.settings.varied, [](const VariedSetting& varied) { return varied.key == scenarioKey; });
-        ids.clear();
-    }
-    if (ids.empty()) {
-        addScene(subject, openScenario(path, scenario, arguments, session), {});
-    }
-    for (const std::string& id : ids) {
-        addScene(subject, openScenario(path, id, arguments, session), id);
     }
     return subject;
 }

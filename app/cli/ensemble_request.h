@@ -8,7 +8,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/subject.h"
 #include "core/evidence/probability_map.h"
-#include "io/geo/ensemble_origin.h"
+#include "io/ensemble_source.h"
 
 namespace rubble::cli {
 
@@ -37,15 +37,9 @@ private:
     int m_threads = 0;
 };
 
-/// A case or FE file with the scenarios that its ensemble needs.
-struct EnsembleSubject {
-    Case theCase;  ///< as in the file; of a plain FE file with what is usual
+/// A case or FE file with the scenarios that its ensemble needs, and how that is made.
+struct EnsembleSubject : io::EnsembleSource {
     EnsembleSettings settings;
-    std::vector<EnsembleScene> scenes;
-    std::vector<io::EnsembleInput> inputs;
-    std::vector<std::string> files;  ///< everything that was read
-    Frame frame;
-    Findings findings;
 };
 
 /// Opens a case or FE file with every scenario that is varied, or only the one that is named. Throws as openSubject().

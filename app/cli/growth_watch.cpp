@@ -54,7 +54,7 @@ std::optional<double> followPause(const Arguments& arguments) {
     return seconds;
 }
 
-void followGrowth(const Subject& subject, double pause, Session& session) {
+void followGrowth(const io::OpenedCase& subject, double pause, Session& session) {
     std::shared_ptr<const FeResult> fe = subject.inputs.fe;
     for (;;) {
         wait(pause, session.execution());

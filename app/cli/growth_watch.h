@@ -13,6 +13,6 @@ std::optional<double> followPause(const Arguments& arguments);
 
 /// Looks at the FE result of a subject again and again, and prints a line whenever states have come, until it is cancelled. A
 /// result that cannot be read just now is looked at again.
-[[noreturn]] void followGrowth(const Subject& subject, double pause, Session& session);
+[[noreturn]] void followGrowth(const io::OpenedCase& subject, double pause, Session& session);
 
 }  // namespace rubble::cli

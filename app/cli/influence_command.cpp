@@ -36,7 +36,7 @@ ExitCode measureInfluence(const Arguments& arguments, Session& session) {
     const StudySettings settings = parseStudySettings(arguments, 2);
     const std::vector<EffectKind> effects =
         arguments.has("--effects") ? parseEffects(*arguments.value("--effects")) : std::vector<EffectKind>{};
-    const Subject subject = openSubject(arguments, session);
+    const io::OpenedCase subject = openSubject(arguments, session);
     checkCsvPath(arguments, subject.files);
     io::StudyFiles files(arguments.value("--cache").value_or(io::cacheFolder()));
     if (place.elsewhere()) {

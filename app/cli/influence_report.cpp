@@ -107,7 +107,7 @@ Json InfluenceOutput::json() const {
     for (const EffectInfluence& row : report.effects) {
         object["effects"].push_back(effectJson(row));
     }
-    Findings findings = allFindings(subject, {});
+    Findings findings = io::allFindings(subject, {});
     findings.append(report.findings);
     object["warnings"] = findingsJson(findings);
     return object;

@@ -9,7 +9,7 @@ namespace rubble::cli {
 
 /// What `influence` found, as its tables and its JSON object report it; complete or not.
 struct InfluenceOutput {
-    const Subject& subject;
+    const io::OpenedCase& subject;
     const InfluenceReport& report;
     const StudySettings& settings;
 

@@ -56,7 +56,7 @@ std::string proposalText(const Proposal& proposal) {
     return (proposal.choice.empty() ? "cannot be told: " : proposal.choice + ": ") + englishText(proposal.reason);
 }
 
-Json inspectionJson(const Subject& subject, const Audit& audit, const Findings& findings, const UnitReport& units) {
+Json inspectionJson(const io::OpenedCase& subject, const Audit& audit, const Findings& findings, const UnitReport& units) {
     const FeResult& fe = *subject.inputs.fe;
     Json object;
     object["format"] = fe.contents().format;
@@ -140,7 +140,7 @@ TextTable deathTable(const FeResult& fe, const Audit& audit) {
     return table;
 }
 
-void printInspection(std::ostream& out, const Subject& subject, const Audit& audit, const Findings& findings,
+void printInspection(std::ostream& out, const io::OpenedCase& subject, const Audit& audit, const Findings& findings,
                      const UnitReport& units) {
     const FeResult& fe = *subject.inputs.fe;
     const auto whole = [](std::size_t number) { return englishInteger(static_cast<std::int64_t>(number)); };
@@ -189,11 +189,11 @@ void printInspection(std::ostream& out, const Subject& subject, const Audit& aud
 
 ExitCode inspect(const Arguments& arguments, Session& session) {
     const std::optional<double> pause = followPause(arguments);
-    const Subject subject = openSubject(arguments, session);
+    const io::OpenedCase subject = openSubject(arguments, session);
     checkCsvPath(arguments, subject.files);
     const Results results = runTo(subject, Stage::Components, nullptr, session.execution());
     const Audit audit = auditDeaths(*subject.inputs.fe, *results.components, session.execution());
-    const Findings findings = allFindings(subject, results);
+    const Findings findings = io::allFindings(subject, results);
     const UnitReport units = unitReport(*subject.inputs.fe, session.execution());
     writeCsv(arguments, componentTable(audit));
     if (arguments.json()) {

@@ -46,15 +46,15 @@ MapSubject openMapSubject(const Arguments& arguments, Session& session) {
         subject.inputs = openInputsOfRun(subject.run->origin(), arguments, session);
         return subject;
     }
-    const Subject opened = openSubject(arguments, session);
+    const io::OpenedCase opened = openSubject(arguments, session);
     subject.temporary = std::make_unique<TemporaryRun>();
     const std::string path = subject.temporary->path();
-    std::unique_ptr<TrajectorySink> file = io::createRun(path, originOf(opened));
+    std::unique_ptr<TrajectorySink> file = io::createRun(path, io::originOf(opened));
     const Results results = runTo(opened, Stage::Simulation, file.get(), session.execution());
     file.reset();
     subject.run = io::openRun(path);
     subject.inputs = opened.inputs;
-    subject.findings = opened.findings;
+    subject.findings = io::openingFindings(opened);
     return subject;
 }
 

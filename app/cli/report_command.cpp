@@ -13,6 +13,7 @@
 #include "app/cli/temporary_run.h"
 #include "app/cli/virtual_display.h"
 #include "core/base/error.h"
+#include "core/scenario/case_lookup.h"
 #include "core/selftest/report_checks.h"
 #include "io/case_file.h"
 #include "io/machine.h"
@@ -51,13 +52,9 @@ std::string keptRun(const std::string& casePath, const std::string& scenarioId) 
 }
 
 std::string wantedScenario(const Arguments& arguments, const Case& theCase) {
-    const std::string wanted = arguments.value("--scenario").value_or(theCase.activeScenario);
-    for (const CaseScenario& scenario : theCase.scenarios) {
-        if (scenario.id == wanted || scenario.name == wanted) {
-            return scenario.id;
-        }
-    }
-    return wanted;
+    const std::optional<std::string> wanted = arguments.value("--scenario");
+    const CaseScenario* found = findScenario(theCase, wanted);
+    return found != nullptr ? found->id : wanted.value_or("");
 }
 
 /// The run of a case is the one named, else the newest that was kept, else one that is simulated now.
@@ -77,10 +74,10 @@ ReportSubject openReportSubject(const Arguments& arguments, Session& session) {
         subject.runPath = arguments.value("--run").value_or(kept);
     }
     if (subject.runPath.empty()) {
-        const Subject opened = openSubject(arguments, session);
+        const io::OpenedCase opened = openSubject(arguments, session);
         subject.temporary = std::make_unique<TemporaryRun>();
         subject.runPath = subject.temporary->path();
-        std::unique_ptr<TrajectorySink> file = io::createRun(subject.runPath, originOf(opened));
+        std::unique_ptr<TrajectorySink> file = io::createRun(subject.runPath, io::originOf(opened));
         runTo(opened, Stage::Simulation, file.get(), session.execution());
     }
     subject.run = io::openRun(subject.runPath);

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// An existing file is replaced only if it is a run: what a slip of the keyboard names must survive it.
-void checkRunPath(const std::string& path, const Subject& subject) {
+void checkRunPath(const std::string& path, const io::OpenedCase& subject) {
     checkOutputPath(path, subject.files);
     std::error_code ignored;
     if (!fs::exists(path, ignored) || fs::file_size(path, ignored) == 0) {
@@ -80,7 +80,7 @@ void printReport(const Arguments& arguments, Session& session, const RunReport& 
 }
 
 ExitCode runScenario(const Arguments& arguments, Session& session) {
-    const Subject subject = openSubject(arguments, session);
+    const io::OpenedCase subject = openSubject(arguments, session);
     checkCsvPath(arguments, subject.files);
     const ExportRequest exports(arguments, subject.files);
     std::string runPath = arguments.value("--out").value_or("");
@@ -102,7 +102,7 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
     }
     std::unique_ptr<TrajectorySink> file;
     if (!runPath.empty()) {
-        file = io::continueRun(runPath, originOf(subject));
+        file = io::continueRun(runPath, io::originOf(subject));
     }
     DebrisRecorder debris;
     LedgerRecorder recorder(file ? file.get() : &debris);
@@ -123,7 +123,7 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
     writeCsv(arguments, ledgerTable(recorder.ledger()));
     const std::shared_ptr<io::RunReader> recorded = runPath.empty() ? nullptr : io::openRun(runPath);
     const io::Taint taint = recorded ? io::taintOf(*recorded) : io::Taint{results.simulation->health.breaches.size(), {}, {}, true};
-    const RunReport report{subject,         results, recorder.ledger(), allFindings(subject, results), temporary ? "" : runPath,
+    const RunReport report{subject,         results, recorder.ledger(), io::allFindings(subject, results), temporary ? "" : runPath,
                            exports.paths(), taint};
     if (arguments.json()) {
         printJson(session, report.json());

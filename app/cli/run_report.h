@@ -14,7 +14,7 @@ namespace rubble::cli {
 
 /// A finished run, as its summary, its tables and its JSON object report it.
 struct RunReport {
-    const Subject& subject;
+    const io::OpenedCase& subject;
     const Results& results;
     const std::vector<LedgerRow>& ledger;
     Findings findings;

@@ -106,7 +106,7 @@ std::string filesText(const RunReport& report) {
 
 }  // namespace
 
-std::optional<DebrisFigures> figuresAtEnd(const Subject& subject, const Results& results, Debris debris) {
+std::optional<DebrisFigures> figuresAtEnd(const io::OpenedCase& subject, const Results& results, Debris debris) {
     const MappedRun mapped{subject.inputs.fe.get(), nullptr,         results.fragments, results.simulation,
                            subject.inputs.terrain,  subject.scenario};
     try {

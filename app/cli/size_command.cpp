@@ -9,11 +9,11 @@ namespace rubble::cli {
 namespace {
 
 ExitCode size(const Arguments& arguments, Session& session) {
-    const Subject subject = openSubject(arguments, session);
+    const io::OpenedCase subject = openSubject(arguments, session);
     checkCsvPath(arguments, subject.files);
     const Results results = runTo(subject, Stage::Sizing, nullptr, session.execution());
     const Sizing& sizing = *results.sizing;
-    const Findings findings = allFindings(subject, results);
+    const Findings findings = io::allFindings(subject, results);
     const Mesh& mesh = subject.inputs.fe->mesh();
     writeCsv(arguments, boundsTable(sizing, *results.fragments, *results.components, mesh));
     if (arguments.json()) {

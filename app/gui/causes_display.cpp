@@ -9,6 +9,7 @@
 #include "app/gui/ensemble_display.h"
 #include "app/gui/map_export.h"
 #include "core/evidence/study_tables.h"
+#include "core/scenario/case_lookup.h"
 #include "io/case_file.h"
 #include "io/files.h"
 #include "widgets/causes_page.h"
@@ -250,8 +251,9 @@ StudyCase CausesDisplay::asOpen(const Added& result) const {
     }
     cause.scenario = active->id;
     cause.theCase.scenarios = {*active};
+    const CaseInput* replaced = findFeInput(cause.theCase, *active);
     for (CaseInput& input : cause.theCase.inputs) {
-        if (input.id == active->feInput) {
+        if (&input == replaced) {
             input.path = result.path.toStdString();
             input.sha256.clear();
         }

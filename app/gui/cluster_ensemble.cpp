@@ -34,8 +34,7 @@ struct Making {
             return {};
         }
         const StudyOrder& order = ensemble.order;
-        const StudyCase& of = ensemble.of;
-        source = io::openEnsemble(of.theCase, of.base, of.scenario, order.settings, order.open, order.copies, execution);
+        source = io::openEnsemble(caseRequest(ensemble.of, order), order.settings, execution);
         io::DistributedStudy study;
         study.name = studyName;
         study.subject = subject;
@@ -66,7 +65,8 @@ struct Making {
         execution.check();
         report.findings.append(source.findings);
         report.findings.append(findingsOf(progress));
-        ensemble.take({std::make_shared<const EnsembleReport>(std::move(report)), source.inputs, source.frame, source.site});
+        ensemble.take(
+            {std::make_shared<const EnsembleReport>(std::move(report)), source.inputs, source.frame, source.theCase.site});
     }
 };
 

@@ -9,6 +9,7 @@
 
 #include "app/gui/document.h"
 #include "core/base/error.h"
+#include "core/scenario/case_lookup.h"
 #include "io/case_file.h"
 #include "io/files.h"
 #include "io/jobs/program.h"
@@ -144,10 +145,9 @@ std::string commandLineProgram() {
 JobCase jobCaseOf(const Document& document) {
     JobCase of{document.theCase(), document.base().toStdString(), document.path().toStdString()};
     const CaseScenario* active = document.active();
-    for (const CaseInput& input : of.theCase.inputs) {
-        if (of.subject.empty() && active != nullptr && input.id == active->feInput) {
-            of.subject = io::inputPath(of.base, input);
-        }
+    const CaseInput* input = active != nullptr ? findFeInput(of.theCase, *active) : nullptr;
+    if (input != nullptr) {
+        of.subject = io::inputPath(of.base, *input);
     }
     return of;
 }

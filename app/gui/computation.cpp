@@ -6,15 +6,11 @@
 #include <chrono>
 #include <utility>
 
-#include "core/base/build.h"
 #include "core/base/error.h"
+#include "core/pipeline/stage_reports.h"
 #include "core/scenario/parameters.h"
 #include "io/acknowledgements.h"
 #include "io/case_file.h"
-#include "io/fe_copy/fe_cache.h"
-#include "io/fe_reader.h"
-#include "io/machine.h"
-#include "io/site_reader.h"
 #include "widgets/wording.h"
 
 namespace rubble {
@@ -25,65 +21,34 @@ constexpr int growthsPerSecond = 25;
 /// Between two questions whether what was opened may come now.
 constexpr std::chrono::milliseconds patience(50);
 
-const CaseScenario* activeOf(const Case& theCase) {
-    const CaseScenario* active = nullptr;
-    for (const CaseScenario& each : theCase.scenarios) {
-        active = active == nullptr || each.id == theCase.activeScenario ? &each : active;
-    }
-    return active;
-}
-
-/// The FE result that the scenario worked on stands on; null if the case names none.
-const CaseInput* feInputOf(const Case& theCase) {
-    const CaseScenario* active = activeOf(theCase);
-    const CaseInput* input = nullptr;
-    for (const CaseInput& each : theCase.inputs) {
-        input = active != nullptr && each.id == active->feInput ? &each : input;
-    }
-    return input;
-}
-
-/// Reads the FE result and the terrain of a case. An FE result that was recognised but cannot be read as it is set leaves the case,
-/// so that the settings can be changed.
-void readFe(Opened& opened, const Keeping& keeping, const Execution& execution) {
-    try {
-        const CaseScenario* active = activeOf(opened.theCase);
-        const CaseInput* input = feInputOf(opened.theCase);
-        if (input == nullptr) {
-            throw ParseError({"gui.case_without_fe", "{0} names no FE result", {opened.base.toStdString()}},
-                             {"gui.case_without_fe.remedy", "Open the FE result itself.", {}});
-        }
-        const std::string path = io::inputPath(opened.base.toStdString(), *input);
-        const ImportSettings& import = active->scenario.import;
-        const auto fe = keeping.copies ? io::openFeCached(path, import, opened.theCase.frame, execution, io::cacheFolder())
-                                       : io::openFe(path, import, opened.theCase.frame, execution);
-        opened.fe = std::make_shared<const FeResult>(fe->contents(), keeping.stateBytes());
-        Case framed = opened.theCase;
-        framed.frame = opened.fe->contents().frame;
-        opened.terrain = io::openSiteOfCase(framed, opened.base.toStdString(), opened.fe->mesh(), execution);
-    } catch (const Cancelled&) {
-        throw;
-    } catch (...) {
-        // A case whose terrain cannot be read is not simulated on level ground instead.
-        opened.fe.reset();
-        opened.failure = failureOf(std::current_exception());
-    }
+/// Reads a case or an FE result with all that it stands on. One that was recognised but cannot be read as it is set leaves the
+/// case, so that the settings can be changed.
+void readContent(Opened& opened, io::CaseRequest request, const Keeping& keeping, const Execution& execution) {
+    request.cached = keeping.copies;
+    request.stateBytes = keeping.stateBytes();
+    request.evenWithoutInputs = true;
+    opened.content = io::openCase(request, execution);
+    opened.theCase = opened.content.theCase;
+    opened.base = QString::fromStdString(opened.content.base);
+    opened.fe = opened.content.inputs.fe;
+    opened.failure = failureOf(std::exchange(opened.content.failure, nullptr));
 }
 
 /// Looks where the case says that its inputs are; what was read already is not read again.
 void findInputs(Opened& opened, const Execution& execution) {
+    const io::OpenedCase& content = opened.content;
     for (const CaseInput& input : opened.theCase.inputs) {
-        const std::string place = io::inputPath(opened.base.toStdString(), input);
+        const std::string place = io::inputPath(content.base, input);
         std::string known;
-        if (opened.fe != nullptr && &input == feInputOf(opened.theCase)) {
+        if (input.role == InputRole::Fe && opened.fe != nullptr && place == content.fePath) {
             known = opened.fe->contents().sha256;
-        } else if (input.role == InputRole::Terrain && place == opened.terrain.path) {
-            known = opened.terrain.sha256;
+        } else if (input.role == InputRole::Terrain && place == content.terrain.path) {
+            known = content.terrain.sha256;
         }
-        for (const io::SiteFile& file : opened.terrain.files) {
+        for (const io::SiteFile& file : content.terrain.files) {
             known = file.input == input.id && file.path == place ? file.sha256 : known;
         }
-        opened.found.push_back(io::findInput(opened.base.toStdString(), input, known, execution));
+        opened.found.push_back(io::findInput(content.base, input, known, execution));
     }
 }
 
@@ -184,14 +149,10 @@ void Computation::open(const QString& path) {
     const QString absolute = QDir().absoluteFilePath(path);
     startOpening([absolute, keep = m_keeping](const Execution& execution) {
         Opened result;
-        if (io::isCaseFile(absolute.toStdString())) {
-            result.theCase = io::loadCase(absolute.toStdString());
-            result.path = result.base = absolute;
-        } else {
-            result.base = absolute + QStringLiteral(".rubble");
-            result.theCase = io::caseForFe(absolute.toStdString(), result.base.toStdString());
-        }
-        readFe(result, keep, execution);
+        io::CaseRequest request;
+        request.path = absolute.toStdString();
+        readContent(result, request, keep, execution);
+        result.path = QString::fromStdString(result.content.casePath);
         findInputs(result, execution);
         return result;
     });
@@ -199,19 +160,23 @@ void Computation::open(const QString& path) {
 
 void Computation::reopen(const Case& theCase, const QString& path, const QString& base, bool recovered) {
     startOpening([theCase, path, base, recovered, keep = m_keeping](const Execution& execution) {
-        Opened result{theCase, path, base, nullptr, std::nullopt, {}, {}, recovered};
-        readFe(result, keep, execution);
+        Opened result;
+        io::CaseRequest request;
+        request.path = base.toStdString();
+        request.theCase = theCase;
+        readContent(result, request, keep, execution);
+        result.path = path;
+        result.recovered = recovered;
         findInputs(result, execution);
         return result;
     });
 }
 
 void Computation::take(const Opened& opened, const Scenario& scenario) {
-    m_inputs = {opened.fe, opened.fe ? opened.fe->contents().frame : opened.theCase.frame, opened.terrain.grid};
-    m_terrain = opened.terrain;
-    m_site = opened.theCase.site;
+    m_opened = opened.content;
+    m_opened.theCase = opened.theCase;
     m_found = opened.found;
-    m_import = scenario.import;
+    m_import = opened.content.scenario.import;
     m_results = {};
     m_decisions.reset();
     m_run.reset();
@@ -222,15 +187,14 @@ void Computation::take(const Opened& opened, const Scenario& scenario) {
         fail(*opened.failure);
     }
     emit prepared();
-    if (m_inputs.fe != nullptr) {
+    if (m_opened.inputs.fe != nullptr) {
         update(scenario);
     }
 }
 
 void Computation::clear() {
     cancel();
-    m_inputs = {};
-    m_terrain = {};
+    m_opened = {};
     m_found.clear();
     m_results = {};
     m_decisions.reset();
@@ -258,34 +222,27 @@ void Computation::adopt(const Results& newer, Stage last) {
     m_results.clustering = newer.clustering != nullptr ? newer.clustering : m_results.clustering;
 }
 
-Results Computation::prepareOnWorker(const Inputs& inputs, const Scenario& scenario, Results results, const Execution& execution) {
-    for (const Stage stage : {Stage::Components, Stage::Fragments, Stage::Sizing, Stage::Clusters}) {
-        QMetaObject::invokeMethod(
-            this,
-            [this, stage] {
-                m_runningStage = stage;
-                m_fraction = 0.0;
-                emit stateChanged();
-            },
-            Qt::QueuedConnection);
-        // Later parts of earlier results go along, so that what is unchanged is used again.
-        Results made = run(inputs, scenario, stage, results, nullptr, execution);
-        QMetaObject::invokeMethod(
-            this,
-            [this, made, stage, fe = inputs.fe] {
-                if (fe == m_inputs.fe) {
-                    adopt(made, stage);
-                    emit prepared();
-                }
-            },
-            Qt::QueuedConnection);
-        const auto i = static_cast<std::size_t>(stage);
-        std::copy_n(made.keys.begin(), i + 1, results.keys.begin());
-        results.components = made.components != nullptr ? made.components : results.components;
-        results.fragments = made.fragments != nullptr ? made.fragments : results.fragments;
-        results.sizing = made.sizing != nullptr ? made.sizing : results.sizing;
-        results.clustering = made.clustering != nullptr ? made.clustering : results.clustering;
-    }
+Results Computation::prepareOnWorker(const Inputs& inputs, const Scenario& scenario, const Results& previous,
+                                     const Execution& execution) {
+    StageObserver observer;
+    observer.begins = [this](Stage stage) {
+        const auto show = [this, stage] {
+            m_runningStage = stage;
+            m_fraction = 0.0;
+            emit stateChanged();
+        };
+        QMetaObject::invokeMethod(this, show, Qt::QueuedConnection);
+    };
+    observer.made = [this, fe = inputs.fe](Stage stage, const Results& made) {
+        const auto take = [this, made, stage, fe] {
+            if (fe == m_opened.inputs.fe) {
+                adopt(made, stage);
+                emit prepared();
+            }
+        };
+        QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
+    };
+    Results results = run(inputs, scenario, Stage::Clusters, previous, nullptr, execution, nullptr, observer);
     decideOnWorker(inputs, scenario, results);
     return results;
 }
@@ -297,7 +254,7 @@ void Computation::decideOnWorker(const Inputs& inputs, const Scenario& scenario,
     QMetaObject::invokeMethod(
         this,
         [this, decisions, key = decisionKey(inputs, scenario), fe = inputs.fe] {
-            if (fe == m_inputs.fe) {
+            if (fe == m_opened.inputs.fe) {
                 m_decisions = decisions;
                 m_decidedFor = key;
                 emit decided();
@@ -307,11 +264,11 @@ void Computation::decideOnWorker(const Inputs& inputs, const Scenario& scenario,
 }
 
 void Computation::update(const Scenario& scenario) {
-    if (m_inputs.fe == nullptr) {
+    if (m_opened.inputs.fe == nullptr) {
         return;
     }
     m_worker.start({Worker::Kind::Update,
-                    [this, inputs = m_inputs, scenario, previous = m_results](const Execution& execution) {
+                    [this, inputs = m_opened.inputs, scenario, previous = m_results](const Execution& execution) {
                         prepareOnWorker(inputs, scenario, previous, execution);
                     },
                     [this](const std::exception_ptr& thrown) {
@@ -337,7 +294,7 @@ QString Computation::scratchPath() {
 }
 
 void Computation::simulate(const Scenario& scenario, const QString& scenarioName, bool live) {
-    if (m_inputs.fe == nullptr || simulating()) {
+    if (m_opened.inputs.fe == nullptr || simulating()) {
         return;
     }
     auto record = std::make_shared<RunRecord>();
@@ -356,27 +313,17 @@ void Computation::simulate(const Scenario& scenario, const QString& scenarioName
     }
     m_pace = live ? std::make_shared<LivePace>(scenario.grid.fpsTarget) : nullptr;
     m_failure.reset();
-    io::RunOrigin origin;
-    origin.fePath = QDir().absoluteFilePath(QString::fromStdString(m_inputs.fe->contents().path)).toStdString();
-    origin.feSha256 = m_inputs.fe->contents().sha256;
-    origin.terrainPath = m_terrain.path;
-    origin.terrainSha256 = m_terrain.sha256;
-    io::recordSite(origin, m_terrain, m_site);
-    origin.frame = m_inputs.frame;
-    origin.scenario = record->scenario;
-    origin.scenarioName = scenarioName.toStdString();
-    origin.build = std::string(buildText());
-    origin.fingerprint = stageKey(m_inputs, record->scenario, Stage::Simulation);
+    const io::RunOrigin origin = io::originOf(m_opened, record->scenario, scenarioName.toStdString());
     auto outcome = std::make_shared<std::shared_ptr<const SimulationResult>>();
     auto wall = std::make_shared<double>(0.0);
-    m_worker.start(
-        {Worker::Kind::Simulate,
-         [this, record, inputs = m_inputs, previous = m_results, origin, pace = m_pace, outcome, wall](const Execution& execution) {
-             const auto start = std::chrono::steady_clock::now();
-             *outcome = simulateOnWorker(record, inputs, previous, origin, pace, execution);
-             *wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-         },
-         [this, record, outcome, wall](const std::exception_ptr& thrown) { ended(record, *outcome, *wall, thrown); }});
+    m_worker.start({Worker::Kind::Simulate,
+                    [this, record, inputs = m_opened.inputs, previous = m_results, origin, pace = m_pace, outcome,
+                     wall](const Execution& execution) {
+                        const auto start = std::chrono::steady_clock::now();
+                        *outcome = simulateOnWorker(record, inputs, previous, origin, pace, execution);
+                        *wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+                    },
+                    [this, record, outcome, wall](const std::exception_ptr& thrown) { ended(record, *outcome, *wall, thrown); }});
 }
 
 std::shared_ptr<const SimulationResult> Computation::simulateOnWorker(const std::shared_ptr<RunRecord>& record,
@@ -434,7 +381,8 @@ void Computation::ended(const std::shared_ptr<RunRecord>& record, const std::sha
     record->wallSeconds = wall;
     if (outcome != nullptr) {
         record->results.simulation = outcome;
-        record->results.keys[static_cast<std::size_t>(Stage::Simulation)] = stageKey(m_inputs, record->scenario, Stage::Simulation);
+        record->results.keys[static_cast<std::size_t>(Stage::Simulation)] =
+            stageKey(m_opened.inputs, record->scenario, Stage::Simulation);
     }
     if (record->reader != nullptr) {
         try {
@@ -454,17 +402,29 @@ void Computation::ended(const std::shared_ptr<RunRecord>& record, const std::sha
     emit stateChanged();
 }
 
+Findings Computation::findings() const {
+    Results results = m_results;
+    results.simulation = m_run != nullptr ? m_run->outcome : nullptr;
+    return io::allFindings(m_opened, results);
+}
+
+void Computation::acceptInputs(const std::vector<CaseInput>& inputs) {
+    m_opened.theCase.inputs = inputs;
+    emit prepared();
+}
+
 void Computation::write(std::function<void(const Execution&)> work, std::function<void(std::exception_ptr)> done) {
     m_worker.queue({Worker::Kind::Write, std::move(work), std::move(done)});
 }
 
 bool Computation::stale(Stage stage, const Scenario& scenario) const {
     const auto i = static_cast<std::size_t>(stage);
-    return m_inputs.fe != nullptr && m_results.keys[i] != Digest{} && m_results.keys[i] != stageKey(m_inputs, scenario, stage);
+    return m_opened.inputs.fe != nullptr && m_results.keys[i] != Digest{} &&
+           m_results.keys[i] != stageKey(m_opened.inputs, scenario, stage);
 }
 
 bool Computation::decisionsStale(const Scenario& scenario) const {
-    return m_inputs.fe != nullptr && m_decisions != nullptr && m_decidedFor != decisionKey(m_inputs, scenario);
+    return m_opened.inputs.fe != nullptr && m_decisions != nullptr && m_decidedFor != decisionKey(m_opened.inputs, scenario);
 }
 
 void Computation::acknowledge(const QString& name, const QString& note) {
@@ -489,18 +449,18 @@ void Computation::acknowledge(const QString& name, const QString& note) {
 }
 
 bool Computation::importStale(const Scenario& scenario) const {
-    return m_inputs.fe != nullptr && !(scenario.import == m_import);
+    return m_opened.inputs.fe != nullptr && !(scenario.import == m_import);
 }
 
 bool Computation::runStale(const Scenario& scenario) const {
-    if (m_run == nullptr || m_inputs.fe == nullptr) {
+    if (m_run == nullptr || m_opened.inputs.fe == nullptr) {
         return false;
     }
     Scenario now = scenario;
     if (m_run->live) {
         now.simulation.frameRate = m_run->scenario.simulation.frameRate;
     }
-    return stageKey(m_inputs, now, Stage::Simulation) != stageKey(m_inputs, m_run->scenario, Stage::Simulation);
+    return stageKey(m_opened.inputs, now, Stage::Simulation) != stageKey(m_opened.inputs, m_run->scenario, Stage::Simulation);
 }
 
 widgets::StageState Computation::state(Stage stage, const Scenario& scenario) const {
@@ -522,7 +482,9 @@ widgets::StageState Computation::state(Stage stage, const Scenario& scenario) co
         return m_run->outcome == nullptr || runStale(scenario) ? StageState::Stale : StageState::UpToDate;
     }
     if (stage == Stage::Import) {
-        return m_inputs.fe == nullptr ? StageState::NotYet : importStale(scenario) ? StageState::Stale : StageState::UpToDate;
+        return m_opened.inputs.fe == nullptr ? StageState::NotYet
+               : importStale(scenario)       ? StageState::Stale
+                                             : StageState::UpToDate;
     }
     const bool made = m_results.keys[static_cast<std::size_t>(stage)] != Digest{};
     return !made ? StageState::NotYet : stale(stage, scenario) ? StageState::Stale : StageState::UpToDate;

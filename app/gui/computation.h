@@ -10,9 +10,9 @@
 #include "core/pipeline/pipeline.h"
 #include "core/scenario/case.h"
 #include "core/simulation/acknowledgement.h"
+#include "io/case/open_case.h"
 #include "io/input_check.h"
 #include "io/run_file.h"
-#include "io/terrain_reader.h"
 #include "widgets/stage_rail.h"
 
 namespace rubble {
@@ -24,7 +24,7 @@ struct Opened {
     QString base;  ///< what its inputs are relative to
     std::shared_ptr<const FeResult> fe;
     std::optional<Failure> failure;
-    io::TerrainInput terrain;           ///< its grid is null if the case has none
+    io::OpenedCase content;             ///< all that `fe` stands on
     std::vector<io::FoundInput> found;  ///< what lies where the case says that its inputs are
     bool recovered = false;             ///< the case has changes that were never saved
 
@@ -111,9 +111,17 @@ public:
         return m_worker.busy(stage == Stage::Simulation ? Worker::Kind::Simulate : Worker::Kind::Update);
     }
     bool simulating() const { return m_run != nullptr && m_run->running; }
-    const Inputs& inputs() const { return m_inputs; }
-    /// The terrain of the case as it was read, with its findings; without grid if there is none.
-    const io::TerrainInput& terrain() const { return m_terrain; }
+    const Inputs& inputs() const { return m_opened.inputs; }
+    /// The terrain of the case as it was read; without grid if there is none.
+    const io::TerrainInput& terrain() const { return m_opened.terrain; }
+    /// The case as it was read last, with all that it stands on.
+    const io::OpenedCase& content() const { return m_opened; }
+    /// The FE result that is open, for work that need not read it a second time.
+    io::OpenResult openResult() const { return {m_opened.fePath, m_import, m_opened.inputs.fe}; }
+    /// What was found on opening, by every stage and by the current run; one row for each kind.
+    Findings findings() const;
+    /// The case names other SHA-256 of its inputs now: what was a finding may be none, and the other way round.
+    void acceptInputs(const std::vector<CaseInput>& inputs);
     /// What lay where the case says that its inputs are, when they were last read.
     const std::vector<io::FoundInput>& foundInputs() const { return m_found; }
     const Results& results() const { return m_results; }
@@ -164,7 +172,7 @@ private:
     void whenWelcome(const std::shared_ptr<const Opened>& opened, int opening, const std::function<void()>& go);
     void replaceBy(const std::shared_ptr<const Opened>& opened, int opening);
     void tell(const Opened& opened);
-    Results prepareOnWorker(const Inputs& inputs, const Scenario& scenario, Results results, const Execution& execution);
+    Results prepareOnWorker(const Inputs& inputs, const Scenario& scenario, const Results& previous, const Execution& execution);
     void decideOnWorker(const Inputs& inputs, const Scenario& scenario, const Results& results);
     void adopt(const Results& newer, Stage last);
     std::shared_ptr<const SimulationResult> simulateOnWorker(const std::shared_ptr<RunRecord>& record, const Inputs& inputs,
@@ -186,9 +194,7 @@ private:
     Keeping m_keeping;
     std::function<Welcome(const Opened&)> m_welcome;
     int m_openings = 0;
-    Inputs m_inputs;
-    io::TerrainInput m_terrain;
-    Site m_site;  // with which it was read
+    io::OpenedCase m_opened;
     std::vector<io::FoundInput> m_found;
     ImportSettings m_import;  // with which the FE result was read
     Results m_results;

@@ -45,7 +45,7 @@ void readKept(RunRecord& record, const Inputs& inputs, const Results& previous, 
 }  // namespace
 
 void Computation::showRun(const QString& path, double wallSeconds) {
-    if (m_inputs.fe == nullptr || simulating()) {
+    if (m_opened.inputs.fe == nullptr || simulating()) {
         return;
     }
     readRun(path, wallSeconds, [this](const std::shared_ptr<RunRecord>& record) {
@@ -65,14 +65,14 @@ void Computation::readRun(const QString& path, double wallSeconds,
     record->kept = true;
     record->wallSeconds = wallSeconds;
     m_worker.start({Worker::Kind::Reopen,
-                    [record, inputs = m_inputs, previous = m_results](const Execution& execution) {
+                    [record, inputs = m_opened.inputs, previous = m_results](const Execution& execution) {
                         execution.report({"gui.opening_run", "Opening the run", {}}, 0.0);
                         readKept(*record, inputs, previous, execution);
                     },
-                    [this, record, take, fe = m_inputs.fe](const std::exception_ptr& thrown) {
+                    [this, record, take, fe = m_opened.inputs.fe](const std::exception_ptr& thrown) {
                         if (const auto failure = failureOf(thrown)) {
                             fail(*failure);
-                        } else if (thrown == nullptr && fe == m_inputs.fe) {
+                        } else if (thrown == nullptr && fe == m_opened.inputs.fe) {
                             take(record);
                         }
                         emit stateChanged();
@@ -113,7 +113,7 @@ void Computation::dropOthers() {
 }
 
 void Computation::openOther(const QString& path) {
-    if (m_inputs.fe == nullptr) {
+    if (m_opened.inputs.fe == nullptr) {
         return;
     }
     readRun(path, std::nan(""), [this](const std::shared_ptr<RunRecord>& record) { addOther(record); });

@@ -96,13 +96,7 @@ StudyOrder EnsembleDisplay::order() const {
     order.settings = m_document.theCase().ensemble;
     order.surface = m_panel.surface();
     order.instant = m_panel.instant();
-    const CaseScenario* active = m_document.active();
-    for (const CaseInput& input : m_document.theCase().inputs) {
-        if (active != nullptr && input.id == active->feInput) {
-            order.open = {io::inputPath(m_document.base().toStdString(), input), active->scenario.import,
-                          m_computation.inputs().fe};
-        }
-    }
+    order.open = m_computation.openResult();
     return order;
 }
 

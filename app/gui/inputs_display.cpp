@@ -48,7 +48,10 @@ InputsDisplay::InputsDisplay(Document& document, Computation& computation, QBoxL
         refresh();
     });
     connect(&document, &Document::titleChanged, this, &InputsDisplay::refresh);
-    connect(&document, &Document::inputsAccepted, this, &InputsDisplay::refresh);
+    connect(&document, &Document::inputsAccepted, this, [this] {
+        m_computation.acceptInputs(m_document.theCase().inputs);
+        refresh();
+    });
     connect(&document, &Document::inputsChanged, this, &InputsDisplay::refresh);
     connect(&computation, &Computation::inputsFound, this, &InputsDisplay::refresh);
 }

@@ -345,7 +345,7 @@ void NewCase::make() {
     }
     opened.base = m_document.base();
     opened.fe = m_computation.inputs().fe;
-    opened.terrain = m_computation.terrain();
+    opened.content = m_computation.content();
     opened.found = m_computation.foundInputs();
     opened.recovered = true;
     emit created(opened, m_preview->views().view());

@@ -164,7 +164,7 @@ void PanelDeck::showResults() {
     const Results& results = m_computation.results();
     const auto& fe = m_computation.inputs().fe;
     const io::TerrainInput& terrain = m_computation.terrain();
-    m_case->setTerrain(terrain.grid, QString::fromStdString(terrain.path), terrain.findings);
+    m_case->setTerrain(terrain.grid, QString::fromStdString(terrain.path), io::openingFindings(m_computation.content()));
     m_case->setSurroundings(terrain.orthophoto != nullptr, terrain.surroundings ? terrain.surroundings->size() : 0,
                             terrain.collided);
     m_case->setContent(fe, results.components);
@@ -207,7 +207,7 @@ void PanelDeck::showRail() {
     const auto fraction = [&](Stage a, Stage b) { return std::max(m_computation.fraction(a), m_computation.fraction(b)); };
     std::int64_t found = fe != nullptr ? kinds(fe->contents().findings) : 0;
     found += results.components != nullptr ? kinds(results.components->findings) : 0;
-    found += kinds(m_computation.terrain().findings);
+    found += kinds(io::openingFindings(m_computation.content()));
     m_rail->setState(Case, worst(of(Stage::Import), of(Stage::Components)), found, fraction(Stage::Import, Stage::Components));
     m_rail->setState(Fragments, of(Stage::Fragments), results.fragments != nullptr ? kinds(results.fragments->findings) : 0,
                      m_computation.fraction(Stage::Fragments));

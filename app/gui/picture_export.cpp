@@ -7,7 +7,6 @@
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
 #include "app/gui/export_source.h"
-#include "core/base/build.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/view_json.h"
@@ -84,18 +83,8 @@ io::RunOrigin shownOrigin(const Document& document, const Computation& computati
     if (record != nullptr && record->reader != nullptr) {
         return record->reader->origin();
     }
-    const Inputs& inputs = computation.inputs();
-    io::RunOrigin origin;
-    origin.fePath = inputs.fe->contents().path;
-    origin.feSha256 = inputs.fe->contents().sha256;
-    origin.terrainPath = computation.terrain().path;
-    origin.terrainSha256 = computation.terrain().sha256;
-    origin.frame = inputs.frame;
-    origin.scenario = document.scenario();
-    origin.scenarioName = document.active() != nullptr ? document.active()->name : std::string();
-    origin.build = std::string(buildText());
-    origin.fingerprint = stageKey(inputs, origin.scenario, Stage::Simulation);
-    return origin;
+    const CaseScenario* active = document.active();
+    return io::originOf(computation.content(), document.scenario(), active != nullptr ? active->name : std::string());
 }
 
 PictureExport::PictureExport(Document& document, Computation& computation, QWidget& window)

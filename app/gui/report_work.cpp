@@ -130,7 +130,7 @@ void ReportWork::writeTo(const QString& folder) {
     request.inputs = m_computation.inputs();
     request.fePath = request.inputs.fe->contents().path;
     request.terrainPath = m_computation.terrain().path;
-    request.siteFindings = m_computation.terrain().findings;
+    request.siteFindings = io::openingFindings(m_computation.content());
     request.casePath = m_document.path().toStdString();
     request.basePath = m_document.base().toStdString();
     request.question = order->wishes.question.toStdString();

@@ -86,28 +86,7 @@ void StatusFeed::showBodies() {
 }
 
 void StatusFeed::showFindings() {
-    const Results& results = m_computation.results();
-    std::size_t kinds = 0;
-    const auto add = [&](const Findings& findings) { kinds += findings.list().size(); };
-    if (m_computation.inputs().fe != nullptr) {
-        add(m_computation.inputs().fe->contents().findings);
-    }
-    add(m_computation.terrain().findings);
-    if (results.components != nullptr) {
-        add(results.components->findings);
-    }
-    if (results.fragments != nullptr) {
-        add(results.fragments->findings);
-    }
-    if (results.sizing != nullptr) {
-        add(results.sizing->findings);
-    }
-    if (results.clustering != nullptr) {
-        add(results.clustering->findings);
-    }
-    if (const RunRecord* record = m_computation.currentRun(); record != nullptr && record->outcome != nullptr) {
-        add(record->outcome->findings);
-    }
+    const std::size_t kinds = m_computation.findings().list().size();
     m_line.setFigure(Figure::Findings, tr("Findings"),
                      kinds > 0 ? widgets::shownCount(static_cast<std::int64_t>(kinds)) : QString());
 }

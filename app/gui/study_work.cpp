@@ -10,6 +10,16 @@
 
 namespace rubble {
 
+io::CaseRequest caseRequest(const StudyCase& of, const StudyOrder& order) {
+    io::CaseRequest request;
+    request.path = of.base;
+    request.theCase = of.theCase;
+    request.scenario = of.scenario;
+    request.cached = order.copies;
+    request.open = order.open;
+    return request;
+}
+
 EnsembleOptions optionsOf(const StudyOrder& order, const std::string& machine, SettledStore& store) {
     EnsembleOptions options;
     options.instant = order.instant;
@@ -26,11 +36,10 @@ std::vector<io::EnsembleSource> openCauses(const CauseOrder& causes, const Study
     std::vector<io::EnsembleSource> sources;
     for (const StudyCase& cause : causes.causes) {
         execution.report({"gui.opening_cause", "Opening {0}", {cause.name}}, 0.0);
-        io::EnsembleSource source =
-            io::openEnsemble(cause.theCase, cause.base, cause.scenario, order.settings, order.open, order.copies, execution);
+        io::EnsembleSource source = io::openEnsemble(caseRequest(cause, order), order.settings, execution);
         source.name = cause.name.empty() ? source.name : cause.name;
-        if (!sources.empty() &&
-            !(source.frame == sources.front().frame && source.site.controlPoints == sources.front().site.controlPoints)) {
+        if (!sources.empty() && !(source.frame == sources.front().frame &&
+                                  source.theCase.site.controlPoints == sources.front().theCase.site.controlPoints)) {
             throw UsageError({"causes.other_frame",
                               "{0} has another origin, axes, coordinate system or control points than {1}.",
                               {source.name, sources.front().name}},
@@ -49,7 +58,7 @@ CauseEvidence readAll(const CauseOrder& causes, const StudyOrder& order, const i
     for (const io::EvidenceFile& file : causes.files) {
         execution.check();
         evidence.surfaces.push_back(
-            io::readEvidence(file, first.frame, first.site, order.surface, ground, made.findings, execution));
+            io::readEvidence(file, first.frame, first.theCase.site, order.surface, ground, made.findings, execution));
         made.inputs.push_back({"evidence", file.path, io::sha256OfFile(file.path)});
     }
     Case chosen = causes.photographed;
@@ -65,7 +74,7 @@ MadeComparison compareAll(const CauseOrder& causes, const StudyOrder& order, con
     MadeComparison made;
     const std::vector<io::EnsembleSource> sources = openCauses(causes, order, execution);
     made.frame = sources.front().frame;
-    made.site = sources.front().site;
+    made.site = sources.front().theCase.site;
     const CauseEvidence evidence = readAll(causes, order, sources.front(), made, execution);
     io::SettledFiles files(io::cacheFolder());
     for (const io::EnsembleSource& source : sources) {
@@ -136,12 +145,12 @@ void StudyWork::start(Kind kind, std::function<void(const Execution&)> work) {
 void StudyWork::simulate(const StudyCase& of, const StudyOrder& order) {
     const int generation = ++m_generation;
     start(Kind::Ensemble, [this, of, order, generation, machine = m_machine](const Execution& execution) {
-        const io::EnsembleSource source =
-            io::openEnsemble(of.theCase, of.base, of.scenario, order.settings, order.open, order.copies, execution);
+        const io::EnsembleSource source = io::openEnsemble(caseRequest(of, order), order.settings, execution);
         io::SettledFiles files(io::cacheFolder());
         EnsembleOptions options = optionsOf(order, machine, files);
         const auto tell = [&](const EnsembleReport& report) {
-            const MadeEnsemble made{std::make_shared<const EnsembleReport>(report), source.inputs, source.frame, source.site};
+            const MadeEnsemble made{std::make_shared<const EnsembleReport>(report), source.inputs, source.frame,
+                                    source.theCase.site};
             QMetaObject::invokeMethod(
                 this,
                 [this, generation, made] {

@@ -30,6 +30,9 @@ struct StudyOrder {
     bool copies = false;  ///< FE results through compressed copies
 };
 
+/// How the scenarios of a case are opened for its ensemble.
+io::CaseRequest caseRequest(const StudyCase& of, const StudyOrder& order);
+
 /// How the members are made and measured. @param machine  in words
 EnsembleOptions optionsOf(const StudyOrder& order, const std::string& machine, SettledStore& store);
 

@@ -133,9 +133,13 @@ py::list parameters() {
 
 Collapses open(const std::string& path, const std::optional<std::string>& scenario, const py::dict& settings,
                const std::optional<std::string>& terrain, py::object progress) {
-    const auto texts = settingsOf(settings);
+    io::CaseRequest request;
+    request.path = path;
+    request.scenario = scenario;
+    request.settings = settingsOf(settings);
+    request.terrain = terrain;
     return watched(std::move(progress),
-                   [&](const Execution& execution) { return Collapse::open(path, scenario, texts, terrain, execution); });
+                   [&](const Execution& execution) { return std::make_shared<Collapse>(io::openCase(request, execution)); });
 }
 
 Collapses fromArrays(py::object times, py::object positions, py::object elements, py::object active, py::object velocities,

@@ -31,7 +31,12 @@ protected:
         m_case.scenarios.back().feInput = "fe-2";
     }
     EnsembleSource open(const std::optional<std::string>& scenario, const OpenResult& known = {}) {
-        return openEnsemble(m_case, m_base, scenario, m_case.ensemble, known, false, Execution());
+        CaseRequest request;
+        request.path = m_base;
+        request.theCase = m_case;
+        request.scenario = scenario;
+        request.open = known;
+        return openEnsemble(request, m_case.ensemble, Execution());
     }
     TemporaryFolder m_folder;
     std::string m_base = m_folder / "x.rubble";
@@ -53,9 +58,21 @@ TEST_F(EnsembleSources, OpensTheScenarioThatIsWorkedOnUnlessScenariosAreVaried) 
     EXPECT_EQ(source.inputs.size(), 2u);
     EXPECT_NE(source.scenes[0].inputs.fe, source.scenes[1].inputs.fe);
     // One that is asked for stands alone, under its name.
-    source = open("scenario-2");
-    ASSERT_EQ(source.scenes.size(), 1u);
-    EXPECT_EQ(source.name, "scour");
+    for (const char* wanted : {"scenario-2", "scour"}) {
+        source = open(wanted);
+        ASSERT_EQ(source.scenes.size(), 1u);
+        EXPECT_EQ(source.scenes[0].id, "scenario-2");
+        EXPECT_EQ(source.name, "scour");
+    }
+}
+
+TEST_F(EnsembleSources, ScenariosAreVariedByIdOrName) {
+    m_case.ensemble.varied.push_back(variationFrom("scenario", "choice:scour:scenario-1"));
+    const EnsembleSource source = open(std::nullopt);
+    ASSERT_EQ(source.scenes.size(), 2u);
+    EXPECT_EQ(source.scenes[0].id, "scenario-1");
+    EXPECT_EQ(source.scenes[1].id, "scour") << "as the setting chooses it";
+    EXPECT_EQ(source.scenes[1].name, "scour");
 }
 
 TEST_F(EnsembleSources, AResultThatIsOpenIsNotReadAgain) {

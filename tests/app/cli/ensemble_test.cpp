@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "io/case_file.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
 
@@ -54,6 +55,41 @@ TEST_F(Ensemble, MapsProbabilitiesAndKeepsItsMembers) {
         EXPECT_TRUE(again["list"][m]["kept"]);
         EXPECT_EQ(again["list"][m]["trajectory_hash"], object["list"][m]["trajectory_hash"]);
     }
+}
+
+/// As other commands open it: scenarios by id or name, no FE input that would have to be named, debris on the surroundings.
+TEST_F(Ensemble, OpensACaseAsEveryCommandDoes) {
+    std::ofstream(m_folder / "house.obj") << "v 4 -1 0\nv 6 -1 0\nv 4 1 1\nf 1 2 3\n";
+    std::ofstream level(m_folder / "level.asc");
+    level << "ncols 40\nnrows 40\nxllcorner -20\nyllcorner -20\ncellsize 1\n";
+    for (int i = 0; i < 40 * 40; ++i) {
+        level << "-1.5" << (i % 40 == 39 ? '\n' : ' ');
+    }
+    level.close();
+    const std::string casePath = m_folder / "small.rubble";
+    Case theCase = io::caseForFe(m_path, casePath);
+    theCase.inputs.push_back({"terrain-1", InputRole::Terrain, "level.asc", {}});
+    theCase.inputs.push_back({"surroundings-1", InputRole::Surroundings, "house.obj", {}});
+    theCase.site.collide = true;
+    theCase.scenarios[0].feInput.clear();
+    theCase.scenarios.push_back(theCase.scenarios[0]);
+    theCase.scenarios[1].id = "scenario-2";
+    theCase.scenarios[1].name = "slippery";
+    theCase.scenarios[1].scenario.simulation.friction = 0.1;
+    io::saveCase(casePath, theCase);
+    m_path = casePath;
+    const std::string out = m_folder / "maps/";
+    const nlohmann::json object = ensemble("2", {"--vary", "scenario=choice:scenario-1:slippery", "--out", out});
+    EXPECT_EQ(object["done"], 2);
+    const nlohmann::json provenance = nlohmann::json::parse(textOf(out + "probability.tif.provenance.json"));
+    std::vector<std::string> roles;
+    for (const nlohmann::json& input : provenance["inputs"]) {
+        roles.push_back(input["role"]);
+    }
+    EXPECT_EQ(roles, (std::vector<std::string>{"fe", "terrain", "surroundings"}));
+    const Outcome refused = cli({"ensemble", casePath, "--scenario", "none of these"});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_THAT(refused.err, HasSubstr("scenario-2 (slippery)"));
 }
 
 TEST_F(Ensemble, GoesOnAfterItWasKilled) {

@@ -123,6 +123,59 @@ class Runs(unittest.TestCase):
         self.assertEqual(opened.inspect()["dead"], len(opened.fragments()))
         self.assertEqual(len(opened.cluster().of), told["fragments"])
 
+    def write_case(self, fe_input="fe-1"):
+        """A case whose debris falls on a house that stands on a level terrain."""
+        samples = os.path.join(os.environ["RUBBLE_SOURCE_DIR"], "resources/samples")
+        with open(self.path("level.asc"), "w") as file:
+            file.write("ncols 160\nnrows 160\nxllcorner -80\nyllcorner -80\ncellsize 1\n")
+            file.write((" ".join(["-1.5"] * 160) + "\n") * 160)
+        with open(self.path("house.obj"), "w") as file:
+            file.write("v -40 -40 1\nv 60 -40 1\nv 60 40 1\nv -40 40 1\nf 1 2 3\nf 1 3 4\n")
+        with open(os.path.join(samples, "river-arch.rubble")) as file:
+            case = json.load(file)
+        case["inputs"] = [
+            {"id": "fe-1", "role": "fe", "path": os.path.join(samples, "rc-arch.exo"), "sha256": ""},
+            {"id": "terrain-1", "role": "terrain", "path": "level.asc", "sha256": ""},
+            {"id": "surroundings-1", "role": "surroundings", "path": "house.obj", "sha256": ""},
+        ]
+        plain = case["scenarios"][0]
+        plain["fe_input"] = fe_input
+        plain["settings"] = {"multiple": 8, "settle_time": 0}
+        case["scenarios"].append(dict(plain, id="scenario-2", name="low ground", settings=dict(plain["settings"], ground_height=-3.0)))
+        case["site"] = {"control_points": [], "height_shift_m": 0.0, "collide_with_surroundings": True}
+        with open(self.path("arch.rubble"), "w") as file:
+            json.dump(case, file)
+        return self.path("arch.rubble")
+
+    def command_line(self, *words):
+        told = subprocess.run([os.environ["RUBBLE_CLI"], *words, "--json"], capture_output=True, check=False)
+        self.assertEqual(told.returncode, 0, told.stderr)
+        return json.loads(told.stdout)
+
+    def test_debris_falls_on_the_same_surroundings_as_from_the_command_line(self):
+        case = self.write_case()
+        with open(self.path("lower.asc"), "w") as file:
+            file.write("ncols 160\nnrows 160\nxllcorner -80\nyllcorner -80\ncellsize 1\n")
+            file.write((" ".join(["-2.5"] * 160) + "\n") * 160)
+        for terrain in (None, self.path("lower.asc")):
+            words = [] if terrain is None else ["--terrain", terrain]
+            told = self.command_line("run", case, "--out", self.path("told.run.h5"), *words)
+            there = rubble.open_run(self.path("told.run.h5"))
+            run = rubble.open(case, terrain=terrain).run(self.path("made.run.h5"))
+            self.assertEqual(run.fingerprint, there.fingerprint)
+            self.assertEqual(run.trajectory_hash, told["trajectory_hash"])
+
+    def test_a_scenario_is_named_by_id_or_name_and_needs_no_fe_input(self):
+        case = self.write_case(fe_input="")
+        for wanted, ground in ((None, 0.0), ("scenario-2", -3.0), ("low ground", -3.0)):
+            opened = rubble.open(case, scenario=wanted)
+            self.assertEqual(opened.get("ground_height"), ground)
+            self.assertEqual(os.path.basename(opened.fe.path), "rc-arch.exo")
+        with self.assertRaises(rubble.UsageError) as caught:
+            rubble.open(case, scenario="none of these")
+        self.assertEqual(caught.exception.id, "case.no_scenario")
+        self.assertIn("scenario-2 (low ground)", caught.exception.remedy)
+
     def test_progress_is_told_and_false_cancels(self):
         told = []
         with self.assertRaises(rubble.Cancelled):
@@ -187,7 +240,7 @@ class Refusals(unittest.TestCase):
     def test_wrong_settings(self):
         made = collapse()
         before = made.get("ground_height")
-        self.refused("python.unit", "ft", "m", call=lambda: made.set("ground_height", "2 ft"))
+        self.refused("parameter.unit", "ft", "m", call=lambda: made.set("ground_height", "2 ft"))
         self.refused("python.setting", call=lambda: made.set("ground_height", np.zeros(3)))
         self.refused("python.import_setting", call=lambda: made.set("units", "t-mm-s"))
         with self.assertRaises(rubble.UsageError):
@@ -207,6 +260,8 @@ class Refusals(unittest.TestCase):
             file.write("no run")
         with self.assertRaises(rubble.ParseError):
             rubble.open_run(path)
+        sample = os.path.join(os.environ["RUBBLE_SOURCE_DIR"], "resources/samples/rc-arch.exo")
+        self.refused("case.no_case", "rc-arch.exo", call=lambda: rubble.open(sample, scenario="a"))
         self.refused("python.out_not_a_run", call=lambda: collapse().run(path))
 
     def test_wrong_places_in_a_run(self):

@@ -38,7 +38,14 @@ void mapOfTheStoneArch(benchmark::State& state) {
     state.counters["cells"] = static_cast<double>(cells);
 }
 
-BENCHMARK(mapOfTheStoneArch)->Arg(1000)->Arg(250)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK(mapOfTheStoneArch)
+    ->Name("debris map of the stone arch")
+    ->Arg(1000)
+    ->Arg(250)
+    ->Arg(100)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
 
 }  // namespace
 }  // namespace rubble

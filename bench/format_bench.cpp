@@ -126,17 +126,19 @@ void readState(benchmark::State& state, Subject (*make)()) {
     }
 }
 
-BENCHMARK_CAPTURE(readBytes, vtu, flagged)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(indexResult, vtu, flagged)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(indexByVtk, vtu, flagged)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(readState, vtu, flagged)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(readBytes, legacy, legacy)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(indexResult, legacy, legacy)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(indexByVtk, legacy, legacy)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(readState, legacy, legacy)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(readBytes, exodus, exodus)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(indexResult, exodus, exodus)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(indexByVtk, exodus, exodus)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(readState, exodus, exodus)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(readBytes, vtu, flagged)->Name("VTU, 16 states, all deaths: bytes alone")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(indexResult, vtu, flagged)->Name("VTU, 16 states, all deaths: ours")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(indexByVtk, vtu, flagged)->Name("VTU, 16 states, all deaths: VTK's reader")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(readState, vtu, flagged)->Name("VTU, 16 states, one state: ours")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(readBytes, legacy, legacy)->Name("legacy VTK, 16 states, all deaths: bytes alone")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(indexResult, legacy, legacy)->Name("legacy VTK, 16 states, all deaths: ours")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(indexByVtk, legacy, legacy)
+    ->Name("legacy VTK, 16 states, all deaths: VTK's reader")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(readState, legacy, legacy)->Name("legacy VTK, 16 states, one state: ours")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(readBytes, exodus, exodus)->Name("Exodus, 24 MB, all deaths: bytes alone")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(indexResult, exodus, exodus)->Name("Exodus, 24 MB, all deaths: ours")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(indexByVtk, exodus, exodus)->Name("Exodus, 24 MB, all deaths: VTK's reader")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(readState, exodus, exodus)->Name("Exodus, 24 MB, one state: ours")->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -106,7 +106,7 @@ void indexProjectile(benchmark::State& state) {
     state.SetBytesProcessed(state.iterations() *
                             static_cast<std::int64_t>(io::openFe(projectile, {}, {}, Execution{})->contents().bytes));
 }
-BENCHMARK(indexProjectile)->Unit(benchmark::kMillisecond);
+BENCHMARK(indexProjectile)->Name("d3plot, 5 states, all deaths: ours")->Unit(benchmark::kMillisecond);
 
 // The same bytes read and thrown away: what the disk, or the machine's memory of it, gives at best.
 void readProjectileBytes(benchmark::State& state) {
@@ -124,7 +124,7 @@ void readProjectileBytes(benchmark::State& state) {
     }
     state.SetBytesProcessed(bytes);
 }
-BENCHMARK(readProjectileBytes)->Unit(benchmark::kMillisecond);
+BENCHMARK(readProjectileBytes)->Name("d3plot, 5 states, all deaths: bytes alone")->Unit(benchmark::kMillisecond);
 
 void readProjectileState(benchmark::State& state) {
     const FeResult::Contents contents = io::readD3plot(projectile, {}, Execution{});
@@ -133,7 +133,7 @@ void readProjectileState(benchmark::State& state) {
         benchmark::DoNotOptimize(contents.source->read(k++ % contents.times.size()));
     }
 }
-BENCHMARK(readProjectileState)->Unit(benchmark::kMillisecond);
+BENCHMARK(readProjectileState)->Name("d3plot, 5 states, one state: ours")->Unit(benchmark::kMillisecond);
 
 // VTK's reader has to read every state to know the deaths.
 void indexProjectileByVtk(benchmark::State& state) {
@@ -147,7 +147,7 @@ void indexProjectileByVtk(benchmark::State& state) {
         }
     }
 }
-BENCHMARK(indexProjectileByVtk)->Unit(benchmark::kMillisecond);
+BENCHMARK(indexProjectileByVtk)->Name("d3plot, 5 states, all deaths: VTK's reader")->Unit(benchmark::kMillisecond);
 
 void readProjectileStateByVtk(benchmark::State& state) {
     vtkNew<vtkLSDynaReader> reader;
@@ -159,7 +159,7 @@ void readProjectileStateByVtk(benchmark::State& state) {
         reader->Update();
     }
 }
-BENCHMARK(readProjectileStateByVtk)->Unit(benchmark::kMillisecond);
+BENCHMARK(readProjectileStateByVtk)->Name("d3plot, 5 states, one state: VTK's reader")->Unit(benchmark::kMillisecond);
 
 // Index once, then states at random places; memory before and after.
 void scrubTwentyGigabytes(benchmark::State& state) {
@@ -182,6 +182,6 @@ void scrubTwentyGigabytes(benchmark::State& state) {
     state.counters["gigabytes"] = static_cast<double>(bytes) / 1e9;
     state.counters["memory_MB"] = residentMegabytes() - before;
 }
-BENCHMARK(scrubTwentyGigabytes)->Unit(benchmark::kMillisecond)->Iterations(500);
+BENCHMARK(scrubTwentyGigabytes)->Name("d3plot family of 20 GB, states at random")->Unit(benchmark::kMillisecond)->Iterations(500);
 
 }  // namespace

@@ -26,8 +26,6 @@ public:
     void cancel();
     void clear();
     bool running() const { return m_running; }
-    /// The kept files are being looked through.
-    bool looking() const { return m_looking; }
     /// Null: there is none for the scenario that was looked for.
     const std::shared_ptr<io::RunReader>& reader() const { return m_reader; }
     /// Where the reference of a scenario lies. Throws WorldError where there is no folder for what can be made again.

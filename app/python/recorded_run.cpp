@@ -64,11 +64,6 @@ const Inputs& RecordedRun::inputs(const std::optional<std::string>& fe, const Ex
     return *m_inputs;
 }
 
-const std::vector<std::string>& writtenKinds() {
-    static const std::vector<std::string> kinds{"fragments", "series", "vtkhdf", "bodies", "gltf"};
-    return kinds;
-}
-
 void RecordedRun::write(const std::string& kind, const std::string& path, const std::optional<std::string>& fe,
                         const Execution& execution) {
     if (kind == "fragments") {

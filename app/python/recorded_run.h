@@ -42,9 +42,6 @@ private:
     std::optional<Inputs> m_inputs;
 };
 
-/// Kinds that write() knows.
-const std::vector<std::string>& writtenKinds();
-
 /// Writes a map by the ending of its name: .tif, .csv or .gpkg. Throws UsageError for another one, and what the writers throw.
 void saveMap(const RecordedMap& map, const std::string& path, const Execution& execution);
 

@@ -5,7 +5,7 @@ namespace rubble {
 namespace {
 
 template <EffectKind kind>
-constexpr auto effectSwitch = [](Scenario& s) -> auto& { return s.effects.of(kind); };
+constexpr auto effectSwitch = [](auto& s) -> decltype(auto) { return s.effects.of(kind); };
 
 void addSwitches(ParameterRows& table) {
     const std::vector<std::string_view> states{"off", "on", "auto"};

@@ -79,7 +79,7 @@ public:
         Parameter row = described(key, ParameterKind::Choice, label, help);
         row.choices = choices;
         row.get = [access, choices](const Scenario& scenario, const std::string&) -> ParameterValue {
-            return std::string(choices[static_cast<std::size_t>(access(const_cast<Scenario&>(scenario)))]);
+            return std::string(choices[static_cast<std::size_t>(access(scenario))]);
         };
         row.set = [access, choices](Scenario& scenario, const std::string&, const ParameterValue& value) {
             const std::string& name = std::get<std::string>(value);
@@ -138,10 +138,7 @@ private:
         using T = std::remove_reference_t<decltype(access(std::declval<Scenario&>()))>;
         Parameter row = described(key, kind, label, help);
         row.automatic = requires(T t) { t.has_value(); };
-        // The accessor only names the member; reading through it changes nothing.
-        row.get = [access](const Scenario& scenario, const std::string&) {
-            return toValue(access(const_cast<Scenario&>(scenario)));
-        };
+        row.get = [access](const Scenario& scenario, const std::string&) { return toValue(access(scenario)); };
         row.set = [access](Scenario& scenario, const std::string&, const ParameterValue& value) {
             fromValue(access(scenario), value);
         };
@@ -151,8 +148,8 @@ private:
     Stage m_stage;
 };
 
-/// Names a member of the scenario for a row.
-#define RUBBLE_AT(path) [](Scenario& s) -> auto& { return s.path; }
+/// Names a member of the scenario for a row, to be read in a constant scenario and written in another.
+#define RUBBLE_AT(path) [](auto& s) -> auto& { return s.path; }
 
 std::vector<Parameter> effectRows();
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/base/message.h"
@@ -62,7 +63,8 @@ void closingPiece(const CaseSetting& setting, Outcome& outcome) {
             });
             const double last = scene.maxSpeed();
             const std::string at = ", piece at " + englishNumber(speed) + " m/s" + (ground ? " on ground" : " on a piece");
-            outcome.atMost("fastest over the piece" + at, std::max(fastest, last == last ? last : 1e300) / speed, 2.0);
+            outcome.atMost("fastest over the piece" + at,
+                           std::max(fastest, std::isnan(last) ? std::numeric_limits<double>::infinity() : last) / speed, 2.0);
             outcome.atLeast("height of the trapped centre" + at, scene.place(body).z(), 0.0, "m");
         }
     }

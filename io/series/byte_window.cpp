@@ -48,9 +48,9 @@ bool ByteWindow::line(std::string& text) {
     }
     const std::string_view seen = std::string_view(m_window).substr(m_place - m_begin, longestLine);
     const std::size_t end = seen.find('\n');
-    m_lineEnded = end != std::string_view::npos;
+    const bool ended = end != std::string_view::npos;
     text = seen.substr(0, end);
-    m_place += text.size() + (m_lineEnded ? 1 : 0);
+    m_place += text.size() + (ended ? 1 : 0);
     while (text.ends_with('\r')) {
         text.pop_back();
     }

@@ -25,8 +25,6 @@ public:
     bool line(std::string& text);
     /// The next bytes. @return false if there are fewer
     bool bytes(std::size_t count, std::string& bytes);
-    /// True if the last line had its end.
-    bool lineEnded() const { return m_lineEnded; }
 
 private:
     bool cover(std::size_t count);
@@ -37,7 +35,6 @@ private:
     std::uint64_t m_place = 0;
     std::uint64_t m_begin = 0;  // of the window
     std::string m_window;
-    bool m_lineEnded = true;
 };
 
 /// A field of fixed columns of a line, without blanks around it; empty where the line ends before.

@@ -10,8 +10,7 @@
 #include "core/analysis/accuracy_settings.h"
 #include "core/base/unknown.h"
 #include "widgets/accuracy_words.h"
-#include "widgets/chart_axis.h"
-#include "widgets/timeline.h"
+#include "widgets/figures/round_step.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
@@ -80,36 +79,29 @@ PlotContent plotContent(const AccuracyReport& report, CostKind cost, const Accur
     return content;
 }
 
-double AccuracyPlot::Axis::share(double value) const {
-    return logarithmic ? logShare(value, low, high) : (value - low) / (high - low);
-}
-
 AccuracyPlot::AccuracyPlot(const PlotContent& content, const QRectF& area, const QFont& font, const figures::Palette& palette)
-    : m_content(content), m_area(area), m_font(font), m_palette(palette) {
+    : m_content(content), m_font(font), m_palette(palette) {
     const QFontMetricsF metrics(m_font);
     const double line = metrics.height();
-    m_frame = area.adjusted(2.0 * line + metrics.horizontalAdvance(QStringLiteral("0.000")), 1.2 * line, -1.5 * line, -3.4 * line);
-    m_cost = costAxis();
-    m_accuracy = accuracyAxis();
+    m_field.area = area;
+    m_field.frame =
+        area.adjusted(2.0 * line + metrics.horizontalAdvance(QStringLiteral("0.000")), 1.2 * line, -1.5 * line, -3.4 * line);
+    m_field.across = costAxis();
+    m_field.up = accuracyAxis();
 }
 
-AccuracyPlot::Axis AccuracyPlot::costAxis() const {
-    Axis axis;
-    axis.logarithmic = true;
+ChartAxis AccuracyPlot::costAxis() const {
     double low = m_content.points.empty() ? 1.0 : m_content.points.front().at.cost;
     double high = m_content.points.empty() ? 100.0 : m_content.points.back().at.cost;
     if (m_content.target && *m_content.target > 0.0) {
         low = std::min(low, *m_content.target);
         high = std::max(high, *m_content.target);
     }
-    axis.low = roundOut(low / 1.15, false);
-    axis.high = roundOut(high * 1.15, true);
-    axis.ticks = logTicks(axis.low, axis.high, m_frame.width() / tickSpace);
-    return axis;
+    return ChartAxis::logarithmicBetween(roundOut(low / 1.15, false), roundOut(high * 1.15, true), frame().width() / tickSpace);
 }
 
-AccuracyPlot::Axis AccuracyPlot::accuracyAxis() const {
-    Axis axis;
+ChartAxis AccuracyPlot::accuracyAxis() const {
+    ChartAxis axis;
     const bool more = m_content.accuracy.moreIsBetter();
     double low = more ? 1.0 : 0.0;
     double high = low;
@@ -130,7 +122,7 @@ AccuracyPlot::Axis AccuracyPlot::accuracyAxis() const {
     }
     const double least = more ? 0.1 : 0.01;
     const double span = std::max(high - low, least);
-    const double step = roundStep(span * 1.1, std::max(2.0, m_frame.height() / tickSpace));
+    const double step = figures::roundStep(span * 1.1, std::max(2.0, frame().height() / tickSpace));
     axis.low = more ? std::max(0.0, std::floor((1.0 - 1.05 * span) / step + 1e-9) * step) : 0.0;
     axis.high = more ? 1.0 : std::ceil(1.05 * span / step - 1e-9) * step;
     for (double tick = axis.low; tick <= axis.high + 0.01 * step; tick += step) {
@@ -140,22 +132,15 @@ AccuracyPlot::Axis AccuracyPlot::accuracyAxis() const {
 }
 
 QPointF AccuracyPlot::place(const CostAccuracy& at) const {
-    return {m_frame.left() + m_cost.share(at.cost) * m_frame.width(),
-            m_frame.bottom() - m_accuracy.share(at.accuracy) * m_frame.height()};
+    return m_field.place(at.cost, at.accuracy);
 }
 
 std::optional<std::size_t> AccuracyPlot::pointAt(const QPointF& at) const {
-    std::optional<std::size_t> found;
-    double nearest = reach;
-    for (std::size_t i = 0; i < m_content.points.size(); ++i) {
-        const QPointF apart = place(m_content.points[i].at) - at;
-        const double distance = std::hypot(apart.x(), apart.y());
-        if (distance <= nearest) {
-            nearest = distance;
-            found = i;
-        }
+    std::vector<QPointF> places;
+    for (const PlotPoint& point : m_content.points) {
+        places.push_back(place(point.at));
     }
-    return found;
+    return nearestPlace(places, at, reach);
 }
 
 void AccuracyPlot::paint(QPainter& painter) const {
@@ -178,42 +163,20 @@ void AccuracyPlot::paint(QPainter& painter) const {
 }
 
 void AccuracyPlot::paintAxes(QPainter& painter) const {
-    const double line = QFontMetricsF(m_font).height();
-    for (const double tick : m_cost.ticks) {
-        const double x = place({tick, m_accuracy.low}).x();
-        painter.setPen(QPen(m_palette.hairline, 1.0));
-        painter.drawLine(QPointF(x, m_frame.top()), QPointF(x, m_frame.bottom()));
-        painter.setPen(m_palette.muted);
-        painter.drawText(QRectF(x - 40.0, m_frame.bottom() + 4.0, 80.0, line), Qt::AlignHCenter | Qt::AlignTop,
-                         QLocale().toString(tick, 'g', 6));
-    }
-    for (const double tick : m_accuracy.ticks) {
-        const double y = place({m_cost.low, tick}).y();
-        painter.setPen(QPen(m_palette.hairline, 1.0));
-        painter.drawLine(QPointF(m_frame.left(), y), QPointF(m_frame.right(), y));
-        painter.setPen(m_palette.muted);
-        const double shown = m_content.accuracy.tolerance ? 100.0 * tick : tick;
-        painter.drawText(QRectF(m_area.left(), y - line, m_frame.left() - m_area.left() - 6.0, 2.0 * line),
-                         Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(std::round(shown * 1e6) / 1e6, 'g', 4));
-    }
-    painter.setPen(m_palette.muted);
-    painter.drawText(QRectF(m_area.left(), m_frame.bottom() + 1.7 * line, m_area.width(), line),
-                     Qt::AlignHCenter | Qt::AlignVCenter, costAxisWords(m_content.cost));
-    painter.save();
-    painter.translate(m_area.left() + 0.8 * line, m_frame.center().y());
-    painter.rotate(-90.0);
-    const QString words = QFontMetricsF(m_font).elidedText(accuracyAxisWords(m_content.accuracy), Qt::ElideRight, m_area.height());
-    painter.drawText(QRectF(-0.5 * m_area.height(), -0.6 * line, m_area.height(), 1.2 * line), Qt::AlignCenter, words);
-    painter.restore();
+    const double unit = m_content.accuracy.tolerance ? 100.0 : 1.0;
+    const auto cost = [](double tick) { return QLocale().toString(tick, 'g', 6); };
+    const auto accuracy = [unit](double tick) { return QLocale().toString(std::round(unit * tick * 1e6) / 1e6, 'g', 4); };
+    m_field.paintAxes(painter, m_font, m_palette, {costAxisWords(m_content.cost), cost},
+                      {accuracyAxisWords(m_content.accuracy), accuracy});
 }
 
 void AccuracyPlot::paintBand(QPainter& painter) const {
     if (!m_content.band) {
         return;
     }
-    const double top = std::max(m_frame.top(), place({m_cost.low, m_content.band->second}).y());
-    const double bottom = std::min(m_frame.bottom(), place({m_cost.low, m_content.band->first}).y());
-    const QRectF band(QPointF(m_frame.left(), top), QPointF(m_frame.right(), std::max(bottom, top + 1.0)));
+    const double top = std::max(frame().top(), place({m_field.across.low, m_content.band->second}).y());
+    const double bottom = std::min(frame().bottom(), place({m_field.across.low, m_content.band->first}).y());
+    const QRectF band(QPointF(frame().left(), top), QPointF(frame().right(), std::max(bottom, top + 1.0)));
     painter.fillRect(band, m_palette.accentTint);
     // Hatched and named, so that the band is not told by its colour alone.
     painter.fillRect(band, QBrush(m_palette.hairline, Qt::BDiagPattern));
@@ -233,26 +196,26 @@ void AccuracyPlot::paintTarget(QPainter& painter, std::vector<QRectF>& taken) co
         painter.drawPolyline(line);
         const QString words = tr("%1 FPS on this machine").arg(QLocale().toString(m_content.fpsTarget, 'g', 4));
         const QSizeF size(metrics.horizontalAdvance(words) + 2.0, metrics.height());
-        const bool right = x + 8.0 + size.width() < m_frame.right();
-        write({QPointF(right ? x + 6.0 : x - 6.0 - size.width(), m_frame.bottom() - size.height() - 4.0), size}, words,
+        const bool right = x + 8.0 + size.width() < frame().right();
+        write({QPointF(right ? x + 6.0 : x - 6.0 - size.width(), frame().bottom() - size.height() - 4.0), size}, words,
               m_palette.good);
     }
     if (m_content.band) {
         const QString words = tr("repeat floor of the reference");
         const QSizeF size(metrics.horizontalAdvance(words) + 2.0, metrics.height());
         const bool up = m_content.accuracy.moreIsBetter();
-        const double edge = place({m_cost.low, up ? m_content.band->first : m_content.band->second}).y();
+        const double edge = place({m_field.across.low, up ? m_content.band->first : m_content.band->second}).y();
         const double inside = up ? edge - size.height() - 3.0 : edge + 3.0;
         const double outside = up ? edge + 3.0 : edge - size.height() - 3.0;
-        const double right = m_frame.right() - size.width() - 6.0;
+        const double right = frame().right() - size.width() - 6.0;
         // Where neither points nor lines lie, then where at least no point does; the first place if points lie everywhere.
-        const double far = up ? place({m_cost.low, m_content.band->second}).y() + 3.0
-                              : place({m_cost.low, m_content.band->first}).y() - size.height() - 3.0;
+        const double far = up ? place({m_field.across.low, m_content.band->second}).y() + 3.0
+                              : place({m_field.across.low, m_content.band->first}).y() - size.height() - 3.0;
         std::vector<QRectF> places;
         for (const double y : {inside, outside, far}) {
             for (const double share : {0.0, 1.0, 0.5, 0.25, 0.75}) {
-                const double x = m_frame.left() + 6.0 + share * (right - m_frame.left() - 6.0);
-                places.emplace_back(QPointF(x, std::clamp(y, m_frame.top() + 2.0, m_frame.bottom() - size.height() - 2.0)), size);
+                const double x = frame().left() + 6.0 + share * (right - frame().left() - 6.0);
+                places.emplace_back(QPointF(x, std::clamp(y, frame().top() + 2.0, frame().bottom() - size.height() - 2.0)), size);
             }
         }
         const auto aroundOf = [](const QRectF& where) {
@@ -279,8 +242,8 @@ QPolygonF AccuracyPlot::targetLine() const {
     if (!m_content.target) {
         return {};
     }
-    const double x = place({*m_content.target, m_accuracy.low}).x();
-    return {{x, m_frame.top()}, {x, m_frame.bottom()}};
+    const double x = place({*m_content.target, m_field.up.low}).x();
+    return {{x, frame().top()}, {x, frame().bottom()}};
 }
 
 QPolygonF AccuracyPlot::frontLine() const {
@@ -365,7 +328,7 @@ void AccuracyPlot::paintNames(QPainter& painter, std::vector<QRectF>& taken) con
                  {QPointF(right, beside), QPointF(middle, above), QPointF(middle, below), QPointF(left, beside),
                   QPointF(right, at.y() + 2.0), QPointF(left, at.y() + 2.0), QPointF(left, above)}) {
                 const QRectF where(corner, size);
-                if (m_frame.contains(where) &&
+                if (frame().contains(where) &&
                     std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(where); })) {
                     places.push_back(where);
                 }

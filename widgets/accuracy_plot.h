@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/analysis/accuracy_front.h"
+#include "widgets/chart_axis.h"
 #include "widgets/figures/palette.h"
 
 namespace rubble::widgets {
@@ -51,21 +52,15 @@ public:
 
     void paint(QPainter& painter) const;
     QPointF place(const CostAccuracy& at) const;
-    const QRectF& frame() const { return m_frame; }
+    const QRectF& frame() const { return m_field.frame; }
     /// The point nearest to a place, no further than a finger's width.
     std::optional<std::size_t> pointAt(const QPointF& place) const;
 
     static constexpr double radius = 5.0;  ///< px, of a point
 
 private:
-    struct Axis {
-        double low = 0.0, high = 1.0;
-        bool logarithmic = false;
-        std::vector<double> ticks;
-        double share(double value) const;
-    };
-    Axis costAxis() const;
-    Axis accuracyAxis() const;
+    ChartAxis costAxis() const;
+    ChartAxis accuracyAxis() const;
     void paintAxes(QPainter& painter) const;
     void paintBand(QPainter& painter) const;
     void paintTarget(QPainter& painter, std::vector<QRectF>& taken) const;
@@ -77,12 +72,9 @@ private:
     void paintNames(QPainter& painter, std::vector<QRectF>& taken) const;
 
     const PlotContent& m_content;
-    QRectF m_area;
     QFont m_font;
     const figures::Palette& m_palette;
-    Axis m_cost;
-    Axis m_accuracy;
-    QRectF m_frame;
+    ChartField m_field;
 };
 
 }  // namespace rubble::widgets

@@ -9,7 +9,6 @@
 #include <functional>
 
 #include "core/analysis/published_results.h"
-#include "widgets/chart_axis.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
@@ -98,48 +97,38 @@ QString ratePointWords(const RatePoint& point) {
 
 CalibrationPlot::CalibrationPlot(const CalibrationPlotContent& content, const QRectF& area, const QFont& font,
                                  const figures::Palette& palette)
-    : m_content(content), m_area(area), m_font(font), m_palette(palette) {
+    : m_content(content), m_font(font), m_palette(palette) {
     const QFontMetricsF metrics(m_font);
     const double line = metrics.height();
     const double last = 0.5 * metrics.horizontalAdvance(QStringLiteral("100,000"));
-    m_frame = area.adjusted(2.0 * line + metrics.horizontalAdvance(QStringLiteral("1,000")), line, -last - 4.0, -3.4 * line);
+    m_field.area = area;
+    m_field.frame = area.adjusted(2.0 * line + metrics.horizontalAdvance(QStringLiteral("1,000")), line, -last - 4.0, -3.4 * line);
     settleAxes();
 }
 
 void CalibrationPlot::settleAxes() {
-    double least = 1e300;
-    double most = 0.0;
-    double slowest = m_content.target;
-    double fastest = m_content.target;
-    for (const RatePoint& point : m_content.points) {
-        least = std::min(least, point.bodies);
-        most = std::max(most, point.bodies);
-        slowest = std::min(slowest, point.fps);
-        fastest = std::max(fastest, point.fps);
+    std::pair<double, double> bodies{100.0, 1e5}, fps{0.5, 1000.0};
+    if (!m_content.points.empty()) {
+        const auto [least, most] = std::ranges::minmax(m_content.points, {}, &RatePoint::bodies);
+        const auto [slowest, fastest] = std::ranges::minmax(m_content.points, {}, &RatePoint::fps);
+        bodies = {roundOut(least.bodies / 1.15, false), roundOut(most.bodies * 1.15, true)};
+        fps = {roundOut(std::min(slowest.fps, m_content.target) / 1.2, false),
+               roundOut(std::max(fastest.fps, m_content.target) * 1.2, true)};
     }
-    if (most > 0.0) {
-        m_bodies = {roundOut(least / 1.15, false), roundOut(most * 1.15, true)};
-        m_fps = {roundOut(slowest / 1.2, false), roundOut(fastest * 1.2, true)};
-    }
+    m_field.across = ChartAxis::logarithmicBetween(bodies.first, bodies.second, frame().width() / tickSpace);
+    m_field.up = ChartAxis::logarithmicBetween(fps.first, fps.second, frame().height() / (0.6 * tickSpace));
 }
 
 QPointF CalibrationPlot::place(double bodies, double fps) const {
-    return {m_frame.left() + logShare(bodies, m_bodies.first, m_bodies.second) * m_frame.width(),
-            m_frame.bottom() - logShare(fps, m_fps.first, m_fps.second) * m_frame.height()};
+    return m_field.place(bodies, fps);
 }
 
 std::optional<std::size_t> CalibrationPlot::pointAt(const QPointF& at) const {
-    std::optional<std::size_t> found;
-    double nearest = reach;
-    for (std::size_t i = 0; i < m_content.points.size(); ++i) {
-        const QPointF apart = place(m_content.points[i].bodies, m_content.points[i].fps) - at;
-        const double distance = std::hypot(apart.x(), apart.y());
-        if (distance <= nearest) {
-            nearest = distance;
-            found = i;
-        }
+    std::vector<QPointF> places;
+    for (const RatePoint& point : m_content.points) {
+        places.push_back(place(point.bodies, point.fps));
     }
-    return found;
+    return nearestPlace(places, at, reach);
 }
 
 QColor CalibrationPlot::colourOf(LiveLoad load) const {
@@ -168,32 +157,10 @@ void CalibrationPlot::paint(QPainter& painter) const {
 }
 
 void CalibrationPlot::paintAxes(QPainter& painter) const {
-    const double line = QFontMetricsF(m_font).height();
-    for (const double tick : logTicks(m_bodies.first, m_bodies.second, m_frame.width() / tickSpace)) {
-        const double x = place(tick, m_fps.first).x();
-        painter.setPen(QPen(m_palette.hairline, 1.0));
-        painter.drawLine(QPointF(x, m_frame.top()), QPointF(x, m_frame.bottom()));
-        painter.setPen(m_palette.muted);
-        painter.drawText(QRectF(x - 40.0, m_frame.bottom() + 4.0, 80.0, line), Qt::AlignHCenter | Qt::AlignTop,
-                         shownCount(static_cast<std::int64_t>(tick)));
-    }
-    for (const double tick : logTicks(m_fps.first, m_fps.second, m_frame.height() / (0.6 * tickSpace))) {
-        const double y = place(m_bodies.first, tick).y();
-        painter.setPen(QPen(m_palette.hairline, 1.0));
-        painter.drawLine(QPointF(m_frame.left(), y), QPointF(m_frame.right(), y));
-        painter.setPen(m_palette.muted);
-        painter.drawText(QRectF(m_area.left(), y - line, m_frame.left() - m_area.left() - 6.0, 2.0 * line),
-                         Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(tick, 'g', 6));
-    }
-    painter.setPen(m_palette.muted);
-    painter.drawText(QRectF(m_area.left(), m_frame.bottom() + 1.7 * line, m_area.width(), line), Qt::AlignCenter,
-                     tr("bodies in the scene"));
-    painter.save();
-    painter.translate(m_area.left() + 0.8 * line, m_frame.center().y());
-    painter.rotate(-90.0);
-    painter.drawText(QRectF(-0.5 * m_area.height(), -0.6 * line, m_area.height(), 1.2 * line), Qt::AlignCenter,
-                     tr("frames per second of wall clock"));
-    painter.restore();
+    const auto bodies = [](double tick) { return shownCount(static_cast<std::int64_t>(tick)); };
+    const auto fps = [](double tick) { return QLocale().toString(tick, 'g', 6); };
+    m_field.paintAxes(painter, m_font, m_palette, {tr("bodies in the scene"), bodies},
+                      {tr("frames per second of wall clock"), fps});
 }
 
 void CalibrationPlot::paintCurve(QPainter& painter, const RateCurve& curve) const {
@@ -207,7 +174,7 @@ void CalibrationPlot::paintCurve(QPainter& painter, const RateCurve& curve) cons
         band << place(at.bodies, at.fps.high);
     }
     painter.save();
-    painter.setClipRect(m_frame);
+    painter.setClipRect(frame());
     const bool typical = curve.pile == PileKind::Typical;
     if (typical && curve.load == LiveLoad::Both) {
         for (auto at = curve.places.rbegin(); at != curve.places.rend(); ++at) {
@@ -243,7 +210,7 @@ void CalibrationPlot::write(QPainter& painter, const QString& words, const QColo
     const QSizeF size(metrics.horizontalAdvance(words) + 4.0, metrics.height());
     for (const QPointF& corner : corners) {
         const QRectF where(corner, size);
-        const bool free = m_frame.contains(where) &&
+        const bool free = frame().contains(where) &&
                           std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(where); });
         if (free) {
             painter.fillRect(where, m_palette.chip);
@@ -257,29 +224,29 @@ void CalibrationPlot::write(QPainter& painter, const QString& words, const QColo
 
 void CalibrationPlot::paintTarget(QPainter& painter, std::vector<QRectF>& taken) const {
     const double line = QFontMetricsF(m_font).height();
-    const double y = place(m_bodies.first, m_content.target).y();
+    const double y = place(m_field.across.low, m_content.target).y();
     painter.setPen(QPen(m_palette.good, 1.5, Qt::DashLine));
-    painter.drawLine(QPointF(m_frame.left(), y), QPointF(m_frame.right(), y));
+    painter.drawLine(QPointF(frame().left(), y), QPointF(frame().right(), y));
     const QString words = tr("target: %1 FPS").arg(QLocale().toString(m_content.target, 'g', 4));
     const double width = QFontMetricsF(m_font).horizontalAdvance(words) + 10.0;
     write(painter, words, m_palette.good,
-          {{m_frame.left() + 4.0, y - line - 2.0}, {m_frame.left() + 4.0, y + 2.0}, {m_frame.right() - width, y - line - 2.0}},
+          {{frame().left() + 4.0, y - line - 2.0}, {frame().left() + 4.0, y + 2.0}, {frame().right() - width, y - line - 2.0}},
           taken);
     for (const PileKind pile : piles) {
         const auto& most = m_content.bodiesMax[static_cast<std::size_t>(pile)];
         if (!most) {
             continue;
         }
-        const double x = std::clamp(place(most->bodies, m_content.target).x(), m_frame.left(), m_frame.right());
+        const double x = std::clamp(place(most->bodies, m_content.target).x(), frame().left(), frame().right());
         painter.setPen(QPen(m_palette.good, 1.3, pile == PileKind::Typical ? Qt::SolidLine : Qt::DotLine));
-        painter.drawLine(QPointF(x, y), QPointF(x, m_frame.bottom()));
+        painter.drawLine(QPointF(x, y), QPointF(x, frame().bottom()));
         const QString name = pile == PileKind::Typical ? tr("N max, typical: %1") : tr("N max, worst: %1");
         const QString label = name.arg(bodiesWords(*most));
         const double across = QFontMetricsF(m_font).horizontalAdvance(label) + 8.0;
         std::vector<QPointF> corners;
         for (double up = 1.2; up < 8.0; up += 1.2) {
-            corners.emplace_back(x + 4.0, m_frame.bottom() - up * line - 2.0);
-            corners.emplace_back(x - across, m_frame.bottom() - up * line - 2.0);
+            corners.emplace_back(x + 4.0, frame().bottom() - up * line - 2.0);
+            corners.emplace_back(x - across, frame().bottom() - up * line - 2.0);
         }
         write(painter, label, m_palette.good, corners, taken);
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/analysis/calibration.h"
+#include "widgets/chart_axis.h"
 #include "widgets/figures/palette.h"
 
 class QPainter;
@@ -63,7 +64,7 @@ public:
 
     void paint(QPainter& painter) const;
     QPointF place(double bodies, double fps) const;
-    const QRectF& frame() const { return m_frame; }
+    const QRectF& frame() const { return m_field.frame; }
     /// The point nearest to a place, no further than a finger's width.
     std::optional<std::size_t> pointAt(const QPointF& place) const;
 
@@ -82,12 +83,9 @@ private:
                std::vector<QRectF>& taken) const;
 
     const CalibrationPlotContent& m_content;
-    QRectF m_area;
     QFont m_font;
     const figures::Palette& m_palette;
-    QRectF m_frame;
-    std::pair<double, double> m_bodies{100.0, 1e5};
-    std::pair<double, double> m_fps{0.5, 1000.0};
+    ChartField m_field;
 };
 
 }  // namespace rubble::widgets

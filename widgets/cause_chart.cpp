@@ -8,24 +8,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/figures/round_step.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
 
 namespace {
-
-/// The step of 1, 2 or 5 times a power of ten that makes at most so many ticks of a stretch.
-double stepFor(double stretch, double most) {
-    const double least = stretch / std::max(1.0, most);
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double times : {1.0, 2.0, 5.0}) {
-        if (times * power >= least) {
-            return times * power;
-        }
-    }
-    return 10.0 * power;
-}
 
 QFont boldened(QFont font) {
     font.setBold(true);
@@ -55,7 +44,7 @@ public:
             names = std::max({names, 1.0 + QFontMetricsF(boldened(font)).horizontalAdvance(name),
                               1.0 + m_metrics.horizontalAdvance(standingWords(made, rank))});
         }
-        m_step = stepFor(std::max(high - low, 1e-6), 6.0);
+        m_step = figures::roundStep(std::max(high - low, 1e-6), 6.0);
         m_low = m_step * std::floor(low / m_step - 0.2);
         m_high = m_step * std::ceil(high / m_step + 0.2);
         const double line = m_metrics.height();

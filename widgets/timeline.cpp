@@ -9,25 +9,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/figures/round_step.h"
 #include "widgets/icons.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {
-
-double roundStep(double span, double count) {
-    if (!(span > 0.0) || !(count > 0.0)) {
-        return 1.0;
-    }
-    const double least = span / count;
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (factor * power >= least * (1.0 - 1e-12)) {
-            return factor * power;
-        }
-    }
-    return 10.0 * power;
-}
 
 /// Where things stand, from top to bottom.
 struct Timeline::Rows {
@@ -355,7 +342,7 @@ void Timeline::paintComputed(QPainter& painter, const Rows& r) const {
 void Timeline::paintAxis(QPainter& painter, const Rows& r) const {
     painter.setPen(tints().hairline);
     painter.drawLine(QPointF(r.left, r.axis), QPointF(r.right, r.axis));
-    const double step = roundStep(m_last - m_first, (r.right - r.left) / 56.0);
+    const double step = figures::roundStep(m_last - m_first, (r.right - r.left) / 56.0);
     const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
     painter.setPen(tints().muted);
     const double start = std::ceil((m_first - m_origin) / step - 1e-9);

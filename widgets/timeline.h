@@ -137,7 +137,4 @@ private:
     std::optional<double> m_loopStart;  // where a drag with Shift began
 };
 
-/// A round step (1, 2 or 5 times a power of ten) that puts at most `count` marks over `span`.
-double roundStep(double span, double count);
-
 }  // namespace rubble::widgets

@@ -67,18 +67,6 @@ TEST(Timeline, TheComputedBarGrowsToItsPlace) {
     EXPECT_NEAR(whole, timeline.toX(10.0) - timeline.toX(0.0), 3);
 }
 
-TEST(RoundStep, IsRoundAndNotTooFine) {
-    for (double span = 0.013; span < 5000.0; span *= 1.37) {
-        for (const double count : {3.0, 8.0, 20.0}) {
-            const double step = roundStep(span, count);
-            EXPECT_LE(span / step, count * (1.0 + 1e-9));
-            EXPECT_GE(span / step, count / 2.5001);
-            const double mantissa = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
-            EXPECT_TRUE(std::abs(mantissa - 1) < 1e-6 || std::abs(mantissa - 2) < 1e-6 || std::abs(mantissa - 5) < 1e-6) << step;
-        }
-    }
-}
-
 TEST(Timeline, PhotographsHaveARowAndAClickGoesToTheirTime) {
     Timeline timeline;
     timeline.setRange(0.0, 10.0);

@@ -8,17 +8,10 @@
 
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
+#include "widgets/figures/round_step.h"
 
 namespace rubble::figures {
 namespace {
-
-/// A round step that gives about so many marks.
-double roundStep(double span, int marks) {
-    const double raw = span / marks;
-    const double power = std::pow(10.0, std::floor(std::log10(raw)));
-    const double mantissa = raw / power;
-    return power * (mantissa > 5.0 ? 10.0 : mantissa > 2.0 ? 5.0 : mantissa > 1.0 ? 2.0 : 1.0);
-}
 
 /// Places a chart in its area and paints it.
 class ChartSheet {

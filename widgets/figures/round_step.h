@@ -1,0 +1,8 @@
+#pragma once
+
+namespace rubble::figures {
+
+/// A round step (1, 2 or 5 times a power of ten) that puts at most `count` marks over `span`; 1 where there is no span or no count.
+double roundStep(double span, double count);
+
+}  // namespace rubble::figures

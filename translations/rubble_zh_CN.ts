@@ -8090,6 +8090,25 @@
     </message>
 </context>
 <context>
+    <name>rubble::ActionStates</name>
+    <message>
+        <source>Undo %1</source>
+        <translation>撤销 %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation>重做 %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+</context>
+<context>
     <name>rubble::Autosave</name>
     <message>
         <source>Changes cannot be autosaved in %1</source>
@@ -8742,38 +8761,6 @@
 <context>
     <name>rubble::MainWindow</name>
     <message>
-        <source>The sample is not installed.</source>
-        <translation>示例未安装。</translation>
-    </message>
-    <message>
-        <source>Install Rubble&apos;s samples folder, or open a result of your own.</source>
-        <translation>请安装 Rubble 的示例文件夹，或打开您自己的结果。</translation>
-    </message>
-    <message>
-        <source>Nothing new: the result has %1 states</source>
-        <translation>没有新内容：结果有 %1 个状态</translation>
-    </message>
-    <message>
-        <source>%1 states more, to %2 s; %3 elements more are dead</source>
-        <translation>新增 %1 个状态，到 %2 s；新增 %3 个失效单元</translation>
-    </message>
-    <message>
-        <source>The result was read again: %1 states</source>
-        <translation>已重新读取结果：%1 个状态</translation>
-    </message>
-    <message>
-        <source>Simulated in %1</source>
-        <translation>模拟用时 %1</translation>
-    </message>
-    <message>
-        <source>Cancelled at %1 s; what is computed is kept</source>
-        <translation>已在 %1 s 处取消；已计算的内容保留</translation>
-    </message>
-    <message>
-        <source>Cancelled</source>
-        <translation>已取消</translation>
-    </message>
-    <message>
         <source>changed</source>
         <translation>已更改</translation>
     </message>
@@ -8788,22 +8775,6 @@
     <message>
         <source>scenario</source>
         <translation>方案</translation>
-    </message>
-    <message>
-        <source>Settings are being compared: work beside it would spoil the times.</source>
-        <translation>正在比较设置：同时进行其他工作会影响计时。</translation>
-    </message>
-    <message>
-        <source>This machine is being calibrated: work beside it would spoil the times.</source>
-        <translation>正在标定本机：同时进行其他工作会影响计时。</translation>
-    </message>
-    <message>
-        <source>A reference is being computed.</source>
-        <translation>正在计算基准。</translation>
-    </message>
-    <message>
-        <source>A run is being simulated.</source>
-        <translation>正在模拟。</translation>
     </message>
     <message>
         <source>About Rubble</source>
@@ -8854,28 +8825,8 @@
         <translation>着色依据</translation>
     </message>
     <message>
-        <source>Undo %1</source>
-        <translation>撤销 %1</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>撤销</translation>
-    </message>
-    <message>
-        <source>Redo %1</source>
-        <translation>重做 %1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>重做</translation>
-    </message>
-    <message>
         <source>Preferences that could not be read are as delivered: %1</source>
         <translation>无法读取的首选项采用默认值：%1</translation>
-    </message>
-    <message>
-        <source>Shown: the run %1</source>
-        <translation>显示的是计算 %1</translation>
     </message>
     <message>
         <source>From the file to the debris, top to bottom. Each entry shows its state: up to date, stale after a change, running, or with a finding.</source>
@@ -8916,18 +8867,6 @@
     <message>
         <source>The order of work</source>
         <translation>工作的次序</translation>
-    </message>
-    <message>
-        <source>FE result of the new case</source>
-        <translation>新建案例的有限元结果</translation>
-    </message>
-    <message>
-        <source>FE results (*)</source>
-        <translation>有限元结果 (*)</translation>
-    </message>
-    <message>
-        <source>Members of an ensemble are being simulated.</source>
-        <translation>正在模拟系综的成员。</translation>
     </message>
 </context>
 <context>
@@ -9010,6 +8949,37 @@
     <message>
         <source>terrain %1</source>
         <translation>地形 %1</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::Opening</name>
+    <message>
+        <source>The sample is not installed.</source>
+        <translation>示例未安装。</translation>
+    </message>
+    <message>
+        <source>Install Rubble&apos;s samples folder, or open a result of your own.</source>
+        <translation>请安装 Rubble 的示例文件夹，或打开您自己的结果。</translation>
+    </message>
+    <message>
+        <source>Nothing new: the result has %1 states</source>
+        <translation>没有新内容：结果有 %1 个状态</translation>
+    </message>
+    <message>
+        <source>%1 states more, to %2 s; %3 elements more are dead</source>
+        <translation>新增 %1 个状态，到 %2 s；新增 %3 个失效单元</translation>
+    </message>
+    <message>
+        <source>The result was read again: %1 states</source>
+        <translation>已重新读取结果：%1 个状态</translation>
+    </message>
+    <message>
+        <source>FE result of the new case</source>
+        <translation>新建案例的有限元结果</translation>
+    </message>
+    <message>
+        <source>FE results (*)</source>
+        <translation>有限元结果 (*)</translation>
     </message>
 </context>
 <context>
@@ -9157,14 +9127,6 @@
         <translation>历史</translation>
     </message>
     <message>
-        <source>Unsaved work of an earlier session cannot be read. %1</source>
-        <translation>无法读取先前会话中未保存的工作。%1</translation>
-    </message>
-    <message>
-        <source>It was set aside as %1.</source>
-        <translation>它已另存为 %1。</translation>
-    </message>
-    <message>
         <source>As opened</source>
         <translation>打开时</translation>
     </message>
@@ -9175,6 +9137,17 @@
     <message>
         <source>Every edit since the case was opened; a click goes back or forward to it</source>
         <translation>打开案例以来的每次编辑；单击可前后转到该处</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::ProjectFiles</name>
+    <message>
+        <source>Unsaved work of an earlier session cannot be read. %1</source>
+        <translation>无法读取先前会话中未保存的工作。%1</translation>
+    </message>
+    <message>
+        <source>It was set aside as %1.</source>
+        <translation>它已另存为 %1。</translation>
     </message>
 </context>
 <context>
@@ -9249,6 +9222,45 @@
     <message>
         <source>The report was cancelled</source>
         <translation>报告已取消</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::RunControl</name>
+    <message>
+        <source>Simulated in %1</source>
+        <translation>模拟用时 %1</translation>
+    </message>
+    <message>
+        <source>Cancelled at %1 s; what is computed is kept</source>
+        <translation>已在 %1 s 处取消；已计算的内容保留</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>Shown: the run %1</source>
+        <translation>显示的是计算 %1</translation>
+    </message>
+    <message>
+        <source>Settings are being compared: work beside it would spoil the times.</source>
+        <translation>正在比较设置：同时进行其他工作会影响计时。</translation>
+    </message>
+    <message>
+        <source>This machine is being calibrated: work beside it would spoil the times.</source>
+        <translation>正在标定本机：同时进行其他工作会影响计时。</translation>
+    </message>
+    <message>
+        <source>A reference is being computed.</source>
+        <translation>正在计算基准。</translation>
+    </message>
+    <message>
+        <source>Members of an ensemble are being simulated.</source>
+        <translation>正在模拟系综的成员。</translation>
+    </message>
+    <message>
+        <source>A run is being simulated.</source>
+        <translation>正在模拟。</translation>
     </message>
 </context>
 <context>
@@ -13097,7 +13109,7 @@ What the file fits: %2.</source>
     </message>
     <message>
         <source>Fallen structure counts as debris</source>
-        <translation>坠落结构计为堆积物</translation>
+        <translation>倒塌结构计入堆积物</translation>
     </message>
     <message>
         <source>Compare</source>

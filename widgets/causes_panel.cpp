@@ -108,6 +108,10 @@ void CausesPanel::buildEvidence() {
     });
 }
 
+void CausesPanel::setBlind(bool blind) {
+    m_blind->setChecked(blind);
+}
+
 bool CausesPanel::blind() const {
     return m_blind->isChecked();
 }

@@ -41,6 +41,7 @@ public:
     void setContent(const Content& content);
     /// Whether each member in turn is to take the place of what was observed.
     bool blind() const;
+    void setBlind(bool blind);
     /// @param secondsLeft  NaN: not known yet
     void setProgress(const QString& what, double fraction, double secondsLeft);
 

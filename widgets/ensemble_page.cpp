@@ -165,6 +165,10 @@ bool EnsemblePage::onGround() const {
     return m_onGround->isChecked();
 }
 
+void EnsemblePage::setOnGround(bool on) {
+    m_onGround->setChecked(on);
+}
+
 void EnsemblePage::setContent(const Content& content) {
     m_content = content;
     const bool have = content.report != nullptr;

@@ -38,6 +38,7 @@ public:
     void setLayer(MapLayer layer);
     /// Whether the layer is to lie on the ground of the views.
     bool onGround() const;
+    void setOnGround(bool on);
     QTableWidget& spread() { return *m_spread; }
 
 signals:

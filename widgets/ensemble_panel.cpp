@@ -36,7 +36,7 @@ EnsemblePanel::EnsemblePanel(QWidget* parent)
     buildMembers();
     buildDebris();
     addWide(m_findings);
-    connect(m_varied, &VariedTable::variedEdited, this, [this](const std::vector<VariedSetting>& after, const QString& what) {
+    connect(m_varied, &VariedTable::variedEdited, this, [this](const std::vector<VariedSetting>& after, const Wording& what) {
         EnsembleSettings settings = m_content.settings;
         settings.varied = after;
         emit settingsEdited(settings, what);
@@ -65,12 +65,12 @@ void EnsemblePanel::buildMembers() {
     connect(m_members, &QSpinBox::valueChanged, this, [this](int members) {
         EnsembleSettings settings = m_content.settings;
         settings.members = members;
-        emit settingsEdited(settings, tr("members of the ensemble"));
+        emit settingsEdited(settings, [] { return tr("members of the ensemble"); });
     });
     connect(m_seed, &NumberField::edited, this, [this](std::optional<double> seed) {
         EnsembleSettings settings = m_content.settings;
         settings.seed = std::llround(*seed);
-        emit settingsEdited(settings, tr("seed of the ensemble"));
+        emit settingsEdited(settings, [] { return tr("seed of the ensemble"); });
     });
 }
 
@@ -95,6 +95,12 @@ SurfaceSettings EnsemblePanel::surface() const {
     surface.cell = m_cell->number().value_or(surface.cell);
     surface.withFallen = m_withFallen->isChecked();
     return surface;
+}
+
+void EnsemblePanel::setSurface(const SurfaceSettings& surface, DebrisInstant instant) {
+    m_cell->setNumber(surface.cell);
+    m_withFallen->setChecked(surface.withFallen);
+    m_atFeEnd->setChecked(instant == DebrisInstant::AtFeEnd);
 }
 
 DebrisInstant EnsemblePanel::instant() const {

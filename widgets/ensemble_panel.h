@@ -5,6 +5,7 @@
 #include "core/evidence/ensemble.h"
 #include "widgets/panel.h"
 #include "widgets/varied_table.h"
+#include "widgets/wording.h"
 
 class QCheckBox;
 class QSpinBox;
@@ -37,6 +38,7 @@ public:
     /// How debris is laid on the ground.
     SurfaceSettings surface() const;
     DebrisInstant instant() const;
+    void setSurface(const SurfaceSettings& surface, DebrisInstant instant);
     PlaceChoice& place() { return *m_place; }
     /// @param secondsLeft  NaN: not known yet
     void setProgress(const QString& what, double fraction, double secondsLeft);
@@ -45,7 +47,7 @@ public:
 
 signals:
     /// @param what  names the edit for undo
-    void settingsEdited(const rubble::EnsembleSettings& settings, const QString& what);
+    void settingsEdited(const rubble::EnsembleSettings& settings, const rubble::widgets::Wording& what);
     /// Cells, instant or what counts as debris have changed.
     void surfaceChanged();
     void simulateRequested();

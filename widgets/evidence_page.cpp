@@ -158,6 +158,10 @@ void EvidencePage::setShow(PhotoView::Show show) {
     emit showChanged(show);
 }
 
+bool EvidencePage::surveyShown() const {
+    return m_surveyShown->isChecked();
+}
+
 void EvidencePage::setBeside(bool beside) {
     showSurvey(false);
     m_beside->setChecked(beside);

@@ -44,6 +44,7 @@ public:
     void setSurvey(const std::shared_ptr<const SurveyComparison>& comparison);
     /// Whether the difference map stands here instead of the photograph.
     void showSurvey(bool shown);
+    bool surveyShown() const;
 
 signals:
     void showChanged(rubble::widgets::PhotoView::Show show);

@@ -156,20 +156,22 @@ void EvidencePanel::buildTime() {
     m_note->setToolTip(tr("A note on the photograph, kept in the case"));
     group->addWide(m_note);
     connect(m_atRest, &QCheckBox::clicked, this, [this](bool atRest) {
-        edit(tr("time of the photograph"), [&](Photograph& p) {
-            p.time = atRest ? std::nullopt : std::optional(0.0);
-            p.timeUncertainty = atRest ? 0.0 : p.timeUncertainty;
-        });
+        edit([] { return tr("time of the photograph"); },
+             [&](Photograph& p) {
+                 p.time = atRest ? std::nullopt : std::optional(0.0);
+                 p.timeUncertainty = atRest ? 0.0 : p.timeUncertainty;
+             });
     });
-    connect(m_time, &NumberField::edited, this,
-            [this](std::optional<double> time) { edit(tr("time of the photograph"), [&](Photograph& p) { p.time = time; }); });
+    connect(m_time, &NumberField::edited, this, [this](std::optional<double> time) {
+        edit([] { return tr("time of the photograph"); }, [&](Photograph& p) { p.time = time; });
+    });
     connect(m_uncertainty, &NumberField::edited, this, [this](std::optional<double> spread) {
-        edit(tr("uncertainty of the time"), [&](Photograph& p) { p.timeUncertainty = *spread; });
+        edit([] { return tr("uncertainty of the time"); }, [&](Photograph& p) { p.timeUncertainty = *spread; });
     });
     connect(m_note, &QLineEdit::editingFinished, this, [this] {
         if (m_note->isModified()) {
             m_note->setModified(false);
-            edit(tr("note on the photograph"), [&](Photograph& p) { p.note = m_note->text().toStdString(); });
+            edit([] { return tr("note on the photograph"); }, [&](Photograph& p) { p.note = m_note->text().toStdString(); });
         }
     });
 }
@@ -178,7 +180,7 @@ void EvidencePanel::buildPoints() {
     PanelGroup* group = addGroup(tr("Points"));
     m_details.push_back(group);
     group->addWide(m_pairs);
-    connect(m_pairs, &PhotoPairs::pairsEdited, this, [this](const std::vector<PointPair>& pairs, const QString& what) {
+    connect(m_pairs, &PhotoPairs::pairsEdited, this, [this](const std::vector<PointPair>& pairs, const Wording& what) {
         edit(what, [&](Photograph& p) { p.pairs = pairs; });
     });
     connect(m_pairs, &PhotoPairs::pairChosen, this, &EvidencePanel::pairChosen);
@@ -214,13 +216,14 @@ void EvidencePanel::buildCamera() {
     m_fit =
         group->addValue(tr("fit, RMS"), tr("px"), tr("Root of the mean square of the residuals of the points that agree, pixels"));
     connect(m_focal, &NumberField::edited, this, [this](std::optional<double> focal) {
-        edit(tr("focal length of the camera"), [&](Photograph& p) { p.camera.focal = focal; });
+        edit([] { return tr("focal length of the camera"); }, [&](Photograph& p) { p.camera.focal = focal; });
     });
     connect(m_principal, &QComboBox::activated, this, [this](int choice) {
-        edit(tr("principal point of the camera"), [&](Photograph& p) { p.camera.freePrincipal = choice == Found; });
+        edit([] { return tr("principal point of the camera"); }, [&](Photograph& p) { p.camera.freePrincipal = choice == Found; });
     });
-    connect(m_radial, &QComboBox::activated, this,
-            [this](int terms) { edit(tr("distortion of the camera"), [&](Photograph& p) { p.camera.radialTerms = terms; }); });
+    connect(m_radial, &QComboBox::activated, this, [this](int terms) {
+        edit([] { return tr("distortion of the camera"); }, [&](Photograph& p) { p.camera.radialTerms = terms; });
+    });
 }
 
 void EvidencePanel::buildMasks() {
@@ -239,8 +242,11 @@ void EvidencePanel::buildMasks() {
     connect(m_removeMask, &QPushButton::clicked, this, [this] {
         const int chosen = m_content.chosenMask;
         if (chosen >= 0 && chosen < static_cast<int>(m_content.photograph.masks.size())) {
-            edit(tr("%1 deleted").arg(maskWords(m_content.photograph.masks[static_cast<std::size_t>(chosen)].kind)),
-                 [&](Photograph& p) { p.masks.erase(p.masks.begin() + chosen); });
+            edit(
+                [kind = m_content.photograph.masks[static_cast<std::size_t>(chosen)].kind] {
+                    return tr("%1 deleted").arg(maskWords(kind));
+                },
+                [&](Photograph& p) { p.masks.erase(p.masks.begin() + chosen); });
         }
     });
 }
@@ -274,7 +280,7 @@ void EvidencePanel::buildAgreement() {
     connect(m_cancel, &QPushButton::clicked, this, &EvidencePanel::cancelRequested);
 }
 
-void EvidencePanel::edit(const QString& what, const std::function<void(Photograph&)>& change) {
+void EvidencePanel::edit(const Wording& what, const std::function<void(Photograph&)>& change) {
     if (m_content.chosen < 0) {
         return;
     }
@@ -287,6 +293,10 @@ void EvidencePanel::edit(const QString& what, const std::function<void(Photograp
 
 void EvidencePanel::setAdding(bool adding) {
     m_pairs->setAdding(adding);
+}
+
+void EvidencePanel::setWithFallen(bool with) {
+    m_withFallen->setChecked(with);
 }
 
 bool EvidencePanel::withFallen() const {

@@ -6,6 +6,7 @@
 
 #include "core/evidence/photo_comparison.h"
 #include "widgets/panel.h"
+#include "widgets/wording.h"
 
 class QCheckBox;
 class QComboBox;
@@ -50,6 +51,7 @@ public:
     void setAdding(bool adding);
     /// Whether fallen live structure counts as debris.
     bool withFallen() const;
+    void setWithFallen(bool with);
     SurveyBox& survey() { return *m_survey; }
 
 signals:
@@ -57,7 +59,7 @@ signals:
     void removeRequested();
     void photographChosen(int index);
     /// @param what  names the edit for undo
-    void photographEdited(const rubble::Photograph& after, const QString& what);
+    void photographEdited(const rubble::Photograph& after, const rubble::widgets::Wording& what);
     void pairChosen(int pair);
     void maskChosen(int mask);
     void addToggled(bool adding);
@@ -77,7 +79,7 @@ private:
     void showCamera();
     void showMasks();
     void showAgreement();
-    void edit(const QString& what, const std::function<void(Photograph&)>& change);
+    void edit(const Wording& what, const std::function<void(Photograph&)>& change);
 
     Content m_content;
     bool m_showing = false;

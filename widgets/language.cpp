@@ -6,8 +6,6 @@
 #include <QMutex>
 #include <QSet>
 
-#include "widgets/retelling.h"
-
 namespace rubble::widgets {
 
 namespace {
@@ -62,12 +60,6 @@ QString Catalogue::translate(const char* context, const char* source, const char
     return QTranslator::translate(context, source, comment, n);
 }
 
-QString Catalogue::words(const SourceText& source) const {
-    const QString text = QTranslator::translate(source.context.constData(), source.text.constData(),
-                                                source.comment.isNull() ? nullptr : source.comment.constData());
-    return text.isEmpty() ? QString::fromUtf8(source.text) : text;
-}
-
 QList<SourceText> Catalogue::spoken() {
     Memory& texts = memory();
     const QMutexLocker lock(&texts.mutex);
@@ -120,14 +112,8 @@ void speak(const QString& language) {
         QCoreApplication::installTranslator(now.qt);
     }
     QCoreApplication::installTranslator(now.own);
-    if (before.own != nullptr) {
-        const Retelling retelling(*before.own, *now.own);
-        for (QWidget* window : QApplication::topLevelWidgets()) {
-            retelling.apply(*window);
-        }
-        delete before.own;
-        delete before.qt;
-    }
+    delete before.own;
+    delete before.qt;
 }
 
 QString said(const char* context, std::string_view english) {

@@ -17,7 +17,7 @@ struct SourceText {
     friend bool operator==(const SourceText&, const SourceText&) = default;
 };
 
-/// The words of one language. It remembers what has been asked for, so that what stands on screen can be said again in another one.
+/// The words of one language. It remembers what has been asked for: the manual looks for a figure by the words of the sources.
 class Catalogue : public QTranslator {
 public:
     /// @param language  a code of languageCodes(); English is the language of the sources and has no file
@@ -27,8 +27,6 @@ public:
     /// English stands in front of other languages as well: it has words, those of the sources.
     bool isEmpty() const override { return false; }
     QString translate(const char* context, const char* source, const char* comment = nullptr, int n = -1) const override;
-    /// What a text is in this language, without remembering it; the text itself where there is no translation.
-    QString words(const SourceText& source) const;
 
     /// Everything that has been asked for since the start, in any language.
     static QList<SourceText> spoken();
@@ -46,8 +44,8 @@ QString systemLanguage();
 /// The language that is spoken now.
 QString currentLanguage();
 
-/// Speaks a language from now on: words, Qt's own dialogs, numbers and dates. Windows that are open are retold in place; nothing
-/// but their words changes. "system" is systemLanguage(). An unknown code is English.
+/// Speaks a language from now on: words, Qt's own dialogs, numbers and dates. Windows that are open keep the words they have.
+/// "system" is systemLanguage(). An unknown code is English.
 void speak(const QString& language);
 
 /// A text of core in the language of the window. Its context is one of those that the catalogue collects: "messages", "parameters",

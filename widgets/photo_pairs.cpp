@@ -127,7 +127,7 @@ PhotoPairs::PhotoPairs(QWidget* parent)
         m_name->setModified(false);
         std::vector<PointPair> after = m_pairs;
         after[chosen].name = m_name->text().toStdString();
-        emit pairsEdited(after, tr("name of point %1").arg(m_chosen + 1));
+        emit pairsEdited(after, [number = m_chosen + 1] { return tr("name of point %1").arg(number); });
     });
 }
 
@@ -214,14 +214,14 @@ void PhotoPairs::setNumber(std::size_t field, double value) {
     std::vector<PointPair> after = m_pairs;
     PointPair& pair = after[static_cast<std::size_t>(m_chosen)];
     (field < 2 ? pair.picture[static_cast<Eigen::Index>(field)] : pair.model[static_cast<Eigen::Index>(field - 2)]) = value;
-    emit pairsEdited(after, tr("place of point %1").arg(m_chosen + 1));
+    emit pairsEdited(after, [number = m_chosen + 1] { return tr("place of point %1").arg(number); });
 }
 
 void PhotoPairs::removeChosen() {
     if (m_chosen >= 0) {
         std::vector<PointPair> after = m_pairs;
         after.erase(after.begin() + m_chosen);
-        emit pairsEdited(after, tr("point %1 deleted").arg(m_chosen + 1));
+        emit pairsEdited(after, [number = m_chosen + 1] { return tr("point %1 deleted").arg(number); });
     }
 }
 

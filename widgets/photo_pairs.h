@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/evidence/camera_match.h"
+#include "widgets/wording.h"
 
 class QLineEdit;
 class QPushButton;
@@ -29,7 +30,7 @@ public:
 
 signals:
     /// @param what  names the edit for undo
-    void pairsEdited(const std::vector<rubble::PointPair>& pairs, const QString& what);
+    void pairsEdited(const std::vector<rubble::PointPair>& pairs, const rubble::widgets::Wording& what);
     void pairChosen(int pair);
     void addToggled(bool adding);
     void readRequested();

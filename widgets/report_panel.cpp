@@ -67,6 +67,13 @@ ReportWishes ReportPanel::wishes() const {
             m_selfTest->currentData().toString()};
 }
 
+void ReportPanel::setWishes(const ReportWishes& wishes) {
+    m_question->setPlainText(wishes.question);
+    m_author->setText(wishes.author);
+    m_repeats->setValue(wishes.repeats);
+    m_selfTest->setCurrentIndex(m_selfTest->findData(wishes.selfTest));
+}
+
 void ReportPanel::setReady(const QString& why, bool writing) {
     m_writing = writing;
     m_write->setText(writing ? tr("Cancel") : tr("Write report…"));

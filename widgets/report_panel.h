@@ -26,6 +26,7 @@ public:
     explicit ReportPanel(QWidget* parent = nullptr);
 
     ReportWishes wishes() const;
+    void setWishes(const ReportWishes& wishes);
     /// @param why  why no report can be made now; empty: it can
     /// @param writing  one is being made
     void setReady(const QString& why, bool writing);

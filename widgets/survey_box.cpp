@@ -200,6 +200,13 @@ SurveySettings SurveyBox::settings() const {
     return settings;
 }
 
+void SurveyBox::setSettings(const SurveySettings& settings) {
+    m_cell->setNumber(settings.cell);
+    m_least->setNumber(settings.leastHeight);
+    m_fit->setCurrentIndex(m_fit->findData(static_cast<int>(settings.fit)));
+    m_withFallen->setChecked(settings.withFallen);
+}
+
 void SurveyBox::setContent(const Content& content) {
     m_content = content;
     m_showing = true;

@@ -40,6 +40,7 @@ public:
     void setContent(const Content& content);
     /// What the fields ask for.
     SurveySettings settings() const;
+    void setSettings(const SurveySettings& settings);
 
 signals:
     void addRequested();

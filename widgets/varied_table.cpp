@@ -116,7 +116,7 @@ VariedTable::VariedTable(QWidget* parent)
     setContent({}, {});
 }
 
-QString VariedTable::nameOf(const std::string& key) const {
+QString VariedTable::nameOf(const std::string& key) {
     if (key == scenarioKey) {
         return tr("Scenario");
     }
@@ -199,7 +199,7 @@ QWidget* VariedTable::rowOf(std::size_t place) {
     connect(remove, &QToolButton::clicked, this, [this, place, name] {
         std::vector<VariedSetting> after = m_varied;
         after.erase(after.begin() + static_cast<std::ptrdiff_t>(place));
-        propose(std::move(after), tr("%1 not varied").arg(name));
+        propose(std::move(after), [key = m_varied[place].key] { return tr("%1 not varied").arg(nameOf(key)); });
     });
     first->addWidget(remove);
     column->addLayout(first);
@@ -327,16 +327,16 @@ void VariedTable::add(const QString& key) {
     }
     std::vector<VariedSetting> after = m_varied;
     after.push_back(std::move(added));
-    propose(std::move(after), tr("%1 varied").arg(nameOf(key.toStdString())));
+    propose(std::move(after), [key = key.toStdString()] { return tr("%1 varied").arg(nameOf(key)); });
 }
 
 void VariedTable::edit(std::size_t place, const VariedSetting& after) {
     std::vector<VariedSetting> all = m_varied;
     all[place] = after;
-    propose(std::move(all), tr("distribution of %1").arg(nameOf(after.key)));
+    propose(std::move(all), [key = after.key] { return tr("distribution of %1").arg(nameOf(key)); });
 }
 
-void VariedTable::propose(std::vector<VariedSetting> varied, const QString& what) {
+void VariedTable::propose(std::vector<VariedSetting> varied, const Wording& what) {
     m_complaint->hide();
     if (varied == m_varied) {
         return;

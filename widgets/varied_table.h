@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/scenario/ensemble.h"
+#include "widgets/wording.h"
 
 class QComboBox;
 class QLabel;
@@ -31,7 +32,7 @@ public:
 
 signals:
     /// @param what  names the edit for undo
-    void variedEdited(const std::vector<rubble::VariedSetting>& varied, const QString& what);
+    void variedEdited(const std::vector<rubble::VariedSetting>& varied, const rubble::widgets::Wording& what);
 
 private:
     void build();
@@ -41,8 +42,8 @@ private:
     QWidget* choicesOf(std::size_t place);
     void fillAdditions();
     void edit(std::size_t place, const VariedSetting& after);
-    void propose(std::vector<VariedSetting> varied, const QString& what);
-    QString nameOf(const std::string& key) const;
+    void propose(std::vector<VariedSetting> varied, const Wording& what);
+    static QString nameOf(const std::string& key);
 
     std::vector<VariedSetting> m_varied;
     std::vector<Choice> m_scenarios;

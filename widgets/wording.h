@@ -2,12 +2,16 @@
 
 #include <QString>
 #include <QStringList>
+#include <functional>
 
 #include "core/base/finding.h"
 #include "core/base/message.h"
 #include "core/scenario/parameters.h"
 
 namespace rubble::widgets {
+
+/// Words as what says them, in the language that is spoken when they are asked for: kept where a text would grow old.
+using Wording = std::function<QString()>;
 
 /// A message of core or io in the language of the window: pattern and words among its arguments are looked up as they stand,
 /// English if there is no translation.

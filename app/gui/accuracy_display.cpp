@@ -1,22 +1,27 @@
 #include "app/gui/accuracy_display.h"
 
 #include "app/gui/comparison_memory.h"
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
 #include "app/gui/panel_deck.h"
+#include "app/gui/session/session.h"
 #include "widgets/accuracy_page.h"
 #include "widgets/accuracy_words.h"
 #include "widgets/place_choice.h"
 
 namespace rubble {
 
-AccuracyDisplay::AccuracyDisplay(Document& document, Computation& computation, PanelDeck& deck, widgets::AccuracyPage& page,
-                                 QObject* parent)
-    : QObject(parent), m_document(document), m_computation(computation), m_deck(deck), m_page(page) {
+AccuracyDisplay::AccuracyDisplay(Session& session, PanelDeck& deck, widgets::AccuracyPage& page, QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_document(session.document()),
+      m_computation(session.computation()),
+      m_deck(deck),
+      m_page(page),
+      m_work(session.part<AccuracyWork>()),
+      m_kept(session.part<Kept>()) {
     connect(&m_work, &AccuracyWork::grew, this, &AccuracyDisplay::refresh);
     connect(&m_work, &AccuracyWork::ended, this, &AccuracyDisplay::ended);
     connect(&m_work, &AccuracyWork::progressed, this, [this](const QString& what, double fraction, double left) {
-        m_fraction = fraction;
+        m_kept.fraction = fraction;
         m_deck.accuracy().setProgress(what, fraction, left);
         showRail();
     });
@@ -28,7 +33,7 @@ AccuracyDisplay::AccuracyDisplay(Document& document, Computation& computation, P
     });
     connect(&m_work, &AccuracyWork::resumed, this, [this](const widgets::AccuracyPanel::Request& request) {
         m_deck.accuracy().setRequest(request);
-        emit told(tr("Settings of this case were compared on the cluster: here they are"));
+        m_session.tell(tr("Settings of this case were compared on the cluster: here they are"));
     });
     widgets::PlaceChoice& place = m_deck.accuracy().place();
     connect(&place, &widgets::PlaceChoice::shown, &m_work.cluster(), &ClusterWork::probe);
@@ -39,18 +44,31 @@ AccuracyDisplay::AccuracyDisplay(Document& document, Computation& computation, P
     connect(&m_computation, &Computation::stateChanged, this, &AccuracyDisplay::showPanel);
     connect(&m_document, &Document::scenarioChanged, this, &AccuracyDisplay::refresh);
     m_deck.accuracy().setFolder(AccuracyWork::folder());
-    m_deck.accuracy().setRequest(rememberedComparison(m_deck.accuracy().request()));
+    m_deck.accuracy().setRequest(m_kept.asked ? *m_kept.asked : rememberedComparison(m_deck.accuracy().request()));
+    showOutcome();
     refresh();
+    m_work.tellProgress();
+}
+
+AccuracyDisplay::~AccuracyDisplay() {
+    m_kept.asked = m_deck.accuracy().request();
+}
+
+void AccuracyDisplay::showOutcome() {
+    const auto& report = m_work.report();
+    m_deck.accuracy().setError(m_kept.failure ? m_kept.failure->what() : QString(),
+                               m_kept.failure ? m_kept.failure->remedy() : QString());
+    m_deck.accuracy().setFindings(report != nullptr && !m_work.running() ? report->findings : Findings());
 }
 
 void AccuracyDisplay::prepared() {
     const void* fe = m_computation.inputs().fe.get();
-    if (fe != m_fe) {
+    if (fe != m_kept.fe) {
         // Points of another result say nothing here.
-        m_fe = fe;
+        m_kept.fe = fe;
         m_work.clear();
-        m_deck.accuracy().setError({});
-        m_deck.accuracy().setFindings({});
+        m_kept.failure.reset();
+        showOutcome();
         if (fe != nullptr) {
             m_work.resume(m_computation.inputs(), m_document.scenario(), m_deck.accuracy().request());
         }
@@ -58,15 +76,15 @@ void AccuracyDisplay::prepared() {
     refresh();
     const bool ready =
         m_computation.results().clustering != nullptr && !m_computation.stale(Stage::Clusters, m_document.scenario());
-    if (m_compareWhenReady && ready && !m_work.running()) {
-        m_compareWhenReady = false;
+    if (m_kept.compareWhenReady && ready && !m_work.running()) {
+        m_kept.compareWhenReady = false;
         m_deck.choose(PanelDeck::Accuracy);
         compare();
     }
 }
 
 void AccuracyDisplay::compareWhenReady() {
-    m_compareWhenReady = true;
+    m_kept.compareWhenReady = true;
 }
 
 void AccuracyDisplay::compare() {
@@ -76,6 +94,7 @@ void AccuracyDisplay::compare() {
         (here && (m_computation.busy(Stage::Simulation) || !m_busy.isEmpty()))) {
         return;
     }
+    m_kept.failure.reset();
     panel.setError({});
     panel.setFindings({});
     try {
@@ -83,10 +102,10 @@ void AccuracyDisplay::compare() {
         m_work.start(m_computation.inputs(), m_document.scenario(), request, jobCaseOf(m_document));
         rememberComparison(request);
     } catch (...) {
-        const auto failure = failureOf(std::current_exception());
-        panel.setError(failure->what, failure->remedy);
+        m_kept.failure = failureOf(std::current_exception());
+        showOutcome();
     }
-    m_fraction = 0.0;
+    m_kept.fraction = 0.0;
     panel.setProgress(tr("Preparing"), 0.0, std::numeric_limits<double>::quiet_NaN());
     refresh();
     emit changed();
@@ -108,13 +127,12 @@ void AccuracyDisplay::setBusy(const QString& why) {
 }
 
 void AccuracyDisplay::ended(const Failure* failure) {
-    if (failure != nullptr) {
-        m_deck.accuracy().setError(failure->what, failure->remedy);
-    } else if (m_work.report() != nullptr) {
-        m_deck.accuracy().setFindings(m_work.report()->findings);
-        emit told(m_work.report()->complete
-                      ? tr("Settings compared")
-                      : tr("The comparison is not complete; what is done is kept, and comparing again goes on"));
+    m_kept.failure = failure != nullptr ? std::optional(*failure) : std::nullopt;
+    showOutcome();
+    if (failure == nullptr && m_work.report() != nullptr) {
+        m_session.tell(m_work.report()->complete
+                           ? tr("Settings compared")
+                           : tr("The comparison is not complete; what is done is kept, and comparing again goes on"));
     }
     refresh();
     emit changed();
@@ -126,12 +144,12 @@ void AccuracyDisplay::adopt(int row) {
         return;
     }
     if (stale()) {
-        emit told(tr("These points belong to other settings of the case: compare again before one is used."));
+        m_session.tell(tr("These points belong to other settings of the case: compare again before one is used."));
         return;
     }
     const AccuracyPoint& point =
         row == widgets::referenceRow ? report->reference : report->points.at(static_cast<std::size_t>(row));
-    m_document.edit(tr("setting %1").arg(widgets::settingWords(point.setting)), point.scenario);
+    m_document.edit([setting = point.setting] { return tr("setting %1").arg(widgets::settingWords(setting)); }, point.scenario);
 }
 
 std::optional<int> AccuracyDisplay::rowInUse() const {
@@ -202,7 +220,7 @@ void AccuracyDisplay::showRail() {
                              : !done || stale()  ? StageState::Stale
                                                  : StageState::UpToDate;
     const std::int64_t found = report != nullptr ? static_cast<std::int64_t>(report->findings.list().size()) : 0;
-    m_deck.rail().setState(PanelDeck::Accuracy, state, found, m_fraction);
+    m_deck.rail().setState(PanelDeck::Accuracy, state, found, m_kept.fraction);
 }
 
 }  // namespace rubble

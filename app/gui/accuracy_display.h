@@ -9,6 +9,7 @@ namespace rubble {
 
 class Computation;
 class Document;
+class Session;
 class PanelDeck;
 namespace widgets {
 class AccuracyPage;
@@ -20,13 +21,14 @@ class AccuracyDisplay : public QObject {
     Q_OBJECT
 
 public:
-    AccuracyDisplay(Document& document, Computation& computation, PanelDeck& deck, widgets::AccuracyPage& page,
-                    QObject* parent = nullptr);
+    AccuracyDisplay(Session& session, PanelDeck& deck, widgets::AccuracyPage& page, QObject* parent = nullptr);
+
+    ~AccuracyDisplay() override;
 
     AccuracyWork& work() { return m_work; }
     /// Starts a comparison as soon as the case is prepared.
     void compareWhenReady();
-    bool waiting() const { return m_compareWhenReady; }
+    bool waiting() const { return m_kept.compareWhenReady; }
     /// Starts what the panel asks for.
     void compare();
     /// The scenario of a row becomes that of the case.
@@ -39,27 +41,34 @@ public:
 signals:
     /// A comparison began or ended.
     void changed();
-    void told(const QString& what);
 
 private:
+    /// What outlives the window.
+    struct Kept {
+        const void* fe = nullptr;  ///< of the result that was compared
+        double fraction = 0.0;
+        bool compareWhenReady = false;
+        std::optional<Failure> failure;
+        std::optional<widgets::AccuracyPanel::Request> asked;  ///< what the panel asked for when a window went
+    };
     void prepared();
     void cancel();
     void ended(const Failure* failure);
     void showPanel();
+    void showOutcome();
     void showRail();
     /// The row whose setting is that of the case.
     std::optional<int> rowInUse() const;
     /// The case has changed so that other points would come out.
     bool stale() const;
 
+    Session& m_session;
     Document& m_document;
     Computation& m_computation;
     PanelDeck& m_deck;
     widgets::AccuracyPage& m_page;
-    AccuracyWork m_work;
-    const void* m_fe = nullptr;  // of the result that was compared
-    double m_fraction = 0.0;
-    bool m_compareWhenReady = false;
+    AccuracyWork& m_work;
+    Kept& m_kept;
     QString m_busy;
 };
 

@@ -206,6 +206,11 @@ void AccuracyWork::clear() {
     emit grew();
 }
 
+void AccuracyWork::tellProgress() {
+    m_worker.tellProgress();
+    m_cluster.tellProgress();
+}
+
 void AccuracyWork::showProgress(const Progress& progress) {
     if (!m_running) {
         return;

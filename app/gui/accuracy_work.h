@@ -31,6 +31,8 @@ public:
     /// Cancels and forgets; a cluster goes on.
     void clear();
     bool running() const { return m_running || m_cluster.running(); }
+    /// Tells once more how far it has got.
+    void tellProgress();
     /// This machine simulates.
     bool simulatesHere() const { return m_running; }
     ClusterWork& cluster() { return m_cluster; }

@@ -113,8 +113,8 @@ void Autosave::saveNow() {
     }
     if (!claimFile()) {
         if (!std::exchange(m_told, true)) {
-            emit failed(tr("Changes cannot be autosaved in %1").arg(m_folder),
-                        tr("Make room there or allow writing, or save the case yourself."));
+            emit failed({[folder = m_folder] { return tr("Changes cannot be autosaved in %1").arg(folder); },
+                         [] { return tr("Make room there or allow writing, or save the case yourself."); }, "gui.autosave"});
         }
         return;
     }
@@ -126,7 +126,8 @@ void Autosave::saveNow() {
         const auto failure = failureOf(std::current_exception());
         // Told once, not every minute; tried again with the next change.
         if (failure && !std::exchange(m_told, true)) {
-            emit failed(tr("Changes cannot be autosaved. %1").arg(failure->what), failure->remedy);
+            emit failed({[what = failure->what] { return tr("Changes cannot be autosaved. %1").arg(what()); }, failure->remedy,
+                         "gui.autosave"});
         }
     }
 }
@@ -148,7 +149,7 @@ std::vector<LeftWork> Autosave::leftWork() {
                              QDateTime::fromString(QString::fromStdString(kept.savedAt), Qt::ISODate), std::move(lock)});
         } catch (...) {
             const auto failure = failureOf(std::current_exception());
-            emit setAside(failure->what, setFileAside(file));
+            emit setAside(*failure, setFileAside(file));
         }
     }
     std::stable_sort(found.begin(), found.end(), [](const LeftWork& a, const LeftWork& b) { return a.savedAt > b.savedAt; });

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/gui/worker.h"
 #include "core/scenario/case.h"
 
 namespace rubble {
@@ -50,9 +51,9 @@ public:
     const QString& file() const { return m_file; }
 
 signals:
-    void failed(const QString& what, const QString& remedy);
+    void failed(const rubble::Failure& failure);
     /// A damaged file was set aside. @param where  it is now
-    void setAside(const QString& what, const QString& where);
+    void setAside(const rubble::Failure& what, const QString& where);
 
 private:
     void changed();

@@ -3,18 +3,19 @@
 #include <QVBoxLayout>
 #include <limits>
 
-#include "app/gui/document.h"
 #include "app/gui/panel_deck.h"
-#include "io/machine.h"
+#include "app/gui/session/session.h"
 #include "widgets/calibration_view.h"
 
 namespace rubble {
 
-CalibrationDisplay::CalibrationDisplay(Document& document, PanelDeck& deck, QWidget& window, QObject* parent)
+CalibrationDisplay::CalibrationDisplay(Session& session, PanelDeck& deck, QWidget& window, QObject* parent)
     : QObject(parent),
-      m_document(document),
+      m_session(session),
+      m_document(session.document()),
       m_deck(deck),
-      m_work(io::machineText()),
+      m_work(session.part<CalibrationWork>()),
+      m_kept(session.part<Kept>()),
       m_dialog(new QDialog(&window)),
       m_view(new widgets::CalibrationView) {
     m_dialog->setWindowTitle(tr("This machine"));
@@ -38,6 +39,20 @@ CalibrationDisplay::CalibrationDisplay(Document& document, PanelDeck& deck, QWid
     connect(&m_document, &Document::scenarioChanged, this, &CalibrationDisplay::targetChanged);
     connect(&m_document, &Document::replaced, this, &CalibrationDisplay::targetChanged);
     targetChanged();
+    showFailure();
+    refresh();
+    m_work.tellProgress();
+    if (m_kept.open) {
+        open();
+    }
+}
+
+CalibrationDisplay::~CalibrationDisplay() {
+    m_kept.open = m_dialog->isVisible();
+}
+
+void CalibrationDisplay::showFailure() {
+    m_view->setError(m_kept.failure ? m_kept.failure->what() : QString(), m_kept.failure ? m_kept.failure->remedy() : QString());
 }
 
 void CalibrationDisplay::open() {
@@ -56,8 +71,8 @@ void CalibrationDisplay::setBusy(const QString& why) {
 
 void CalibrationDisplay::targetChanged() {
     const double target = m_document.scenario().grid.fpsTarget;
-    if (target != m_target) {
-        m_target = target;
+    if (target != m_kept.target) {
+        m_kept.target = target;
         m_work.load(target);
         refresh();
     } else if (m_dialog->isVisible()) {
@@ -69,19 +84,21 @@ void CalibrationDisplay::calibrate() {
     if (m_work.running() || !m_busy.isEmpty()) {
         return;
     }
-    m_view->setError({});
-    m_before = m_work.calibration().get();
-    m_work.start(m_target);
+    m_kept.failure.reset();
+    showFailure();
+    m_kept.before = m_work.calibration().get();
+    m_work.start(m_kept.target);
     m_view->setProgress(0.0, std::numeric_limits<double>::quiet_NaN());
     refresh();
     emit changed();
 }
 
 void CalibrationDisplay::ended(const Failure* failure) {
-    if (failure != nullptr) {
-        m_view->setError(failure->what, failure->remedy);
-    } else {
-        emit told(m_work.calibration().get() != m_before ? tr("This machine is calibrated") : tr("The calibration was cancelled"));
+    m_kept.failure = failure != nullptr ? std::optional(*failure) : std::nullopt;
+    showFailure();
+    if (failure == nullptr) {
+        m_session.tell(m_work.calibration().get() != m_kept.before ? tr("This machine is calibrated")
+                                                                   : tr("The calibration was cancelled"));
     }
     refresh();
     emit changed();
@@ -90,7 +107,7 @@ void CalibrationDisplay::ended(const Failure* failure) {
 void CalibrationDisplay::refresh() {
     const Calibration* calibration = m_work.calibration().get();
     widgets::GridPanel::MachineAdvice advice;
-    advice.target = m_target;
+    advice.target = m_kept.target;
     if (calibration != nullptr) {
         advice.calibrated = true;
         advice.disturbed = calibration->disturbed();

@@ -2,6 +2,7 @@
 
 #include <QDialog>
 #include <QObject>
+#include <optional>
 
 #include "app/gui/calibration_work.h"
 
@@ -11,6 +12,7 @@ namespace rubble {
 
 class Document;
 class PanelDeck;
+class Session;
 namespace widgets {
 class CalibrationView;
 }
@@ -21,7 +23,9 @@ class CalibrationDisplay : public QObject {
 
 public:
     /// @param window  that the calibration's own window belongs to
-    CalibrationDisplay(Document& document, PanelDeck& deck, QWidget& window, QObject* parent = nullptr);
+    CalibrationDisplay(Session& session, PanelDeck& deck, QWidget& window, QObject* parent = nullptr);
+
+    ~CalibrationDisplay() override;
 
     CalibrationWork& work() { return m_work; }
     widgets::CalibrationView& view() { return *m_view; }
@@ -35,21 +39,28 @@ public:
 signals:
     /// A calibration began or ended.
     void changed();
-    void told(const QString& what);
 
 private:
+    /// What outlives the window.
+    struct Kept {
+        const Calibration* before = nullptr;  ///< what there was when measuring began
+        double target = 0.0;                  ///< frames per second that the curves are marked for
+        std::optional<Failure> failure;
+        bool open = false;  ///< its window was open when the main window went
+    };
     void calibrate();
     void ended(const Failure* failure);
     void targetChanged();
+    void showFailure();
 
+    Session& m_session;
     Document& m_document;
     PanelDeck& m_deck;
-    CalibrationWork m_work;
+    CalibrationWork& m_work;
+    Kept& m_kept;
     QDialog* m_dialog;
     widgets::CalibrationView* m_view;
-    const Calibration* m_before = nullptr;  // what there was when measuring began
     QString m_busy;
-    double m_target = 0.0;  // frames per second that the curves are marked for
 };
 
 }  // namespace rubble

@@ -26,7 +26,7 @@ std::shared_ptr<const Calibration> keptCalibration(const std::string& machine) {
 
 }  // namespace
 
-CalibrationWork::CalibrationWork(std::string machine, QObject* parent) : QObject(parent), m_machine(std::move(machine)) {
+CalibrationWork::CalibrationWork(QObject* parent) : QObject(parent), m_machine(io::machineText()) {
     connect(&m_worker, &Worker::progressed, this, [this](Worker::Kind kind, const Progress& progress) {
         if (kind != Worker::Kind::Study || !m_running) {
             return;

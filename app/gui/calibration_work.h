@@ -15,8 +15,7 @@ class CalibrationWork : public QObject {
     Q_OBJECT
 
 public:
-    /// @param machine  in words
-    explicit CalibrationWork(std::string machine, QObject* parent = nullptr);
+    explicit CalibrationWork(QObject* parent = nullptr);
 
     /// Reads what is kept of this machine and fits its curves; answers with changed().
     void load(double target);
@@ -24,6 +23,8 @@ public:
     void start(double target);
     void cancel();
     bool running() const { return m_running; }
+    /// Tells once more how far it has got.
+    void tellProgress() { m_worker.tellProgress(); }
     /// Numbers of bodies to measure with; empty: those of core.
     void setBodies(std::vector<std::int64_t> bodies) { m_bodies = std::move(bodies); }
     /// Null: not calibrated.

@@ -63,7 +63,7 @@ void CameraOverlay::draw() {
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
         m_photo.setOverlay({}, {});
-        emit failed(failure->what + u' ' + failure->remedy);
+        emit failed(failure->inOneLine());
     }
 }
 

@@ -4,10 +4,9 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
 #include "app/gui/ensemble_display.h"
 #include "app/gui/map_export.h"
+#include "app/gui/session/session.h"
 #include "core/evidence/study_tables.h"
 #include "core/scenario/case_lookup.h"
 #include "io/case_file.h"
@@ -59,17 +58,20 @@ QString kindWords(io::EvidenceFile::Kind kind) {
 
 }  // namespace
 
-CausesDisplay::CausesDisplay(Document& document, Computation& computation, StudyWork& work, EnsembleDisplay& ensemble,
-                             widgets::CausesPanel& panel, widgets::CausesPage& page, QObject* parent)
+CausesDisplay::CausesDisplay(Session& session, EnsembleDisplay& ensemble, widgets::CausesPanel& panel, widgets::CausesPage& page,
+                             QObject* parent)
     : QObject(parent),
-      m_document(document),
-      m_computation(computation),
-      m_work(work),
+      m_session(session),
+      m_document(session.document()),
+      m_computation(session.computation()),
+      m_work(session.part<StudyWork>()),
       m_ensemble(ensemble),
       m_panel(panel),
-      m_page(page) {
+      m_page(page),
+      m_kept(session.part<Kept>()) {
+    m_panel.setBlind(m_kept.blind);
     connect(&m_work, &StudyWork::compared, this, [this](const std::shared_ptr<const MadeComparison>& made) {
-        m_made = made;
+        m_kept.made = made;
         showPage();
     });
     connect(&m_work, &StudyWork::ended, this, &CausesDisplay::ended);
@@ -83,13 +85,13 @@ CausesDisplay::CausesDisplay(Document& document, Computation& computation, Study
     connect(&m_page, &widgets::CausesPage::saveMapRequested, this, &CausesDisplay::saveMap);
     connect(&m_page, &widgets::CausesPage::saveChartRequested, this, &CausesDisplay::saveChartRequested);
     connect(&m_document, &Document::replaced, this, [this] {
-        if (m_document.base() != m_base) {
-            m_base = m_document.base();
-            m_added.clear();
-            m_files.clear();
-            m_unticked.clear();
-            m_made = nullptr;
-            m_panel.setError({});
+        if (m_document.base() != m_kept.base) {
+            m_kept.base = m_document.base();
+            m_kept.added.clear();
+            m_kept.files.clear();
+            m_kept.unticked.clear();
+            m_kept.made = nullptr;
+            showFailure({});
             if (m_work.comparing()) {
                 m_work.forget();
             }
@@ -109,6 +111,16 @@ CausesDisplay::CausesDisplay(Document& document, Computation& computation, Study
         }
     });
     refresh();
+    showFailure(m_kept.failure);
+}
+
+CausesDisplay::~CausesDisplay() {
+    m_kept.blind = m_panel.blind();
+}
+
+void CausesDisplay::showFailure(const std::optional<Failure>& failure) {
+    m_kept.failure = failure;
+    m_panel.setError(failure ? failure->what() : QString(), failure ? failure->remedy() : QString());
 }
 
 void CausesDisplay::connectPanel() {
@@ -121,15 +133,15 @@ void CausesDisplay::connectPanel() {
     connect(&m_panel, &widgets::CausesPanel::evidenceUsed, this, &CausesDisplay::setEvidenceUsed);
     connect(&m_panel, &widgets::CausesPanel::causeRemoved, this, [this](int cause) {
         const auto place = static_cast<std::size_t>(cause) - ownCauses().size();
-        if (place < m_added.size()) {
-            m_added.erase(m_added.begin() + static_cast<std::ptrdiff_t>(place));
+        if (place < m_kept.added.size()) {
+            m_kept.added.erase(m_kept.added.begin() + static_cast<std::ptrdiff_t>(place));
             refresh();
         }
     });
     connect(&m_panel, &widgets::CausesPanel::evidenceRemoved, this, [this](int evidence) {
         const auto place = static_cast<std::size_t>(evidence) - m_document.theCase().photographs.size();
-        if (place < m_files.size()) {
-            m_files.erase(m_files.begin() + static_cast<std::ptrdiff_t>(place));
+        if (place < m_kept.files.size()) {
+            m_kept.files.erase(m_kept.files.begin() + static_cast<std::ptrdiff_t>(place));
             refresh();
         }
     });
@@ -147,7 +159,7 @@ void CausesDisplay::chooseCauses() {
 }
 
 void CausesDisplay::addCauses(const QStringList& paths) {
-    m_panel.setError({});
+    showFailure({});
     for (const QString& path : paths) {
         const std::string file = QFileInfo(path).absoluteFilePath().toStdString();
         try {
@@ -158,19 +170,18 @@ void CausesDisplay::addCauses(const QStringList& paths) {
             added.cause.base = isCase ? file : file + ".rubble";
             added.cause.theCase = isCase ? io::loadCase(file) : io::caseForFe(file, added.cause.base);
             added.cause.name = added.cause.theCase.title;
-            for (int n = 2; std::any_of(m_added.begin(), m_added.end(),
+            for (int n = 2; std::any_of(m_kept.added.begin(), m_kept.added.end(),
                                         [&](const Added& each) { return each.cause.name == added.cause.name; });
                  ++n) {
                 added.cause.name = added.cause.theCase.title + " (" + std::to_string(n) + ")";
             }
             const bool known =
-                std::any_of(m_added.begin(), m_added.end(), [&](const Added& each) { return each.path == added.path; });
+                std::any_of(m_kept.added.begin(), m_kept.added.end(), [&](const Added& each) { return each.path == added.path; });
             if (!known) {
-                m_added.push_back(std::move(added));
+                m_kept.added.push_back(std::move(added));
             }
         } catch (...) {
-            const auto failure = failureOf(std::current_exception());
-            m_panel.setError(failure->what, failure->remedy);
+            showFailure(failureOf(std::current_exception()));
         }
     }
     refresh();
@@ -191,8 +202,8 @@ void CausesDisplay::chooseEvidence(io::EvidenceFile::Kind kind) {
 void CausesDisplay::addEvidence(io::EvidenceFile::Kind kind, const QStringList& paths) {
     for (const QString& path : paths) {
         const io::EvidenceFile file{kind, QFileInfo(path).absoluteFilePath().toStdString()};
-        if (std::none_of(m_files.begin(), m_files.end(), [&](const File& each) { return each.file == file; })) {
-            m_files.push_back({file, true});
+        if (std::none_of(m_kept.files.begin(), m_kept.files.end(), [&](const File& each) { return each.file == file; })) {
+            m_kept.files.push_back({file, true});
         }
     }
     refresh();
@@ -214,9 +225,9 @@ void CausesDisplay::setCauseUsed(int cause, bool used) {
     const auto place = static_cast<std::size_t>(cause);
     if (place < own.size()) {
         const std::string id = "cause " + own[place].scenario.value_or("");
-        used ? static_cast<void>(m_unticked.erase(id)) : static_cast<void>(m_unticked.insert(id));
-    } else if (place - own.size() < m_added.size()) {
-        m_added[place - own.size()].used = used;
+        used ? static_cast<void>(m_kept.unticked.erase(id)) : static_cast<void>(m_kept.unticked.insert(id));
+    } else if (place - own.size() < m_kept.added.size()) {
+        m_kept.added[place - own.size()].used = used;
     }
     refresh();
 }
@@ -226,9 +237,9 @@ void CausesDisplay::setEvidenceUsed(int evidence, bool used) {
     const auto place = static_cast<std::size_t>(evidence);
     if (place < photographs.size()) {
         const std::string id = "photograph " + photographs[place].input;
-        used ? static_cast<void>(m_unticked.erase(id)) : static_cast<void>(m_unticked.insert(id));
-    } else if (place - photographs.size() < m_files.size()) {
-        m_files[place - photographs.size()].used = used;
+        used ? static_cast<void>(m_kept.unticked.erase(id)) : static_cast<void>(m_kept.unticked.insert(id));
+    } else if (place - photographs.size() < m_kept.files.size()) {
+        m_kept.files[place - photographs.size()].used = used;
     }
     refresh();
 }
@@ -264,23 +275,23 @@ StudyCase CausesDisplay::asOpen(const Added& result) const {
 CauseOrder CausesDisplay::causeOrder() const {
     CauseOrder order;
     for (const StudyCase& cause : ownCauses()) {
-        if (!m_unticked.contains("cause " + *cause.scenario)) {
+        if (!m_kept.unticked.contains("cause " + *cause.scenario)) {
             order.causes.push_back(cause);
         }
     }
-    for (const Added& added : m_added) {
+    for (const Added& added : m_kept.added) {
         if (added.used) {
             order.causes.push_back(added.plain ? asOpen(added) : added.cause);
         }
     }
-    for (const File& file : m_files) {
+    for (const File& file : m_kept.files) {
         if (file.used) {
             order.files.push_back(file.file);
         }
     }
     order.photographed = m_document.theCase();
     for (const Photograph& photograph : order.photographed.photographs) {
-        if (whyLeftOut(photograph).isEmpty() && !m_unticked.contains("photograph " + photograph.input)) {
+        if (whyLeftOut(photograph).isEmpty() && !m_kept.unticked.contains("photograph " + photograph.input)) {
             order.photographs.push_back(photograph.input);
         }
     }
@@ -316,24 +327,24 @@ void CausesDisplay::compare() {
     if (!whyNot(causes).isEmpty() || m_work.running()) {
         return;
     }
-    m_panel.setError({});
-    m_causes = causes;
-    m_order = studyOrder();
-    m_comparing = true;
+    showFailure({});
+    m_kept.causes = causes;
+    m_kept.order = studyOrder();
+    m_kept.comparing = true;
     m_panel.setProgress(tr("Preparing"), 0.0, std::numeric_limits<double>::quiet_NaN());
-    m_work.compare(causes, m_order);
+    m_work.compare(causes, m_kept.order);
     refresh();
 }
 
 void CausesDisplay::ended(const Failure* failure) {
-    if (!m_comparing) {
+    if (!m_kept.comparing) {
         return;
     }
-    m_comparing = false;
+    m_kept.comparing = false;
     if (failure != nullptr) {
-        m_panel.setError(failure->what, failure->remedy);
-    } else if (m_made != nullptr) {
-        emit told(tr("Causes compared"));
+        showFailure(*failure);
+    } else if (m_kept.made != nullptr) {
+        m_session.tell(tr("Causes compared"));
     }
     refresh();
 }
@@ -347,8 +358,8 @@ void CausesDisplay::setBusy(const QString& why) {
 
 bool CausesDisplay::stale() const {
     const StudyOrder now = studyOrder();
-    return m_made != nullptr && !(sameCauses(causeOrder(), m_causes) && now.settings == m_order.settings &&
-                                  now.surface == m_order.surface && now.instant == m_order.instant);
+    return m_kept.made != nullptr && !(sameCauses(causeOrder(), m_kept.causes) && now.settings == m_kept.order.settings &&
+                                       now.surface == m_kept.order.surface && now.instant == m_kept.order.instant);
 }
 
 void CausesDisplay::refresh() {
@@ -361,9 +372,9 @@ void CausesDisplay::showPanel() {
     widgets::CausesPanel::Content content;
     for (const StudyCase& cause : ownCauses()) {
         content.causes.push_back({QString::fromStdString(cause.name), tr("A scenario of this case"),
-                                  !m_unticked.contains("cause " + *cause.scenario), true, false});
+                                  !m_kept.unticked.contains("cause " + *cause.scenario), true, false});
     }
-    for (const Added& added : m_added) {
+    for (const Added& added : m_kept.added) {
         content.causes.push_back({QString::fromStdString(added.cause.name), added.path, added.used, true, true});
     }
     const Case& theCase = m_document.theCase();
@@ -374,9 +385,9 @@ void CausesDisplay::showPanel() {
         const QString why = whyLeftOut(photograph);
         content.evidence.push_back({tr("photograph: %1").arg(name),
                                     why.isEmpty() ? tr("A photograph of this case, taken at rest") : why,
-                                    !m_unticked.contains("photograph " + photograph.input), why.isEmpty(), false});
+                                    !m_kept.unticked.contains("photograph " + photograph.input), why.isEmpty(), false});
     }
-    for (const File& file : m_files) {
+    for (const File& file : m_kept.files) {
         const QString path = QString::fromStdString(file.file.path);
         content.evidence.push_back(
             {QStringLiteral("%1: %2").arg(kindWords(file.file.kind), QFileInfo(path).fileName()), path, file.used, true, true});
@@ -389,23 +400,23 @@ void CausesDisplay::showPanel() {
     if (content.available) {
         content.members = tr("Each gets %1 members with what is varied under Ensemble.").arg(widgets::shownCount(ensemble.members));
     }
-    if (m_made != nullptr) {
-        content.findings = m_made->findings;
+    if (m_kept.made != nullptr) {
+        content.findings = m_kept.made->findings;
     }
     m_panel.setContent(content);
 }
 
 void CausesDisplay::showPage() {
     widgets::CausesPage::Content content;
-    if (m_made != nullptr) {
-        content.comparison = m_made->comparison;
-        content.blind = m_made->blind;
-        content.causes = m_made->causes;
-        if (m_made->comparison != nullptr && m_made->comparison->separation) {
-            content.separation = std::shared_ptr<const DebrisMap>(m_made->comparison, &*m_made->comparison->separation);
-            const Hypothesis& closest = m_made->hypotheses[m_made->comparison->ranking.causes.front().hypothesis];
-            content.place = pictureStyle(
-                io::ensembleOrigin(*closest.ensemble, *content.separation, m_made->frame, m_made->site, m_made->inputs));
+    if (m_kept.made != nullptr) {
+        content.comparison = m_kept.made->comparison;
+        content.blind = m_kept.made->blind;
+        content.causes = m_kept.made->causes;
+        if (m_kept.made->comparison != nullptr && m_kept.made->comparison->separation) {
+            content.separation = std::shared_ptr<const DebrisMap>(m_kept.made->comparison, &*m_kept.made->comparison->separation);
+            const Hypothesis& closest = m_kept.made->hypotheses[m_kept.made->comparison->ranking.causes.front().hypothesis];
+            content.place = pictureStyle(io::ensembleOrigin(*closest.ensemble, *content.separation, m_kept.made->frame,
+                                                            m_kept.made->site, m_kept.made->inputs));
         }
         content.stale = stale();
     }
@@ -422,15 +433,15 @@ void CausesDisplay::saveTable() {
 }
 
 void CausesDisplay::saveTableTo(const QString& path) {
-    if (m_made == nullptr || m_made->comparison == nullptr) {
+    if (m_kept.made == nullptr || m_kept.made->comparison == nullptr) {
         return;
     }
     try {
-        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeRankingCsv(*m_made->comparison, out); });
-        emit told(tr("Saved %1").arg(QFileInfo(path).fileName()));
+        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeRankingCsv(*m_kept.made->comparison, out); });
+        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
-        emit failed(failure->what, failure->remedy);
+        m_session.report(*failure);
     }
 }
 
@@ -445,21 +456,21 @@ void CausesDisplay::saveMap() {
 }
 
 void CausesDisplay::saveMapTo(const QString& path) {
-    if (m_made == nullptr || m_made->comparison == nullptr || !m_made->comparison->separation) {
+    if (m_kept.made == nullptr || m_kept.made->comparison == nullptr || !m_kept.made->comparison->separation) {
         return;
     }
     m_computation.write(
-        [path, made = m_made](const Execution& execution) {
+        [path, made = m_kept.made](const Execution& execution) {
             const Hypothesis& closest = made->hypotheses[made->comparison->ranking.causes.front().hypothesis];
             const DebrisMap& map = *made->comparison->separation;
             writeMapFile(path, map, MapLayer::Separation,
                          io::ensembleOrigin(*closest.ensemble, map, made->frame, made->site, made->inputs), execution);
         },
-        [this, path](const std::exception_ptr& thrown) {
+        [session = &m_session, path](const std::exception_ptr& thrown) {
             if (const auto failure = failureOf(thrown)) {
-                emit failed(failure->what, failure->remedy);
+                session->report(*failure);
             } else if (thrown == nullptr) {
-                emit told(tr("Saved %1").arg(QFileInfo(path).fileName()));
+                session->tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
             }
         });
 }

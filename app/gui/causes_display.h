@@ -11,6 +11,7 @@ namespace rubble {
 
 class Computation;
 class Document;
+class Session;
 class EnsembleDisplay;
 namespace widgets {
 class CausesPage;
@@ -23,8 +24,10 @@ class CausesDisplay : public QObject {
     Q_OBJECT
 
 public:
-    CausesDisplay(Document& document, Computation& computation, StudyWork& work, EnsembleDisplay& ensemble,
-                  widgets::CausesPanel& panel, widgets::CausesPage& page, QObject* parent = nullptr);
+    CausesDisplay(Session& session, EnsembleDisplay& ensemble, widgets::CausesPanel& panel, widgets::CausesPage& page,
+                  QObject* parent = nullptr);
+
+    ~CausesDisplay() override;
 
     /// Cases or FE results of the same site, each for another cause.
     void addCauses(const QStringList& paths);
@@ -35,14 +38,12 @@ public:
     void setBusy(const QString& why);
     void refresh();
     /// Null: nothing was compared.
-    const std::shared_ptr<const MadeComparison>& made() const { return m_made; }
+    const std::shared_ptr<const MadeComparison>& made() const { return m_kept.made; }
     bool stale() const;
     void saveTableTo(const QString& path);
     void saveMapTo(const QString& path);
 
 signals:
-    void told(const QString& what);
-    void failed(const QString& what, const QString& remedy);
     void saveChartRequested();
 
 private:
@@ -55,6 +56,19 @@ private:
     struct File {
         io::EvidenceFile file;
         bool used = true;
+    };
+    /// What outlives the window.
+    struct Kept {
+        std::vector<Added> added;
+        std::vector<File> files;
+        std::set<std::string> unticked;  ///< ids of own scenarios and photographs that are not used
+        std::shared_ptr<const MadeComparison> made;
+        CauseOrder causes;  ///< what was compared
+        StudyOrder order;
+        bool comparing = false;
+        QString base;  ///< of the case that is open
+        std::optional<Failure> failure;
+        bool blind = false;  ///< what the panel was set to when a window went
     };
 
     void connectPanel();
@@ -71,24 +85,19 @@ private:
     StudyOrder studyOrder() const;
     QString whyNot(const CauseOrder& order) const;
     void showPanel();
+    void showFailure(const std::optional<Failure>& failure);
     void showPage();
     void saveTable();
     void saveMap();
 
+    Session& m_session;
     Document& m_document;
     Computation& m_computation;
     StudyWork& m_work;
     EnsembleDisplay& m_ensemble;
     widgets::CausesPanel& m_panel;
     widgets::CausesPage& m_page;
-    std::vector<Added> m_added;
-    std::vector<File> m_files;
-    std::set<std::string> m_unticked;  // ids of own scenarios and photographs that are not used
-    std::shared_ptr<const MadeComparison> m_made;
-    CauseOrder m_causes;  // what was compared
-    StudyOrder m_order;
-    bool m_comparing = false;
-    QString m_base;             // of the case that is open
+    Kept& m_kept;
     bool m_simulating = false;  // a run, as the panel was last told
     QString m_busy;
 };

@@ -128,7 +128,7 @@ void ClusterWork::probe() {
     m_asking.start({Worker::Kind::Study, [](const Execution&) { io::Slurm::reach(); },
                     [this](const std::exception_ptr& thrown) {
                         const auto failure = failureOf(thrown);
-                        emit reached(failure ? failure->what : QString());
+                        emit reached(failure ? failure->what() : QString());
                     }});
 }
 

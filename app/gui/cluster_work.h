@@ -45,6 +45,8 @@ public:
     /// Follows no longer and takes nothing any more; the tasks go on.
     void forget();
     bool running() const { return m_running; }
+    /// Tells once more how far it has got.
+    void tellProgress() { m_worker.tellProgress(); }
     /// Asks whether Slurm answers; answers with reached(). Not more often than every few seconds.
     void probe();
 

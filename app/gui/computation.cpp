@@ -92,6 +92,11 @@ void Computation::showProgress(Worker::Kind kind, const Progress& progress) {
     emit stateChanged();
 }
 
+void Computation::tellProgress() {
+    m_worker.tellProgress();
+    m_opener.tellProgress();
+}
+
 void Computation::fail(const Failure& failure) {
     m_failure = failure;
     emit failed(failure);
@@ -443,7 +448,7 @@ void Computation::acknowledge(const QString& name, const QString& note) {
         [this, record = m_run, made](const std::exception_ptr& thrown) {
             record->acknowledged = *made;
             const auto failure = failureOf(thrown);
-            emit acknowledged(failure ? failure->what + u' ' + failure->remedy : QString());
+            emit acknowledged(failure ? failure->inOneLine() : QString());
             emit stateChanged();
         });
 }

@@ -106,6 +106,8 @@ public:
     bool busy() const { return m_worker.busy() || m_opener.busy(); }
     /// How many pieces of work wait for those that run.
     int waiting() const { return m_worker.waiting() + m_opener.waiting(); }
+    /// Tells once more how far what runs has got.
+    void tellProgress();
     /// Work for this stage runs or waits.
     bool busy(Stage stage) const {
         return m_worker.busy(stage == Stage::Simulation ? Worker::Kind::Simulate : Worker::Kind::Update);

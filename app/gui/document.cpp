@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/gui/moved_inputs.h"
+#include "app/gui/named_command.h"
 #include "app/gui/scenario_command.h"
 #include "app/gui/step_command.h"
 
@@ -81,21 +82,23 @@ void Document::setParameter(const QString& key, const ParameterValue& value) {
     m_undo.push(new ScenarioCommand(*this, scenario(), after, key, m_inGesture ? m_gesture : -1));
 }
 
-void Document::retell() {
+void Document::nameEdits() {
     for (int i = 0; i < m_undo.count(); ++i) {
-        if (auto* edit = dynamic_cast<ScenarioCommand*>(const_cast<QUndoCommand*>(m_undo.command(i)))) {
-            edit->retell();
+        // The stack lends its commands for reading; what they are called is for the screen alone.
+        if (auto* edit = dynamic_cast<NamedCommand*>(const_cast<QUndoCommand*>(m_undo.command(i)))) {
+            edit->name();
         }
     }
+    emit m_undo.indexChanged(m_undo.index());
 }
 
-void Document::edit(const QString& what, const Scenario& after) {
+void Document::edit(const widgets::Wording& what, const Scenario& after) {
     if (!empty() && !(after == scenario())) {
         m_undo.push(new ScenarioCommand(*this, scenario(), after, what));
     }
 }
 
-void Document::setInputs(std::vector<CaseInput> inputs, const QString& what) {
+void Document::setInputs(std::vector<CaseInput> inputs, const widgets::Wording& what) {
     if (!empty() && !(inputs == m_case.inputs)) {
         // Paths are relative to where the case lies now; it may lie elsewhere when this is undone.
         const auto way = [this, base = m_base](std::vector<CaseInput> to) {
@@ -105,7 +108,7 @@ void Document::setInputs(std::vector<CaseInput> inputs, const QString& what) {
     }
 }
 
-void Document::setSurveys(std::vector<CaseInput> inputs, const QString& what) {
+void Document::setSurveys(std::vector<CaseInput> inputs, const widgets::Wording& what) {
     if (empty() || inputs == m_case.inputs) {
         return;
     }
@@ -118,7 +121,7 @@ void Document::setSurveys(std::vector<CaseInput> inputs, const QString& what) {
     m_undo.push(new StepCommand(what, way(std::move(inputs)), way(m_case.inputs)));
 }
 
-void Document::setSite(const Site& site, const std::string& crs, const QString& what) {
+void Document::setSite(const Site& site, const std::string& crs, const widgets::Wording& what) {
     if (empty() || (site == m_case.site && crs == m_case.frame.crs)) {
         return;
     }
@@ -151,7 +154,7 @@ const CaseScenario* Document::scenarioOf(const std::string& id) const {
     return found != m_case.scenarios.end() ? &*found : nullptr;
 }
 
-void Document::changeScenarios(std::vector<CaseScenario> scenarios, const std::string& active, const QString& what) {
+void Document::changeScenarios(std::vector<CaseScenario> scenarios, const std::string& active, const widgets::Wording& what) {
     if (scenarios == m_case.scenarios && active == m_case.activeScenario) {
         return;
     }
@@ -192,15 +195,16 @@ void Document::duplicateScenario(const std::string& id) {
     }
     std::vector<CaseScenario> all = m_case.scenarios;
     all.insert(all.begin() + (of - m_case.scenarios.data()) + 1, copy);
-    changeScenarios(std::move(all), copy.id, tr("scenario “%1”").arg(QString::fromStdString(copy.name)));
+    changeScenarios(std::move(all), copy.id, [made = QString::fromStdString(copy.name)] { return tr("scenario “%1”").arg(made); });
 }
 
 void Document::renameScenario(const std::string& id, const QString& name) {
     if (const CaseScenario* of = scenarioOf(id); of != nullptr && !name.trimmed().isEmpty()) {
         std::vector<CaseScenario> all = m_case.scenarios;
         all[static_cast<std::size_t>(of - m_case.scenarios.data())].name = name.trimmed().toStdString();
-        changeScenarios(std::move(all), m_case.activeScenario,
-                        tr("scenario “%1” renamed to “%2”").arg(QString::fromStdString(of->name), name.trimmed()));
+        changeScenarios(std::move(all), m_case.activeScenario, [before = QString::fromStdString(of->name), after = name.trimmed()] {
+            return tr("scenario “%1” renamed to “%2”").arg(before, after);
+        });
     }
 }
 
@@ -208,7 +212,8 @@ void Document::setScenarioNote(const std::string& id, const QString& note) {
     if (const CaseScenario* of = scenarioOf(id)) {
         std::vector<CaseScenario> all = m_case.scenarios;
         all[static_cast<std::size_t>(of - m_case.scenarios.data())].note = note.toStdString();
-        changeScenarios(std::move(all), m_case.activeScenario, tr("note on “%1”").arg(QString::fromStdString(of->name)));
+        changeScenarios(std::move(all), m_case.activeScenario,
+                        [name = QString::fromStdString(of->name)] { return tr("note on “%1”").arg(name); });
     }
 }
 
@@ -221,16 +226,18 @@ void Document::removeScenario(const std::string& id) {
     std::vector<CaseScenario> all = m_case.scenarios;
     all.erase(all.begin() + static_cast<std::ptrdiff_t>(place));
     const std::string next = id == this->active()->id ? all[std::min(place, all.size() - 1)].id : m_case.activeScenario;
-    changeScenarios(std::move(all), next, tr("scenario “%1” deleted").arg(QString::fromStdString(of->name)));
+    changeScenarios(std::move(all), next,
+                    [name = QString::fromStdString(of->name)] { return tr("scenario “%1” deleted").arg(name); });
 }
 
 void Document::activateScenario(const std::string& id) {
     if (const CaseScenario* of = scenarioOf(id); of != nullptr && of != active()) {
-        changeScenarios(m_case.scenarios, id, tr("to scenario “%1”").arg(QString::fromStdString(of->name)));
+        changeScenarios(m_case.scenarios, id,
+                        [name = QString::fromStdString(of->name)] { return tr("to scenario “%1”").arg(name); });
     }
 }
 
-void Document::setBookmarks(std::vector<Bookmark> bookmarks, const QString& what) {
+void Document::setBookmarks(std::vector<Bookmark> bookmarks, const widgets::Wording& what) {
     std::stable_sort(bookmarks.begin(), bookmarks.end(), [](const Bookmark& a, const Bookmark& b) { return a.time < b.time; });
     if (empty() || bookmarks == m_case.bookmarks) {
         return;
@@ -244,7 +251,7 @@ void Document::setBookmarks(std::vector<Bookmark> bookmarks, const QString& what
     m_undo.push(new StepCommand(what, way(std::move(bookmarks)), way(m_case.bookmarks)));
 }
 
-void Document::setPhotographs(std::vector<Photograph> photographs, std::vector<CaseInput> inputs, const QString& what) {
+void Document::setPhotographs(std::vector<Photograph> photographs, std::vector<CaseInput> inputs, const widgets::Wording& what) {
     if (empty() || (photographs == m_case.photographs && inputs == m_case.inputs)) {
         return;
     }
@@ -258,7 +265,7 @@ void Document::setPhotographs(std::vector<Photograph> photographs, std::vector<C
     m_undo.push(new StepCommand(what, way(std::move(photographs), std::move(inputs)), way(m_case.photographs, m_case.inputs)));
 }
 
-void Document::setEnsemble(const EnsembleSettings& ensemble, const QString& what) {
+void Document::setEnsemble(const EnsembleSettings& ensemble, const widgets::Wording& what) {
     if (empty() || ensemble == m_case.ensemble) {
         return;
     }
@@ -274,7 +281,7 @@ void Document::setEnsemble(const EnsembleSettings& ensemble, const QString& what
 void Document::applyPreset(const QString& name) {
     Scenario after = scenario();
     rubble::applyPreset(after, name.toStdString());
-    edit(tr("preset %1").arg(name), after);
+    edit([name] { return tr("preset %1").arg(name); }, after);
 }
 
 void Document::beginGesture() {

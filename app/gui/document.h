@@ -6,6 +6,7 @@
 
 #include "core/scenario/case.h"
 #include "core/scenario/parameters.h"
+#include "widgets/wording.h"
 
 namespace rubble {
 
@@ -29,8 +30,8 @@ public:
     bool standsOn(const Case& theCase) const;
     bool modified() const { return !empty() && !m_undo.isClean(); }
     QUndoStack& undoStack() { return m_undo; }
-    /// Names edits of parameters in the language of the window.
-    void retell();
+    /// Names all edits in the language that is spoken now.
+    void nameEdits();
 
     /// Takes another case; the undo stack starts anew.
     /// @param path  where it lies, empty for one that was never saved; @param base  what its inputs are relative to
@@ -43,13 +44,13 @@ public:
     /// Sets a parameter as one undoable command named "label before → after". Throws UsageError.
     void setParameter(const QString& key, const ParameterValue& value);
     /// Any other change of the scenario as one undoable command.
-    void edit(const QString& what, const Scenario& after);
+    void edit(const widgets::Wording& what, const Scenario& after);
     /// Another set of input files as one undoable command.
-    void setInputs(std::vector<CaseInput> inputs, const QString& what);
+    void setInputs(std::vector<CaseInput> inputs, const widgets::Wording& what);
     /// Other surveys among the input files as one undoable command; no result depends on them.
-    void setSurveys(std::vector<CaseInput> inputs, const QString& what);
+    void setSurveys(std::vector<CaseInput> inputs, const widgets::Wording& what);
     /// How the case lies in the world as one undoable command: terrain and surroundings are read anew.
-    void setSite(const Site& site, const std::string& crs, const QString& what);
+    void setSite(const Site& site, const std::string& crs, const widgets::Wording& what);
     /// A copy of a scenario under another name becomes the one that is worked on.
     void duplicateScenario(const std::string& id);
     void renameScenario(const std::string& id, const QString& name);
@@ -59,11 +60,11 @@ public:
     /// Works on another scenario from here on.
     void activateScenario(const std::string& id);
     /// Bookmarks, put into the order of their times, as one undoable command.
-    void setBookmarks(std::vector<Bookmark> bookmarks, const QString& what);
+    void setBookmarks(std::vector<Bookmark> bookmarks, const widgets::Wording& what);
     /// Other photographs, and the files that they are, as one undoable command; no result depends on them.
-    void setPhotographs(std::vector<Photograph> photographs, std::vector<CaseInput> inputs, const QString& what);
+    void setPhotographs(std::vector<Photograph> photographs, std::vector<CaseInput> inputs, const widgets::Wording& what);
     /// What an ensemble of the case varies, as one undoable command; no result depends on it.
-    void setEnsemble(const EnsembleSettings& ensemble, const QString& what);
+    void setEnsemble(const EnsembleSettings& ensemble, const widgets::Wording& what);
     /// A preset is one command too.
     void applyPreset(const QString& name);
     /// Edits of one parameter between these two are one step of undo.
@@ -90,7 +91,7 @@ private:
     void put(const Scenario& scenario);
     void putInputs(const std::vector<CaseInput>& inputs, const QString& base);
     void putScenarios(const std::vector<CaseScenario>& scenarios, const std::string& active);
-    void changeScenarios(std::vector<CaseScenario> scenarios, const std::string& active, const QString& what);
+    void changeScenarios(std::vector<CaseScenario> scenarios, const std::string& active, const widgets::Wording& what);
     const CaseScenario* scenarioOf(const std::string& id) const;
 
     Case m_case;

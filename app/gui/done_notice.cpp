@@ -5,13 +5,8 @@
 #include <QDBusMessage>
 #include <QVariantMap>
 
-#include "app/gui/accuracy_display.h"
-#include "app/gui/calibration_display.h"
-#include "app/gui/error_display.h"
-#include "app/gui/evidence_studies.h"
 #include "app/gui/main_window.h"
-#include "app/gui/report_work.h"
-#include "app/gui/survey_display.h"
+#include "app/gui/session/session.h"
 #include "widgets/status_line.h"
 
 namespace rubble {
@@ -28,27 +23,27 @@ DoneNotice::DoneNotice(MainWindow& window)
                  [](const QString& what, const QString& about) { notifyDesktop(QDBusConnection::sessionBus(), what, about); }) {}
 
 DoneNotice::DoneNotice(MainWindow& window, int longMs, Show show)
-    : QObject(&window), m_window(window), m_longMs(longMs), m_show(std::move(show)) {
+    : QObject(&window), m_window(window), m_longMs(longMs), m_show(std::move(show)), m_kept(window.session().part<Kept>()) {
     connect(&m_timer, &QTimer::timeout, this, &DoneNotice::look);
-    connect(&window.computation(), &Computation::stateChanged, this, &DoneNotice::look);
+    connect(&window.session().computation(), &Computation::stateChanged, this, &DoneNotice::look);
     m_timer.start(lookEvery);
 }
 
 bool DoneNotice::working() const {
-    return m_window.computation().busy() || m_window.accuracy().work().running() || m_window.calibration().work().running() ||
-           m_window.errors().work().running() || m_window.studies().work().running() || m_window.survey().busy() ||
-           m_window.report().writing();
+    const WindowRooms& rooms = m_window.rooms();
+    return m_window.session().computation().busy() || rooms.accuracy->work().running() || rooms.calibration->work().running() ||
+           rooms.errors->work().running() || rooms.studies->work().running() || rooms.survey->busy() || rooms.report->writing();
 }
 
 void DoneNotice::look() {
     if (working()) {
-        if (!m_since.isValid()) {
-            m_since.start();
+        if (!m_kept.since.isValid()) {
+            m_kept.since.start();
         }
         return;
     }
-    const bool ended = m_since.isValid() && m_since.elapsed() >= m_longMs;
-    m_since.invalidate();
+    const bool ended = m_kept.since.isValid() && m_kept.since.elapsed() >= m_longMs;
+    m_kept.since.invalidate();
     if (ended) {
         // By then the window has said what came of it.
         QTimer::singleShot(lookEvery, this, &DoneNotice::tell);
@@ -58,7 +53,8 @@ void DoneNotice::look() {
 void DoneNotice::tell() {
     if (QApplication::activeWindow() == nullptr) {
         QApplication::alert(&m_window);
-        m_show(m_window.statusLine().activityText(), QString::fromStdString(m_window.document().theCase().title));
+        m_show(m_window.findChild<widgets::StatusLine*>()->activityText(),
+               QString::fromStdString(m_window.session().document().theCase().title));
     }
 }
 

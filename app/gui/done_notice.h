@@ -24,6 +24,10 @@ public:
     DoneNotice(MainWindow& window, int longMs, Show show);
 
 private:
+    /// What outlives the window.
+    struct Kept {
+        QElapsedTimer since;  ///< of the work that goes on
+    };
     bool working() const;
     void look();
     void tell();
@@ -31,7 +35,7 @@ private:
     MainWindow& m_window;
     const int m_longMs;
     Show m_show;
-    QElapsedTimer m_since;  // valid while something runs
+    Kept& m_kept;
     QTimer m_timer;
 };
 

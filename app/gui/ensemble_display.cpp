@@ -5,9 +5,8 @@
 
 #include "app/gui/accuracy_work.h"
 #include "app/gui/cluster_ensemble.h"
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
 #include "app/gui/map_export.h"
+#include "app/gui/session/session.h"
 #include "core/evidence/probability_map.h"
 #include "core/evidence/study_tables.h"
 #include "core/scenario/parameters.h"
@@ -19,31 +18,36 @@
 
 namespace rubble {
 
-EnsembleDisplay::EnsembleDisplay(Document& document, Computation& computation, StudyWork& work, widgets::EnsemblePanel& panel,
-                                 widgets::EnsemblePage& page, QObject* parent)
+EnsembleKept::EnsembleKept() : cluster(AccuracyWork::folder().toStdString()) {}
+
+EnsembleDisplay::EnsembleDisplay(Session& session, widgets::EnsemblePanel& panel, widgets::EnsemblePage& page, QObject* parent)
     : QObject(parent),
-      m_document(document),
-      m_computation(computation),
-      m_work(work),
+      m_session(session),
+      m_document(session.document()),
+      m_computation(session.computation()),
+      m_work(session.part<StudyWork>()),
       m_panel(panel),
       m_page(page),
-      m_cluster(AccuracyWork::folder().toStdString()) {
+      m_kept(session.part<EnsembleKept>()) {
+    m_panel.setSurface(m_kept.surface, m_kept.instant);
+    m_panel.place().setOnCluster(m_kept.onCluster);
     connect(&m_work, &StudyWork::ensembleGrew, this, &EnsembleDisplay::take);
+    connect(&m_kept, &EnsembleKept::grew, this, &EnsembleDisplay::take);
     connect(&m_work, &StudyWork::ended, this, &EnsembleDisplay::ended);
     connect(&m_work, &StudyWork::progressed, this, [this](const QString& what, double fraction, double left) {
         if (m_work.simulating()) {
             m_panel.setProgress(what, fraction, left);
         }
     });
-    connect(&m_cluster, &ClusterWork::progressed, &m_panel, &widgets::EnsemblePanel::setProgress);
-    connect(&m_cluster, &ClusterWork::begun, this, [this] {
-        m_startedKey = m_key = keyNow();
+    connect(&m_kept.cluster, &ClusterWork::progressed, &m_panel, &widgets::EnsemblePanel::setProgress);
+    connect(&m_kept.cluster, &ClusterWork::begun, this, [this] {
+        m_kept.startedKey = m_kept.key = keyNow();
         m_panel.place().setOnCluster(true);
         showPanel();
     });
-    connect(&m_cluster, &ClusterWork::ended, this, &EnsembleDisplay::ended);
-    connect(&m_cluster, &ClusterWork::reached, &m_panel.place(), &widgets::PlaceChoice::setReached);
-    connect(&m_panel.place(), &widgets::PlaceChoice::shown, &m_cluster, &ClusterWork::probe);
+    connect(&m_kept.cluster, &ClusterWork::ended, this, &EnsembleDisplay::ended);
+    connect(&m_kept.cluster, &ClusterWork::reached, &m_panel.place(), &widgets::PlaceChoice::setReached);
+    connect(&m_panel.place(), &widgets::PlaceChoice::shown, &m_kept.cluster, &ClusterWork::probe);
     connect(&m_panel.place(), &widgets::PlaceChoice::chosen, this, &EnsembleDisplay::showPanel);
     connect(&m_panel, &widgets::EnsemblePanel::settingsEdited, &m_document, &Document::setEnsemble);
     connect(&m_panel, &widgets::EnsemblePanel::surfaceChanged, this, &EnsembleDisplay::refresh);
@@ -59,18 +63,19 @@ EnsembleDisplay::EnsembleDisplay(Document& document, Computation& computation, S
     connect(&m_document, &Document::replaced, this, &EnsembleDisplay::refresh);
     connect(&m_computation, &Computation::prepared, this, [this] {
         const void* fe = m_computation.inputs().fe.get();
-        if (fe != m_fe) {
+        if (fe != m_kept.fe) {
             // Members of another result say nothing here.
-            m_fe = fe;
-            m_made = {};
-            m_map = nullptr;
-            m_panel.setError({});
+            m_kept.fe = fe;
+            m_kept.made = {};
+            m_kept.map = nullptr;
+            m_kept.failure.reset();
+            showFailure();
             if (m_work.simulating()) {
                 m_work.forget();
             }
-            m_cluster.forget();
+            m_kept.cluster.forget();
             if (fe != nullptr) {
-                m_cluster.resume(onCluster(false));
+                m_kept.cluster.resume(onCluster(false));
             }
             showGround();
         }
@@ -85,6 +90,25 @@ EnsembleDisplay::EnsembleDisplay(Document& document, Computation& computation, S
     });
     m_panel.setFolder(AccuracyWork::folder());
     refresh();
+    showFailure();
+    if (m_kept.layer && m_kept.map != nullptr) {
+        m_page.setLayer(*m_kept.layer);
+    }
+    m_page.setOnGround(m_kept.onGround);
+    showGround();
+    m_kept.cluster.tellProgress();
+}
+
+EnsembleDisplay::~EnsembleDisplay() {
+    m_kept.surface = m_panel.surface();
+    m_kept.instant = m_panel.instant();
+    m_kept.onCluster = m_panel.place().onCluster();
+    m_kept.layer = m_page.layer();
+    m_kept.onGround = m_page.onGround();
+}
+
+void EnsembleDisplay::showFailure() {
+    m_panel.setError(m_kept.failure ? m_kept.failure->what() : QString(), m_kept.failure ? m_kept.failure->remedy() : QString());
 }
 
 StudyCase EnsembleDisplay::openCase() const {
@@ -127,26 +151,28 @@ void EnsembleDisplay::simulate() {
         (here && (m_work.running() || m_computation.busy(Stage::Simulation) || !m_busy.isEmpty()))) {
         return;
     }
-    m_panel.setError({});
-    m_made = {};
-    m_map = nullptr;
-    m_startedKey = m_key = keyNow();
+    m_kept.failure.reset();
+    showFailure();
+    m_kept.made = {};
+    m_kept.map = nullptr;
+    m_kept.startedKey = m_kept.key = keyNow();
     m_panel.setProgress(tr("Preparing"), 0.0, std::numeric_limits<double>::quiet_NaN());
     if (here) {
         m_work.simulate(openCase(), order());
     } else {
-        m_cluster.start(onCluster(true));
+        m_kept.cluster.start(onCluster(true));
     }
     refresh();
 }
 
 ClusterWork::Study EnsembleDisplay::onCluster(bool submits) {
-    const auto take = [this, generation = ++m_generation](const MadeEnsemble& made) {
+    // Windows come and go meanwhile.
+    const auto take = [kept = &m_kept, generation = ++m_kept.generation](const MadeEnsemble& made) {
         QMetaObject::invokeMethod(
-            this,
-            [this, generation, made] {
-                if (generation == m_generation) {
-                    this->take(made);
+            kept,
+            [kept, generation, made] {
+                if (generation == kept->generation) {
+                    emit kept->grew(made);
                 }
             },
             Qt::QueuedConnection);
@@ -155,32 +181,33 @@ ClusterWork::Study EnsembleDisplay::onCluster(bool submits) {
 }
 
 void EnsembleDisplay::cancel() {
-    if (!m_cluster.running()) {
+    if (!m_kept.cluster.running()) {
         m_work.cancel();
     } else if (mayCancelJob(&m_panel)) {
-        m_cluster.cancelJob();
+        m_kept.cluster.cancelJob();
     }
 }
 
 void EnsembleDisplay::take(const MadeEnsemble& made) {
-    m_made = made;
-    m_key = m_startedKey;
-    m_map =
+    m_kept.made = made;
+    m_kept.key = m_kept.startedKey;
+    m_kept.map =
         made.report->done().empty() ? nullptr : std::make_shared<const DebrisMap>(probabilityMap(*made.report, usualThresholds));
     showPage();
     showGround();
 }
 
 void EnsembleDisplay::ended(const Failure* failure) {
-    if (m_startedKey == Digest()) {
+    if (m_kept.startedKey == Digest()) {
         return;
     }
-    m_startedKey = {};
-    if (failure != nullptr) {
-        m_panel.setError(failure->what, failure->remedy);
-    } else if (m_made.report != nullptr) {
-        emit told(m_made.report->complete ? tr("Ensemble simulated")
-                                          : tr("The ensemble is not complete; what is done is kept, and simulating again goes on"));
+    m_kept.startedKey = {};
+    m_kept.failure = failure != nullptr ? std::optional(*failure) : std::nullopt;
+    showFailure();
+    if (failure == nullptr && m_kept.made.report != nullptr) {
+        m_session.tell(m_kept.made.report->complete
+                           ? tr("Ensemble simulated")
+                           : tr("The ensemble is not complete; what is done is kept, and simulating again goes on"));
     }
     refresh();
 }
@@ -193,7 +220,7 @@ void EnsembleDisplay::setBusy(const QString& why) {
 }
 
 bool EnsembleDisplay::stale() const {
-    return m_made.report != nullptr && !(m_key == keyNow());
+    return m_kept.made.report != nullptr && !(m_kept.key == keyNow());
 }
 
 void EnsembleDisplay::refresh() {
@@ -225,18 +252,19 @@ void EnsembleDisplay::showPanel() {
     if (record != nullptr && record->outcome != nullptr && !record->live && record->wallSeconds > 0.0) {
         content.runSeconds = record->wallSeconds;
     }
-    if (m_made.report != nullptr) {
-        content.findings = m_made.report->findings;
+    if (m_kept.made.report != nullptr) {
+        content.findings = m_kept.made.report->findings;
     }
     m_panel.setContent(content);
 }
 
 void EnsembleDisplay::showPage() {
     widgets::EnsemblePage::Content content;
-    content.report = m_made.report;
-    content.map = m_map;
-    if (m_map != nullptr) {
-        content.place = pictureStyle(io::ensembleOrigin(*m_made.report, *m_map, m_made.frame, m_made.site, m_made.inputs));
+    content.report = m_kept.made.report;
+    content.map = m_kept.map;
+    if (m_kept.map != nullptr) {
+        content.place = pictureStyle(
+            io::ensembleOrigin(*m_kept.made.report, *m_kept.map, m_kept.made.frame, m_kept.made.site, m_kept.made.inputs));
     }
     content.stale = stale();
     content.running = running();
@@ -244,11 +272,11 @@ void EnsembleDisplay::showPage() {
 }
 
 void EnsembleDisplay::showGround() {
-    const bool shown = m_page.onGround() && m_map != nullptr && m_map->has(m_page.layer());
+    const bool shown = m_page.onGround() && m_kept.map != nullptr && m_kept.map->has(m_page.layer());
     if (!shown && m_ground == nullptr) {
         return;
     }
-    m_ground = shown ? std::make_shared<const Orthophoto>(figures::groundPicture(*m_map, m_page.layer())) : nullptr;
+    m_ground = shown ? std::make_shared<const Orthophoto>(figures::groundPicture(*m_kept.map, m_page.layer())) : nullptr;
     emit groundChanged();
 }
 
@@ -263,17 +291,18 @@ void EnsembleDisplay::saveMap() {
 }
 
 void EnsembleDisplay::saveMapTo(const QString& path) {
-    if (m_map == nullptr) {
+    if (m_kept.map == nullptr) {
         return;
     }
-    const io::MapOrigin origin = io::ensembleOrigin(*m_made.report, *m_map, m_made.frame, m_made.site, m_made.inputs);
-    m_computation.write([path, origin, map = m_map, layer = m_page.layer()](
+    const io::MapOrigin origin =
+        io::ensembleOrigin(*m_kept.made.report, *m_kept.map, m_kept.made.frame, m_kept.made.site, m_kept.made.inputs);
+    m_computation.write([path, origin, map = m_kept.map, layer = m_page.layer()](
                             const Execution& execution) { writeMapFile(path, *map, layer, origin, execution); },
-                        [this, path](const std::exception_ptr& thrown) {
+                        [session = &m_session, path](const std::exception_ptr& thrown) {
                             if (const auto failure = failureOf(thrown)) {
-                                emit failed(failure->what, failure->remedy);
+                                session->report(*failure);
                             } else if (thrown == nullptr) {
-                                emit told(tr("Saved %1").arg(QFileInfo(path).fileName()));
+                                session->tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
                             }
                         });
 }
@@ -288,15 +317,15 @@ void EnsembleDisplay::saveTable() {
 }
 
 void EnsembleDisplay::saveTableTo(const QString& path) {
-    if (m_made.report == nullptr) {
+    if (m_kept.made.report == nullptr) {
         return;
     }
     try {
-        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeMembersCsv(*m_made.report, out); });
-        emit told(tr("Saved %1").arg(QFileInfo(path).fileName()));
+        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeMembersCsv(*m_kept.made.report, out); });
+        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
-        emit failed(failure->what, failure->remedy);
+        m_session.report(*failure);
     }
 }
 

@@ -3,14 +3,19 @@
 #include <QFileInfo>
 #include <QLocale>
 
-#include "app/gui/computation.h"
+#include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
 #include "widgets/error_bar.h"
 
 namespace rubble {
 
-ErrorDisplay::ErrorDisplay(Computation& computation, ViewArea& area, QObject* parent)
-    : QObject(parent), m_computation(computation), m_area(area) {
+ErrorDisplay::ErrorDisplay(Session& session, ViewArea& area, QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_computation(session.computation()),
+      m_area(area),
+      m_work(session.part<ReferenceWork>()),
+      m_kept(session.part<Kept>()) {
     widgets::ErrorBar& bar = m_area.errorBar();
     connect(&bar, &widgets::ErrorBar::computeRequested, this, &ErrorDisplay::compute);
     connect(&bar, &widgets::ErrorBar::cancelRequested, &m_work, &ReferenceWork::cancel);
@@ -20,10 +25,11 @@ ErrorDisplay::ErrorDisplay(Computation& computation, ViewArea& area, QObject* pa
         emit changed();
     });
     connect(&m_work, &ReferenceWork::ended, this, [this](const Failure* failure) {
-        m_failure = failure != nullptr ? failure->what + QLatin1Char(' ') + failure->remedy : QString();
+        m_kept.failure = failure != nullptr ? std::optional(*failure) : std::nullopt;
         showBar();
         emit changed();
     });
+    m_work.tellProgress();
 }
 
 std::shared_ptr<const TrajectoryReader> ErrorDisplay::reference() const {
@@ -60,7 +66,7 @@ void ErrorDisplay::compute() {
     if (record == nullptr || record->running || record->reader == nullptr || !m_busy.isEmpty()) {
         return;
     }
-    m_failure.clear();
+    m_kept.failure.reset();
     m_work.start(m_computation.inputs(), record->scenario, record->reader->origin());
     showBar();
     emit changed();
@@ -78,8 +84,8 @@ void ErrorDisplay::showBar() {
     } else if (m_work.reader() != nullptr) {
         const double megabytes = static_cast<double>(QFileInfo(QString::fromStdString(m_work.reader()->path())).size()) / 1e6;
         bar.setState(State::Shown, tr("The reference is kept (%1 MB).").arg(QLocale().toString(megabytes, 'f', 0)));
-    } else if (!m_failure.isEmpty()) {
-        bar.setState(State::Failed, m_failure);
+    } else if (m_kept.failure) {
+        bar.setState(State::Failed, m_kept.failure->inOneLine());
     } else if (record->running || !m_busy.isEmpty()) {
         bar.setState(State::Waiting, record->running ? tr("It can be computed when the run is through.") : m_busy);
     } else {

@@ -7,6 +7,7 @@
 namespace rubble {
 
 class Computation;
+class Session;
 class ViewArea;
 
 /// Brings the run that is shown together with its reference while fragments are coloured by their error.
@@ -14,7 +15,7 @@ class ErrorDisplay : public QObject {
     Q_OBJECT
 
 public:
-    ErrorDisplay(Computation& computation, ViewArea& area, QObject* parent = nullptr);
+    ErrorDisplay(Session& session, ViewArea& area, QObject* parent = nullptr);
 
     ReferenceWork& work() { return m_work; }
     /// What views compare with; null: nothing.
@@ -31,15 +32,20 @@ signals:
     void changed();
 
 private:
+    /// What outlives the window.
+    struct Kept {
+        std::optional<Failure> failure;
+    };
     void compute();
     void showBar();
 
+    Session& m_session;
     Computation& m_computation;
     ViewArea& m_area;
-    ReferenceWork m_work;
+    ReferenceWork& m_work;
+    Kept& m_kept;
     bool m_shown = false;
     QString m_busy;
-    QString m_failure;
 };
 
 }  // namespace rubble

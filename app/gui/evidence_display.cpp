@@ -4,12 +4,15 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <algorithm>
+#include <array>
+#include <utility>
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
+#include "app/gui/actions.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/photographs_edit.h"
 #include "app/gui/playback.h"
+#include "app/gui/scene_display.h"
+#include "app/gui/session/session.h"
 #include "io/case_file.h"
 #include "io/geo/point_pairs.h"
 #include "widgets/evidence_page.h"
@@ -27,30 +30,33 @@ const QStringList suffixes{QStringLiteral("jpg"), QStringLiteral("jpeg"), QStrin
 
 }  // namespace
 
-EvidenceDisplay::EvidenceDisplay(Document& document, Computation& computation, PanelDeck& deck, widgets::EvidencePage& page,
-                                 Playback& playback, std::function<render::SceneData()> scene, QObject* parent)
+EvidenceDisplay::EvidenceDisplay(Session& session, PanelDeck& deck, widgets::EvidencePage& page, Playback& playback,
+                                 SceneDisplay& scene, Actions& actions, QObject* parent)
     : QObject(parent),
-      m_document(document),
-      m_computation(computation),
+      m_session(session),
+      m_document(session.document()),
+      m_computation(session.computation()),
       m_deck(deck),
       m_page(page),
       m_playback(playback),
-      m_scene(std::move(scene)),
-      m_overlay(computation, m_work, page.photo(), m_scene) {
+      m_scene(scene),
+      m_work(session.part<EvidenceWork>()),
+      m_kept(session.part<Kept>()),
+      m_overlay(session.computation(), m_work, page.photo(), [this] { return m_scene.data(); }) {
     connect(&m_document, &Document::photographsChanged, this, &EvidenceDisplay::photographsChanged);
     connect(&m_document, &Document::replaced, this, [this] {
-        m_chosen = -1;
-        m_comparison = nullptr;
-        m_complaint.clear();
+        m_kept.chosen = -1;
+        m_kept.comparison = nullptr;
+        m_kept.complaint.reset();
         // The file may be another one by now.
-        m_photo = {};
-        m_loading.clear();
+        m_kept.photo = {};
+        m_kept.loading.clear();
         photographsChanged();
     });
     connect(&m_computation, &Computation::opened, this, [this] {
         // The same case may have been opened again, and the file be another one by now.
-        m_photo.path.clear();
-        m_loading.clear();
+        m_kept.photo.path.clear();
+        m_kept.loading.clear();
         loadCurrent();
     });
     connect(&m_computation, &Computation::runBegun, this, &EvidenceDisplay::refresh);
@@ -75,16 +81,27 @@ EvidenceDisplay::EvidenceDisplay(Document& document, Computation& computation, P
     connect(&m_overlay, &CameraOverlay::failed, &m_page, &widgets::EvidencePage::setHint);
     connect(&m_work, &EvidenceWork::compared, this,
             [this](const std::shared_ptr<const PhotoComparison>& made, const Failure* failure) {
-                m_complaint = failure != nullptr ? failure->what + u' ' + failure->remedy : QString();
-                m_comparison = made != nullptr ? made : m_comparison;
+                m_kept.complaint = failure != nullptr ? std::optional(*failure) : std::nullopt;
+                m_kept.comparison = made != nullptr ? made : m_kept.comparison;
                 showPanel();
             });
+    m_deck.evidence().setWithFallen(m_kept.withFallen);
     connectPanel();
     connectPage();
-    refresh();
+    connectActions(actions);
+    // The outlines of the simulation are drawn anew.
+    photographsChanged();
+    m_page.setBeside(m_kept.beside);
+    if (m_kept.match) {
+        m_page.setShow(m_kept.show);
+    }
 }
 
-EvidenceDisplay::~EvidenceDisplay() = default;
+EvidenceDisplay::~EvidenceDisplay() {
+    m_kept.withFallen = m_deck.evidence().withFallen();
+    m_kept.beside = m_page.beside();
+    m_kept.show = m_page.photo().show();
+}
 
 void EvidenceDisplay::connectPanel() {
     widgets::EvidencePanel& panel = m_deck.evidence();
@@ -98,12 +115,12 @@ void EvidenceDisplay::connectPanel() {
     connect(&panel, &widgets::EvidencePanel::addToggled, this,
             [this](bool adding) { m_page.setTool(adding ? widgets::PhotoView::Tool::Point : widgets::PhotoView::Tool::Look); });
     connect(&panel, &widgets::EvidencePanel::pairChosen, this, [this](int pair) {
-        m_chosenPair = pair;
+        m_kept.chosenPair = pair;
         showPanel();
         showPage();
     });
     connect(&panel, &widgets::EvidencePanel::maskChosen, this, [this](int mask) {
-        m_chosenMask = mask;
+        m_kept.chosenMask = mask;
         showPanel();
         showPage();
     });
@@ -113,7 +130,7 @@ void EvidenceDisplay::connectPage() {
     widgets::PhotoView& photo = m_page.photo();
     connect(&photo, &widgets::PhotoView::pointPlaced, this, &EvidenceDisplay::placePicture);
     connect(&photo, &widgets::PhotoView::markChosen, this, [this](int mark) {
-        m_chosenPair = mark;
+        m_kept.chosenPair = mark;
         showPanel();
         showPage();
     });
@@ -121,11 +138,11 @@ void EvidenceDisplay::connectPage() {
         if (const Photograph* photograph = current(); photograph != nullptr) {
             Photograph after = *photograph;
             after.pairs.at(static_cast<std::size_t>(mark)).picture = {pixel.x(), pixel.y()};
-            edit(after, tr("point %1 moved").arg(mark + 1));
+            edit(after, [mark] { return tr("point %1 moved").arg(mark + 1); });
         }
     });
     connect(&photo, &widgets::PhotoView::maskChosen, this, [this](int mask) {
-        m_chosenMask = mask;
+        m_kept.chosenMask = mask;
         showPanel();
         showPage();
     });
@@ -133,8 +150,8 @@ void EvidenceDisplay::connectPage() {
         if (const Photograph* photograph = current(); photograph != nullptr) {
             Photograph after = *photograph;
             after.masks.push_back(mask);
-            m_chosenMask = static_cast<int>(after.masks.size()) - 1;
-            edit(after, tr("%1 drawn").arg(widgets::maskWords(mask.kind)));
+            m_kept.chosenMask = static_cast<int>(after.masks.size()) - 1;
+            edit(after, [kind = mask.kind] { return tr("%1 drawn").arg(widgets::maskWords(kind)); });
         }
     });
     connect(&m_page, &widgets::EvidencePage::modelClicked, this, [this](const QPointF& place) {
@@ -157,9 +174,38 @@ void EvidenceDisplay::connectPage() {
     connect(&m_page, &widgets::EvidencePage::showChanged, this, &EvidenceDisplay::drawLater);
 }
 
+void EvidenceDisplay::connectActions(Actions& actions) {
+    using widgets::PhotoView;
+    const auto on = [&](const char* id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
+    on("add_photographs", [this] { chooseFiles(); });
+    constexpr std::array shows{"photo_alone", "photo_swipe", "photo_blend", "photo_blink", "photo_outline"};
+    for (std::size_t i = 0; i < shows.size(); ++i) {
+        on(shows[i], [this, show = static_cast<PhotoView::Show>(i)] {
+            m_deck.chooseEvidence(PanelDeck::Photographs);
+            m_page.setShow(m_kept.match ? show : PhotoView::Show::Photograph);
+        });
+    }
+    on("photo_beside", [this] {
+        m_deck.chooseEvidence(PanelDeck::Photographs);
+        m_page.setBeside(!m_page.beside());
+    });
+    on("add_point", [this] {
+        if (m_kept.chosen >= 0) {
+            m_deck.chooseEvidence(PanelDeck::Photographs);
+            m_page.setTool(PhotoView::Tool::Point);
+        }
+    });
+    on("compare_photo", [this] {
+        m_deck.chooseEvidence(PanelDeck::Photographs);
+        compare();
+    });
+    on("look_through", [this] { lookThrough(); });
+}
+
 const Photograph* EvidenceDisplay::current() const {
     const auto& list = m_document.theCase().photographs;
-    return m_chosen >= 0 && m_chosen < static_cast<int>(list.size()) ? &list[static_cast<std::size_t>(m_chosen)] : nullptr;
+    return m_kept.chosen >= 0 && m_kept.chosen < static_cast<int>(list.size()) ? &list[static_cast<std::size_t>(m_kept.chosen)]
+                                                                               : nullptr;
 }
 
 QString EvidenceDisplay::pathOf(const Photograph& photograph) const {
@@ -198,14 +244,14 @@ void EvidenceDisplay::takeFound(const FoundPhotos& found) {
     const PhotographsEdit added = withFound(m_document.theCase(), m_document.base(), found.photos);
     m_deck.evidence().setError({});
     if (!added.known.isEmpty()) {
-        emit told(tr("%1: among the photographs already").arg(added.known.join(QStringLiteral(", "))));
+        m_session.tell(tr("%1: among the photographs already").arg(added.known.join(QStringLiteral(", "))));
     }
-    if (!added.what.isEmpty()) {
-        m_chosen = before;
+    if (added.what) {
+        m_kept.chosen = before;
         put(added);
     }
     if (!found.failures.empty()) {
-        m_deck.evidence().setError(found.failures.front().what, found.failures.front().remedy);
+        m_deck.evidence().setError(found.failures.front().what(), found.failures.front().remedy());
     }
 }
 
@@ -215,14 +261,14 @@ void EvidenceDisplay::put(const PhotographsEdit& edit) {
 
 void EvidenceDisplay::remove() {
     if (current() != nullptr) {
-        put(withoutPhotograph(m_document.theCase(), m_chosen));
+        put(withoutPhotograph(m_document.theCase(), m_kept.chosen));
     }
 }
 
-void EvidenceDisplay::edit(const Photograph& after, const QString& what) {
+void EvidenceDisplay::edit(const Photograph& after, const widgets::Wording& what) {
     if (const Photograph* before = current(); before != nullptr) {
         const bool otherTime = before->time != after.time;
-        put(withEdited(m_document.theCase(), m_chosen, after, what));
+        put(withEdited(m_document.theCase(), m_kept.chosen, after, what));
         if (otherTime) {
             toItsTime();
         }
@@ -230,11 +276,11 @@ void EvidenceDisplay::edit(const Photograph& after, const QString& what) {
 }
 
 void EvidenceDisplay::choose(int photograph) {
-    m_chosen = photograph;
-    m_chosenPair = -1;
-    m_chosenMask = -1;
-    m_comparison = nullptr;
-    m_complaint.clear();
+    m_kept.chosen = photograph;
+    m_kept.chosenPair = -1;
+    m_kept.chosenMask = -1;
+    m_kept.comparison = nullptr;
+    m_kept.complaint.reset();
     photographsChanged();
     toItsTime();
 }
@@ -248,7 +294,7 @@ void EvidenceDisplay::toItsTime() {
 
 void EvidenceDisplay::photographsChanged() {
     const int count = static_cast<int>(m_document.theCase().photographs.size());
-    m_chosen = std::clamp(m_chosen, count > 0 ? 0 : -1, count - 1);
+    m_kept.chosen = std::clamp(m_kept.chosen, count > 0 ? 0 : -1, count - 1);
     forgetPair();
     loadCurrent();
     matchCurrent();
@@ -259,19 +305,19 @@ void EvidenceDisplay::loadCurrent() {
     const Photograph* photograph = current();
     const QString path = photograph != nullptr ? pathOf(*photograph) : QString();
     if (path.isEmpty()) {
-        m_photo = {};
-        m_loading.clear();
-    } else if (path != m_photo.path && path != m_loading) {
-        m_photo = {};
-        m_loading = path;
+        m_kept.photo = {};
+        m_kept.loading.clear();
+    } else if (path != m_kept.photo.path && path != m_kept.loading) {
+        m_kept.photo = {};
+        m_kept.loading = path;
         m_work.load(path);
     }
 }
 
 void EvidenceDisplay::takeLoaded(const LoadedPhoto& photo) {
-    if (photo.path == m_loading) {
-        m_photo = photo;
-        m_loading.clear();
+    if (photo.path == m_kept.loading) {
+        m_kept.photo = photo;
+        m_kept.loading.clear();
         refresh();
     }
 }
@@ -279,23 +325,23 @@ void EvidenceDisplay::takeLoaded(const LoadedPhoto& photo) {
 void EvidenceDisplay::matchCurrent() {
     const Photograph* photograph = current();
     if (photograph == nullptr) {
-        m_match.reset();
-        m_noMatch.reset();
-        m_matchedPairs.clear();
+        m_kept.match.reset();
+        m_kept.noMatch.reset();
+        m_kept.matchedPairs.clear();
         return;
     }
-    const bool known = m_match || m_noMatch;
-    if (known && photograph->pairs == m_matchedPairs && photograph->camera == m_matchedKnowing) {
+    const bool known = m_kept.match || m_kept.noMatch;
+    if (known && photograph->pairs == m_kept.matchedPairs && photograph->camera == m_kept.matchedKnowing) {
         return;
     }
-    m_matchedPairs = photograph->pairs;
-    m_matchedKnowing = photograph->camera;
-    m_match.reset();
-    m_noMatch.reset();
+    m_kept.matchedPairs = photograph->pairs;
+    m_kept.matchedKnowing = photograph->camera;
+    m_kept.match.reset();
+    m_kept.noMatch.reset();
     try {
-        m_match = matchCamera(photograph->pairs, photograph->camera, Execution());
+        m_kept.match = matchCamera(photograph->pairs, photograph->camera, Execution());
     } catch (...) {
-        m_noMatch = failureOf(std::current_exception());
+        m_kept.noMatch = failureOf(std::current_exception());
     }
     m_overlay.dropOutlines();
 }
@@ -319,10 +365,11 @@ void EvidenceDisplay::readPairs(const QString& path) {
         const std::vector<PointPair> pairs = io::readPointPairs(path.toStdString());
         after.pairs.insert(after.pairs.end(), pairs.begin(), pairs.end());
         m_deck.evidence().setError({});
-        edit(after, tr("%1 points from %2").arg(pairs.size()).arg(QFileInfo(path).fileName()));
+        edit(after,
+             [count = pairs.size(), name = QFileInfo(path).fileName()] { return tr("%1 points from %2").arg(count).arg(name); });
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
-        m_deck.evidence().setError(failure->what, failure->remedy);
+        m_deck.evidence().setError(failure->what(), failure->remedy());
     }
 }
 
@@ -343,8 +390,8 @@ void EvidenceDisplay::finishPair() {
         Photograph after = *photograph;
         const auto number = after.pairs.size() + 1;
         after.pairs.push_back({m_pendingName.toStdString(), {m_pendingPixel->x(), m_pendingPixel->y()}, *m_pendingModel});
-        m_chosenPair = static_cast<int>(after.pairs.size()) - 1;
-        edit(after, tr("point %1 added").arg(number));
+        m_kept.chosenPair = static_cast<int>(after.pairs.size()) - 1;
+        edit(after, [number] { return tr("point %1 added").arg(number); });
         return;
     }
     m_page.setHint(m_pendingPixel   ? tr("Now click the same point in the model, at the right; nodes are caught. Esc ends.")
@@ -367,9 +414,9 @@ void EvidenceDisplay::forgetPair() {
 
 void EvidenceDisplay::lookThrough() {
     const Photograph* photograph = current();
-    if (photograph != nullptr && m_match) {
-        emit lookThroughRequested(figures::viewCamera(m_match->camera, photograph->facts.height, m_match->distance));
-        emit told(tr("The view looks as the camera does; its distortion and principal point are left out here."));
+    if (photograph != nullptr && m_kept.match) {
+        emit lookThroughRequested(figures::viewCamera(m_kept.match->camera, photograph->facts.height, m_kept.match->distance));
+        m_session.tell(tr("The view looks as the camera does; its distortion and principal point are left out here."));
     }
 }
 
@@ -380,18 +427,18 @@ bool EvidenceDisplay::visible() const {
 bool EvidenceDisplay::comparisonStale() const {
     const RunRecord* record = m_computation.currentRun();
     const Photograph* photograph = current();
-    if (m_comparison == nullptr || photograph == nullptr || record == nullptr) {
+    if (m_kept.comparison == nullptr || photograph == nullptr || record == nullptr) {
         return true;
     }
-    Photograph same = m_comparedPhoto;
+    Photograph same = m_kept.comparedPhoto;
     same.note = photograph->note;
-    return !(same == *photograph) || m_comparedRun != record->reader.get() || m_comparedFallen != m_deck.evidence().withFallen() ||
-           m_computation.runStale(m_document.scenario());
+    return !(same == *photograph) || m_kept.comparedRun != record->reader.get() ||
+           m_kept.comparedFallen != m_deck.evidence().withFallen() || m_computation.runStale(m_document.scenario());
 }
 
 QString EvidenceDisplay::whyNoComparison() const {
     const Photograph* photograph = current();
-    if (photograph == nullptr || !m_match) {
+    if (photograph == nullptr || !m_kept.match) {
         return tr("The camera is to be found first.");
     }
     const bool drawn = std::any_of(photograph->masks.begin(), photograph->masks.end(),
@@ -410,13 +457,13 @@ void EvidenceDisplay::compare() {
         return;
     }
     const RunRecord* record = m_computation.currentRun();
-    m_comparedPhoto = *photograph;
-    m_comparedRun = record->reader.get();
-    m_comparedFallen = m_deck.evidence().withFallen();
-    m_complaint.clear();
+    m_kept.comparedPhoto = *photograph;
+    m_kept.comparedRun = record->reader.get();
+    m_kept.comparedFallen = m_deck.evidence().withFallen();
+    m_kept.complaint.reset();
     ComparisonSettings settings;
-    settings.withFallen = m_comparedFallen;
-    m_work.compare(EvidenceRun(m_computation.inputs(), record), *photograph, *m_match, settings);
+    settings.withFallen = m_kept.comparedFallen;
+    m_work.compare(EvidenceRun(m_computation.inputs(), record), *photograph, *m_kept.match, settings);
     showPanel();
 }
 
@@ -434,34 +481,34 @@ void EvidenceDisplay::showPanel() {
         content.names << QFileInfo(pathOf(each)).fileName();
     }
     if (photograph != nullptr) {
-        content.chosen = m_chosen;
+        content.chosen = m_kept.chosen;
         content.photograph = *photograph;
-        content.findings = m_photo.findings;
+        content.findings = m_kept.photo.findings;
         const auto& inputs = m_document.theCase().inputs;
         const auto input =
             std::find_if(inputs.begin(), inputs.end(), [&](const CaseInput& each) { return each.id == photograph->input; });
-        content.unchanged = m_photo.sha256.empty()            ? tr("reading the file")
-                            : m_photo.sha256 == input->sha256 ? tr("unchanged since it was added")
-                                                              : QString();
-        if (m_photo.failure) {
+        content.unchanged = m_kept.photo.sha256.empty()            ? tr("reading the file")
+                            : m_kept.photo.sha256 == input->sha256 ? tr("unchanged since it was added")
+                                                                   : QString();
+        if (m_kept.photo.failure) {
             content.unchanged = tr("the file cannot be shown");
-            content.findings.add({"gui.photo", "{0}", {m_photo.failure->what.toStdString()}},
-                                 {"gui.photo.remedy", "{0}", {m_photo.failure->remedy.toStdString()}});
-        } else if (!m_photo.sha256.empty() && m_photo.sha256 != input->sha256) {
+            content.findings.add({"gui.photo", "{0}", {m_kept.photo.failure->what().toStdString()}},
+                                 {"gui.photo.remedy", "{0}", {m_kept.photo.failure->remedy().toStdString()}});
+        } else if (!m_kept.photo.sha256.empty() && m_kept.photo.sha256 != input->sha256) {
             content.unchanged = tr("changed since it was added");
             content.findings.add({"photo.changed", "The photograph {0} is another file than the case names.", {input->path}},
                                  {"photo.changed.remedy", "Put the file back, or add it as another photograph.", {}});
         }
-        content.match = m_match;
-        content.noMatch = m_noMatch ? m_noMatch->what : QString();
-        content.remedy = m_noMatch ? m_noMatch->remedy : QString();
-        content.comparison = m_comparison;
-        content.comparisonComplaint = m_complaint;
+        content.match = m_kept.match;
+        content.noMatch = m_kept.noMatch ? m_kept.noMatch->what() : QString();
+        content.remedy = m_kept.noMatch ? m_kept.noMatch->remedy() : QString();
+        content.comparison = m_kept.comparison;
+        content.comparisonComplaint = m_kept.complaint ? m_kept.complaint->inOneLine() : QString();
         content.noComparison = whyNoComparison();
         content.comparisonStale = comparisonStale();
         content.comparing = m_work.comparing();
-        content.chosenPair = m_chosenPair;
-        content.chosenMask = m_chosenMask;
+        content.chosenPair = m_kept.chosenPair;
+        content.chosenMask = m_kept.chosenMask;
     }
     m_deck.evidence().setContent(content);
     m_deck.evidence().setAdding(m_page.photo().tool() == widgets::PhotoView::Tool::Point);
@@ -471,23 +518,23 @@ void EvidenceDisplay::showPanel() {
 void EvidenceDisplay::showPage() {
     const Photograph* photograph = current();
     widgets::PhotoView::Content content;
-    content.chosenMark = m_chosenPair;
-    content.chosenMask = m_chosenMask;
+    content.chosenMark = m_kept.chosenPair;
+    content.chosenMask = m_kept.chosenMask;
     content.pending = m_pendingPixel;
     if (photograph != nullptr) {
-        content.picture = m_photo.picture;
+        content.picture = m_kept.photo.picture;
         content.size = QSize(photograph->facts.width, photograph->facts.height);
-        content.title = m_photo.failure        ? m_photo.failure->what + u'\n' + m_photo.failure->remedy
-                        : !m_loading.isEmpty() ? tr("Reading %1").arg(QFileInfo(m_loading).fileName())
-                                               : QFileInfo(pathOf(*photograph)).fileName();
+        content.title = m_kept.photo.failure        ? m_kept.photo.failure->what() + u'\n' + m_kept.photo.failure->remedy()
+                        : !m_kept.loading.isEmpty() ? tr("Reading %1").arg(QFileInfo(m_kept.loading).fileName())
+                                                    : QFileInfo(pathOf(*photograph)).fileName();
         content.masks = photograph->masks;
         content.outlines = m_overlay.outlines();
         for (std::size_t i = 0; i < photograph->pairs.size(); ++i) {
             const PointPair& pair = photograph->pairs[i];
             widgets::PhotoMark mark{QString::fromStdString(pair.name), {pair.picture.x(), pair.picture.y()}, {}, true};
-            if (m_match) {
-                mark.used = m_match->used[i];
-                if (const auto there = m_match->camera.project(pair.model)) {
+            if (m_kept.match) {
+                mark.used = m_kept.match->used[i];
+                if (const auto there = m_kept.match->camera.project(pair.model)) {
                     mark.projected = QPointF(there->x(), there->y());
                 }
             }
@@ -496,12 +543,12 @@ void EvidenceDisplay::showPage() {
     }
     m_page.photo().setContent(content);
     m_page.setReady(photograph != nullptr);
-    const bool seen = m_match && m_computation.inputs().fe != nullptr;
+    const bool seen = m_kept.match && m_computation.inputs().fe != nullptr;
     m_page.setSeen(seen, photograph == nullptr
                              ? QString()
                              : tr("Click points that the photograph and the model both show; once the camera is found, "
                                   "the simulation is seen from there."));
-    const render::SceneData scene = m_scene();
+    const render::SceneData scene = m_scene.data();
     if (!(scene == m_modelScene)) {
         const bool other = scene.fe != m_modelScene.fe;
         m_modelScene = scene;
@@ -521,12 +568,12 @@ void EvidenceDisplay::showPage() {
 void EvidenceDisplay::showRail() {
     using widgets::StageState;
     const auto& list = m_document.theCase().photographs;
-    const StageState state = m_work.comparing()                             ? StageState::Running
-                             : list.empty() || !m_match                     ? StageState::NotYet
-                             : m_comparison != nullptr && comparisonStale() ? StageState::Stale
-                                                                            : StageState::UpToDate;
-    const std::int64_t found = static_cast<std::int64_t>(m_photo.findings.list().size()) +
-                               (m_match ? static_cast<std::int64_t>(m_match->wrong().size()) : 0);
+    const StageState state = m_work.comparing()                                  ? StageState::Running
+                             : list.empty() || !m_kept.match                     ? StageState::NotYet
+                             : m_kept.comparison != nullptr && comparisonStale() ? StageState::Stale
+                                                                                 : StageState::UpToDate;
+    const std::int64_t found = static_cast<std::int64_t>(m_kept.photo.findings.list().size()) +
+                               (m_kept.match ? static_cast<std::int64_t>(m_kept.match->wrong().size()) : 0);
     m_deck.rail().setState(PanelDeck::Evidence, state, found);
 }
 
@@ -538,7 +585,7 @@ void EvidenceDisplay::drawLater() {
         const Photograph* photograph = current();
         CameraOverlay::Wanted wanted;
         if (photograph != nullptr) {
-            wanted.match = m_match;
+            wanted.match = m_kept.match;
             wanted.photograph = QSize(photograph->facts.width, photograph->facts.height);
             wanted.like = m_page.model().view();
             wanted.like.time = m_playback.clock().time();

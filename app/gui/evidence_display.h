@@ -1,19 +1,22 @@
 #pragma once
 
 #include <QObject>
-#include <functional>
 #include <optional>
 
 #include "app/gui/camera_overlay.h"
 #include "app/gui/evidence_work.h"
+#include "widgets/photo_view.h"
 
 namespace rubble {
 
+class Actions;
 class Computation;
 class Document;
+class Session;
 class PanelDeck;
 struct PhotographsEdit;
 class Playback;
+class SceneDisplay;
 namespace widgets {
 class EvidencePage;
 }
@@ -24,9 +27,8 @@ class EvidenceDisplay : public QObject {
     Q_OBJECT
 
 public:
-    /// @param scene  what the views show
-    EvidenceDisplay(Document& document, Computation& computation, PanelDeck& deck, widgets::EvidencePage& page, Playback& playback,
-                    std::function<render::SceneData()> scene, QObject* parent = nullptr);
+    EvidenceDisplay(Session& session, PanelDeck& deck, widgets::EvidencePage& page, Playback& playback, SceneDisplay& scene,
+                    Actions& actions, QObject* parent = nullptr);
     ~EvidenceDisplay() override;
 
     EvidenceWork& work() { return m_work; }
@@ -39,9 +41,9 @@ public:
     void readPairs(const QString& path);
     void compare();
     void choose(int photograph);
-    int chosen() const { return m_chosen; }
-    const std::optional<CameraMatch>& match() const { return m_match; }
-    const std::shared_ptr<const PhotoComparison>& comparison() const { return m_comparison; }
+    int chosen() const { return m_kept.chosen; }
+    const std::optional<CameraMatch>& match() const { return m_kept.match; }
+    const std::shared_ptr<const PhotoComparison>& comparison() const { return m_kept.comparison; }
     /// The place of a point in the model that belongs to the one clicked in the photograph, or the other way round.
     void placePicture(const QPointF& pixel);
     void placeModel(const Vec3& point, const QString& name);
@@ -53,18 +55,38 @@ public:
     bool settled() const { return !m_work.busy() && m_overlay.settled(); }
 
 signals:
-    void told(const QString& what);
     /// The fragment view is to look as the matched camera does.
     void lookThroughRequested(const rubble::render::Camera& camera);
 
 private:
+    /// What outlives the window.
+    struct Kept {
+        int chosen = -1;
+        int chosenPair = -1;
+        int chosenMask = -1;
+        LoadedPhoto photo;
+        QString loading;  ///< path that is being read
+        std::optional<CameraMatch> match;
+        std::optional<Failure> noMatch;
+        std::vector<PointPair> matchedPairs;
+        CameraKnowledge matchedKnowing;
+        std::shared_ptr<const PhotoComparison> comparison;
+        Photograph comparedPhoto;
+        const void* comparedRun = nullptr;
+        bool comparedFallen = true;
+        std::optional<Failure> complaint;
+        bool withFallen = true;  ///< what the panel and the page were set to when a window went
+        bool beside = false;
+        widgets::PhotoView::Show show = widgets::PhotoView::Show::Photograph;
+    };
     const Photograph* current() const;
     QString pathOf(const Photograph& photograph) const;
     void connectPanel();
     void connectPage();
+    void connectActions(Actions& actions);
     void takeFound(const FoundPhotos& found);
     void takeLoaded(const LoadedPhoto& photo);
-    void edit(const Photograph& after, const QString& what);
+    void edit(const Photograph& after, const widgets::Wording& what);
     void put(const PhotographsEdit& edit);
     void remove();
     void photographsChanged();
@@ -81,31 +103,19 @@ private:
     bool comparisonStale() const;
     QString whyNoComparison() const;
 
+    Session& m_session;
     Document& m_document;
     Computation& m_computation;
     PanelDeck& m_deck;
     widgets::EvidencePage& m_page;
     Playback& m_playback;
-    std::function<render::SceneData()> m_scene;
-    int m_chosen = -1;
-    int m_chosenPair = -1;
-    int m_chosenMask = -1;
-    LoadedPhoto m_photo;
-    QString m_loading;  // path that is being read
-    std::optional<CameraMatch> m_match;
-    std::optional<Failure> m_noMatch;
-    std::vector<PointPair> m_matchedPairs;
-    CameraKnowledge m_matchedKnowing;
-    std::shared_ptr<const PhotoComparison> m_comparison;
-    Photograph m_comparedPhoto;
-    const void* m_comparedRun = nullptr;
-    bool m_comparedFallen = true;
-    QString m_complaint;
+    SceneDisplay& m_scene;
+    EvidenceWork& m_work;
+    Kept& m_kept;
     std::optional<QPointF> m_pendingPixel;
     std::optional<Vec3> m_pendingModel;
     QString m_pendingName;
     render::SceneData m_modelScene;
-    EvidenceWork m_work;
     CameraOverlay m_overlay;
 };
 

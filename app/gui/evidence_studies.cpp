@@ -1,8 +1,10 @@
 #include "app/gui/evidence_studies.h"
 
+#include "app/gui/actions.h"
 #include "app/gui/causes_display.h"
 #include "app/gui/ensemble_display.h"
 #include "app/gui/panel_deck.h"
+#include "app/gui/session/session.h"
 #include "widgets/causes_page.h"
 #include "widgets/causes_panel.h"
 #include "widgets/ensemble_page.h"
@@ -10,12 +12,13 @@
 
 namespace rubble {
 
-EvidenceStudies::EvidenceStudies(Document& document, Computation& computation, PanelDeck& deck, QObject* parent)
+EvidenceStudies::EvidenceStudies(Session& session, PanelDeck& deck, Actions& actions, QObject* parent)
     : QObject(parent),
+      m_work(session.part<StudyWork>()),
       m_ensemblePage(new widgets::EnsemblePage),
       m_causesPage(new widgets::CausesPage),
-      m_ensemble(new EnsembleDisplay(document, computation, m_work, deck.ensemble(), *m_ensemblePage, this)),
-      m_causes(new CausesDisplay(document, computation, m_work, *m_ensemble, deck.causes(), *m_causesPage, this)) {
+      m_ensemble(new EnsembleDisplay(session, deck.ensemble(), *m_ensemblePage, this)),
+      m_causes(new CausesDisplay(session, *m_ensemble, deck.causes(), *m_causesPage, this)) {
     connect(&m_work, &StudyWork::begun, this, [this] {
         refresh();
         emit changed();
@@ -24,16 +27,24 @@ EvidenceStudies::EvidenceStudies(Document& document, Computation& computation, P
         refresh();
         emit changed();
     });
-    connect(m_ensemble, &EnsembleDisplay::told, this, &EvidenceStudies::told);
-    connect(m_ensemble, &EnsembleDisplay::failed, this, &EvidenceStudies::failed);
-    connect(m_causes, &CausesDisplay::told, this, &EvidenceStudies::told);
-    connect(m_causes, &CausesDisplay::failed, this, &EvidenceStudies::failed);
     connect(m_causes, &CausesDisplay::saveChartRequested, this, &EvidenceStudies::saveChartRequested);
     connect(&deck.ensemble(), &widgets::EnsemblePanel::surfaceChanged, m_causes, &CausesDisplay::refresh);
+    connectActions(deck, actions);
+    m_work.tellProgress();
 }
 
-EvidenceStudies::~EvidenceStudies() {
-    m_work.forget();
+void EvidenceStudies::connectActions(PanelDeck& deck, Actions& actions) {
+    const auto on = [&](const char* id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
+    on("show_ensemble", [&deck] { deck.chooseEvidence(PanelDeck::Ensemble); });
+    on("show_causes", [&deck] { deck.chooseEvidence(PanelDeck::Causes); });
+    on("simulate_ensemble", [this, &deck] {
+        deck.chooseEvidence(PanelDeck::Ensemble);
+        m_ensemble->simulate();
+    });
+    on("compare_causes", [this, &deck] {
+        deck.chooseEvidence(PanelDeck::Causes);
+        m_causes->compare();
+    });
 }
 
 void EvidenceStudies::setBusy(const QString& why) {

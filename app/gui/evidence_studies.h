@@ -8,9 +8,11 @@ class QWidget;
 
 namespace rubble {
 
+class Actions;
 class CausesDisplay;
 class Computation;
 class Document;
+class Session;
 class EnsembleDisplay;
 class PanelDeck;
 namespace widgets {
@@ -24,8 +26,7 @@ class EvidenceStudies : public QObject {
     Q_OBJECT
 
 public:
-    EvidenceStudies(Document& document, Computation& computation, PanelDeck& deck, QObject* parent = nullptr);
-    ~EvidenceStudies() override;
+    EvidenceStudies(Session& session, PanelDeck& deck, Actions& actions, QObject* parent = nullptr);
 
     StudyWork& work() { return m_work; }
     EnsembleDisplay& ensemble() { return *m_ensemble; }
@@ -39,12 +40,12 @@ public:
 signals:
     /// A study began or ended.
     void changed();
-    void told(const QString& what);
-    void failed(const QString& what, const QString& remedy);
     void saveChartRequested();
 
 private:
-    StudyWork m_work;
+    void connectActions(PanelDeck& deck, Actions& actions);
+
+    StudyWork& m_work;
     widgets::EnsemblePage* m_ensemblePage;  // the window owns the pages
     widgets::CausesPage* m_causesPage;
     EnsembleDisplay* m_ensemble;

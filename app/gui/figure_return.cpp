@@ -5,16 +5,15 @@
 #include <memory>
 #include <utility>
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
 #include "app/gui/recent_cases.h"
+#include "app/gui/session/session.h"
 #include "core/base/error.h"
 #include "widgets/figures/view_json.h"
 
 namespace rubble {
 
-FigureReturn::FigureReturn(Document& document, Computation& computation, QObject* parent)
-    : QObject(parent), m_document(document), m_computation(computation) {
+FigureReturn::FigureReturn(Session& session)
+    : m_session(session), m_document(session.document()), m_computation(session.computation()) {
     // Queued: the window shows a case or a run first, then what the figure shows of it.
     connect(&m_computation, &Computation::prepared, this, &FigureReturn::prepared, Qt::QueuedConnection);
     const auto reopened = [this] {
@@ -63,7 +62,7 @@ void FigureReturn::begin(const QString& path) {
         },
         [this, going](const std::exception_ptr& thrown) {
             if (const auto failure = failureOf(thrown)) {
-                emit failed(failure->what, failure->remedy);
+                m_session.report(*failure);
             } else if (thrown == nullptr) {
                 m_going = *going;
                 found();
@@ -116,12 +115,12 @@ void FigureReturn::show() {
         const bool same = record != nullptr && record->reader != nullptr &&
                           record->reader->origin().fingerprint.hex() == going.provenance.fingerprint;
         const QString name = QFileInfo(going.figure).fileName();
-        emit told(going.provenance.fingerprint.empty() || same
-                      ? tr("Shown as in %1").arg(name)
-                      : tr("The view of %1; its run is not kept here, so simulate to see its fragments").arg(name));
+        m_session.tell(going.provenance.fingerprint.empty() || same
+                           ? tr("Shown as in %1").arg(name)
+                           : tr("The view of %1; its run is not kept here, so simulate to see its fragments").arg(name));
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
-        emit failed(failure->what, failure->remedy);
+        m_session.report(*failure);
     }
 }
 

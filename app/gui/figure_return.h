@@ -11,13 +11,14 @@ namespace rubble {
 
 class Computation;
 class Document;
+class Session;
 
 /// The way back from an exported figure or movie: finds its case, opens it, shows its run and looks as the figure does.
 class FigureReturn : public QObject {
     Q_OBJECT
 
 public:
-    FigureReturn(Document& document, Computation& computation, QObject* parent = nullptr);
+    explicit FigureReturn(Session& session);
 
     /// Whether a file carries what it was made from.
     static bool carriesSource(const QString& path);
@@ -31,8 +32,6 @@ signals:
     /// The case is open, and shows what it did.
     /// @param aspect  width over height of the picture in the figure; 0: not known
     void viewRequested(const rubble::render::View& view, double aspect);
-    void told(const QString& what);
-    void failed(const QString& what, const QString& remedy);
 
 private:
     struct Going {
@@ -46,6 +45,7 @@ private:
     void prepared();
     void show();
 
+    Session& m_session;
     Document& m_document;
     Computation& m_computation;
     std::optional<Going> m_going;

@@ -9,9 +9,10 @@
 #include <fstream>
 #include <vector>
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
+#include "app/gui/actions.h"
 #include "app/gui/moved_inputs.h"
+#include "app/gui/project_files.h"
+#include "app/gui/session/session.h"
 #include "core/analysis/calibration_table.h"
 #include "core/analysis/sweep_table.h"
 #include "core/base/error.h"
@@ -54,15 +55,34 @@ void copyAcknowledgements(const std::string& fromRun, const std::string& toRun) 
 
 }  // namespace
 
-FileCommands::FileCommands(Document& document, Computation& computation, QWidget& window)
-    : QObject(&window), m_document(document), m_computation(computation), m_window(window) {}
+FileCommands::FileCommands(Session& session, Actions& actions, QWidget& window)
+    : m_session(session), m_document(session.document()), m_computation(session.computation()), m_window(window) {
+    connectActions(actions);
+}
+
+void FileCommands::connectActions(Actions& actions) {
+    const auto on = [&](const char* id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
+    on("terrain", &FileCommands::chooseTerrain);
+    on("no_terrain", &FileCommands::dropTerrain);
+    on("orthophoto", &FileCommands::chooseOrthophoto);
+    on("surroundings", &FileCommands::chooseSurroundings);
+    on("no_surroundings", &FileCommands::dropSurroundings);
+    on("site", &FileCommands::editSite);
+    on("save", &FileCommands::save);
+    on("save_as", &FileCommands::saveAs);
+    on("save_run", &FileCommands::saveRun);
+    on("export_fragments", &FileCommands::exportFragments);
+    on("export_series", &FileCommands::exportSeries);
+    on("export_vtkhdf", &FileCommands::exportVtkHdf);
+    on("export_gltf", &FileCommands::exportGltf);
+}
 
 QString FileCommands::askForInput() {
     return QFileDialog::getOpenFileName(&m_window, tr("Open"), QFileInfo(m_document.base()).absolutePath(),
                                         tr("Cases, FE results and figures of them (*);;Cases (*.rubble)"));
 }
 
-void FileCommands::setTerrain(const QString& path, const QString& what) {
+void FileCommands::setTerrain(const QString& path, const widgets::Wording& what) {
     std::vector<CaseInput> inputs;
     for (const CaseInput& input : m_document.theCase().inputs) {
         if (input.role != InputRole::Terrain) {
@@ -81,15 +101,15 @@ void FileCommands::chooseTerrain() {
         &m_window, tr("Terrain"), QFileInfo(m_document.base()).absolutePath(),
         tr("Rasters of heights (*.tif *.tiff *.asc *.bil *.img *.hgt *.dt0 *.dt1 *.dt2 *.xyz *.grd);;All files (*)"));
     if (!path.isEmpty()) {
-        setTerrain(path, tr("terrain %1").arg(QFileInfo(path).fileName()));
+        setTerrain(path, [name = QFileInfo(path).fileName()] { return tr("terrain %1").arg(name); });
     }
 }
 
 void FileCommands::dropTerrain() {
-    setTerrain({}, tr("terrain left out"));
+    setTerrain({}, [] { return tr("terrain left out"); });
 }
 
-void FileCommands::setFiles(InputRole role, const QStringList& paths, bool beside, const QString& what) {
+void FileCommands::setFiles(InputRole role, const QStringList& paths, bool beside, const widgets::Wording& what) {
     std::vector<CaseInput> inputs = m_document.theCase().inputs;
     if (!beside) {
         std::erase_if(inputs, [&](const CaseInput& input) { return input.role == role; });
@@ -115,7 +135,8 @@ void FileCommands::chooseOrthophoto() {
         QFileDialog::getOpenFileName(&m_window, tr("Orthophoto"), QFileInfo(m_document.base()).absolutePath(),
                                      tr("Pictures of the ground (*.tif *.tiff *.jp2 *.jpg *.jpeg *.png *.img);;All files (*)"));
     if (!path.isEmpty()) {
-        setFiles(InputRole::Orthophoto, {path}, false, tr("orthophoto %1").arg(QFileInfo(path).fileName()));
+        setFiles(InputRole::Orthophoto, {path}, false,
+                 [name = QFileInfo(path).fileName()] { return tr("orthophoto %1").arg(name); });
     }
 }
 
@@ -124,7 +145,8 @@ void FileCommands::chooseSurroundings() {
         QFileDialog::getOpenFileNames(&m_window, tr("Surroundings"), QFileInfo(m_document.base()).absolutePath(),
                                       tr("Meshes (*.obj *.ply *.gltf *.glb);;All files (*)"));
     if (!paths.isEmpty()) {
-        setFiles(InputRole::Surroundings, paths, true, tr("surroundings %1").arg(QFileInfo(paths.front()).fileName()));
+        setFiles(InputRole::Surroundings, paths, true,
+                 [name = QFileInfo(paths.front()).fileName()] { return tr("surroundings %1").arg(name); });
     }
 }
 
@@ -133,7 +155,7 @@ void FileCommands::dropSurroundings() {
     std::erase_if(inputs, [](const CaseInput& input) {
         return input.role == InputRole::Orthophoto || input.role == InputRole::Surroundings;
     });
-    m_document.setInputs(std::move(inputs), tr("orthophoto and surroundings left out"));
+    m_document.setInputs(std::move(inputs), [] { return tr("orthophoto and surroundings left out"); });
 }
 
 void FileCommands::editSite() {
@@ -144,7 +166,7 @@ void FileCommands::editSite() {
                           return input.role == InputRole::Surroundings;
                       })));
     if (dialog.exec() == QDialog::Accepted) {
-        m_document.setSite(dialog.site(), dialog.crs().toStdString(), tr("site"));
+        m_document.setSite(dialog.site(), dialog.crs().toStdString(), [] { return tr("site"); });
     }
 }
 
@@ -193,20 +215,20 @@ bool FileCommands::saveTo(const QString& path) {
             }
         }
         m_document.saved(io::saveCase(path.toStdString(), moved), path);
-        emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
         return true;
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
-        emit failed(failure->what, failure->remedy);
+        m_session.report(*failure);
         return false;
     }
 }
 
-void FileCommands::reportWrite(const QString& path, std::exception_ptr thrown) {
+void FileCommands::reportWrite(Session& session, const QString& path, const std::exception_ptr& thrown) {
     if (const auto failure = failureOf(thrown)) {
-        emit failed(failure->what, failure->remedy);
+        session.report(*failure);
     } else if (thrown == nullptr) {
-        emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+        session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
     }
 }
 
@@ -239,11 +261,11 @@ void FileCommands::saveRunTo(const QString& path) {
             });
             copyAcknowledgements(from, to);
         },
-        [this, path, kept = record->path](std::exception_ptr thrown) {
-            reportWrite(path, thrown);
-            const RunRecord* shown = m_computation.currentRun();
+        [session = &m_session, path, kept = record->path](const std::exception_ptr& thrown) {
+            reportWrite(*session, path, thrown);
+            const RunRecord* shown = session->computation().currentRun();
             if (thrown == nullptr && shown != nullptr && shown->path == kept) {
-                emit runSaved(QFileInfo(path).absoluteFilePath());
+                session->part<ProjectFiles>().runs.keptAt(QFileInfo(path).absoluteFilePath());
             }
         });
 }
@@ -282,7 +304,7 @@ std::optional<render::View> FileCommands::importView() {
         return figures::viewFromFile(path.toStdString());
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
-        emit failed(failure->what, failure->remedy);
+        m_session.report(*failure);
         return std::nullopt;
     }
 }
@@ -320,7 +342,7 @@ void FileCommands::exportRun(const QString& title, const QString& suffix, const 
 
 void FileCommands::writeRun(const QString& path, const std::shared_ptr<io::RunReader>& run, const RunExport& write) {
     m_computation.write([path, run, write](const Execution& execution) { write(path.toStdString(), *run, execution); },
-                        [this, path](std::exception_ptr thrown) { reportWrite(path, thrown); });
+                        [session = &m_session, path](const std::exception_ptr& thrown) { reportWrite(*session, path, thrown); });
 }
 
 void FileCommands::saveSweep(const std::shared_ptr<const AccuracyReport>& report) {
@@ -354,10 +376,10 @@ void FileCommands::saveCalibrationTo(const QString& path, const Calibration& cal
 void FileCommands::writeTable(const QString& path, const std::function<void(std::ostream&)>& table) {
     try {
         io::writeAtomically(path.toStdString(), table);
-        emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
-        emit failed(failure->what, failure->remedy);
+        m_session.report(*failure);
     }
 }
 
@@ -380,10 +402,10 @@ void writeChart(const QString& path, const widgets::FileChart& chart) {
 void FileCommands::saveChartTo(const QString& path, const widgets::FileChart& chart) {
     try {
         writeChart(path, chart);
-        emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
-        emit failed(failure->what, failure->remedy);
+        m_session.report(*failure);
     }
 }
 

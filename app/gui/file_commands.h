@@ -14,11 +14,13 @@ class QWidget;
 
 namespace rubble {
 
+class Actions;
 class Computation;
 class Execution;
 struct AccuracyReport;
 struct Calibration;
 class Document;
+class Session;
 namespace io {
 class RunReader;
 }
@@ -34,7 +36,7 @@ class FileCommands : public QObject {
     Q_OBJECT
 
 public:
-    FileCommands(Document& document, Computation& computation, QWidget& window);
+    FileCommands(Session& session, Actions& actions, QWidget& window);
 
     /// Asks whether a changed case should be saved; false: the user wants to stay.
     bool mayLeave();
@@ -76,24 +78,20 @@ public:
     void saveCalibrationTo(const QString& path, const Calibration& calibration);
     void saveChartTo(const QString& path, const widgets::FileChart& chart);
 
-signals:
-    void done(const QString& what);
-    /// The run that is shown was kept at this path.
-    void runSaved(const QString& path);
-    void failed(const QString& what, const QString& remedy);
-
 private:
-    void setTerrain(const QString& path, const QString& what);
+    void connectActions(Actions& actions);
+    void setTerrain(const QString& path, const widgets::Wording& what);
     /// The case with files of a role put in place of those it has, or beside them.
-    void setFiles(InputRole role, const QStringList& paths, bool beside, const QString& what);
+    void setFiles(InputRole role, const QStringList& paths, bool beside, const widgets::Wording& what);
     QString askForOutput(const QString& title, const QString& suffix, const QString& filter);
     using RunExport = std::function<void(const std::string& path, const io::RunReader& run, const Execution& execution)>;
     /// Asks for a path and writes the run that is shown there; nothing while it is not finished.
     void exportRun(const QString& title, const QString& suffix, const QString& filter, const RunExport& write);
     void writeRun(const QString& path, const std::shared_ptr<io::RunReader>& run, const RunExport& write);
     void writeTable(const QString& path, const std::function<void(std::ostream&)>& table);
-    void reportWrite(const QString& path, std::exception_ptr thrown);
+    static void reportWrite(Session& session, const QString& path, const std::exception_ptr& thrown);
 
+    Session& m_session;
     Document& m_document;
     Computation& m_computation;
     QWidget& m_window;

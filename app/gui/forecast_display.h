@@ -10,6 +10,7 @@ namespace rubble {
 class CalibrationWork;
 class Computation;
 class Document;
+class Session;
 class GridDisplay;
 class PanelDeck;
 
@@ -19,8 +20,7 @@ class ForecastDisplay : public QObject {
     Q_OBJECT
 
 public:
-    ForecastDisplay(Document& document, Computation& computation, GridDisplay& grid, CalibrationWork& calibration, PanelDeck& deck,
-                    QObject* parent = nullptr);
+    ForecastDisplay(Session& session, GridDisplay& grid, CalibrationWork& calibration, PanelDeck& deck, QObject* parent = nullptr);
 
     /// Figures of the last run; NaN: not measured.
     struct Measured {
@@ -36,22 +36,27 @@ public:
     /// Shows what is known, in the language and units of now.
     void show();
     /// The newest answer for the scenario as it stands; unset while it is worked out.
-    const std::optional<Forecast::Answer>& answer() const { return m_answer; }
+    const std::optional<Forecast::Answer>& answer() const { return m_kept.answer; }
 
 private:
+    /// What outlives the window.
+    struct Kept {
+        std::optional<Forecast::Answer> answer;
+        std::optional<Forecast::Answer> shown;      ///< the newest, maybe of another setting
+        std::optional<Scenario> runScenario;        ///< of the run whose prediction is kept, or awaited
+        std::optional<Forecast::Answer> beforeRun;  ///< what was said of it
+        std::optional<widgets::PredictionContent> afterRun;
+    };
     void ask();
     void said(const Forecast::Answer& answer);
 
+    Session& m_session;
     Document& m_document;
     Computation& m_computation;
     GridDisplay& m_grid;
     CalibrationWork& m_calibration;
     PanelDeck& m_deck;
-    std::optional<Forecast::Answer> m_answer;
-    std::optional<Forecast::Answer> m_shown;      // the newest, maybe of another setting
-    std::optional<Scenario> m_runScenario;        // of the run whose prediction is kept, or awaited
-    std::optional<Forecast::Answer> m_beforeRun;  // what was said of it
-    std::optional<widgets::PredictionContent> m_afterRun;
+    Kept& m_kept;
     Forecast m_forecast;
 };
 

@@ -1,17 +1,17 @@
 #include "app/gui/grid_display.h"
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
 #include "app/gui/panel_deck.h"
+#include "app/gui/session/session.h"
 
 namespace rubble {
 
-GridDisplay::GridDisplay(Document& document, Computation& computation, PanelDeck& deck, QObject* parent)
-    : QObject(parent), m_document(document), m_computation(computation), m_deck(deck) {
+GridDisplay::GridDisplay(Session& session, PanelDeck& deck, QObject* parent)
+    : QObject(parent), m_session(session), m_document(session.document()), m_computation(session.computation()), m_deck(deck) {
     connect(&m_document, &Document::scenarioChanged, this, &GridDisplay::scenarioChanged);
     connect(&m_computation, &Computation::prepared, this, &GridDisplay::prepared);
     connect(&m_count, &GridCount::counted, this, &GridDisplay::counted);
     connect(&m_count, &GridCount::publishedCounted, &m_deck.grid(), &widgets::GridPanel::setPublishedCounts);
+    prepared();
 }
 
 bool GridDisplay::dragging() const {

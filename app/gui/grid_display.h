@@ -10,6 +10,7 @@ namespace rubble {
 
 class Computation;
 class Document;
+class Session;
 class PanelDeck;
 
 /// Keeps the Basic Grid panel and the drawn grid in step with a slider that moves: clusters are counted at once, and everything
@@ -18,7 +19,7 @@ class GridDisplay : public QObject {
     Q_OBJECT
 
 public:
-    GridDisplay(Document& document, Computation& computation, PanelDeck& deck, QObject* parent = nullptr);
+    GridDisplay(Session& session, PanelDeck& deck, QObject* parent = nullptr);
 
     /// Sizes of the newest count, else of the results [m]; unset where there is no grid.
     std::optional<std::array<double, 3>> grid() const;
@@ -38,6 +39,7 @@ private:
     /// What is counted or was computed for the grid as it is set now; null while neither is there.
     std::shared_ptr<const Sizing> current() const;
 
+    Session& m_session;
     Document& m_document;
     Computation& m_computation;
     PanelDeck& m_deck;

@@ -1,8 +1,8 @@
 #include "app/gui/health_display.h"
 
-#include "app/gui/computation.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
+#include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
 #include "core/fe/frame_transform.h"
 #include "widgets/health_list.h"
@@ -33,22 +33,28 @@ std::vector<ElementIndex> elementsOf(const RunRecord& record, BodyId body) {
 
 }  // namespace
 
-HealthDisplay::HealthDisplay(Computation& computation, PanelDeck& deck, Playback& playback, ViewArea& area,
-                             widgets::Timeline& timeline, QObject* parent)
-    : QObject(parent), m_computation(computation), m_deck(deck), m_playback(playback), m_area(area), m_timeline(timeline) {
+HealthDisplay::HealthDisplay(Session& session, PanelDeck& deck, Playback& playback, ViewArea& area, widgets::Timeline& timeline,
+                             QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_computation(session.computation()),
+      m_deck(deck),
+      m_playback(playback),
+      m_area(area),
+      m_timeline(timeline) {
     connect(&timeline, &widgets::Timeline::markChosen, this, [this](std::size_t mark) {
         m_deck.choose(PanelDeck::Run);
         show(mark, false);
     });
     connect(&deck.run().health(), &widgets::HealthList::breachChosen, this, [this](std::size_t breach) { show(breach, true); });
-    connect(&deck.run().health(), &widgets::HealthList::acknowledgeRequested, &computation, &Computation::acknowledge);
-    connect(&computation, &Computation::acknowledged, this, &HealthDisplay::acknowledged);
-    connect(&computation, &Computation::runBegun, this, [this] {
+    connect(&deck.run().health(), &widgets::HealthList::acknowledgeRequested, &m_computation, &Computation::acknowledge);
+    connect(&m_computation, &Computation::acknowledged, this, &HealthDisplay::acknowledged);
+    connect(&m_computation, &Computation::runBegun, this, [this] {
         clearSelection();
         refresh();
     });
-    connect(&computation, &Computation::runGrew, this, &HealthDisplay::showMarks);
-    connect(&computation, &Computation::runEnded, this, &HealthDisplay::refresh);
+    connect(&m_computation, &Computation::runGrew, this, &HealthDisplay::showMarks);
+    connect(&m_computation, &Computation::runEnded, this, &HealthDisplay::refresh);
 }
 
 void HealthDisplay::refresh() {

@@ -7,6 +7,7 @@
 namespace rubble {
 
 class Computation;
+class Session;
 class PanelDeck;
 class Playback;
 class ViewArea;
@@ -20,7 +21,7 @@ class HealthDisplay : public QObject {
     Q_OBJECT
 
 public:
-    HealthDisplay(Computation& computation, PanelDeck& deck, Playback& playback, ViewArea& area, widgets::Timeline& timeline,
+    HealthDisplay(Session& session, PanelDeck& deck, Playback& playback, ViewArea& area, widgets::Timeline& timeline,
                   QObject* parent = nullptr);
 
     /// Shows what is known now.
@@ -37,6 +38,7 @@ private:
     void acknowledged(const QString& complaint);
     void clearSelection();
 
+    Session& m_session;
     Computation& m_computation;
     PanelDeck& m_deck;
     Playback& m_playback;

@@ -101,7 +101,7 @@ HelpTopic helpAbout(const QWidget* widget) {
     return {QStringLiteral("Start"), {}, {}};
 }
 
-Help::Help(QWidget& window) : QObject(&window), m_window(window) {
+Help::Help(QWidget& window) : m_window(window) {
     qApp->installEventFilter(this);
 }
 
@@ -113,6 +113,10 @@ ManualWindow& Help::manual() {
     m_manual->raise();
     m_manual->activateWindow();
     return *m_manual;
+}
+
+QString Help::openPage() const {
+    return m_manual != nullptr && m_manual->isVisible() ? m_manual->page() : QString();
 }
 
 void Help::showAbout(const QWidget* widget) {

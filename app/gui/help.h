@@ -28,13 +28,15 @@ class Help : public QObject {
     Q_OBJECT
 
 public:
-    /// @param window  owns the help; figures in it get the entry of the context menu
+    /// @param window  figures in it get the entry of the context menu
     explicit Help(QWidget& window);
 
     void showAbout(const QWidget* widget);
     /// Opens the manual with the cursor where words to find are typed.
     void search();
     ManualWindow& manual();
+    /// The title of the page that is open; empty: none is.
+    QString openPage() const;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -4,10 +4,10 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QPointer>
 #include <algorithm>
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
+#include "app/gui/session/session.h"
 #include "io/case_file.h"
 #include "io/input_check.h"
 #include "widgets/notice_bar.h"
@@ -41,19 +41,24 @@ QString roleName(InputRole role) {
 
 }  // namespace
 
-InputsDisplay::InputsDisplay(Document& document, Computation& computation, QBoxLayout& notices, QWidget& window)
-    : QObject(&window), m_document(document), m_computation(computation), m_notices(notices), m_window(window) {
-    connect(&document, &Document::replaced, this, [this] {
+InputsDisplay::InputsDisplay(Session& session, QBoxLayout& notices, QWidget& window)
+    : m_session(session),
+      m_document(session.document()),
+      m_computation(session.computation()),
+      m_notices(notices),
+      m_window(window) {
+    connect(&m_document, &Document::replaced, this, [this] {
         m_candidates.clear();
         refresh();
     });
-    connect(&document, &Document::titleChanged, this, &InputsDisplay::refresh);
-    connect(&document, &Document::inputsAccepted, this, [this] {
+    connect(&m_document, &Document::titleChanged, this, &InputsDisplay::refresh);
+    connect(&m_document, &Document::inputsAccepted, this, [this] {
         m_computation.acceptInputs(m_document.theCase().inputs);
         refresh();
     });
-    connect(&document, &Document::inputsChanged, this, &InputsDisplay::refresh);
-    connect(&computation, &Computation::inputsFound, this, &InputsDisplay::refresh);
+    connect(&m_document, &Document::inputsChanged, this, &InputsDisplay::refresh);
+    connect(&m_computation, &Computation::inputsFound, this, &InputsDisplay::refresh);
+    refresh();
 }
 
 const CaseInput* InputsDisplay::inputOf(const std::string& id) const {
@@ -138,7 +143,7 @@ void InputsDisplay::choose(const std::string& id, const QString& what) {
         accept(id);
     } else if (what == QLatin1String("use")) {
         const Candidate other = m_candidates.take(key);
-        put(id, other.path, other.sha256, tr("%1 used instead").arg(QFileInfo(other.path).fileName()));
+        put(id, other.path, other.sha256, [name = QFileInfo(other.path).fileName()] { return tr("%1 used instead").arg(name); });
     } else {
         m_candidates.remove(key);
         refresh();
@@ -157,9 +162,12 @@ void InputsDisplay::locate(const std::string& id, const QString& path) {
             execution.report({"gui.comparing_input", "Comparing with what the case was made with", {}}, 0.0);
             *sha256 = io::sha256OfInput(path, role, execution);
         },
-        [this, id, path, sha256, before = m_document.theCase().inputs](const std::exception_ptr& thrown) {
+        [self = QPointer(this), this, id, path, sha256, before = m_document.theCase().inputs](const std::exception_ptr& thrown) {
+            if (self.isNull()) {
+                return;  // the window has gone; its bar offers the choice anew
+            }
             if (const auto failure = failureOf(thrown)) {
-                emit failed(failure->what, failure->remedy);
+                m_session.report(*failure);
                 return;
             }
             const CaseInput* now = inputOf(id);
@@ -168,8 +176,8 @@ void InputsDisplay::locate(const std::string& id, const QString& path) {
             }
             const QString name = QFileInfo(path).fileName();
             if (now->sha256.empty() || now->sha256 == *sha256) {
-                put(id, path, *sha256, tr("%1 located").arg(name));
-                emit told(tr("%1 was found; the case names its place").arg(name));
+                put(id, path, *sha256, [name] { return tr("%1 located").arg(name); });
+                m_session.tell(tr("%1 was found; the case names its place").arg(name));
             } else {
                 m_candidates.insert(QString::fromStdString(id), {path, *sha256});
                 refresh();
@@ -181,13 +189,13 @@ void InputsDisplay::accept(const std::string& id) {
     for (const io::FoundInput& found : m_computation.foundInputs()) {
         if (found.id == id && !found.sha256.empty()) {
             const QString path = QString::fromStdString(found.path);
-            put(id, path, found.sha256, tr("changed %1 accepted").arg(QFileInfo(path).fileName()));
+            put(id, path, found.sha256, [name = QFileInfo(path).fileName()] { return tr("changed %1 accepted").arg(name); });
             return;
         }
     }
 }
 
-void InputsDisplay::put(const std::string& id, const QString& path, const std::string& sha256, const QString& what) {
+void InputsDisplay::put(const std::string& id, const QString& path, const std::string& sha256, const widgets::Wording& what) {
     std::vector<CaseInput> inputs = m_document.theCase().inputs;
     const QDir folder = QFileInfo(m_document.base()).absoluteDir();
     for (CaseInput& input : inputs) {

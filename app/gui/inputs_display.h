@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/scenario/case.h"
+#include "widgets/wording.h"
 
 class QBoxLayout;
 class QWidget;
@@ -15,6 +16,7 @@ namespace rubble {
 
 class Computation;
 class Document;
+class Session;
 namespace widgets {
 class NoticeBar;
 }
@@ -25,7 +27,7 @@ class InputsDisplay : public QObject {
     Q_OBJECT
 
 public:
-    InputsDisplay(Document& document, Computation& computation, QBoxLayout& notices, QWidget& window);
+    InputsDisplay(Session& session, QBoxLayout& notices, QWidget& window);
 
     void refresh();
     /// Takes a file for an input: silently if it is the one the case was made with, after a question in place if it is another.
@@ -35,10 +37,6 @@ public:
     /// What stands in the bars.
     QStringList texts() const;
 
-signals:
-    void told(const QString& what);
-    void failed(const QString& what, const QString& remedy);
-
 private:
     /// A file that was chosen although it is another.
     struct Candidate {
@@ -46,11 +44,12 @@ private:
         std::string sha256;
     };
     void choose(const std::string& id, const QString& what);
-    void put(const std::string& id, const QString& path, const std::string& sha256, const QString& what);
+    void put(const std::string& id, const QString& path, const std::string& sha256, const widgets::Wording& what);
     void show(const CaseInput& input);
     widgets::NoticeBar& bar(const std::string& id);
     const CaseInput* inputOf(const std::string& id) const;
 
+    Session& m_session;
     Document& m_document;
     Computation& m_computation;
     QBoxLayout& m_notices;

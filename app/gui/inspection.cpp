@@ -7,14 +7,14 @@
 #include "app/gui/dock_area.h"
 #include "app/gui/playback.h"
 #include "app/gui/selection_display.h"
+#include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
 #include "app/gui/view_tools.h"
 #include "widgets/component_tree.h"
 
 namespace rubble {
 
-Inspection::Inspection(Document& document, Computation& computation, Playback& playback, ViewArea& area, Actions& actions,
-                       QObject* parent)
+Inspection::Inspection(Session& session, Playback& playback, ViewArea& area, Actions& actions, QObject* parent)
     : QObject(parent),
       m_actions(actions),
       m_area(area),
@@ -25,8 +25,8 @@ Inspection::Inspection(Document& document, Computation& computation, Playback& p
       m_treeDock(m_docks->addDock(m_tree, tr("Components"), QStringLiteral("componentsDock"))),
       m_formDock(m_docks->addDock(m_form, tr("Select by"), QStringLiteral("selectDock"))),
       m_inspectorDock(m_docks->addDock(m_inspector, tr("Inspector"), QStringLiteral("inspectorDock"))),
-      m_components(new ComponentDisplay(document, computation, playback.clock(), area.views(), *m_tree, this)),
-      m_selection(new SelectionDisplay(computation, playback, area, *m_inspector, *m_form, this)),
+      m_components(new ComponentDisplay(session.document(), session.computation(), playback.clock(), area.views(), *m_tree, this)),
+      m_selection(new SelectionDisplay(session, playback, area, *m_inspector, *m_form, this)),
       m_tools(new ViewTools(actions, area, this)) {
     m_docks->floatWhereNarrow(*m_inspectorDock);
     connectActions();

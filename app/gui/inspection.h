@@ -9,11 +9,10 @@ class QDockWidget;
 namespace rubble {
 
 class ComponentDisplay;
-class Computation;
 class DockArea;
-class Document;
 class Playback;
 class SelectionDisplay;
+class Session;
 class ViewArea;
 class ViewTools;
 namespace widgets {
@@ -28,8 +27,7 @@ class Inspection : public QObject {
     Q_OBJECT
 
 public:
-    Inspection(Document& document, Computation& computation, Playback& playback, ViewArea& area, Actions& actions,
-               QObject* parent = nullptr);
+    Inspection(Session& session, Playback& playback, ViewArea& area, Actions& actions, QObject* parent = nullptr);
     ~Inspection() override;
 
     /// To be put into the window with the views as its central widget.

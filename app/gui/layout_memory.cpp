@@ -25,22 +25,32 @@ LayoutMemory::LayoutMemory(QMainWindow& window, QMainWindow& docks, QSplitter& s
       m_firstDocks(docks.saveState(layoutVersion)),
       m_firstSplitter(splitter.saveState()) {}
 
+LayoutMemory::Layout LayoutMemory::now() const {
+    return {m_window.saveGeometry(), m_window.saveState(layoutVersion), m_docks.saveState(layoutVersion), m_splitter.saveState()};
+}
+
+void LayoutMemory::show(const Layout& layout) {
+    m_window.restoreGeometry(layout.window);
+    m_window.restoreState(layout.bars, layoutVersion);
+    m_docks.restoreState(layout.docks, layoutVersion);
+    m_splitter.restoreState(layout.splitter);
+}
+
 void LayoutMemory::restore() {
     QSettings settings;
     settings.beginGroup(group);
-    m_window.restoreGeometry(settings.value(QStringLiteral("window")).toByteArray());
-    m_window.restoreState(settings.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
-    m_docks.restoreState(settings.value(QStringLiteral("inner_docks")).toByteArray(), layoutVersion);
-    m_splitter.restoreState(settings.value(QStringLiteral("splitter")).toByteArray());
+    const auto kept = [&](const char* key) { return settings.value(QLatin1String(key)).toByteArray(); };
+    show({kept("window"), kept("docks"), kept("inner_docks"), kept("splitter")});
 }
 
 void LayoutMemory::save() const {
+    const Layout layout = now();
     QSettings settings;
     settings.beginGroup(group);
-    settings.setValue(QStringLiteral("window"), m_window.saveGeometry());
-    settings.setValue(QStringLiteral("docks"), m_window.saveState(layoutVersion));
-    settings.setValue(QStringLiteral("inner_docks"), m_docks.saveState(layoutVersion));
-    settings.setValue(QStringLiteral("splitter"), m_splitter.saveState());
+    settings.setValue(QStringLiteral("window"), layout.window);
+    settings.setValue(QStringLiteral("docks"), layout.bars);
+    settings.setValue(QStringLiteral("inner_docks"), layout.docks);
+    settings.setValue(QStringLiteral("splitter"), layout.splitter);
 }
 
 void LayoutMemory::reset() {

@@ -15,6 +15,15 @@ public:
     /// @param docks  the area with docks inside the window
     LayoutMemory(QMainWindow& window, QMainWindow& docks, QSplitter& splitter);
 
+    /// How things stand.
+    struct Layout {
+        QByteArray window;  ///< place and size
+        QByteArray bars;
+        QByteArray docks;
+        QByteArray splitter;
+    };
+    Layout now() const;
+    void show(const Layout& layout);
     /// As it was left; what makes no sense (another screen, a damaged setting) is left as it is.
     void restore();
     void save() const;

@@ -5,14 +5,13 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/gui/accuracy_display.h"
 #include "app/gui/layout_memory.h"
 #include "app/gui/main_window.h"
 #include "app/gui/new_case.h"
 #include "app/gui/options.h"
-#include "app/gui/panel_deck.h"
-#include "app/gui/project_display.h"
+#include "app/gui/renewed_window.h"
 #include "app/gui/screenshot.h"
+#include "app/gui/session/session.h"
 #include "app/gui/settings.h"
 #include "app/gui/speed_measure.h"
 #include "core/base/memory.h"
@@ -72,18 +71,21 @@ int main(int argc, char** argv) {
     const rubble::widgets::Preferences preferences = rubble::readPreferences(settings);
     rubble::widgets::speak(options.language.isEmpty() ? preferences.language : options.language);
     rubble::widgets::giveColours(rubble::widgets::themeNamed(preferences.theme));
-    rubble::MainWindow window;
+    rubble::Session session;
+    rubble::RenewedWindow renewed(session);
+    rubble::MainWindow& window = renewed.window();
     if (!options.theme.isEmpty()) {
         window.setTheme(options.theme);
     }
     if (options.screenshot.isEmpty() && options.chart.isEmpty() && !options.measure) {
-        window.project().restoreLayout();
-        window.project().begin();
+        window.restoreLayout();
+        window.rooms().project->begin();
     }
     if (!aside.isEmpty()) {
-        window.showFailure({QCoreApplication::translate("main", "The settings of the program could not be read."),
-                            QCoreApplication::translate("main", "They start anew; the file was set aside as %1.").arg(aside),
-                            "gui.settings"});
+        session.report(
+            {[] { return QCoreApplication::translate("main", "The settings of the program could not be read."); },
+             [aside] { return QCoreApplication::translate("main", "They start anew; the file was set aside as %1.").arg(aside); },
+             "gui.settings"});
     }
     if (options.size.isValid()) {
         window.resize(options.size);
@@ -96,25 +98,27 @@ int main(int argc, char** argv) {
     }
     window.show();
     if (options.accuracy) {
-        window.accuracy().compareWhenReady();
+        window.rooms().accuracy->compareWhenReady();
     }
     if (options.sample) {
-        window.openSample();
+        window.rooms().opening->openSample();
     } else if (options.newCaseStep && !options.path.isEmpty()) {
-        window.newCase(options.path);
-        window.caseInTheMaking()->wizard().go(static_cast<rubble::widgets::NewCaseWizard::Step>(*options.newCaseStep));
+        window.rooms().opening->newCase(options.path);
+        window.rooms().opening->caseInTheMaking()->wizard().go(
+            static_cast<rubble::widgets::NewCaseWizard::Step>(*options.newCaseStep));
     } else if (!options.path.isEmpty()) {
         window.open(options.path, options.simulate);
     }
     if (!options.screenshot.isEmpty() || !options.chart.isEmpty()) {
         new rubble::Screenshot(window, options);
     } else if (options.time || options.panel) {
-        QObject::connect(&window.computation(), &rubble::Computation::opened, &window, [&window, options] {
+        QObject::connect(&session.computation(), &rubble::Computation::opened, &session, [&renewed, options] {
+            rubble::WindowRooms& rooms = renewed.window().rooms();
             if (options.panel) {
-                window.deck().choosePage(*options.panel);
+                rooms.deck->choosePage(*options.panel);
             }
             if (options.time) {
-                window.showInstant(*options.time);
+                rooms.playback->showInstant(*options.time);
             }
         });
     }

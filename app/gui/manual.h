@@ -52,13 +52,12 @@ public:
     void showPage(const QString& title);
     /// Shows a page at one of its headings, with words pointed at; the beginning of the page where there is no such heading.
     void showPlace(const QString& title, const QString& heading, const QString& words);
+    /// The name of the page that is shown.
+    QString page() const;
     /// Puts the cursor where words to find are typed.
     void beginSearch();
     /// The words that are pointed at, as they stand in the text; empty where there are none.
     QStringList pointedAt() const;
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void search(const QString& words);

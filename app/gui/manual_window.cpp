@@ -289,12 +289,9 @@ void ManualWindow::loadPages() {
     open(row);
 }
 
-void ManualWindow::changeEvent(QEvent* event) {
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        loadPages();
-        search(m_search->text());
-    }
+QString ManualWindow::page() const {
+    const int row = m_titles->currentRow();
+    return row >= 0 && row < static_cast<int>(m_pages.size()) ? m_pages[static_cast<std::size_t>(row)].name : QString();
 }
 
 }  // namespace rubble

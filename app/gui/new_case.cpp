@@ -87,10 +87,6 @@ void NewCase::connectWizard() {
         connect(panel, &widgets::Panel::edited, this, &NewCase::edit);
     }
     connect(&wizard, &QDialog::finished, this, &NewCase::finished);
-    connect(&wizard, &widgets::NewCaseWizard::languageChanged, this, [this] {
-        m_document.retell();
-        showResults();
-    });
     connect(&wizard, &widgets::NewCaseWizard::createRequested, this, &NewCase::make);
     connect(&wizard, &widgets::NewCaseWizard::undoRequested, this, [this] { m_document.undoStack().undo(); });
     connect(&wizard, &widgets::NewCaseWizard::redoRequested, this, [this] { m_document.undoStack().redo(); });
@@ -108,14 +104,14 @@ void NewCase::connectWizard() {
     });
     connect(&wizard.components(), &widgets::NewCaseComponents::chosen, m_preview, &widgets::CasePreview::mark);
     connect(&wizard.components(), &widgets::NewCaseComponents::regroupRequested, this, [this](const RegroupStep& step) {
-        m_document.edit(widgets::regroupText(step), withRegrouping(m_document.scenario(), step));
+        m_document.edit([step] { return widgets::regroupText(step); }, withRegrouping(m_document.scenario(), step));
     });
     connect(&wizard.components(), &widgets::NewCaseComponents::regroupingCleared, this, [this] {
         std::vector<std::string> parts;
         for (const Part& part : m_computation.inputs().fe->mesh().parts) {
             parts.push_back(part.name);
         }
-        m_document.edit(tr("regrouping dropped"), withoutRegrouping(m_document.scenario(), parts));
+        m_document.edit([] { return tr("regrouping dropped"); }, withoutRegrouping(m_document.scenario(), parts));
     });
     connect(&wizard.ground(), &widgets::NewCaseGround::terrainRequested, this, &NewCase::chooseTerrain);
     connect(&wizard.ground(), &widgets::NewCaseGround::terrainDropped, this, [this] { setTerrain({}); });
@@ -149,8 +145,8 @@ void NewCase::connectWork() {
 
 void NewCase::takeOpened(const Opened& opened) {
     if (!opened.path.isEmpty()) {
-        showFailure({tr("%1 is a case already.").arg(QFileInfo(opened.path).fileName()),
-                     tr("Open it with Open…, or choose an FE result."), "gui.case_already"});
+        showFailure({[name = QFileInfo(opened.path).fileName()] { return tr("%1 is a case already.").arg(name); },
+                     [] { return tr("Open it with Open…, or choose an FE result."); }, "gui.case_already"});
         return;
     }
     if (opened.fe == nullptr && opened.failure && m_document.empty() && !opened.failure->id.starts_with("exodus.")) {
@@ -321,13 +317,14 @@ void NewCase::setTerrain(const QString& path) {
         const QDir folder = QFileInfo(m_document.base()).absoluteDir();
         inputs.push_back({"terrain-1", InputRole::Terrain, folder.relativeFilePath(path).toStdString(), ""});
     }
-    m_document.setInputs(std::move(inputs),
-                         path.isEmpty() ? tr("terrain left out") : tr("terrain %1").arg(QFileInfo(path).fileName()));
+    m_document.setInputs(std::move(inputs), [path] {
+        return path.isEmpty() ? tr("terrain left out") : tr("terrain %1").arg(QFileInfo(path).fileName());
+    });
 }
 
 void NewCase::showFailure(const Failure& failure) {
     for (widgets::Panel* panel : m_wizard->panels()) {
-        panel->setError(failure.what, failure.remedy);
+        panel->setError(failure.what(), failure.remedy());
     }
     m_wizard->setReady(false);
 }

@@ -1,8 +1,7 @@
 #include "app/gui/panel_deck.h"
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
 #include "app/gui/regrouping_edit.h"
+#include "app/gui/session/session.h"
 #include "widgets/case_panel.h"
 #include "widgets/causes_panel.h"
 #include "widgets/effects_panel.h"
@@ -46,10 +45,11 @@ QStringList offeredNames(const QString& remedy) {
 
 }  // namespace
 
-PanelDeck::PanelDeck(Document& document, Computation& computation, QObject* parent)
+PanelDeck::PanelDeck(Session& session, QObject* parent)
     : QObject(parent),
-      m_document(document),
-      m_computation(computation),
+      m_kept(session.part<Kept>()),
+      m_document(session.document()),
+      m_computation(session.computation()),
       m_rail(new widgets::StageRail(entries())),
       m_stack(new QStackedWidget),
       m_case(new widgets::CasePanel),
@@ -86,8 +86,14 @@ PanelDeck::PanelDeck(Document& document, Computation& computation, QObject* pare
     connect(m_run, &widgets::RunPanel::simulateRequested, this, &PanelDeck::simulateRequested);
     connect(m_run, &widgets::RunPanel::liveRequested, this, &PanelDeck::liveRequested);
     connect(m_run, &widgets::RunPanel::cancelRequested, this, &PanelDeck::cancelRequested);
-    choose(Case);
+    choose(static_cast<Entry>(m_kept.entry));
+    m_evidenceTabs->setCurrent(m_kept.page);
     showScenario();
+}
+
+PanelDeck::~PanelDeck() {
+    m_kept.entry = m_stack->currentIndex();
+    m_kept.page = m_evidenceTabs->current();
 }
 
 std::vector<widgets::RailEntry> PanelDeck::entries() {
@@ -101,11 +107,14 @@ std::vector<widgets::RailEntry> PanelDeck::entries() {
             {tr("Report"), tr("What was asked, what was found, and how sure that is."), widgets::Glyph::Report}};
 }
 
-void PanelDeck::retell() {
-    m_rail->setEntries(entries());
-    showScenario();
+void PanelDeck::goOn() {
+    if (const std::optional<Failure> failure = m_kept.failure) {
+        const int entry = m_stack->currentIndex();
+        showFailure(*failure);
+        choose(static_cast<Entry>(entry));
+    }
     showResults();
-    showOutcome(m_outcome);
+    showOutcome(m_kept.outcome);
     showState();
 }
 
@@ -140,14 +149,14 @@ void PanelDeck::edit(const QString& key, const ParameterValue& value) {
         m_document.setParameter(key, value);
     } catch (...) {
         if (const auto failure = failureOf(std::current_exception())) {
-            showFailure(failure->what, failure->remedy, failure->id);
+            showFailure(*failure);
         }
         showScenario();
     }
 }
 
 void PanelDeck::regroup(const RegroupStep& step) {
-    m_document.edit(widgets::regroupText(step), withRegrouping(m_document.scenario(), step));
+    m_document.edit([step] { return widgets::regroupText(step); }, withRegrouping(m_document.scenario(), step));
 }
 
 void PanelDeck::clearRegrouping() {
@@ -157,7 +166,7 @@ void PanelDeck::clearRegrouping() {
             parts.push_back(part.name);
         }
     }
-    m_document.edit(tr("regrouping dropped"), withoutRegrouping(m_document.scenario(), parts));
+    m_document.edit([] { return tr("regrouping dropped"); }, withoutRegrouping(m_document.scenario(), parts));
 }
 
 void PanelDeck::showResults() {
@@ -247,12 +256,14 @@ void PanelDeck::showState() {
 }
 
 void PanelDeck::showOutcome(const widgets::RunPanel::Outcome& outcome) {
-    m_outcome = outcome;
+    m_kept.outcome = outcome;
     m_run->setOutcome(outcome);
 }
 
-void PanelDeck::showFailure(const QString& what, const QString& remedy, const std::string& id) {
+void PanelDeck::showFailure(const Failure& failure) {
     clearFailures();
+    m_kept.failure = failure;
+    const std::string& id = failure.id;
     widgets::Panel* where = m_case;
     Entry entry = Case;
     if (m_computation.currentRun() != nullptr && id.starts_with("io.run")) {
@@ -261,14 +272,15 @@ void PanelDeck::showFailure(const QString& what, const QString& remedy, const st
     }
     if (id == "exodus.no_status" || id == "exodus.unknown_status") {
         if (auto* editor = m_case->editor(QStringLiteral("status_variable"))) {
-            editor->offer(offeredNames(remedy));
+            editor->offer(offeredNames(failure.remedy()));
         }
     }
-    where->setError(what, remedy);
+    where->setError(failure.what(), failure.remedy());
     choose(entry);
 }
 
 void PanelDeck::clearFailures() {
+    m_kept.failure.reset();
     for (widgets::Panel* panel : panels()) {
         panel->setError({});
     }

@@ -2,7 +2,9 @@
 
 #include <QStackedWidget>
 #include <QWidget>
+#include <optional>
 
+#include "app/gui/worker.h"
 #include "widgets/accuracy_panel.h"
 #include "widgets/grid_panel.h"
 #include "widgets/panel.h"
@@ -13,6 +15,7 @@ namespace rubble {
 
 class Computation;
 class Document;
+class Session;
 namespace widgets {
 class CasePanel;
 class CausesPanel;
@@ -33,7 +36,8 @@ public:
     /// Panels of the entry Evidence.
     enum EvidencePage { Photographs, Ensemble, Causes };
 
-    PanelDeck(Document& document, Computation& computation, QObject* parent = nullptr);
+    explicit PanelDeck(Session& session, QObject* parent = nullptr);
+    ~PanelDeck() override;
 
     widgets::StageRail& rail() { return *m_rail; }
     widgets::CasePanel& casePanel() { return *m_case; }
@@ -61,10 +65,12 @@ public:
     /// Effects have been decided, or a run has measured them.
     /// @param anew  also where nothing has changed, for other colours
     void showEffects(bool anew = false);
-    void showFailure(const QString& what, const QString& remedy, const std::string& id);
+    void showFailure(const Failure& failure);
+    /// What is shown of them; unset: none.
+    const std::optional<Failure>& failure() const { return m_kept.failure; }
     void clearFailures();
-    /// Says everything again, in the language that is spoken now.
-    void retell();
+    /// Shows in a new window what an earlier one showed.
+    void goOn();
 
 signals:
     void simulateRequested();
@@ -74,13 +80,20 @@ signals:
     void gridSettled();
 
 private:
+    /// What outlives the window.
+    struct Kept {
+        int entry = Case;
+        int page = Photographs;
+        widgets::RunPanel::Outcome outcome;
+        std::optional<Failure> failure;
+    };
     void edit(const QString& key, const ParameterValue& value);
     void regroup(const RegroupStep& step);
     void clearRegrouping();
     void showRail();
-    /// The rail in the language that is spoken now.
     static std::vector<widgets::RailEntry> entries();
 
+    Kept& m_kept;
     Document& m_document;
     Computation& m_computation;
     widgets::StageRail* m_rail;
@@ -91,7 +104,6 @@ private:
     widgets::EffectsPanel* m_effects;
     widgets::RunPanel* m_run;
     widgets::AccuracyPanel* m_accuracy;
-    widgets::RunPanel::Outcome m_outcome;
     widgets::EvidencePanel* m_evidence;
     widgets::EnsemblePanel* m_ensemble;
     widgets::CausesPanel* m_causes;

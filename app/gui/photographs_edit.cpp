@@ -41,23 +41,24 @@ PhotographsEdit withFound(const Case& theCase, const QString& base, const std::v
         added.camera.width = photo.facts.width;
         added.camera.height = photo.facts.height;
         added.camera.freePrincipal = cropped(photo.facts);
-        edit.what = QCoreApplication::translate("photographs", "photograph %1 added").arg(name);
+        edit.what = [name] { return QCoreApplication::translate("photographs", "photograph %1 added").arg(name); };
     }
     if (const std::size_t count = edit.photographs.size() - theCase.photographs.size(); count > 1) {
-        edit.what = QCoreApplication::translate("photographs", "%1 photographs added").arg(count);
+        edit.what = [count] { return QCoreApplication::translate("photographs", "%1 photographs added").arg(count); };
     }
     return edit;
 }
 
 PhotographsEdit withoutPhotograph(const Case& theCase, int photograph) {
-    PhotographsEdit edit{theCase.photographs, theCase.inputs, QCoreApplication::translate("photographs", "photograph removed"), {}};
+    PhotographsEdit edit{
+        theCase.photographs, theCase.inputs, [] { return QCoreApplication::translate("photographs", "photograph removed"); }, {}};
     const std::string id = edit.photographs.at(static_cast<std::size_t>(photograph)).input;
     edit.photographs.erase(edit.photographs.begin() + photograph);
     std::erase_if(edit.inputs, [&](const CaseInput& input) { return input.id == id; });
     return edit;
 }
 
-PhotographsEdit withEdited(const Case& theCase, int photograph, const Photograph& after, const QString& what) {
+PhotographsEdit withEdited(const Case& theCase, int photograph, const Photograph& after, const widgets::Wording& what) {
     PhotographsEdit edit{theCase.photographs, theCase.inputs, what, {}};
     edit.photographs.at(static_cast<std::size_t>(photograph)) = after;
     return edit;

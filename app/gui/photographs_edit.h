@@ -5,6 +5,7 @@
 
 #include "app/gui/evidence_work.h"
 #include "core/scenario/case.h"
+#include "widgets/wording.h"
 
 namespace rubble {
 
@@ -12,8 +13,8 @@ namespace rubble {
 struct PhotographsEdit {
     std::vector<Photograph> photographs;
     std::vector<CaseInput> inputs;
-    QString what;       ///< names the edit for undo; empty: nothing changes
-    QStringList known;  ///< files that the case has already
+    widgets::Wording what;  ///< names the edit for undo; none: nothing changes
+    QStringList known;      ///< files that the case has already
 };
 
 /// A case with the photographs that were found. A file that it has already, by its content, is passed over.
@@ -22,6 +23,6 @@ PhotographsEdit withFound(const Case& theCase, const QString& base, const std::v
 /// A case without one of its photographs.
 PhotographsEdit withoutPhotograph(const Case& theCase, int photograph);
 /// A case with one of its photographs edited.
-PhotographsEdit withEdited(const Case& theCase, int photograph, const Photograph& after, const QString& what);
+PhotographsEdit withEdited(const Case& theCase, int photograph, const Photograph& after, const widgets::Wording& what);
 
 }  // namespace rubble

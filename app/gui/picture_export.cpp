@@ -4,9 +4,8 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
 #include "app/gui/export_source.h"
+#include "app/gui/session/session.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/view_json.h"
@@ -87,21 +86,21 @@ io::RunOrigin shownOrigin(const Document& document, const Computation& computati
     return io::originOf(computation.content(), document.scenario(), active != nullptr ? active->name : std::string());
 }
 
-PictureExport::PictureExport(Document& document, Computation& computation, QWidget& window)
-    : QObject(&window), m_document(document), m_computation(computation), m_window(window) {}
+PictureExport::PictureExport(Session& session, QWidget& window)
+    : m_session(session), m_document(session.document()), m_computation(session.computation()), m_window(window) {}
 
 QString PictureExport::proposed(const QString& suffix) const {
     const QFileInfo base(m_document.base());
     return base.absolutePath() + u'/' + base.completeBaseName() + suffix;
 }
 
-void PictureExport::tell(const QString& path, const std::exception_ptr& thrown) {
+void PictureExport::tell(Session& session, const QString& path, const std::exception_ptr& thrown) {
     if (const auto failure = failureOf(thrown)) {
-        emit failed(failure->what, failure->remedy);
+        session.report(*failure);
     } else if (thrown == nullptr) {
-        emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+        session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
     } else {
-        emit done(tr("Cancelled; nothing half-made is left"));
+        session.tell(tr("Cancelled; nothing half-made is left"));
     }
 }
 
@@ -123,7 +122,7 @@ void PictureExport::exportFigure(const render::View& view, const render::SceneDa
     // What is shown now: other work may change that before the dialogs are answered.
     const Made made = madeNow(data);
     const render::View shown = view;
-    widgets::FigureDialog dialog(m_last, &m_window);
+    widgets::FigureDialog dialog(m_session.part<LastFigure>().choice, &m_window);
     connect(&dialog, &widgets::FigureDialog::previewRequested, &dialog, [&](const widgets::FigureChoice& choice) {
         try {
             // Smaller, with text as large for the picture as it will be.
@@ -138,13 +137,13 @@ void PictureExport::exportFigure(const render::View& view, const render::SceneDa
             dialog.setPreview(studio.sheet(sheetFor(choice, shown, data, style.pixels, style.dpi), style).image());
         } catch (...) {
             const auto failure = failureOf(std::current_exception());
-            dialog.setPreview({}, failure ? failure->what + u' ' + failure->remedy : QString());
+            dialog.setPreview({}, failure ? failure->inOneLine() : QString());
         }
     });
     if (dialog.exec() != QDialog::Accepted) {
         return;
     }
-    m_last = dialog.choice();
+    m_session.part<LastFigure>().choice = dialog.choice();
     QString path =
         QFileDialog::getSaveFileName(&m_window, tr("Figure"), proposed(QStringLiteral(".png")), tr("Figures (*.png *.svg *.pdf)"));
     if (path.isEmpty()) {
@@ -153,7 +152,7 @@ void PictureExport::exportFigure(const render::View& view, const render::SceneDa
     if (!figures::isFigurePath(path.toStdString())) {
         path += QStringLiteral(".png");
     }
-    writeFigure(path, m_last, shown, data, made);
+    writeFigure(path, m_session.part<LastFigure>().choice, shown, data, made);
 }
 
 void PictureExport::exportFigureTo(const QString& path, const widgets::FigureChoice& choice, const render::View& view,
@@ -168,7 +167,7 @@ void PictureExport::writeFigure(const QString& path, const widgets::FigureChoice
             execution.report({"gui.drawing_figure", "Drawing the figure", {}}, 0.0);
             writeFigureFile(path.toStdString(), choice, view, data, made);
         },
-        [this, path](const std::exception_ptr& thrown) { tell(path, thrown); });
+        [session = &m_session, path](const std::exception_ptr& thrown) { tell(*session, path, thrown); });
 }
 
 void PictureExport::exportMovie(const render::View& view, const render::SceneData& data) {
@@ -210,7 +209,7 @@ void PictureExport::writeMovie(const QString& path, const widgets::MovieChoice& 
         [path, choice, view, data, made, lies](const Execution& execution) {
             *lies = writeMovieFile(path.toStdString(), choice, view, data, made, execution);
         },
-        [this, lies](const std::exception_ptr& thrown) { tell(QString::fromStdString(*lies), thrown); });
+        [session = &m_session, lies](const std::exception_ptr& thrown) { tell(*session, QString::fromStdString(*lies), thrown); });
 }
 
 }  // namespace rubble

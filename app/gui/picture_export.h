@@ -17,6 +17,7 @@ namespace rubble {
 
 class Computation;
 class Document;
+class Session;
 
 namespace io {
 class RunReader;
@@ -27,7 +28,7 @@ class PictureExport : public QObject {
     Q_OBJECT
 
 public:
-    PictureExport(Document& document, Computation& computation, QWidget& window);
+    PictureExport(Session& session, QWidget& window);
 
     void exportFigure(const render::View& view, const render::SceneData& data);
     void exportMovie(const render::View& view, const render::SceneData& data);
@@ -45,23 +46,23 @@ public:
         std::vector<io::ShownFile> around;
     };
 
-signals:
-    void done(const QString& what);
-    void failed(const QString& what, const QString& remedy);
-
 private:
+    /// What was chosen last.
+    struct LastFigure {
+        widgets::FigureChoice choice;
+    };
     QString proposed(const QString& suffix) const;
     Made madeNow(const render::SceneData& data) const;
     void writeFigure(const QString& path, const widgets::FigureChoice& choice, const render::View& view,
                      const render::SceneData& data, const Made& made);
     void writeMovie(const QString& path, const widgets::MovieChoice& choice, const render::View& view,
                     const render::SceneData& data, const Made& made);
-    void tell(const QString& path, const std::exception_ptr& thrown);
+    static void tell(Session& session, const QString& path, const std::exception_ptr& thrown);
 
+    Session& m_session;
     Document& m_document;
     Computation& m_computation;
     QWidget& m_window;
-    widgets::FigureChoice m_last;
 };
 
 }  // namespace rubble

@@ -2,16 +2,23 @@
 
 #include <algorithm>
 
-#include "app/gui/computation.h"
+#include "app/gui/actions.h"
+#include "app/gui/session/session.h"
 #include "widgets/timeline.h"
 #include "widgets/transport.h"
 #include "widgets/view_widget.h"
 
 namespace rubble {
 
-Playback::Playback(Computation& computation, widgets::ViewWidget& view, widgets::Timeline& timeline, widgets::Transport& transport,
-                   QObject* parent)
-    : QObject(parent), m_computation(computation), m_view(view), m_timeline(timeline), m_transport(transport) {
+Playback::Playback(Session& session, widgets::ViewWidget& view, widgets::Timeline& timeline, widgets::Transport& transport,
+                   Actions& actions, QObject* parent)
+    : QObject(parent),
+      m_computation(session.computation()),
+      m_view(view),
+      m_timeline(timeline),
+      m_transport(transport),
+      m_kept(session.part<Kept>()),
+      m_clock(m_kept.clock) {
     connect(&m_clock, &widgets::PlaybackClock::timeChanged, this, [this](double time) {
         m_view.setTime(time);
         m_timeline.setTime(time);
@@ -19,7 +26,7 @@ Playback::Playback(Computation& computation, widgets::ViewWidget& view, widgets:
     });
     connect(&m_clock, &widgets::PlaybackClock::playingChanged, this, [this](bool playing) {
         m_transport.setBackwards(m_clock.backwards());
-        m_transport.setPlaying(playing || m_following);
+        m_transport.setPlaying(playing || m_kept.following);
     });
     connect(&m_clock, &widgets::PlaybackClock::rangeChanged, this, &Playback::showLoop);
     connect(&m_transport, &widgets::Transport::playBackToggled, this, &Playback::toggleBackwards);
@@ -36,21 +43,51 @@ Playback::Playback(Computation& computation, widgets::ViewWidget& view, widgets:
     connect(&m_computation, &Computation::runBegun, this, &Playback::runBegun);
     connect(&m_computation, &Computation::runGrew, this, &Playback::runGrew);
     connect(&m_computation, &Computation::runEnded, this, &Playback::runEnded);
+    connectActions(actions);
+}
+
+void Playback::connectActions(Actions& actions) {
+    const auto on = [&](const char* id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
+    on("play", [this] { toggle(); });
+    on("back", [this] { step(-1); });
+    on("forward", [this] { step(1); });
+    on("back_ten", [this] { step(-10); });
+    on("forward_ten", [this] { step(10); });
+    on("first", [this] { jumpToFirst(); });
+    on("last", [this] { jumpToLast(); });
 }
 
 void Playback::reset() {
-    m_following = false;
+    m_kept.following = false;
     m_clock.pause();
     m_clock.setNewest({});
-    m_loopRange.reset();
+    m_kept.loopRange.reset();
     refresh(false);
-    setFromZero(m_fromZero);
+    setFromZero(m_kept.fromZero);
     showLoop();
     const auto& fe = m_computation.inputs().fe;
     m_clock.setTime(fe != nullptr && fe->stateCount() > 0 ? fe->times().front() : 0.0);
     m_timeline.setTime(m_clock.time());
     m_transport.setTime(m_clock.time());
     m_view.setTime(m_clock.time());
+    showDeaths();
+}
+
+void Playback::goOn() {
+    refresh(m_kept.runStale);
+    setFromZero(m_kept.fromZero);
+    showLoop();
+    showDeaths();
+    m_timeline.setTime(m_clock.time());
+    m_transport.setTime(m_clock.time());
+    m_transport.setRate(m_clock.rate());
+    m_transport.setBackwards(m_clock.backwards());
+    m_transport.setPlaying(m_clock.playing() || m_kept.following);
+    m_view.setTime(m_clock.time());
+}
+
+void Playback::showDeaths() {
+    const auto& fe = m_computation.inputs().fe;
     if (fe == nullptr) {
         return;
     }
@@ -63,7 +100,7 @@ void Playback::reset() {
 }
 
 void Playback::refresh(bool runStale) {
-    m_runStale = runStale;
+    m_kept.runStale = runStale;
     const auto& fe = m_computation.inputs().fe;
     m_transport.setAvailable(fe != nullptr);
     if (fe == nullptr || fe->stateCount() == 0) {
@@ -92,18 +129,18 @@ void Playback::runBegun() {
     refresh(false);
     m_clock.setTime(m_clock.first());
     m_clock.setNewest(record.newest);
-    m_following = record.live;
-    m_transport.setPlaying(m_following);
+    m_kept.following = record.live;
+    m_transport.setPlaying(m_kept.following);
     if (!record.live) {
         m_clock.play();
     }
 }
 
 void Playback::runGrew(double time) {
-    refresh(m_runStale);
+    refresh(m_kept.runStale);
     m_clock.setNewest(time);
     const std::shared_ptr<LivePace> pace = m_computation.livePace();
-    if (m_following) {
+    if (m_kept.following) {
         m_clock.setTime(time);
         // A hidden window draws nothing, and must not hold the run up.
         if (!m_view.isVisible() || m_view.window()->isMinimized()) {
@@ -115,10 +152,10 @@ void Playback::runGrew(double time) {
 }
 
 void Playback::runEnded() {
-    const bool followed = m_following;
-    m_following = false;
+    const bool followed = m_kept.following;
+    m_kept.following = false;
     m_clock.setNewest({});
-    refresh(m_runStale);
+    refresh(m_kept.runStale);
     m_transport.setPlaying(m_clock.playing());
     if (followed) {
         m_clock.setTime(m_computation.currentRun()->newest);
@@ -126,7 +163,7 @@ void Playback::runEnded() {
 }
 
 void Playback::shown(double time) {
-    if (m_following && m_computation.livePace() != nullptr) {
+    if (m_kept.following && m_computation.livePace() != nullptr) {
         m_computation.livePace()->shown(time);
         emit frameShown(true);
     } else if (m_clock.playing()) {
@@ -135,7 +172,7 @@ void Playback::shown(double time) {
 }
 
 void Playback::leaveLive() {
-    m_following = false;
+    m_kept.following = false;
     m_transport.setPlaying(m_clock.playing());
     if (const auto& pace = m_computation.livePace()) {
         pace->shown(m_clock.last());
@@ -189,8 +226,8 @@ void Playback::jumpToLast() {
     const RunRecord* record = m_computation.currentRun();
     if (record != nullptr && record->running) {
         // The end of a run that grows is its newest frame; in live mode it is followed again.
-        m_following = record->live;
-        m_transport.setPlaying(m_following || m_clock.playing());
+        m_kept.following = record->live;
+        m_transport.setPlaying(m_kept.following || m_clock.playing());
         m_clock.setTime(record->newest);
     } else {
         m_clock.setTime(m_clock.last());
@@ -198,7 +235,7 @@ void Playback::jumpToLast() {
 }
 
 void Playback::toggle() {
-    if (m_following) {
+    if (m_kept.following) {
         leaveLive();
     } else if (m_clock.playing() && m_clock.backwards()) {
         m_clock.play();
@@ -209,13 +246,18 @@ void Playback::toggle() {
 
 void Playback::scrub(double time) {
     leaveLive();
-    const std::vector<double> times = m_snapping ? stops() : std::vector<double>();
+    const std::vector<double> times = m_kept.snapping ? stops() : std::vector<double>();
     if (!times.empty()) {
         const auto after = std::lower_bound(times.begin(), times.end(), time);
         const bool before = after == times.end() || (after != times.begin() && time - *(after - 1) < *after - time);
         time = before ? *(after - 1) : *after;
     }
     m_clock.setTime(time);
+}
+
+void Playback::showInstant(double time) {
+    m_clock.pause();
+    scrub(time);
 }
 
 void Playback::toggleBackwards() {
@@ -228,34 +270,34 @@ void Playback::toggleBackwards() {
 }
 
 void Playback::setLooping(bool loop) {
-    m_looping = loop;
+    m_kept.looping = loop;
     showLoop();
 }
 
 void Playback::setLoopRange(double from, double to) {
-    m_loopRange = to > from ? std::optional(std::pair(from, to)) : std::nullopt;
-    m_looping = m_loopRange.has_value();
+    m_kept.loopRange = to > from ? std::optional(std::pair(from, to)) : std::nullopt;
+    m_kept.looping = m_kept.loopRange.has_value();
     showLoop();
 }
 
 void Playback::showLoop() {
     std::optional<std::pair<double, double>> range;
-    if (m_looping) {
-        range = m_loopRange.value_or(std::pair(m_clock.first(), m_clock.last()));
+    if (m_kept.looping) {
+        range = m_kept.loopRange.value_or(std::pair(m_clock.first(), m_clock.last()));
     }
     m_clock.setLoop(range);
     m_timeline.setLoop(m_clock.loop());
-    m_transport.setLooping(m_looping);
+    m_transport.setLooping(m_kept.looping);
     emit loopChanged();
 }
 
 double Playback::timeOrigin() const {
     const auto& fe = m_computation.inputs().fe;
-    return m_fromZero && fe != nullptr && fe->stateCount() > 0 ? fe->times().front() : 0.0;
+    return m_kept.fromZero && fe != nullptr && fe->stateCount() > 0 ? fe->times().front() : 0.0;
 }
 
 void Playback::setFromZero(bool fromZero) {
-    m_fromZero = fromZero;
+    m_kept.fromZero = fromZero;
     m_transport.setTimeOrigin(timeOrigin());
     m_timeline.setTimeOrigin(timeOrigin());
     render::View view = m_view.view();

@@ -9,7 +9,9 @@
 
 namespace rubble {
 
+class Actions;
 class Computation;
+class Session;
 namespace widgets {
 class Timeline;
 class Transport;
@@ -21,12 +23,16 @@ class Playback : public QObject {
     Q_OBJECT
 
 public:
-    Playback(Computation& computation, widgets::ViewWidget& view, widgets::Timeline& timeline, widgets::Transport& transport,
-             QObject* parent = nullptr);
+    Playback(Session& session, widgets::ViewWidget& view, widgets::Timeline& timeline, widgets::Transport& transport,
+             Actions& actions, QObject* parent = nullptr);
 
     widgets::PlaybackClock& clock() { return m_clock; }
     /// Another result was opened: starts at its first state.
     void reset();
+    /// Pauses and goes to an instant, s.
+    void showInstant(double time);
+    /// Shows in a new window what an earlier one showed.
+    void goOn();
     /// What can be shown has changed.
     void refresh(bool runStale);
     void step(int states);
@@ -38,18 +44,18 @@ public:
     void toggleBackwards();
     /// Playback goes round: the range that was set, else all there is.
     void setLooping(bool loop);
-    bool looping() const { return m_looping; }
+    bool looping() const { return m_kept.looping; }
     /// The range that playback goes round [s]; one without length is all there is.
     void setLoopRange(double from, double to);
-    const std::optional<std::pair<double, double>>& loopRange() const { return m_loopRange; }
+    const std::optional<std::pair<double, double>>& loopRange() const { return m_kept.loopRange; }
     /// Scrubbing stops at the nearest state or frame.
-    void setSnapping(bool snap) { m_snapping = snap; }
+    void setSnapping(bool snap) { m_kept.snapping = snap; }
     /// Times are shown counted from the first state rather than as the file has them.
     void setFromZero(bool fromZero);
     /// s, on the file's clock: what shown times count from.
     double timeOrigin() const;
     /// Live mode: the views show the newest frame as it comes.
-    bool following() const { return m_following; }
+    bool following() const { return m_kept.following; }
 
 signals:
     /// A frame was shown while playing (by its name: playback) or following a live run.
@@ -57,25 +63,32 @@ signals:
     void loopChanged();
 
 private:
+    /// What outlives the window.
+    struct Kept {
+        widgets::PlaybackClock clock;
+        bool following = false;
+        bool runStale = false;
+        bool looping = false;
+        std::optional<std::pair<double, double>> loopRange;
+        bool snapping = false;
+        bool fromZero = false;
+    };
     void runBegun();
     void runGrew(double time);
     void runEnded();
     void shown(double time);
     void leaveLive();
     std::vector<double> stops() const;
+    void connectActions(Actions& actions);
     void showLoop();
+    void showDeaths();
 
     Computation& m_computation;
     widgets::ViewWidget& m_view;
     widgets::Timeline& m_timeline;
     widgets::Transport& m_transport;
-    widgets::PlaybackClock m_clock;
-    bool m_following = false;
-    bool m_runStale = false;
-    bool m_looping = false;
-    std::optional<std::pair<double, double>> m_loopRange;
-    bool m_snapping = false;
-    bool m_fromZero = false;
+    Kept& m_kept;
+    widgets::PlaybackClock& m_clock;
 };
 
 }  // namespace rubble

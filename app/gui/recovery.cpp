@@ -4,54 +4,59 @@
 #include <QFileInfo>
 #include <QLocale>
 
-#include "app/gui/document.h"
+#include "app/gui/session/session.h"
 #include "widgets/notice_bar.h"
 
 namespace rubble {
 
-Recovery::Recovery(Document& document, Autosave& autosave, QBoxLayout& notices, QObject* parent)
-    : QObject(parent), m_document(document), m_autosave(autosave), m_bar(new widgets::NoticeBar) {
+Recovery::Recovery(Session& session, QBoxLayout& notices, QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_document(session.document()),
+      m_files(session.part<ProjectFiles>()),
+      m_bar(new widgets::NoticeBar) {
     notices.addWidget(m_bar);
     m_bar->hide();
     connect(m_bar, &widgets::NoticeBar::chosen, this, &Recovery::choose);
-    connect(&document, &Document::replaced, this, [this] {
+    connect(&m_document, &Document::replaced, this, [this] {
         // Only what lies safe in a file of this program's own may go.
-        if (m_asked && m_document.modified() && m_document.base() == m_asked->base) {
-            m_autosave.saveNow();
-            if (!m_autosave.file().isEmpty()) {
-                Autosave::remove(*m_asked);
-                m_left.pop_front();
+        if (m_files.asked && m_document.modified() && m_document.base() == m_files.asked->base) {
+            m_files.autosave.saveNow();
+            if (!m_files.autosave.file().isEmpty()) {
+                Autosave::remove(*m_files.asked);
+                m_files.left.pop_front();
             }
-            m_asked.reset();
+            m_files.asked.reset();
             offer();
         }
     });
+    offer();
 }
 
 void Recovery::look() {
-    m_left.clear();
-    for (LeftWork& work : m_autosave.leftWork()) {
-        m_left.push_back(std::move(work));
+    m_files.left.clear();
+    for (LeftWork& work : m_files.autosave.leftWork()) {
+        m_files.left.push_back(std::move(work));
     }
     offer();
 }
 
 QString Recovery::text() const {
-    return m_left.empty() ? QString() : m_bar->text();
+    return m_files.left.empty() ? QString() : m_bar->text();
 }
 
 void Recovery::offer() {
-    m_bar->setVisible(!m_left.empty());
-    if (m_left.empty()) {
+    m_bar->setVisible(!m_files.left.empty());
+    if (m_files.left.empty()) {
         return;
     }
-    const LeftWork& work = m_left.front();
+    const LeftWork& work = m_files.left.front();
     const QString name = QString::fromStdString(work.theCase.title);
     const QString when = QLocale().toString(work.savedAt.toLocalTime(), QLocale::ShortFormat);
     QString more =
         work.path.isEmpty() ? tr("The case was never saved.") : tr("They are not in %1.").arg(QFileInfo(work.path).fileName());
-    if (m_left.size() > 1) {
-        more += u' ' + tr("Others follow: %1.").arg(m_left.size() - 1);
+    if (m_files.left.size() > 1) {
+        more += u' ' + tr("Others follow: %1.").arg(m_files.left.size() - 1);
     }
     m_bar->setContent(
         tr("Rubble ended before changes of “%1” were saved. They were kept at %2.").arg(name, when), more,
@@ -61,19 +66,19 @@ void Recovery::offer() {
 }
 
 void Recovery::choose(const QString& id) {
-    if (m_left.empty()) {
+    if (m_files.left.empty()) {
         return;
     }
     if (id == QLatin1String("recover")) {
-        m_asked = m_left.front();
-        emit recoverRequested(*m_asked);
+        m_files.asked = m_files.left.front();
+        emit recoverRequested(*m_files.asked);
         return;
     }
     if (id == QLatin1String("discard")) {
-        Autosave::remove(m_left.front());
-        emit told(tr("Changes of “%1” were discarded").arg(QString::fromStdString(m_left.front().theCase.title)));
+        Autosave::remove(m_files.left.front());
+        m_session.tell(tr("Changes of “%1” were discarded").arg(QString::fromStdString(m_files.left.front().theCase.title)));
     }
-    m_left.pop_front();
+    m_files.left.pop_front();
     offer();
 }
 

@@ -1,15 +1,15 @@
 #pragma once
 
 #include <QObject>
-#include <deque>
-#include <optional>
 
-#include "app/gui/autosave.h"
+#include "app/gui/project_files.h"
 
 class QBoxLayout;
 
 namespace rubble {
 
+class Document;
+class Session;
 namespace widgets {
 class NoticeBar;
 }
@@ -19,27 +19,25 @@ class Recovery : public QObject {
     Q_OBJECT
 
 public:
-    Recovery(Document& document, Autosave& autosave, QBoxLayout& notices, QObject* parent = nullptr);
+    Recovery(Session& session, QBoxLayout& notices, QObject* parent = nullptr);
 
     /// Looks for such work and offers it.
     void look();
-    std::size_t offered() const { return m_left.size(); }
+    std::size_t offered() const { return m_files.left.size(); }
     /// What stands in the bar; empty if there is none.
     QString text() const;
 
 signals:
     /// The user wants this one back. What was left goes once the document has it.
     void recoverRequested(const rubble::LeftWork& work);
-    void told(const QString& what);
 
 private:
     void choose(const QString& id);
     void offer();
 
+    Session& m_session;
     Document& m_document;
-    Autosave& m_autosave;
-    std::deque<LeftWork> m_left;
-    std::optional<LeftWork> m_asked;
+    ProjectFiles& m_files;
     widgets::NoticeBar* m_bar;
 };
 

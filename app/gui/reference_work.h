@@ -26,6 +26,8 @@ public:
     void cancel();
     void clear();
     bool running() const { return m_running; }
+    /// Tells once more how far it has got.
+    void tellProgress() { m_worker.tellProgress(); }
     /// Null: there is none for the scenario that was looked for.
     const std::shared_ptr<io::RunReader>& reader() const { return m_reader; }
     /// Where the reference of a scenario lies. Throws WorldError where there is no folder for what can be made again.
@@ -42,7 +44,7 @@ private:
     std::shared_ptr<io::RunReader> m_reader;
     Digest m_key;  // of the scene that was looked for
     bool m_running = false;
-    bool m_looking = false;
+    bool m_looking = false;  // the kept files are being looked through
     QElapsedTimer m_sinceStart;
     // Last, so that it has ended before anything it uses goes.
     Worker m_worker;

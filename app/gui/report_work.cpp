@@ -5,9 +5,10 @@
 #include <QFileInfo>
 #include <QUrl>
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
+#include "app/gui/actions.h"
 #include "app/gui/panel_deck.h"
+#include "app/gui/scene_display.h"
+#include "app/gui/session/session.h"
 #include "core/base/error.h"
 #include "core/selftest/report_checks.h"
 #include "io/machine.h"
@@ -68,19 +69,40 @@ void makeReport(Order& order, const Execution& execution) {
 
 }  // namespace
 
-ReportWork::ReportWork(Document& document, Computation& computation, PanelDeck& deck, std::function<render::SceneData()> scene,
-                       QWidget& window)
-    : QObject(&window),
-      m_document(document),
-      m_computation(computation),
+ReportWork::ReportWork(Session& session, PanelDeck& deck, SceneDisplay& scene, Actions& actions, QWidget& window)
+    : m_session(session),
+      m_document(session.document()),
+      m_computation(session.computation()),
       m_deck(deck),
-      m_scene(std::move(scene)),
-      m_window(window) {
+      m_scene(scene),
+      m_window(window),
+      m_kept(session.part<ReportKept>()) {
     widgets::ReportPanel& panel = m_deck.report();
+    if (m_kept.wishes) {
+        panel.setWishes(*m_kept.wishes);
+    }
     connect(&panel, &widgets::ReportPanel::writeRequested, this, &ReportWork::write);
     connect(&panel, &widgets::ReportPanel::cancelRequested, this, [this] { m_computation.cancel(); });
     connect(&panel, &widgets::ReportPanel::openRequested, this,
             [](const QString& folder) { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+    connect(&actions["write_report"], &QAction::triggered, this, [this] {
+        m_deck.choose(PanelDeck::Report);
+        write();
+    });
+    connect(&m_kept, &ReportKept::changed, this, &ReportWork::showOutcome);
+    showOutcome();
+}
+
+ReportWork::~ReportWork() {
+    m_kept.wishes = m_deck.report().wishes();
+}
+
+void ReportWork::showOutcome() {
+    m_deck.report().setError(m_kept.failure ? m_kept.failure->what() : QString(),
+                             m_kept.failure ? m_kept.failure->remedy() : QString());
+    if (!m_kept.written.isEmpty()) {
+        m_deck.report().setWritten(m_kept.written);
+    }
     refresh();
 }
 
@@ -100,12 +122,12 @@ QString ReportWork::whyNot() const {
 
 void ReportWork::refresh() {
     const QString why = whyNot();
-    m_deck.report().setReady(why, m_writing);
-    m_deck.rail().setState(PanelDeck::Report, m_writing ? widgets::StageState::Running : widgets::StageState::NotYet, 0);
+    m_deck.report().setReady(why, m_kept.writing);
+    m_deck.rail().setState(PanelDeck::Report, m_kept.writing ? widgets::StageState::Running : widgets::StageState::NotYet, 0);
 }
 
 void ReportWork::write() {
-    if (!whyNot().isEmpty() || m_writing) {
+    if (!whyNot().isEmpty() || m_kept.writing) {
         return;
     }
     const QString folder =
@@ -116,14 +138,14 @@ void ReportWork::write() {
 }
 
 void ReportWork::writeTo(const QString& folder) {
-    if (!whyNot().isEmpty() || m_writing) {
+    if (!whyNot().isEmpty() || m_kept.writing) {
         return;
     }
     auto order = std::make_shared<Order>();
     const RunRecord* record = m_computation.currentRun();
     order->theCase = m_document.theCase();
     order->wishes = m_deck.report().wishes();
-    order->scene = m_scene();
+    order->scene = m_scene.data();
     order->folder = folder.toStdString();
     io::ReportRequest& request = order->request;
     request.run = record->reader;
@@ -138,20 +160,19 @@ void ReportWork::writeTo(const QString& folder) {
     request.repeats = order->wishes.repeats;
     request.studyFolder = studyFolder();
     order->around = io::shownFiles(m_computation.terrain());
-    m_writing = true;
+    m_kept.writing = true;
     refresh();
     m_computation.write([order](const Execution& execution) { makeReport(*order, execution); },
-                        [this, folder](const std::exception_ptr& thrown) {
-                            m_writing = false;
-                            const auto failure = failureOf(thrown);
-                            m_deck.report().setError(failure ? failure->what : QString(), failure ? failure->remedy : QString());
+                        [session = &m_session, kept = &m_kept, folder](const std::exception_ptr& thrown) {
+                            kept->writing = false;
+                            kept->failure = failureOf(thrown);
                             if (thrown == nullptr) {
-                                m_deck.report().setWritten(folder);
-                                emit told(tr("Report written to %1").arg(folder));
-                            } else if (!failure) {
-                                emit told(tr("The report was cancelled"));
+                                kept->written = folder;
+                                session->tell(tr("Report written to %1").arg(folder));
+                            } else if (!kept->failure) {
+                                session->tell(tr("The report was cancelled"));
                             }
-                            refresh();
+                            emit kept->changed();
                         });
 }
 

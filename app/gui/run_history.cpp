@@ -4,8 +4,7 @@
 #include <algorithm>
 
 #include "app/gui/autosave.h"
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
+#include "app/gui/session/session.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/simulation/acknowledgement.h"
@@ -30,10 +29,10 @@ void addNew(std::vector<RunEntry>& to, const std::vector<RunEntry>& from) {
 
 }  // namespace
 
-RunHistory::RunHistory(Document& document, Computation& computation, const QString& folder, QObject* parent)
-    : QObject(parent), m_document(document), m_computation(computation), m_folder(folder) {
-    connect(&document, &Document::replaced, this, &RunHistory::load);
-    connect(&document, &Document::titleChanged, this, [this] {
+RunHistory::RunHistory(Session& session, const QString& folder, QObject* parent)
+    : QObject(parent), m_session(session), m_document(session.document()), m_computation(session.computation()), m_folder(folder) {
+    connect(&m_document, &Document::replaced, this, &RunHistory::load);
+    connect(&m_document, &Document::titleChanged, this, [this] {
         // Saved elsewhere: what is known goes along, to what that place knows already.
         if (!m_document.empty() && m_document.path() != m_loadedFor) {
             m_loadedFor = m_document.path();
@@ -45,13 +44,13 @@ RunHistory::RunHistory(Document& document, Computation& computation, const QStri
             emit changed();
         }
     });
-    connect(&computation, &Computation::runBegun, this, [this] {
+    connect(&m_computation, &Computation::runBegun, this, [this] {
         m_began = true;
         m_shown.reset();
         emit changed();
     });
-    connect(&computation, &Computation::runEnded, this, &RunHistory::ended);
-    connect(&computation, &Computation::runReopened, this, [this] {
+    connect(&m_computation, &Computation::runEnded, this, &RunHistory::ended);
+    connect(&m_computation, &Computation::runReopened, this, [this] {
         m_shown = m_asked;
         m_asked.reset();
         emit changed();
@@ -80,11 +79,11 @@ std::vector<RunEntry> RunHistory::read(const QString& file) {
     } catch (const ParseError&) {
         const auto failure = failureOf(std::current_exception());
         const QString kept = setFileAside(file);
-        emit failed(failure->what,
-                    kept.isEmpty() ? failure->remedy : tr("It was set aside as %1; a new history begins.").arg(kept));
+        const auto aside = [kept] { return tr("It was set aside as %1; a new history begins.").arg(kept); };
+        m_session.report({failure->what, kept.isEmpty() ? failure->remedy : widgets::Wording(aside), failure->id});
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
-        emit failed(failure->what, failure->remedy);
+        m_session.report(*failure);
     }
     return {};
 }
@@ -156,7 +155,8 @@ void RunHistory::store() {
         return;
     }
     if (const auto failure = write(stateFile())) {
-        emit failed(tr("The history of runs cannot be kept. %1").arg(failure->what), failure->remedy);
+        m_session.report({[what = failure->what] { return tr("The history of runs cannot be kept. %1").arg(what()); },
+                          failure->remedy, "gui.run_history"});
     }
 }
 

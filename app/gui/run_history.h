@@ -12,6 +12,7 @@ namespace rubble {
 
 class Computation;
 class Document;
+class Session;
 
 /// The runs of the open case, kept beside it (io/run_history.h); in the state folder for a case that was never saved or lies where
 /// nothing can be written.
@@ -20,7 +21,7 @@ class RunHistory : public QObject {
 
 public:
     /// @param folder  in the state folder; empty: nothing is kept there
-    RunHistory(Document& document, Computation& computation, const QString& folder, QObject* parent = nullptr);
+    RunHistory(Session& session, const QString& folder, QObject* parent = nullptr);
 
     const std::vector<RunEntry>& runs() const { return m_runs; }
     /// The run that is shown, if it is in the list.
@@ -36,7 +37,6 @@ public:
 
 signals:
     void changed();
-    void failed(const QString& what, const QString& remedy);
 
 private:
     void load();
@@ -46,6 +46,7 @@ private:
     QString sidecar() const;
     QString stateFile() const;
 
+    Session& m_session;
     Document& m_document;
     Computation& m_computation;
     QString m_folder;

@@ -4,8 +4,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
+#include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
 #include "widgets/scenario_bar.h"
 
@@ -26,11 +25,17 @@ render::SceneData sceneOf(const RunRecord& record, const Inputs& inputs) {
 
 }  // namespace
 
-ScenarioPane::ScenarioPane(Document& document, Computation& computation, ViewArea& area, QObject* parent)
-    : QObject(parent), m_document(document), m_computation(computation), m_area(area) {
-    connect(&computation, &Computation::otherRunsChanged, this, &ScenarioPane::refresh);
+ScenarioPane::ScenarioPane(Session& session, ViewArea& area, QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_document(session.document()),
+      m_computation(session.computation()),
+      m_area(area),
+      m_kept(session.part<Kept>()) {
+    connect(&m_computation, &Computation::otherRunsChanged, this, &ScenarioPane::refresh);
     connect(&area.scenarioBar(), &widgets::ScenarioBar::scenarioChosen, this, &ScenarioPane::choose);
     connect(&area.scenarioBar(), &widgets::ScenarioBar::openRequested, this, &ScenarioPane::openKept);
+    refresh({});
 }
 
 void ScenarioPane::setShown(bool shown) {
@@ -38,21 +43,21 @@ void ScenarioPane::setShown(bool shown) {
 }
 
 void ScenarioPane::choose(const QString& scenario) {
-    m_chosen = scenario;
+    m_kept.chosen = scenario;
     refresh({});
 }
 
 void ScenarioPane::refresh(const QString& newest) {
-    m_chosen = newest.isEmpty() ? m_chosen : newest;
+    m_kept.chosen = newest.isEmpty() ? m_kept.chosen : newest;
     QStringList names;
     const RunRecord* chosen = nullptr;
     for (const auto& run : m_computation.otherRuns()) {
         names << run->scenarioName;
-        chosen = run->scenarioName == m_chosen ? run.get() : chosen;
+        chosen = run->scenarioName == m_kept.chosen ? run.get() : chosen;
     }
-    m_area.scenarioBar().setScenarios(names, chosen != nullptr ? m_chosen : QString());
+    m_area.scenarioBar().setScenarios(names, chosen != nullptr ? m_kept.chosen : QString());
     m_area.views().setOther(chosen != nullptr ? sceneOf(*chosen, m_computation.inputs()) : render::SceneData(),
-                            chosen != nullptr ? m_chosen.toStdString() : std::string());
+                            chosen != nullptr ? m_kept.chosen.toStdString() : std::string());
 }
 
 void ScenarioPane::openKept() {

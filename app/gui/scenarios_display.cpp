@@ -5,9 +5,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
-#include "app/gui/run_history.h"
+#include "app/gui/project_files.h"
+#include "app/gui/session/session.h"
 #include "widgets/run_list.h"
 #include "widgets/scenario_comparison.h"
 #include "widgets/scenario_list.h"
@@ -15,20 +14,27 @@
 
 namespace rubble {
 
-ScenariosDisplay::ScenariosDisplay(Document& document, Computation& computation, RunHistory& history,
-                                   widgets::ScenarioList& scenarios, widgets::RunList& runs, QWidget& window)
-    : QObject(&window),
-      m_document(document),
-      m_computation(computation),
-      m_history(history),
+ScenariosDisplay::ScenariosDisplay(Session& session, widgets::ScenarioList& scenarios, widgets::RunList& runs, QWidget& window)
+    : m_document(session.document()),
+      m_computation(session.computation()),
+      m_history(session.part<ProjectFiles>().runs),
       m_scenarios(scenarios),
       m_runs(runs),
-      m_window(window) {
+      m_window(window),
+      m_kept(session.part<Kept>()) {
     connectList();
-    connect(&document, &Document::replaced, this, &ScenariosDisplay::refresh);
-    connect(&document, &Document::scenariosChanged, this, &ScenariosDisplay::refresh);
-    connect(&document, &Document::scenarioChanged, this, &ScenariosDisplay::fillComparison);
-    connect(&history, &RunHistory::changed, this, &ScenariosDisplay::refresh);
+    connect(&m_document, &Document::replaced, this, &ScenariosDisplay::refresh);
+    connect(&m_document, &Document::scenariosChanged, this, &ScenariosDisplay::refresh);
+    connect(&m_document, &Document::scenarioChanged, this, &ScenariosDisplay::fillComparison);
+    connect(&m_history, &RunHistory::changed, this, &ScenariosDisplay::refresh);
+    refresh();
+    if (m_kept.comparing) {
+        compare();
+    }
+}
+
+ScenariosDisplay::~ScenariosDisplay() {
+    m_kept.comparing = m_dialog != nullptr && m_dialog->isVisible();
 }
 
 void ScenariosDisplay::connectList() {

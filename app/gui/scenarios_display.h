@@ -10,6 +10,7 @@ namespace rubble {
 
 class Computation;
 class Document;
+class Session;
 class RunHistory;
 namespace widgets {
 class RunList;
@@ -22,8 +23,9 @@ class ScenariosDisplay : public QObject {
     Q_OBJECT
 
 public:
-    ScenariosDisplay(Document& document, Computation& computation, RunHistory& history, widgets::ScenarioList& scenarios,
-                     widgets::RunList& runs, QWidget& window);
+    ScenariosDisplay(Session& session, widgets::ScenarioList& scenarios, widgets::RunList& runs, QWidget& window);
+
+    ~ScenariosDisplay() override;
 
     void refresh();
     /// Shows two scenarios side by side in a window of its own.
@@ -32,6 +34,10 @@ public:
     widgets::ScenarioComparison* comparison() const { return m_comparison; }
 
 private:
+    /// What outlives the window.
+    struct Kept {
+        bool comparing = false;  ///< the comparison was open when a window went
+    };
     void connectList();
     void fillComparison();
 
@@ -41,6 +47,7 @@ private:
     widgets::ScenarioList& m_scenarios;
     widgets::RunList& m_runs;
     QWidget& m_window;
+    Kept& m_kept;
     QPointer<QDialog> m_dialog;
     widgets::ScenarioComparison* m_comparison = nullptr;
 };

@@ -14,6 +14,7 @@
 #include "app/gui/new_case.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
+#include "app/gui/session/session.h"
 #include "app/gui/survey_display.h"
 #include "app/gui/view_area.h"
 #include "widgets/accuracy_chart.h"
@@ -31,7 +32,7 @@ Screenshot::Screenshot(MainWindow& window, const Options& options) : QObject(&wi
     m_dialogs.setInterval(100);
     connect(&m_dialogs, &QTimer::timeout, this, &Screenshot::watchDialogs);
     // Where nothing could be read, what was open stays: there is nothing to take a picture of.
-    connect(&window.computation(), &Computation::opened, this, [this](const Opened& opened) {
+    connect(&window.session().computation(), &Computation::opened, this, [this](const Opened& opened) {
         if (opened.fe == nullptr && opened.failure) {
             giveUp(*opened.failure);
         }
@@ -49,12 +50,12 @@ void Screenshot::watchDialogs() {
 }
 
 void Screenshot::look() {
-    Computation& computation = m_window.computation();
+    Computation& computation = m_window.session().computation();
     if (computation.failure() && !computation.busy()) {
         giveUp(*computation.failure());
         return;
     }
-    const NewCase* making = m_window.caseInTheMaking();
+    const NewCase* making = m_window.rooms().opening->caseInTheMaking();
     if (making != nullptr && !making->settled()) {
         return;
     }
@@ -62,7 +63,7 @@ void Screenshot::look() {
     const bool prepared = nothing || computation.results().clustering != nullptr;
     const RunRecord* record = computation.currentRun();
     const bool simulated = record != nullptr && record->outcome != nullptr;
-    const bool comparing = m_window.accuracy().waiting() || m_window.accuracy().work().running();
+    const bool comparing = m_window.rooms().accuracy->waiting() || m_window.rooms().accuracy->work().running();
     if (computation.busy() || comparing || !prepared || (!nothing && (m_options.simulate || m_options.sample) && !simulated)) {
         return;
     }
@@ -78,7 +79,7 @@ void Screenshot::look() {
         return;
     }
     // What the photographs show, and studies, are made in the background.
-    if (!m_window.evidence().settled() || m_window.survey().busy() || m_window.studies().work().running()) {
+    if (!m_window.rooms().evidence->settled() || m_window.rooms().survey->busy() || m_window.rooms().studies->work().running()) {
         return;
     }
     m_timer.stop();
@@ -88,21 +89,21 @@ void Screenshot::look() {
 
 void Screenshot::giveUp(const Failure& failure) {
     m_timer.stop();
-    std::fprintf(stderr, "rubble: %s %s\n", qPrintable(failure.what), qPrintable(failure.remedy));
+    std::fprintf(stderr, "rubble: %s %s\n", qPrintable(failure.what()), qPrintable(failure.remedy()));
     QCoreApplication::exit(1);
 }
 
 void Screenshot::prepare() {
     m_prepared = true;
-    m_window.playback().clock().pause();
+    m_window.rooms().playback->clock().pause();
     if (m_options.panel) {
-        m_window.deck().choosePage(*m_options.panel);
+        m_window.rooms().deck->choosePage(*m_options.panel);
     }
-    m_window.studies().causes().addCauses(m_options.causes);
-    m_window.studies().causes().addEvidence(m_options.against);
-    m_window.playback().scrub(m_options.time.value_or(m_window.playback().clock().last()));
+    m_window.rooms().studies->causes().addCauses(m_options.causes);
+    m_window.rooms().studies->causes().addEvidence(m_options.against);
+    m_window.rooms().playback->scrub(m_options.time.value_or(m_window.rooms().playback->clock().last()));
     if (!m_options.view.isEmpty()) {
-        m_window.showView(figures::viewFromFile(m_options.view.toStdString()));
+        m_window.rooms().scene->look(figures::viewFromFile(m_options.view.toStdString()));
     }
     m_dialogs.start();
     for (const QString& id : std::as_const(m_options.actions)) {
@@ -115,8 +116,8 @@ void Screenshot::prepare() {
         return;
     }
     if (m_options.photo) {
-        m_window.evidencePage().setShow(static_cast<widgets::PhotoView::Show>(*m_options.photo));
-        m_window.evidence().compare();
+        m_window.findChild<widgets::EvidencePage*>()->setShow(static_cast<widgets::PhotoView::Show>(*m_options.photo));
+        m_window.rooms().evidence->compare();
     }
 }
 
@@ -125,7 +126,7 @@ void Screenshot::take() {
     m_timer.stop();
     try {
         if (!m_options.chart.isEmpty()) {
-            writeChart(m_options.chart, m_window.accuracyPage().chart());
+            writeChart(m_options.chart, m_window.findChild<widgets::AccuracyPage*>()->chart());
         }
         if (m_options.screenshot.isEmpty()) {
             QCoreApplication::exit(0);
@@ -133,7 +134,7 @@ void Screenshot::take() {
         }
         QImage picture = m_window.grab().toImage();
         // A widget that is grabbed paints its captions elsewhere: the views are taken from their own frame buffer.
-        for (widgets::ViewWidget* views : {&m_window.area().views(), &m_window.evidencePage().model()}) {
+        for (widgets::ViewWidget* views : {&m_window.area().views(), &m_window.findChild<widgets::EvidencePage*>()->model()}) {
             if (views->isVisible()) {
                 QPainter painter(&picture);
                 painter.drawImage(QRect(views->mapTo(&m_window, QPoint(0, 0)), views->size()), views->picture());

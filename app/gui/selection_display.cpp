@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "app/gui/computation.h"
 #include "app/gui/playback.h"
+#include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
 #include "core/base/standard_gravity.h"
 #include "core/fe/frame_transform.h"
@@ -42,9 +42,16 @@ struct SelectionDisplay::Way {
     }
 };
 
-SelectionDisplay::SelectionDisplay(Computation& computation, Playback& playback, ViewArea& area, widgets::Inspector& inspector,
+SelectionDisplay::SelectionDisplay(Session& session, Playback& playback, ViewArea& area, widgets::Inspector& inspector,
                                    widgets::SelectForm& form, QObject* parent)
-    : QObject(parent), m_computation(computation), m_playback(playback), m_area(area), m_inspector(inspector), m_form(form) {
+    : QObject(parent),
+      m_session(session),
+      m_computation(session.computation()),
+      m_playback(playback),
+      m_area(area),
+      m_inspector(inspector),
+      m_form(form),
+      m_follow(session.part<Kept>().follow) {
     connect(&area.views(), &widgets::ViewWidget::selectionChanged, this, &SelectionDisplay::show);
     connect(&inspector, &widgets::Inspector::birthRequested, this, &SelectionDisplay::goToBirth);
     connect(&inspector, &widgets::Inspector::followRequested, this, &SelectionDisplay::follow);
@@ -58,9 +65,9 @@ SelectionDisplay::SelectionDisplay(Computation& computation, Playback& playback,
     });
     connect(&form, &widgets::SelectForm::selectRequested, this, &SelectionDisplay::selectBy);
     connect(&playback.clock(), &widgets::PlaybackClock::timeChanged, this, &SelectionDisplay::showTime);
-    connect(&computation, &Computation::prepared, this, &SelectionDisplay::refresh);
-    connect(&computation, &Computation::runBegun, this, &SelectionDisplay::refresh);
-    connect(&computation, &Computation::runEnded, this, &SelectionDisplay::refresh);
+    connect(&m_computation, &Computation::prepared, this, &SelectionDisplay::refresh);
+    connect(&m_computation, &Computation::runBegun, this, &SelectionDisplay::refresh);
+    connect(&m_computation, &Computation::runEnded, this, &SelectionDisplay::refresh);
 }
 
 const render::SceneData& SelectionDisplay::data() const {

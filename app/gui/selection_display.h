@@ -11,6 +11,7 @@
 namespace rubble {
 
 class Computation;
+class Session;
 class Playback;
 class ViewArea;
 
@@ -20,8 +21,8 @@ class SelectionDisplay : public QObject {
     Q_OBJECT
 
 public:
-    SelectionDisplay(Computation& computation, Playback& playback, ViewArea& area, widgets::Inspector& inspector,
-                     widgets::SelectForm& form, QObject* parent = nullptr);
+    SelectionDisplay(Session& session, Playback& playback, ViewArea& area, widgets::Inspector& inspector, widgets::SelectForm& form,
+                     QObject* parent = nullptr);
 
     const std::vector<ElementIndex>& selection() const;
     void select(std::vector<ElementIndex> elements);
@@ -49,6 +50,10 @@ signals:
 
 private:
     struct Way;
+    /// What outlives the window.
+    struct Kept {
+        bool follow = false;
+    };
     const render::SceneData& data() const;
     void show();
     bool dropUnknown();
@@ -62,6 +67,7 @@ private:
     void indexFragments();
     void setPath(std::vector<Vec3> path);
 
+    Session& m_session;
     Computation& m_computation;
     Playback& m_playback;
     ViewArea& m_area;
@@ -71,7 +77,7 @@ private:
     std::vector<std::uint32_t> m_fragmentOf;  ///< by element; the last of those that come back to life
     std::shared_ptr<Way> m_way;               ///< of the one fragment that is selected
     bool m_reading = false;
-    bool m_follow = false;
+    bool& m_follow;
     // Last, so that it has ended before anything it uses goes.
     Worker m_worker;
 };

@@ -16,6 +16,7 @@
 
 #include "app/gui/main_window.h"
 #include "app/gui/playback.h"
+#include "app/gui/session/session.h"
 #include "app/gui/status_feed.h"
 #include "app/gui/view_area.h"
 
@@ -65,23 +66,23 @@ double secondsSinceStart() {
 SpeedMeasure::SpeedMeasure(MainWindow& window, const Options& options) : m_window(window), m_options(options) {
     window.installEventFilter(this);
     connect(&window.area().views(), &widgets::ViewWidget::shown, this, [this] {
-        if (!m_firstPicture && m_opening.isValid() && m_window.computation().inputs().fe != nullptr) {
+        if (!m_firstPicture && m_opening.isValid() && m_window.session().computation().inputs().fe != nullptr) {
             m_firstPicture = static_cast<double>(m_opening.nsecsElapsed()) * 1e-9;
         }
     });
-    connect(&window.computation(), &Computation::prepared, this, [this] {
-        if (!m_prepared && m_window.computation().results().clustering != nullptr) {
+    connect(&window.session().computation(), &Computation::prepared, this, [this] {
+        if (!m_prepared && m_window.session().computation().results().clustering != nullptr) {
             m_prepared = static_cast<double>(m_opening.nsecsElapsed()) * 1e-9;
         }
     });
     const auto giveUp = [this](const Failure& failure) {
-        std::fprintf(stderr, "rubble: %s %s\n", qPrintable(failure.what), qPrintable(failure.remedy));
+        std::fprintf(stderr, "rubble: %s %s\n", qPrintable(failure.what()), qPrintable(failure.remedy()));
         m_timer.stop();
         emit finished(1);
     };
-    connect(&window.computation(), &Computation::failed, this, giveUp);
+    connect(&window.session().computation(), &Computation::failed, this, giveUp);
     // Where nothing could be read, what was open stays.
-    connect(&window.computation(), &Computation::opened, this, [giveUp](const Opened& opened) {
+    connect(&window.session().computation(), &Computation::opened, this, [giveUp](const Opened& opened) {
         if (opened.fe == nullptr && opened.failure) {
             giveUp(*opened.failure);
         }
@@ -106,7 +107,7 @@ void SpeedMeasure::begin() {
 }
 
 std::vector<double> SpeedMeasure::instants() const {
-    const widgets::PlaybackClock& clock = m_window.playback().clock();
+    const widgets::PlaybackClock& clock = m_window.rooms().playback->clock();
     std::mt19937 random(1);
     const auto anywhere = [&](std::mt19937& from) {
         const double share = static_cast<double>(from()) / static_cast<double>(std::mt19937::max());
@@ -125,7 +126,7 @@ std::vector<double> SpeedMeasure::scrub(const std::vector<double>& times) {
         QTimer::singleShot(longestWait, &drawn, &QEventLoop::quit);
         QElapsedTimer clock;
         clock.start();
-        m_window.playback().scrub(time);
+        m_window.rooms().playback->scrub(time);
         drawn.exec();
         spent.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
         disconnect(connection);
@@ -134,7 +135,7 @@ std::vector<double> SpeedMeasure::scrub(const std::vector<double>& times) {
 }
 
 void SpeedMeasure::look() {
-    Computation& computation = m_window.computation();
+    Computation& computation = m_window.session().computation();
     const RunRecord* record = computation.currentRun();
     const bool simulated = record != nullptr && record->outcome != nullptr;
     if (computation.busy() || !m_firstPicture || !m_prepared || (m_simulating && !simulated)) {
@@ -142,11 +143,11 @@ void SpeedMeasure::look() {
     }
     if (m_options.simulate && !m_simulating) {
         m_simulating = true;
-        m_window.simulate(false);
+        m_window.rooms().runs->simulate(false);
         return;
     }
     m_timer.stop();
-    m_window.playback().clock().pause();
+    m_window.rooms().playback->clock().pause();
     report();
     emit finished(0);
 }
@@ -155,7 +156,7 @@ void SpeedMeasure::report() {
     const std::vector<double> times = instants();
     const std::vector<double> first = scrub(times);
     const std::vector<double> again = scrub(times);
-    const FeResult& fe = *m_window.computation().inputs().fe;
+    const FeResult& fe = *m_window.session().computation().inputs().fe;
     const QJsonObject result{{"file", m_options.path},
                              {"elements", static_cast<qint64>(fe.mesh().elementCount())},
                              {"states", static_cast<qint64>(fe.stateCount())},
@@ -166,7 +167,7 @@ void SpeedMeasure::report() {
                              {"simulated", m_simulating},
                              {"scrub_first_visit", summary(first)},
                              {"scrub_again", summary(again)},
-                             {"memory_cap_mib", m_window.preferences().memoryMib},
+                             {"memory_cap_mib", m_window.session().preferences().memoryMib},
                              {"memory_mib", static_cast<double>(residentMemory()) / mib},
                              {"memory_peak_mib", peakMemory()}};
     std::printf("%s", QJsonDocument(result).toJson().constData());

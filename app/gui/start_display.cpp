@@ -7,9 +7,8 @@
 #include <QTimer>
 #include <array>
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
 #include "app/gui/sample.h"
+#include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
 #include "widgets/start_page.h"
 
@@ -32,14 +31,19 @@ QString shownDate(const QDateTime& when) {
 
 }  // namespace
 
-StartDisplay::StartDisplay(Document& document, Computation& computation, ViewArea& area, const QString& folder, QObject* parent)
-    : QObject(parent), m_document(document), m_computation(computation), m_area(area), m_recent(folder) {
+StartDisplay::StartDisplay(Session& session, ViewArea& area, QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_document(session.document()),
+      m_computation(session.computation()),
+      m_area(area),
+      m_files(session.part<ProjectFiles>()) {
     widgets::StartPage& page = area.startPage();
     connect(&page, &widgets::StartPage::recentChosen, this, &StartDisplay::openRequested);
     connect(&page, &widgets::StartPage::sampleChosen, this, &StartDisplay::sampleRequested);
     connect(&page, &widgets::StartPage::tourRequested, this, &StartDisplay::tourRequested);
     connect(&page, &widgets::StartPage::forgetRequested, this, [this](const QString& path) {
-        m_recent.forget(path);
+        m_files.recent.forget(path);
         refresh();
     });
     connect(&page, &widgets::StartPage::locateRequested, this, [this](const QString& path) {
@@ -49,11 +53,14 @@ StartDisplay::StartDisplay(Document& document, Computation& computation, ViewAre
             locate(path, to);
         }
     });
+    if (m_files.remembers) {
+        follow();
+    }
     refresh();
 }
 
 void StartDisplay::locate(const QString& from, const QString& to) {
-    m_recent.move(from, to);
+    m_files.recent.move(from, to);
     refresh();
     emit openRequested(to);
 }
@@ -77,13 +84,13 @@ QString saidOfSample(const QString& text) {
 
 void StartDisplay::refresh() {
     std::vector<widgets::StartCase> recent;
-    for (const RecentCase& each : m_recent.list()) {
-        recent.push_back({each.path, each.name, each.path, shownDate(each.when), m_recent.picture(each.path), each.missing});
+    for (const RecentCase& each : m_files.recent.list()) {
+        recent.push_back({each.path, each.name, each.path, shownDate(each.when), m_files.recent.picture(each.path), each.missing});
     }
     m_area.startPage().setRecent(recent);
     std::vector<widgets::StartCase> shipped;
     for (const Sample& each : samples()) {
-        const QImage own = m_recent.picture(each.path);
+        const QImage own = m_files.recent.picture(each.path);
         shipped.push_back({each.path,
                            saidOfSample(each.name),
                            saidOfSample(each.words),
@@ -95,13 +102,16 @@ void StartDisplay::refresh() {
 }
 
 void StartDisplay::remember() {
-    if (m_remembers) {
-        return;
+    if (!m_files.remembers) {
+        m_files.remembers = true;
+        follow();
     }
-    m_remembers = true;
+}
+
+void StartDisplay::follow() {
     connect(&m_document, &Document::replaced, this, &StartDisplay::noteOpened);
     connect(&m_document, &Document::titleChanged, this, [this] {
-        if (!m_document.empty() && (m_recent.list().empty() || m_recent.list().front().path != openPath())) {
+        if (!m_document.empty() && (m_files.recent.list().empty() || m_files.recent.list().front().path != openPath())) {
             noteOpened();
         }
     });
@@ -122,14 +132,14 @@ QString StartDisplay::openPath() const {
 
 void StartDisplay::noteOpened() {
     if (!m_document.empty()) {
-        m_recent.add(openPath(), QString::fromStdString(m_document.theCase().title));
+        m_files.recent.add(openPath(), QString::fromStdString(m_document.theCase().title));
     }
     refresh();
 }
 
 void StartDisplay::takePicture() {
     if (!m_document.empty() && m_computation.inputs().fe != nullptr && m_area.views().isVisible()) {
-        m_recent.setPicture(openPath(), m_area.views().picture());
+        m_files.recent.setPicture(openPath(), m_area.views().picture());
     }
 }
 

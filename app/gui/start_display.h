@@ -2,12 +2,13 @@
 
 #include <QObject>
 
-#include "app/gui/recent_cases.h"
+#include "app/gui/project_files.h"
 
 namespace rubble {
 
 class Computation;
 class Document;
+class Session;
 class ViewArea;
 
 /// Fills the start page: what was opened before, with pictures of it, and the samples.
@@ -15,14 +16,13 @@ class StartDisplay : public QObject {
     Q_OBJECT
 
 public:
-    /// @param folder  for pictures, in the state folder; empty: none are kept
-    StartDisplay(Document& document, Computation& computation, ViewArea& area, const QString& folder, QObject* parent = nullptr);
+    StartDisplay(Session& session, ViewArea& area, QObject* parent = nullptr);
 
     /// Shows what is known now.
     void refresh();
     /// What is opened from here on is listed at the next start.
     void remember();
-    RecentCases& recent() { return m_recent; }
+    RecentCases& recent() { return m_files.recent; }
     /// A recent case lies elsewhere now; it is opened there.
     void locate(const QString& from, const QString& to);
 
@@ -32,16 +32,17 @@ signals:
     void tourRequested();
 
 private:
+    void follow();
     void noteOpened();
     void takePicture();
     /// The case, or the FE result that is open without one; empty if nothing is.
     QString openPath() const;
 
+    Session& m_session;
     Document& m_document;
     Computation& m_computation;
     ViewArea& m_area;
-    RecentCases m_recent;
-    bool m_remembers = false;
+    ProjectFiles& m_files;
 };
 
 }  // namespace rubble

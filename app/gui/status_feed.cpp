@@ -6,9 +6,8 @@
 #include <fstream>
 #include <limits>
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
 #include "app/gui/playback.h"
+#include "app/gui/session/session.h"
 #include "widgets/health_list.h"
 #include "widgets/status_line.h"
 #include "widgets/wording.h"
@@ -24,38 +23,43 @@ std::int64_t residentMemory() {
     return file >> total >> resident ? resident * sysconf(_SC_PAGESIZE) : 0;
 }
 
-StatusFeed::StatusFeed(Document& document, Computation& computation, Playback& playback, widgets::StatusLine& line, QObject* parent)
-    : QObject(parent), m_document(document), m_computation(computation), m_playback(playback), m_line(line) {
-    m_clock.start();
+StatusFeed::StatusFeed(Session& session, Playback& playback, widgets::StatusLine& line, QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_document(session.document()),
+      m_computation(session.computation()),
+      m_playback(playback),
+      m_line(line),
+      m_kept(session.part<Kept>()) {
     m_timer.setInterval(250);
     connect(&m_timer, &QTimer::timeout, this, &StatusFeed::refresh);
     m_timer.start();
-    connect(&playback, &Playback::frameShown, this, [this](bool live) { (live ? m_live : m_shown).frame(now()); });
+    connect(&playback, &Playback::frameShown, this, [this](bool live) { (live ? m_kept.live : m_kept.shown).frame(now()); });
     connect(&playback.clock(), &widgets::PlaybackClock::playingChanged, this, [this](bool playing) {
         if (playing) {
-            m_shown.reset();
+            m_kept.shown.reset();
         }
     });
-    connect(&computation, &Computation::runBegun, this, [this] { m_live.reset(); });
-    connect(&computation, &Computation::progressed, this, &StatusFeed::showProgress);
+    connect(&m_computation, &Computation::runBegun, this, [this] { m_kept.live.reset(); });
+    connect(&m_computation, &Computation::progressed, this, &StatusFeed::showProgress);
 }
 
 double StatusFeed::playbackRecent() const {
-    return m_shown.recent(now());
+    return m_kept.shown.recent(now());
 }
 
 void StatusFeed::showProgress(const QString& what, double fraction) {
     if (what.isEmpty()) {
-        m_sinceStart.invalidate();
+        m_kept.sinceStart.invalidate();
         m_line.setActivity({});
         return;
     }
     // A new stage starts its own clock.
-    if (!m_sinceStart.isValid() || fraction < m_lastFraction) {
-        m_sinceStart.start();
+    if (!m_kept.sinceStart.isValid() || fraction < m_kept.lastFraction) {
+        m_kept.sinceStart.start();
     }
-    m_lastFraction = fraction;
-    const double spent = static_cast<double>(m_sinceStart.elapsed()) / 1000.0;
+    m_kept.lastFraction = fraction;
+    const double spent = static_cast<double>(m_kept.sinceStart.elapsed()) / 1000.0;
     const bool known = fraction > 0.02 && fraction < 1.0 && spent > 1.0;
     const double left = known ? spent * (1.0 - fraction) / fraction : std::numeric_limits<double>::quiet_NaN();
     const int waiting = m_computation.waiting();
@@ -120,11 +124,11 @@ void StatusFeed::refresh() {
     const auto fps = [&](double value) { return locale.toString(value, 'f', value < 10.0 ? 1 : 0) + tr(" FPS"); };
     const RunRecord* record = m_computation.currentRun();
     if (m_playback.following()) {
-        m_line.setFigure(Figure::Live, tr("Live"), fps(m_live.recent(now())),
+        m_line.setFigure(Figure::Live, tr("Live"), fps(m_kept.live.recent(now())),
                          tr("target %1").arg(locale.toString(record->scenario.grid.fpsTarget, 'g', 4)));
-    } else if (record != nullptr && record->live && m_live.frames() > 1) {
-        m_line.setFigure(Figure::Live, tr("Live"), fps(m_live.mean()),
-                         tr("mean, worst second %1").arg(locale.toString(m_live.worstSecond(), 'f', 0)));
+    } else if (record != nullptr && record->live && m_kept.live.frames() > 1) {
+        m_line.setFigure(Figure::Live, tr("Live"), fps(m_kept.live.mean()),
+                         tr("mean, worst second %1").arg(locale.toString(m_kept.live.worstSecond(), 'f', 0)));
     } else {
         m_line.setFigure(Figure::Live, {}, {});
     }

@@ -10,6 +10,7 @@ namespace rubble {
 
 class Computation;
 class Document;
+class Session;
 class Playback;
 namespace widgets {
 class StatusLine;
@@ -20,31 +21,36 @@ class StatusFeed : public QObject {
     Q_OBJECT
 
 public:
-    StatusFeed(Document& document, Computation& computation, Playback& playback, widgets::StatusLine& line,
-               QObject* parent = nullptr);
+    StatusFeed(Session& session, Playback& playback, widgets::StatusLine& line, QObject* parent = nullptr);
 
-    double liveMean() const { return m_live.mean(); }
-    double liveWorst() const { return m_live.worstSecond(); }
+    double liveMean() const { return m_kept.live.mean(); }
+    double liveWorst() const { return m_kept.live.worstSecond(); }
     double playbackRecent() const;
     /// Shows all figures as of now.
     void refresh();
 
 private:
-    double now() const { return static_cast<double>(m_clock.nsecsElapsed()) * 1e-9; }
+    /// What outlives the window.
+    struct Kept {
+        Kept() { clock.start(); }
+        widgets::FrameMeter live;
+        widgets::FrameMeter shown;
+        QElapsedTimer clock;
+        QElapsedTimer sinceStart;  ///< of what runs
+        double lastFraction = 0.0;
+    };
+    double now() const { return static_cast<double>(m_kept.clock.nsecsElapsed()) * 1e-9; }
     void showProgress(const QString& what, double fraction);
     void showBodies();
     void showFindings();
     void showHealth();
 
+    Session& m_session;
     Document& m_document;
     Computation& m_computation;
     Playback& m_playback;
     widgets::StatusLine& m_line;
-    widgets::FrameMeter m_live;
-    widgets::FrameMeter m_shown;
-    QElapsedTimer m_clock;
-    QElapsedTimer m_sinceStart;
-    double m_lastFraction = 0.0;
+    Kept& m_kept;
     QTimer m_timer;
 };
 

@@ -1,17 +1,18 @@
 #pragma once
 
-#include <QUndoCommand>
 #include <functional>
 #include <utility>
+
+#include "app/gui/named_command.h"
 
 namespace rubble {
 
 /// A step of work on the case that is no change of settings: its way there and its way back.
-class StepCommand : public QUndoCommand {
+class StepCommand : public NamedCommand {
 public:
     using Way = std::function<void()>;
-    StepCommand(const QString& what, Way there, Way back)
-        : QUndoCommand(what), m_there(std::move(there)), m_back(std::move(back)) {}
+    StepCommand(widgets::Wording what, Way there, Way back)
+        : NamedCommand(std::move(what)), m_there(std::move(there)), m_back(std::move(back)) {}
 
     void undo() override { m_back(); }
     void redo() override { m_there(); }

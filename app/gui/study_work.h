@@ -81,6 +81,8 @@ public:
     /// Cancels, and takes nothing any more of what runs.
     void forget();
     bool running() const { return m_running != Kind::Nothing; }
+    /// Tells once more how far it has got.
+    void tellProgress() { m_worker.tellProgress(); }
     bool simulating() const { return m_running == Kind::Ensemble; }
     bool comparing() const { return m_running == Kind::Causes; }
 

@@ -54,6 +54,8 @@ TimelineDisplay::TimelineDisplay(Document& document, Playback& playback, widgets
     connect(m_editor, &widgets::BookmarkEditor::noteChosen, this, [this](const QString& note) { setNote(m_edited, note); });
     connect(m_editor, &widgets::BookmarkEditor::removeRequested, this, [this] { remove(m_edited); });
     connectActions(actions);
+    actions["loop"].setChecked(playback.looping());
+    refresh();
 }
 
 TimelineDisplay::~TimelineDisplay() = default;
@@ -118,8 +120,9 @@ void TimelineDisplay::mark() {
     if (nearest() == m_document.theCase().bookmarks.end()) {
         std::vector<Bookmark> all = m_document.theCase().bookmarks;
         all.push_back({now, {}});
-        m_document.setBookmarks(std::move(all),
-                                tr("bookmark at %1 s").arg(QLocale().toString(now - m_playback.timeOrigin(), 'f', 2)));
+        m_document.setBookmarks(std::move(all), [at = now - m_playback.timeOrigin()] {
+            return tr("bookmark at %1 s").arg(QLocale().toString(at, 'f', 2));
+        });
     }
     edit(static_cast<std::size_t>(nearest() - m_document.theCase().bookmarks.begin()));
 }
@@ -138,7 +141,7 @@ void TimelineDisplay::setNote(std::size_t bookmark, const QString& note) {
     std::vector<Bookmark> all = m_document.theCase().bookmarks;
     if (bookmark < all.size()) {
         all[bookmark].note = note.toStdString();
-        m_document.setBookmarks(std::move(all), tr("bookmark “%1”").arg(shortened(note.toStdString())));
+        m_document.setBookmarks(std::move(all), [name = shortened(note.toStdString())] { return tr("bookmark “%1”").arg(name); });
     }
 }
 
@@ -147,7 +150,8 @@ void TimelineDisplay::remove(std::size_t bookmark) {
     if (bookmark < all.size()) {
         const QString name = shortened(all[bookmark].note);
         all.erase(all.begin() + static_cast<std::ptrdiff_t>(bookmark));
-        m_document.setBookmarks(std::move(all), name.isEmpty() ? tr("bookmark removed") : tr("bookmark “%1” removed").arg(name));
+        m_document.setBookmarks(std::move(all),
+                                [name] { return name.isEmpty() ? tr("bookmark removed") : tr("bookmark “%1” removed").arg(name); });
     }
 }
 

@@ -127,9 +127,16 @@ void Worker::noteProgress(Kind kind, const Progress& progress) {
             std::unique_lock taking(m_progressMutex);
             const auto latest = std::exchange(m_latest, std::nullopt);
             taking.unlock();
+            m_told = latest;
             emit progressed(latest->first, latest->second);
         },
         Qt::QueuedConnection);
+}
+
+void Worker::tellProgress() {
+    if (m_told && busy(m_told->first)) {
+        emit progressed(m_told->first, m_told->second);
+    }
 }
 
 void Worker::runOne(Job& job, const Execution& execution) {
@@ -152,6 +159,7 @@ void Worker::runOne(Job& job, const Execution& execution) {
                 const std::lock_guard lock(m_mutex);
                 m_finishing.erase(m_finishing.begin());
             }
+            m_told.reset();
             finish(thrown);
             emit changed();
         },
@@ -167,14 +175,19 @@ std::optional<Failure> failureOf(std::exception_ptr exception) {
     } catch (const Cancelled&) {
         return std::nullopt;
     } catch (const Error& error) {
-        return Failure{widgets::worded(error.message()), widgets::worded(error.remedy()), error.message().id};
+        return Failure{[what = error.message()] { return widgets::worded(what); },
+                       [remedy = error.remedy()] { return widgets::worded(remedy); }, error.message().id};
     } catch (const std::bad_alloc&) {
-        return Failure{Worker::tr("There is not enough memory for this."),
-                       Worker::tr("Close other programs or choose a coarser Basic Grid."), "gui.memory"};
+        return Failure{[] { return Worker::tr("There is not enough memory for this."); },
+                       [] { return Worker::tr("Close other programs or choose a coarser Basic Grid."); }, "gui.memory"};
     } catch (const std::exception& error) {
-        return Failure{QString::fromUtf8(error.what()), Worker::tr("This should not happen: please report it with the file."),
-                       "gui.unexpected"};
+        return Failure{[what = QString::fromUtf8(error.what())] { return what; },
+                       [] { return Worker::tr("This should not happen: please report it with the file."); }, "gui.unexpected"};
     }
+}
+
+QString Failure::inOneLine() const {
+    return what() + QLatin1Char(' ') + remedy();
 }
 
 }  // namespace rubble

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/execution.h"
+#include "widgets/wording.h"
 
 namespace rubble {
 
@@ -52,6 +53,8 @@ public:
     void cancel(Kind kind);
     bool busy() const;
     bool busy(Kind kind) const;
+    /// Tells once more how far the work that runs has got, for those who have come to listen since.
+    void tellProgress();
     /// How many jobs wait for the one that runs.
     int waiting() const;
 
@@ -78,16 +81,21 @@ private:
     Execution m_execution;
     std::mutex m_progressMutex;
     std::optional<std::pair<Kind, Progress>> m_latest;  ///< progress that is not told yet
+    std::optional<std::pair<Kind, Progress>> m_told;    ///< the newest that was told, on the GUI thread
     bool m_stopping = false;
     std::thread m_thread;
 };
 
-/// A message for people from any exception: what, and what to do about it. False for Cancelled and null.
+/// A message for people: what went wrong, and what to do about it, in the language that is spoken when it is shown.
 struct Failure {
-    QString what;
-    QString remedy;
+    widgets::Wording what;
+    widgets::Wording remedy;
     std::string id;
+
+    /// Both in one line.
+    QString inOneLine() const;
 };
+/// The message of any exception; none for Cancelled and null.
 std::optional<Failure> failureOf(std::exception_ptr exception);
 
 }  // namespace rubble

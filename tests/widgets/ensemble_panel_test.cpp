@@ -23,9 +23,9 @@ class EnsembleBox : public testing::Test {
 protected:
     void SetUp() override {
         QObject::connect(&m_panel, &EnsemblePanel::settingsEdited, &m_panel,
-                         [this](const EnsembleSettings& settings, const QString& what) {
+                         [this](const EnsembleSettings& settings, const Wording& what) {
                              m_settings = settings;
-                             m_edits << what;
+                             m_edits << what();
                              show();
                          });
         show();

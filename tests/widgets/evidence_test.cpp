@@ -172,7 +172,7 @@ TEST(PhotoPairs, AWrongPairIsPointedOutInWordsAndPairsAreDeleted) {
     EXPECT_TRUE(notice->text().contains(QStringLiteral("Point 2 (50 px) disagrees with the other 2")));
     std::vector<PointPair> after;
     QObject::connect(&pairs, &PhotoPairs::pairsEdited,
-                     [&](const std::vector<PointPair>& edited, const QString&) { after = edited; });
+                     [&](const std::vector<PointPair>& edited, const Wording&) { after = edited; });
     QTest::keyClick(pairs.findChild<QTableWidget*>(), Qt::Key_Delete);
     ASSERT_EQ(after.size(), 2u);
     EXPECT_EQ(after[1].name, "deck");

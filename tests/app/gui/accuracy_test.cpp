@@ -31,22 +31,22 @@ protected:
         cli::writeSmallCollapse(path);
         window->open(QString::fromStdString(path));
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-        window->document().setParameter(QStringLiteral("settle_time"), 0.5);
+        session->document().setParameter(QStringLiteral("settle_time"), 0.5);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-        window->deck().choose(PanelDeck::Accuracy);
+        window->rooms().deck->choose(PanelDeck::Accuracy);
         panel().findChild<QLineEdit*>(QStringLiteral("multiples"))->setText(QStringLiteral("auto, 1, 2.5"));
     }
     void TearDown() override {
-        window.reset();
+        endProgram();
         qunsetenv("RUBBLE_CACHE");
     }
-    widgets::AccuracyPanel& panel() { return window->deck().accuracy(); }
-    widgets::AccuracyPage& page() { return window->accuracyPage(); }
-    const AccuracyReport& report() { return *window->accuracy().work().report(); }
+    widgets::AccuracyPanel& panel() { return window->rooms().deck->accuracy(); }
+    widgets::AccuracyPage& page() { return (*window->findChild<widgets::AccuracyPage*>()); }
+    const AccuracyReport& report() { return *window->rooms().accuracy->work().report(); }
     void compare() {
         panel().findChild<QPushButton*>(QStringLiteral("primary"))->click();
-        ASSERT_TRUE(window->accuracy().work().running());
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->accuracy().work().running(); }, patience));
+        ASSERT_TRUE(window->rooms().accuracy->work().running());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->rooms().accuracy->work().running(); }, patience));
     }
     QTemporaryDir m_folder;
 };
@@ -77,22 +77,22 @@ TEST_F(AccuracyWorkbench, ComparesShowsAndUsesASettingWhichUndoTakesBack) {
     EXPECT_EQ(inUse(), 0) << "auto is what the case has";
 
     // A click on the point of another setting.
-    const Scenario before = window->document().scenario();
-    const int edits = window->document().undoStack().count();
+    const Scenario before = session->document().scenario();
+    const int edits = session->document().undoStack().count();
     std::size_t other = 0;
     while (chart.content().points[other].row != 3) {
         ++other;
     }
     QTest::mouseMove(&chart, chart.placeOf(other).toPoint());
     QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.placeOf(other).toPoint());
-    EXPECT_EQ(window->document().undoStack().count(), edits + 1);
-    EXPECT_NE(window->document().scenario(), before);
+    EXPECT_EQ(session->document().undoStack().count(), edits + 1);
+    EXPECT_NE(session->document().scenario(), before);
     EXPECT_EQ(rail(PanelDeck::Accuracy), widgets::StageState::UpToDate) << "the points still hold";
     ASSERT_GE(inUse(), 0);
-    EXPECT_EQ(window->document().scenario(), report().points[static_cast<std::size_t>(inUse())].scenario);
-    EXPECT_TRUE(window->document().undoStack().undoText().contains(QStringLiteral("setting")));
-    QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(window->document().scenario(), before);
+    EXPECT_EQ(session->document().scenario(), report().points[static_cast<std::size_t>(inUse())].scenario);
+    EXPECT_TRUE(session->document().undoStack().undoText().contains(QStringLiteral("setting")));
+    QTest::keyClick(window, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(session->document().scenario(), before);
     EXPECT_EQ(inUse(), 0);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
 }
@@ -107,8 +107,9 @@ TEST_F(AccuracyWorkbench, TheNextWindowAsksForTheSameComparison) {
     asked.liveFps = false;
     panel().setRequest(asked);
     compare();
-    MainWindow next;
-    const widgets::AccuracyPanel::Request found = next.deck().accuracy().request();
+    Session later;
+    MainWindow next(later);
+    const widgets::AccuracyPanel::Request found = next.rooms().deck->accuracy().request();
     EXPECT_EQ(found.multiples, asked.multiples);
     ASSERT_EQ(found.varied.size(), 2u);
     EXPECT_EQ(found.varied[1].key, "cluster_shape");
@@ -128,12 +129,12 @@ TEST_F(AccuracyWorkbench, TheNextWindowAsksForTheSameComparison) {
 
 TEST_F(AccuracyWorkbench, PointsOfAnotherCaseOfAffairsAreStaleAndCannotBeUsed) {
     compare();
-    window->document().setParameter(QStringLiteral("friction"), 0.9);
+    session->document().setParameter(QStringLiteral("friction"), 0.9);
     EXPECT_EQ(rail(PanelDeck::Accuracy), widgets::StageState::Stale);
-    const Scenario before = window->document().scenario();
-    window->accuracy().adopt(1);
-    EXPECT_EQ(window->document().scenario(), before);
-    window->document().undoStack().undo();
+    const Scenario before = session->document().scenario();
+    window->rooms().accuracy->adopt(1);
+    EXPECT_EQ(session->document().scenario(), before);
+    session->document().undoStack().undo();
     EXPECT_EQ(rail(PanelDeck::Accuracy), widgets::StageState::UpToDate);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
 }
@@ -141,19 +142,18 @@ TEST_F(AccuracyWorkbench, PointsOfAnotherCaseOfAffairsAreStaleAndCannotBeUsed) {
 TEST_F(AccuracyWorkbench, FilesHoldTableAndChart) {
     compare();
     const auto at = [this](const char* name) { return m_folder.filePath(QLatin1String(name)); };
-    window->files().saveSweepTo(at("a.csv"), report());
+    window->rooms().files->saveSweepTo(at("a.csv"), report());
     std::stringstream expected;
     writeSweepCsv(report(), expected);
     EXPECT_EQ(textOf(at("a.csv")), expected.str());
     EXPECT_TRUE(textOf(at("a.csv")).starts_with("setting,multiple_x,multiple_y,multiple_z,grid_l_m"));
-    window->files().saveChartTo(at("a.svg"), page().chart());
+    window->rooms().files->saveChartTo(at("a.svg"), page().chart());
     EXPECT_NE(textOf(at("a.svg")).find("<svg"), std::string::npos);
-    window->files().saveChartTo(at("a.png"), page().chart());
+    window->rooms().files->saveChartTo(at("a.png"), page().chart());
     EXPECT_EQ(QImage(at("a.png")).size(), QSize(1920, 1280));
     QString complaint;
-    QObject::connect(&window->files(), &FileCommands::failed, window.get(),
-                     [&complaint](const QString& what) { complaint = what; });
-    window->files().saveChartTo(at("nowhere/a.svg"), page().chart());
+    QObject::connect(session.get(), &Session::failed, window, [&complaint](const Failure& failure) { complaint = failure.what(); });
+    window->rooms().files->saveChartTo(at("nowhere/a.svg"), page().chart());
     EXPECT_TRUE(complaint.contains(QStringLiteral("nowhere")));
 }
 
@@ -169,7 +169,7 @@ TEST_F(AccuracyWorkbench, WhatIsKeptIsNotSimulatedAgain) {
 TEST_F(AccuracyWorkbench, SettingsThatCannotBeComparedAreRefusedInPlace) {
     panel().findChild<QLineEdit*>(QStringLiteral("varied"))->setText(QStringLiteral("gravity=1,2"));
     panel().findChild<QPushButton*>(QStringLiteral("primary"))->click();
-    EXPECT_FALSE(window->accuracy().work().running());
+    EXPECT_FALSE(window->rooms().accuracy->work().running());
     bool told = false;
     for (const widgets::Notice* notice : panel().findChildren<widgets::Notice*>()) {
         told = told || notice->text().contains(QStringLiteral("gravity"));
@@ -183,17 +183,17 @@ TEST_F(AccuracyWorkbench, CancelKeepsWhatIsDoneAndSimulateWaits) {
     EXPECT_FALSE(window->actions()["simulate"].isEnabled()) << "a run beside it would spoil the times";
     EXPECT_TRUE(window->actions()["cancel"].isEnabled());
     ASSERT_TRUE(
-        QTest::qWaitFor([&] { return window->accuracy().work().report() != nullptr && report().reference.done; }, patience));
-    if (window->accuracy().work().running()) {
-        window->accuracy().work().cancel();
+        QTest::qWaitFor([&] { return window->rooms().accuracy->work().report() != nullptr && report().reference.done; }, patience));
+    if (window->rooms().accuracy->work().running()) {
+        window->rooms().accuracy->work().cancel();
     }
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->accuracy().work().running(); }, patience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->rooms().accuracy->work().running(); }, patience));
     EXPECT_TRUE(report().reference.done);
     EXPECT_TRUE(window->actions()["simulate"].isEnabled());
     // Another result has points of its own.
-    window->document().undoStack().setClean();
+    session->document().undoStack().setClean();
     openArch();
-    EXPECT_EQ(window->accuracy().work().report(), nullptr);
+    EXPECT_EQ(window->rooms().accuracy->work().report(), nullptr);
 }
 
 TEST_F(AccuracyWorkbench, NothingIsClippedAtTheSmallestSize) {

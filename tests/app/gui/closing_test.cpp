@@ -55,29 +55,33 @@ public:
     MainWindow& shown() { return *window; }
 
     bool figure() {
-        shown().pictures().exportFigureTo(at("figure.png"), {{}, {1600, 1000}, 100}, shown().area().views().view(),
-                                          shown().sceneData());
-        return shown().computation().busy();
+        shown().rooms().pictures->exportFigureTo(at("figure.png"), {{}, {1600, 1000}, 100}, shown().area().views().view(),
+                                                 shown().rooms().scene->data());
+        return shown().session().computation().busy();
     }
     bool calibration() {
-        shown().calibration().open();
-        shown().calibration().work().setBodies({8});
-        shown().calibration().view().findChild<QPushButton*>(QStringLiteral("primary"))->click();
-        return shown().calibration().work().running();
+        shown().rooms().calibration->open();
+        shown().rooms().calibration->work().setBodies({8});
+        shown().rooms().calibration->view().findChild<QPushButton*>(QStringLiteral("primary"))->click();
+        return shown().rooms().calibration->work().running();
     }
     bool reference() {
         shown().area().errorBar().findChild<QPushButton*>(QStringLiteral("computeReference"))->click();
-        return shown().errors().work().running();
+        return shown().rooms().errors->work().running();
     }
     bool comparison() {
-        shown().deck().choose(PanelDeck::Accuracy);
-        shown().deck().accuracy().findChild<QLineEdit*>(QStringLiteral("multiples"))->setText(QStringLiteral("auto, 1, 2.5"));
-        shown().deck().accuracy().findChild<QPushButton*>(QStringLiteral("primary"))->click();
-        return shown().accuracy().work().running();
+        shown().rooms().deck->choose(PanelDeck::Accuracy);
+        shown()
+            .rooms()
+            .deck->accuracy()
+            .findChild<QLineEdit*>(QStringLiteral("multiples"))
+            ->setText(QStringLiteral("auto, 1, 2.5"));
+        shown().rooms().deck->accuracy().findChild<QPushButton*>(QStringLiteral("primary"))->click();
+        return shown().rooms().accuracy->work().running();
     }
     bool members() {
         shown().actions()["simulate_ensemble"].trigger();
-        return shown().studies().work().running();
+        return shown().rooms().studies->work().running();
     }
     bool causes() {
         io::ExodusBuilder builder = cli::smallCollapse();
@@ -85,16 +89,16 @@ public:
             node.x() += 6.0;
         }
         builder.write(at("east.exo").toStdString());
-        shown().studies().causes().addCauses({at("east.exo")});
+        shown().rooms().studies->causes().addCauses({at("east.exo")});
         shown().actions()["compare_causes"].trigger();
-        return shown().studies().work().running();
+        return shown().rooms().studies->work().running();
     }
     bool survey() {
         std::ofstream(at("after.asc").toStdString())
             << "ncols 2\nnrows 2\nxllcorner -10\nyllcorner -10\ncellsize 10\nNODATA_value -9999\n0 1\n1 0\n";
-        shown().survey().add(at("after.asc"));
-        shown().survey().compare();
-        return shown().survey().busy();
+        shown().rooms().survey->add(at("after.asc"));
+        shown().rooms().survey->compare();
+        return shown().rooms().survey->busy();
     }
 
 protected:
@@ -104,14 +108,14 @@ protected:
         cli::writeSmallCollapse(at("small.exo").toStdString());
         window->open(at("small.exo"));
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-        window->document().setParameter(QStringLiteral("settle_time"), 0.5);
+        session->document().setParameter(QStringLiteral("settle_time"), 0.5);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
         simulateToEnd();
-        window->files().saveRunTo(at("kept.run.h5"));
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+        window->rooms().files->saveRunTo(at("kept.run.h5"));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
     }
     void TearDown() override {
-        window.reset();
+        endProgram();
         qunsetenv("RUBBLE_CACHE");
     }
 
@@ -121,40 +125,41 @@ protected:
 const WorkKind kinds[] = {
     {"Live",
      [](Closing& at) {
-         at.shown().simulate(true);
-         return at.shown().computation().busy();
+         at.shown().rooms().runs->simulate(true);
+         return at.shown().session().computation().busy();
      }},
     {"Preparing",
      [](Closing& at) {
-         at.shown().document().setParameter(QStringLiteral("multiple"), 2.0);
-         return at.shown().computation().busy();
+         at.shown().session().document().setParameter(QStringLiteral("multiple"), 2.0);
+         return at.shown().session().computation().busy();
      }},
     {"Refreshing",
      [](Closing& at) {
          cli::writeSmallCollapse(at.at("small.exo").toStdString());
-         at.shown().refreshResult();
-         return at.shown().computation().busy();
+         at.shown().rooms().opening->refreshResult();
+         return at.shown().session().computation().busy();
      }},
     {"ShowingAKeptRun",
      [](Closing& at) {
-         at.shown().computation().showRun(at.at("kept.run.h5"), 1.0);
-         return at.shown().computation().busy();
+         at.shown().session().computation().showRun(at.at("kept.run.h5"), 1.0);
+         return at.shown().session().computation().busy();
      }},
     {"MakingANewCase",
      [](Closing& at) {
-         at.shown().newCase(at.at("small.exo"));
-         return at.shown().caseInTheMaking() != nullptr && !at.shown().caseInTheMaking()->settled();
+         at.shown().rooms().opening->newCase(at.at("small.exo"));
+         return at.shown().rooms().opening->caseInTheMaking() != nullptr &&
+                !at.shown().rooms().opening->caseInTheMaking()->settled();
      }},
     {"SavingARun",
      [](Closing& at) {
-         at.shown().files().saveRunTo(at.at("other.run.h5"));
-         return at.shown().computation().busy();
+         at.shown().rooms().files->saveRunTo(at.at("other.run.h5"));
+         return at.shown().session().computation().busy();
      }},
     {"WritingAFigure", [](Closing& at) { return at.figure(); }},
     {"WritingAReport",
      [](Closing& at) {
-         at.shown().report().writeTo(at.at("report"));
-         return at.shown().report().writing();
+         at.shown().rooms().report->writeTo(at.at("report"));
+         return at.shown().rooms().report->writing();
      }},
     {"Calibrating", [](Closing& at) { return at.calibration(); }},
     {"ComputingAReference", [](Closing& at) { return at.reference(); }},
@@ -167,10 +172,10 @@ const WorkKind kinds[] = {
 TEST_P(Closing, InTheMiddleOfWorkIsClean) {
     const Complaints complaints;
     ASSERT_TRUE(GetParam().start(*this));
-    const QString scratch = window->computation().currentRun() != nullptr ? window->computation().currentRun()->path : QString();
-    window->document().undoStack().setClean();
+    const QString scratch = session->computation().currentRun() != nullptr ? session->computation().currentRun()->path : QString();
+    session->document().undoStack().setClean();
     EXPECT_TRUE(window->close());
-    window.reset();
+    endProgram();
     QTest::qWait(100);
     EXPECT_TRUE(Complaints::all().isEmpty()) << Complaints::all().join(u'\n').toStdString();
     EXPECT_TRUE(scratch == at("kept.run.h5") || !QFile::exists(scratch)) << "the temporary run is left behind";
@@ -218,15 +223,15 @@ TEST_F(Workbench, ClosingWithUnsavedChangesAsksAndDoesWhatIsAnswered) {
     const QString path = folder.filePath(QStringLiteral("small.rubble"));
     window->open(fe);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    ASSERT_TRUE(window->files().saveTo(path));
-    window->document().setParameter(QStringLiteral("friction"), 0.31);
+    ASSERT_TRUE(window->rooms().files->saveTo(path));
+    session->document().setParameter(QStringLiteral("friction"), 0.31);
     const std::string before = textOf(path);
     {
         const Answer stay(QMessageBox::Cancel);
         EXPECT_FALSE(window->close());
         EXPECT_TRUE(stay.asked());
         EXPECT_TRUE(window->isVisible());
-        EXPECT_TRUE(window->document().modified());
+        EXPECT_TRUE(session->document().modified());
     }
     {
         const Answer save(QMessageBox::Save);
@@ -237,14 +242,14 @@ TEST_F(Workbench, ClosingWithUnsavedChangesAsksAndDoesWhatIsAnswered) {
     }
     window->show();
     const std::string saved = textOf(path);
-    window->document().setParameter(QStringLiteral("friction"), 0.9);
+    session->document().setParameter(QStringLiteral("friction"), 0.9);
     {
         const Answer leave(QMessageBox::Discard);
         EXPECT_TRUE(window->close());
         EXPECT_TRUE(leave.asked());
         EXPECT_EQ(textOf(path), saved);
     }
-    window->document().undoStack().setClean();
+    session->document().undoStack().setClean();
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ protected:
         Workbench::SetUp();
     }
     void TearDown() override {
-        window.reset();
+        endProgram();
         qunsetenv("RUBBLE_CACHE");
     }
     void openSmall() {
@@ -46,10 +46,10 @@ protected:
         cli::writeSmallCollapse(path);
         window->open(QString::fromStdString(path));
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-        window->document().setParameter(QStringLiteral("settle_time"), 0.5);
+        session->document().setParameter(QStringLiteral("settle_time"), 0.5);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     }
-    bool answered() const { return window->forecast().answer().has_value(); }
+    bool answered() const { return window->rooms().forecast->answer().has_value(); }
     QString predictionOf(widgets::Panel& panel) { return panel.prediction()->text(); }
     QTemporaryDir m_folder;
 };
@@ -57,50 +57,51 @@ protected:
 // The drag counts, draws and is undone as one; the computation waits until the slider rests.
 TEST_F(CostsWorkbench, TheGridFollowsTheSliderAndIsOneStepOfUndo) {
     openArch();
-    window->deck().choose(PanelDeck::Grid);
+    window->rooms().deck->choose(PanelDeck::Grid);
     const auto& views = window->area().views();
     ASSERT_TRUE(views.view().basicGrid.has_value()) << "the grid is drawn while its panel is open";
-    const Scenario before = window->document().scenario();
-    const int steps = window->document().undoStack().count();
-    const auto clustering = window->computation().results().clustering;
-    auto* slider = window->deck().grid().findChild<QSlider*>();
+    const Scenario before = session->document().scenario();
+    const int steps = session->document().undoStack().count();
+    const auto clustering = session->computation().results().clustering;
+    auto* slider = window->rooms().deck->grid().findChild<QSlider*>();
     slider->setSliderDown(true);
     for (const double multiple : {3.0, 6.0, 12.0}) {
         slider->setValue(widgets::GridPanel::positionOf(multiple));
-        const double set = *window->document().scenario().grid.multiple;
-        ASSERT_TRUE(QTest::qWaitFor([&] { return window->grid().bodies().has_value(); }, patience));
-        const Sizing& old = *window->computation().results().sizing;
+        const double set = *session->document().scenario().grid.multiple;
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().grid->bodies().has_value(); }, patience));
+        const Sizing& old = *session->computation().results().sizing;
         const BasicGrid grid{set * old.axis[0].meanDistance, set * old.axis[1].meanDistance, set * old.axis[2].meanDistance};
-        const Results& results = window->computation().results();
-        const Clustering counted = makeClusters(*results.fragments, window->computation().inputs().fe->mesh(), grid,
-                                                window->document().scenario().grid, Execution());
-        EXPECT_EQ(static_cast<std::size_t>(*window->grid().bodies()), counted.list.size());
+        const Results& results = session->computation().results();
+        const Clustering counted = makeClusters(*results.fragments, session->computation().inputs().fe->mesh(), grid,
+                                                session->document().scenario().grid, Execution());
+        EXPECT_EQ(static_cast<std::size_t>(*window->rooms().grid->bodies()), counted.list.size());
         EXPECT_NEAR((*views.view().basicGrid)[0], grid.l, 1e-12);
         EXPECT_EQ(results.clustering, clustering) << "clusters are made when the slider rests";
     }
     slider->setSliderDown(false);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    EXPECT_NE(window->computation().results().clustering, clustering);
-    EXPECT_EQ(static_cast<std::int64_t>(window->computation().results().clustering->list.size()), window->grid().bodies());
-    EXPECT_EQ(window->document().undoStack().count(), steps + 1);
-    window->document().undoStack().undo();
-    EXPECT_EQ(window->document().scenario(), before);
+    EXPECT_NE(session->computation().results().clustering, clustering);
+    EXPECT_EQ(static_cast<std::int64_t>(session->computation().results().clustering->list.size()), window->rooms().grid->bodies());
+    EXPECT_EQ(session->document().undoStack().count(), steps + 1);
+    session->document().undoStack().undo();
+    EXPECT_EQ(session->document().scenario(), before);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    window->deck().choose(PanelDeck::Run);
+    window->rooms().deck->choose(PanelDeck::Run);
     EXPECT_FALSE(views.view().basicGrid.has_value());
 }
 
 TEST_F(CostsWorkbench, ThePublishedMultiplesAreCounted) {
     openArch();
-    window->deck().choose(PanelDeck::Grid);
-    const Results& results = window->computation().results();
+    window->rooms().deck->choose(PanelDeck::Grid);
+    const Results& results = session->computation().results();
     GridSettings at;
     at.multiple = 2.5;
     const std::size_t clusters =
-        sizeBasicGrid(*results.fragments, window->computation().inputs().fe->mesh(), *results.components, at, Execution()).clusters;
+        sizeBasicGrid(*results.fragments, session->computation().inputs().fe->mesh(), *results.components, at, Execution())
+            .clusters;
     const QString expected = QLocale().toString(static_cast<qlonglong>(clusters));
     const auto told = [&] {
-        for (const QLabel* label : window->deck().grid().findChildren<QLabel*>()) {
+        for (const QLabel* label : window->rooms().deck->grid().findChildren<QLabel*>()) {
             if (label->text() == expected) {
                 return true;
             }
@@ -114,25 +115,25 @@ TEST_F(CostsWorkbench, WithoutPointsEveryPanelSaysThatItDoesNotKnow) {
     openSmall();
     ASSERT_TRUE(QTest::qWaitFor([&] { return answered(); }, patience));
     for (const PanelDeck::Entry entry : {PanelDeck::Grid, PanelDeck::Effects, PanelDeck::Run, PanelDeck::Accuracy}) {
-        widgets::Panel& panel = *window->deck().panels()[entry];
+        widgets::Panel& panel = *window->rooms().deck->panels()[entry];
         ASSERT_NE(panel.prediction(), nullptr);
         EXPECT_TRUE(predictionOf(panel).contains(QStringLiteral("Not known"))) << predictionOf(panel).toStdString();
     }
-    emit window->deck().run().prediction()->helpRequested();
-    EXPECT_EQ(window->deck().rail().current(), PanelDeck::Accuracy);
+    emit window->rooms().deck->run().prediction()->helpRequested();
+    EXPECT_EQ(window->rooms().deck->rail().current(), PanelDeck::Accuracy);
 }
 
 TEST_F(CostsWorkbench, CalibratesAndSavesTheCurve) {
     openSmall();
-    window->deck().choose(PanelDeck::Grid);
-    CalibrationDisplay& calibration = window->calibration();
+    window->rooms().deck->choose(PanelDeck::Grid);
+    CalibrationDisplay& calibration = (*window->rooms().calibration);
     calibration.open();
     EXPECT_TRUE(calibration.opened());
     calibration.work().setBodies({8});
     calibration.view().findChild<QPushButton*>(QStringLiteral("primary"))->click();
     ASSERT_TRUE(calibration.work().running());
     EXPECT_FALSE(window->actions()["simulate"].isEnabled()) << "a run beside it would spoil the times";
-    EXPECT_FALSE(window->deck().accuracy().findChild<QPushButton*>(QStringLiteral("primary"))->isEnabled());
+    EXPECT_FALSE(window->rooms().deck->accuracy().findChild<QPushButton*>(QStringLiteral("primary"))->isEnabled());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !calibration.work().running(); }, patience));
     ASSERT_NE(calibration.work().calibration(), nullptr);
     EXPECT_TRUE(window->actions()["simulate"].isEnabled());
@@ -140,21 +141,21 @@ TEST_F(CostsWorkbench, CalibratesAndSavesTheCurve) {
     EXPECT_EQ(calibration.view().chart().content().curves.size(), 6u);
 
     const auto at = [this](const char* name) { return m_folder.filePath(QLatin1String(name)); };
-    window->files().saveCalibrationTo(at("c.csv"), *calibration.work().calibration());
+    window->rooms().files->saveCalibrationTo(at("c.csv"), *calibration.work().calibration());
     std::stringstream expected;
     writeCalibrationCsv(*calibration.work().calibration(), expected);
     EXPECT_EQ(textOf(at("c.csv")), expected.str());
     EXPECT_TRUE(expected.str().starts_with("pile,bodies,physics_fps,drawing_fps,live_fps\ntypical,"));
-    window->files().saveChartTo(at("c.svg"), calibration.view().chart());
+    window->rooms().files->saveChartTo(at("c.svg"), calibration.view().chart());
     EXPECT_NE(textOf(at("c.svg")).find("<svg"), std::string::npos);
-    window->files().saveChartTo(at("c.png"), calibration.view().chart());
+    window->rooms().files->saveChartTo(at("c.png"), calibration.view().chart());
     EXPECT_FALSE(QImage(at("c.png")).isNull());
 }
 
 TEST_F(CostsWorkbench, EarlierPointsPredictAndTheRunStandsBesideIt) {
     openSmall();
-    const Scenario& scenario = window->document().scenario();
-    const Inputs& inputs = window->computation().inputs();
+    const Scenario& scenario = session->document().scenario();
+    const Inputs& inputs = session->computation().inputs();
     const std::string machine = io::machineText();
     const Digest scene = sceneDigest(originOf(inputs, referenceScenario(scenario), 0, 0.0, machine), DebrisInstant::AtRest);
     io::StudyFiles files(io::cacheFolder());
@@ -165,42 +166,42 @@ TEST_F(CostsWorkbench, EarlierPointsPredictAndTheRunStandsBesideIt) {
         point.values[static_cast<std::size_t>(Predicted::FootprintIou)] = 1.0 - 0.4 / static_cast<double>(bodies);
         files.keep(point);
     }
-    window->forecast().pointsAdded();
+    window->rooms().forecast->pointsAdded();
     ASSERT_TRUE(QTest::qWaitFor([&] { return answered(); }, patience));
     for (const PanelDeck::Entry entry : {PanelDeck::Grid, PanelDeck::Effects, PanelDeck::Run, PanelDeck::Accuracy}) {
-        const QString said = predictionOf(*window->deck().panels()[entry]);
+        const QString said = predictionOf(*window->rooms().deck->panels()[entry]);
         EXPECT_TRUE(said.contains(QStringLiteral("Wall time:"))) << said.toStdString();
         EXPECT_TRUE(said.contains(QStringLiteral("Footprint overlap:"))) << said.toStdString();
         EXPECT_TRUE(said.contains(QStringLiteral("Not known: live rate"))) << said.toStdString();
     }
     const auto wordsOf = [&] {
         QStringList words;
-        for (const QLabel* label : window->deck().grid().prediction()->findChildren<QLabel*>()) {
+        for (const QLabel* label : window->rooms().deck->grid().prediction()->findChildren<QLabel*>()) {
             words << label->text() << label->toolTip();
         }
         return words;
     };
     const QStringList english = wordsOf();
-    widgets::speak(QStringLiteral("zh_CN"));
+    renewed->speak(QStringLiteral("zh_CN"));
     QTest::qWait(50);
     EXPECT_FALSE(wordsOf().join(QLatin1Char(' ')).contains(QStringLiteral("Four runs in five")));
-    widgets::speak(QStringLiteral("en"));
+    renewed->speak(QStringLiteral("en"));
     QTest::qWait(50);
     EXPECT_EQ(wordsOf(), english) << "told anew, tooltips as well";
     simulateToEnd();
-    const QString after = predictionOf(window->deck().run());
+    const QString after = predictionOf(window->rooms().deck->run());
     EXPECT_TRUE(after.contains(QStringLiteral("Wall time:")) && after.contains(QStringLiteral("said:"))) << after.toStdString();
-    EXPECT_FALSE(predictionOf(window->deck().grid()).contains(QStringLiteral("said:"))) << "that panel looks ahead";
-    window->document().setParameter(QStringLiteral("friction"), 0.9);
-    EXPECT_FALSE(predictionOf(window->deck().run()).contains(QStringLiteral("said:"))) << "of another setting";
-    window->document().undoStack().undo();
-    EXPECT_TRUE(predictionOf(window->deck().run()).contains(QStringLiteral("said:")));
+    EXPECT_FALSE(predictionOf(window->rooms().deck->grid()).contains(QStringLiteral("said:"))) << "that panel looks ahead";
+    session->document().setParameter(QStringLiteral("friction"), 0.9);
+    EXPECT_FALSE(predictionOf(window->rooms().deck->run()).contains(QStringLiteral("said:"))) << "of another setting";
+    session->document().undoStack().undo();
+    EXPECT_TRUE(predictionOf(window->rooms().deck->run()).contains(QStringLiteral("said:")));
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
 }
 
 TEST_F(CostsWorkbench, ACalibrationIsCancelledAndAKeptOneIsFoundAgain) {
     openSmall();
-    CalibrationDisplay& calibration = window->calibration();
+    CalibrationDisplay& calibration = (*window->rooms().calibration);
     calibration.open();
     calibration.view().findChild<QPushButton*>(QStringLiteral("primary"))->click();
     ASSERT_TRUE(calibration.work().running());
@@ -217,19 +218,18 @@ TEST_F(CostsWorkbench, ACalibrationIsCancelledAndAKeptOneIsFoundAgain) {
         kept.points.push_back({PileKind::Worst, bodies, fps, fps, 0.5 * fps});
     }
     io::StudyFiles(io::cacheFolder()).keep(kept);
-    window.reset();
-    window = std::make_unique<MainWindow>();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->calibration().work().calibration() != nullptr; }, patience));
+    startProgram();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().calibration->work().calibration() != nullptr; }, patience));
     // 6,000 bodies a second make 250 at 24 FPS; nobody is offered what no case can take.
-    EXPECT_NEAR(window->calibration().work().plot().bodiesMax[0]->bodies, 250.0, 5.0);
-    EXPECT_TRUE(window->calibration().view().findChild<QPushButton*>(QStringLiteral("useBodies"))->isHidden());
+    EXPECT_NEAR(window->rooms().calibration->work().plot().bodiesMax[0]->bodies, 250.0, 5.0);
+    EXPECT_TRUE(window->rooms().calibration->view().findChild<QPushButton*>(QStringLiteral("useBodies"))->isHidden());
     openSmall();
-    window->calibration().open();
-    window->calibration().view().findChild<QPushButton*>(QStringLiteral("useBodies"))->click();
-    const std::int64_t allowed = window->document().scenario().grid.bodiesMax;
+    window->rooms().calibration->open();
+    window->rooms().calibration->view().findChild<QPushButton*>(QStringLiteral("useBodies"))->click();
+    const std::int64_t allowed = session->document().scenario().grid.bodiesMax;
     EXPECT_TRUE(allowed == 240 || allowed == 250) << allowed;
-    window->document().undoStack().undo();
-    EXPECT_EQ(window->document().scenario().grid.bodiesMax, 4500);
+    session->document().undoStack().undo();
+    EXPECT_EQ(session->document().scenario().grid.bodiesMax, 4500);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
 }
 
@@ -247,15 +247,15 @@ TEST_F(CostsWorkbench, FragmentsAreColouredByTheirErrorAgainstAReference) {
     EXPECT_EQ(bar.state(), widgets::ErrorBar::State::NoRun);
     simulateToEnd();
     ASSERT_TRUE(QTest::qWaitFor([&] { return bar.state() == widgets::ErrorBar::State::NoReference; }, patience));
-    EXPECT_EQ(window->sceneData().reference, nullptr);
+    EXPECT_EQ(window->rooms().scene->data().reference, nullptr);
     bar.findChild<QPushButton*>(QStringLiteral("computeReference"))->click();
-    ASSERT_TRUE(window->errors().work().running());
+    ASSERT_TRUE(window->rooms().errors->work().running());
     EXPECT_FALSE(window->actions()["simulate"].isEnabled());
     ASSERT_TRUE(QTest::qWaitFor([&] { return bar.state() == widgets::ErrorBar::State::Shown; }, patience));
-    ASSERT_NE(window->sceneData().reference, nullptr);
-    EXPECT_TRUE(window->sceneData().reference->complete());
-    EXPECT_EQ(window->sceneData().reference->carriers().size(), static_cast<std::size_t>(cli::smallDead));
-    window->showInstant(0.5);
+    ASSERT_NE(window->rooms().scene->data().reference, nullptr);
+    EXPECT_TRUE(window->rooms().scene->data().reference->complete());
+    EXPECT_EQ(window->rooms().scene->data().reference->carriers().size(), static_cast<std::size_t>(cli::smallDead));
+    window->rooms().playback->showInstant(0.5);
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return !window->area().views().status(render::PaneContent::Fragments).errors.empty(); }, patience));
     const render::PaneStatus& status = window->area().views().status(render::PaneContent::Fragments);
@@ -266,22 +266,22 @@ TEST_F(CostsWorkbench, FragmentsAreColouredByTheirErrorAgainstAReference) {
     EXPECT_EQ(counted, status.fragments);
     EXPECT_EQ(status.errors.size(), 6u);
     // The tolerances of the panel decide where colours change.
-    auto* tolerances = window->deck().accuracy().findChild<QLineEdit*>(QStringLiteral("tolerances"));
+    auto* tolerances = window->rooms().deck->accuracy().findChild<QLineEdit*>(QStringLiteral("tolerances"));
     tolerances->setText(QStringLiteral("0.05, 2"));
     emit tolerances->editingFinished();
     EXPECT_EQ(window->area().views().view().errorSteps, (std::vector<double>{0.05, 2.0, 3.0, 10.0}));
     // Another scene has another reference; the same one is found again.
-    window->document().setParameter(QStringLiteral("gravity"), 5.0);
+    session->document().setParameter(QStringLiteral("gravity"), 5.0);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     simulateToEnd();
     ASSERT_TRUE(QTest::qWaitFor([&] { return bar.state() == widgets::ErrorBar::State::NoReference; }, patience));
-    window->document().undoStack().undo();
+    session->document().undoStack().undo();
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     simulateToEnd();
     EXPECT_TRUE(QTest::qWaitFor([&] { return bar.state() == widgets::ErrorBar::State::Shown; }, patience));
     colourBy(render::ColourBy::Speed);
     EXPECT_TRUE(bar.isHidden());
-    EXPECT_EQ(window->sceneData().reference, nullptr);
+    EXPECT_EQ(window->rooms().scene->data().reference, nullptr);
 }
 
 }  // namespace

@@ -40,10 +40,10 @@ TEST(Document, InputsChangeAsOneCommandAndAreReadAnew) {
     document.replace(plainCase(), {}, {});
     int reads = 0;
     QObject::connect(&document, &Document::inputsChanged, [&] { ++reads; });
-    document.setInputs({{"terrain-1", InputRole::Terrain, "valley.asc", ""}}, QStringLiteral("terrain valley.asc"));
+    document.setInputs({{"terrain-1", InputRole::Terrain, "valley.asc", ""}}, [] { return QStringLiteral("terrain valley.asc"); });
     EXPECT_TRUE(document.modified());
     EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("terrain valley.asc"));
-    document.setInputs(document.theCase().inputs, QStringLiteral("nothing new"));
+    document.setInputs(document.theCase().inputs, [] { return QStringLiteral("nothing new"); });
     EXPECT_EQ(document.undoStack().count(), 1);
     document.undoStack().undo();
     EXPECT_TRUE(document.theCase().inputs.empty());

@@ -24,8 +24,8 @@ protected:
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     }
     void simulate() {
-        window->simulate(false);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+        window->rooms().runs->simulate(false);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
         QTest::qWait(600);
     }
     QTemporaryDir m_folder;

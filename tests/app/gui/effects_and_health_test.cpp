@@ -22,54 +22,55 @@ constexpr auto health = widgets::StatusLine::Figure::Health;
 
 TEST_F(Workbench, EffectsAreDecidedBeforeAnyRunAndAnewAfterAnEdit) {
     openArch();
-    Computation& computation = window->computation();
+    Computation& computation = session->computation();
     ASSERT_TRUE(QTest::qWaitFor([&] { return computation.decisions() != nullptr; }, patience));
     EXPECT_EQ(computation.currentRun(), nullptr);
     EXPECT_EQ(rail(PanelDeck::Effects), widgets::StageState::UpToDate);
     const auto water = static_cast<std::size_t>(EffectKind::Water);
     EXPECT_FALSE((*computation.decisions())[water].on) << "no level is given";
-    EXPECT_TRUE(window->deck().effects().row(EffectKind::Water)->stateText().contains(QStringLiteral("off")));
+    EXPECT_TRUE(window->rooms().deck->effects().row(EffectKind::Water)->stateText().contains(QStringLiteral("off")));
 
-    window->document().setParameter(QStringLiteral("water_level"), 1.0);
+    session->document().setParameter(QStringLiteral("water_level"), 1.0);
     EXPECT_EQ(rail(PanelDeck::Effects), widgets::StageState::Stale);
-    EXPECT_TRUE(window->deck().effects().row(EffectKind::Water)->stateText().contains(QStringLiteral("before the change")));
+    EXPECT_TRUE(window->rooms().deck->effects().row(EffectKind::Water)->stateText().contains(QStringLiteral("before the change")));
     ASSERT_TRUE(QTest::qWaitFor([&] { return rail(PanelDeck::Effects) == widgets::StageState::UpToDate; }, patience));
     EXPECT_TRUE((*computation.decisions())[water].on) << englishText((*computation.decisions())[water].reason);
-    window->document().undoStack().undo();
+    session->document().undoStack().undo();
     ASSERT_TRUE(QTest::qWaitFor([&] { return rail(PanelDeck::Effects) == widgets::StageState::UpToDate; }, patience));
     EXPECT_FALSE((*computation.decisions())[water].on);
 }
 
 TEST_F(Workbench, AnEditInTheEffectsPanelIsOneStepOfUndo) {
     openArch();
-    const Scenario before = window->document().scenario();
-    emit window->deck().effects().edited(QStringLiteral("air_drag"), ParameterValue(std::string("on")));
-    EXPECT_EQ(window->document().undoStack().count(), 1);
-    EXPECT_EQ(window->document().scenario().effects.of(EffectKind::AirDrag), EffectSwitch::On);
-    window->document().undoStack().undo();
-    EXPECT_EQ(window->document().scenario(), before);
+    const Scenario before = session->document().scenario();
+    emit window->rooms().deck->effects().edited(QStringLiteral("air_drag"), ParameterValue(std::string("on")));
+    EXPECT_EQ(session->document().undoStack().count(), 1);
+    EXPECT_EQ(session->document().scenario().effects.of(EffectKind::AirDrag), EffectSwitch::On);
+    session->document().undoStack().undo();
+    EXPECT_EQ(session->document().scenario(), before);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
 }
 
 // An hour of free fall that nobody waits for: the sign is there while it goes on, and stays when it is cancelled.
 TEST_F(Workbench, ABreachIsMarkedWhileTheRunGoesOn) {
     openArch();
-    window->document().setParameter(QStringLiteral("multiple"), 8.0);
-    window->document().setParameter(QStringLiteral("ground"), std::string("off"));
-    window->document().setParameter(QStringLiteral("settle_time"), 3600.0);
+    session->document().setParameter(QStringLiteral("multiple"), 8.0);
+    session->document().setParameter(QStringLiteral("ground"), std::string("off"));
+    session->document().setParameter(QStringLiteral("settle_time"), 3600.0);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    window->simulate(false);
-    Computation& computation = window->computation();
+    window->rooms().runs->simulate(false);
+    Computation& computation = session->computation();
     const auto marked = [&] {
         const RunRecord* record = computation.currentRun();
         return record != nullptr && record->running && !record->health().breaches.empty();
     };
     ASSERT_TRUE(QTest::qWaitFor(marked, patience));
     EXPECT_EQ(computation.currentRun()->outcome, nullptr);
-    widgets::Timeline& timeline = window->timeline();
+    widgets::Timeline& timeline = (*window->findChild<widgets::Timeline*>());
     EXPECT_FALSE(timeline.marksAt(timeline.signOf(0)).empty());
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return window->statusLine().figureText(health).contains(QStringLiteral("tainted")); }, patience));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window->findChild<widgets::StatusLine*>()->figureText(health).contains(QStringLiteral("tainted")); },
+        patience));
     computation.cancel();
     ASSERT_TRUE(QTest::qWaitFor([&] { return !computation.busy(); }, patience));
     EXPECT_FALSE(timeline.marksAt(timeline.signOf(0)).empty());
@@ -78,51 +79,53 @@ TEST_F(Workbench, ABreachIsMarkedWhileTheRunGoesOn) {
 // Without a ground everything falls for ever: 8 s of free fall are more than ten heights of the arch.
 TEST_F(Workbench, ABreachIsMarkedShownAndAcknowledged) {
     openArch();
-    window->document().setParameter(QStringLiteral("multiple"), 8.0);
-    window->document().setParameter(QStringLiteral("ground"), std::string("off"));
-    window->document().setParameter(QStringLiteral("settle_time"), 8.0);
+    session->document().setParameter(QStringLiteral("multiple"), 8.0);
+    session->document().setParameter(QStringLiteral("ground"), std::string("off"));
+    session->document().setParameter(QStringLiteral("settle_time"), 8.0);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    window->simulate(false);
+    window->rooms().runs->simulate(false);
     // It may be over before it is looked at.
     const auto ended = [&] {
-        const RunRecord* record = window->computation().currentRun();
-        return record != nullptr && record->outcome != nullptr && !window->computation().busy();
+        const RunRecord* record = session->computation().currentRun();
+        return record != nullptr && record->outcome != nullptr && !session->computation().busy();
     };
     ASSERT_TRUE(QTest::qWaitFor(ended, patience));
-    const RunRecord* record = window->computation().currentRun();
+    const RunRecord* record = session->computation().currentRun();
     const auto& breaches = record->outcome->health.breaches;
     ASSERT_FALSE(breaches.empty());
-    EXPECT_TRUE(window->statusLine().figureText(health).contains(QStringLiteral("tainted")));
+    EXPECT_TRUE(window->findChild<widgets::StatusLine*>()->figureText(health).contains(QStringLiteral("tainted")));
 
     // Every effect that took part has a cost in the panel.
     EXPECT_EQ(record->outcome->effects.size(), effectCount);
-    EXPECT_TRUE(window->deck().effects().row(EffectKind::Ground)->costText().isEmpty()) << "it was off";
-    EXPECT_FALSE(window->deck().effects().row(EffectKind::FragmentContact)->costText().isEmpty());
+    EXPECT_TRUE(window->rooms().deck->effects().row(EffectKind::Ground)->costText().isEmpty()) << "it was off";
+    EXPECT_FALSE(window->rooms().deck->effects().row(EffectKind::FragmentContact)->costText().isEmpty());
 
     // A click on the sign leads to the first instant, with the body in the colour of selection.
-    widgets::Timeline& timeline = window->timeline();
-    window->playback().clock().pause();  // the run was being played as it grew
+    widgets::Timeline& timeline = (*window->findChild<widgets::Timeline*>());
+    window->rooms().playback->clock().pause();  // the run was being played as it grew
     QTest::qWait(200);
     const std::vector<std::size_t> marks = timeline.marksAt(timeline.signOf(0).toPoint());
     ASSERT_FALSE(marks.empty());
     QTest::mouseClick(&timeline, Qt::LeftButton, {}, timeline.signOf(0).toPoint());
-    EXPECT_DOUBLE_EQ(window->playback().clock().time(), breaches[marks.front()].from);
-    EXPECT_EQ(window->deck().stack().currentIndex(), PanelDeck::Run);
+    EXPECT_DOUBLE_EQ(window->rooms().playback->clock().time(), breaches[marks.front()].from);
+    EXPECT_EQ(window->rooms().deck->stack().currentIndex(), PanelDeck::Run);
     for (std::size_t i = 0; i < breaches.size(); ++i) {
         if (breaches[i].body) {
-            window->health().show(i, true);
+            window->rooms().health->show(i, true);
             EXPECT_FALSE(window->area().views().view().selection.empty());
         }
     }
 
-    emit window->deck().run().health().acknowledgeRequested(QStringLiteral("A. Examiner"), QStringLiteral("A test of falling."));
+    emit window->rooms().deck->run().health().acknowledgeRequested(QStringLiteral("A. Examiner"),
+                                                                   QStringLiteral("A test of falling."));
     ASSERT_TRUE(QTest::qWaitFor([&] { return record->acknowledged.has_value(); }, patience));
     EXPECT_EQ(record->acknowledged->by, "A. Examiner");
     EXPECT_EQ(io::acknowledgements(record->path.toStdString()).size(), 1U);
-    window->deck().showState();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->statusLine().figureText(health).contains(QStringLiteral("acknowledged")); },
-                                patience));
-    EXPECT_FALSE(window->statusLine().figureText(health).contains(QStringLiteral("tainted")));
+    window->rooms().deck->showState();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window->findChild<widgets::StatusLine*>()->figureText(health).contains(QStringLiteral("acknowledged")); },
+        patience));
+    EXPECT_FALSE(window->findChild<widgets::StatusLine*>()->figureText(health).contains(QStringLiteral("tainted")));
 }
 
 }  // namespace rubble

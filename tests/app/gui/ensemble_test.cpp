@@ -37,25 +37,26 @@ protected:
         cli::writeSmallCollapse(m_west.toStdString());
         window->open(m_west);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-        window->document().setParameter(QStringLiteral("settle_time"), 1.0);
+        session->document().setParameter(QStringLiteral("settle_time"), 1.0);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     }
     void TearDown() override {
-        window.reset();
+        endProgram();
         qunsetenv("RUBBLE_CACHE");
     }
     QString pathOf(const char* name) const { return m_folder.path() + u'/' + QLatin1String(name); }
-    EnsembleDisplay& ensemble() { return window->studies().ensemble(); }
-    CausesDisplay& causes() { return window->studies().causes(); }
+    EnsembleDisplay& ensemble() { return window->rooms().studies->ensemble(); }
+    CausesDisplay& causes() { return window->rooms().studies->causes(); }
     void varyOnlyFriction(std::int64_t members) {
-        window->document().setEnsemble({{variationFrom("friction", "uniform:0.3:0.5")}, members, 1}, QStringLiteral("fewer"));
+        session->document().setEnsemble({{variationFrom("friction", "uniform:0.3:0.5")}, members, 1},
+                                        [] { return QStringLiteral("fewer"); });
     }
     void simulate() {
         window->actions()["simulate_ensemble"].trigger();
         wait();
     }
     void wait() {
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->studies().work().running(); }, patience));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->rooms().studies->work().running(); }, patience));
     }
     std::size_t kept() {
         std::size_t count = 0;
@@ -80,18 +81,18 @@ protected:
 };
 
 TEST_F(Studies, WhatAnEnsembleVariesIsKeptInTheCaseAndUndone) {
-    auto* members = window->deck().ensemble().findChild<QSpinBox*>(QStringLiteral("members"));
+    auto* members = window->rooms().deck->ensemble().findChild<QSpinBox*>(QStringLiteral("members"));
     window->actions()["show_ensemble"].trigger();
-    EXPECT_TRUE(window->studies().ensemblePage().isVisible());
+    EXPECT_TRUE(window->rooms().studies->ensemblePage().isVisible());
     members->setValue(5);
-    EXPECT_EQ(window->document().theCase().ensemble.members, 5);
-    EXPECT_EQ(window->document().undoStack().undoText(), QStringLiteral("members of the ensemble"));
-    window->document().undoStack().undo();
-    EXPECT_EQ(window->document().theCase().ensemble.members, 16);
+    EXPECT_EQ(session->document().theCase().ensemble.members, 5);
+    EXPECT_EQ(session->document().undoStack().undoText(), QStringLiteral("members of the ensemble"));
+    session->document().undoStack().undo();
+    EXPECT_EQ(session->document().theCase().ensemble.members, 16);
     EXPECT_EQ(members->value(), 16);
-    window->document().undoStack().redo();
+    session->document().undoStack().redo();
     const QString path = pathOf("west.rubble");
-    ASSERT_TRUE(window->files().saveTo(path));
+    ASSERT_TRUE(window->rooms().files->saveTo(path));
     const Case saved = io::loadCase(path.toStdString());
     EXPECT_EQ(saved.ensemble.members, 5);
     ASSERT_FALSE(saved.journal.entries.empty());
@@ -107,7 +108,7 @@ TEST_F(Studies, MembersComeInAndASecondStartTakesThemFromTheCache) {
     EXPECT_TRUE(ensemble().made().report->complete);
     EXPECT_EQ(kept(), 0u);
     EXPECT_FALSE(ensemble().stale());
-    const widgets::EnsemblePage& page = window->studies().ensemblePage();
+    const widgets::EnsemblePage& page = window->rooms().studies->ensemblePage();
     ASSERT_NE(page.content().map, nullptr);
     EXPECT_EQ(page.content().map->members, 3);
     varyOnlyFriction(5);
@@ -116,10 +117,10 @@ TEST_F(Studies, MembersComeInAndASecondStartTakesThemFromTheCache) {
     EXPECT_EQ(kept(), 3u);
     EXPECT_EQ(page.content().map->members, 5);
     // Another setting makes them stale; undo brings them back.
-    window->document().setParameter(QStringLiteral("ground_height"), -1.0);
+    session->document().setParameter(QStringLiteral("ground_height"), -1.0);
     EXPECT_TRUE(ensemble().stale());
     EXPECT_TRUE(page.content().stale);
-    window->document().undoStack().undo();
+    session->document().undoStack().undo();
     EXPECT_FALSE(ensemble().stale());
 }
 
@@ -128,7 +129,7 @@ TEST_F(Studies, WritesItsMapAndItsMembers) {
     simulate();
     for (const char* name : {"map.tif", "map.csv", "map.png"}) {
         ensemble().saveMapTo(pathOf(name));
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
         EXPECT_TRUE(std::filesystem::exists(pathOf(name).toStdString())) << name;
         EXPECT_NE(textOf(pathOf(name) + QStringLiteral(".provenance.json")).find("trajectory_hash"), std::string::npos) << name;
     }
@@ -136,29 +137,29 @@ TEST_F(Studies, WritesItsMapAndItsMembers) {
     const std::string table = textOf(pathOf("members.csv"));
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 3);
     ensemble().saveTableTo(pathOf("no/such/folder.csv"));
-    EXPECT_FALSE(window->deck().casePanel().findChildren<widgets::Notice*>().isEmpty());
+    EXPECT_FALSE(window->rooms().deck->casePanel().findChildren<widgets::Notice*>().isEmpty());
 }
 
 TEST_F(Studies, TheMapLiesOnTheGroundOfTheViews) {
     varyOnlyFriction(2);
     simulate();
-    EXPECT_EQ(window->sceneData().orthophoto, nullptr);
-    auto* onGround = window->studies().ensemblePage().findChild<QToolButton*>(QStringLiteral("onGround"));
+    EXPECT_EQ(window->rooms().scene->data().orthophoto, nullptr);
+    auto* onGround = window->rooms().studies->ensemblePage().findChild<QToolButton*>(QStringLiteral("onGround"));
     onGround->click();
-    const auto picture = window->sceneData().orthophoto;
+    const auto picture = window->rooms().scene->data().orthophoto;
     ASSERT_NE(picture, nullptr);
     EXPECT_EQ(picture->pixel, 0.5);
     EXPECT_EQ(picture->rgba.size(), 4u * static_cast<std::size_t>(picture->width * picture->height));
-    window->studies().ensemblePage().setLayer(MapLayer::HeightHigh);
-    EXPECT_NE(window->sceneData().orthophoto, picture) << "the layer that is chosen";
+    window->rooms().studies->ensemblePage().setLayer(MapLayer::HeightHigh);
+    EXPECT_NE(window->rooms().scene->data().orthophoto, picture) << "the layer that is chosen";
     onGround->click();
-    EXPECT_EQ(window->sceneData().orthophoto, nullptr);
+    EXPECT_EQ(window->rooms().scene->data().orthophoto, nullptr);
 }
 
 TEST_F(Studies, CancelKeepsWhatIsDone) {
     varyOnlyFriction(400);
     window->actions()["simulate_ensemble"].trigger();
-    EXPECT_TRUE(window->studies().work().simulating());
+    EXPECT_TRUE(window->rooms().studies->work().simulating());
     EXPECT_FALSE(window->actions()["simulate"].isEnabled()) << "a run beside it would take its time";
     ASSERT_TRUE(QTest::qWaitFor([&] { return ensemble().made().report != nullptr && !ensemble().made().report->done().empty(); },
                                 patience));
@@ -178,7 +179,7 @@ TEST_F(Studies, CausesAreComparedAndTheClosestIsNamed) {
     ASSERT_EQ(map.exitCode, 0) << map.err;
     causes().addEvidence(io::EvidenceFile::Kind::Heights, {pathOf("found.tif")});
     window->actions()["compare_causes"].trigger();
-    EXPECT_TRUE(window->studies().causesPage().isVisible());
+    EXPECT_TRUE(window->rooms().studies->causesPage().isVisible());
     wait();
     ASSERT_NE(causes().made(), nullptr);
     const CauseComparison& made = *causes().made()->comparison;
@@ -187,12 +188,12 @@ TEST_F(Studies, CausesAreComparedAndTheClosestIsNamed) {
     const EnsembleMember& member = causes().made()->hypotheses[1].ensemble->members.front();
     EXPECT_EQ(member.scenario.simulation.settleTime, 1.0) << "an FE result takes the settings of the case";
     EXPECT_FALSE(causes().stale());
-    const widgets::CausesPage& page = window->studies().causesPage();
+    const widgets::CausesPage& page = window->rooms().studies->causesPage();
     EXPECT_NE(page.content().separation, nullptr);
     causes().saveTableTo(pathOf("causes.csv"));
     EXPECT_NE(textOf(pathOf("causes.csv")).find("1,east,10,"), std::string::npos);
     causes().saveMapTo(pathOf("separation.tif"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
     EXPECT_TRUE(std::filesystem::exists(pathOf("separation.tif").toStdString()));
     varyOnlyFriction(12);
     EXPECT_TRUE(causes().stale());
@@ -207,7 +208,7 @@ TEST_F(Studies, CausesAreComparedAndTheClosestIsNamed) {
 TEST_F(Studies, OneCauseIsNoneAndABadFileIsToldInPlace) {
     window->actions()["show_causes"].trigger();
     causes().compare();
-    EXPECT_FALSE(window->studies().work().running()) << "one cause cannot be compared";
+    EXPECT_FALSE(window->rooms().studies->work().running()) << "one cause cannot be compared";
     QFile wrong(pathOf("wrong.exo"));
     ASSERT_TRUE(wrong.open(QIODevice::WriteOnly));
     wrong.write("no result");
@@ -218,7 +219,7 @@ TEST_F(Studies, OneCauseIsNoneAndABadFileIsToldInPlace) {
     wait();
     EXPECT_EQ(causes().made(), nullptr);
     bool told = false;
-    for (const auto* notice : window->deck().causes().findChildren<widgets::Notice*>()) {
+    for (const auto* notice : window->rooms().deck->causes().findChildren<widgets::Notice*>()) {
         told = told || notice->text().contains(QStringLiteral("wrong.exo"));
     }
     EXPECT_TRUE(told);

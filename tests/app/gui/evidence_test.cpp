@@ -61,9 +61,9 @@ protected:
     /// What a camera sees at the end of the run, as a photograph.
     QString photograph(const CameraModel& camera, const QString& name) {
         render::View view = window->area().views().view();
-        view.time = window->playback().clock().last();
+        view.time = window->rooms().playback->clock().last();
         view.theme = render::Theme::Dark;  // unlike the overlay, so that a swap would show
-        figures::CameraStudio studio(window->sceneData());
+        figures::CameraStudio studio(window->rooms().scene->data());
         const QImage picture = studio.picture(view, camera, photoSize, photoSize.width(), 50.0);
         const QString path = folder() + u'/' + name;
         QImageWriter writer(path);
@@ -72,14 +72,14 @@ protected:
         return path;
     }
     void add(const QString& path) {
-        const std::size_t before = window->document().theCase().photographs.size();
-        window->evidence().add({path});
-        ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().theCase().photographs.size() > before; }, patience));
-        ASSERT_TRUE(QTest::qWaitFor([&] { return window->evidence().settled(); }, patience));
+        const std::size_t before = session->document().theCase().photographs.size();
+        window->rooms().evidence->add({path});
+        ASSERT_TRUE(QTest::qWaitFor([&] { return session->document().theCase().photographs.size() > before; }, patience));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().evidence->settled(); }, patience));
     }
     /// Clicks nodes of the structure with an error of a pixel or so, the fourth by far too much.
     void clickPoints(const CameraModel& camera) {
-        const FeResult& fe = *window->computation().inputs().fe;
+        const FeResult& fe = *session->computation().inputs().fe;
         const auto state = fe.state(fe.stateCount() - 1);
         const std::size_t count = fe.mesh().nodeCount();
         int clicked = 0;
@@ -91,16 +91,16 @@ protected:
                 continue;
             }
             const double off = clicked == 3 ? 140.0 : 0.8 * ((clicked * 7) % 5 - 2);
-            window->evidence().placePicture(QPointF(at->x() + off, at->y() - 0.5 * off));
-            window->evidence().placeModel(node, QStringLiteral("node %1").arg(clicked + 1));
+            window->rooms().evidence->placePicture(QPointF(at->x() + off, at->y() - 0.5 * off));
+            window->rooms().evidence->placeModel(node, QStringLiteral("node %1").arg(clicked + 1));
             ++clicked;
         }
     }
-    const Photograph& photo() { return window->document().theCase().photographs.at(0); }
+    const Photograph& photo() { return session->document().theCase().photographs.at(0); }
     void edit(const std::function<void(Photograph&)>& change, const char* what) {
         Photograph after = photo();
         change(after);
-        emit window->deck().evidence().photographEdited(after, QString::fromLatin1(what));
+        emit window->rooms().deck->evidence().photographEdited(after, [what] { return QString::fromLatin1(what); });
     }
 };
 
@@ -118,31 +118,31 @@ double differenceOf(const QImage& a, const QImage& b) {
 
 TEST_F(Evidence, ASyntheticPhotographIsMatchedSeenThroughAndCompared) {
     simulated();
-    const CameraModel camera = cameraFor(window->computation().inputs().fe->mesh());
+    const CameraModel camera = cameraFor(session->computation().inputs().fe->mesh());
     const QString path = photograph(camera, QStringLiteral("synthetic.jpg"));
     const std::string before = io::sha256OfFile(path.toStdString());
     add(path);
     EXPECT_EQ(photo().facts.width, photoSize.width());
-    EXPECT_EQ(window->deck().rail().current(), PanelDeck::Evidence);
-    EXPECT_FALSE(window->evidence().match()) << "there are no points yet";
-    EXPECT_FALSE(window->deck().evidence().content().noMatch.isEmpty());
+    EXPECT_EQ(window->rooms().deck->rail().current(), PanelDeck::Evidence);
+    EXPECT_FALSE(window->rooms().evidence->match()) << "there are no points yet";
+    EXPECT_FALSE(window->rooms().deck->evidence().content().noMatch.isEmpty());
 
     clickPoints(camera);
     edit([](Photograph& p) { p.camera.radialTerms = 1; }, "distortion");
-    ASSERT_TRUE(window->evidence().match());
-    const CameraMatch& match = *window->evidence().match();
+    ASSERT_TRUE(window->rooms().evidence->match());
+    const CameraMatch& match = *window->rooms().evidence->match();
     EXPECT_EQ(match.wrong(), std::vector<std::size_t>{3});
     EXPECT_LT((match.camera.place - camera.place).norm(), 2.0 * match.placeRadius);
     EXPECT_LT(match.rms, 4.0);
 
     // What the simulation shows from the camera that was found is what the photograph shows.
-    widgets::EvidencePage& page = window->evidencePage();
+    widgets::EvidencePage& page = (*window->findChild<widgets::EvidencePage*>());
     page.setShow(widgets::PhotoView::Show::Swipe);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->evidence().settled(); }, patience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().evidence->settled(); }, patience));
     render::View view = page.model().view();
-    view.time = window->playback().clock().last();
+    view.time = window->rooms().playback->clock().last();
     view.theme = render::Theme::Dark;
-    figures::CameraStudio studio(window->sceneData());
+    figures::CameraStudio studio(window->rooms().scene->data());
     const QImage real(path);
     const double good = differenceOf(studio.picture(view, match.camera, photoSize, 1000, 50.0), real);
     EXPECT_LT(good, 3.0);
@@ -153,7 +153,7 @@ TEST_F(Evidence, ASyntheticPhotographIsMatchedSeenThroughAndCompared) {
         << "the test would see nothing";
 
     // The outline as the true camera sees the debris.
-    const EvidenceRun run(window->computation().inputs(), window->computation().currentRun());
+    const EvidenceRun run(session->computation().inputs(), session->computation().currentRun());
     const SiteShape site = siteOfRun(run.mapped(), std::nullopt, 1.0, camera.place, Execution());
     const SitePicture seen = pictureOf(site, camera, photoSize.width(), photoSize.height(), photoSize.width());
     edit(
@@ -163,38 +163,38 @@ TEST_F(Evidence, ASyntheticPhotographIsMatchedSeenThroughAndCompared) {
             }
         },
         "outline");
-    window->evidence().compare();
-    EXPECT_TRUE(window->evidence().work().comparing());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->evidence().comparison() != nullptr; }, patience));
-    const PhotoComparison& made = *window->evidence().comparison();
+    window->rooms().evidence->compare();
+    EXPECT_TRUE(window->rooms().evidence->work().comparing());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().evidence->comparison() != nullptr; }, patience));
+    const PhotoComparison& made = *window->rooms().evidence->comparison();
     EXPECT_GT(made.iou.best, 0.8);
     EXPECT_GT(made.iou.spread, 0.0);
     EXPECT_LT(made.edgePixels.best, 6.0);
-    EXPECT_FALSE(window->deck().evidence().content().comparisonStale);
+    EXPECT_FALSE(window->rooms().deck->evidence().content().comparisonStale);
     page.setShow(widgets::PhotoView::Show::Outline);
     ASSERT_TRUE(
-        QTest::qWaitFor([&] { return window->evidence().settled() && !page.photo().content().outlines.empty(); }, patience));
+        QTest::qWaitFor([&] { return window->rooms().evidence->settled() && !page.photo().content().outlines.empty(); }, patience));
     EXPECT_EQ(io::sha256OfFile(path.toStdString()), before);
 
-    ASSERT_TRUE(window->files().saveTo(folder() + QStringLiteral("/synthetic.rubble")));
+    ASSERT_TRUE(window->rooms().files->saveTo(folder() + QStringLiteral("/synthetic.rubble")));
     const Case saved = io::loadCase(folder().toStdString() + "/synthetic.rubble");
-    EXPECT_EQ(saved.photographs, window->document().theCase().photographs);
+    EXPECT_EQ(saved.photographs, session->document().theCase().photographs);
     EXPECT_EQ(saved.inputs.back().path, "synthetic.jpg");
     EXPECT_EQ(saved.inputs.back().sha256, before);
 }
 
 TEST_F(Evidence, EveryEditIsOneStepOfUndo) {
     openArch();
-    const CameraModel camera = cameraFor(window->computation().inputs().fe->mesh());
+    const CameraModel camera = cameraFor(session->computation().inputs().fe->mesh());
     add(photograph(camera, QStringLiteral("undo.jpg")));
-    QUndoStack& stack = window->document().undoStack();
+    QUndoStack& stack = session->document().undoStack();
     const int begin = stack.index();
-    window->evidence().placePicture({100.0, 200.0});
+    window->rooms().evidence->placePicture({100.0, 200.0});
     EXPECT_EQ(stack.index(), begin) << "a point without its counterpart is no edit";
-    window->evidence().placeModel({1.0, 2.0, 3.0}, QStringLiteral("pier"));
+    window->rooms().evidence->placeModel({1.0, 2.0, 3.0}, QStringLiteral("pier"));
     edit([](Photograph& p) { p.time = 3.0; }, "time");
-    emit window->evidencePage().photo().maskDrawn({MaskClass::Hidden, {{0.0, 0.0}, {9.0, 0.0}, {9.0, 9.0}}});
-    emit window->evidencePage().photo().markMoved(0, {111.0, 222.0});
+    emit window->findChild<widgets::EvidencePage*>()->photo().maskDrawn({MaskClass::Hidden, {{0.0, 0.0}, {9.0, 0.0}, {9.0, 9.0}}});
+    emit window->findChild<widgets::EvidencePage*>()->photo().markMoved(0, {111.0, 222.0});
     EXPECT_EQ(stack.index(), begin + 4);
     EXPECT_EQ(photo().pairs.at(0).picture, Eigen::Vector2d(111.0, 222.0));
     EXPECT_EQ(photo().masks.size(), 1u);
@@ -203,9 +203,9 @@ TEST_F(Evidence, EveryEditIsOneStepOfUndo) {
     stack.undo();
     EXPECT_TRUE(photo().masks.empty());
     stack.setIndex(begin - 1);
-    EXPECT_TRUE(window->document().theCase().photographs.empty());
-    EXPECT_EQ(window->document().theCase().inputs.size(), 1u);
-    EXPECT_EQ(window->evidence().chosen(), -1);
+    EXPECT_TRUE(session->document().theCase().photographs.empty());
+    EXPECT_EQ(session->document().theCase().inputs.size(), 1u);
+    EXPECT_EQ(window->rooms().evidence->chosen(), -1);
     stack.setIndex(begin + 4);
     EXPECT_EQ(photo().masks.size(), 1u);
     EXPECT_TRUE(prepared()) << "no result depends on photographs";
@@ -215,13 +215,13 @@ TEST_F(Evidence, WhatIsNoPhotographIsRefusedInPlace) {
     openArch();
     const QString path = folder() + QStringLiteral("/text.jpg");
     std::ofstream(path.toStdString()) << "no photograph";
-    EXPECT_TRUE(window->evidence().takes({path}));
-    EXPECT_FALSE(window->evidence().takes({path, arch()}));
-    window->evidence().add({path});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->evidence().settled(); }, patience));
-    EXPECT_TRUE(window->document().theCase().photographs.empty());
+    EXPECT_TRUE(window->rooms().evidence->takes({path}));
+    EXPECT_FALSE(window->rooms().evidence->takes({path, arch()}));
+    window->rooms().evidence->add({path});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().evidence->settled(); }, patience));
+    EXPECT_TRUE(session->document().theCase().photographs.empty());
     bool said = false;
-    for (const auto* notice : window->deck().evidence().findChildren<widgets::Notice*>()) {
+    for (const auto* notice : window->rooms().deck->evidence().findChildren<widgets::Notice*>()) {
         said = said || notice->text().contains(QStringLiteral("text.jpg"));
     }
     EXPECT_TRUE(said);
@@ -229,18 +229,19 @@ TEST_F(Evidence, WhatIsNoPhotographIsRefusedInPlace) {
 
 TEST_F(Evidence, APhotographThatChangedIsPointedOut) {
     openArch();
-    const CameraModel camera = cameraFor(window->computation().inputs().fe->mesh());
+    const CameraModel camera = cameraFor(session->computation().inputs().fe->mesh());
     const QString path = photograph(camera, QStringLiteral("changed.jpg"));
     add(path);
-    EXPECT_EQ(window->deck().evidence().content().findings.count("photo.changed"), 0);
-    ASSERT_TRUE(window->files().saveTo(folder() + QStringLiteral("/changed.rubble")));
+    EXPECT_EQ(window->rooms().deck->evidence().content().findings.count("photo.changed"), 0);
+    ASSERT_TRUE(window->rooms().files->saveTo(folder() + QStringLiteral("/changed.rubble")));
     CameraModel other = camera;
     other.focal *= 1.1;
     photograph(other, QStringLiteral("changed.jpg"));
     window->open(folder() + QStringLiteral("/changed.rubble"));
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return prepared() && window->evidence().settled() && !window->document().theCase().photographs.empty(); }, patience));
-    EXPECT_EQ(window->deck().evidence().content().findings.count("photo.changed"), 1);
+        [&] { return prepared() && window->rooms().evidence->settled() && !session->document().theCase().photographs.empty(); },
+        patience));
+    EXPECT_EQ(window->rooms().deck->evidence().content().findings.count("photo.changed"), 1);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ protected:
         awaitRun();
     }
     bool idle() {
-        return QTest::qWaitFor([&] { return !window->computation().busy(); }, patience);
+        return QTest::qWaitFor([&] { return !session->computation().busy(); }, patience);
     }
 
     io::TemporaryFolder m_folder;
@@ -44,8 +44,8 @@ TEST_F(Exports, AMovieIsWrittenInTheBackground) {
     choice.settings = {0.0, 0.4, 10.0, 1.0};
     choice.pixels = {320, 200};
     choice.encoded = false;
-    window->pictures().exportMovieTo(QString::fromStdString(m_folder / "frames"), choice, window->area().views().view(),
-                                     window->sceneData());
+    window->rooms().pictures->exportMovieTo(QString::fromStdString(m_folder / "frames"), choice, window->area().views().view(),
+                                            window->rooms().scene->data());
     ASSERT_TRUE(idle());
     EXPECT_TRUE(QFile::exists(QString::fromStdString(m_folder / "frames/frame-00005.png")));
     EXPECT_FALSE(QFile::exists(QString::fromStdString(m_folder / "frames/frame-00006.png")));
@@ -58,11 +58,12 @@ TEST_F(Exports, AFigureWaitsForTheMovieBeforeItAndBothAreWritten) {
     choice.pixels = {320, 200};
     choice.encoded = false;
     const render::View view = window->area().views().view();
-    window->pictures().exportMovieTo(QString::fromStdString(m_folder / "frames"), choice, view, window->sceneData());
+    window->rooms().pictures->exportMovieTo(QString::fromStdString(m_folder / "frames"), choice, view,
+                                            window->rooms().scene->data());
     const QString figure = QString::fromStdString(m_folder / "figure.png");
-    window->pictures().exportFigureTo(figure, {{}, {640, 400}, 100}, view, window->sceneData());
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return window->statusLine().activityText().contains(QStringLiteral("1 waiting")); }, patience));
+    window->rooms().pictures->exportFigureTo(figure, {{}, {640, 400}, 100}, view, window->rooms().scene->data());
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return window->findChild<widgets::StatusLine*>()->activityText().contains(QStringLiteral("1 waiting")); }, patience));
     ASSERT_TRUE(idle());
     EXPECT_TRUE(QFile::exists(QString::fromStdString(m_folder / "frames/frame-00041.png")));
     EXPECT_TRUE(QFile::exists(figure));
@@ -75,17 +76,17 @@ TEST_F(Exports, ClosingWhileAMovieIsWrittenLeavesNoHalfOfIt) {
     choice.settings = {0.0, 0.5, 1000.0, 1.0};
     choice.pixels = {320, 200};
     choice.encoded = false;
-    window->pictures().exportMovieTo(QString::fromStdString(m_folder / "frames"), choice, window->area().views().view(),
-                                     window->sceneData());
-    ASSERT_TRUE(window->computation().busy());
-    window->document().undoStack().setClean();
-    window.reset();
+    window->rooms().pictures->exportMovieTo(QString::fromStdString(m_folder / "frames"), choice, window->area().views().view(),
+                                            window->rooms().scene->data());
+    ASSERT_TRUE(session->computation().busy());
+    session->document().undoStack().setClean();
+    endProgram();
     QTest::qWait(50);
     EXPECT_FALSE(QFile::exists(QString::fromStdString(m_folder / "frames/frame-00001.png")));
 }
 
 TEST_F(Exports, AReportIsMadeOfTheRunAndNotOfAStaleOne) {
-    widgets::ReportPanel& panel = window->deck().report();
+    widgets::ReportPanel& panel = window->rooms().deck->report();
     auto* write = panel.findChild<QPushButton*>(QStringLiteral("writeReport"));
     EXPECT_FALSE(write->isEnabled()) << "nothing is open";
     simulated();
@@ -93,15 +94,15 @@ TEST_F(Exports, AReportIsMadeOfTheRunAndNotOfAStaleOne) {
     panel.findChild<QSpinBox*>(QStringLiteral("reportRepeats"))->setValue(0);
     auto* selfTest = panel.findChild<QComboBox*>(QStringLiteral("reportSelfTest"));
     selfTest->setCurrentIndex(selfTest->findData(QStringLiteral("none")));
-    window->report().writeTo(QString::fromStdString(m_folder / "report"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->report().writing(); }, patience));
+    window->rooms().report->writeTo(QString::fromStdString(m_folder / "report"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->rooms().report->writing(); }, patience));
     const std::string html = textOf(QString::fromStdString(m_folder / "report/report.html"));
-    EXPECT_NE(html.find(window->computation().currentRun()->outcome->trajectoryHash.hex()), std::string::npos);
+    EXPECT_NE(html.find(session->computation().currentRun()->outcome->trajectoryHash.hex()), std::string::npos);
     EXPECT_TRUE(QFile::exists(QString::fromStdString(m_folder / "report/report.pdf")));
-    window->document().setParameter(QStringLiteral("friction"), 0.3);
+    session->document().setParameter(QStringLiteral("friction"), 0.3);
     ASSERT_TRUE(idle());
     EXPECT_FALSE(write->isEnabled()) << "the run does not have this setting";
-    window->document().undoStack().setClean();
+    session->document().undoStack().setClean();
 }
 
 TEST(FigureDialog, SaysTheSizeInPrintAndAsksForAPreviewOnceItRests) {

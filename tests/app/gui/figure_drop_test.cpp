@@ -52,13 +52,14 @@ protected:
     void simulated() {
         window->open(QString::fromStdString(m_case), true);
         awaitRun();
-        window->showInstant(0.3);
-        window->showView(m_look);
+        window->rooms().playback->showInstant(0.3);
+        window->rooms().scene->look(m_look);
     }
     void figureOfTheWindow(const std::string& path) {
         const widgets::FigureChoice choice{{}, {640, 400}, 100};
-        window->pictures().exportFigureTo(QString::fromStdString(path), choice, window->area().views().view(), window->sceneData());
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+        window->rooms().pictures->exportFigureTo(QString::fromStdString(path), choice, window->area().views().view(),
+                                                 window->rooms().scene->data());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
     }
     /// A figure of a run that is kept beside the case, by the command line.
     void figureOfTheCommandLine(const std::string& path) {
@@ -73,29 +74,29 @@ protected:
         QMimeData dropped;
         dropped.setUrls({QUrl::fromLocalFile(QString::fromStdString(path))});
         QDragEnterEvent enter(QPoint(640, 400), Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(window.get(), &enter);
+        QApplication::sendEvent(window, &enter);
         ASSERT_TRUE(enter.isAccepted());
         QDropEvent drop(QPointF(640, 400), Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(window.get(), &drop);
+        QApplication::sendEvent(window, &drop);
         EXPECT_TRUE(drop.isAccepted());
     }
     void close() {
-        window->document().undoStack().setClean();
+        session->document().undoStack().setClean();
         window->actions()["close"].trigger();
-        ASSERT_TRUE(window->document().empty());
+        ASSERT_TRUE(session->document().empty());
     }
     bool looksAsTheFigure() {
         const render::View& view = window->area().views().view();
-        return window->document().path() == QString::fromStdString(m_case) && !window->computation().busy() &&
+        return session->document().path() == QString::fromStdString(m_case) && !session->computation().busy() &&
                view.cameras[0].position == m_look.cameras[0].position && view.layout == render::Layout::FragmentsOnly &&
-               std::abs(window->playback().clock().time() - 0.3) < 1e-9;
+               std::abs(window->rooms().playback->clock().time() - 0.3) < 1e-9;
     }
     /// What the window says once it has looked for the source of a figure.
     std::string toldAfter(const std::string& path, const char* what) {
         drop(path);
-        const auto told = [&] { return window->statusLine().activityText(); };
+        const auto told = [&] { return window->findChild<widgets::StatusLine*>()->activityText(); };
         EXPECT_TRUE(
-            QTest::qWaitFor([&] { return !window->computation().busy() && told().contains(QLatin1String(what)); }, patience))
+            QTest::qWaitFor([&] { return !session->computation().busy() && told().contains(QLatin1String(what)); }, patience))
             << told().toStdString();
         return told().toStdString();
     }
@@ -133,7 +134,7 @@ TEST_F(FigureDrop, OneOfTheWindowFindsItsCaseAndItsView) {
     // Dropped on its own case it only looks as before.
     render::View other = m_look;
     other.cameras[0].position = Vec3(-9.0, -30.0, 5.0);
-    window->showView(other);
+    window->rooms().scene->look(other);
     ASSERT_FALSE(looksAsTheFigure());
     drop(m_folder / "figure.png");
     EXPECT_TRUE(QTest::qWaitFor([&] { return looksAsTheFigure(); }, patience));
@@ -144,7 +145,7 @@ TEST_F(FigureDrop, OneOfTheCommandLineBringsItsRunAlong) {
     const std::string run = m_folder / "site/small.run.h5";
     EXPECT_THAT(toldAfter(m_folder / "figure.png", "Shown as in figure.png"), HasSubstr("Shown as in"));
     EXPECT_TRUE(looksAsTheFigure());
-    const RunRecord* shown = window->computation().currentRun();
+    const RunRecord* shown = session->computation().currentRun();
     ASSERT_NE(shown, nullptr);
     EXPECT_EQ(shown->reader->path(), run);
     // Without the run the view is restored all the same, and it is said what is missing.
@@ -162,11 +163,12 @@ TEST_F(FigureDrop, APresetShowsAllThatItShowedAtItsInstant) {
         cli::cli({"figure", run, "--case", m_case, "--preset", "12", "--size", "2400x500", "--out", m_folder / "end.png"});
     ASSERT_EQ(made.exitCode, 0) << made.err;
     toldAfter(m_folder / "end.png", "Shown as in end.png");
-    EXPECT_DOUBLE_EQ(window->playback().clock().time(), window->computation().currentRun()->outcome->endTime) << "not the FE end";
+    EXPECT_DOUBLE_EQ(window->rooms().playback->clock().time(), session->computation().currentRun()->outcome->endTime)
+        << "not the FE end";
     const render::View& view = window->area().views().view();
     const QSize pixels = window->area().views().size();
     const double aspect = render::panesOf(view.layout, pixels.width(), pixels.height()).front().aspect();
-    const Aabb bounds = render::boundsOf(window->sceneData());
+    const Aabb bounds = render::boundsOf(window->rooms().scene->data());
     for (int corner = 0; corner < 8; ++corner) {
         const auto seen = render::project(view.cameras[0], bounds.corner(static_cast<Aabb::CornerType>(corner)), aspect);
         ASSERT_TRUE(seen);
@@ -180,8 +182,8 @@ TEST_F(FigureDrop, ACaseThatMovedAwayIsNamed) {
     fs::rename(m_folder / "site", far / "site");
     const std::string told = toldAfter(m_folder / "figure.png", "was not found");
     EXPECT_THAT(told, HasSubstr("small.rubble"));
-    EXPECT_TRUE(window->document().empty());
-    EXPECT_EQ(window->computation().inputs().fe, nullptr);
+    EXPECT_TRUE(session->document().empty());
+    EXPECT_EQ(session->computation().inputs().fe, nullptr);
     // Beside its case it finds it again.
     fs::copy_file(m_folder / "figure.png", far / "site/figure.png");
     drop(far / "site/figure.png");
@@ -195,7 +197,7 @@ TEST_F(FigureDrop, OneThatWasAlteredIsNotBelieved) {
     const std::string sha = io::readProvenance(m_folder / "figure.svg")->feSha256;
     close();
     toldAfter(altered(m_folder / "figure.svg", sha, std::string(64, '0'), "other.svg"), "was not found");
-    EXPECT_TRUE(window->document().empty());
+    EXPECT_TRUE(session->document().empty());
     // A view that is none any more: the case opens, and it is said why it does not look as the figure.
     toldAfter(altered(m_folder / "figure.svg", "\"layout\":\"fragments_only\"", "\"layout\":\"fragments_0nly\"", "view.svg"),
               "the view's layout is none of its choices");
@@ -205,10 +207,10 @@ TEST_F(FigureDrop, OneThatWasAlteredIsNotBelieved) {
 TEST_F(FigureDrop, WhatIsOpenIsNotLeftWithoutAsking) {
     figureOfTheCommandLine(m_folder / "figure.png");
     openArch();
-    window->document().setParameter(QStringLiteral("friction"), 0.61);
+    session->document().setParameter(QStringLiteral("friction"), 0.61);
     bool asked = false;
     QTimer answer;
-    QObject::connect(&answer, &QTimer::timeout, window.get(), [&] {
+    QObject::connect(&answer, &QTimer::timeout, window, [&] {
         if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
             asked = true;
             box->button(QMessageBox::Cancel)->click();
@@ -218,9 +220,9 @@ TEST_F(FigureDrop, WhatIsOpenIsNotLeftWithoutAsking) {
     drop(m_folder / "figure.png");
     ASSERT_TRUE(QTest::qWaitFor([&] { return asked; }, patience));
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    EXPECT_EQ(window->document().scenario().simulation.friction, 0.61);
+    EXPECT_EQ(session->document().scenario().simulation.friction, 0.61);
     EXPECT_NE(window->area().views().view().cameras[0].position, m_look.cameras[0].position);
-    window->document().undoStack().setClean();
+    session->document().undoStack().setClean();
 }
 
 }  // namespace

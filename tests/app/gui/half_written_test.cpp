@@ -31,7 +31,7 @@ protected:
         Workbench::SetUp();
     }
     void TearDown() override {
-        window.reset();
+        endProgram();
         qunsetenv("RUBBLE_CACHE");
     }
     void openCase(const Case& theCase, double settle) {
@@ -43,10 +43,10 @@ protected:
     }
     void openSmall() { openCase(io::caseForFe(cli::writeSmallCollapse(m_folder / "small.exo"), m_path), 0.5); }
     void close() {
-        window->document().undoStack().setClean();
+        session->document().undoStack().setClean();
         QElapsedTimer clock;
         clock.start();
-        window.reset();
+        endProgram();
         EXPECT_LT(clock.elapsed(), patience / 3) << "it waited for the work instead of ending it";
         QTest::qWait(50);
     }
@@ -68,10 +68,10 @@ protected:
 
 TEST_F(HalfWritten, AFigureIsWholeOrNotThere) {
     openSmall();
-    window->pictures().exportFigureTo(QString::fromStdString(m_folder / "figure.pdf"),
-                                      {figures::FigurePreset::Pairs, {4800, 3000}, 400}, window->area().views().view(),
-                                      window->sceneData());
-    ASSERT_TRUE(window->computation().busy());
+    window->rooms().pictures->exportFigureTo(QString::fromStdString(m_folder / "figure.pdf"),
+                                             {figures::FigurePreset::Pairs, {4800, 3000}, 400}, window->area().views().view(),
+                                             window->rooms().scene->data());
+    ASSERT_TRUE(session->computation().busy());
     close();
     for (const std::string& name : named("figure")) {
         EXPECT_EQ(name, "figure.pdf") << "half of a figure was left";
@@ -85,9 +85,9 @@ TEST_F(HalfWritten, AFigureIsWholeOrNotThere) {
 
 TEST_F(HalfWritten, AReportIsWholeOrNotThere) {
     openSmall();
-    window->deck().report().findChild<QSpinBox*>(QStringLiteral("reportRepeats"))->setValue(50);
-    window->report().writeTo(QString::fromStdString(m_folder / "report"));
-    ASSERT_TRUE(window->report().writing());
+    window->rooms().deck->report().findChild<QSpinBox*>(QStringLiteral("reportRepeats"))->setValue(50);
+    window->rooms().report->writeTo(QString::fromStdString(m_folder / "report"));
+    ASSERT_TRUE(window->rooms().report->writing());
     QTest::qWait(100);
     close();
     EXPECT_TRUE(named("report.").empty());
@@ -97,18 +97,20 @@ TEST_F(HalfWritten, AComparisonWithAPhotographEnds) {
     Case theCase = io::caseForFe(cli::writeSmallCollapse(m_folder / "small.exo"), m_path);
     cli::addPhotograph(theCase, m_folder / "site.tif");
     openCase(theCase, 2.0);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->evidence().settled() && window->evidence().match(); }, patience));
-    window->evidence().compare();
-    ASSERT_TRUE(window->evidence().work().comparing());
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return window->rooms().evidence->settled() && window->rooms().evidence->match(); }, patience));
+    window->rooms().evidence->compare();
+    ASSERT_TRUE(window->rooms().evidence->work().comparing());
     close();
 }
 
 TEST_F(HalfWritten, MembersThatAreDoneAreKept) {
     openSmall();
-    window->document().setEnsemble({{variationFrom("friction", "uniform:0.3:0.5")}, 400, 1}, QStringLiteral("many"));
+    session->document().setEnsemble({{variationFrom("friction", "uniform:0.3:0.5")}, 400, 1},
+                                    [] { return QStringLiteral("many"); });
     window->actions()["simulate_ensemble"].trigger();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->studies().ensemble().made().report != nullptr; }, patience));
-    ASSERT_TRUE(window->studies().work().running());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().studies->ensemble().made().report != nullptr; }, patience));
+    ASSERT_TRUE(window->rooms().studies->work().running());
     close();
     EXPECT_FALSE(QDir(m_cache.path()).isEmpty()) << "members are kept for the next start";
     for (const auto& entry : fs::recursive_directory_iterator(m_cache.path().toStdString())) {

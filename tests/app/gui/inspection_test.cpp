@@ -33,7 +33,7 @@ protected:
         drawn();
     }
     widgets::ViewWidget& views() { return window->area().views(); }
-    Inspection& inspection() { return window->inspection(); }
+    Inspection& inspection() { return (*window->rooms().inspection); }
     const std::vector<ElementIndex>& selected() { return inspection().selection().selection(); }
     /// What is asked of the views is in the picture.
     void drawn() {
@@ -42,7 +42,7 @@ protected:
     }
     /// Where an element's centre at rest lies in the first pane, in pixels of the widget.
     QPoint pixelOf(ElementIndex element) {
-        const Mesh& mesh = window->computation().inputs().fe->mesh();
+        const Mesh& mesh = session->computation().inputs().fe->mesh();
         Vec3 centre = Vec3::Zero();
         for (const std::uint32_t node : mesh.cornersOf(element)) {
             centre += mesh.nodes[node] / static_cast<double>(mesh.cornersOf(element).size());
@@ -123,24 +123,24 @@ TEST_F(Inspecting, ARubberBandTakesAllInItEvenCovered) {
     const render::Camera& after = views().view().cameras[0];
     EXPECT_TRUE((after.focalPoint - after.position).normalized().isApprox((before.focalPoint - before.position).normalized(), 1e-9))
         << "an inspector that opens may fit the view anew, and turns nothing";
-    EXPECT_EQ(selected().size(), window->computation().inputs().fe->activity().activeCount(0));
+    EXPECT_EQ(selected().size(), session->computation().inputs().fe->activity().activeCount(0));
 }
 
 TEST_F(Inspecting, HideIsolateAndShowAll) {
     click(firstOf("girder 1"));
     ASSERT_EQ(selected().size(), 1U);
     const ElementIndex element = selected().front();
-    QTest::keyClick(window.get(), Qt::Key_K, Qt::ShiftModifier);
+    QTest::keyClick(window, Qt::Key_K, Qt::ShiftModifier);
     EXPECT_GT(selected().size(), 100U) << "the whole component";
     const std::size_t many = selected().size();
-    QTest::keyClick(window.get(), Qt::Key_I, Qt::ShiftModifier);
-    const std::size_t all = window->computation().inputs().fe->mesh().elementCount();
+    QTest::keyClick(window, Qt::Key_I, Qt::ShiftModifier);
+    const std::size_t all = session->computation().inputs().fe->mesh().elementCount();
     EXPECT_EQ(views().view().hidden.size(), all - many);
     drawn();
     EXPECT_EQ(views().status(render::PaneContent::Fe).hidden, all - many);
-    QTest::keyClick(window.get(), Qt::Key_H, Qt::ShiftModifier);
+    QTest::keyClick(window, Qt::Key_H, Qt::ShiftModifier);
     EXPECT_TRUE(views().view().hidden.empty());
-    QTest::keyClick(window.get(), Qt::Key_H);
+    QTest::keyClick(window, Qt::Key_H);
     EXPECT_EQ(views().view().hidden.size(), many);
     EXPECT_TRUE(selected().empty());
     drawn();
@@ -149,7 +149,7 @@ TEST_F(Inspecting, HideIsolateAndShowAll) {
 }
 
 TEST_F(Inspecting, TheComponentTreeFollowsTheClockAndEditsCanBeUndone) {
-    QTest::keyClick(window.get(), Qt::Key_T);
+    QTest::keyClick(window, Qt::Key_T);
     ASSERT_TRUE(inspection().tree().isVisible());
     QTreeWidget& tree = inspection().tree().tree();
     const auto dead = [&] {
@@ -160,7 +160,7 @@ TEST_F(Inspecting, TheComponentTreeFollowsTheClockAndEditsCanBeUndone) {
         return sum;
     };
     EXPECT_EQ(dead(), 0);
-    window->playback().jumpToLast();
+    window->rooms().playback->jumpToLast();
     EXPECT_EQ(dead(), 9643);
     inspection().components().isolate({"girder 1"});
     EXPECT_EQ(views().view().hiddenComponents.size(), views().data().components->list.size() - 1);
@@ -170,14 +170,14 @@ TEST_F(Inspecting, TheComponentTreeFollowsTheClockAndEditsCanBeUndone) {
     EXPECT_TRUE(views().view().hiddenComponents.empty());
     emit inspection().tree().edited(QStringLiteral("component[girder 1].reinforced"), true);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    EXPECT_TRUE(window->document().scenario().components.at("girder 1").reinforced);
-    window->document().undoStack().undo();
+    EXPECT_TRUE(session->document().scenario().components.at("girder 1").reinforced);
+    session->document().undoStack().undo();
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    EXPECT_FALSE(window->document().scenario().components.contains("girder 1"));
+    EXPECT_FALSE(session->document().scenario().components.contains("girder 1"));
 }
 
 TEST_F(Inspecting, TwoClicksMeasure) {
-    QTest::keyClick(window.get(), Qt::Key_M);
+    QTest::keyClick(window, Qt::Key_M);
     EXPECT_EQ(views().tool(), widgets::ViewWidget::Tool::Distance);
     click(firstOf("girder 1"));
     EXPECT_TRUE(selected().empty());
@@ -194,14 +194,14 @@ TEST_F(Inspecting, TwoClicksMeasure) {
     QTest::keyClick(&views(), Qt::Key_Escape);
     EXPECT_EQ(views().tool(), widgets::ViewWidget::Tool::Select);
     EXPECT_FALSE(window->actions()["measure_distance"].isChecked());
-    window->playback().jumpToLast();
+    window->rooms().playback->jumpToLast();
     EXPECT_EQ(views().view().measurements.size(), 1U) << "kept until cleared";
     press("clear_measurements");
     EXPECT_TRUE(views().view().measurements.empty());
 }
 
 TEST_F(Inspecting, TheCutComesAndGoes) {
-    QTest::keyClick(window.get(), Qt::Key_C);
+    QTest::keyClick(window, Qt::Key_C);
     ASSERT_TRUE(views().view().clip);
     EXPECT_TRUE(window->area().clipBar().isVisible());
     drawn();
@@ -215,44 +215,44 @@ TEST_F(Inspecting, TheCutComesAndGoes) {
 }
 
 TEST_F(Inspecting, ProjectionLayoutsAndStyleByKeys) {
-    QTest::keyClick(window.get(), Qt::Key_P);
+    QTest::keyClick(window, Qt::Key_P);
     EXPECT_TRUE(views().view().cameras[0].parallel);
     press("look_corner");
     EXPECT_TRUE(views().view().cameras[0].parallel) << "the projection stays";
-    QTest::keyClick(window.get(), Qt::Key_P);
+    QTest::keyClick(window, Qt::Key_P);
     EXPECT_FALSE(views().view().cameras[0].parallel);
-    QTest::keyClick(window.get(), Qt::Key_4);
+    QTest::keyClick(window, Qt::Key_4);
     EXPECT_EQ(views().view().layout, render::Layout::Four);
     drawn();
-    QTest::keyClick(window.get(), Qt::Key_3);
+    QTest::keyClick(window, Qt::Key_3);
     EXPECT_EQ(views().view().layout, render::Layout::OverlayOnly);
     drawn();
-    QTest::keyClick(window.get(), Qt::Key_P, Qt::ShiftModifier);
+    QTest::keyClick(window, Qt::Key_P, Qt::ShiftModifier);
     EXPECT_EQ(views().view().style, render::Style::Presentation);
     const double before = (views().view().cameras[0].position - views().view().cameras[0].focalPoint).norm();
-    QTest::keyClick(window.get(), Qt::Key_Plus);
+    QTest::keyClick(window, Qt::Key_Plus);
     EXPECT_LT((views().view().cameras[0].position - views().view().cameras[0].focalPoint).norm(), before);
 }
 
 TEST_F(Inspecting, AFragmentsWayIsReadDrawnAndExported) {
     makeCheap();
-    window->simulate(false);
-    const auto ended = [&] { return window->computation().currentRun() != nullptr && !window->computation().busy(); };
+    window->rooms().runs->simulate(false);
+    const auto ended = [&] { return session->computation().currentRun() != nullptr && !session->computation().busy(); };
     ASSERT_TRUE(QTest::qWaitFor(ended, patience));
-    window->playback().clock().pause();
+    window->rooms().playback->clock().pause();
     const FragmentSet& fragments = *views().data().fragments;
     const ElementIndex element = fragments.list[fragments.size() / 2].element;
     inspection().selection().select({element});
     ASSERT_TRUE(QTest::qWaitFor([&] { return !inspection().selection().reading(); }, patience));
     EXPECT_GT(views().view().path.size(), 3U);
     EXPECT_TRUE(inspection().inspector().title().startsWith(QStringLiteral("Fragment")));
-    QTest::keyClick(window.get(), Qt::Key_G);
-    EXPECT_DOUBLE_EQ(window->playback().clock().time(), fragments.list[fragments.size() / 2].handOverTime);
+    QTest::keyClick(window, Qt::Key_G);
+    EXPECT_DOUBLE_EQ(window->rooms().playback->clock().time(), fragments.list[fragments.size() / 2].handOverTime);
     EXPECT_LT((views().view().cameras[0].focalPoint - fragments.list[fragments.size() / 2].centre).norm(), 1e-6);
     inspection().selection().follow(true);
-    window->playback().jumpToLast();
+    window->rooms().playback->jumpToLast();
     EXPECT_LT((views().view().cameras[0].focalPoint - views().view().path.back()).norm(), 1e-3) << "the camera goes along";
-    QTest::keyClick(window.get(), Qt::Key_K);
+    QTest::keyClick(window, Qt::Key_K);
     EXPECT_EQ(selected().size(),
               views().data().clustering->list[at(views().data().clustering->of[fragments.size() / 2])].memberCount);
     widgets::SelectForm::Criteria born;
@@ -267,8 +267,8 @@ TEST_F(Inspecting, AFragmentsWayIsReadDrawnAndExported) {
     }
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("selection.csv"));
-    window->files().exportSelectionTo(path, chosen);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+    window->rooms().files->exportSelectionTo(path, chosen);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
     const std::string text = textOf(path);
     EXPECT_TRUE(text.starts_with("fragment_id,element_id,component,cluster_id,birth_time_s,"));
     EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), chosen.size() + 1);
@@ -302,9 +302,9 @@ TEST_F(Inspecting, ASavedViewIsLookedAtAgain) {
     view.hiddenComponents = {"girder 1"};
     view.time = 1.0;
     view.theme = render::Theme::Print;
-    window->showView(figures::viewFromJson(figures::toJson(view), "view"));
+    window->rooms().scene->look(figures::viewFromJson(figures::toJson(view), "view"));
     EXPECT_EQ(views().view().layout, render::Layout::Four);
-    EXPECT_DOUBLE_EQ(window->playback().clock().time(), 1.0);
+    EXPECT_DOUBLE_EQ(window->rooms().playback->clock().time(), 1.0);
     EXPECT_NE(views().view().theme, render::Theme::Print) << "the window keeps its colours";
     EXPECT_TRUE(window->actions()["four"].isChecked());
     drawn();

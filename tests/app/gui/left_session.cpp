@@ -4,17 +4,18 @@
 
 #include "app/gui/computation.h"
 #include "app/gui/main_window.h"
-#include "app/gui/project_display.h"
+#include "app/gui/session/session.h"
 
 namespace rubble {
 
 int leaveSession(const QStringList& words) {
-    MainWindow window;
+    Session session;
+    MainWindow window(session);
     window.show();
-    window.project().autosave().setInterval(1);
-    QObject::connect(&window.computation(), &Computation::opened, &window, [&] {
+    window.rooms().project->autosave().setInterval(1);
+    QObject::connect(&session.computation(), &Computation::opened, &window, [&] {
         const QString setting = words.value(1);
-        window.document().setParameter(setting.section(u'=', 0, 0), setting.section(u'=', 1).toDouble());
+        session.document().setParameter(setting.section(u'=', 0, 0), setting.section(u'=', 1).toDouble());
     });
     window.open(words.value(0));
     return QApplication::exec();

@@ -37,25 +37,25 @@ TEST_F(Workbench, OpensAnFeResultPlaysAndSteps) {
     EXPECT_EQ(window->area().currentIndex(), 1);
     EXPECT_EQ(rail(PanelDeck::Fragments), widgets::StageState::UpToDate);
     EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::NotYet);
-    const auto& times = window->computation().inputs().fe->times();
-    widgets::PlaybackClock& clock = window->playback().clock();
+    const auto& times = session->computation().inputs().fe->times();
+    widgets::PlaybackClock& clock = window->rooms().playback->clock();
     EXPECT_DOUBLE_EQ(clock.time(), times.front());
-    QTest::keyClick(window.get(), Qt::Key_Right);
+    QTest::keyClick(window, Qt::Key_Right);
     EXPECT_DOUBLE_EQ(clock.time(), times[1]);
-    QTest::keyClick(window.get(), Qt::Key_Right, Qt::ShiftModifier);
+    QTest::keyClick(window, Qt::Key_Right, Qt::ShiftModifier);
     EXPECT_DOUBLE_EQ(clock.time(), times[11]);
-    QTest::keyClick(window.get(), Qt::Key_Left);
+    QTest::keyClick(window, Qt::Key_Left);
     EXPECT_DOUBLE_EQ(clock.time(), times[10]);
-    QTest::keyClick(window.get(), Qt::Key_End);
+    QTest::keyClick(window, Qt::Key_End);
     EXPECT_DOUBLE_EQ(clock.time(), times.back());
-    QTest::keyClick(window.get(), Qt::Key_Home);
+    QTest::keyClick(window, Qt::Key_Home);
     EXPECT_DOUBLE_EQ(clock.time(), times.front());
-    QTest::keyClick(window.get(), Qt::Key_Space);
+    QTest::keyClick(window, Qt::Key_Space);
     EXPECT_TRUE(clock.playing());
     ASSERT_TRUE(QTest::qWaitFor([&] { return clock.time() > times.front(); }, patience));
-    QTest::keyClick(window.get(), Qt::Key_Space);
+    QTest::keyClick(window, Qt::Key_Space);
     EXPECT_FALSE(clock.playing());
-    QTest::keyClick(window.get(), Qt::Key_5);
+    QTest::keyClick(window, Qt::Key_5);
     EXPECT_EQ(window->area().views().view().layout, render::Layout::FeOnly);
 }
 
@@ -74,92 +74,92 @@ TEST_F(Workbench, TheMouseMovesTheCamera) {
 
 TEST_F(Workbench, AnEditIsCountedAnewAndUndone) {
     openArch();
-    const std::size_t clusters = window->computation().results().clustering->list.size();
-    window->document().setParameter(QStringLiteral("multiple"), 12.0);
+    const std::size_t clusters = session->computation().results().clustering->list.size();
+    session->document().setParameter(QStringLiteral("multiple"), 12.0);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    EXPECT_LT(window->computation().results().clustering->list.size(), clusters);
-    QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_LT(session->computation().results().clustering->list.size(), clusters);
+    QTest::keyClick(window, Qt::Key_Z, Qt::ControlModifier);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    EXPECT_EQ(window->computation().results().clustering->list.size(), clusters);
+    EXPECT_EQ(session->computation().results().clustering->list.size(), clusters);
 }
 
 TEST_F(Workbench, SimulatesPlaysMeanwhileAndGoesStale) {
     openArch();
     makeCheap();
     // Long enough to be looked at.
-    window->document().setParameter(QStringLiteral("settle_time"), 20.0);
-    window->simulate(false);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().simulating(); }, patience));
+    session->document().setParameter(QStringLiteral("settle_time"), 20.0);
+    window->rooms().runs->simulate(false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().simulating(); }, patience));
     EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::Running);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
-    const RunRecord* record = window->computation().currentRun();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
+    const RunRecord* record = session->computation().currentRun();
     ASSERT_NE(record, nullptr);
     ASSERT_NE(record->outcome, nullptr);
     EXPECT_TRUE(record->reader->complete());
     EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::UpToDate);
     EXPECT_EQ(record->outcome->fragments.size(), record->results.fragments->size());
-    window->document().setParameter(QStringLiteral("friction"), 0.7);
+    session->document().setParameter(QStringLiteral("friction"), 0.7);
     EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::Stale);
-    EXPECT_NE(window->sceneData().trajectory, nullptr) << "a stale result stays visible";
-    window->document().undoStack().undo();
+    EXPECT_NE(window->rooms().scene->data().trajectory, nullptr) << "a stale result stays visible";
+    session->document().undoStack().undo();
     EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::UpToDate);
 }
 
 TEST_F(Workbench, CancelKeepsWhatIsComputed) {
     openArch();
-    window->simulate(false);
+    window->rooms().runs->simulate(false);
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
-            const RunRecord* record = window->computation().currentRun();
+            const RunRecord* record = session->computation().currentRun();
             return record != nullptr && record->reader->frameCount() > 3;
         },
         patience));
-    QTest::keyClick(window.get(), Qt::Key_Escape);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
-    const RunRecord* record = window->computation().currentRun();
+    QTest::keyClick(window, Qt::Key_Escape);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
+    const RunRecord* record = session->computation().currentRun();
     ASSERT_NE(record, nullptr);
     EXPECT_EQ(record->outcome, nullptr);
     EXPECT_FALSE(record->running);
     EXPECT_GT(record->reader->frameCount(), 3U);
-    EXPECT_FALSE(window->computation().failure().has_value());
+    EXPECT_FALSE(session->computation().failure().has_value());
     EXPECT_TRUE(window->actions()["simulate"].isEnabled());
 }
 
 TEST_F(Workbench, LiveModeDrawsEveryFrame) {
     openArch();
     makeCheap();
-    window->simulate(true);
+    window->rooms().runs->simulate(true);
     int followed = 0;
-    QObject::connect(&window->playback(), &Playback::frameShown, window.get(), [&](bool live) { followed += live ? 1 : 0; });
+    QObject::connect(&(*window->rooms().playback), &Playback::frameShown, window, [&](bool live) { followed += live ? 1 : 0; });
     ASSERT_TRUE(QTest::qWaitFor([&] { return followed >= 10; }, patience));
-    EXPECT_TRUE(window->playback().following());
-    EXPECT_DOUBLE_EQ(window->computation().currentRun()->scenario.simulation.frameRate,
-                     window->document().scenario().grid.fpsTarget);
+    EXPECT_TRUE(window->rooms().playback->following());
+    EXPECT_DOUBLE_EQ(session->computation().currentRun()->scenario.simulation.frameRate,
+                     session->document().scenario().grid.fpsTarget);
     // Scrubbing leaves the newest frame; the run goes on without it.
-    window->playback().scrub(0.1);
-    EXPECT_FALSE(window->playback().following());
-    const double newest = window->computation().currentRun()->newest;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().currentRun()->newest > newest + 0.1; }, patience));
-    EXPECT_DOUBLE_EQ(window->playback().clock().time(), 0.1);
-    window->computation().cancel();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+    window->rooms().playback->scrub(0.1);
+    EXPECT_FALSE(window->rooms().playback->following());
+    const double newest = session->computation().currentRun()->newest;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().currentRun()->newest > newest + 0.1; }, patience));
+    EXPECT_DOUBLE_EQ(window->rooms().playback->clock().time(), 0.1);
+    session->computation().cancel();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
 }
 
 TEST_F(Workbench, ClosingWhileItSimulatesIsClean) {
     openArch();
-    window->simulate(false);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().simulating(); }, patience));
-    const QString scratch = window->computation().currentRun()->path;
+    window->rooms().runs->simulate(false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().simulating(); }, patience));
+    const QString scratch = session->computation().currentRun()->path;
     EXPECT_TRUE(QFile::exists(scratch));
     EXPECT_TRUE(window->close());
-    window.reset();
+    endProgram();
     QTest::qWait(50);
     EXPECT_FALSE(QFile::exists(scratch)) << "the temporary run is left behind";
 }
 
 TEST_F(Workbench, ClosingWhileItOpensIsClean) {
     window->open(arch());
-    window.reset();
+    endProgram();
     QTest::qWait(50);
 }
 
@@ -169,29 +169,30 @@ TEST_F(Workbench, AFileThatIsNoResultSaysSoAndLeavesWhatIsOpen) {
     const QString path = folder.filePath(QStringLiteral("notes.txt"));
     std::ofstream(path.toStdString()) << "These are notes about the bridge, not a result of an analysis.\n";
     window->open(path);
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return !window->computation().busy() && !window->statusLine().activityText().isEmpty(); }, patience));
-    EXPECT_TRUE(window->statusLine().activityText().contains(QStringLiteral("notes.txt")))
-        << window->statusLine().activityText().toStdString();
-    EXPECT_NE(window->computation().inputs().fe, nullptr);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return !session->computation().busy() && !window->findChild<widgets::StatusLine*>()->activityText().isEmpty(); },
+        patience));
+    EXPECT_TRUE(window->findChild<widgets::StatusLine*>()->activityText().contains(QStringLiteral("notes.txt")))
+        << window->findChild<widgets::StatusLine*>()->activityText().toStdString();
+    EXPECT_NE(session->computation().inputs().fe, nullptr);
     EXPECT_EQ(window->area().currentIndex(), 1);
 }
 
 TEST_F(Workbench, AnActiveFlagThatIsNotThereIsAnErrorInPlaceAndCostsNothing) {
     openArch();
-    window->document().setParameter(QStringLiteral("status_variable"), std::string("NOPE"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+    session->document().setParameter(QStringLiteral("status_variable"), std::string("NOPE"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
     bool told = false;
-    for (const widgets::Notice* notice : window->deck().stack().findChildren<widgets::Notice*>()) {
+    for (const widgets::Notice* notice : window->rooms().deck->stack().findChildren<widgets::Notice*>()) {
         told = told || (notice->text().contains(QStringLiteral("NOPE")) && notice->text().contains(QStringLiteral("STATUS")));
     }
     EXPECT_TRUE(told) << "the error names what was asked for and what there is";
-    EXPECT_NE(window->computation().inputs().fe, nullptr) << "what was open stays";
+    EXPECT_NE(session->computation().inputs().fe, nullptr) << "what was open stays";
     EXPECT_EQ(rail(PanelDeck::Case), widgets::StageState::Stale);
-    window->document().undoStack().undo();
+    session->document().undoStack().undo();
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     EXPECT_EQ(rail(PanelDeck::Case), widgets::StageState::UpToDate);
-    window->document().setParameter(QStringLiteral("status_variable"), std::string("STATUS"));
+    session->document().setParameter(QStringLiteral("status_variable"), std::string("STATUS"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     EXPECT_EQ(rail(PanelDeck::Fragments), widgets::StageState::UpToDate);
 }
@@ -200,46 +201,46 @@ TEST_F(Workbench, ADroppedFileOpens) {
     QMimeData mime;
     mime.setUrls({QUrl::fromLocalFile(arch())});
     QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window.get(), &enter);
+    QApplication::sendEvent(window, &enter);
     EXPECT_TRUE(enter.isAccepted());
     QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window.get(), &drop);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().inputs().fe != nullptr; }, patience));
+    QApplication::sendEvent(window, &drop);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().inputs().fe != nullptr; }, patience));
 }
 
 TEST_F(Workbench, ASavedCaseOpensAgainWithItsSettings) {
     openArch();
-    window->document().setParameter(QStringLiteral("friction"), 0.65);
+    session->document().setParameter(QStringLiteral("friction"), 0.65);
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("case.rubble"));
-    ASSERT_TRUE(window->files().saveTo(path));
-    EXPECT_FALSE(window->document().modified());
+    ASSERT_TRUE(window->rooms().files->saveTo(path));
+    EXPECT_FALSE(session->document().modified());
     window->open(path);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().path() == path && prepared(); }, patience));
-    EXPECT_EQ(window->document().scenario().simulation.friction, 0.65);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->document().path() == path && prepared(); }, patience));
+    EXPECT_EQ(session->document().scenario().simulation.friction, 0.65);
     EXPECT_TRUE(io::isCaseFile(path.toStdString()));
 }
 
 TEST_F(Workbench, NothingIsClippedAtTheSmallestSize) {
     openArch();
-    EXPECT_TRUE(window->deck().rail().compact());
+    EXPECT_TRUE(window->rooms().deck->rail().compact());
     EXPECT_EQ(window->size(), QSize(1280, 800));
     EXPECT_LE(window->minimumSizeHint().width(), 1280);
     EXPECT_LE(window->minimumSizeHint().height(), 800);
 }
 
 TEST_F(Workbench, ADockMakesNoPanelsWindowWider) {
-    QTest::keyClick(window.get(), Qt::Key_T);
+    QTest::keyClick(window, Qt::Key_T);
     EXPECT_EQ(window->size(), QSize(1280, 800)) << "the start page";
     openArch();
-    EXPECT_TRUE(std::ranges::any_of(window->inspection().docks().findChildren<QDockWidget*>(), &QDockWidget::isVisible));
+    EXPECT_TRUE(std::ranges::any_of(window->rooms().inspection->docks().findChildren<QDockWidget*>(), &QDockWidget::isVisible));
     for (const auto entry : {PanelDeck::Case, PanelDeck::Accuracy, PanelDeck::Evidence, PanelDeck::Report}) {
-        window->deck().choose(entry);
+        window->rooms().deck->choose(entry);
         QTest::qWait(50);
         EXPECT_EQ(window->size(), QSize(1280, 800)) << entry;
     }
     for (const auto page : {PanelDeck::Photographs, PanelDeck::Ensemble, PanelDeck::Causes}) {
-        window->deck().chooseEvidence(page);
+        window->rooms().deck->chooseEvidence(page);
         QTest::qWait(50);
         EXPECT_EQ(window->size(), QSize(1280, 800)) << page;
     }

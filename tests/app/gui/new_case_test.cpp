@@ -33,17 +33,18 @@ protected:
         fe = QString::fromStdString(cli::writeSmallCollapse(folder.filePath(QStringLiteral("small.exo")).toStdString()));
     }
     void begin() {
-        window->newCase(fe);
-        ASSERT_NE(window->caseInTheMaking(), nullptr);
+        window->rooms().opening->newCase(fe);
+        ASSERT_NE(window->rooms().opening->caseInTheMaking(), nullptr);
         ASSERT_TRUE(QTest::qWaitForWindowActive(&wizard(), patience)) << "without a window manager too";
         settle();
     }
     void settle() {
         ASSERT_TRUE(QTest::qWaitFor(
             [&] {
-                const NewCase* making = window->caseInTheMaking();
+                const NewCase* making = window->rooms().opening->caseInTheMaking();
                 return making == nullptr ||
-                       (making->settled() && window->caseInTheMaking()->computation().results().fragments != nullptr);
+                       (making->settled() &&
+                        window->rooms().opening->caseInTheMaking()->computation().results().fragments != nullptr);
             },
             patience));
     }
@@ -51,7 +52,7 @@ protected:
     bool reaches(NewCaseWizard::Step step) {
         return QTest::qWaitFor([&] { return wizard().step() == step; }, 10'000);
     }
-    NewCase& making() { return *window->caseInTheMaking(); }
+    NewCase& making() { return *window->rooms().opening->caseInTheMaking(); }
     NewCaseWizard& wizard() { return making().wizard(); }
     QPushButton* button(const QString& text) {
         for (auto* each : wizard().findChildren<QPushButton*>()) {
@@ -76,7 +77,7 @@ protected:
 
 TEST_F(NewCases, AreMadeStepByStep) {
     begin();
-    EXPECT_TRUE(window->document().empty()) << "nothing is open before the case is made";
+    EXPECT_TRUE(session->document().empty()) << "nothing is open before the case is made";
     for (const NewCaseWizard::Step step :
          {NewCaseWizard::Units, NewCaseWizard::Ground, NewCaseWizard::Components, NewCaseWizard::Deaths, NewCaseWizard::Summary}) {
         EXPECT_EQ(wizard().step(), step);
@@ -96,12 +97,12 @@ TEST_F(NewCases, AreMadeStepByStep) {
     QTest::keyClicks(title, QStringLiteral("Three blocks"));
     settle();
     button(QStringLiteral("&Make the case"))->click();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->caseInTheMaking() == nullptr && prepared(); }, patience));
-    EXPECT_EQ(window->document().theCase().title, "Three blocks");
-    EXPECT_DOUBLE_EQ(window->document().scenario().simulation.groundHeight, -0.5);
-    EXPECT_TRUE(window->document().modified()) << "it was never saved";
-    EXPECT_TRUE(window->document().path().isEmpty());
-    window->document().undoStack().setClean();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().opening->caseInTheMaking() == nullptr && prepared(); }, patience));
+    EXPECT_EQ(session->document().theCase().title, "Three blocks");
+    EXPECT_DOUBLE_EQ(session->document().scenario().simulation.groundHeight, -0.5);
+    EXPECT_TRUE(session->document().modified()) << "it was never saved";
+    EXPECT_TRUE(session->document().path().isEmpty());
+    session->document().undoStack().setClean();
 }
 
 TEST_F(NewCases, CountEveryDeath) {
@@ -167,12 +168,12 @@ TEST_F(NewCases, AreMadeByKeyboardAlone) {
     auto* title = wizard().findChild<QLineEdit*>(QStringLiteral("caseTitle"));
     title->setFocus();
     QTest::keyClick(title, Qt::Key_Return);
-    EXPECT_NE(window->caseInTheMaking(), nullptr) << "Enter in a field makes no case";
+    EXPECT_NE(window->rooms().opening->caseInTheMaking(), nullptr) << "Enter in a field makes no case";
     settle();
     QTest::keyClick(&wizard(), Qt::Key_M, Qt::AltModifier);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->caseInTheMaking() == nullptr && prepared(); }, patience));
-    EXPECT_EQ(window->document().theCase().title, "small");
-    window->document().undoStack().setClean();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().opening->caseInTheMaking() == nullptr && prepared(); }, patience));
+    EXPECT_EQ(session->document().theCase().title, "small");
+    session->document().undoStack().setClean();
 }
 
 TEST_F(NewCases, TabGoesFromTheStepsThroughThePanelToTheButtons) {
@@ -213,17 +214,17 @@ TEST_F(NewCases, TabGoesFromTheStepsThroughThePanelToTheButtons) {
 
 TEST_F(NewCases, EscapeLeavesAndTheWindowHasTheKeyboardAgain) {
     openArch();
-    QTest::keyClick(window.get(), Qt::Key_End);
-    const double end = window->playback().clock().time();
+    QTest::keyClick(window, Qt::Key_End);
+    const double end = window->rooms().playback->clock().time();
     begin();
     wizard().findChildren<QToolButton*>().front()->setFocus();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Home);
-    EXPECT_DOUBLE_EQ(window->playback().clock().time(), end) << "Home in the wizard is none of the timeline's";
+    EXPECT_DOUBLE_EQ(window->rooms().playback->clock().time(), end) << "Home in the wizard is none of the timeline's";
     QTest::keyClick(&wizard(), Qt::Key_Escape);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->caseInTheMaking() == nullptr; }, patience));
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get(), patience));
-    QTest::keyClick(window.get(), Qt::Key_Home);
-    EXPECT_LT(window->playback().clock().time(), end);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().opening->caseInTheMaking() == nullptr; }, patience));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window, patience));
+    QTest::keyClick(window, Qt::Key_Home);
+    EXPECT_LT(window->rooms().playback->clock().time(), end);
 }
 
 TEST_F(NewCases, AreShownInTheThemeOfTheWindow) {
@@ -232,8 +233,8 @@ TEST_F(NewCases, AreShownInTheThemeOfTheWindow) {
     window->setTheme(QStringLiteral("dark"));
     EXPECT_EQ(making().preview().views().view().theme, render::Theme::Dark);
     wizard().reject();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->caseInTheMaking() == nullptr; }, patience));
-    window->newCase(fe);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().opening->caseInTheMaking() == nullptr; }, patience));
+    window->rooms().opening->newCase(fe);
     EXPECT_EQ(making().preview().views().view().theme, render::Theme::Dark) << "before the file is read";
     settle();
     EXPECT_EQ(making().preview().views().view().theme, render::Theme::Dark);
@@ -243,13 +244,13 @@ TEST_F(NewCases, AreShownInTheThemeOfTheWindow) {
 
 TEST_F(NewCases, LeaveNothingWhenCancelled) {
     openArch();
-    const Case before = window->document().theCase();
+    const Case before = session->document().theCase();
     begin();
     type(QStringLiteral("default_density"), QStringLiteral("2000"));
     wizard().reject();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->caseInTheMaking() == nullptr; }, patience));
-    EXPECT_EQ(window->document().theCase(), before);
-    EXPECT_FALSE(window->document().modified());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().opening->caseInTheMaking() == nullptr; }, patience));
+    EXPECT_EQ(session->document().theCase(), before);
+    EXPECT_FALSE(session->document().modified());
     EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList(QStringLiteral("small.exo")));
 }
 
@@ -258,7 +259,7 @@ TEST_F(NewCases, SayWhatIsWrongWithAFile) {
     ASSERT_TRUE(rubbish.open(QIODevice::WriteOnly));
     rubbish.write("no result at all");
     rubbish.close();
-    window->newCase(rubbish.fileName());
+    window->rooms().opening->newCase(rubbish.fileName());
     ASSERT_TRUE(QTest::qWaitFor([&] { return making().settled(); }, patience));
     EXPECT_FALSE(button(QStringLiteral("&Make the case"))->isEnabled());
     const auto notices = wizard().units().findChildren<widgets::Notice*>();

@@ -103,44 +103,44 @@ TEST_F(Pictures, WholeOfTheManualShowTheWindowAsItIs) {
     hold(QStringLiteral("start"), *window);
     openArch();
     makeCheap();
-    window->deck().choose(PanelDeck::Fragments);
+    window->rooms().deck->choose(PanelDeck::Fragments);
     hold(QStringLiteral("fragments"), *window);
-    window->deck().choose(PanelDeck::Grid);
+    window->rooms().deck->choose(PanelDeck::Grid);
     hold(QStringLiteral("grid"), *window);
-    window->deck().choose(PanelDeck::Effects);
+    window->rooms().deck->choose(PanelDeck::Effects);
     hold(QStringLiteral("effects"), *window);
     simulateToEnd();
-    window->playback().clock().pause();
-    window->showInstant(window->playback().clock().last());
+    window->rooms().playback->clock().pause();
+    window->rooms().playback->showInstant(window->rooms().playback->clock().last());
     hold(QStringLiteral("run"), *window);
-    window->deck().choose(PanelDeck::Case);
+    window->rooms().deck->choose(PanelDeck::Case);
     hold(QStringLiteral("views"), *window);
-    window->newCase(arch());
-    NewCase& making = *window->caseInTheMaking();
+    window->rooms().opening->newCase(arch());
+    NewCase& making = *window->rooms().opening->caseInTheMaking();
     making.wizard().go(widgets::NewCaseWizard::Components);
     ASSERT_TRUE(QTest::qWaitFor([&] { return making.settled() && making.computation().results().fragments != nullptr; }, patience));
     making.wizard().components().tree().tree().topLevelItem(0)->child(0)->setSelected(true);
     making.preview().clock().setTime(making.preview().clock().last());
     hold(QStringLiteral("new-case"), making.wizard());
     making.wizard().reject();
-    window->document().undoStack().setClean();
+    session->document().undoStack().setClean();
 }
 
 // What the tolerance lets pass is less than any of these.
 TEST_F(Pictures, WholeTellAMissingViewAnotherPanelAndAnotherTheme) {
     window->setTheme(QStringLiteral("light"));
     openArch();
-    window->showInstant(window->playback().clock().last());
+    window->rooms().playback->showInstant(window->rooms().playback->clock().last());
     const QImage whole = smallPictureOf(*window);
     EXPECT_LT(shareOfOthers(whole, smallPictureOf(*window)), shareTolerance / 4.0);
     EXPECT_LT(shareOfOthers(whole, thrifty(whole)), shareTolerance / 4.0);
     QImage without = whole;
-    const QPoint corner = window->area().mapTo(window.get(), QPoint(0, 0)) * whole.width() / window->width();
+    const QPoint corner = window->area().mapTo(window, QPoint(0, 0)) * whole.width() / window->width();
     QPainter(&without).fillRect(QRect(corner, window->area().size() * whole.width() / window->width()), Qt::white);
     EXPECT_GT(shareOfOthers(whole, without), 2.0 * shareTolerance);
-    window->deck().choose(PanelDeck::Grid);
+    window->rooms().deck->choose(PanelDeck::Grid);
     EXPECT_GT(shareOfOthers(whole, smallPictureOf(*window)), shareTolerance);
-    window->deck().choose(PanelDeck::Case);
+    window->rooms().deck->choose(PanelDeck::Case);
     window->setTheme(QStringLiteral("dark"));
     EXPECT_GT(shareOfOthers(whole, smallPictureOf(*window)), 10.0 * shareTolerance);
     window->setTheme(QStringLiteral("light"));

@@ -60,15 +60,15 @@ protected:
     }
     void openCase() {
         openIt(fe);
-        ASSERT_TRUE(window->files().saveTo(caseFile()));
+        ASSERT_TRUE(window->rooms().files->saveTo(caseFile()));
         openIt(caseFile());
-        ASSERT_EQ(window->document().path(), caseFile());
+        ASSERT_EQ(session->document().path(), caseFile());
     }
     void simulateIt() {
-        const std::size_t before = window->project().runs().runs().size();
-        window->simulate(false);
+        const std::size_t before = window->rooms().project->runs().runs().size();
+        window->rooms().runs->simulate(false);
         ASSERT_TRUE(QTest::qWaitFor(
-            [&] { return window->project().runs().runs().size() > before && !window->computation().busy(); }, 30'000));
+            [&] { return window->rooms().project->runs().runs().size() > before && !session->computation().busy(); }, 30'000));
     }
     QString caseFile() const { return folder.filePath(QStringLiteral("small.rubble")); }
     /// A small collapse that is another file: its deaths are the same, its times are not.
@@ -89,7 +89,7 @@ protected:
         }
         return nullptr;
     }
-    QStringList bars() { return window->project().inputs().texts(); }
+    QStringList bars() { return window->rooms().project->inputs().texts(); }
 
     QTemporaryDir folder;
     QString fe;
@@ -101,13 +101,13 @@ TEST_F(Project, AMissingResultIsFoundAgainByItsHash) {
     ASSERT_TRUE(QFile::rename(fe, moved));
     window->actions()["close"].trigger();
     window->open(caseFile());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy() && !bars().isEmpty(); }, patience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy() && !bars().isEmpty(); }, patience));
     EXPECT_TRUE(bars().front().contains(QStringLiteral("small.exo is missing"))) << bars().front().toStdString();
     EXPECT_EQ(window->area().currentIndex(), 2) << "the case is open, its result is not";
     QPushButton* locate = barButton(QStringLiteral("primary"));
     ASSERT_NE(locate, nullptr);
     // The dialog of the user: types the path, presses Enter.
-    QTimer::singleShot(300, window.get(), [&] {
+    QTimer::singleShot(300, window, [&] {
         auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
         ASSERT_NE(dialog, nullptr);
         auto* edit = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
@@ -117,55 +117,55 @@ TEST_F(Project, AMissingResultIsFoundAgainByItsHash) {
     QTest::mouseClick(locate, Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     EXPECT_TRUE(bars().isEmpty()) << "the same file by its hash: nothing is asked";
-    EXPECT_EQ(window->document().theCase().inputs[0].path, "elsewhere.exo");
-    EXPECT_TRUE(window->document().modified());
-    window->document().undoStack().undo();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy() && bars().size() == 1; }, patience));
+    EXPECT_EQ(session->document().theCase().inputs[0].path, "elsewhere.exo");
+    EXPECT_TRUE(session->document().modified());
+    session->document().undoStack().undo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy() && bars().size() == 1; }, patience));
     EXPECT_TRUE(bars().front().contains(QStringLiteral("missing")));
-    window->document().undoStack().redo();
+    session->document().undoStack().redo();
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && bars().isEmpty(); }, patience));
 }
 
 TEST_F(Project, AnotherFileIsAskedAbout) {
     openCase();
-    const std::string before = window->document().theCase().inputs[0].sha256;
+    const std::string before = session->document().theCase().inputs[0].sha256;
     const QString other = writeOther(folder.filePath(QStringLiteral("other.exo")));
-    window->project().inputs().locate("fe-1", other);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy() && bars().size() == 1; }, patience));
+    window->rooms().project->inputs().locate("fe-1", other);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy() && bars().size() == 1; }, patience));
     EXPECT_TRUE(bars().front().contains(QStringLiteral("other.exo is another file"))) << bars().front().toStdString();
-    EXPECT_EQ(window->document().theCase().inputs[0].path, "small.exo") << "nothing is taken before the answer";
+    EXPECT_EQ(session->document().theCase().inputs[0].path, "small.exo") << "nothing is taken before the answer";
     QTest::mouseClick(barButton(QStringLiteral("primary")), Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && bars().isEmpty(); }, patience));
-    EXPECT_EQ(window->document().theCase().inputs[0].path, "other.exo");
-    EXPECT_NE(window->document().theCase().inputs[0].sha256, before);
-    window->project().inputs().locate("fe-1", folder.filePath(QStringLiteral("nowhere.exo")));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
-    EXPECT_EQ(window->document().theCase().inputs[0].path, "other.exo");
+    EXPECT_EQ(session->document().theCase().inputs[0].path, "other.exo");
+    EXPECT_NE(session->document().theCase().inputs[0].sha256, before);
+    window->rooms().project->inputs().locate("fe-1", folder.filePath(QStringLiteral("nowhere.exo")));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
+    EXPECT_EQ(session->document().theCase().inputs[0].path, "other.exo");
 }
 
 TEST_F(Project, AChangedResultIsAcceptedAndThatIsUndone) {
     openCase();
-    const std::string before = window->document().theCase().inputs[0].sha256;
+    const std::string before = session->document().theCase().inputs[0].sha256;
     writeOther(fe);
     openIt(caseFile());
     ASSERT_EQ(bars().size(), 1);
     EXPECT_TRUE(bars().front().contains(QStringLiteral("has changed since the case was saved"))) << bars().front().toStdString();
-    EXPECT_NE(window->computation().inputs().fe, nullptr) << "it is shown all the same";
+    EXPECT_NE(session->computation().inputs().fe, nullptr) << "it is shown all the same";
     QTest::mouseClick(barButton(QStringLiteral("primary")), Qt::LeftButton);
     EXPECT_TRUE(bars().isEmpty());
-    EXPECT_FALSE(window->computation().busy()) << "the file that is open is not read again";
-    EXPECT_NE(window->document().theCase().inputs[0].sha256, before);
-    EXPECT_TRUE(window->document().undoStack().undoText().contains(QStringLiteral("small.exo")));
-    ASSERT_TRUE(window->files().save());
-    EXPECT_EQ(io::loadCase(caseFile().toStdString()).inputs[0].sha256, window->computation().inputs().fe->contents().sha256);
-    window->document().undoStack().undo();
-    EXPECT_EQ(window->document().theCase().inputs[0].sha256, before);
+    EXPECT_FALSE(session->computation().busy()) << "the file that is open is not read again";
+    EXPECT_NE(session->document().theCase().inputs[0].sha256, before);
+    EXPECT_TRUE(session->document().undoStack().undoText().contains(QStringLiteral("small.exo")));
+    ASSERT_TRUE(window->rooms().files->save());
+    EXPECT_EQ(io::loadCase(caseFile().toStdString()).inputs[0].sha256, session->computation().inputs().fe->contents().sha256);
+    session->document().undoStack().undo();
+    EXPECT_EQ(session->document().theCase().inputs[0].sha256, before);
     EXPECT_EQ(bars().size(), 1);
 }
 
 TEST_F(Project, ScenariosAreDuplicatedNamedSwitchedAndDeleted) {
     openCase();
-    widgets::ScenarioList& list = window->deck().casePanel().scenarios();
+    widgets::ScenarioList& list = window->rooms().deck->casePanel().scenarios();
     auto* rows = list.findChild<QListWidget*>();
     const auto press = [&](const QString& text) {
         for (QPushButton* button : list.findChildren<QPushButton*>()) {
@@ -175,12 +175,12 @@ TEST_F(Project, ScenariosAreDuplicatedNamedSwitchedAndDeleted) {
         }
     };
     ASSERT_EQ(rows->count(), 1);
-    window->document().setParameter(QStringLiteral("friction"), 0.4);
+    session->document().setParameter(QStringLiteral("friction"), 0.4);
     press(QStringLiteral("Duplicate"));
     ASSERT_EQ(rows->count(), 2);
     EXPECT_EQ(rows->currentRow(), 1);
-    window->document().setParameter(QStringLiteral("friction"), 0.8);
-    EXPECT_EQ(window->document().theCase().scenarios[0].scenario.simulation.friction, 0.4);
+    session->document().setParameter(QStringLiteral("friction"), 0.8);
+    EXPECT_EQ(session->document().theCase().scenarios[0].scenario.simulation.friction, 0.4);
 
     rows->setFocus();
     QTest::keyClick(rows, Qt::Key_F2);
@@ -189,35 +189,35 @@ TEST_F(Project, ScenariosAreDuplicatedNamedSwitchedAndDeleted) {
     name->selectAll();
     QTest::keyClicks(name, QStringLiteral("Rough"));
     QTest::keyClick(name, Qt::Key_Return);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().theCase().scenarios[1].name == "Rough"; }, patience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->document().theCase().scenarios[1].name == "Rough"; }, patience));
     auto* note = list.findChild<QPlainTextEdit*>();
     note->setFocus();
     QTest::keyClicks(note, QStringLiteral("as if wet"));
     rows->setFocus();
-    EXPECT_EQ(window->document().theCase().scenarios[1].note, "as if wet");
+    EXPECT_EQ(session->document().theCase().scenarios[1].note, "as if wet");
 
     QTest::keyClick(rows, Qt::Key_Up);
-    EXPECT_EQ(window->document().theCase().activeScenario, "scenario-1");
-    EXPECT_EQ(window->document().scenario().simulation.friction, 0.4);
+    EXPECT_EQ(session->document().theCase().activeScenario, "scenario-1");
+    EXPECT_EQ(session->document().scenario().simulation.friction, 0.4);
     EXPECT_EQ(note->toPlainText(), QString());
     press(QStringLiteral("Delete"));
     EXPECT_EQ(rows->count(), 1);
-    EXPECT_EQ(window->document().scenario().simulation.friction, 0.8);
+    EXPECT_EQ(session->document().scenario().simulation.friction, 0.8);
 
     // All the way back and forth again.
-    const Case after = window->document().theCase();
-    while (window->document().undoStack().canUndo()) {
-        window->document().undoStack().undo();
+    const Case after = session->document().theCase();
+    while (session->document().undoStack().canUndo()) {
+        session->document().undoStack().undo();
     }
-    EXPECT_EQ(window->document().theCase().scenarios.size(), 1U);
-    EXPECT_FALSE(window->document().scenario().simulation.friction.has_value());
-    EXPECT_FALSE(window->document().modified());
-    while (window->document().undoStack().canRedo()) {
-        window->document().undoStack().redo();
+    EXPECT_EQ(session->document().theCase().scenarios.size(), 1U);
+    EXPECT_FALSE(session->document().scenario().simulation.friction.has_value());
+    EXPECT_FALSE(session->document().modified());
+    while (session->document().undoStack().canRedo()) {
+        session->document().undoStack().redo();
     }
-    EXPECT_EQ(window->document().theCase(), after);
+    EXPECT_EQ(session->document().theCase(), after);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    ASSERT_TRUE(window->files().save());
+    ASSERT_TRUE(window->rooms().files->save());
     EXPECT_EQ(io::loadCase(caseFile().toStdString()), after);
 }
 
@@ -225,11 +225,11 @@ TEST_F(Project, TwoScenariosAreComparedWithTheirRuns) {
     openCase();
     simulateIt();
     window->actions()["duplicate_scenario"].trigger();
-    window->document().setParameter(QStringLiteral("friction"), 0.25);
-    window->document().setParameter(QStringLiteral("restitution"), 0.1);
+    session->document().setParameter(QStringLiteral("friction"), 0.25);
+    session->document().setParameter(QStringLiteral("restitution"), 0.1);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     window->actions()["compare_scenarios"].trigger();
-    widgets::ScenarioComparison& comparison = *window->project().scenarios().comparison();
+    widgets::ScenarioComparison& comparison = *window->rooms().project->scenarios().comparison();
     ASSERT_TRUE(comparison.isVisible());
     ASSERT_EQ(comparison.settings().rowCount(), 2);
     QStringList seen;
@@ -248,25 +248,25 @@ TEST_F(Project, RunsAreListedKeptAndShownAgain) {
     openCase();
     simulateIt();
     const QString kept = folder.filePath(QStringLiteral("first.run.h5"));
-    window->files().saveRunTo(kept);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
-    const Digest first = window->computation().currentRun()->outcome->trajectoryHash;
-    window->document().setParameter(QStringLiteral("friction"), 0.1);
+    window->rooms().files->saveRunTo(kept);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
+    const Digest first = session->computation().currentRun()->outcome->trajectoryHash;
+    session->document().setParameter(QStringLiteral("friction"), 0.1);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     simulateIt();
-    EXPECT_NE(window->computation().currentRun()->outcome->trajectoryHash, first);
-    ASSERT_EQ(window->project().runs().runs().size(), 2U);
-    EXPECT_EQ(window->project().runs().shown(), 1U);
+    EXPECT_NE(session->computation().currentRun()->outcome->trajectoryHash, first);
+    ASSERT_EQ(window->rooms().project->runs().runs().size(), 2U);
+    EXPECT_EQ(window->rooms().project->runs().shown(), 1U);
 
-    auto* list = window->deck().run().runs().findChild<QListWidget*>();
+    auto* list = window->rooms().deck->run().runs().findChild<QListWidget*>();
     ASSERT_EQ(list->count(), 2);
     list->setCurrentRow(1);
-    auto* show = window->deck().run().runs().findChild<QPushButton*>(QStringLiteral("showRun"));
+    auto* show = window->rooms().deck->run().runs().findChild<QPushButton*>(QStringLiteral("showRun"));
     ASSERT_TRUE(show->isEnabled());
     QTest::mouseClick(show, Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->project().runs().shown() == 0U; }, patience));
-    EXPECT_EQ(window->computation().currentRun()->outcome->trajectoryHash, first);
-    EXPECT_NE(window->sceneData().trajectory, nullptr);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().project->runs().shown() == 0U; }, patience));
+    EXPECT_EQ(session->computation().currentRun()->outcome->trajectoryHash, first);
+    EXPECT_NE(window->rooms().scene->data().trajectory, nullptr);
     EXPECT_EQ(rail(PanelDeck::Run), widgets::StageState::Stale) << "it was made with other settings";
     simulateIt();
     EXPECT_TRUE(QFile::exists(kept)) << "a kept run is the user's";
@@ -274,18 +274,18 @@ TEST_F(Project, RunsAreListedKeptAndShownAgain) {
     // The history lies beside the case, and comes back with it.
     const std::string sidecar = io::runHistoryPath(caseFile().toStdString());
     EXPECT_EQ(io::readRunHistory(sidecar).size(), 3U);
-    ASSERT_TRUE(window->files().save());
+    ASSERT_TRUE(window->rooms().files->save());
     window->actions()["close"].trigger();
-    EXPECT_TRUE(window->project().runs().runs().empty());
+    EXPECT_TRUE(window->rooms().project->runs().runs().empty());
     openIt(caseFile());
-    ASSERT_EQ(window->project().runs().runs().size(), 3U);
-    EXPECT_EQ(window->project().runs().runs()[0].file, kept.toStdString());
-    EXPECT_EQ(window->project().runs().runs()[0].trajectoryHash, first);
-    EXPECT_TRUE(window->project().runs().runs()[0].complete);
-    EXPECT_GT(window->project().runs().runs()[0].bodies, 0);
+    ASSERT_EQ(window->rooms().project->runs().runs().size(), 3U);
+    EXPECT_EQ(window->rooms().project->runs().runs()[0].file, kept.toStdString());
+    EXPECT_EQ(window->rooms().project->runs().runs()[0].trajectoryHash, first);
+    EXPECT_TRUE(window->rooms().project->runs().runs()[0].complete);
+    EXPECT_GT(window->rooms().project->runs().runs()[0].bodies, 0);
     ASSERT_TRUE(QFile::remove(kept));
-    window->project().runs().show(0);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().failure().has_value(); }, patience)) << "told, not crashed";
+    window->rooms().project->runs().show(0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().failure().has_value(); }, patience)) << "told, not crashed";
 }
 
 // A run that was cancelled has figures that are not known; it is one run all the same, however often its case is saved and opened.
@@ -294,19 +294,19 @@ TEST_F(Project, ACancelledRunIsListedOnce) {
     const QString elsewhere = folder.filePath(QStringLiteral("elsewhere.rubble"));
     RunEntry cancelled;
     cancelled.when = "2024-05-31T08:15:30Z";
-    cancelled.scenarioId = window->document().active()->id;
+    cancelled.scenarioId = session->document().active()->id;
     cancelled.wallSeconds = 0.1;
     io::writeRunHistory(io::runHistoryPath(caseFile().toStdString()), {cancelled});
     window->actions()["close"].trigger();
     openIt(caseFile());
     for (int i = 0; i < 3; ++i) {
-        ASSERT_EQ(window->project().runs().runs().size(), 1U) << i;
-        ASSERT_TRUE(window->files().saveTo(elsewhere) && window->files().saveTo(caseFile()));
+        ASSERT_EQ(window->rooms().project->runs().runs().size(), 1U) << i;
+        ASSERT_TRUE(window->rooms().files->saveTo(elsewhere) && window->rooms().files->saveTo(caseFile()));
         cancelled.file = "/kept/first.run.h5";
         io::writeRunHistory(io::runHistoryPath(elsewhere.toStdString()), {cancelled});
     }
-    EXPECT_EQ(window->project().runs().runs().size(), 1U);
-    EXPECT_EQ(window->project().runs().runs().front().file, cancelled.file) << "what is new of a run that is known";
+    EXPECT_EQ(window->rooms().project->runs().runs().size(), 1U);
+    EXPECT_EQ(window->rooms().project->runs().runs().front().file, cancelled.file) << "what is new of a run that is known";
     EXPECT_EQ(io::readRunHistory(io::runHistoryPath(caseFile().toStdString())).size(), 1U);
 }
 
@@ -332,22 +332,23 @@ TEST_F(Project, ADamagedCaseIsToldAndLeavesWhatIsOpen) {
     for (const std::string& text : texts) {
         SCOPED_TRACE(text.substr(0, 60));
         std::ofstream(damaged.toStdString(), std::ios::binary) << text;
-        window->statusLine().setMessage({});
+        window->findChild<widgets::StatusLine*>()->setMessage({});
         window->open(damaged);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy() && !window->statusLine().activityText().isEmpty(); },
-                                    patience));
-        EXPECT_TRUE(window->statusLine().activityText().contains(QStringLiteral("damaged.rubble")))
-            << window->statusLine().activityText().toStdString();
-        EXPECT_EQ(window->document().path(), caseFile());
-        EXPECT_NE(window->computation().inputs().fe, nullptr);
-        EXPECT_FALSE(window->document().modified());
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] { return !session->computation().busy() && !window->findChild<widgets::StatusLine*>()->activityText().isEmpty(); },
+            patience));
+        EXPECT_TRUE(window->findChild<widgets::StatusLine*>()->activityText().contains(QStringLiteral("damaged.rubble")))
+            << window->findChild<widgets::StatusLine*>()->activityText().toStdString();
+        EXPECT_EQ(session->document().path(), caseFile());
+        EXPECT_NE(session->computation().inputs().fe, nullptr);
+        EXPECT_FALSE(session->document().modified());
     }
 }
 
 TEST_F(Project, WhatCannotBeReadTakesNothingFromWhatRuns) {
     openArch();
-    window->simulate(false);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().simulating(); }, patience));
+    window->rooms().runs->simulate(false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().simulating(); }, patience));
     for (const char* name : {"damaged.rubble", "damaged.d3plot", "gone.exo"}) {
         const QString damaged = folder.filePath(QLatin1String(name));
         if (!damaged.endsWith(QStringLiteral("gone.exo"))) {
@@ -361,7 +362,7 @@ TEST_F(Project, WhatCannotBeReadTakesNothingFromWhatRuns) {
             });
         };
         ASSERT_TRUE(QTest::qWaitFor(told, patience)) << name;
-        EXPECT_NE(window->computation().inputs().fe, nullptr);
+        EXPECT_NE(session->computation().inputs().fe, nullptr);
     }
     awaitRun();
 }
@@ -372,9 +373,9 @@ TEST_F(Project, NoCaseTakesThePlaceOfOneThatADialogAsksAbout) {
     const auto inDialog = [&](const std::function<void(QDialog&)>& answer) {
         whenAsked([&, answer](QDialog& dialog) {
             // The other result is read by now, and waits.
-            EXPECT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
+            EXPECT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
             QTest::qWait(200);
-            EXPECT_EQ(window->document().path(), caseFile());
+            EXPECT_EQ(session->document().path(), caseFile());
             answer(dialog);
         });
         window->open(other);
@@ -386,12 +387,12 @@ TEST_F(Project, NoCaseTakesThePlaceOfOneThatADialogAsksAbout) {
     });
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     QTest::qWait(200);
-    EXPECT_EQ(window->document().path(), caseFile()) << "its files were asked for after the other result";
-    EXPECT_EQ(window->document().theCase().frame.crs, "EPSG:25832");
+    EXPECT_EQ(session->document().path(), caseFile()) << "its files were asked for after the other result";
+    EXPECT_EQ(session->document().theCase().frame.crs, "EPSG:25832");
     window->actions()["undo"].trigger();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && !window->computation().busy(); }, patience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && !session->computation().busy(); }, patience));
     inDialog([](QDialog& dialog) { dialog.reject(); });
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->document().base().endsWith(QStringLiteral("other.exo.rubble")); }, patience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->document().base().endsWith(QStringLiteral("other.exo.rubble")); }, patience));
 }
 
 TEST_F(Project, AnEditMadeWhileAnotherCaseIsReadIsNotLost) {
@@ -407,10 +408,10 @@ TEST_F(Project, AnEditMadeWhileAnotherCaseIsReadIsNotLost) {
             window->actions()["undo"].trigger();
         }
         window->open(other);
-        window->document().setParameter(QStringLiteral("friction"), 0.3);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return asked && !window->computation().busy(); }, patience));
+        session->document().setParameter(QStringLiteral("friction"), 0.3);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return asked && !session->computation().busy(); }, patience));
         QTest::qWait(200);
-        EXPECT_EQ(window->document().path().isEmpty(), answer == QMessageBox::Discard);
+        EXPECT_EQ(session->document().path().isEmpty(), answer == QMessageBox::Discard);
     }
 }
 
@@ -420,35 +421,35 @@ TEST_F(Project, ADamagedHistoryIsSetAside) {
     std::ofstream(sidecar.toStdString()) << R"({"format": "rubble-run-history", "version": 1, "runs": [{"when": 3}]})";
     window->actions()["close"].trigger();
     QStringList told;
-    QObject::connect(&window->project().runs(), &RunHistory::failed, window.get(), [&](const QString& what) { told << what; });
+    QObject::connect(session.get(), &Session::failed, window, [&](const Failure& failure) { told << failure.what(); });
     openIt(caseFile());
     ASSERT_EQ(told.size(), 1);
     EXPECT_TRUE(told[0].contains(QStringLiteral("small.rubble.runs.json"))) << told[0].toStdString();
     EXPECT_FALSE(QFile::exists(sidecar));
     EXPECT_EQ(QDir(folder.path()).entryList({QStringLiteral("*.damaged-*")}).size(), 1);
     simulateIt();
-    EXPECT_EQ(window->project().runs().runs().size(), 1U);
+    EXPECT_EQ(window->rooms().project->runs().runs().size(), 1U);
 }
 
 TEST_F(Project, TheHistoryListGoesWhereItIsClicked) {
     openCase();
     for (int i = 1; i <= 4; ++i) {
-        window->document().setParameter(QStringLiteral("friction"), 0.1 * i);
+        session->document().setParameter(QStringLiteral("friction"), 0.1 * i);
     }
-    QTest::keyClick(window.get(), Qt::Key_H, Qt::ControlModifier);
-    ASSERT_TRUE(window->project().historyDock().isVisible());
-    auto* list = window->project().historyDock().findChild<QUndoView*>();
+    QTest::keyClick(window, Qt::Key_H, Qt::ControlModifier);
+    ASSERT_TRUE(window->rooms().project->historyDock().isVisible());
+    auto* list = window->rooms().project->historyDock().findChild<QUndoView*>();
     EXPECT_EQ(list->model()->rowCount(), 5);
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(2, 0)).center());
-    EXPECT_EQ(window->document().scenario().simulation.friction, 0.2);
+    EXPECT_EQ(session->document().scenario().simulation.friction, 0.2);
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
-    EXPECT_FALSE(window->document().scenario().simulation.friction.has_value());
-    window->project().historyDock().close();
+    EXPECT_FALSE(session->document().scenario().simulation.friction.has_value());
+    window->rooms().project->historyDock().close();
     EXPECT_FALSE(window->actions()["history"].isChecked());
 }
 
 TEST_F(Project, TheLayoutComesBackAndIsReset) {
-    window->project().restoreLayout();
+    window->restoreLayout();
     // Room for the panel to be as wide as it is pulled, beside views and history.
     window->resize(1800, 900);
     QTest::qWait(50);
@@ -458,31 +459,31 @@ TEST_F(Project, TheLayoutComesBackAndIsReset) {
     splitter->setSizes({first + 90, 400});
     const int wide = splitter->sizes().front();
     ASSERT_TRUE(window->close());
-    window = std::make_unique<MainWindow>();
-    window->project().restoreLayout();
+    startProgram();
+    window->restoreLayout();
     window->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), patience));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window, patience));
     splitter = window->findChild<QSplitter*>(QStringLiteral("mainSplitter"));
     EXPECT_NEAR(splitter->sizes().front(), wide, 2);
-    EXPECT_TRUE(window->project().historyDock().isVisible());
+    EXPECT_TRUE(window->rooms().project->historyDock().isVisible());
     EXPECT_TRUE(window->actions()["history"].isChecked());
     window->actions()["reset_layout"].trigger();
-    EXPECT_FALSE(window->project().historyDock().isVisible());
+    EXPECT_FALSE(window->rooms().project->historyDock().isVisible());
     EXPECT_LT(splitter->sizes().front(), wide - 40);
     QSettings().setValue(QStringLiteral("layout/docks"), QByteArray("no layout"));
     QSettings().setValue(QStringLiteral("layout/window"), 17);
-    window->project().restoreLayout();
+    window->restoreLayout();
 }
 
 TEST_F(Project, TheStartPageOpensSamplesAndRecentCases) {
-    window->project().begin();
+    window->rooms().project->begin();
     ASSERT_FALSE(samples().empty());
     const auto cards = [&] { return window->area().startPage().findChildren<widgets::CaseCard*>(); };
     EXPECT_EQ(cards().size(), static_cast<qsizetype>(samples().size())) << "nothing was opened yet";
     openCase();
     window->actions()["close"].trigger();
     EXPECT_EQ(window->area().currentIndex(), 0);
-    ASSERT_EQ(window->project().start().recent().list().size(), 2U) << "the result and the case";
+    ASSERT_EQ(window->rooms().project->start().recent().list().size(), 2U) << "the result and the case";
     const auto card = [&](const QString& words) -> widgets::CaseCard* {
         for (widgets::CaseCard* each : cards()) {
             if (each->content().words == words && each->isVisible()) {
@@ -494,19 +495,19 @@ TEST_F(Project, TheStartPageOpensSamplesAndRecentCases) {
     ASSERT_NE(card(caseFile()), nullptr);
     QTest::mouseClick(card(caseFile()), Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    EXPECT_EQ(window->document().path(), caseFile());
+    EXPECT_EQ(session->document().path(), caseFile());
     window->actions()["close"].trigger();
     const QString moved = folder.filePath(QStringLiteral("moved.rubble"));
     ASSERT_TRUE(QFile::rename(caseFile(), moved));
-    window->project().start().refresh();
+    window->rooms().project->start().refresh();
     QTest::qWait(10);
     ASSERT_NE(card(caseFile()), nullptr);
     EXPECT_FALSE(card(caseFile())->isEnabled());
-    window->project().start().locate(caseFile(), moved);
+    window->rooms().project->start().locate(caseFile(), moved);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    EXPECT_EQ(window->document().path(), moved);
+    EXPECT_EQ(session->document().path(), moved);
     window->actions()["close"].trigger();
-    const std::size_t before = window->project().start().recent().list().size();
+    const std::size_t before = window->rooms().project->start().recent().list().size();
     QTest::qWait(10);
     for (QPushButton* forget : window->area().startPage().findChildren<QPushButton*>(QStringLiteral("forget"))) {
         if (forget->isVisible()) {
@@ -514,7 +515,7 @@ TEST_F(Project, TheStartPageOpensSamplesAndRecentCases) {
             break;
         }
     }
-    EXPECT_EQ(window->project().start().recent().list().size(), before - 1);
+    EXPECT_EQ(window->rooms().project->start().recent().list().size(), before - 1);
 }
 
 TEST_F(Project, TheTourLeadsThroughTheWindowByKeys) {

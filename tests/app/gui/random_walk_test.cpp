@@ -58,13 +58,13 @@ protected:
         ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write("no result at all") > 0);
         // Menus and dialogs that wait for an answer get one, as their loops run inside the step that opened them. Queued, since a
         // timer rests while its slot runs, and an answer may bring up the next question.
-        QObject::connect(&answers, &QTimer::timeout, window.get(), [this] { answer(); }, Qt::QueuedConnection);
+        QObject::connect(&answers, &QTimer::timeout, window, [this] { answer(); }, Qt::QueuedConnection);
         answers.start(40);
     }
     void TearDown() override {
         answers.stop();
-        window->computation().cancel();
-        window->document().undoStack().setClean();
+        session->computation().cancel();
+        session->document().undoStack().setClean();
     }
 
     int below(int n) { return n > 0 ? static_cast<int>(random() % static_cast<unsigned>(n)) : 0; }
@@ -109,7 +109,7 @@ protected:
         if (QWidget* modal = QApplication::activeModalWidget()) {
             return modal;
         }
-        return all.isEmpty() ? window.get() : below(3) != 0 ? window.get() : all[below(static_cast<int>(all.size()))];
+        return all.isEmpty() ? window : below(3) != 0 ? window : all[below(static_cast<int>(all.size()))];
     }
     template <typename Kind>
     Kind* any(QWidget& root) {
@@ -139,7 +139,7 @@ protected:
         for (const ActionRow& row : actionTable()) {
             if (row.id == id) {
                 const QKeySequence keys = QKeySequence::fromString(QLatin1String(row.key), QKeySequence::PortableText);
-                QTest::keyClick(window.get(), static_cast<Qt::Key>(keys[0].key()), keys[0].keyboardModifiers());
+                QTest::keyClick(window, static_cast<Qt::Key>(keys[0].key()), keys[0].keyboardModifiers());
             }
         }
     }
@@ -239,8 +239,8 @@ protected:
                 dragIn(views);
         }
     }
-    void scrub() { dragIn(window->timeline()); }
-    void leaveOrGoOn() { QTest::keyClick(window.get(), below(2) == 0 ? Qt::Key_Escape : Qt::Key_Tab); }
+    void scrub() { dragIn((*window->findChild<widgets::Timeline*>())); }
+    void leaveOrGoOn() { QTest::keyClick(window, below(2) == 0 ? Qt::Key_Escape : Qt::Key_Tab); }
     void changeTheWindow() {
         static const std::array sizes{QSize(1280, 800), QSize(1600, 900), QSize(1920, 1080), QSize(1300, 820)};
         window->resize(sizes[static_cast<std::size_t>(below(4))]);
@@ -253,15 +253,15 @@ protected:
         dropped.setUrls({QUrl::fromLocalFile(files[below(3) != 0 ? 0 : below(4)])});
         const QPoint at = placeIn(*window);
         QDragEnterEvent enter(at, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(window.get(), &enter);
+        QApplication::sendEvent(window, &enter);
         if (enter.isAccepted() && QApplication::activeModalWidget() == nullptr) {
             QDropEvent drop(at, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
-            QApplication::sendEvent(window.get(), &drop);
+            QApplication::sendEvent(window, &drop);
         }
     }
     void save() {
-        if (!window->document().empty() && QApplication::activeModalWidget() == nullptr) {
-            window->files().saveTo(folder.filePath(QStringLiteral("walk.rubble")));
+        if (!session->document().empty() && QApplication::activeModalWidget() == nullptr) {
+            window->rooms().files->saveTo(folder.filePath(QStringLiteral("walk.rubble")));
         }
     }
     /// Language, theme, colours or units.
@@ -332,13 +332,13 @@ TEST_F(RandomWalk, HarmsNothing) {
     }
     // The window still does its work after all of that.
     for (QWidget* each : QApplication::topLevelWidgets()) {
-        if (each != window.get() && each->isVisible()) {
+        if (each != window && each->isVisible()) {
             each->close();
         }
     }
-    window->computation().cancel();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->computation().busy(); }, patience));
-    window->document().undoStack().setClean();
+    session->computation().cancel();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
+    session->document().undoStack().setClean();
     window->open(fe);
     EXPECT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     RecordProperty("steps", steps);

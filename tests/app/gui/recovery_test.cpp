@@ -104,8 +104,8 @@ TEST(Autosave, WhatCannotBeReadIsSetAsideAndTold) {
     Document document;
     Autosave autosave(document, folder.path());
     QStringList told;
-    QObject::connect(&autosave, &Autosave::setAside, [&](const QString& what, const QString& where) {
-        told << what;
+    QObject::connect(&autosave, &Autosave::setAside, [&](const Failure& what, const QString& where) {
+        told << what.what();
         EXPECT_TRUE(QFile::exists(where)) << where.toStdString();
     });
     EXPECT_TRUE(autosave.leftWork().empty());
@@ -177,20 +177,20 @@ protected:
     }
     /// What it left is offered, and comes back by a click.
     void recover() {
-        window->project().recovery().look();
-        ASSERT_EQ(window->project().recovery().offered(), 1U);
-        EXPECT_TRUE(window->project().recovery().text().contains(QStringLiteral("small")))
-            << window->project().recovery().text().toStdString();
+        window->rooms().project->recovery().look();
+        ASSERT_EQ(window->rooms().project->recovery().offered(), 1U);
+        EXPECT_TRUE(window->rooms().project->recovery().text().contains(QStringLiteral("small")))
+            << window->rooms().project->recovery().text().toStdString();
         auto* bar = window->findChild<widgets::NoticeBar*>();
         auto* recover = bar->findChild<QPushButton*>(QStringLiteral("primary"));
         ASSERT_TRUE(QTest::qWaitFor([&] { return recover->isVisible(); }, patience));
         QTest::mouseClick(recover, Qt::LeftButton);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-        EXPECT_EQ(window->document().scenario().simulation.friction, 0.37);
-        EXPECT_TRUE(window->document().modified()) << "it is still not saved";
-        EXPECT_EQ(window->project().recovery().offered(), 0U);
+        EXPECT_EQ(session->document().scenario().simulation.friction, 0.37);
+        EXPECT_TRUE(session->document().modified()) << "it is still not saved";
+        EXPECT_EQ(window->rooms().project->recovery().offered(), 0U);
         EXPECT_EQ(keptIn(unsaved).size(), 1) << "kept by this session now";
-        ASSERT_TRUE(window->files().saveTo(folder.filePath(QStringLiteral("small.rubble"))));
+        ASSERT_TRUE(window->rooms().files->saveTo(folder.filePath(QStringLiteral("small.rubble"))));
         EXPECT_TRUE(keptIn(unsaved).isEmpty());
     }
 
@@ -202,8 +202,8 @@ protected:
 
 TEST_F(LeftSession, ThatWasKilledComesBack) {
     begin();
-    window->project().begin();
-    EXPECT_EQ(window->project().recovery().offered(), 0U) << "the session is alive: its work is its own";
+    window->rooms().project->begin();
+    EXPECT_EQ(window->rooms().project->recovery().offered(), 0U) << "the session is alive: its work is its own";
     ::kill(static_cast<pid_t>(session.processId()), SIGKILL);
     ASSERT_TRUE(session.waitForFinished(patience));
     recover();

@@ -32,33 +32,35 @@ TEST_F(Workbench, RefreshShowsWhatHasComeAndKeepsTheRest) {
     writeUpTo(3, path);
     window->open(QString::fromStdString(path));
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    window->document().setParameter(QStringLiteral("multiple"), 3.0);
+    session->document().setParameter(QStringLiteral("multiple"), 3.0);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     window->area().views().setAnimated(false);
     window->area().views().look(render::Preset::Top);
-    window->showInstant(0.1);
+    window->rooms().playback->showInstant(0.1);
     const render::View view = window->area().views().view();
-    const int panel = window->deck().stack().currentIndex();
-    const auto before = window->computation().inputs().fe;
+    const int panel = window->rooms().deck->stack().currentIndex();
+    const auto before = session->computation().inputs().fe;
     ASSERT_EQ(before->stateCount(), 3u);
 
-    QTest::keyClick(window.get(), Qt::Key_F5);
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return window->statusLine().activityText().contains(QStringLiteral("Nothing new")); }, patience))
-        << window->statusLine().activityText().toStdString();
-    EXPECT_EQ(window->computation().inputs().fe, before);
+    QTest::keyClick(window, Qt::Key_F5);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window->findChild<widgets::StatusLine*>()->activityText().contains(QStringLiteral("Nothing new")); },
+        patience))
+        << window->findChild<widgets::StatusLine*>()->activityText().toStdString();
+    EXPECT_EQ(session->computation().inputs().fe, before);
 
     writeUpTo(6, path);
-    QTest::keyClick(window.get(), Qt::Key_F5);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().inputs().fe != before && prepared(); }, patience));
-    EXPECT_EQ(window->computation().inputs().fe->stateCount(), 6u);
-    EXPECT_DOUBLE_EQ(window->playback().clock().time(), 0.1);
+    QTest::keyClick(window, Qt::Key_F5);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().inputs().fe != before && prepared(); }, patience));
+    EXPECT_EQ(session->computation().inputs().fe->stateCount(), 6u);
+    EXPECT_DOUBLE_EQ(window->rooms().playback->clock().time(), 0.1);
     EXPECT_EQ(window->area().views().view().cameras[0], view.cameras[0]);
     EXPECT_EQ(window->area().views().view().layout, view.layout);
-    EXPECT_EQ(window->deck().stack().currentIndex(), panel);
-    EXPECT_EQ(window->document().scenario().grid.multiple, 3.0);
-    EXPECT_TRUE(window->document().undoStack().canUndo());
-    EXPECT_THAT(window->statusLine().activityText().toStdString(), testing::HasSubstr("3 states more, to 0.5 s"));
+    EXPECT_EQ(window->rooms().deck->stack().currentIndex(), panel);
+    EXPECT_EQ(session->document().scenario().grid.multiple, 3.0);
+    EXPECT_TRUE(session->document().undoStack().canUndo());
+    EXPECT_THAT(window->findChild<widgets::StatusLine*>()->activityText().toStdString(),
+                testing::HasSubstr("3 states more, to 0.5 s"));
 }
 
 TEST_F(Workbench, CopiesOfResultsAreKeptWhenAskedFor) {
@@ -69,7 +71,7 @@ TEST_F(Workbench, CopiesOfResultsAreKeptWhenAskedFor) {
     const auto openIt = [&] {
         window->open(QString::fromStdString(path));
         EXPECT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-        return window->computation().inputs().fe->contents().fingerprint;
+        return session->computation().inputs().fe->contents().fingerprint;
     };
     const Digest plain = openIt();
     EXPECT_FALSE(std::filesystem::exists(cache.path().toStdString() + "/fe"));

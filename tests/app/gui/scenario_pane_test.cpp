@@ -22,7 +22,7 @@ protected:
         Workbench::SetUp();
         window->open(QString::fromStdString(cli::writeSmallCollapse(folder.filePath(QStringLiteral("small.exo")).toStdString())));
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-        window->document().setParameter(QStringLiteral("settle_time"), 0.5);
+        session->document().setParameter(QStringLiteral("settle_time"), 0.5);
         simulate();
     }
     void simulate() {
@@ -30,10 +30,10 @@ protected:
         simulateToEnd();
     }
     widgets::ViewWidget& views() { return window->area().views(); }
-    const std::vector<std::shared_ptr<const RunRecord>>& others() { return window->computation().otherRuns(); }
+    const std::vector<std::shared_ptr<const RunRecord>>& others() { return session->computation().otherRuns(); }
     void goOnWithACopy() {
-        QTest::keyClick(window.get(), Qt::Key_D, Qt::ControlModifier);
-        window->document().setParameter(QStringLiteral("gravity"), 3.7);
+        QTest::keyClick(window, Qt::Key_D, Qt::ControlModifier);
+        session->document().setParameter(QStringLiteral("gravity"), 3.7);
         simulate();
     }
 
@@ -42,15 +42,15 @@ protected:
 
 TEST_F(ScenarioPanes, ShowAnotherScenarioBesideThisOne) {
     EXPECT_TRUE(others().empty());
-    const QString first = window->computation().currentRun()->scenarioName;
+    const QString first = session->computation().currentRun()->scenarioName;
     goOnWithACopy();
     ASSERT_EQ(others().size(), 1U);
     EXPECT_EQ(others().front()->scenarioName, first);
-    QTest::keyClick(window.get(), Qt::Key_7);
+    QTest::keyClick(window, Qt::Key_7);
     EXPECT_EQ(views().view().layout, render::Layout::Scenarios);
     EXPECT_TRUE(window->area().scenarioBar().isVisible());
     EXPECT_EQ(window->area().scenarioBar().chosen(), first);
-    window->showInstant(0.5);
+    window->rooms().playback->showInstant(0.5);
     ASSERT_TRUE(QTest::qWaitFor([&] { return views().status(render::PaneContent::Other).simulated; }, patience));
     EXPECT_DOUBLE_EQ(views().status(render::PaneContent::Other).time, views().status(render::PaneContent::Fragments).time);
     EXPECT_EQ(views().other().trajectory, others().front()->reader);
@@ -61,14 +61,14 @@ TEST_F(ScenarioPanes, ShowAnotherScenarioBesideThisOne) {
 }
 
 TEST_F(ScenarioPanes, KeepOneRunOfEachScenario) {
-    const QString firstFile = window->computation().currentRun()->path;
+    const QString firstFile = session->computation().currentRun()->path;
     goOnWithACopy();
     EXPECT_TRUE(QFile::exists(firstFile));
     simulate();
     EXPECT_EQ(others().size(), 1U) << "the same scenario anew takes the place of its own run";
     EXPECT_TRUE(QFile::exists(firstFile));
-    window->document().undoStack().setClean();
-    QTest::keyClick(window.get(), Qt::Key_W, Qt::ControlModifier);
+    session->document().undoStack().setClean();
+    QTest::keyClick(window, Qt::Key_W, Qt::ControlModifier);
     EXPECT_TRUE(others().empty());
     EXPECT_FALSE(QFile::exists(firstFile));
 }

@@ -27,45 +27,50 @@ class Screens : public FreshWorkbench {
 protected:
     /// Looks at one screen at every size, in every language and theme.
     void look(const QString& name, const std::function<QWidget*()>& screen) {
+        for (const char* language : {"en", "zh_CN"}) {
+            renewed->speak(QLatin1String(language));
+            lookNow(name, screen);
+        }
+        renewed->speak(QStringLiteral("en"));
+    }
+    /// The same in the language that is spoken: dialogs go with their window.
+    void lookNow(const QString& name, const std::function<QWidget*()>& screen) {
         static const std::array sizes{QSize(1280, 800), QSize(1920, 1080)};
         static const QString folder = qEnvironmentVariable("RUBBLE_TAKE_SCREENS");
-        for (const char* language : {"en", "zh_CN"}) {
-            widgets::speak(QLatin1String(language));
-            for (const QSize& size : sizes) {
-                if (folder.isEmpty() && size != sizes[0]) {
-                    continue;  // what fits into the smallest window fits into larger ones
-                }
-                window->resize(size);
-                QTest::qWait(300);
-                ASSERT_NE(screen(), nullptr) << name.toStdString();
-                const QString where = QStringLiteral("%1-%2-%3").arg(name, QLatin1String(language)).arg(size.width());
-                // What comes at any time (what a cluster answers) gets its room within the events that follow.
-                QStringList illegible;
-                (void)QTest::qWaitFor(
-                    [&] {
-                        illegible = illegibleIn(*screen());
-                        return illegible.isEmpty();
-                    },
-                    1000);
-                for (const QString& each : illegible) {
-                    ADD_FAILURE() << where.toStdString() << ": " << each.toStdString();
-                }
-                if (widgets::currentLanguage() != QLatin1String("en")) {
-                    askForEnglish(where, *screen());
-                }
-                for (const char* theme : {"light", "dark"}) {
-                    if (!folder.isEmpty()) {
-                        window->setTheme(QLatin1String(theme));
-                        keep(*screen(), QStringLiteral("%1/%2-%3.png").arg(folder, where, QLatin1String(theme)));
-                    }
+        const QString language = widgets::currentLanguage();
+        for (const QSize& size : sizes) {
+            if (folder.isEmpty() && size != sizes[0]) {
+                continue;  // what fits into the smallest window fits into larger ones
+            }
+            window->resize(size);
+            QTest::qWait(300);
+            ASSERT_NE(screen(), nullptr) << name.toStdString();
+            const QString where = QStringLiteral("%1-%2-%3").arg(name, language).arg(size.width());
+            // What comes at any time (what a cluster answers) gets its room within the events that follow.
+            QStringList illegible;
+            (void)QTest::qWaitFor(
+                [&] {
+                    illegible = illegibleIn(*screen());
+                    return illegible.isEmpty();
+                },
+                1000);
+            for (const QString& each : illegible) {
+                ADD_FAILURE() << where.toStdString() << ": " << each.toStdString();
+            }
+            if (widgets::currentLanguage() != QLatin1String("en")) {
+                askForEnglish(where, *screen());
+            }
+            for (const char* theme : {"light", "dark"}) {
+                if (!folder.isEmpty()) {
+                    window->setTheme(QLatin1String(theme));
+                    keep(*screen(), QStringLiteral("%1/%2-%3.png").arg(folder, where, QLatin1String(theme)));
                 }
             }
         }
-        widgets::speak(QStringLiteral("en"));
     }
     void askForEnglish(const QString& where, QWidget& screen) {
-        NewCase* making = window->caseInTheMaking();
-        const auto& fe = (making != nullptr ? making->computation() : window->computation()).inputs().fe;
+        NewCase* making = window->rooms().opening->caseInTheMaking();
+        const auto& fe = (making != nullptr ? making->computation() : session->computation()).inputs().fe;
         for (const auto& [place, text] : textsOf(screen)) {
             EXPECT_TRUE(strangeWords(text, namesIn(fe.get())).isEmpty())
                 << qPrintable(where) << ", " << qPrintable(place) << ": " << qPrintable(text);
@@ -79,29 +84,29 @@ protected:
         static constexpr std::array panels{"case",     "fragments", "grid",   "effects",  "run",
                                            "accuracy", "evidence",  "report", "ensemble", "causes"};
         for (int i = 0; i < static_cast<int>(panels.size()); ++i) {
-            window->deck().choosePage(i);
-            look(prefix + QLatin1String(panels[static_cast<std::size_t>(i)]), [this] { return window.get(); });
+            window->rooms().deck->choosePage(i);
+            look(prefix + QLatin1String(panels[static_cast<std::size_t>(i)]), [this] { return window; });
         }
-        window->deck().choosePage(0);
+        window->rooms().deck->choosePage(0);
     }
     void simulated() {
         openArch();
         makeCheap();
         simulateToEnd();
-        window->showInstant(0.6 * window->playback().clock().last());
+        window->rooms().playback->showInstant(0.6 * window->rooms().playback->clock().last());
     }
     /// Triggers an action, looks at the dialog that it opens, which may hold the action up, and closes that.
     void lookAtDialogOf(const char* action) {
         bool seen = false;
-        QTimer::singleShot(1000, window.get(), [this, action, &seen] {
+        QTimer::singleShot(1000, window, [this, action, &seen] {
             QWidget* dialog = nullptr;
             for (QWidget* each : QApplication::topLevelWidgets()) {
-                const bool isDialog = each->isVisible() && each != window.get() && each->windowType() == Qt::Dialog;
+                const bool isDialog = each->isVisible() && each != window && each->windowType() == Qt::Dialog;
                 dialog = isDialog ? each : dialog;
             }
             seen = true;
             ASSERT_NE(dialog, nullptr) << action;
-            look(QStringLiteral("dialog-") + QLatin1String(action), [dialog] { return dialog; });
+            lookNow(QStringLiteral("dialog-") + QLatin1String(action), [dialog] { return dialog; });
             dialog->close();
         });
         window->actions()[action].trigger();
@@ -110,25 +115,25 @@ protected:
 };
 
 TEST_F(Screens, CanBeReadWholeWithoutACase) {
-    look(QStringLiteral("start"), [this] { return window.get(); });
+    look(QStringLiteral("start"), [this] { return window; });
     lookAtPanels(QStringLiteral("empty-"));
 }
 
 TEST_F(Screens, CanBeReadWholeWithARun) {
     simulated();
     lookAtPanels({});
-    QDockWidget& inspector = *window->findChild<QDockWidget*>(QStringLiteral("inspectorDock"));
-    window->inspection().selection().select({window->area().views().data().fragments->list.front().element});
-    look(QStringLiteral("inspector"), [&]() -> QWidget* {
-        if (inspector.isFloating()) {
-            return &inspector;
+    window->rooms().inspection->selection().select({window->area().views().data().fragments->list.front().element});
+    look(QStringLiteral("inspector"), [this]() -> QWidget* {
+        auto* inspector = window->findChild<QDockWidget*>(QStringLiteral("inspectorDock"));
+        if (inspector->isFloating()) {
+            return inspector;
         }
-        return window.get();
+        return window;
     });
     window->actions()["select_none"].trigger();
     for (const char* action : {"components", "history", "select_by", "clip", "four", "overlay", "presentation"}) {
         window->actions()[action].trigger();
-        look(QLatin1String(action), [this] { return window.get(); });
+        look(QLatin1String(action), [this] { return window; });
         window->actions()[action].trigger();
     }
 }
@@ -136,23 +141,31 @@ TEST_F(Screens, CanBeReadWholeWithARun) {
 TEST_F(Screens, WholeDialogsCanBeReadWhole) {
     simulated();
     window->actions()["duplicate_scenario"].trigger();
-    for (const char* action : {"preferences", "manual", "compare_scenarios", "export_figure", "export_movie", "site", "about"}) {
-        lookAtDialogOf(action);
+    for (const char* language : {"en", "zh_CN"}) {
+        renewed->speak(QLatin1String(language));
+        for (const char* action :
+             {"preferences", "manual", "compare_scenarios", "export_figure", "export_movie", "site", "about"}) {
+            lookAtDialogOf(action);
+        }
     }
 }
 
 TEST_F(Screens, WholeTheWizardCanBeReadWhole) {
-    window->newCase(arch());
-    NewCase& making = *window->caseInTheMaking();
     static const std::array steps{"units", "ground", "components", "deaths", "case"};
-    for (int step = 0; step < widgets::NewCaseWizard::StepCount; ++step) {
-        making.wizard().go(static_cast<widgets::NewCaseWizard::Step>(step));
-        ASSERT_TRUE(
-            QTest::qWaitFor([&] { return making.settled() && making.computation().results().fragments != nullptr; }, patience));
-        look(QStringLiteral("wizard-%1").arg(QLatin1String(steps[static_cast<std::size_t>(step)])),
-             [&] { return &making.wizard(); });
+    for (const char* language : {"en", "zh_CN"}) {
+        renewed->speak(QLatin1String(language));
+        window->rooms().opening->newCase(arch());
+        NewCase& making = *window->rooms().opening->caseInTheMaking();
+        for (int step = 0; step < widgets::NewCaseWizard::StepCount; ++step) {
+            making.wizard().go(static_cast<widgets::NewCaseWizard::Step>(step));
+            ASSERT_TRUE(
+                QTest::qWaitFor([&] { return making.settled() && making.computation().results().fragments != nullptr; }, patience));
+            lookNow(QStringLiteral("wizard-%1").arg(QLatin1String(steps[static_cast<std::size_t>(step)])),
+                    [&] { return &making.wizard(); });
+        }
+        making.wizard().reject();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().opening->caseInTheMaking() == nullptr; }, patience));
     }
-    making.wizard().reject();
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ class Speed : public testing::Test {
 protected:
     /// What is printed for a file; its exit code in `code`.
     QJsonObject measured(const QString& path, bool simulate) {
-        MainWindow window;
+        Session session;
+        MainWindow window(session);
         Options options;
         options.path = path;
         options.simulate = simulate;

@@ -44,12 +44,12 @@ protected:
         return QString::fromStdString(path);
     }
     void compare() {
-        window->survey().compare();
-        ASSERT_TRUE(window->survey().busy());
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->survey().busy(); }, patience));
+        window->rooms().survey->compare();
+        ASSERT_TRUE(window->rooms().survey->busy());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->rooms().survey->busy(); }, patience));
     }
     QPushButton* compareButton() {
-        for (auto* each : window->deck().evidence().survey().findChildren<QPushButton*>()) {
+        for (auto* each : window->rooms().deck->evidence().survey().findChildren<QPushButton*>()) {
             if (each->text() == QStringLiteral("Compare with survey")) {
                 return each;
             }
@@ -61,20 +61,20 @@ protected:
 
 TEST_F(SiteAndSurvey, ASurveyIsAddedComparedSavedAndUndone) {
     simulated();
-    ASSERT_TRUE(window->files().saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
     const QString survey =
         heights("after.asc", [](double x, double y) { return std::abs(x) < 15.0 && std::abs(y) < 5.0 ? 1.0 : 0.0; });
     EXPECT_FALSE(window->actions()["compare_survey"].isEnabled());
-    window->survey().add(survey);
-    EXPECT_EQ(window->deck().rail().current(), PanelDeck::Evidence);
+    window->rooms().survey->add(survey);
+    EXPECT_EQ(window->rooms().deck->rail().current(), PanelDeck::Evidence);
     EXPECT_TRUE(window->actions()["compare_survey"].isEnabled());
-    ASSERT_EQ(window->document().theCase().inputs.back().role, InputRole::Survey);
-    EXPECT_FALSE(window->computation().stale(Stage::Simulation, window->document().scenario())) << "no result stands on a survey";
+    ASSERT_EQ(session->document().theCase().inputs.back().role, InputRole::Survey);
+    EXPECT_FALSE(session->computation().stale(Stage::Simulation, session->document().scenario())) << "no result stands on a survey";
     QTest::mouseClick(compareButton(), Qt::LeftButton);
-    ASSERT_TRUE(window->survey().busy());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->survey().busy(); }, patience));
-    ASSERT_NE(window->survey().comparison(), nullptr);
-    const SurveyComparison& made = *window->survey().comparison();
+    ASSERT_TRUE(window->rooms().survey->busy());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->rooms().survey->busy(); }, patience));
+    ASSERT_NE(window->rooms().survey->comparison(), nullptr);
+    const SurveyComparison& made = *window->rooms().survey->comparison();
     EXPECT_NEAR(made.survey.area, 300.0, 45.0);
     EXPECT_NEAR(made.survey.volume, 300.0, 45.0);
     EXPECT_GT(made.simulated.area, 10.0);
@@ -83,21 +83,21 @@ TEST_F(SiteAndSurvey, ASurveyIsAddedComparedSavedAndUndone) {
 
     // Saved as a raster and as a picture; both say what they were made from.
     for (const char* name : {"difference.tif", "difference.png"}) {
-        window->survey().saveTo(QString::fromStdString(m_folder / name));
+        window->rooms().survey->saveTo(QString::fromStdString(m_folder / name));
         EXPECT_TRUE(std::filesystem::exists(m_folder / name)) << name;
         EXPECT_TRUE(std::filesystem::exists(m_folder / (std::string(name) + ".provenance.json"))) << name;
     }
     // Other settings make it stale, and a stale one is not saved.
-    auto& box = window->deck().evidence().survey();
+    auto& box = window->rooms().deck->evidence().survey();
     for (auto* each : box.findChildren<QComboBox*>()) {
         if (each->accessibleName() == QStringLiteral("Registration of the survey")) {
             each->setCurrentIndex(1);
         }
     }
-    window->survey().saveTo(QString::fromStdString(m_folder / "stale.tif"));
+    window->rooms().survey->saveTo(QString::fromStdString(m_folder / "stale.tif"));
     EXPECT_FALSE(std::filesystem::exists(m_folder / "stale.tif"));
     compare();
-    EXPECT_EQ(window->survey().comparison()->settings.fit, SurveyFit::Ground);
+    EXPECT_EQ(window->rooms().survey->comparison()->settings.fit, SurveyFit::Ground);
 
     // What the survey shows is kept in the case and said on the result.
     for (auto* each : box.findChildren<QComboBox*>()) {
@@ -105,45 +105,45 @@ TEST_F(SiteAndSurvey, ASurveyIsAddedComparedSavedAndUndone) {
             each->setCurrentIndex(1);
         }
     }
-    EXPECT_EQ(window->document().theCase().inputs.back().showsFallen, std::optional<bool>(true));
-    window->survey().saveTo(QString::fromStdString(m_folder / "stale.tif"));
+    EXPECT_EQ(session->document().theCase().inputs.back().showsFallen, std::optional<bool>(true));
+    window->rooms().survey->saveTo(QString::fromStdString(m_folder / "stale.tif"));
     EXPECT_FALSE(std::filesystem::exists(m_folder / "stale.tif"));
     compare();
-    EXPECT_EQ(window->survey().comparison()->surveyShowsFallen, std::optional<bool>(true));
+    EXPECT_EQ(window->rooms().survey->comparison()->surveyShowsFallen, std::optional<bool>(true));
 
-    ASSERT_TRUE(window->files().saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
     EXPECT_EQ(io::loadCase(m_folder / "case.rubble").inputs.back().path, "after.asc");
     EXPECT_EQ(io::loadCase(m_folder / "case.rubble").inputs.back().showsFallen, std::optional<bool>(true));
     window->actions()["undo"].trigger();
-    EXPECT_EQ(window->document().theCase().inputs.back().showsFallen, std::nullopt);
+    EXPECT_EQ(session->document().theCase().inputs.back().showsFallen, std::nullopt);
     window->actions()["undo"].trigger();
-    EXPECT_NE(window->document().theCase().inputs.back().role, InputRole::Survey);
+    EXPECT_NE(session->document().theCase().inputs.back().role, InputRole::Survey);
     EXPECT_FALSE(window->actions()["compare_survey"].isEnabled());
     window->actions()["redo"].trigger();
-    EXPECT_EQ(window->document().theCase().inputs.back().role, InputRole::Survey);
+    EXPECT_EQ(session->document().theCase().inputs.back().role, InputRole::Survey);
 }
 
 TEST_F(SiteAndSurvey, ASurveyThatIsNoneIsToldInPlace) {
     simulated();
     const std::string path = m_folder / "notes.txt";
     std::ofstream(path) << "no heights here";
-    window->survey().add(QString::fromStdString(path));
+    window->rooms().survey->add(QString::fromStdString(path));
     compare();
-    EXPECT_EQ(window->survey().comparison(), nullptr);
+    EXPECT_EQ(window->rooms().survey->comparison(), nullptr);
     EXPECT_TRUE(compareButton()->isEnabled()) << "it can be tried again";
-    const std::size_t before = window->document().theCase().inputs.size();
-    window->survey().add(QString::fromStdString(m_folder / "missing.tif"));
-    EXPECT_EQ(window->document().theCase().inputs.size(), before);
+    const std::size_t before = session->document().theCase().inputs.size();
+    window->rooms().survey->add(QString::fromStdString(m_folder / "missing.tif"));
+    EXPECT_EQ(session->document().theCase().inputs.size(), before);
 }
 
 TEST_F(SiteAndSurvey, TheSiteIsAskedForAndReadAnew) {
     openArch();
     const QString plateau = heights("terrain.asc", [](double, double) { return 5.0; });
-    std::vector<CaseInput> inputs = window->document().theCase().inputs;
+    std::vector<CaseInput> inputs = session->document().theCase().inputs;
     inputs.push_back({"terrain-1", InputRole::Terrain, plateau.toStdString(), ""});
-    window->document().setInputs(inputs, QStringLiteral("terrain"));
+    session->document().setInputs(inputs, [] { return QStringLiteral("terrain"); });
     const auto height = [&] {
-        const auto& terrain = window->computation().inputs().terrain;
+        const auto& terrain = session->computation().inputs().terrain;
         return terrain && prepared() ? terrain->height(0.0, 0.0) : NAN;
     };
     ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(height() - 5.0) < 1e-6; }, patience));
@@ -157,10 +157,10 @@ TEST_F(SiteAndSurvey, TheSiteIsAskedForAndReadAnew) {
     });
     window->actions()["site"].trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(height() + 2.0) < 1e-6; }, patience));
-    EXPECT_EQ(window->document().theCase().frame.crs, "EPSG:25832");
+    EXPECT_EQ(session->document().theCase().frame.crs, "EPSG:25832");
     window->actions()["undo"].trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(height() - 5.0) < 1e-6; }, patience));
-    EXPECT_EQ(window->document().theCase().frame.crs, "");
+    EXPECT_EQ(session->document().theCase().frame.crs, "");
 }
 
 TEST_F(SiteAndSurvey, AMeshOfTheSurroundingsIsDrawnAndLeftOutAgain) {
@@ -174,15 +174,15 @@ TEST_F(SiteAndSurvey, AMeshOfTheSurroundingsIsDrawnAndLeftOutAgain) {
     const QImage without = drawn();
     const std::string path = m_folder / "house.obj";
     std::ofstream(path) << "v -10 12 0\nv 10 12 0\nv 10 12 15\nv -10 12 15\nf 1 2 3 4\n";
-    std::vector<CaseInput> inputs = window->document().theCase().inputs;
+    std::vector<CaseInput> inputs = session->document().theCase().inputs;
     inputs.push_back({"surroundings-1", InputRole::Surroundings, path, ""});
-    window->document().setInputs(inputs, QStringLiteral("house"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().terrain().surroundings != nullptr && prepared(); }, patience));
+    session->document().setInputs(inputs, [] { return QStringLiteral("house"); });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().terrain().surroundings != nullptr && prepared(); }, patience));
     EXPECT_TRUE(window->actions()["no_surroundings"].isEnabled());
     EXPECT_EQ(views.view().layout, render::Layout::FragmentsOnly) << "the view stays when the files around the result change";
     EXPECT_NE(drawn(), without);
     window->actions()["no_surroundings"].trigger();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().terrain().surroundings == nullptr && prepared(); }, patience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().terrain().surroundings == nullptr && prepared(); }, patience));
     EXPECT_TRUE(QTest::qWaitFor([&] { return drawn() == without; }, patience));
 }
 

@@ -31,47 +31,49 @@ protected:
         window->open(QString::fromStdString(cli::writeSmallCollapse(folder.filePath(QStringLiteral("small.exo")).toStdString())));
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     }
-    widgets::PlaybackClock& clock() { return window->playback().clock(); }
-    QPoint at(double time, int y = 24) { return {static_cast<int>(window->timeline().toX(time)), y}; }
+    widgets::PlaybackClock& clock() { return window->rooms().playback->clock(); }
+    QPoint at(double time, int y = 24) { return {static_cast<int>(window->findChild<widgets::Timeline*>()->toX(time)), y}; }
 
     QTemporaryDir folder;
 };
 
 TEST_F(TimelineKeys, BookmarksAreMadeNamedFoundAndUndone) {
-    auto* display = window->project().findChild<TimelineDisplay*>();
-    window->showInstant(0.2);
-    QTest::keyClick(window.get(), Qt::Key_B);
+    auto* display = window->rooms().project->findChild<TimelineDisplay*>();
+    window->rooms().playback->showInstant(0.2);
+    QTest::keyClick(window, Qt::Key_B);
     QLineEdit& note = display->editor().note();
     ASSERT_TRUE(display->editor().isVisible());
     QTest::keyClicks(&note, QStringLiteral("crown goes"));
     QTest::keyClick(&note, Qt::Key_Return);
     EXPECT_FALSE(display->editor().isVisible());
-    window->showInstant(0.4);
-    QTest::keyClick(window.get(), Qt::Key_B);
+    window->rooms().playback->showInstant(0.4);
+    QTest::keyClick(window, Qt::Key_B);
     QTest::keyClick(&note, Qt::Key_Escape);
-    ASSERT_EQ(window->document().theCase().bookmarks, (std::vector<Bookmark>{{0.2, "crown goes"}, {0.4, ""}}));
-    QTest::keyClick(window.get(), Qt::Key_Comma);
+    ASSERT_EQ(session->document().theCase().bookmarks, (std::vector<Bookmark>{{0.2, "crown goes"}, {0.4, ""}}));
+    QTest::keyClick(window, Qt::Key_Comma);
     EXPECT_DOUBLE_EQ(clock().time(), 0.2);
-    QTest::keyClick(window.get(), Qt::Key_Period);
+    QTest::keyClick(window, Qt::Key_Period);
     EXPECT_DOUBLE_EQ(clock().time(), 0.4);
-    QTest::mouseClick(&window->timeline(), Qt::LeftButton, {}, window->timeline().flagOf(0).toPoint() + QPoint(3, 0));
+    QTest::mouseClick(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, {},
+                      window->findChild<widgets::Timeline*>()->flagOf(0).toPoint() + QPoint(3, 0));
     EXPECT_DOUBLE_EQ(clock().time(), 0.2);
-    QTest::mouseDClick(&window->timeline(), Qt::LeftButton, {}, window->timeline().flagOf(1).toPoint() + QPoint(3, 0));
+    QTest::mouseDClick(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, {},
+                       window->findChild<widgets::Timeline*>()->flagOf(1).toPoint() + QPoint(3, 0));
     ASSERT_TRUE(display->editor().isVisible());
     QTest::mouseClick(display->editor().findChild<QPushButton*>(QStringLiteral("removeBookmark")), Qt::LeftButton);
-    EXPECT_EQ(window->document().theCase().bookmarks.size(), 1U);
+    EXPECT_EQ(session->document().theCase().bookmarks.size(), 1U);
     const QString path = folder.filePath(QStringLiteral("small.rubble"));
-    ASSERT_TRUE(window->files().saveTo(path));
+    ASSERT_TRUE(window->rooms().files->saveTo(path));
     EXPECT_EQ(io::loadCase(path.toStdString()).bookmarks, (std::vector<Bookmark>{{0.2, "crown goes"}}));
-    while (window->document().undoStack().canUndo()) {
-        window->document().undoStack().undo();
+    while (session->document().undoStack().canUndo()) {
+        session->document().undoStack().undo();
     }
-    EXPECT_TRUE(window->document().theCase().bookmarks.empty());
+    EXPECT_TRUE(session->document().theCase().bookmarks.empty());
 }
 
 TEST_F(TimelineKeys, PlaysBackwardsAndStopsAtTheFirstInstant) {
-    window->showInstant(0.3);
-    QTest::keyClick(window.get(), Qt::Key_Space, Qt::ShiftModifier);
+    window->rooms().playback->showInstant(0.3);
+    QTest::keyClick(window, Qt::Key_Space, Qt::ShiftModifier);
     EXPECT_TRUE(clock().playing());
     EXPECT_TRUE(clock().backwards());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !clock().playing(); }, patience));
@@ -79,20 +81,20 @@ TEST_F(TimelineKeys, PlaysBackwardsAndStopsAtTheFirstInstant) {
     auto* button = window->findChild<QToolButton*>(QStringLiteral("playBack"));
     QTest::mouseClick(button, Qt::LeftButton);
     EXPECT_TRUE(clock().playing()) << "from the first instant it begins at the last";
-    QTest::keyClick(window.get(), Qt::Key_Space);
+    QTest::keyClick(window, Qt::Key_Space);
     EXPECT_TRUE(clock().playing());
     EXPECT_FALSE(clock().backwards()) << "Space turns it round";
-    QTest::keyClick(window.get(), Qt::Key_Space);
+    QTest::keyClick(window, Qt::Key_Space);
     EXPECT_FALSE(clock().playing());
 }
 
 TEST_F(TimelineKeys, ARangeDraggedWithShiftIsPlayedRoundAndRound) {
-    QTest::mousePress(&window->timeline(), Qt::LeftButton, Qt::ShiftModifier, at(0.1));
-    QTest::mouseMove(&window->timeline(), at(0.2));
-    QTest::mouseRelease(&window->timeline(), Qt::LeftButton, Qt::ShiftModifier, at(0.3));
-    ASSERT_TRUE(window->playback().loopRange().has_value());
-    EXPECT_NEAR(window->playback().loopRange()->first, 0.1, 0.005);
-    EXPECT_NEAR(window->playback().loopRange()->second, 0.3, 0.005);
+    QTest::mousePress(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, Qt::ShiftModifier, at(0.1));
+    QTest::mouseMove(&(*window->findChild<widgets::Timeline*>()), at(0.2));
+    QTest::mouseRelease(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, Qt::ShiftModifier, at(0.3));
+    ASSERT_TRUE(window->rooms().playback->loopRange().has_value());
+    EXPECT_NEAR(window->rooms().playback->loopRange()->first, 0.1, 0.005);
+    EXPECT_NEAR(window->rooms().playback->loopRange()->second, 0.3, 0.005);
     EXPECT_TRUE(window->actions()["loop"].isChecked());
     EXPECT_TRUE(window->findChild<QToolButton*>(QStringLiteral("loop"))->isChecked());
     clock().play();
@@ -103,21 +105,21 @@ TEST_F(TimelineKeys, ARangeDraggedWithShiftIsPlayedRoundAndRound) {
     }
     EXPECT_TRUE(clock().playing());
     clock().pause();
-    window->showInstant(0.4);
-    QTest::keyClick(window.get(), Qt::Key_BracketRight);
-    EXPECT_NEAR(window->playback().loopRange()->second, 0.4, 1e-9);
-    QTest::mouseClick(&window->timeline(), Qt::LeftButton, Qt::ShiftModifier, at(0.25));
-    EXPECT_FALSE(window->playback().looping()) << "a range without length ends it";
+    window->rooms().playback->showInstant(0.4);
+    QTest::keyClick(window, Qt::Key_BracketRight);
+    EXPECT_NEAR(window->rooms().playback->loopRange()->second, 0.4, 1e-9);
+    QTest::mouseClick(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, Qt::ShiftModifier, at(0.25));
+    EXPECT_FALSE(window->rooms().playback->looping()) << "a range without length ends it";
 }
 
 TEST_F(TimelineKeys, ScrubbingSnapsToStatesAndTimesCountFromZero) {
     window->actions()["snap"].trigger();
-    QTest::mouseClick(&window->timeline(), Qt::LeftButton, {}, at(0.234));
+    QTest::mouseClick(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, {}, at(0.234));
     EXPECT_DOUBLE_EQ(clock().time(), 0.2);
-    QTest::mouseClick(&window->timeline(), Qt::LeftButton, {}, at(0.271));
-    EXPECT_DOUBLE_EQ(clock().time(), window->computation().inputs().fe->times()[3]);
+    QTest::mouseClick(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, {}, at(0.271));
+    EXPECT_DOUBLE_EQ(clock().time(), session->computation().inputs().fe->times()[3]);
     window->actions()["snap"].trigger();
-    QTest::mouseClick(&window->timeline(), Qt::LeftButton, {}, at(0.234));
+    QTest::mouseClick(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, {}, at(0.234));
     EXPECT_NE(clock().time(), 0.2);
 
     io::ExodusBuilder later = cli::smallCollapse();
@@ -127,8 +129,8 @@ TEST_F(TimelineKeys, ScrubbingSnapsToStatesAndTimesCountFromZero) {
     const QString path = folder.filePath(QStringLiteral("later.exo"));
     later.write(path.toStdString());
     window->open(path);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->computation().inputs().fe->times().front() > 1.0 && prepared(); }, patience));
-    window->showInstant(1.7);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().inputs().fe->times().front() > 1.0 && prepared(); }, patience));
+    window->rooms().playback->showInstant(1.7);
     auto* figures = window->findChild<QLabel*>(QStringLiteral("timeFigures"));
     EXPECT_EQ(figures->text(), QStringLiteral("1.70 s"));
     window->actions()["time_from_zero"].trigger();

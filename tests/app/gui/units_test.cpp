@@ -29,7 +29,7 @@ protected:
     void TearDown() override { choose(0); }
     /// Chooses units in the preferences by the keyboard, as a user does.
     void choose(int row) {
-        QTest::keyClick(window.get(), Qt::Key_Comma, Qt::ControlModifier);
+        QTest::keyClick(window, Qt::Key_Comma, Qt::ControlModifier);
         auto* dialog = window->findChild<widgets::PreferencesDialog*>();
         ASSERT_NE(dialog, nullptr);
         auto* units = dialog->findChild<QComboBox*>(QStringLiteral("units"));
@@ -45,21 +45,23 @@ protected:
         dialog->close();
         // It goes with the next round of events; the next one asked for must not be this.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-        QApplication::setActiveWindow(window.get());
+        // Other units are shown by another window.
+        QTest::qWait(50);
+        QApplication::setActiveWindow(window);
     }
     QStringList unitsShown() {
         QStringList all;
-        for (const QLabel* label : window->deck().stack().findChildren<QLabel*>(QStringLiteral("unit"))) {
+        for (const QLabel* label : window->rooms().deck->stack().findChildren<QLabel*>(QStringLiteral("unit"))) {
             all << label->text();
         }
         return all;
     }
     std::string saved(const QString& name) {
-        EXPECT_TRUE(window->files().saveTo(folder.filePath(name)));
+        EXPECT_TRUE(window->rooms().files->saveTo(folder.filePath(name)));
         return textOf(folder.filePath(name));
     }
     std::string figure(const QString& name) {
-        figures::writeFigure(folder.filePath(name).toStdString(), window->area().views().view(), window->sceneData(), {});
+        figures::writeFigure(folder.filePath(name).toStdString(), window->area().views().view(), window->rooms().scene->data(), {});
         return textOf(folder.filePath(name));
     }
 
@@ -76,7 +78,7 @@ TEST_F(UnitsOfDisplay, ChangeWhatIsShownAndTypedButNoFile) {
     EXPECT_FALSE(unitsShown().contains(QStringLiteral("m")));
     EXPECT_EQ(saved(QStringLiteral("b.rubble")), inSi);
     EXPECT_EQ(figure(QStringLiteral("b.png")), figureInSi);
-    auto* height = window->deck().run().editor(QStringLiteral("ground_height"));
+    auto* height = window->rooms().deck->run().editor(QStringLiteral("ground_height"));
     if (height == nullptr) {
         height = window->findChild<widgets::ParameterEditor*>(QStringLiteral("ground_height"));
     }
@@ -85,17 +87,18 @@ TEST_F(UnitsOfDisplay, ChangeWhatIsShownAndTypedButNoFile) {
     field->selectAll();
     QTest::keyClicks(field, QStringLiteral("-10"));
     QTest::keyClick(field, Qt::Key_Return);
-    EXPECT_NEAR(window->document().scenario().simulation.groundHeight, -3.048, 1e-12);
+    EXPECT_NEAR(session->document().scenario().simulation.groundHeight, -3.048, 1e-12);
     choose(1);
+    field = window->findChild<widgets::ParameterEditor*>(QStringLiteral("ground_height"))->findChild<QLineEdit*>();
     EXPECT_EQ(field->text(), QStringLiteral("-3,048"));
-    window->document().undoStack().undo();
+    session->document().undoStack().undo();
     EXPECT_EQ(saved(QStringLiteral("c.rubble")), inSi);
 }
 
 TEST_F(UnitsOfDisplay, AreRemembered) {
     choose(2);
     EXPECT_EQ(QSettings().value(QStringLiteral("units")).toString(), QStringLiteral("US"));
-    MainWindow other;
+    Session other;
     EXPECT_EQ(other.preferences().units, figures::UnitSet::UsCustomary);
 }
 

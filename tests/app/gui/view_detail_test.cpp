@@ -109,7 +109,7 @@ TEST_F(ViewDetail, ThePreferenceSwitchesItOff) {
     EXPECT_FALSE(simplifiedInOrbit());
     QSettings settings;
     EXPECT_FALSE(readPreferences(settings).simplify);
-    EXPECT_FALSE(MainWindow().preferences().simplify) << "the next window has it, too";
+    EXPECT_FALSE(Session().preferences().simplify) << "the next window has it, too";
     QTest::keyClick(simplify, Qt::Key_Space);
     EXPECT_TRUE(readPreferences(settings).simplify);
 }

@@ -28,8 +28,8 @@ void FreshWorkbench::SetUp() {
 }
 
 void FreshWorkbench::TearDown() {
-    window->document().undoStack().setClean();
-    window.reset();
+    session->document().undoStack().setClean();
+    endProgram();
     qputenv("RUBBLE_STATE", m_stateBefore);
     widgets::speak(QStringLiteral("en"));
 }

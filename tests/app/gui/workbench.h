@@ -9,11 +9,13 @@
 #include <QTest>
 #include <QTimer>
 #include <fstream>
+#include <memory>
 #include <sstream>
 #include <string>
 
 #include "app/gui/main_window.h"
-#include "app/gui/panel_deck.h"
+#include "app/gui/renewed_window.h"
+#include "app/gui/session/session.h"
 #include "tests/support/places.h"
 
 namespace rubble {
@@ -37,26 +39,42 @@ protected:
     static constexpr int patience = 300'000;
 
     void SetUp() override {
-        window = std::make_unique<MainWindow>();
+        startProgram();
         window->resize(1280, 800);
         window->show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), patience));
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(window, patience));
         // Shortcuts need an active window, and a bare X server has no window manager to make one.
-        QApplication::setActiveWindow(window.get());
+        QApplication::setActiveWindow(window);
     }
 
+    /// As a start of the program makes them; ends those that are there.
+    void startProgram() {
+        endProgram();
+        session = std::make_unique<Session>();
+        renewed = std::make_unique<RenewedWindow>(*session);
+        window = &renewed->window();
+        QObject::connect(renewed.get(), &RenewedWindow::renewed, renewed.get(), [this] {
+            window = &renewed->window();
+            QApplication::setActiveWindow(window);
+        });
+    }
+    void endProgram() {
+        window = nullptr;
+        renewed.reset();
+        session.reset();
+    }
     void openArch() {
         window->open(arch());
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     }
     bool prepared() const {
-        return window->computation().results().clustering != nullptr && !window->computation().busy() &&
-               !window->computation().stale(Stage::Clusters, window->document().scenario());
+        return session->computation().results().clustering != nullptr && !session->computation().busy() &&
+               !session->computation().stale(Stage::Clusters, session->document().scenario());
     }
     /// Settings under which the arch is simulated in seconds: few bodies, no settling.
     void makeCheap() {
-        window->document().setParameter(QStringLiteral("multiple"), 8.0);
-        window->document().setParameter(QStringLiteral("settle_time"), 0.0);
+        session->document().setParameter(QStringLiteral("multiple"), 8.0);
+        session->document().setParameter(QStringLiteral("settle_time"), 0.0);
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     }
     /// What is done to a dialog once it stands, from within its own event loop.
@@ -76,18 +94,20 @@ protected:
     /// The run at hand is whole, and nothing else is computed.
     void awaitRun() {
         const auto whole = [&] {
-            const RunRecord* record = window->computation().currentRun();
-            return record != nullptr && record->outcome != nullptr && !window->computation().busy();
+            const RunRecord* record = session->computation().currentRun();
+            return record != nullptr && record->outcome != nullptr && !session->computation().busy();
         };
         ASSERT_TRUE(QTest::qWaitFor(whole, patience));
     }
     void simulateToEnd() {
-        window->simulate(false);
+        window->rooms().runs->simulate(false);
         awaitRun();
     }
-    widgets::StageState rail(PanelDeck::Entry entry) { return window->deck().rail().state(entry); }
+    widgets::StageState rail(PanelDeck::Entry entry) { return window->rooms().deck->rail().state(entry); }
 
-    std::unique_ptr<MainWindow> window;
+    std::unique_ptr<Session> session;
+    std::unique_ptr<RenewedWindow> renewed;
+    MainWindow* window = nullptr;  ///< the one of now
 };
 
 /// A workbench without a past: nothing was opened or run before, no preferences. It speaks English at its begin and afterwards.

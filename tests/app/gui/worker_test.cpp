@@ -50,6 +50,42 @@ TEST(Worker, RunsOneJobAfterAnotherAndFinishesOnThisThread) {
     EXPECT_FALSE(worker.busy());
 }
 
+// A window that is busy would else draw progress that is long past.
+TEST(Worker, ProgressThatComesWhileTheWindowIsBusyIsToldOnceAndIsTheNewest) {
+    constexpr int reports = 1000;
+    Worker worker;
+    std::vector<double> told;
+    QObject::connect(&worker, &Worker::progressed,
+                     [&](Worker::Kind, const Progress& progress) { told.push_back(progress.fraction); });
+    std::atomic<bool> reported = false, go = false;
+    bool finished = false;
+    worker.start({Worker::Kind::Study,
+                  [&](const Execution& execution) {
+                      for (int i = 1; i <= reports; ++i) {
+                          execution.report({"test", "working", {}}, static_cast<double>(i) / reports);
+                      }
+                      reported = true;
+                      while (!go) {
+                          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                      }
+                  },
+                  [&](const std::exception_ptr&) { finished = true; }});
+    // This thread, the window's, looks at no events meanwhile.
+    while (!reported) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ASSERT_TRUE(told.empty());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !told.empty(); }, 300'000));
+    EXPECT_EQ(told, std::vector<double>{1.0});
+    // Who comes to listen later asks for it, as long as the work runs.
+    worker.tellProgress();
+    EXPECT_EQ(told, (std::vector<double>{1.0, 1.0}));
+    go = true;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return finished; }, 300'000));
+    worker.tellProgress();
+    EXPECT_EQ(told.size(), 2u) << "it is through";
+}
+
 TEST(Worker, WhatIsQueuedIsAllDone) {
     Worker worker;
     std::atomic<bool> go = false;

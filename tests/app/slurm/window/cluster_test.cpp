@@ -41,13 +41,13 @@ protected:
         open(m_folder.filePath(QStringLiteral("small.exo")));
         for (const auto& [key, value] : std::initializer_list<std::pair<const char*, ParameterValue>>{
                  {"settle_time", 20.0}, {"freeze", false}, {"step_rate", 4000.0}, {"substeps", std::int64_t{8}}}) {
-            window->document().setParameter(QLatin1String(key), value);
+            session->document().setParameter(QLatin1String(key), value);
         }
         ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-        ASSERT_TRUE(window->files().saveTo(m_case));
+        ASSERT_TRUE(window->rooms().files->saveTo(m_case));
     }
     void TearDown() override {
-        window.reset();
+        endProgram();
         OneNode::restore();
         qunsetenv("RUBBLE_CACHE");
     }
@@ -57,7 +57,7 @@ protected:
     }
     /// Closes the window and opens the case in another one.
     void openAgain() {
-        window.reset();
+        endProgram();
         Workbench::SetUp();
         open(m_case);
     }
@@ -70,16 +70,16 @@ protected:
         ASSERT_TRUE(place.onCluster());
     }
     void showAccuracy() {
-        window->deck().choose(PanelDeck::Accuracy);
+        window->rooms().deck->choose(PanelDeck::Accuracy);
         chooseCluster(accuracyPanel().place());
         accuracyPanel().findChild<QLineEdit*>(QStringLiteral("multiples"))->setText(QStringLiteral("1, 2"));
     }
     void compare() { accuracyPanel().findChild<QPushButton*>(QStringLiteral("primary"))->click(); }
     void waitForComparison() {
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->accuracy().work().running(); }, patience));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->rooms().accuracy->work().running(); }, patience));
     }
-    widgets::AccuracyPanel& accuracyPanel() { return window->deck().accuracy(); }
-    std::shared_ptr<const AccuracyReport> report() { return window->accuracy().work().report(); }
+    widgets::AccuracyPanel& accuracyPanel() { return window->rooms().deck->accuracy(); }
+    std::shared_ptr<const AccuracyReport> report() { return window->rooms().accuracy->work().report(); }
     std::size_t done() {
         const auto all = report();
         return all == nullptr ? 0u
@@ -88,7 +88,7 @@ protected:
     }
     /// Answers the question that comes next.
     void answer(QMessageBox::StandardButton button) {
-        QTimer::singleShot(100, window.get(), [this, button] {
+        QTimer::singleShot(100, window, [this, button] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
             if (box == nullptr) {
                 answer(button);
@@ -120,10 +120,10 @@ protected:
 
 TEST_F(ClusterWorkbench, AComparisonRunsOnTheClusterAndItsPointsComeIn) {
     showAccuracy();
-    EXPECT_FALSE(window->accuracy().work().running());
+    EXPECT_FALSE(window->rooms().accuracy->work().running());
     compare();
-    EXPECT_TRUE(window->accuracy().work().running());
-    EXPECT_FALSE(window->accuracy().work().simulatesHere());
+    EXPECT_TRUE(window->rooms().accuracy->work().running());
+    EXPECT_FALSE(window->rooms().accuracy->work().simulatesHere());
     EXPECT_TRUE(window->actions()["simulate"].isEnabled()) << "the cluster leaves this machine to itself";
     ASSERT_TRUE(QTest::qWaitFor([&] { return done() > 0; }, patience));
     EXPECT_FALSE(report()->complete) << "points come in while others are made";
@@ -131,7 +131,7 @@ TEST_F(ClusterWorkbench, AComparisonRunsOnTheClusterAndItsPointsComeIn) {
     ASSERT_NE(report(), nullptr);
     EXPECT_TRUE(report()->complete);
     EXPECT_EQ(done(), 4u);
-    EXPECT_EQ(window->accuracyPage().table().rowCount(), 5) << "the reference, the floor, three settings";
+    EXPECT_EQ(window->findChild<widgets::AccuracyPage*>()->table().rowCount(), 5) << "the reference, the floor, three settings";
     EXPECT_EQ(rail(PanelDeck::Accuracy), widgets::StageState::UpToDate);
     EXPECT_EQ(record().tasks.size(), 6u);
     EXPECT_EQ(arrays(), 1u);
@@ -151,7 +151,7 @@ TEST_F(ClusterWorkbench, WholeClosingTheWindowStopsNothingAndTheCaseFindsItsJobA
     ASSERT_TRUE(QTest::qWaitFor([&] { return OneNode::tasksIn("PENDING") == 6; }, patience));
     openAgain();
     EXPECT_EQ(OneNode::tasksIn("PENDING"), 6u);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->accuracy().work().running(); }, patience)) << "it is followed again";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().accuracy->work().running(); }, patience)) << "it is followed again";
     EXPECT_EQ(accuracyPanel().findChild<QLineEdit*>(QStringLiteral("multiples"))->text(), QStringLiteral("1, 2"));
     EXPECT_TRUE(accuracyPanel().place().onCluster());
     OneNode::resume();
@@ -172,7 +172,7 @@ TEST_F(ClusterWorkbench, WholeCancelAsksAndTheSecondStartSendsOnlyWhatIsMissing)
     answer(QMessageBox::No);
     cancel->click();
     EXPECT_FALSE(m_asked.isEmpty());
-    EXPECT_TRUE(window->accuracy().work().running());
+    EXPECT_TRUE(window->rooms().accuracy->work().running());
     answer(QMessageBox::Yes);
     cancel->click();
     waitForComparison();
@@ -190,23 +190,23 @@ TEST_F(ClusterWorkbench, WholeCancelAsksAndTheSecondStartSendsOnlyWhatIsMissing)
 }
 
 TEST_F(ClusterWorkbench, WholeMembersOfAnEnsembleComeFromTheCluster) {
-    window->document().setEnsemble({{variationFrom("friction", "uniform:0.3:0.5")}, 4, 1}, QStringLiteral("fewer"));
-    ASSERT_TRUE(window->files().saveTo(m_case));
+    session->document().setEnsemble({{variationFrom("friction", "uniform:0.3:0.5")}, 4, 1}, [] { return QStringLiteral("fewer"); });
+    ASSERT_TRUE(window->rooms().files->saveTo(m_case));
     window->actions()["show_ensemble"].trigger();
-    widgets::EnsemblePanel& panel = window->deck().ensemble();
+    widgets::EnsemblePanel& panel = window->rooms().deck->ensemble();
     chooseCluster(panel.place());
     panel.findChild<QPushButton*>(QStringLiteral("primary"))->click();
     const auto made = [&] {
-        const auto& ensemble = window->studies().ensemble().made().report;
+        const auto& ensemble = window->rooms().studies->ensemble().made().report;
         return ensemble == nullptr ? 0u : ensemble->done().size();
     };
     ASSERT_TRUE(QTest::qWaitFor([&] { return made() > 0; }, patience));
     EXPECT_LT(made(), 4u) << "members come in while others are made";
-    EXPECT_NE(window->studies().ensemblePage().content().map, nullptr);
+    EXPECT_NE(window->rooms().studies->ensemblePage().content().map, nullptr);
     openAgain();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return made() == 4 && !window->studies().ensemble().cluster().running(); }, patience));
-    EXPECT_TRUE(window->studies().ensemble().made().report->complete);
-    EXPECT_FALSE(window->studies().ensemble().stale());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return made() == 4 && !window->rooms().studies->ensemble().cluster().running(); }, patience));
+    EXPECT_TRUE(window->rooms().studies->ensemble().made().report->complete);
+    EXPECT_FALSE(window->rooms().studies->ensemble().stale());
     EXPECT_EQ(arrays(), 1u);
 }
 
@@ -215,7 +215,7 @@ TEST_F(ClusterWorkbench, AClusterThatIsNotThereCannotBeChosenAndTheReasonIsSaid)
         const QByteArray before = qgetenv(variable);
         qputenv(variable, value);
         openAgain();
-        window->deck().choose(PanelDeck::Accuracy);
+        window->rooms().deck->choose(PanelDeck::Accuracy);
         widgets::PlaceChoice& place = accuracyPanel().place();
         const auto said = [&place] {
             for (const QLabel* label : place.findChildren<QLabel*>()) {

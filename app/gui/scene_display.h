@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "widgets/render/scene_data.h"
+#include "widgets/render/view.h"
+
+class QComboBox;
+
+namespace rubble {
+
+class Actions;
+class Computation;
+class Document;
+class Playback;
+class Session;
+class ViewArea;
+
+/// What the views of a window show: model and run, and how they are looked at. The view outlives the window.
+class SceneDisplay : public QObject {
+    Q_OBJECT
+
+public:
+    /// @param colours  chooses what the colour of a fragment says
+    SceneDisplay(Session& session, Playback& playback, ViewArea& area, Actions& actions, QComboBox& colours,
+                 QObject* parent = nullptr);
+    ~SceneDisplay() override;
+
+    /// What is there to be shown.
+    render::SceneData data() const;
+    /// Hands it to the views if it has changed.
+    void show();
+    /// Shows in a new window what an earlier one showed.
+    void goOn();
+    void setView(const render::View& view);
+    /// Looks at the model as a saved view does; the theme stays.
+    void look(render::View view);
+    /// The whole model as it is seen first; colours and style stay as they are.
+    void lookAtAll();
+    /// What fragments are compared with; null: nothing.
+    void setReference(std::shared_ptr<const TrajectoryReader> reference);
+    /// What lies on the ground in place of the orthophoto; null: nothing.
+    void setGround(std::shared_ptr<const Orthophoto> ground);
+    /// The colours of the theme that is in force.
+    void useTheme();
+
+signals:
+    /// Another model or another run is shown.
+    void changed();
+    void viewSet(const rubble::render::View& view);
+
+private:
+    /// What outlives the window.
+    struct Kept {
+        std::optional<render::View> view;
+    };
+    void connectActions();
+    void setLayout(render::Layout layout);
+
+    Document& m_document;
+    Computation& m_computation;
+    Playback& m_playback;
+    ViewArea& m_area;
+    Actions& m_actions;
+    QComboBox& m_colours;
+    Kept& m_kept;
+    std::shared_ptr<const TrajectoryReader> m_reference;
+    std::shared_ptr<const Orthophoto> m_ground;
+    render::SceneData m_shown;
+};
+
+}  // namespace rubble

@@ -52,6 +52,7 @@ set(RUBBLE_PUBLIC_HEADERS
     core/simulation/checkpoint.h
     core/simulation/effects/decisions.h
     core/simulation/health.h
+    core/simulation/run_account.h
     core/simulation/simulation.h
     core/trajectory/sink_relay.h
     core/trajectory/trajectory.h

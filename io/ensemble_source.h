@@ -6,9 +6,15 @@
 #include "core/evidence/ensemble.h"
 #include "core/scenario/case.h"
 #include "io/case/open_case.h"
-#include "io/geo/ensemble_origin.h"
 
 namespace rubble::io {
+
+/// What an ensemble stands on, for its files.
+struct EnsembleInput {
+    std::string role;  ///< "fe", "terrain", "evidence"
+    std::string path;
+    std::string sha256;
+};
 
 /// A case with all that the members of its ensemble stand on.
 struct EnsembleSource {

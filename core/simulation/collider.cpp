@@ -1,6 +1,6 @@
 #include "core/simulation/collider.h"
 
-#include "core/simulation/value_archive.h"
+#include "core/simulation/world_archive.h"
 
 namespace rubble {
 

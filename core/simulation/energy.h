@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/simulation/rigid_world.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run_account.h"
 
 namespace rubble {
 

@@ -7,7 +7,7 @@
 #include "core/fe/components.h"
 #include "core/fe/fe_result.h"
 #include "core/fe/site_surface.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run_account.h"
 
 namespace rubble {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/simulation/hand_over.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run_account.h"
 
 namespace rubble {
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/base/elapsed.h"
-#include "core/simulation/value_archive.h"
+#include "core/simulation/world_archive.h"
 
 namespace rubble {
 

@@ -3,16 +3,10 @@
 #include <string>
 
 #include "core/evidence/ensemble.h"
+#include "io/ensemble_source.h"
 #include "io/geo/map_files.h"
 
 namespace rubble::io {
-
-/// What an ensemble stands on, for its files.
-struct EnsembleInput {
-    std::string role;  ///< "fe", "terrain", "evidence"
-    std::string path;
-    std::string sha256;
-};
 
 /// What a map of an ensemble was made from: inputs, what was varied, and for each member what was drawn and its trajectory.
 /// @param map  of probabilities, or of what tells hypotheses apart

@@ -31,7 +31,7 @@ public:
 private:
     const RunReader& m_run;
     std::shared_ptr<const FragmentSet> m_fragments;
-    std::vector<Carrier> m_carriers;  // by fragment, then by time
+    std::vector<Carrier> m_carriers;  ///< by fragment, then by time
 };
 
 }  // namespace rubble::io

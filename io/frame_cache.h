@@ -27,7 +27,7 @@ private:
 
     std::size_t m_byteLimit;
     std::size_t m_bytes = 0;
-    std::list<Entry> m_entries;  // used last first
+    std::list<Entry> m_entries;  ///< used last first
     std::map<std::size_t, std::list<Entry>::iterator> m_places;
 };
 

@@ -62,10 +62,10 @@ private:
     FragmentPlaces m_places;
     SitePlace m_site;
     std::vector<std::string> m_componentNames;
-    std::vector<ComponentId> m_componentOf;  // of each element
-    std::vector<std::int64_t> m_elementIds;  // of each fragment
+    std::vector<ComponentId> m_componentOf;  ///< of each element
+    std::vector<std::int64_t> m_elementIds;  ///< of each fragment
     std::shared_ptr<const Clustering> m_clustering;
-    std::vector<IslandRecord> m_islands;  // released when the FE result ends
+    std::vector<IslandRecord> m_islands;  ///< released when the FE result ends
     std::vector<BodyRecord> m_bodies;
 };
 

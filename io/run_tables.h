@@ -55,7 +55,7 @@ struct Unpacker {
     }
 
 private:
-    // A damaged file may hold anything; what no id can be becomes the largest id, which every check of ranges refuses.
+    /// A damaged file may hold anything; what no id can be becomes the largest id, which every check of ranges refuses.
     template <class T>
     static T number(double stored) {
         if constexpr (std::is_floating_point_v<T>) {

@@ -33,8 +33,8 @@ public:
 private:
     friend class FilRecords;
     struct Word {
-        char kind = 'B';              // I, D, A as written; B: eight bytes whose kind the reader knows
-        std::array<char, 8> bytes{};  // of an int64, a double or a text
+        char kind = 'B';              ///< I, D, A as written; B: eight bytes whose kind the reader knows
+        std::array<char, 8> bytes{};  ///< of an int64, a double or a text
         bool swapped = false;
     };
     std::vector<Word> m_words;
@@ -75,13 +75,13 @@ private:
     Kind m_kind = Kind::Ascii;
     FilPlace m_begin;
     bool m_cutOff = false;
-    // ASCII: one line, without its end and padded to 80 columns.
+    /// ASCII: one line, without its end and padded to 80 columns.
     std::string m_window;
     std::uint64_t m_windowBegin = 0;
     std::string m_line;
     std::uint64_t m_lineBegin = 0, m_nextLine = 0;
     std::size_t m_column = 0;
-    // Binary: one physical record of 512 words.
+    /// Binary: one physical record of 512 words.
     std::vector<char> m_block;
     std::uint64_t m_blockNumber = ~std::uint64_t{0}, m_word = 0;
 };

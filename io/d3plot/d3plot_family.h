@@ -63,7 +63,7 @@ private:
     std::shared_ptr<const Handle> handleOf(std::size_t file) const;
 
     std::vector<std::string> m_files;
-    std::vector<std::int64_t> m_first;  // [files + 1]
+    std::vector<std::int64_t> m_first;  ///< [files + 1]
     WordFormat m_format;
     mutable std::mutex m_mutex;
     mutable std::size_t m_opened = 0;

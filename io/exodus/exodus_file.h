@@ -75,7 +75,7 @@ private:
     std::vector<std::string> m_nodeVariables;
     std::vector<std::string> m_elementVariables;
     std::vector<std::int64_t> m_partsOfBlocks;
-    std::vector<int> m_truthTable;  // [blocks x element variables]
+    std::vector<int> m_truthTable;  ///< [blocks x element variables]
 };
 
 }  // namespace rubble::io

@@ -30,7 +30,7 @@ public:
 private:
     struct State {
         std::size_t file = 0;
-        std::size_t state = 0;  // in that file
+        std::size_t state = 0;  ///< in that file
     };
 
     std::shared_ptr<const ExodusFile> file(std::size_t f) const;
@@ -40,9 +40,9 @@ private:
     std::vector<std::string> m_files;
     ImportSettings m_settings;
     std::vector<State> m_states;
-    ExodusMesh m_mesh;  // of the newest step's file
+    ExodusMesh m_mesh;  ///< of the newest step's file
     mutable std::mutex m_mutex;
-    mutable std::list<std::pair<std::size_t, std::shared_ptr<const ExodusFile>>> m_open;  // most recently used first
+    mutable std::list<std::pair<std::size_t, std::shared_ptr<const ExodusFile>>> m_open;  ///< most recently used first
 };
 
 }  // namespace rubble::io

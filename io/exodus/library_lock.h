@@ -15,7 +15,7 @@ public:
     LibraryLock& operator=(const LibraryLock&) = delete;
 
 private:
-    using Printer = int (*)(long, void*);  // HDF5's callback
+    using Printer = int (*)(long, void*);  ///< HDF5's callback
 
     std::lock_guard<std::recursive_mutex> m_lock;
     Printer m_printer = nullptr;

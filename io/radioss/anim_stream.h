@@ -39,7 +39,7 @@ private:
     std::string m_path;
     std::unique_ptr<gzFile_s, int (*)(gzFile)> m_file;
     std::int64_t m_place = 0;
-    std::int64_t m_most = 0;  // the longest that the unpacked file can be
+    std::int64_t m_most = 0;  ///< the longest that the unpacked file can be
 };
 
 }  // namespace rubble::io

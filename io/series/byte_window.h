@@ -33,7 +33,7 @@ private:
     std::ifstream m_file;
     std::uint64_t m_size = 0;
     std::uint64_t m_place = 0;
-    std::uint64_t m_begin = 0;  // of the window
+    std::uint64_t m_begin = 0;  ///< of the window
     std::string m_window;
 };
 

@@ -56,9 +56,9 @@ private:
     Mesh m_mesh;
     Findings m_findings;
     bool m_byNumber = true;
-    std::unordered_map<std::int64_t, std::uint32_t> m_nodes;                    // by number
-    std::array<std::unordered_map<std::int64_t, std::uint32_t>, 3> m_elements;  // solids, shells, beams by number
-    std::map<Tuple, std::uint32_t> m_tuples;                                    // by sorted nodes
+    std::unordered_map<std::int64_t, std::uint32_t> m_nodes;                    ///< by number
+    std::array<std::unordered_map<std::int64_t, std::uint32_t>, 3> m_elements;  ///< solids, shells, beams by number
+    std::map<Tuple, std::uint32_t> m_tuples;                                    ///< by sorted nodes
     std::vector<MeshEpoch> m_epochs;
 };
 

@@ -41,9 +41,9 @@ private:
     std::unique_ptr<const GridSource> m_source;
     GridNames m_names;
     std::vector<std::string> m_componentNames;
-    bool m_moves = false;             // points stay, the displacement moves
-    Digest m_cells;                   // of the newest step
-    std::vector<std::size_t> m_kept;  // cells of the newest step that are elements
+    bool m_moves = false;             ///< points stay, the displacement moves
+    Digest m_cells;                   ///< of the newest step
+    std::vector<std::size_t> m_kept;  ///< cells of the newest step that are elements
 };
 
 }  // namespace rubble::io

@@ -36,7 +36,7 @@ private:
     /// Bytes one after the other: in the file, or in base64.
     struct Stream {
         bool raw = false;
-        std::uint64_t at = 0, end = 0;  // in the file; in `encoded`
+        std::uint64_t at = 0, end = 0;  ///< in the file; in `encoded`
         std::string_view encoded;
     };
 
@@ -60,8 +60,8 @@ private:
     std::string m_text;
     pugi::xml_document m_document;
     bool m_hasAppended = false, m_raw = false;
-    std::uint64_t m_appended = 0, m_appendedEnd = 0;  // in the file, behind the underscore
-    std::string m_encoded;                            // what is appended as base64
+    std::uint64_t m_appended = 0, m_appendedEnd = 0;  ///< in the file, behind the underscore
+    std::string m_encoded;                            ///< what is appended as base64
     bool m_bigEndian = false;
     NumberType m_header{NumberType::Kind::Unsigned, 4};
     Packing m_packing = Packing::None;

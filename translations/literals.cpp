@@ -104,9 +104,9 @@ std::vector<Literal> literalsOf(std::string_view source) {
         if (token != "," && token != "{" && token != "(") {
             // What is chosen by a condition follows the id as well: {"id", many ? "words" : "word"}.
             const bool condition = token != ";" && token != "}" && token.size() > 0;
-            last = condition && !last.empty() && last.find('.') != std::string::npos && last.find(' ') == std::string::npos
-                       ? last
-                       : std::string();
+            if (!(condition && !last.empty() && last.find('.') != std::string::npos && last.find(' ') == std::string::npos)) {
+                last.clear();
+            }
         }
     }
     return literals;

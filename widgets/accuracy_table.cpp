@@ -89,7 +89,9 @@ void AccuracyTable::addPoint(const AccuracyPoint& point, int row, bool inUse) {
     insertRow(line);
     const QString words = pointWords(point);
     QString name = settingWords(point.setting);
-    name = inUse ? tr("● %1 (in use)").arg(name) : name;
+    if (inUse) {
+        name = tr("● %1 (in use)").arg(name);
+    }
     if (!point.failure.empty()) {
         name = QStringLiteral("⚠ ") + name + tr(": failed");
     } else if (!point.done) {

@@ -175,7 +175,9 @@ void ClipBar::showPlane() {
     const Vec3 along = axis();
     int direction = Free;
     for (int i = 0; i < 3; ++i) {
-        direction = along == Vec3(Vec3::Unit(i)) ? i : direction;
+        if (along == Vec3(Vec3::Unit(i))) {
+            direction = i;
+        }
     }
     m_direction->setCurrentIndex(direction);
     const auto [low, high] = reach();

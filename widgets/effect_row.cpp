@@ -120,10 +120,6 @@ PanelGroup* EffectRow::settings() {
     return m_settings;
 }
 
-void EffectRow::addSettingsWidget(QWidget* widget) {
-    settings()->addWide(widget);
-}
-
 bool EffectRow::unfolded() const {
     return m_fold->isChecked();
 }

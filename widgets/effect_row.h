@@ -41,8 +41,6 @@ public:
     ParameterEditor* switchEditor() const { return m_switch; }
     /// Where its settings go; without any there is nothing to unfold.
     PanelGroup* settings();
-    /// Under the settings, over the full width.
-    void addSettingsWidget(QWidget* widget);
     void setUnfolded(bool unfolded);
     bool unfolded() const;
     /// Null: not decided yet. Stale: decided under other settings than those shown.

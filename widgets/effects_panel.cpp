@@ -131,7 +131,9 @@ void EffectsPanel::setContent(const Content& content) {
         const EffectReport* report = nullptr;
         if (content.run != nullptr) {
             for (const EffectReport& each : content.run->effects) {
-                report = each.decision.kind == row->kind() ? &each : report;
+                if (each.decision.kind == row->kind()) {
+                    report = &each;
+                }
             }
         }
         taking += decision != nullptr && decision->on ? 1 : 0;

@@ -159,7 +159,9 @@ void EvidencePanel::buildTime() {
         edit([] { return tr("time of the photograph"); },
              [&](Photograph& p) {
                  p.time = atRest ? std::nullopt : std::optional(0.0);
-                 p.timeUncertainty = atRest ? 0.0 : p.timeUncertainty;
+                 if (atRest) {
+                     p.timeUncertainty = 0.0;
+                 }
              });
     });
     connect(m_time, &NumberField::edited, this, [this](std::optional<double> time) {

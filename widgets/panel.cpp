@@ -86,15 +86,15 @@ void FindingList::set(const Findings& findings) {
     setVisible(!findings.empty());
 }
 
-PanelGroup::PanelGroup(const QString& heading, QWidget* parent)
-    : QWidget(parent), m_heading(new QLabel(heading)), m_grid(new QGridLayout) {
+PanelGroup::PanelGroup(const QString& heading, QWidget* parent) : QWidget(parent), m_grid(new QGridLayout) {
+    auto* title = new QLabel(heading);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);
-    m_heading->setObjectName(QStringLiteral("groupHeading"));
-    m_heading->setFont(groupFont());
-    m_heading->setVisible(!heading.isEmpty());
-    column->addWidget(m_heading);
+    title->setObjectName(QStringLiteral("groupHeading"));
+    title->setFont(groupFont());
+    title->setVisible(!heading.isEmpty());
+    column->addWidget(title);
     column->addLayout(m_grid);
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setHorizontalSpacing(8);
@@ -103,10 +103,6 @@ PanelGroup::PanelGroup(const QString& heading, QWidget* parent)
     m_grid->setColumnStretch(1, 4);
     m_grid->setColumnMinimumWidth(0, 80);
     m_grid->setColumnMinimumWidth(2, 28);
-}
-
-void PanelGroup::setHeading(const QString& heading) {
-    m_heading->setText(heading);
 }
 
 QLabel* PanelGroup::addValue(const QString& label, const QString& unit, const QString& tip) {
@@ -258,7 +254,9 @@ void Panel::addRemaining(Stage stage, const QString& heading, bool (*elsewhere)(
         const QString key = QString::fromUtf8(row.key.data(), static_cast<qsizetype>(row.key.size()));
         const bool shown = m_editors.contains(key) || (elsewhere != nullptr && elsewhere(row.key));
         if (row.stage == stage && !row.keyed() && !shown) {
-            group = group != nullptr ? group : addGroup(heading);
+            if (group == nullptr) {
+                group = addGroup(heading);
+            }
             addParameter(group, std::string(row.key));
         }
     }

@@ -60,10 +60,8 @@ public:
     void addWide(QWidget* widget);
     /// A note in the muted colour over the full width.
     QLabel* addNote(const QString& text);
-    void setHeading(const QString& heading);
 
 private:
-    QLabel* m_heading;
     QGridLayout* m_grid;
 };
 

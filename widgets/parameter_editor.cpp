@@ -300,7 +300,9 @@ void ParameterEditor::commitText() {
     number = typedIn(number, m_row.unit);
     // A bound as it is shown is rounded.
     for (const double bound : {m_row.low, m_row.high}) {
-        number = std::abs(number - bound) <= 1e-5 * std::abs(bound) ? bound : number;
+        if (std::abs(number - bound) <= 1e-5 * std::abs(bound)) {
+            number = bound;
+        }
     }
     if (number < m_row.low || number > m_row.high) {
         refuse(tr("Between %1 and %2, please.").arg(numberText(m_row.low), numberText(m_row.high)));

@@ -180,7 +180,9 @@ void SiteDialog::take(int row, int column) {
     } else if (column <= Height) {
         bool good = false;
         double value = QLocale().toDouble(item->text(), &good);
-        value = good ? value : item->text().toDouble(&good);
+        if (!good) {
+            value = item->text().toDouble(&good);
+        }
         if (good && std::abs(value) <= farthest) {
             coordinate(point, column) = value;
         } else {

@@ -113,7 +113,9 @@ void Timeline::groupSigns() {
 QPointF Timeline::signOf(std::size_t mark) const {
     std::size_t first = mark;
     for (const Sign& sign : m_signs) {
-        first = sign.first <= mark && mark <= sign.last ? sign.first : first;
+        if (sign.first <= mark && mark <= sign.last) {
+            first = sign.first;
+        }
     }
     return {toX(m_marks[first].from), rows().health};
 }

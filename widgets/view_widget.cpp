@@ -290,7 +290,9 @@ void ViewWidget::setParallel(bool parallel) {
     m_flight.stop();
     const std::size_t plan = static_cast<std::size_t>(render::PaneContent::Plan);
     for (std::size_t i = 0; i < m_view.cameras.size(); ++i) {
-        m_view.cameras[i] = i == plan ? m_view.cameras[i] : render::withProjection(m_view.cameras[i], parallel);
+        if (i != plan) {
+            m_view.cameras[i] = render::withProjection(m_view.cameras[i], parallel);
+        }
     }
     update();
     emit viewChanged(m_view);
@@ -300,7 +302,9 @@ void ViewWidget::turn(double yaw, double pitch) {
     Cameras cameras = m_view.cameras;
     const std::size_t plan = static_cast<std::size_t>(render::PaneContent::Plan);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-        cameras[i] = i == plan ? cameras[i] : render::orbit(cameras[i], yaw, pitch);
+        if (i != plan) {
+            cameras[i] = render::orbit(cameras[i], yaw, pitch);
+        }
     }
     flyTo(cameras);
 }

@@ -92,7 +92,9 @@ void writeErrors(const Arguments& arguments, const AccuracyOutput& output) {
 std::string failureOf(const AccuracyReport& report) {
     std::string text = englishText(report.reference.failure);
     for (const AccuracyPoint& point : report.points) {
-        text = text.empty() ? englishText(point.failure) : text;
+        if (text.empty()) {
+            text = englishText(point.failure);
+        }
     }
     return text;
 }

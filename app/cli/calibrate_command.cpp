@@ -46,7 +46,9 @@ CalibrationSettings parseSettings(const Arguments& arguments) {
     if (target.size() > 1 || (!target.empty() && target.front() > 1000.0)) {
         throw wrongValue("--fps", *arguments.value("--fps"), "one number of frames per second, at most 1000");
     }
-    settings.target = target.empty() ? settings.target : target.front();
+    if (!target.empty()) {
+        settings.target = target.front();
+    }
     settings.machine = io::machineText();
     return settings;
 }

@@ -42,7 +42,9 @@ ExitCode exitCodeOf(const EnsembleReport& report, Session& session) {
 std::string failureOf(const EnsembleReport& report) {
     std::string text;
     for (const EnsembleMember& member : report.members) {
-        text = text.empty() ? englishText(member.failure) : text;
+        if (text.empty()) {
+            text = englishText(member.failure);
+        }
     }
     return text;
 }

@@ -287,7 +287,9 @@ void FigureRequest::write(const std::string& path, const std::shared_ptr<const i
             {shown.caption.toStdString(), shown.status.time, std::nullopt, figures::shownAs(shown.content, shown.status)});
     }
     render::View view = m_preset ? picture.panels().back().view : viewOf(data, m_style.pixels);
-    view.time = m_preset ? view.time : timeIn(*run, *inputs.fe);
+    if (!m_preset) {
+        view.time = timeIn(*run, *inputs.fe);
+    }
     record.view = figures::toJson(view);
     figures::writeSheet(path, picture, style, io::exportProvenance(record, run->origin(), run.get()));
 }

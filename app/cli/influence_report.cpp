@@ -69,7 +69,9 @@ std::string sentenceOf(const EffectInfluence& row) {
     }
     std::size_t most = 0;
     forEachMeasure([&](Measure, std::size_t m) {
-        most = row.overFloor[m] > row.overFloor[most] || std::isnan(row.overFloor[most]) ? m : most;
+        if (row.overFloor[m] > row.overFloor[most] || std::isnan(row.overFloor[most])) {
+            most = m;
+        }
     });
     switch (row.standing()) {
         case Standing::Identical:

@@ -73,8 +73,13 @@ ExitCode movie(const Arguments& arguments, Session& session) {
     const Inputs inputs = openInputsOfRun(run->origin(), arguments, session);
     const figures::MovieSettings settings = settingsOf(arguments, *run, *inputs.fe);
     figures::FigureStyle style = request.style();
-    style.pixels = figures::evenSize(arguments.has("--size") ? style.pixels : usualPixels);
-    style.dpi = arguments.has("--dpi") ? style.dpi : usualDpi;
+    if (!arguments.has("--size")) {
+        style.pixels = usualPixels;
+    }
+    style.pixels = figures::evenSize(style.pixels);
+    if (!arguments.has("--dpi")) {
+        style.dpi = usualDpi;
+    }
     const RunSurroundings around = surroundingsOfRun(run->origin(), inputs, arguments, session);
     const render::SceneData data = sceneOfRun(run, inputs, around);
     quietQt();

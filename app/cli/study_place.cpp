@@ -186,7 +186,9 @@ ExitCode StudyPlace::endSingle(const std::string& store, bool islands, const std
     if (!io::isMade(store, record, task)) {
         std::string why = failure;
         for (const Finding& finding : findings.list()) {
-            why = why.empty() ? finding.example : why;
+            if (why.empty()) {
+                why = finding.example;
+            }
         }
         throw WorldError({"cli.world_not_made", "The world {0} was not made: {1}", {m_world->hex(), why}},
                          {"cli.world_not_made.remedy", "See to the cause and run this line again; what is made is kept.", {}});

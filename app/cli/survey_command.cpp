@@ -213,7 +213,9 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     const SurveyFile file = surveyFile(arguments, *subject.run);
     const io::SurveyInput input = io::readSurvey(file.path, subject.inputs.frame, file.site,
                                                  io::boundsAtRest(subject.inputs.fe->mesh()), session.execution());
-    settings.showsFallen = settings.showsFallen ? settings.showsFallen : file.showsFallen;
+    if (!settings.showsFallen) {
+        settings.showsFallen = file.showsFallen;
+    }
     settings.turn = io::SitePlace(input.frame, input.site).transform().angle;
     const MappedRun mapped{subject.inputs.fe.get(), subject.run.get(),      subject.run->fragments(),
                            subject.run->result(),   subject.inputs.terrain, subject.run->origin().scenario};

@@ -211,7 +211,9 @@ bool FileCommands::saveTo(const QString& path) {
                 input.sha256 = m_computation.terrain().sha256;
             }
             for (const io::SiteFile& file : m_computation.terrain().files) {
-                input.sha256 = input.sha256.empty() && file.input == input.id ? file.sha256 : input.sha256;
+                if (input.sha256.empty() && file.input == input.id) {
+                    input.sha256 = file.sha256;
+                }
             }
         }
         m_document.saved(io::saveCase(path.toStdString(), moved), path);

@@ -98,7 +98,9 @@ void ForecastDisplay::show() {
         m_kept.afterRun.reset();
     } else {
         // Until there is an answer, the one before stays, marked as such: nothing jumps while a slider moves.
-        m_kept.shown = m_kept.answer ? m_kept.answer : m_kept.shown;
+        if (m_kept.answer) {
+            m_kept.shown = m_kept.answer;
+        }
         content.state = m_kept.answer ? PredictionContent::State::Current : PredictionContent::State::Pending;
         content.bodies = m_kept.shown ? m_kept.shown->bodies : 0;
         content.figures = m_kept.shown ? m_kept.shown->figures : std::vector<widgets::PredictedFigure>();

@@ -38,7 +38,9 @@ std::vector<widgets::NewCaseDeaths::Span> spansOf(const FeResult& fe, const Comp
                 return fe.activity().active(k - 1, e) && !fe.activity().active(k, e);
             });
             if (dies) {
-                spans[c].first = spans[c].first ? spans[c].first : std::optional(fe.times()[k]);
+                if (!spans[c].first) {
+                    spans[c].first = fe.times()[k];
+                }
                 spans[c].last = fe.times()[k];
             }
         }

@@ -26,7 +26,9 @@ std::vector<RecentCase> RecentCases::list() const {
         each.name = settings.value(QStringLiteral("name")).toString();
         each.when = QDateTime::fromString(settings.value(QStringLiteral("when")).toString(), Qt::ISODate);
         if (!each.path.isEmpty() && QFileInfo(each.path).isAbsolute()) {
-            each.name = each.name.isEmpty() ? QFileInfo(each.path).completeBaseName() : each.name;
+            if (each.name.isEmpty()) {
+                each.name = QFileInfo(each.path).completeBaseName();
+            }
             each.missing = !QFileInfo::exists(each.path);
             found.push_back(each);
         }

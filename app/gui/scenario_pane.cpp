@@ -48,12 +48,16 @@ void ScenarioPane::choose(const QString& scenario) {
 }
 
 void ScenarioPane::refresh(const QString& newest) {
-    m_kept.chosen = newest.isEmpty() ? m_kept.chosen : newest;
+    if (!newest.isEmpty()) {
+        m_kept.chosen = newest;
+    }
     QStringList names;
     const RunRecord* chosen = nullptr;
     for (const auto& run : m_computation.otherRuns()) {
         names << run->scenarioName;
-        chosen = run->scenarioName == m_kept.chosen ? run.get() : chosen;
+        if (run->scenarioName == m_kept.chosen) {
+            chosen = run.get();
+        }
     }
     m_area.scenarioBar().setScenarios(names, chosen != nullptr ? m_kept.chosen : QString());
     m_area.views().setOther(chosen != nullptr ? sceneOf(*chosen, m_computation.inputs()) : render::SceneData(),

@@ -37,7 +37,9 @@ std::vector<io::EnsembleSource> openCauses(const CauseOrder& causes, const Study
     for (const StudyCase& cause : causes.causes) {
         execution.report({"gui.opening_cause", "Opening {0}", {cause.name}}, 0.0);
         io::EnsembleSource source = io::openEnsemble(caseRequest(cause, order), order.settings, execution);
-        source.name = cause.name.empty() ? source.name : cause.name;
+        if (!cause.name.empty()) {
+            source.name = cause.name;
+        }
         if (!sources.empty() && !(source.frame == sources.front().frame &&
                                   source.theCase.site.controlPoints == sources.front().theCase.site.controlPoints)) {
             throw UsageError({"causes.other_frame",

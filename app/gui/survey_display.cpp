@@ -177,7 +177,9 @@ void SurveyDisplay::setShowsFallen(std::optional<bool> shows) {
     if (const CaseInput* survey = current(); survey != nullptr && survey->showsFallen != shows) {
         std::vector<CaseInput> inputs = m_document.theCase().inputs;
         for (CaseInput& input : inputs) {
-            input.showsFallen = input.id == survey->id ? shows : input.showsFallen;
+            if (input.id == survey->id) {
+                input.showsFallen = shows;
+            }
         }
         m_document.setSurveys(std::move(inputs), [] { return tr("what the survey shows"); });
     }

@@ -164,7 +164,9 @@ void TimelineDisplay::jump(bool forward) {
             to = &each;
             break;
         }
-        to = !forward && each.time < now - sameInstant ? &each : to;
+        if (!forward && each.time < now - sameInstant) {
+            to = &each;
+        }
     }
     if (to != nullptr) {
         m_playback.scrub(to->time);

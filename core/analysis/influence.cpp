@@ -212,7 +212,9 @@ Standing standingOf(double departure, double floor) {
 Standing EffectInfluence::standing() const {
     Standing most = Standing::Identical;
     for (const Standing one : standings) {
-        most = one == Standing::Undefined ? most : std::max(most, one);
+        if (one != Standing::Undefined) {
+            most = std::max(most, one);
+        }
     }
     return most;
 }

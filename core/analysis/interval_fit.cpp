@@ -38,7 +38,9 @@ double betaFraction(double a, double b, double x) {
             d = 1.0 + term * d;
             c = 1.0 + term / c;
             d = 1.0 / (std::abs(d) < tiny ? tiny : d);
-            c = std::abs(c) < tiny ? tiny : c;
+            if (std::abs(c) < tiny) {
+                c = tiny;
+            }
             change = c * d;
             fraction *= change;
         }
@@ -189,7 +191,9 @@ IntervalFit::IntervalFit(std::vector<FitSample> samples, double scatter) : m_sca
         }
         m_spread[d] = std::sqrt(m_spread[d]);
         // Rounding of equal coordinates is no spread.
-        m_spread[d] = m_spread[d] < 1e-9 * (1.0 + std::abs(m_middle[d])) ? 0.0 : m_spread[d];
+        if (m_spread[d] < 1e-9 * (1.0 + std::abs(m_middle[d]))) {
+            m_spread[d] = 0.0;
+        }
     }
     for (const FitSample& sample : samples) {
         m_scaled.push_back(scaled(sample.at));

@@ -30,7 +30,9 @@ class LiveGrid {
 public:
     explicit LiveGrid(double target) : m_target(target) {}
     bool isNext(double time) {
-        m_first = m_first ? m_first : time;
+        if (!m_first) {
+            m_first = time;
+        }
         // A step ends a little before or after its frame's time.
         const auto index = static_cast<std::int64_t>(std::floor((time - *m_first) * m_target + 1e-6));
         if (index <= m_last) {

@@ -52,7 +52,9 @@ std::string bashCompletion(const std::string& program, const std::vector<Complet
                            const std::vector<std::string>& options) {
     std::string function = "_" + program;
     for (char& c : function) {
-        c = c == '-' ? '_' : c;
+        if (c == '-') {
+            c = '_';
+        }
     }
     std::string text = "# bash completion for " + program + "\n" + function + head;
     const bool named = !commands.empty() && !commands.front().name.empty();

@@ -16,7 +16,9 @@ constexpr std::size_t comparedLength = 200;
 std::string lowerCase(std::string_view text) {
     std::string result(text.substr(0, comparedLength));
     for (char& c : result) {
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        if (c >= 'A' && c <= 'Z') {
+            c = static_cast<char>(c - 'A' + 'a');
+        }
     }
     return result;
 }

@@ -51,7 +51,9 @@ bool alike(const CameraModel& a, const CameraModel& b, double scale) {
 void keep(std::vector<CameraGuess>& guesses, const CameraGuess& guess, double scale, std::size_t most) {
     for (CameraGuess& other : guesses) {
         if (alike(other.camera, guess.camera, scale)) {
-            other = guess.cost < other.cost ? guess : other;
+            if (guess.cost < other.cost) {
+                other = guess;
+            }
             return;
         }
     }

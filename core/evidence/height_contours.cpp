@@ -134,7 +134,9 @@ std::vector<HeightContour> heightContours(std::span<const MapCell> cells, std::s
     assert(cells.size() == heights.size());
     double top = 0.0;
     for (const double height : heights) {
-        top = std::isfinite(height) ? std::max(top, height) : top;
+        if (std::isfinite(height)) {
+            top = std::max(top, height);
+        }
     }
     if (!(spacing > 0.0) || !std::isfinite(spacing) || top > levelsMax * spacing) {
         throw UsageError(

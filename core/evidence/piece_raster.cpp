@@ -332,7 +332,9 @@ PieceRaster rasterOf(std::span<const MapPiece> pieces, double cell, const SiteSu
     pool.loop(pieces.size(), 1024, [&](std::size_t first, std::size_t last) {
         for (std::size_t p = first; p < last; ++p) {
             outlines[p] = outlineOf(pieces[p].box);
-            outlines[p].size = outlines[p].area() > 0.0 ? outlines[p].size : 0;
+            if (!(outlines[p].area() > 0.0)) {
+                outlines[p].size = 0;
+            }
         }
     });
     const std::vector<Entry> entries = entriesOf(pieces, outlines, cell);

@@ -24,7 +24,9 @@ std::vector<double> energiesUpTo(const MappedRun& run, double time, double end, 
         const std::vector<double> hits =
             hardestHitTimes(*run.fragments, *run.trajectory, run.scenario.simulation.gravity, execution);
         for (std::size_t f = 0; f < energies.size(); ++f) {
-            energies[f] = hits[f] <= time ? energies[f] : 0.0;
+            if (!(hits[f] <= time)) {
+                energies[f] = 0.0;
+            }
         }
     }
     return energies;

@@ -51,7 +51,9 @@ public:
     }
     SurveySide side() {
         m_side.centroid = m_weight > 0.0 ? Eigen::Vector2d(m_side.centroid / m_weight) : Eigen::Vector2d(unknown, unknown);
-        m_side.volume = m_heights ? m_side.volume : unknown;
+        if (!m_heights) {
+            m_side.volume = unknown;
+        }
         for (std::vector<double>& distances : m_reach) {
             std::sort(distances.begin(), distances.end());
             const auto last = static_cast<std::size_t>(std::ceil(reachShare * static_cast<double>(distances.size())));

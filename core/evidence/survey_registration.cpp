@@ -67,7 +67,9 @@ SurveyShift toDebris(const CellGrid& debris, const Survey& survey, const SiteSur
         for (int i = -reach; i <= reach; ++i) {
             const Misfit moved = misfitMoved(debris, laid, survey.isFootprint, i, j, settings);
             at(i, j) = moved.sum;
-            still = i == 0 && j == 0 ? moved : still;
+            if (i == 0 && j == 0) {
+                still = moved;
+            }
             if (best.cells == 0 || moved.sum < best.sum) {
                 best = moved;
                 bestI = i;
@@ -201,7 +203,9 @@ SurveyShift toGround(const CellGrid& debris, const Survey& survey, const SiteSur
         }
         const std::vector<GroundCell> cells = trimmed(all);
         shift.planKnown = planShows(cells);
-        shift.before = i == 0 ? rms(cells) : shift.before;
+        if (i == 0) {
+            shift.before = rms(cells);
+        }
         shift.cells = cells.size();
         shift.after = rms(cells);
         const Vec3 by = step(cells, shift.planKnown);

@@ -192,7 +192,9 @@ void TileSurface::raise(const OrientedBox& box, const SmallPolygon& outline, con
         for (int a = from; a <= to; ++a) {
             const double z = std::min({base[0] + slope[0] * a, base[1] + slope[1] * a, base[2] + slope[2] * a});
             double& surface = row[static_cast<std::size_t>(a)];
-            surface = surface < z ? z : surface;
+            if (surface < z) {
+                surface = z;
+            }
         }
     }
 }

@@ -205,12 +205,16 @@ void StateReadAhead::ask(const Interval& interval) {
         const auto beyond = std::upper_bound(times.begin(), times.end(), times[interval.to] + apart);
         wanted = std::max(interval.to + 1, static_cast<std::size_t>(beyond - times.begin()) - 1);
         const bool there = states.upper_bound(interval.to) != states.end();
-        wanted = there ? std::nullopt : wanted;
+        if (there) {
+            wanted.reset();
+        }
     } else if (m_pace < 0.0 && interval.from > 0) {
         const auto within = std::lower_bound(times.begin(), times.end(), times[interval.from] - apart);
         wanted = std::min(interval.from - 1, static_cast<std::size_t>(within - times.begin()));
         const bool there = states.lower_bound(interval.from) != states.begin();
-        wanted = there ? std::nullopt : wanted;
+        if (there) {
+            wanted = std::nullopt;
+        }
     }
     while (states.size() >= kept) {
         // One is to come, and one before the interval is of use.

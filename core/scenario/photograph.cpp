@@ -39,7 +39,9 @@ std::string clockTime(std::string_view text) {
         if (!fits) {
             return {};
         }
-        time[i] = mark == 'd' ? time[i] : mark;
+        if (mark != 'd') {
+            time[i] = mark;
+        }
     }
     const auto number = [&](std::size_t from, std::size_t count) {
         int value = 0;

@@ -77,7 +77,9 @@ public:
                 readDensity(fieldsOf(line));
             } else if (key.starts_with("TIME,")) {
                 double time = 0.0;
-                m_model.time = toReal(fieldsOf(line)[1], time) ? std::optional(time) : m_model.time;
+                if (toReal(fieldsOf(line)[1], time)) {
+                    m_model.time = time;
+                }
             } else if ((key.starts_with("/COM") || key.starts_with("!")) && !m_model.time) {
                 m_model.time = timeIn(line);
             }

@@ -154,8 +154,12 @@ private:
         std::vector<double> thickness = m_mesh.section, area = m_mesh.section;
         constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
         for (std::size_t e = 0; e < m_mesh.elementCount(); ++e) {
-            thickness[e] = isShell(m_mesh.shapes[e]) ? thickness[e] : nothing;
-            area[e] = m_mesh.shapes[e] == ElementShape::Beam ? area[e] : nothing;
+            if (!isShell(m_mesh.shapes[e])) {
+                thickness[e] = nothing;
+            }
+            if (m_mesh.shapes[e] != ElementShape::Beam) {
+                area[e] = nothing;
+            }
         }
         addScalars("density", m_mesh.density);
         addScalars("thickness", thickness);

@@ -159,7 +159,9 @@ ClassicExtent extentOf(const std::vector<Variable>& variables, std::int64_t reco
     const auto padded = [](std::int64_t bytes) { return sum(bytes, (4 - bytes % 4) % 4); };
     std::int64_t recordBytes = 0, recordVariables = 0;
     for (const Variable& variable : variables) {
-        recordBytes = variable.record ? sum(recordBytes, padded(variable.bytes)) : recordBytes;
+        if (variable.record) {
+            recordBytes = sum(recordBytes, padded(variable.bytes));
+        }
         recordVariables += variable.record;
     }
     ClassicExtent extent;

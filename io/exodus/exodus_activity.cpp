@@ -155,7 +155,9 @@ private:
         bool any = false;
         for (double& time : times) {
             const bool known = time > 0.0 && time < latestTime;
-            time = known ? time : std::numeric_limits<double>::quiet_NaN();
+            if (!known) {
+                time = std::numeric_limits<double>::quiet_NaN();
+            }
             any |= known;
         }
         if (any) {

@@ -9,7 +9,9 @@ namespace {
 std::string lowerCase(std::string_view text) {
     std::string result(text);
     for (char& c : result) {
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        if (c >= 'A' && c <= 'Z') {
+            c = static_cast<char>(c - 'A' + 'a');
+        }
     }
     return result;
 }

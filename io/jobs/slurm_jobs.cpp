@@ -272,7 +272,9 @@ std::string SlurmJobs::lastWords(const std::string& id, const JobTask& task) con
     std::ifstream stream(logPath(id, task));
     std::string last;
     for (std::string line; std::getline(stream, line);) {
-        last = line.find_first_not_of(' ') == std::string::npos ? last : line.substr(line.find_first_not_of(' '));
+        if (line.find_first_not_of(' ') != std::string::npos) {
+            last = line.substr(line.find_first_not_of(' '));
+        }
     }
     return last;
 }

@@ -96,7 +96,9 @@ private:
         for (std::size_t k = 0; k < increments.size(); ++k) {
             const std::vector<bool>& now = increments[k].stressed;
             const auto loaded = static_cast<std::size_t>(std::count(now.begin(), now.end(), true));
-            m_firstLoaded = 2 * loaded > now.size() ? std::min(m_firstLoaded, k) : m_firstLoaded;
+            if (2 * loaded > now.size()) {
+                m_firstLoaded = std::min(m_firstLoaded, k);
+            }
             for (std::size_t e = 0; e < std::min(m_firstStress.size(), increments[k].stressed.size()); ++e) {
                 if (increments[k].stressed[e]) {
                     m_firstStress[e] = std::min(m_firstStress[e], k);

@@ -135,7 +135,9 @@ private:
         } else if (word == "TIME" || word == "CYCLE") {
             m_words.skip(3, "the fields");
             const double value = m_words.number<double>("the time");
-            m_state.time = word == "TIME" ? value : m_state.time;
+            if (word == "TIME") {
+                m_state.time = value;
+            }
         } else if ((word == "POINTS" && m_nodes > 0) || (word == "CELLS" && m_cells > 0)) {
             throw ParseError(
                 {"anim.twice", "{0} has a second section {1} before byte {2}", {m_words.path(), word, m_words.place()}},

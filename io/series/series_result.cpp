@@ -163,7 +163,9 @@ private:
                 for (std::size_t k = 0; k < m_steps.size(); ++k) {
                     activity.set(k, id, true);
                 }
-                example = count++ == 0 ? "element " + englishInteger(mesh->elementIds[e]) : example;
+                if (count++ == 0) {
+                    example = "element " + englishInteger(mesh->elementIds[e]);
+                }
             }
         }
         if (count > 0) {

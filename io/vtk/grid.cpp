@@ -58,7 +58,9 @@ void appendGrid(Grid& grid, const Grid& more) {
     for (std::size_t c = 1; c < more.offsets.size(); ++c) {
         grid.offsets.push_back(shifted(more.offsets[c], first));
     }
-    grid.time = grid.time ? grid.time : more.time;
+    if (!grid.time) {
+        grid.time = more.time;
+    }
 }
 
 }  // namespace rubble::io

@@ -61,7 +61,9 @@ void chooseVectors(const std::vector<std::string>& vectors, const ImportSettings
     }
     names.displacement = choose(vectors, {settings.displacement});
     for (const std::string& name : vectors) {
-        names.displacement = name == settings.displacement ? name : names.displacement;
+        if (name == settings.displacement) {
+            names.displacement = name;
+        }
     }
     if (names.displacement.empty()) {
         throw UsageError(

@@ -109,7 +109,9 @@ bool takeInteger(std::string_view& text, std::int64_t& value) {
     }
     double real = 0.0;
     const bool isNumber = takeReal(text, real);
-    value = isNumber ? wholeOf(real) : value;
+    if (isNumber) {
+        value = wholeOf(real);
+    }
     return isNumber;
 }
 

@@ -123,7 +123,9 @@ TEST(CausesPanel, TicksAndRemovalsAreToldByPlace) {
     EXPECT_FALSE(evidence->item(0)->flags() & Qt::ItemIsUserCheckable);
     QPushButton* remove = nullptr;
     for (QPushButton* button : panel.findChildren<QPushButton*>()) {
-        remove = remove == nullptr && button->text() == QStringLiteral("Remove") ? button : remove;
+        if (remove == nullptr && button->text() == QStringLiteral("Remove")) {
+            remove = button;
+        }
     }
     causes->setCurrentRow(0);
     EXPECT_FALSE(remove->isEnabled()) << "scenarios of the case are removed in the case";

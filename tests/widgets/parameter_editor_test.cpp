@@ -58,7 +58,9 @@ TEST(ParameterEditor, NumbersOfEveryRowCanBeTypedWithinTheirRange) {
         editor.setValue(row.automatic ? ParameterValue() : row.get(Scenario(), "deck"));
         Edits edits(editor);
         double wanted = std::isfinite(row.high) && std::isfinite(row.low) ? row.low + (row.high - row.low) / 3.0 : 3.0;
-        wanted = row.kind == ParameterKind::Integer ? std::ceil(wanted) : wanted;
+        if (row.kind == ParameterKind::Integer) {
+            wanted = std::ceil(wanted);
+        }
         type(editor, QString::number(wanted, 'g', 12));
         ASSERT_EQ(edits.values.size(), 1U) << row.key;
         const double got = row.kind == ParameterKind::Integer ? static_cast<double>(std::get<std::int64_t>(edits.values[0]))

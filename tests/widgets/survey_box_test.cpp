@@ -100,7 +100,9 @@ TEST_F(SurveyForm, FieldsAreTheSettings) {
     type(1, QStringLiteral("99"));
     QComboBox* fit = nullptr;
     for (auto* each : box.findChildren<QComboBox*>()) {
-        fit = each->accessibleName() == QStringLiteral("Registration of the survey") ? each : fit;
+        if (each->accessibleName() == QStringLiteral("Registration of the survey")) {
+            fit = each;
+        }
     }
     ASSERT_NE(fit, nullptr);
     fit->setFocus();
@@ -119,7 +121,9 @@ TEST_F(SurveyForm, WhatTheSurveyShowsIsAskedAndShown) {
     box.setContent(content);
     QComboBox* shows = nullptr;
     for (auto* each : box.findChildren<QComboBox*>()) {
-        shows = each->accessibleName() == QStringLiteral("Whether the survey shows fallen structure") ? each : shows;
+        if (each->accessibleName() == QStringLiteral("Whether the survey shows fallen structure")) {
+            shows = each;
+        }
     }
     ASSERT_NE(shows, nullptr);
     EXPECT_EQ(shows->currentText(), QStringLiteral("no"));

@@ -101,8 +101,12 @@ void paintPath(QPainter& painter, const Pen& pen) {
             line.moveTo(*pixel);
         }
         before = pixel;
-        first = first ? first : pixel;
-        last = pixel ? pixel : last;
+        if (!first) {
+            first = pixel;
+        }
+        if (pixel) {
+            last = pixel;
+        }
     }
     if (!first) {
         return;

@@ -152,10 +152,6 @@ void chooseColours(ColourSet set) {
     chosenSet() = set;
 }
 
-ColourSet colourSet() {
-    return chosenSet();
-}
-
 namespace {
 
 /// Scales that the colour-blind can read, after the values published with them; nothing for the standard one.

@@ -48,7 +48,6 @@ enum class ColourSet : std::uint8_t {
 };
 /// Which set palettes have from now on; called before drawing, on the thread that draws.
 void chooseColours(ColourSet set);
-ColourSet colourSet();
 
 /// Colour of the birth-time and the speed scale at a place in [0, 1]; lightness rises all the way, so they read in grey too.
 QColor birthColour(double place, render::ColourMap map = render::ColourMap::Standard);

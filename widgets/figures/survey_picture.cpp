@@ -40,7 +40,9 @@ struct Window {
                 if (!std::isnan(grid.values[grid.index(column, row)])) {
                     left = any ? std::min(left, column) : column;
                     right = any ? std::max(right, column) : column;
-                    bottom = any ? bottom : row;
+                    if (!any) {
+                        bottom = row;
+                    }
                     top = row;
                     any = true;
                 }
@@ -125,7 +127,9 @@ private:
         // Half of it is a number that reads well too.
         const double power = std::pow(10.0, std::floor(std::log10(m_reach)));
         for (const double factor : {10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0}) {
-            m_reach = factor * power >= sizes[at] * (1.0 - 1e-9) ? factor * power : m_reach;
+            if (factor * power >= sizes[at] * (1.0 - 1e-9)) {
+                m_reach = factor * power;
+            }
         }
         m_cut = sizes.back() > m_reach;
     }

@@ -313,7 +313,9 @@ void PaneGeometry::addStructure() {
         StructureFaces::Face face = m_structure->faces()[index];
         if (join && face.nodes[2] != StructureFaces::none) {
             for (std::uint32_t& node : face.nodes) {
-                node = node == StructureFaces::none ? node : m_joined[node];
+                if (node != StructureFaces::none) {
+                    node = m_joined[node];
+                }
             }
             if (!withoutRepeats(face.nodes, StructureFaces::none)) {
                 continue;

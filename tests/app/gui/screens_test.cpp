@@ -102,7 +102,9 @@ protected:
             QWidget* dialog = nullptr;
             for (QWidget* each : QApplication::topLevelWidgets()) {
                 const bool isDialog = each->isVisible() && each != window && each->windowType() == Qt::Dialog;
-                dialog = isDialog ? each : dialog;
+                if (isDialog) {
+                    dialog = each;
+                }
             }
             seen = true;
             ASSERT_NE(dialog, nullptr) << action;

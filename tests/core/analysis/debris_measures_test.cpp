@@ -87,7 +87,9 @@ TEST(DebrisMeasures, NoFewerCellsHoldTheCore) {
             for (std::size_t k = 0; k < cells; ++k) {
                 held += (set >> k & 1) ? field.mass.values[k] : 0.0;
             }
-            fewest = held >= wanted ? count : fewest;
+            if (held >= wanted) {
+                fewest = count;
+            }
         }
         EXPECT_EQ(field.core.size(), fewest) << seed;
     }

@@ -189,7 +189,9 @@ public:
             std::erase_if(told, same);
             told.push_back(breach);
         }
-        framesAtFirst = framesAtFirst == 0 ? frameCount() : framesAtFirst;
+        if (framesAtFirst == 0) {
+            framesAtFirst = frameCount();
+        }
     }
     std::vector<HealthBreach> told;
     std::size_t framesAtFirst = 0;

@@ -125,7 +125,9 @@ TEST_F(InWater, HeavesAtItsNaturalPeriod) {
         const double z = scene.place(raft).z();
         if (last > 0.0 && z <= 0.0) {
             latest = time;
-            first = crossings++ == 0 ? time : first;
+            if (crossings++ == 0) {
+                first = time;
+            }
         }
         last = z;
         time += scene.dt;

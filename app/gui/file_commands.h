@@ -9,6 +9,7 @@
 #include "core/scenario/case.h"
 #include "widgets/render/scene_data.h"
 #include "widgets/render/view.h"
+#include "widgets/wording.h"
 
 class QWidget;
 

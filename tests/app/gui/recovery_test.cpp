@@ -165,14 +165,14 @@ protected:
     }
     /// @param display  that it opens its window on; empty: this one
     void begin(const QString& display = {}) {
-        session.setProcessChannelMode(QProcess::ForwardedChannels);
+        leftProgram.setProcessChannelMode(QProcess::ForwardedChannels);
         if (!display.isEmpty()) {
             QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
             environment.insert(QStringLiteral("DISPLAY"), display);
-            session.setProcessEnvironment(environment);
+            leftProgram.setProcessEnvironment(environment);
         }
-        session.start(QCoreApplication::applicationFilePath(), {leftSessionWord, fe, QStringLiteral("friction=0.37")});
-        ASSERT_TRUE(session.waitForStarted(patience));
+        leftProgram.start(QCoreApplication::applicationFilePath(), {leftSessionWord, fe, QStringLiteral("friction=0.37")});
+        ASSERT_TRUE(leftProgram.waitForStarted(patience));
         ASSERT_TRUE(QTest::qWaitFor([&] { return !keptIn(unsaved).isEmpty(); }, patience));
     }
     /// What it left is offered, and comes back by a click.
@@ -196,7 +196,7 @@ protected:
 
     const QTemporaryDir folder;
     QString fe;
-    QProcess session;
+    QProcess leftProgram;
     const QString unsaved = qEnvironmentVariable("RUBBLE_STATE") + QStringLiteral("/unsaved");
 };
 
@@ -204,8 +204,8 @@ TEST_F(LeftSession, ThatWasKilledComesBack) {
     begin();
     window->rooms().project->begin();
     EXPECT_EQ(window->rooms().project->recovery().offered(), 0U) << "the session is alive: its work is its own";
-    ::kill(static_cast<pid_t>(session.processId()), SIGKILL);
-    ASSERT_TRUE(session.waitForFinished(patience));
+    ::kill(static_cast<pid_t>(leftProgram.processId()), SIGKILL);
+    ASSERT_TRUE(leftProgram.waitForFinished(patience));
     recover();
 }
 
@@ -216,9 +216,9 @@ TEST_F(LeftSession, ThatLostItsDisplayEndsByItselfAndComesBack) {
     begin(QStringLiteral(":") + QString::fromLatin1(display.readAllStandardOutput().trimmed()));
     display.kill();
     ASSERT_TRUE(display.waitForFinished(patience));
-    ASSERT_TRUE(session.waitForFinished(patience)) << "it goes on without a display";
-    EXPECT_EQ(session.exitStatus(), QProcess::NormalExit);
-    EXPECT_NE(session.exitCode(), 0);
+    ASSERT_TRUE(leftProgram.waitForFinished(patience)) << "it goes on without a display";
+    EXPECT_EQ(leftProgram.exitStatus(), QProcess::NormalExit);
+    EXPECT_NE(leftProgram.exitCode(), 0);
     recover();
 }
 

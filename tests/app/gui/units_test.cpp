@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/gui/worker.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/view_area.h"
 #include "tests/app/gui/workbench.h"

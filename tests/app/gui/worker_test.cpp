@@ -157,8 +157,8 @@ TEST(Worker, FailuresSayWhatAndWhatToDo) {
     const auto of = [](const auto& error) { return failureOf(std::make_exception_ptr(error)); };
     const auto failure = of(WorldError({"x.y", "{0} is full", {"disk"}}, {"x.y.remedy", "Make room.", {}}));
     ASSERT_TRUE(failure);
-    EXPECT_EQ(failure->what, QStringLiteral("disk is full"));
-    EXPECT_EQ(failure->remedy, QStringLiteral("Make room."));
+    EXPECT_EQ(failure->what(), QStringLiteral("disk is full"));
+    EXPECT_EQ(failure->remedy(), QStringLiteral("Make room."));
     EXPECT_EQ(failure->id, "x.y");
     EXPECT_FALSE(of(Cancelled()));
     EXPECT_FALSE(failureOf(nullptr));

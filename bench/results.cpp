@@ -17,7 +17,7 @@
 #include "bench/measurements.h"
 #include "bench/results_page.h"
 #include "core/base/build.h"
-#include "io/machine.h"
+#include "io/base/machine.h"
 #include "tests/support/places.h"
 
 namespace rubble {

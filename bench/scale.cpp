@@ -16,9 +16,9 @@
 #include "core/base/memory.h"
 #include "core/pipeline/pipeline.h"
 #include "core/trajectory/sink_relay.h"
+#include "io/base/machine.h"
 #include "io/fe_copy/copy_writer.h"
 #include "io/fe_reader.h"
-#include "io/machine.h"
 #include "io/run_file.h"
 #include "tests/support/places.h"
 

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
+#include "io/base/trimmed.h"
 #include "io/json_document.h"
 #include "io/run_json.h"
-#include "io/trimmed.h"
 
 namespace rubble::io {
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/files.h"
 #include "io/json_cursor.h"
 #include "io/json_document.h"
 

@@ -10,10 +10,10 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/case_migrations.h"
 #include "io/ensemble_json.h"
 #include "io/fe_reader.h"
-#include "io/files.h"
 #include "io/journal.h"
 #include "io/json_cursor.h"
 #include "io/photograph_json.h"

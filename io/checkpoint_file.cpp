@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "io/files.h"
-#include "io/machine.h"
+#include "io/base/files.h"
+#include "io/base/machine.h"
 
 namespace rubble::io {
 

@@ -5,8 +5,8 @@
 
 #include "core/base/csv_text.h"
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/exports.h"
-#include "io/files.h"
 #include "io/run_columns.h"
 #include "io/run_layout.h"
 

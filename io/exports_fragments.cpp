@@ -4,8 +4,8 @@
 #include <limits>
 #include <map>
 
+#include "io/base/files.h"
 #include "io/exports.h"
-#include "io/files.h"
 #include "io/fragment_places.h"
 #include "io/terrain/site_place.h"
 

@@ -20,8 +20,8 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/exports.h"
-#include "io/files.h"
 #include "io/pvd_index.h"
 #include "io/run_grids.h"
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "io/base/files.h"
+#include "io/base/hdf5_rows.h"
+#include "io/base/run_driver.h"
 #include "io/exports.h"
-#include "io/files.h"
-#include "io/hdf5_rows.h"
-#include "io/run_driver.h"
 #include "io/run_grids.h"
 
 namespace rubble::io {

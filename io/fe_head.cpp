@@ -7,9 +7,9 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "io/base/native_lock.h"
 #include "io/exodus/trial.h"
 #include "io/fe_format.h"
-#include "io/native_lock.h"
 
 namespace rubble::io {
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/case_file.h"
 #include "io/fe_reader.h"
-#include "io/files.h"
 
 namespace rubble::io {
 

@@ -10,8 +10,8 @@
 
 #include "core/base/build.h"
 #include "core/simulation/acknowledgement.h"
+#include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/files.h"
 #include "io/journal_check.h"
 #include "io/json_text.h"
 

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <pugixml.hpp>
 
-#include "io/files.h"
+#include "io/base/files.h"
 
 namespace rubble::io {
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "io/run_driver.h"
+#include "io/base/run_driver.h"
 
 namespace rubble::io {
 

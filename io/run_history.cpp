@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/json_document.h"
 #include "io/run_json.h"
 

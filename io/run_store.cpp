@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "io/files.h"
-#include "io/hdf5_rows.h"
-#include "io/run_driver.h"
+#include "io/base/files.h"
+#include "io/base/hdf5_rows.h"
+#include "io/base/run_driver.h"
 
 namespace rubble::io {
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "io/files.h"
+#include "io/base/files.h"
 
 namespace rubble::io {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/json_cursor.h"
 
 namespace rubble::io {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/files.h"
 #include "io/geo/orthophoto_file.h"
 #include "io/geo/site_mesh_file.h"
 #include "io/terrain/height_reading.h"

@@ -8,8 +8,8 @@
 #include "core/analysis/study_tasks.h"
 #include "core/base/error.h"
 #include "core/scenario/parameters.h"
+#include "io/base/files.h"
 #include "io/checkpoint_file.h"
-#include "io/files.h"
 #include "io/json_cursor.h"
 #include "io/world_record.h"
 

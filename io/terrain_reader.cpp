@@ -8,8 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/fe/frame_transform.h"
+#include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/files.h"
 #include "io/site/file_words.h"
 #include "io/terrain/height_reading.h"
 #include "io/terrain/site_place.h"

@@ -27,7 +27,7 @@ struct Phrases {
 /// Files without text for the window: self tests speak on the command line only, parameters are read from their table.
 bool passedOver(const std::string& path) {
     static const char* const silent[] = {"core/selftest/", "core/scenario/parameter_table.cpp",
-                                         "core/scenario/effect_parameters.cpp", "widgets/figures/palette", "io/machine.cpp"};
+                                         "core/scenario/effect_parameters.cpp", "widgets/figures/palette", "io/base/machine.cpp"};
     return std::any_of(std::begin(silent), std::end(silent),
                        [&](const char* folder) { return path.find(folder) != std::string::npos; });
 }

@@ -10,8 +10,8 @@
 #include "app/cli/study_place.h"
 #include "core/analysis/sweep_table.h"
 #include "core/base/error.h"
-#include "io/files.h"
-#include "io/machine.h"
+#include "io/base/files.h"
+#include "io/base/machine.h"
 #include "io/study_files.h"
 
 namespace rubble::cli {

@@ -6,8 +6,8 @@
 #include "app/cli/output_file.h"
 #include "app/cli/text_table.h"
 #include "core/base/message.h"
+#include "io/base/machine.h"
 #include "io/fe_copy/fe_cache.h"
-#include "io/machine.h"
 
 namespace rubble::cli {
 

@@ -12,8 +12,8 @@
 #include "core/analysis/calibration_table.h"
 #include "core/analysis/published_results.h"
 #include "core/base/error.h"
-#include "io/files.h"
-#include "io/machine.h"
+#include "io/base/files.h"
+#include "io/base/machine.h"
 #include "io/study_files.h"
 
 namespace rubble::cli {

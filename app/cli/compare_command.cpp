@@ -11,10 +11,10 @@
 #include "app/cli/text_output.h"
 #include "core/base/error.h"
 #include "core/evidence/cause_comparison.h"
+#include "io/base/files.h"
+#include "io/base/machine.h"
 #include "io/case_file.h"
-#include "io/files.h"
 #include "io/geo/cause_evidence.h"
-#include "io/machine.h"
 #include "io/settled_files.h"
 
 namespace rubble::cli {

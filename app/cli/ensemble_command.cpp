@@ -7,8 +7,8 @@
 #include "app/cli/study_place.h"
 #include "app/cli/text_output.h"
 #include "core/base/error.h"
-#include "io/files.h"
-#include "io/machine.h"
+#include "io/base/files.h"
+#include "io/base/machine.h"
 #include "io/settled_files.h"
 
 namespace rubble::cli {

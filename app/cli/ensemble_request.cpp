@@ -7,8 +7,8 @@
 #include "app/cli/study_options.h"
 #include "app/cli/subject.h"
 #include "core/base/error.h"
+#include "io/base/machine.h"
 #include "io/case_file.h"
-#include "io/machine.h"
 
 namespace rubble::cli {
 

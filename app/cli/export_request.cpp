@@ -6,8 +6,8 @@
 #include "app/cli/option_value.h"
 #include "app/cli/output_file.h"
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/exports.h"
-#include "io/files.h"
 
 namespace rubble::cli {
 

@@ -5,7 +5,7 @@
 #include "app/cli/study_options.h"
 #include "app/cli/study_place.h"
 #include "core/base/error.h"
-#include "io/machine.h"
+#include "io/base/machine.h"
 #include "io/study_files.h"
 
 namespace rubble::cli {

@@ -7,8 +7,8 @@
 #include "app/cli/study_place.h"
 #include "app/cli/text_table.h"
 #include "core/base/error.h"
+#include "io/base/machine.h"
 #include "io/jobs/slurm_jobs.h"
-#include "io/machine.h"
 
 namespace rubble::cli {
 

@@ -9,7 +9,7 @@
 #include "app/cli/option_value.h"
 #include "app/cli/picture_options.h"
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/geo/map_files.h"
 #include "io/provenance.h"
 #include "io/terrain/site_place.h"

@@ -9,7 +9,7 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/run_inputs.h"
 #include "app/cli/virtual_display.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/provenance.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/movie.h"

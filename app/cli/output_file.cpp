@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 
 namespace rubble::cli {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/fe_reader.h"
-#include "io/files.h"
 #include "io/site_reader.h"
 
 namespace rubble::cli {

@@ -11,7 +11,7 @@
 #include "app/cli/study_options.h"
 #include "app/cli/text_table.h"
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/jobs/program.h"
 
 namespace rubble::cli {

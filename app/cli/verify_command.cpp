@@ -7,9 +7,9 @@
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
+#include "io/base/files.h"
 #include "io/case_file.h"
 #include "io/fe_reader.h"
-#include "io/files.h"
 #include "io/journal_check.h"
 
 namespace rubble::cli {

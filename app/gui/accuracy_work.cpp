@@ -5,7 +5,7 @@
 #include "app/gui/comparison_memory.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
-#include "io/machine.h"
+#include "io/base/machine.h"
 #include "io/study_files.h"
 #include "widgets/figures/live_screen.h"
 #include "widgets/wording.h"

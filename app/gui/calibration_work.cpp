@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "io/machine.h"
+#include "io/base/machine.h"
 #include "io/study_files.h"
 #include "widgets/figures/live_screen.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "io/machine.h"
+#include "io/base/machine.h"
 #include "io/settled_files.h"
 
 namespace rubble {

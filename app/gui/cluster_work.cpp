@@ -10,8 +10,8 @@
 #include "app/gui/document.h"
 #include "core/base/error.h"
 #include "core/scenario/case_lookup.h"
+#include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/files.h"
 #include "io/jobs/program.h"
 #include "widgets/wording.h"
 

@@ -6,7 +6,7 @@
 #include "app/gui/grid_display.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/session/session.h"
-#include "io/machine.h"
+#include "io/base/machine.h"
 
 namespace rubble {
 

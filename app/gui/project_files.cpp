@@ -1,7 +1,7 @@
 #include "app/gui/project_files.h"
 
 #include "app/gui/session/session.h"
-#include "io/machine.h"
+#include "io/base/machine.h"
 
 namespace rubble {
 

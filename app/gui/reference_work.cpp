@@ -7,8 +7,8 @@
 #include "core/analysis/accuracy_settings.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
+#include "io/base/machine.h"
 #include "io/checkpoint_file.h"
-#include "io/machine.h"
 
 namespace rubble {
 

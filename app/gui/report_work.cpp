@@ -11,7 +11,7 @@
 #include "app/gui/session/session.h"
 #include "core/base/error.h"
 #include "core/selftest/report_checks.h"
-#include "io/machine.h"
+#include "io/base/machine.h"
 #include "io/provenance.h"
 #include "io/report_facts.h"
 #include "io/terrain/site_place.h"

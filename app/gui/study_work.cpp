@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "io/files.h"
-#include "io/machine.h"
+#include "io/base/files.h"
+#include "io/base/machine.h"
 #include "io/settled_files.h"
 #include "widgets/wording.h"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/exports.h"
 #include "io/fe_reader.h"
-#include "io/files.h"
 #include "io/geo/map_files.h"
 #include "io/terrain_reader.h"
 

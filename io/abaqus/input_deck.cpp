@@ -7,9 +7,9 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "io/base/trimmed.h"
 #include "io/series/byte_window.h"
 #include "io/series/numbered_files.h"
-#include "io/trimmed.h"
 
 namespace rubble::io {
 

@@ -10,10 +10,10 @@
 #include "core/pipeline/stage_reports.h"
 #include "core/scenario/case_lookup.h"
 #include "core/scenario/parameters.h"
+#include "io/base/machine.h"
 #include "io/case_file.h"
 #include "io/fe_copy/fe_cache.h"
 #include "io/fe_reader.h"
-#include "io/machine.h"
 #include "io/site_reader.h"
 
 namespace rubble::io {

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/base/hdf5_handle.h"
 #include "io/exodus/exodus_names.h"
 #include "io/exodus/library_lock.h"
-#include "io/hdf5_handle.h"
 
 namespace rubble::io {
 

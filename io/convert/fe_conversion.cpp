@@ -5,10 +5,10 @@
 
 #include "core/base/error.h"
 #include "core/fe/frame_transform.h"
+#include "io/base/files.h"
 #include "io/convert/exodus_writer.h"
 #include "io/convert/grid_writer.h"
 #include "io/fe_copy/copy_writer.h"
-#include "io/files.h"
 
 namespace rubble::io {
 

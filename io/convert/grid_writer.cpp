@@ -27,8 +27,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "io/convert/single_precision.h"
-#include "io/files.h"
+#include "io/base/files.h"
+#include "io/base/single_precision.h"
 #include "io/pvd_index.h"
 
 namespace rubble::io {

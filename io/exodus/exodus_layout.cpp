@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/base/hdf5_extent.h"
 #include "io/exodus/classic_header.h"
 #include "io/exodus/exodus_names.h"
 #include "io/exodus/library_lock.h"
 #include "io/exodus/trial.h"
-#include "io/hdf5_extent.h"
 
 namespace rubble::io {
 

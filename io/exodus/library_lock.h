@@ -2,7 +2,7 @@
 
 #include <mutex>
 
-#include "io/native_lock.h"
+#include "io/base/native_lock.h"
 
 namespace rubble::io {
 

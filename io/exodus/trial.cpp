@@ -14,7 +14,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "io/native_lock.h"
+#include "io/base/native_lock.h"
 
 namespace rubble::io {
 

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "io/convert/single_precision.h"
+#include "io/base/files.h"
+#include "io/base/hdf5_handle.h"
+#include "io/base/run_driver.h"
+#include "io/base/single_precision.h"
 #include "io/fe_copy/copy_about.h"
 #include "io/fe_copy/copy_layout.h"
 #include "io/fe_copy/copy_seal.h"
 #include "io/fe_copy/state_chunks.h"
-#include "io/files.h"
-#include "io/hdf5_handle.h"
-#include "io/run_driver.h"
 
 namespace rubble::io {
 

@@ -12,12 +12,12 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/fe_copy/copy_reader.h"
 #include "io/fe_copy/copy_writer.h"
 #include "io/fe_copy/file_traces.h"
 #include "io/fe_reader.h"
 #include "io/fe_search.h"
-#include "io/files.h"
 #include "io/series_digest.h"
 
 namespace rubble::io {

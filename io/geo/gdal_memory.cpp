@@ -5,7 +5,7 @@
 #include <atomic>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/site/gdal_session.h"
 
 namespace rubble::io {

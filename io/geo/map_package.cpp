@@ -9,7 +9,7 @@
 #include "core/analysis/box_outline.h"
 #include "core/evidence/footprint.h"
 #include "core/evidence/height_contours.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/geo/gdal_memory.h"
 #include "io/geo/map_files.h"
 #include "io/geo/map_place.h"

@@ -2,7 +2,7 @@
 #include <ostream>
 
 #include "core/base/csv_text.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/geo/map_files.h"
 #include "io/terrain/site_place.h"
 

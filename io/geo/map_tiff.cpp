@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/geo/gdal_memory.h"
 #include "io/geo/map_files.h"
 #include "io/geo/map_place.h"

@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/site/gdal_session.h"
 
 namespace rubble::io {

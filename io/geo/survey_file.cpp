@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/site/outline_file.h"
 #include "io/terrain/height_reading.h"
 

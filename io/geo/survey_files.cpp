@@ -9,8 +9,8 @@
 
 #include "core/base/csv_text.h"
 #include "io/acknowledgements.h"
+#include "io/base/files.h"
 #include "io/exports.h"
-#include "io/files.h"
 #include "io/geo/gdal_memory.h"
 #include "io/geo/map_place.h"
 #include "io/run_json.h"

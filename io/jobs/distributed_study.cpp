@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
+#include "io/base/machine.h"
 #include "io/jobs/program.h"
-#include "io/machine.h"
 
 namespace rubble::io {
 

@@ -9,7 +9,7 @@
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/json_cursor.h"
 
 namespace rubble::io {

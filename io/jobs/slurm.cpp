@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "io/base/trimmed.h"
 #include "io/jobs/program.h"
-#include "io/trimmed.h"
 
 namespace rubble::io {
 

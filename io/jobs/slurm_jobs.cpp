@@ -17,7 +17,7 @@
 #include "core/analysis/prediction.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/jobs/program.h"
 
 namespace rubble::io {

@@ -3,7 +3,7 @@
 #include <mutex>
 #include <string>
 
-#include "io/native_lock.h"
+#include "io/base/native_lock.h"
 
 namespace rubble::io {
 

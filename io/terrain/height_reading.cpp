@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "io/base/native_lock.h"
 #include "io/exodus/trial.h"
-#include "io/native_lock.h"
 #include "io/site/file_words.h"
 #include "io/terrain/raster_file.h"
 #include "io/terrain/raster_sampling.h"

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "io/base/hdf5_extent.h"
 #include "io/exodus/trial.h"
-#include "io/hdf5_extent.h"
 
 namespace rubble::io {
 

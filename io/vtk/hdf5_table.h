@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/hdf5_handle.h"
+#include "io/base/hdf5_handle.h"
 
 namespace rubble::io {
 

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "io/trimmed.h"
+#include "io/base/trimmed.h"
 
 namespace rubble::io {
 

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "io/trimmed.h"
+#include "io/base/trimmed.h"
 
 namespace rubble::io {
 

@@ -14,8 +14,8 @@
 
 #include "core/analysis/settled_world.h"
 #include "core/base/error.h"
+#include "io/base/machine.h"
 #include "io/fe_copy/fe_cache.h"
-#include "io/machine.h"
 #include "io/settled_files.h"
 #include "io/world_record.h"
 #include "tests/scenes/fe_scenes.h"

@@ -18,7 +18,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "tests/io/run_over_fe.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"

@@ -1,4 +1,4 @@
-#include "io/files.h"
+#include "io/base/files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "io/packed_rows.h"
+#include "io/base/packed_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "io/hdf5_handle.h"
+#include "io/base/hdf5_handle.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "io/base/embedded_text.h"
+#include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/embedded_text.h"
 #include "io/fe_reader.h"
-#include "io/files.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 

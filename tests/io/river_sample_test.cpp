@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "io/base/files.h"
 #include "io/case_file.h"
 #include "io/fe_reader.h"
-#include "io/files.h"
 #include "io/terrain_reader.h"
 #include "tests/support/places.h"
 

@@ -16,7 +16,7 @@
 #include "core/base/error.h"
 #include "core/simulation/acknowledgement.h"
 #include "io/acknowledgements.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/run_columns.h"
 #include "io/run_json.h"
 #include "io/run_tables.h"

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "io/machine.h"
+#include "io/base/machine.h"
 #include "io/world_record.h"
 #include "tests/support/temporary_folder.h"
 

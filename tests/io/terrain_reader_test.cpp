@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "io/terrain/height_raster.h"
 #include "tests/support/temporary_folder.h"
 

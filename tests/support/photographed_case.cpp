@@ -5,8 +5,8 @@
 #include <fstream>
 #include <vector>
 
+#include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/files.h"
 #include "tests/core/evidence/camera_scene.h"
 
 namespace rubble::cli {

@@ -3,9 +3,9 @@
 
 #include "core/evidence/silhouette.h"
 #include "core/pipeline/pipeline.h"
+#include "io/base/files.h"
 #include "io/case_file.h"
 #include "io/fe_reader.h"
-#include "io/files.h"
 #include "tests/core/evidence/camera_scene.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"

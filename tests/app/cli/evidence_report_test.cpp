@@ -6,8 +6,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/files.h"
 #include "io/provenance.h"
 #include "io/run_file.h"
 #include "tests/support/photographed_case.h"

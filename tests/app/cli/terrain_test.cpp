@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/files.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"

@@ -16,7 +16,7 @@
 #include "app/gui/view_area.h"
 #include "core/analysis/calibration_table.h"
 #include "core/clusters/clustering.h"
-#include "io/machine.h"
+#include "io/base/machine.h"
 #include "io/study_files.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"

@@ -12,8 +12,8 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "io/base/files.h"
 #include "io/fe_reader.h"
-#include "io/files.h"
 #include "tests/io/convert/mixed_result.h"
 #include "tests/io/formats/collapse_digest.h"
 #include "tests/support/temporary_folder.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <mutex>
 
-#include "io/native_lock.h"
+#include "io/base/native_lock.h"
 
 namespace rubble::io {
 

@@ -8,9 +8,9 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "io/base/native_lock.h"
 #include "io/convert/fe_conversion.h"
 #include "io/fe_reader.h"
-#include "io/native_lock.h"
 #include "tests/io/convert/mixed_result.h"
 #include "tests/io/fe_copy/chunk_damage.h"
 #include "tests/support/temporary_folder.h"

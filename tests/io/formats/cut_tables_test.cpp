@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/base/hdf5_handle.h"
 #include "io/fe_reader.h"
-#include "io/hdf5_handle.h"
 #include "io/vtk/vtkhdf_reader.h"
 #include "io/xdmf/xdmf_reader.h"
 #include "tests/support/temporary_folder.h"

@@ -17,7 +17,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "tests/core/analysis/debris_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"

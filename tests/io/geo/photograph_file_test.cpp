@@ -11,7 +11,7 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "io/files.h"
+#include "io/base/files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

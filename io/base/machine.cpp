@@ -1,4 +1,4 @@
-#include "io/machine.h"
+#include "io/base/machine.h"
 
 #include <unistd.h>
 

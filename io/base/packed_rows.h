@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/hdf5_rows.h"
+#include "io/base/hdf5_rows.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/embedded_text.h"
+#include "io/base/embedded_text.h"
 
 #include <zlib.h>
 

@@ -1,4 +1,4 @@
-#include "io/run_driver.h"
+#include "io/base/run_driver.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

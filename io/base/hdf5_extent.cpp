@@ -1,4 +1,4 @@
-#include "io/hdf5_extent.h"
+#include "io/base/hdf5_extent.h"
 
 #include <algorithm>
 #include <array>

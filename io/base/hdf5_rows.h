@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "io/hdf5_handle.h"
+#include "io/base/hdf5_handle.h"
 
 namespace rubble::io {
 

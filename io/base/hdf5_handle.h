@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "io/native_lock.h"
+#include "io/base/native_lock.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/files.h"
+#include "io/base/files.h"
 
 #include <fcntl.h>
 #include <openssl/evp.h>

@@ -1,4 +1,4 @@
-#include "io/hdf5_rows.h"
+#include "io/base/hdf5_rows.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include <hdf5.h>
 
-#include "io/hdf5_handle.h"
+#include "io/base/hdf5_handle.h"
 
 namespace rubble::io {
 

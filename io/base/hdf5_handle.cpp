@@ -1,4 +1,4 @@
-#include "io/hdf5_handle.h"
+#include "io/base/hdf5_handle.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/packed_rows.h"
+#include "io/base/packed_rows.h"
 
 #include <algorithm>
 #include <array>

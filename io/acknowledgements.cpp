@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/base/trimmed.h"
-#include "io/json_document.h"
+#include "io/json/json_document.h"
 #include "io/run_json.h"
 
 namespace rubble::io {

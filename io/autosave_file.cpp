@@ -5,8 +5,8 @@
 
 #include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/json_cursor.h"
-#include "io/json_document.h"
+#include "io/json/json_cursor.h"
+#include "io/json/json_document.h"
 
 namespace rubble::io {
 

@@ -11,14 +11,14 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/case_migrations.h"
-#include "io/ensemble_json.h"
 #include "io/fe_reader.h"
 #include "io/journal.h"
-#include "io/json_cursor.h"
-#include "io/photograph_json.h"
-#include "io/scenario_json.h"
-#include "io/site_json.h"
+#include "io/json/case_migrations.h"
+#include "io/json/ensemble_json.h"
+#include "io/json/json_cursor.h"
+#include "io/json/photograph_json.h"
+#include "io/json/scenario_json.h"
+#include "io/json/site_json.h"
 
 namespace rubble::io {
 

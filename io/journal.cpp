@@ -13,7 +13,7 @@
 #include "io/base/files.h"
 #include "io/case_file.h"
 #include "io/journal_check.h"
-#include "io/json_text.h"
+#include "io/json/json_text.h"
 
 namespace rubble::io {
 

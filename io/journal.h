@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/scenario/journal.h"
-#include "io/json_cursor.h"
+#include "io/json/json_cursor.h"
 
 namespace rubble::io {
 

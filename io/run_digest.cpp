@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "io/json_cursor.h"
+#include "io/json/json_cursor.h"
 #include "io/run_columns.h"
 #include "io/run_file.h"
 #include "io/run_store.h"

@@ -5,9 +5,9 @@
 #include <optional>
 #include <type_traits>
 
+#include "io/json/scenario_json.h"
+#include "io/json/site_json.h"
 #include "io/run_members.h"
-#include "io/scenario_json.h"
-#include "io/site_json.h"
 
 namespace rubble::io {
 

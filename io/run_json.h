@@ -4,9 +4,9 @@
 #include <string>
 
 #include "core/scenario/case.h"
-#include "io/findings_json.h"
-#include "io/json_cursor.h"
-#include "io/json_text.h"
+#include "io/json/findings_json.h"
+#include "io/json/json_cursor.h"
+#include "io/json/json_text.h"
 #include "io/run_file.h"
 
 namespace rubble::io {

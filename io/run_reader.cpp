@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "io/case_migrations.h"
 #include "io/frame_cache.h"
+#include "io/json/case_migrations.h"
 #include "io/run_columns.h"
 #include "io/run_file.h"
 #include "io/run_json.h"

@@ -10,7 +10,7 @@
 #include "core/scenario/parameters.h"
 #include "io/base/files.h"
 #include "io/checkpoint_file.h"
-#include "io/json_cursor.h"
+#include "io/json/json_cursor.h"
 #include "io/world_record.h"
 
 namespace rubble::io {

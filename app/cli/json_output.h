@@ -3,7 +3,7 @@
 #include "app/cli/session.h"
 #include "core/base/finding.h"
 #include "core/clusters/sizing.h"
-#include "io/json_value.h"
+#include "io/json/json_value.h"
 
 namespace rubble::cli {
 

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/build.h"
-#include "io/findings_json.h"
-#include "io/scenario_json.h"
+#include "io/json/findings_json.h"
+#include "io/json/scenario_json.h"
 
 namespace rubble::io {
 

@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/json_cursor.h"
+#include "io/json/json_cursor.h"
 
 namespace rubble::io {
 

@@ -4,8 +4,8 @@
 
 #include "core/base/build.h"
 #include "core/base/csv_text.h"
-#include "io/ensemble_json.h"
 #include "io/geo/map_place.h"
+#include "io/json/ensemble_json.h"
 #include "io/run_json.h"
 
 namespace rubble::io {

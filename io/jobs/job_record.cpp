@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "io/base/files.h"
-#include "io/json_cursor.h"
+#include "io/json/json_cursor.h"
 
 namespace rubble::io {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "io/ensemble_json.h"
+#include "io/json/ensemble_json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

@@ -1,9 +1,9 @@
-#include "io/case_migrations.h"
+#include "io/json/case_migrations.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "io/ensemble_json.h"
+#include "io/json/ensemble_json.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/photograph_json.h"
+#include "io/json/photograph_json.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

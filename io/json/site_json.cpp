@@ -1,4 +1,4 @@
-#include "io/site_json.h"
+#include "io/json/site_json.h"
 
 #include <nlohmann/json.hpp>
 

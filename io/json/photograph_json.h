@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/scenario/photograph.h"
-#include "io/json_cursor.h"
+#include "io/json/json_cursor.h"
 
 namespace rubble::io {
 

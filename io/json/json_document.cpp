@@ -1,4 +1,4 @@
-#include "io/json_document.h"
+#include "io/json/json_document.h"
 
 #include <filesystem>
 #include <fstream>
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "io/json_cursor.h"
+#include "io/json/json_cursor.h"
 
 namespace rubble::io {
 

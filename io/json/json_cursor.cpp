@@ -1,4 +1,4 @@
-#include "io/json_cursor.h"
+#include "io/json/json_cursor.h"
 
 #include <algorithm>
 #include <cmath>

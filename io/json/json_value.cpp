@@ -1,4 +1,4 @@
-#include "io/json_value.h"
+#include "io/json/json_value.h"
 
 #include <algorithm>
 #include <cassert>

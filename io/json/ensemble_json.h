@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "core/scenario/ensemble.h"
-#include "io/json_cursor.h"
+#include "io/json/json_cursor.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/scenario_json.h"
+#include "io/json/scenario_json.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "io/findings_json.h"
+#include "io/json/findings_json.h"
 
 #include <nlohmann/json.hpp>
 

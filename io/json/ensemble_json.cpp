@@ -1,4 +1,4 @@
-#include "io/ensemble_json.h"
+#include "io/json/ensemble_json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 
 #include "core/fe/frame.h"
 #include "core/scenario/scenario.h"
-#include "io/json_cursor.h"
+#include "io/json/json_cursor.h"
 
 namespace rubble::io {
 

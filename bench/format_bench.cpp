@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "io/exodus/exodus_reader.h"
-#include "io/fe_reader.h"
-#include "io/vtk/vtk_reader.h"
+#include "io/fe/exodus/exodus_reader.h"
+#include "io/fe/fe_reader.h"
+#include "io/fe/vtk/vtk_reader.h"
 #include "tests/support/places.h"
 
 namespace {

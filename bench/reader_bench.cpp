@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "io/d3plot/d3plot_reader.h"
-#include "io/fe_reader.h"
+#include "io/fe/d3plot/d3plot_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/support/places.h"
 
 namespace {

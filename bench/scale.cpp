@@ -17,8 +17,8 @@
 #include "core/pipeline/pipeline.h"
 #include "core/trajectory/sink_relay.h"
 #include "io/base/machine.h"
-#include "io/fe_copy/copy_writer.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_copy/copy_writer.h"
+#include "io/fe/fe_reader.h"
 #include "io/run_file.h"
 #include "tests/support/places.h"
 

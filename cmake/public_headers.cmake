@@ -59,7 +59,7 @@ set(RUBBLE_PUBLIC_HEADERS
     io/acknowledgements.h
     io/case_file.h
     io/exports.h
-    io/fe_reader.h
+    io/fe/fe_reader.h
     io/fragment_places.h
     io/geo/map_files.h
     io/run_file.h

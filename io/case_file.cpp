@@ -11,7 +11,7 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "io/journal.h"
 #include "io/json/case_migrations.h"
 #include "io/json/ensemble_json.h"

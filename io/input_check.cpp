@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 
 namespace rubble::io {
 

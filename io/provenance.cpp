@@ -10,7 +10,7 @@
 #include "io/base/embedded_text.h"
 #include "io/case_file.h"
 #include "io/exports.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "io/run_json.h"
 
 namespace rubble::io {

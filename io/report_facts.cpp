@@ -16,7 +16,7 @@
 #include "io/base/files.h"
 #include "io/base/machine.h"
 #include "io/case_file.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "io/geo/photograph_file.h"
 #include "io/geo/survey_file.h"
 #include "io/settled_files.h"

@@ -7,7 +7,7 @@
 #include "app/cli/text_table.h"
 #include "core/base/message.h"
 #include "io/base/machine.h"
-#include "io/fe_copy/fe_cache.h"
+#include "io/fe/fe_copy/fe_cache.h"
 
 namespace rubble::cli {
 

@@ -7,7 +7,7 @@
 #include "app/cli/option_value.h"
 #include "core/base/error.h"
 #include "core/base/message.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 
 namespace rubble::cli {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "io/site_reader.h"
 
 namespace rubble::cli {

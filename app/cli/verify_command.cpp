@@ -9,7 +9,7 @@
 #include "core/pipeline/pipeline.h"
 #include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "io/journal_check.h"
 
 namespace rubble::cli {

@@ -21,7 +21,7 @@
 #include "app/gui/selection_display.h"
 #include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/new_case_wizard.h"
 #include "widgets/start_page.h"

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/exports.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "io/geo/map_files.h"
 #include "io/terrain_reader.h"
 

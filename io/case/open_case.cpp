@@ -12,8 +12,8 @@
 #include "core/scenario/parameters.h"
 #include "io/base/machine.h"
 #include "io/case_file.h"
-#include "io/fe_copy/fe_cache.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_copy/fe_cache.h"
+#include "io/fe/fe_reader.h"
 #include "io/site_reader.h"
 
 namespace rubble::io {

@@ -13,8 +13,8 @@
 
 #include "core/base/error.h"
 #include "io/base/hdf5_handle.h"
-#include "io/exodus/exodus_names.h"
-#include "io/exodus/library_lock.h"
+#include "io/fe/exodus/exodus_names.h"
+#include "io/fe/exodus/library_lock.h"
 
 namespace rubble::io {
 

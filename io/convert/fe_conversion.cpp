@@ -8,7 +8,7 @@
 #include "io/base/files.h"
 #include "io/convert/exodus_writer.h"
 #include "io/convert/grid_writer.h"
-#include "io/fe_copy/copy_writer.h"
+#include "io/fe/fe_copy/copy_writer.h"
 
 namespace rubble::io {
 

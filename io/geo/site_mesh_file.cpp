@@ -18,8 +18,8 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "io/exodus/library_lock.h"
-#include "io/exodus/trial.h"
+#include "io/fe/exodus/library_lock.h"
+#include "io/fe/exodus/trial.h"
 #include "io/terrain/site_place.h"
 
 namespace rubble::io {

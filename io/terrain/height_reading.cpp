@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "io/base/native_lock.h"
-#include "io/exodus/trial.h"
+#include "io/fe/exodus/trial.h"
 #include "io/site/file_words.h"
 #include "io/terrain/raster_file.h"
 #include "io/terrain/raster_sampling.h"

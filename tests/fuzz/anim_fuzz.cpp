@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "io/radioss/anim_reader.h"
+#include "io/fe/radioss/anim_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;

@@ -1,4 +1,4 @@
-#include "io/ansys/cdb_reader.h"
+#include "io/fe/ansys/cdb_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;

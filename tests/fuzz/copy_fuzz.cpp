@@ -1,4 +1,4 @@
-#include "io/fe_copy/copy_reader.h"
+#include "io/fe/fe_copy/copy_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 #include "tests/fuzz/made_tables.h"
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "io/d3plot/d3plot_reader.h"
+#include "io/fe/d3plot/d3plot_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;

@@ -1,6 +1,6 @@
-#include "io/abaqus/input_deck.h"
-#include "io/ansys/cdb_file.h"
-#include "io/series/death_list.h"
+#include "io/fe/abaqus/input_deck.h"
+#include "io/fe/ansys/cdb_file.h"
+#include "io/fe/series/death_list.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;

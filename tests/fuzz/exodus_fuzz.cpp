@@ -1,6 +1,6 @@
 #include <cstring>
 
-#include "io/exodus/exodus_reader.h"
+#include "io/fe/exodus/exodus_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;

@@ -1,4 +1,4 @@
-#include "io/abaqus/fil_reader.h"
+#include "io/fe/abaqus/fil_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;

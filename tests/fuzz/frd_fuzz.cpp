@@ -1,4 +1,4 @@
-#include "io/calculix/frd_reader.h"
+#include "io/fe/calculix/frd_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/series/series_result.h"
-#include "io/vtk/grid_series.h"
+#include "io/fe/series/series_result.h"
+#include "io/fe/vtk/grid_series.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;

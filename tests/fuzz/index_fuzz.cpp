@@ -1,4 +1,4 @@
-#include "io/vtk/grid_index.h"
+#include "io/fe/vtk/grid_index.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;

@@ -1,4 +1,4 @@
-#include "io/vtk/vtk_reader.h"
+#include "io/fe/vtk/vtk_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "io/fe_copy/copy_layout.h"
-#include "io/fe_copy/copy_seal.h"
-#include "io/vtk/hdf5_table.h"
+#include "io/fe/fe_copy/copy_layout.h"
+#include "io/fe/fe_copy/copy_seal.h"
+#include "io/fe/vtk/hdf5_table.h"
 
 namespace rubble {
 

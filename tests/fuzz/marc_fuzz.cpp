@@ -1,4 +1,4 @@
-#include "io/marc/marc_reader.h"
+#include "io/fe/marc/marc_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;

@@ -1,4 +1,4 @@
-#include "io/ansys/rst_reader.h"
+#include "io/fe/ansys/rst_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/exodus/trial.h"
+#include "io/fe/exodus/trial.h"
 #include "io/terrain/raster_file.h"
 #include "io/terrain_reader.h"
 #include "tests/fuzz/fuzzed_file.h"

@@ -1,4 +1,4 @@
-#include "io/vtk/vtkhdf_reader.h"
+#include "io/fe/vtk/vtkhdf_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 #include "tests/fuzz/made_tables.h"
 

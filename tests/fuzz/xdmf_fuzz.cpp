@@ -1,4 +1,4 @@
-#include "io/xdmf/xdmf_reader.h"
+#include "io/fe/xdmf/xdmf_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 #include "tests/fuzz/made_tables.h"
 

@@ -103,7 +103,7 @@ TEST(Contributing, OnlyPathsAreTakenForPaths) {
     EXPECT_TRUE(namesAPath("core/fe/mesh.h"));
     EXPECT_TRUE(namesAPath("./run"));
     for (const char* other :
-         {"packages.txt", "./run test", "io/result_frame.*", "tests/<folder>", "build/dev", "out/a.png", "a/{b,c}"}) {
+         {"packages.txt", "./run test", "io/fe/result_frame.*", "tests/<folder>", "build/dev", "out/a.png", "a/{b,c}"}) {
         EXPECT_FALSE(namesAPath(other)) << other;
     }
 }

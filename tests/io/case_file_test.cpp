@@ -13,7 +13,7 @@
 #include "core/fe/components.h"
 #include "core/scenario/parameters.h"
 #include "io/base/files.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "io/json/case_migrations.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"

@@ -15,7 +15,7 @@
 #include "core/analysis/settled_world.h"
 #include "core/base/error.h"
 #include "io/base/machine.h"
-#include "io/fe_copy/fe_cache.h"
+#include "io/fe/fe_copy/fe_cache.h"
 #include "io/settled_files.h"
 #include "io/world_record.h"
 #include "tests/scenes/fe_scenes.h"

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "io/case_file.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/support/exodus_builder.h"
 #include "tests/support/temporary_folder.h"
 

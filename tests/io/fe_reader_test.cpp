@@ -1,4 +1,4 @@
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/series_digest.h"
+#include "io/fe/series_digest.h"
 #include "tests/io/d3plot/d3plot_builder.h"
 #include "tests/io/radioss/anim_builder.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "io/mesh_builder.h"
+#include "io/fe/mesh_builder.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

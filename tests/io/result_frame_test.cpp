@@ -1,4 +1,4 @@
-#include "io/result_frame.h"
+#include "io/fe/result_frame.h"
 #include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include "core/fe/frame_transform.h"
 #include "core/fe/unit_evidence.h"
 #include "core/fragments/fragment_set.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/support/exodus_builder.h"
 #include "tests/support/temporary_folder.h"
 

@@ -6,7 +6,7 @@
 
 #include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "io/terrain_reader.h"
 #include "tests/support/places.h"
 

@@ -18,7 +18,7 @@
 
 #include "core/base/error.h"
 #include "io/exports.h"
-#include "io/vtk/hdf5_table.h"
+#include "io/fe/vtk/hdf5_table.h"
 #include "tests/io/run_over_fe.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 #include "tests/samples/arches.h"
 
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/support/places.h"
 
 namespace rubble::arches {

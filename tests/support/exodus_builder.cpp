@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "io/exodus/library_lock.h"
+#include "io/fe/exodus/library_lock.h"
 
 namespace rubble::io {
 

@@ -4,7 +4,7 @@
 #include <core/base/error.h>
 #include <core/pipeline/pipeline.h>
 #include <core/scenario/parameters.h>
-#include <io/fe_reader.h>
+#include <io/fe/fe_reader.h>
 #include <io/run_file.h>
 
 #include <cstdio>

@@ -5,7 +5,7 @@
 #include "core/pipeline/pipeline.h"
 #include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/core/evidence/camera_scene.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"

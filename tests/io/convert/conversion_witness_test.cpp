@@ -18,7 +18,7 @@
 #include <set>
 
 #include "io/convert/fe_conversion.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/io/convert/mixed_result.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"

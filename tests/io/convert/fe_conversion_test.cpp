@@ -13,7 +13,7 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/io/convert/mixed_result.h"
 #include "tests/io/formats/collapse_digest.h"
 #include "tests/support/temporary_folder.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
-#include "io/d3plot/d3plot_family.h"
+#include "io/fe/d3plot/d3plot_family.h"
 
 namespace rubble::io {
 

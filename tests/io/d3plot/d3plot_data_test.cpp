@@ -5,11 +5,11 @@
 #include <numeric>
 
 #include "core/fe/components.h"
-#include "io/d3plot/d3plot_activity.h"
-#include "io/d3plot/d3plot_mesh.h"
-#include "io/fe_format.h"
-#include "io/fe_reader.h"
-#include "io/one_point_volume.h"
+#include "io/fe/d3plot/d3plot_activity.h"
+#include "io/fe/d3plot/d3plot_mesh.h"
+#include "io/fe/fe_format.h"
+#include "io/fe/fe_reader.h"
+#include "io/fe/one_point_volume.h"
 #include "tests/io/collapse_identity.h"
 #include "tests/support/whole_file.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/fe/frame_transform.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/io/collapse_identity.h"
 #include "tests/io/d3plot/d3plot_builder.h"
 #include "tests/support/temporary_folder.h"

@@ -10,7 +10,7 @@
 
 #include <set>
 
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/io/collapse_identity.h"
 #include "tests/support/whole_file.h"
 

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/fe/audit.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/support/places.h"
 
 namespace rubble::io {

@@ -7,9 +7,9 @@
 #include <random>
 
 #include "core/base/error.h"
-#include "io/exodus/classic_header.h"
-#include "io/exodus/exodus_reader.h"
-#include "io/fe_reader.h"
+#include "io/fe/exodus/classic_header.h"
+#include "io/fe/exodus/exodus_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/support/exodus_builder.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"

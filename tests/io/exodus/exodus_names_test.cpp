@@ -1,4 +1,4 @@
-#include "io/exodus/exodus_names.h"
+#include "io/fe/exodus/exodus_names.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "io/exodus/exodus_reader.h"
+#include "io/fe/exodus/exodus_reader.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/fe/components.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/support/exodus_builder.h"
 #include "tests/support/temporary_folder.h"
 

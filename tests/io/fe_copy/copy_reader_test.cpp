@@ -1,4 +1,4 @@
-#include "io/fe_copy/copy_reader.h"
+#include "io/fe/fe_copy/copy_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "io/base/native_lock.h"
 #include "io/convert/fe_conversion.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/io/convert/mixed_result.h"
 #include "tests/io/fe_copy/chunk_damage.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "io/fe_copy/fe_cache.h"
+#include "io/fe/fe_copy/fe_cache.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/io/convert/mixed_result.h"
 #include "tests/io/d3plot/d3plot_builder.h"
 #include "tests/io/fe_copy/chunk_damage.h"

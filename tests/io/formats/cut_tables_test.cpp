@@ -9,9 +9,9 @@
 
 #include "core/base/error.h"
 #include "io/base/hdf5_handle.h"
-#include "io/fe_reader.h"
-#include "io/vtk/vtkhdf_reader.h"
-#include "io/xdmf/xdmf_reader.h"
+#include "io/fe/fe_reader.h"
+#include "io/fe/vtk/vtkhdf_reader.h"
+#include "io/fe/xdmf/xdmf_reader.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

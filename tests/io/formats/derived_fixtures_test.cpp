@@ -5,7 +5,7 @@
 #include <limits>
 #include <memory>
 
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/io/formats/collapse_digest.h"
 #include "tests/support/whole_file.h"
 

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "io/ansys/rst_reader.h"
-#include "io/fe_reader.h"
+#include "io/fe/ansys/rst_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"

@@ -10,8 +10,8 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "io/fe_format.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_format.h"
+#include "io/fe/fe_reader.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"
 

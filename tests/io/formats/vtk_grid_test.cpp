@@ -20,8 +20,8 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "io/vtk/grid_file.h"
-#include "io/vtk/vtk_reader.h"
+#include "io/fe/vtk/grid_file.h"
+#include "io/fe/vtk/vtk_reader.h"
 #include "tests/support/run_tests.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"

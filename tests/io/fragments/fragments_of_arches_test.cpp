@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/fragments/fragment_set.h"
-#include "io/fe_reader.h"
+#include "io/fe/fe_reader.h"
 #include "tests/support/places.h"
 
 // The two sample results through reader, components and fragments, against what is known of them from independent scripts.

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "io/fe_reader.h"
-#include "io/radioss/anim_file.h"
+#include "io/fe/fe_reader.h"
+#include "io/fe/radioss/anim_file.h"
 #include "tests/io/collapse_identity.h"
 #include "tests/io/radioss/anim_builder.h"
 #include "tests/support/temporary_folder.h"

@@ -1,0 +1,251 @@
+#include "io/fe/ansys/rst_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+
+#include "core/base/error.h"
+#include "io/fe/ansys/ansys_elements.h"
+#include "io/fe/ansys/rst_records.h"
+#include "io/fe/series/series_result.h"
+
+namespace rubble::io {
+
+namespace {
+
+constexpr std::uint64_t headerWord = 103;
+constexpr std::uint64_t mostHeader = 100'000;
+constexpr std::size_t elementHeader = 10;  // fields before the nodes
+constexpr double undefined = 1e29;         // the file writes 2^100
+constexpr int modal = 2;
+
+class RstSeries : public MeshSeries {
+public:
+    explicit RstSeries(const std::string& path) : m_path(path), m_records(path) {
+        const std::vector<std::int64_t> header = m_records.integers(headerWord, mostHeader);
+        if (header.size() < 60 || header[7] == modal) {
+            throw ParseError({"rst.analysis", "{0} is no static or transient analysis of Ansys", {path}},
+                             {"rst.analysis.remedy", "Give the results of the collapse, not of its vibration modes.", {}});
+        }
+        readSets(header);
+        const std::uint64_t geometry = pointer(header, 15, 46);
+        readMesh(geometry);
+        m_order = m_records.integers(pointer(header, 14, 45), m_records.words());
+        for (std::size_t n = 0; n < m_mesh.nodeIds.size(); ++n) {
+            m_nodes.emplace(m_mesh.nodeIds[n], n);
+        }
+    }
+
+    SeriesStep step(std::size_t k) override {
+        SeriesStep step;
+        if (k == 0) {
+            step.mesh = m_mesh;
+        }
+        return step;
+    }
+
+    SeriesFields fields(std::size_t k) const override {
+        const std::scoped_lock lock(m_mutex);
+        const std::vector<std::int64_t> header = m_records.integers(m_sets[k], mostHeader);
+        require(header.size() > 124, "the header of a set is short");
+        const std::int64_t nodes = header[2], freedoms = header[19];
+        require(nodes >= 0 && freedoms > 0 && freedoms <= 30 && static_cast<std::size_t>(nodes) <= m_order.size(),
+                "a set has " + std::to_string(nodes) + " nodes of " + std::to_string(m_order.size()));
+        const std::uint64_t low = static_cast<std::uint32_t>(header[104]);
+        const std::uint64_t offset = low != 0 || header[105] != 0 ? low | static_cast<std::uint64_t>(header[105]) << 32
+                                                                  : static_cast<std::uint32_t>(header[10]);
+        const auto count = static_cast<std::uint64_t>(nodes * freedoms);
+        const std::vector<double> values = m_records.reals(m_sets[k] + offset, count);
+        require(values.size() == count, "a set has " + std::to_string(values.size()) + " nodal values");
+        SeriesFields fields;
+        fields.positions.assign(m_mesh.nodeCount(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+        for (std::size_t n = 0; n < static_cast<std::size_t>(nodes); ++n) {
+            if (const auto found = m_nodes.find(m_order[n]); found != m_nodes.end()) {
+                place(found->second, values.data() + n * static_cast<std::size_t>(freedoms), header, fields);
+            }
+        }
+        return fields;
+    }
+
+private:
+    void require(bool right, const std::string& what) const {
+        if (!right) {
+            throw ParseError({"rst.layout", "{0}: {1}", {m_path, what}},
+                             {"rst.broken.remedy",
+                              "The file is damaged or not yet whole: copy it again or let the analysis write it again.",
+                              {}});
+        }
+    }
+
+    static std::uint64_t pointer(const std::vector<std::int64_t>& header, std::size_t low, std::size_t high) {
+        return static_cast<std::uint32_t>(header[low]) | static_cast<std::uint64_t>(static_cast<std::uint32_t>(header[high])) << 32;
+    }
+
+    void readSets(const std::vector<std::int64_t>& header) {
+        const std::int64_t most = header[3], sets = header[8];
+        require(most > 0 && sets >= 0 && sets <= most && static_cast<std::uint64_t>(most) < m_records.words(),
+                "it says that it has " + std::to_string(sets) + " sets of at most " + std::to_string(most));
+        const auto limit = static_cast<std::uint64_t>(most);
+        const std::vector<std::int64_t> index = m_records.integers(pointer(header, 10, 40), 2 * limit);
+        const std::vector<double> times = m_records.reals(pointer(header, 11, 41), limit);
+        require(index.size() == 2 * limit && times.size() == limit, "the table of its sets is short");
+        for (std::size_t s = 0; s < static_cast<std::size_t>(sets); ++s) {
+            m_sets.push_back(static_cast<std::uint32_t>(index[s]) |
+                             static_cast<std::uint64_t>(static_cast<std::uint32_t>(index[s + limit])) << 32);
+            m_facts.times.push_back(times[s]);
+            const std::vector<std::int64_t> set = m_records.integers(m_sets.back(), mostHeader);
+            if (set.size() > 122 && set[122] != 0) {
+                m_facts.findings.add(
+                    {"rst.dead", "Sets have a list of dead elements whose meaning nobody has verified; it was not used", {}},
+                    {"rst.dead.remedy", "Put a list of deaths (element,time) beside the file.", {}}, m_path);
+            }
+        }
+    }
+
+    void readMesh(std::uint64_t word) {
+        const std::vector<std::int64_t> geometry = m_records.integers(word, mostHeader);
+        require(geometry.size() > 66, "the header of its geometry is short");
+        const auto nodes = static_cast<std::uint64_t>(std::max<std::int64_t>(geometry[3], 0));
+        const auto elements = static_cast<std::uint64_t>(std::max<std::int64_t>(geometry[4], 0));
+        require(nodes < m_records.words() && elements < m_records.words(),
+                "it says that it has " + std::to_string(nodes) + " nodes and " + std::to_string(elements) + " elements");
+        const auto at = [&](std::size_t plain, std::size_t low) {
+            return geometry[plain] != 0 ? static_cast<std::uint64_t>(static_cast<std::uint32_t>(geometry[plain]))
+                                        : pointer(geometry, low, low + 1);
+        };
+        readNodes(at(8, 26), nodes);
+        readTypes(at(6, 20), geometry[64] == 1);
+        readElements(at(10, 28), elements);
+    }
+
+    // A record a node: number, place, angles of its axes in degrees.
+    void readNodes(std::uint64_t word, std::uint64_t count) {
+        for (std::uint64_t n = 0; n < count; ++n) {
+            std::vector<double> values = m_records.reals(word, 7);
+            values.resize(7, 0.0);
+            require(std::abs(values[0]) < 4e9, "a node has the number " + englishNumber(values[0]));
+            m_mesh.nodeIds.push_back(static_cast<std::int64_t>(values[0]));
+            m_mesh.nodes.emplace_back(values[1], values[2], values[3]);
+            m_angles.emplace_back(values[4], values[5], values[6]);
+            word = m_records.next(word);
+        }
+    }
+
+    void readTypes(std::uint64_t word, bool listed) {
+        std::vector<std::int64_t> places = m_records.integers(word, mostHeader);
+        std::vector<std::int64_t> numbers;
+        if (listed) {
+            numbers = places;
+            places = m_records.integers(m_records.next(word), mostHeader);
+        }
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (places[i] > 0) {
+                const std::vector<std::int64_t> type = m_records.integers(word + static_cast<std::uint64_t>(places[i]), mostHeader);
+                m_types[i < numbers.size() ? numbers[i] : static_cast<std::int64_t>(i) + 1] = type.size() > 1 ? type[1] : 0;
+            }
+        }
+    }
+
+    void readElements(std::uint64_t word, std::uint64_t count) {
+        std::vector<std::int64_t> index = m_records.integers(word, 2 * count);
+        const bool wide = index.size() == 2 * count;
+        require(wide || index.size() == count, "the table of its elements is short");
+        m_mesh.offsets.push_back(0);
+        std::unordered_map<std::int64_t, std::uint32_t> places;
+        for (std::size_t n = 0; n < m_mesh.nodeIds.size(); ++n) {
+            places.emplace(m_mesh.nodeIds[n], static_cast<std::uint32_t>(n));
+        }
+        for (std::size_t e = 0; e < count; ++e) {
+            const std::uint64_t offset = wide ? pointer(index, 2 * e, 2 * e + 1) : static_cast<std::uint32_t>(index[e]);
+            addElement(m_records.integers(word + offset, 1000), places);
+        }
+    }
+
+    void addElement(const std::vector<std::int64_t>& values, const std::unordered_map<std::int64_t, std::uint32_t>& places) {
+        require(values.size() > elementHeader, "an element is short");
+        const auto type = m_types.find(values[1]);
+        const auto shape = type == m_types.end() ? std::nullopt : shapeOfAnsys(type->second, values.size() - elementHeader);
+        if (!shape) {
+            m_facts.findings.add(
+                {"fe.skipped", "Elements of a type that makes no fragment were left out", {}},
+                {"fe.skipped.remedy", "Nothing to do if they are masses, springs, contacts or rigid surfaces.", {}},
+                "element " + englishInteger(values[8]) + " of type " +
+                    (type == m_types.end() ? "(none)" : std::to_string(type->second)));
+            return;
+        }
+        for (std::size_t c = 0; c < static_cast<std::size_t>(cornerCount(*shape)); ++c) {
+            const auto found = elementHeader + c < values.size() ? places.find(values[elementHeader + c]) : places.end();
+            require(found != places.end(), "element " + std::to_string(values[8]) + " uses a node that is not there");
+            m_mesh.corners.push_back(found->second);
+        }
+        std::uint32_t part = 0;
+        while (part < m_mesh.parts.size() && m_mesh.parts[part].fileId != values[0]) {
+            ++part;
+        }
+        if (part == m_mesh.parts.size()) {
+            m_mesh.parts.push_back({"material " + std::to_string(values[0]), values[0]});
+        }
+        m_mesh.part.push_back(part);
+        m_mesh.elementIds.push_back(values[8]);
+        m_mesh.shapes.push_back(*shape);
+        m_mesh.offsets.push_back(static_cast<std::uint32_t>(m_mesh.corners.size()));
+    }
+
+    void place(std::size_t node, const double* values, const std::vector<std::int64_t>& header, SeriesFields& fields) const {
+        Vec3 moved = Vec3::Zero();
+        for (std::size_t i = 0; i < static_cast<std::size_t>(header[19]); ++i) {
+            const std::int64_t freedom = header[20 + i];
+            if (freedom >= 1 && freedom <= 3) {
+                moved[static_cast<Eigen::Index>(freedom - 1)] =
+                    std::abs(values[i]) > undefined ? std::numeric_limits<double>::quiet_NaN() : values[i];
+            }
+        }
+        fields.positions[node] = m_mesh.nodes[node] + axesOf(node) * moved;
+    }
+
+    // Displacements stand in the axes of the node: turned about z, then about its x, then about its y.
+    Mat3 axesOf(std::size_t node) const {
+        constexpr double degree = 3.14159265358979323846 / 180.0;
+        const Vec3& angles = m_angles[node];
+        if (angles.isZero()) {
+            return Mat3::Identity();
+        }
+        return (Eigen::AngleAxisd(angles.x() * degree, Vec3::UnitZ()) * Eigen::AngleAxisd(angles.y() * degree, Vec3::UnitX()) *
+                Eigen::AngleAxisd(angles.z() * degree, Vec3::UnitY()))
+            .toRotationMatrix();
+    }
+
+    std::string m_path;
+    mutable std::mutex m_mutex;
+    mutable RstRecords m_records;
+    Mesh m_mesh;
+    std::vector<Vec3> m_angles;                             // of the axes of the nodes, degrees
+    std::map<std::int64_t, std::int64_t> m_types;           // routine by reference number
+    std::vector<std::int64_t> m_order;                      // numbers of the nodes in the order of the values
+    std::unordered_map<std::int64_t, std::size_t> m_nodes;  // by number
+    std::vector<std::uint64_t> m_sets;
+};
+
+}  // namespace
+
+bool recognisesRst(const FileHead& head) {
+    std::array<std::uint32_t, 3> words{};
+    if (head.packed || head.bytes.size() < 424) {
+        return false;
+    }
+    // The standard header of a binary file has 100 integers; 12 is the unit of results.
+    std::memcpy(words.data(), head.bytes.data(), sizeof words);
+    return words[0] == 100 && words[1] >> 24 == 0x80 && words[2] == 12;
+}
+
+FeResult::Contents readRst(const std::string& path, const ImportSettings& settings, const Execution& execution) {
+    return readSeries(path, std::make_shared<RstSeries>(path), settings, execution);
+}
+
+}  // namespace rubble::io

@@ -1,0 +1,100 @@
+#include "io/fe/fe_reader.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <new>
+#include <stdexcept>
+
+#include "core/base/error.h"
+#include "io/fe/fe_search.h"
+#include "io/fe/result_frame.h"
+#include "io/fe/series_digest.h"
+
+namespace rubble::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void requireTimes(const std::string& path, const std::vector<double>& times) {
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        if (!std::isfinite(times[k]) || (k > 0 && times[k] <= times[k - 1])) {
+            throw ParseError(
+                {"fe.times", "{0}: state {1} has the time {2}; times must be finite and grow", {path, k, {times[k], "s"}}},
+                {"fe.times.remedy", "Remove the states that a restart wrote twice.", {}});
+        }
+    }
+}
+
+// Readers give what stands in the file; its units and axes are converted once for all.
+FeResult::Contents readFound(const FoundFe& found, const ImportSettings& settings, const Frame& frame, const Execution& execution) {
+    const std::string& path = found.files.front();
+    try {
+        FeResult::Contents contents = found.format->read(path, settings, execution);
+        requireTimes(path, contents.times);
+        bringIntoFrame(contents, settings, frame, execution);
+        // Tiny times may fall together in another unit.
+        requireTimes(path, contents.times);
+        return contents;
+    } catch (const std::bad_alloc&) {
+    } catch (const std::length_error&) {
+    }
+    throw ParseError({"fe.memory", "{0} asks for more memory than there is", {path}},
+                     {"fe.memory.remedy", "The file is damaged, or too large for this machine.", {}});
+}
+
+}  // namespace
+
+std::shared_ptr<const FeResult> openFe(const std::string& path, const ImportSettings& settings, const Frame& frame,
+                                       const Execution& execution) {
+    const FoundFe found = findFe(path);
+    const auto begun = std::chrono::steady_clock::now();
+    FeResult::Contents contents = readFound(found, settings, frame, execution);
+    contents.indexSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    contents.format = found.format->name;
+    contents.path = found.files.front();
+    contents.files = found.files;
+    contents.bytes = bytesOf(found.files);
+    contents.sha256 = sha256OfSeries(found.files, execution);
+    contents.fingerprint = feFingerprint(*found.format, contents.sha256, settings, contents.frame, contents.units);
+    for (const std::string& other : found.others) {
+        contents.findings.add({"fe.folder_others", "The folder holds further results, which were not read", {}},
+                              {"fe.folder_others.remedy", "Give the file of the one that you want.", {}}, other);
+    }
+    return std::make_shared<const FeResult>(std::move(contents));
+}
+
+std::vector<std::string> feFiles(const std::string& path) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) {
+        return findFe(path).files;
+    }
+    FoundFe found = findFeAt(path, readHead(path));
+    return found.format ? found.files : std::vector<std::string>{path};
+}
+
+bool hasGrown(const FeResult& fe) {
+    std::error_code error;
+    if (!fs::exists(fe.contents().path, error)) {
+        return false;
+    }
+    const std::vector<std::string> files = feFiles(fe.contents().path);
+    return files != fe.contents().files || bytesOf(files) != fe.contents().bytes;
+}
+
+FeGrowth growthBetween(const FeResult& before, const FeResult& after) {
+    const auto dead = [](const FeResult& fe) {
+        return static_cast<std::int64_t>(fe.mesh().elementCount() - fe.activity().activeCount(fe.stateCount() - 1));
+    };
+    return {static_cast<std::int64_t>(after.stateCount()) - static_cast<std::int64_t>(before.stateCount()),
+            dead(after) - dead(before),
+            static_cast<std::int64_t>(after.contents().bytes) - static_cast<std::int64_t>(before.contents().bytes)};
+}
+
+std::string sha256OfFe(const std::string& path) {
+    return sha256OfSeries(feFiles(path), Execution{});
+}
+
+}  // namespace rubble::io

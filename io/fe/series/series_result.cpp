@@ -1,0 +1,330 @@
+#include "io/fe/series/series_result.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <unordered_map>
+
+#include "core/base/error.h"
+#include "core/base/nearest_names.h"
+#include "core/base/unknown.h"
+#include "io/fe/node_fields.h"
+#include "io/fe/series/death_list.h"
+#include "io/fe/series/flag_meaning.h"
+#include "io/fe/series/mesh_union.h"
+
+namespace rubble::io {
+
+namespace {
+
+/// How the states of a series stand in the union of their meshes.
+struct SeriesEpochs {
+    std::vector<MeshEpoch> list;
+    std::vector<std::uint32_t> ofState;  // [states]
+};
+
+/// Reads the steps of a series into one mesh and its activity.
+class SeriesJoin {
+public:
+    SeriesJoin(const std::string& path, MeshSeries& series, const ImportSettings& settings, const Execution& execution)
+        : m_path(path), m_series(series), m_settings(settings), m_execution(execution), m_union(path) {}
+
+    void run() {
+        readSteps();
+        m_epochs.list = m_union.epochs();
+        m_findings.append(m_series.findings());
+        mesh = std::make_shared<const Mesh>(m_union.finish(m_findings));
+        activity = Activity(m_steps.size(), mesh->elementCount());
+        decide();
+        readDeathTimes();
+    }
+
+    SeriesEpochs takeEpochs() { return std::move(m_epochs); }
+    Findings takeFindings() { return std::move(m_findings); }
+
+    std::shared_ptr<const Mesh> mesh;
+    Activity activity;
+    std::string activityFrom;
+    std::vector<double> deathTime;
+
+private:
+    void readSteps() {
+        const Message stage{"fe.steps", "Reading active elements", {}};
+        const std::size_t states = m_series.times().size();
+        for (std::size_t k = 0; k < states; ++k) {
+            m_execution.report(stage, static_cast<double>(k) / static_cast<double>(states));
+            SeriesStep step = m_series.step(k);
+            if (step.mesh) {
+                m_union.add(*step.mesh, k);
+            }
+            const auto epoch = static_cast<std::uint32_t>(m_union.epochs().size() - 1);
+            m_epochs.ofState.push_back(epoch);
+            if (!step.flags.empty() && step.flags.size() != m_union.epochs()[epoch].elementCount) {
+                throw ParseError({"fe.flag_count",
+                                  "{0}: {1} at state {2} has {3} values for {4} elements",
+                                  {m_path, m_series.flag().name, k, step.flags.size(), m_union.epochs()[epoch].elementCount}},
+                                 {"fe.flag_count.remedy", "The file is damaged: copy it again or write it again.", {}});
+            }
+            readFlags(k, step.flags);
+        }
+        m_execution.report(stage, 1.0);
+    }
+
+    // One bit an element and state: what is there and active.
+    void readFlags(std::size_t k, const std::vector<double>& flags) {
+        if (!flags.empty() && !m_meaning) {
+            decidePolarity(flags);
+        }
+        const MeshEpoch& epoch = m_union.epochs().back();
+        m_last.resize(m_union.elementCount(), true);
+        std::vector<bool>& bits = m_steps.emplace_back(epoch.elementCount);
+        for (std::size_t i = 0; i < epoch.elementCount; ++i) {
+            const std::size_t e = epoch.element(i);
+            bits[i] = flags.empty() ? m_last[e] : m_meaning->active(flags[i], m_last[e], m_union.elementNumber(e), k);
+            m_last[e] = bits[i];
+        }
+    }
+
+    void decidePolarity(const std::vector<double>& flags) {
+        const SeriesFlag& flag = m_series.flag();
+        double activeValue = 1.0;
+        std::string decidedBy = "as set";
+        if (m_settings.activeValue) {
+            activeValue = *m_settings.activeValue;
+        } else if (flag.activeByName) {
+            activeValue = *flag.activeByName;
+            decidedBy = "by its name";
+        } else {
+            activeValue = mostCommonFlag(flags);
+            decidedBy = "held by most elements at the first state";
+        }
+        m_meaning.emplace(activeValue, m_findings);
+        activityFrom = flag.name + ", " + englishNumber(activeValue) + " is active (" + decidedBy + ")";
+    }
+
+    void decide() {
+        const std::string list = deathListBeside(m_path);
+        const bool flagged = m_meaning.has_value();
+        markActive();
+        if (flagged && m_series.flag().alwaysZeroIsRigid) {
+            reviveRigid();
+        }
+        if (!flagged && !list.empty()) {
+            applyList(list);
+            return;
+        }
+        if (!list.empty()) {
+            m_findings.add({"fe.death_list.unused",
+                            "A list of deaths lies beside a result that says itself what is dead: it was not used",
+                            {}},
+                           {"fe.death_list.unused.remedy", "Take it away, or check which of the two is right.", {}}, list);
+        }
+        if (!flagged) {
+            requireSomethingMissing();
+        }
+        if (m_union.epochs().size() > 1 && flagged) {
+            activityFrom += "; missing elements are dead";
+        }
+        describeFirst();
+    }
+
+    void describeFirst() {
+        const std::size_t elements = mesh->elementCount(), active = activity.activeCount(0);
+        activityFrom += " (" + englishInteger(static_cast<std::int64_t>(active)) + " of " +
+                        englishInteger(static_cast<std::int64_t>(elements)) + " active at the first state)";
+        if (2 * active < elements) {
+            m_findings.add({"fe.polarity", "Most elements are inactive at the first state: {0}", {activityFrom}},
+                           {"fe.polarity.remedy", "If the flag is the other way round: --set active_value=0 or 1.", {}},
+                           m_series.flag().name, static_cast<std::int64_t>(elements - active));
+        }
+    }
+
+    void markActive() {
+        for (std::size_t k = 0; k < m_steps.size(); ++k) {
+            const MeshEpoch& epoch = m_epochs.list[m_epochs.ofState[k]];
+            for (std::size_t i = 0; i < epoch.elementCount; ++i) {
+                activity.set(k, idAt<ElementIndex>(epoch.element(i)), m_steps[k][i]);
+            }
+        }
+    }
+
+    // What the flag calls dead from the first state to the last, while others live, is rigid.
+    void reviveRigid() {
+        std::int64_t count = 0;
+        std::string example;
+        for (std::size_t e = 0; e < mesh->elementCount(); ++e) {
+            const ElementIndex id = idAt<ElementIndex>(e);
+            bool ever = false;
+            for (std::size_t k = 0; k < m_steps.size() && !ever; ++k) {
+                ever = activity.active(k, id);
+            }
+            if (!ever) {
+                for (std::size_t k = 0; k < m_steps.size(); ++k) {
+                    activity.set(k, id, true);
+                }
+                if (count++ == 0) {
+                    example = "element " + englishInteger(mesh->elementIds[e]);
+                }
+            }
+        }
+        if (count > 0) {
+            m_findings.add({"fe.rigid",
+                            "Elements that {0} calls dead at every state were taken for rigid ones that stand",
+                            {m_series.flag().name}},
+                           {"fe.rigid.remedy", "Give the animation files themselves: they tell rigid from dead.", {}}, example,
+                           count);
+        }
+    }
+
+    void applyList(const std::string& path) {
+        std::unordered_map<std::int64_t, std::vector<std::uint32_t>> elements;
+        for (std::size_t e = 0; e < mesh->elementCount(); ++e) {
+            elements[mesh->elementIds[e]].push_back(static_cast<std::uint32_t>(e));
+        }
+        const std::vector<DeathEntry> entries = readDeathList(path);
+        for (const DeathEntry& entry : entries) {
+            const auto found = elements.find(entry.element);
+            if (found == elements.end()) {
+                m_findings.add({"fe.death_list.unknown", "The list of deaths names elements that the mesh does not have", {}},
+                               {"fe.death_list.unknown.remedy", "Check that list and result belong together.", {}},
+                               "element " + englishInteger(entry.element));
+                continue;
+            }
+            for (const std::uint32_t e : found->second) {
+                applyEntry(entry, e);
+            }
+        }
+        activityFrom = std::filesystem::path(path).filename().string() + ", a list of " +
+                       englishInteger(static_cast<std::int64_t>(entries.size())) + " deaths";
+        describeFirst();
+    }
+
+    void applyEntry(const DeathEntry& entry, std::uint32_t e) {
+        for (std::size_t k = 0; k < m_steps.size(); ++k) {
+            if (m_series.times()[k] >= entry.time) {
+                activity.set(k, idAt<ElementIndex>(e), entry.active);
+            }
+        }
+        if (!entry.active) {
+            if (deathTime.empty()) {
+                deathTime.assign(mesh->elementCount(), unknown);
+            }
+            deathTime[e] = entry.time;
+        }
+    }
+
+    // Where there is something to choose from, the user is asked; where there is nothing, everything stands and the user is told.
+    void requireSomethingMissing() {
+        bool missing = false;
+        for (std::size_t k = 0; k < m_steps.size(); ++k) {
+            missing = missing || activity.activeCount(k) != mesh->elementCount();
+        }
+        const std::vector<std::string>& choices = m_series.flag().choices;
+        const std::string list = m_path + ".deaths.csv";
+        activityFrom = missing ? "missing elements are dead" : "nothing says which elements are dead";
+        if (!missing && !choices.empty()) {
+            throw ParseError(
+                {"fe.no_status",
+                 "{0} does not say which elements are active: no flag under a known name, and no element is ever missing",
+                 {m_path}},
+                {"fe.no_status.remedy",
+                 "Name the flag: --set status_variable=NAME (there are {0}), or put a list of deaths (element,time) beside it as "
+                 "{1}.",
+                 {quotedList(choices, 100), list}});
+        }
+        if (!missing) {
+            m_findings.add(
+                {"fe.no_deaths", "Nothing says which elements are dead: all count as active", {}},
+                {"fe.no_deaths.remedy",
+                 "Put a list of deaths (element,time) beside it as {0}, or let the analysis write the status of its elements.",
+                 {list}},
+                m_path, static_cast<std::int64_t>(mesh->elementCount()));
+        }
+    }
+
+    void readDeathTimes() {
+        const auto known = m_series.deathTimes();
+        if (known.empty()) {
+            return;
+        }
+        const std::unordered_map<std::int64_t, double> byNumber{known.begin(), known.end()};
+        deathTime.assign(mesh->elementCount(), unknown);
+        for (std::size_t e = 0; e < mesh->elementCount(); ++e) {
+            if (const auto found = byNumber.find(mesh->elementIds[e]); found != byNumber.end()) {
+                deathTime[e] = found->second;
+            }
+        }
+    }
+
+    const std::string& m_path;
+    MeshSeries& m_series;
+    const ImportSettings& m_settings;
+    const Execution& m_execution;
+    MeshUnion m_union;
+    SeriesEpochs m_epochs;
+    Findings m_findings;
+    std::optional<FlagMeaning> m_meaning;
+    std::vector<std::vector<bool>> m_steps;  // active or not, in the order of each state's mesh
+    std::vector<bool> m_last;                // the newest known, in the order of the union
+};
+
+NodeFields fieldsOf(const MeshSeries& series, const SeriesEpochs& epochs, std::size_t nodes, const std::string& path,
+                    std::size_t k) {
+    const SeriesFields fields = series.fields(k);
+    const MeshEpoch& epoch = epochs.list[epochs.ofState[k]];
+    if (fields.positions.size() != epoch.nodeCount || (!fields.velocities.empty() && fields.velocities.size() != epoch.nodeCount)) {
+        throw ParseError({"fe.state_changed",
+                          "{0}: state {1} has {2} nodes instead of the {3} it had when it was opened",
+                          {path, k, fields.positions.size(), epoch.nodeCount}},
+                         {"fe.state_changed.remedy", "Open the result again.", {}});
+    }
+    // Nodes that this state does not have stay without a value: the source puts them where they were at first.
+    NodeFields result;
+    result.positions.assign(nodes, Vec3::Constant(unknown));
+    result.velocities.assign(series.hasVelocity() ? nodes : 0, Vec3::Constant(unknown));
+    for (std::size_t i = 0; i < fields.positions.size(); ++i) {
+        result.positions[epoch.node(i)] = fields.positions[i];
+    }
+    for (std::size_t i = 0; i < fields.velocities.size() && !result.velocities.empty(); ++i) {
+        result.velocities[epoch.node(i)] = fields.velocities[i];
+    }
+    if (fields.velocities.empty()) {
+        std::fill(result.velocities.begin(), result.velocities.end(), Vec3(Vec3::Zero()));
+    }
+    return result;
+}
+
+}  // namespace
+
+FeResult::Contents readSeries(const std::string& path, std::shared_ptr<MeshSeries> series, const ImportSettings& settings,
+                              const Execution& execution) {
+    if (series->times().empty()) {
+        throw ParseError({"fe.no_states", "{0} has no states: it is a mesh without results", {path}},
+                         {"fe.no_states.remedy", "Give the result file of the analysis, not its input mesh.", {}});
+    }
+    SeriesJoin join(path, *series, settings, execution);
+    join.run();
+    FeResult::Contents contents;
+    contents.mesh = join.mesh;
+    contents.times = series->times();
+    contents.hasVelocity = series->hasVelocity();
+    contents.activity = join.activity;
+    contents.activityFrom = join.activityFrom;
+    contents.deathTime = join.deathTime;
+    contents.findings = join.takeFindings();
+    const auto read = [series, epochs = join.takeEpochs(), nodes = join.mesh->nodeCount(), path](std::size_t k) {
+        return fieldsOf(*series, epochs, nodes, path, k);
+    };
+    contents.source = std::make_shared<const FieldSource>(path, join.mesh, join.activity, series->times(), read);
+    return contents;
+}
+
+std::vector<std::string> withDeathList(std::vector<std::string> files) {
+    if (const std::string list = deathListBeside(files.front()); !list.empty()) {
+        files.push_back(list);
+    }
+    return files;
+}
+
+}  // namespace rubble::io

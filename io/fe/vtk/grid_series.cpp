@@ -1,0 +1,325 @@
+#include "io/fe/vtk/grid_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <unordered_map>
+
+#include "core/base/error.h"
+#include "io/fe/series/cell_shapes.h"
+#include "io/fe/series/numbered_files.h"
+
+namespace rubble::io {
+
+namespace {
+
+// Bits of vtkGhostType on cells: duplicate (vtkLSDynaReader sets it on the dead) and hidden.
+constexpr unsigned ghostDead = 1u | 32u;
+// Some writers say "never" by a very large time.
+constexpr double latestTime = 1e15;
+
+std::int64_t whole(double value) {
+    return std::abs(value) < 9e15 ? static_cast<std::int64_t>(std::llround(value)) : -1;
+}
+
+double valueOf(const std::vector<GridArray>& arrays, const std::string& name, std::size_t i, double otherwise) {
+    const GridArray* array = name.empty() ? nullptr : findArray(arrays, name);
+    return array && i < array->values.size() ? array->values[i] : otherwise;
+}
+
+[[noreturn]] void failDamaged(const Message& what) {
+    throw ParseError(what, {"vtk.damaged.remedy", "The file is damaged: copy it again or write it again.", {}});
+}
+
+void requireLengths(const Grid& grid, const std::string& path, std::size_t k) {
+    const auto check = [&](const std::vector<GridArray>& arrays, std::size_t count) {
+        for (const GridArray& array : arrays) {
+            if (!array.values.empty() && array.values.size() != count * array.components) {
+                failDamaged({"vtk.array_length",
+                             "{0}: {1} at state {2} has {3} values instead of {4}",
+                             {path, array.name, k, array.values.size(), count * array.components}});
+            }
+        }
+    };
+    check(grid.pointData, grid.points.size());
+    check(grid.cellData, grid.cellCount());
+    if (grid.offsets.size() != grid.cellCount() + 1 && grid.cellCount() > 0) {
+        failDamaged(
+            {"vtk.offsets", "{0}: state {1} has {2} offsets for {3} cells", {path, k, grid.offsets.size(), grid.cellCount()}});
+    }
+}
+
+std::vector<Vec3> vectorsOf(const GridArray& array) {
+    std::vector<Vec3> vectors(array.values.size() / 3);
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+        vectors[i] = {array.values[3 * i], array.values[3 * i + 1], array.values[3 * i + 2]};
+    }
+    return vectors;
+}
+
+// Nodes that both grids have lie at the same places. By number where there are numbers, else by position.
+bool samePoints(const Grid& a, const Grid& b, const std::string& nodeNumbers) {
+    const GridArray* left = findArray(a.pointData, nodeNumbers);
+    const GridArray* right = findArray(b.pointData, nodeNumbers);
+    if (!left || !right) {
+        return a.points == b.points;
+    }
+    std::unordered_map<double, std::size_t> byNumber;
+    for (std::size_t i = 0; i < std::min(left->values.size(), a.points.size()); ++i) {
+        byNumber.emplace(left->values[i], i);
+    }
+    for (std::size_t i = 0; i < std::min(right->values.size(), b.points.size()); ++i) {
+        const auto found = byNumber.find(right->values[i]);
+        if (found != byNumber.end() && a.points[found->second] != b.points[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+GridSeries::GridSeries(std::string path, std::unique_ptr<const GridSource> source, const ImportSettings& settings)
+    : m_path(std::move(path)), m_source(std::move(source)) {
+    if (m_source->times().empty()) {
+        throw ParseError({"fe.no_states", "{0} has no states: it is a mesh without results", {m_path}},
+                         {"fe.no_states.remedy", "Give the result file of the analysis, not its input mesh.", {}});
+    }
+    GridSelection all;
+    all.everything = true;
+    const Grid first = m_source->read(0, all);
+    m_names = chooseGridNames(first, settings, m_path);
+    m_facts.times = m_source->times();
+    m_facts.flag = m_names.flag;
+    m_facts.hasVelocity = !m_names.velocity.empty();
+    m_componentNames = first.componentNames;
+    m_moves = !settings.displacement.empty() && settings.displacement != "none";
+    if (!m_moves && !m_names.displacement.empty()) {
+        decideDisplacement(first);
+    }
+}
+
+void GridSeries::noteMissingTimes() {
+    m_facts.findings.add({"vtk.no_times", "The series does not say when its states are: they were taken one second apart", {}},
+                         {"vtk.no_times.remedy", "Give a .pvd or .series file with the times, or files with TimeValue.", {}},
+                         m_path, static_cast<std::int64_t>(times().size()));
+}
+
+void GridSeries::noteUnfinished(const std::string& file) {
+    m_facts.findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
+                         {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, file);
+}
+
+void GridSeries::noteGaps(const std::vector<std::string>& numbered) {
+    noteNumberGaps(numbered, m_facts.findings);
+}
+
+void GridSeries::decideDisplacement(const Grid& first) {
+    const std::size_t last = times().size() - 1;
+    GridSelection selection;
+    selection.cells = false;
+    selection.pointArrays = {m_names.displacement, m_names.node};
+    const Grid end = m_source->read(last, selection);
+    const GridArray* displacement = findArray(end.pointData, m_names.displacement);
+    const bool moved = displacement && std::any_of(displacement->values.begin(), displacement->values.end(),
+                                                   [](double value) { return value != 0.0; });
+    m_moves = moved && samePoints(first, end, m_names.node);
+}
+
+SeriesStep GridSeries::step(std::size_t k) {
+    SeriesStep step;
+    const std::vector<std::string> tell{m_names.element, m_names.part,      m_names.component,
+                                        m_names.density, m_names.thickness, m_names.area};
+    const bool same = k > 0 && m_source->sameCells(k, {m_names.element, m_names.part, m_names.component});
+    GridSelection selection;
+    selection.cells = !same;
+    selection.points = !same;
+    selection.cellArrays = {m_names.flag.name};
+    if (!same) {
+        selection.cellArrays.insert(selection.cellArrays.end(), tell.begin(), tell.end());
+        selection.pointArrays = {m_names.node, m_names.atRest};
+    }
+    const Grid grid = m_source->read(k, selection);
+    if (!same) {
+        requireLengths(grid, m_path, k);
+        Hasher hasher;
+        const auto feed = [&](const std::vector<GridArray>& arrays, const std::string& name) {
+            if (const GridArray* array = findArray(arrays, name)) {
+                hasher.values(std::span(array->values));
+            }
+        };
+        hasher.value(grid.points.size())
+            .values(std::span(grid.types))
+            .values(std::span(grid.offsets))
+            .values(std::span(grid.connectivity));
+        feed(grid.cellData, m_names.element);
+        feed(grid.cellData, m_names.part);
+        feed(grid.cellData, m_names.component);
+        feed(grid.pointData, m_names.node);
+        const Digest cells = hasher.finish();
+        if (k == 0 || !(cells == m_cells)) {
+            step.mesh = meshOf(grid, k);
+            m_cells = cells;
+        }
+    }
+    if (const GridArray* flags = findArray(grid.cellData, m_names.flag.name)) {
+        for (const std::size_t cell : m_kept) {
+            if (cell >= flags->values.size()) {
+                failDamaged({"vtk.array_length",
+                             "{0}: {1} at state {2} has {3} values and ends before cell {4}",
+                             {m_path, m_names.flag.name, k, flags->values.size(), cell}});
+            }
+            const double value = flags->values[cell];
+            const bool ghost = m_names.ghostFlag && value >= 0.0 && value < 256.0;
+            step.flags.push_back(ghost ? ((static_cast<unsigned>(value) & ghostDead) != 0 ? 1.0 : 0.0) : value);
+        }
+    }
+    return step;
+}
+
+bool GridSeries::left(const Grid& grid, std::size_t cell) {
+    // Converters write the links of rigid bodies as lines without a number.
+    if (grid.types[cell] == 3 && !m_names.element.empty() && valueOf(grid.cellData, m_names.element, cell, 1.0) == 0.0) {
+        m_facts.findings.add({"vtk.links", "Lines without an element number were left out: they are links of rigid bodies", {}},
+                             {"vtk.links.remedy", "Nothing to do.", {}}, "cell " + englishInteger(static_cast<std::int64_t>(cell)));
+        return true;
+    }
+    if (!shapeOfVtkCell(grid.types[cell])) {
+        m_facts.findings.add({"vtk.skipped_cell", "Cells of a type that makes no fragment were left out", {}},
+                             {"vtk.skipped_cell.remedy", "Nothing to do if they are masses, contacts or particles.", {}},
+                             "type " + std::to_string(grid.types[cell]));
+        return true;
+    }
+    return false;
+}
+
+Mesh GridSeries::meshOf(const Grid& grid, std::size_t k) {
+    Mesh mesh;
+    mesh.nodes = grid.points;
+    if (const GridArray* atRest = findArray(grid.pointData, m_names.atRest);
+        atRest && atRest->values.size() == 3 * grid.points.size()) {
+        mesh.nodes = vectorsOf(*atRest);
+    }
+    if (const GridArray* numbers = findArray(grid.pointData, m_names.node); numbers && !numbers->values.empty()) {
+        for (const double number : numbers->values) {
+            mesh.nodeIds.push_back(whole(number));
+        }
+    }
+    mesh.offsets.push_back(0);
+    m_kept.clear();
+    for (std::size_t cell = 0; cell < grid.cellCount(); ++cell) {
+        if (!left(grid, cell)) {
+            addCell(grid, cell, k, mesh);
+            m_kept.push_back(cell);
+        }
+    }
+    return mesh;
+}
+
+void GridSeries::addCell(const Grid& grid, std::size_t cell, std::size_t k, Mesh& mesh) {
+    const ElementShape shape = *shapeOfVtkCell(grid.types[cell]);
+    const std::int64_t begin = grid.offsets[cell], end = grid.offsets[cell + 1];
+    const bool inside = begin >= 0 && end >= begin && static_cast<std::size_t>(end) <= grid.connectivity.size();
+    std::vector<std::uint32_t> corners;
+    for (std::int64_t i = begin; inside && i < end; ++i) {
+        const std::int64_t point = grid.connectivity[static_cast<std::size_t>(i)];
+        if (point < 0 || static_cast<std::size_t>(point) >= grid.points.size()) {
+            failDamaged({"vtk.bad_point",
+                         "{0}: cell {1} at state {2} uses point {3} of {4}",
+                         {m_path, cell, k, point, grid.points.size()}});
+        }
+        corners.push_back(static_cast<std::uint32_t>(point));
+    }
+    orderVtkCorners(grid.types[cell], corners);
+    // Some writers give triangles four points and repeat the last.
+    if (corners.size() < static_cast<std::size_t>(cornerCount(shape))) {
+        failDamaged({"vtk.short_cell",
+                     "{0}: cell {1} at state {2} is a {3} of {4} points",
+                     {m_path, cell, k, shapeName(shape), corners.size()}});
+    }
+    corners.resize(static_cast<std::size_t>(cornerCount(shape)));
+    mesh.shapes.push_back(shape);
+    mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
+    mesh.offsets.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+    const std::int64_t part = whole(valueOf(grid.cellData, m_names.part, cell, 1.0));
+    mesh.part.push_back(m_names.component.empty()
+                            ? partOf(part, shape, mesh)
+                            : componentOf(whole(valueOf(grid.cellData, m_names.component, cell, -1.0)), part, mesh));
+    if (!m_names.element.empty()) {
+        mesh.elementIds.push_back(whole(valueOf(grid.cellData, m_names.element, cell, -1.0)));
+    }
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    mesh.density.push_back(valueOf(grid.cellData, m_names.density, cell, nothing));
+    mesh.section.push_back(isShell(shape) ? valueOf(grid.cellData, m_names.thickness, cell, nothing)
+                                          : valueOf(grid.cellData, m_names.area, cell, nothing));
+}
+
+// Numbers of parts count by kind: bricks and trusses of one number are two parts.
+std::uint32_t GridSeries::partOf(std::int64_t id, ElementShape shape, Mesh& mesh) const {
+    const std::string name = "part " + std::to_string(id) + (isSolid(shape) ? "" : isShell(shape) ? " shells" : " beams");
+    for (std::size_t p = mesh.parts.size(); p-- > 0;) {
+        if (mesh.parts[p].name == name) {
+            return static_cast<std::uint32_t>(p);
+        }
+    }
+    mesh.parts.push_back({name, id});
+    return static_cast<std::uint32_t>(mesh.parts.size() - 1);
+}
+
+// The last state knows every death; 0 stands for never.
+std::vector<std::pair<std::int64_t, double>> GridSeries::deathTimes() const {
+    std::vector<std::pair<std::int64_t, double>> result;
+    if (m_names.deathTime.empty() || m_names.element.empty()) {
+        return result;
+    }
+    GridSelection selection;
+    selection.points = false;
+    selection.cells = false;
+    selection.cellArrays = {m_names.element, m_names.deathTime};
+    const Grid last = m_source->read(times().size() - 1, selection);
+    const GridArray* numbers = findArray(last.cellData, m_names.element);
+    const GridArray* deaths = findArray(last.cellData, m_names.deathTime);
+    for (std::size_t c = 0; numbers && deaths && c < std::min(numbers->values.size(), deaths->values.size()); ++c) {
+        if (deaths->values[c] > 0.0 && deaths->values[c] < latestTime) {
+            result.emplace_back(whole(numbers->values[c]), deaths->values[c]);
+        }
+    }
+    return result;
+}
+
+// A numbered list of names knows no kinds.
+std::uint32_t GridSeries::componentOf(std::int64_t index, std::int64_t id, Mesh& mesh) const {
+    const bool named = index >= 0 && static_cast<std::size_t>(index) < m_componentNames.size();
+    const std::string name = named ? m_componentNames[static_cast<std::size_t>(index)] : "component " + std::to_string(index);
+    for (std::size_t p = mesh.parts.size(); p-- > 0;) {
+        if (mesh.parts[p].name == name) {
+            return static_cast<std::uint32_t>(p);
+        }
+    }
+    mesh.parts.push_back({name, m_names.part.empty() ? index : id});
+    return static_cast<std::uint32_t>(mesh.parts.size() - 1);
+}
+
+SeriesFields GridSeries::fields(std::size_t k) const {
+    GridSelection selection;
+    selection.cells = false;
+    selection.pointArrays = {m_names.velocity, m_moves ? m_names.displacement : ""};
+    const Grid grid = m_source->read(k, selection);
+    SeriesFields fields;
+    fields.positions = grid.points;
+    const GridArray* displacement = m_moves ? findArray(grid.pointData, m_names.displacement) : nullptr;
+    if (displacement && displacement->values.size() == 3 * fields.positions.size()) {
+        const std::vector<Vec3> moved = vectorsOf(*displacement);
+        for (std::size_t n = 0; n < moved.size(); ++n) {
+            fields.positions[n] += moved[n];
+        }
+    }
+    const GridArray* velocity = findArray(grid.pointData, m_names.velocity);
+    if (velocity && velocity->values.size() == 3 * fields.positions.size()) {
+        fields.velocities = vectorsOf(*velocity);
+    }
+    return fields;
+}
+
+}  // namespace rubble::io

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/hash.h"
+#include "core/scenario/scenario.h"
+#include "io/fe/series/mesh_series.h"
+#include "io/fe/vtk/grid.h"
+#include "io/fe/vtk/grid_names.h"
+
+namespace rubble::io {
+
+/// A series of grids as a series of meshes: cells that are no structure are left out, the active flag, numbers and parts are known
+/// by the usual names, and points that never move carry the displacement if there is one.
+class GridSeries : public MeshSeries {
+public:
+    /// Reads the first and the last state. @param path  for messages
+    GridSeries(std::string path, std::unique_ptr<const GridSource> source, const ImportSettings& settings);
+
+    SeriesStep step(std::size_t k) override;
+    SeriesFields fields(std::size_t k) const override;
+    std::vector<std::pair<std::int64_t, double>> deathTimes() const override;
+    /// Counts that nobody says when the states are, so that they were counted.
+    void noteMissingTimes();
+    /// Counts a last state that was left out because it is not whole.
+    void noteUnfinished(const std::string& file);
+    /// Counts numbers that are missing between files that are states by their numbers.
+    void noteGaps(const std::vector<std::string>& numbered);
+
+private:
+    void decideDisplacement(const Grid& first);
+    Mesh meshOf(const Grid& grid, std::size_t k);
+    void addCell(const Grid& grid, std::size_t cell, std::size_t k, Mesh& mesh);
+    std::uint32_t partOf(std::int64_t id, ElementShape shape, Mesh& mesh) const;
+    std::uint32_t componentOf(std::int64_t index, std::int64_t id, Mesh& mesh) const;
+    bool left(const Grid& grid, std::size_t cell);
+
+    std::string m_path;
+    std::unique_ptr<const GridSource> m_source;
+    GridNames m_names;
+    std::vector<std::string> m_componentNames;
+    bool m_moves = false;             ///< points stay, the displacement moves
+    Digest m_cells;                   ///< of the newest step
+    std::vector<std::size_t> m_kept;  ///< cells of the newest step that are elements
+};
+
+}  // namespace rubble::io

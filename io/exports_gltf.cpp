@@ -12,7 +12,7 @@
 #include "io/fragment_places.h"
 #include "io/gltf/body_motion.h"
 #include "io/gltf/glb_file.h"
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 

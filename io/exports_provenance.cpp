@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include "io/exports.h"
 #include "io/run_json.h"
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 

@@ -17,11 +17,11 @@
 #include "io/base/machine.h"
 #include "io/case_file.h"
 #include "io/fe/fe_reader.h"
-#include "io/geo/photograph_file.h"
-#include "io/geo/survey_file.h"
 #include "io/settled_files.h"
+#include "io/site/photograph_file.h"
+#include "io/site/site_place.h"
+#include "io/site/survey_file.h"
 #include "io/study_files.h"
-#include "io/terrain/site_place.h"
 #include "io/terrain_reader.h"
 
 namespace rubble::io {

@@ -8,7 +8,7 @@
 #include "core/fe/fe_result.h"
 #include "io/fragment_places.h"
 #include "io/run_file.h"
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 

@@ -6,10 +6,10 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/case_file.h"
-#include "io/geo/orthophoto_file.h"
-#include "io/geo/site_mesh_file.h"
-#include "io/terrain/height_reading.h"
-#include "io/terrain/site_place.h"
+#include "io/site/height_reading.h"
+#include "io/site/orthophoto_file.h"
+#include "io/site/site_mesh_file.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 

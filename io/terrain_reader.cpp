@@ -11,8 +11,8 @@
 #include "io/base/files.h"
 #include "io/case_file.h"
 #include "io/site/file_words.h"
-#include "io/terrain/height_reading.h"
-#include "io/terrain/site_place.h"
+#include "io/site/height_reading.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 

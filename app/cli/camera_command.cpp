@@ -7,7 +7,7 @@
 #include "app/cli/output_file.h"
 #include "app/cli/text_output.h"
 #include "core/base/error.h"
-#include "io/geo/point_pairs.h"
+#include "io/site/point_pairs.h"
 
 namespace rubble::cli {
 

@@ -14,8 +14,8 @@
 #include "io/base/files.h"
 #include "io/base/machine.h"
 #include "io/case_file.h"
-#include "io/geo/cause_evidence.h"
 #include "io/settled_files.h"
+#include "io/site/cause_evidence.h"
 
 namespace rubble::cli {
 

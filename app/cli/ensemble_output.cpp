@@ -11,7 +11,7 @@
 #include "app/cli/text_output.h"
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/map_picture.h"
 

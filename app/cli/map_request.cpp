@@ -12,7 +12,7 @@
 #include "io/base/files.h"
 #include "io/geo/map_files.h"
 #include "io/provenance.h"
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/map_picture.h"
 

@@ -20,7 +20,7 @@
 #include "io/provenance.h"
 #include "io/report_facts.h"
 #include "io/run_history.h"
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 #include "widgets/figures/report/report_pictures.h"
 
 namespace rubble::cli {

@@ -19,7 +19,7 @@
 #include "io/case_file.h"
 #include "io/geo/survey_files.h"
 #include "io/provenance.h"
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 #include "io/terrain_reader.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/survey_picture.h"

@@ -14,7 +14,7 @@
 #include "app/gui/scene_display.h"
 #include "app/gui/session/session.h"
 #include "io/case_file.h"
-#include "io/geo/point_pairs.h"
+#include "io/site/point_pairs.h"
 #include "widgets/evidence_page.h"
 #include "widgets/evidence_panel.h"
 #include "widgets/theme.h"

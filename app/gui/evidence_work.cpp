@@ -4,7 +4,7 @@
 
 #include "app/gui/computation.h"
 #include "core/base/error.h"
-#include "io/geo/photograph_file.h"
+#include "io/site/photograph_file.h"
 
 namespace rubble {
 

@@ -2,7 +2,7 @@
 
 #include <QFileInfo>
 
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 #include "widgets/figures/figure_file.h"
 
 namespace rubble {

@@ -14,7 +14,7 @@
 #include "io/base/machine.h"
 #include "io/provenance.h"
 #include "io/report_facts.h"
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 #include "widgets/figures/report/report_pictures.h"
 #include "widgets/report_panel.h"
 #include "widgets/wording.h"

@@ -9,7 +9,7 @@
 #include "app/gui/worker.h"
 #include "core/evidence/cause_comparison.h"
 #include "io/ensemble_source.h"
-#include "io/geo/cause_evidence.h"
+#include "io/site/cause_evidence.h"
 
 namespace rubble {
 

@@ -13,7 +13,7 @@
 #include "io/case_file.h"
 #include "io/geo/survey_files.h"
 #include "io/provenance.h"
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 #include "io/terrain_reader.h"
 #include "widgets/evidence_page.h"
 #include "widgets/evidence_panel.h"

@@ -10,7 +10,7 @@
 #include "app/gui/worker.h"
 #include "core/evidence/survey_comparison.h"
 #include "core/scenario/case.h"
-#include "io/geo/survey_file.h"
+#include "io/site/survey_file.h"
 
 namespace rubble {
 

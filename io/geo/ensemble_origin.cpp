@@ -4,9 +4,9 @@
 
 #include "core/base/build.h"
 #include "core/base/csv_text.h"
-#include "io/geo/map_place.h"
 #include "io/json/ensemble_json.h"
 #include "io/run_json.h"
+#include "io/site/map_place.h"
 
 namespace rubble::io {
 

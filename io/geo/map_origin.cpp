@@ -5,9 +5,9 @@
 #include "io/acknowledgements.h"
 #include "io/exports.h"
 #include "io/geo/map_files.h"
-#include "io/geo/map_place.h"
 #include "io/provenance.h"
 #include "io/run_json.h"
+#include "io/site/map_place.h"
 
 namespace rubble::io {
 

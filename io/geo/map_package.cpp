@@ -10,10 +10,10 @@
 #include "core/evidence/footprint.h"
 #include "core/evidence/height_contours.h"
 #include "io/base/files.h"
-#include "io/geo/gdal_memory.h"
 #include "io/geo/map_files.h"
-#include "io/geo/map_place.h"
+#include "io/site/gdal_memory.h"
 #include "io/site/gdal_session.h"
+#include "io/site/map_place.h"
 
 namespace rubble::io {
 

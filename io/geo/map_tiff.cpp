@@ -9,10 +9,10 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/geo/gdal_memory.h"
 #include "io/geo/map_files.h"
-#include "io/geo/map_place.h"
+#include "io/site/gdal_memory.h"
 #include "io/site/gdal_session.h"
+#include "io/site/map_place.h"
 
 namespace rubble::io {
 

@@ -11,10 +11,10 @@
 #include "io/acknowledgements.h"
 #include "io/base/files.h"
 #include "io/exports.h"
-#include "io/geo/gdal_memory.h"
-#include "io/geo/map_place.h"
 #include "io/run_json.h"
+#include "io/site/gdal_memory.h"
 #include "io/site/gdal_session.h"
+#include "io/site/map_place.h"
 
 namespace rubble::io {
 

@@ -4,7 +4,7 @@
 
 #include "core/evidence/survey_comparison.h"
 #include "io/geo/map_files.h"
-#include "io/geo/survey_file.h"
+#include "io/site/survey_file.h"
 
 namespace rubble::io {
 

@@ -11,7 +11,7 @@
 
 #include "io/site/file_words.h"
 #include "io/site/gdal_session.h"
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/fe/exodus/trial.h"
-#include "io/terrain/raster_file.h"
+#include "io/site/raster_file.h"
 #include "io/terrain_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 

@@ -11,7 +11,7 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/terrain/height_raster.h"
+#include "io/site/height_raster.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

@@ -10,8 +10,8 @@
 
 #include "core/base/error.h"
 #include "io/case_file.h"
-#include "io/geo/orthophoto_file.h"
-#include "io/geo/site_mesh_file.h"
+#include "io/site/orthophoto_file.h"
+#include "io/site/site_mesh_file.h"
 #include "io/site_reader.h"
 #include "io/terrain_reader.h"
 #include "tests/support/temporary_folder.h"

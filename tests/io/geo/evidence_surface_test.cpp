@@ -1,4 +1,4 @@
-#include "io/geo/cause_evidence.h"
+#include "io/site/cause_evidence.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "io/geo/ensemble_origin.h"
 #include "io/geo/map_files.h"
-#include "io/geo/survey_file.h"
+#include "io/site/survey_file.h"
 #include "tests/core/analysis/debris_scene.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "io/geo/photograph_file.h"
+#include "io/site/photograph_file.h"
 
 #include <gdal_priv.h>
 #include <gmock/gmock.h>

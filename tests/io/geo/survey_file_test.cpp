@@ -1,4 +1,4 @@
-#include "io/geo/survey_file.h"
+#include "io/site/survey_file.h"
 
 #include <gdal_priv.h>
 #include <gtest/gtest.h>

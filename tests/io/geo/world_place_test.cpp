@@ -11,11 +11,11 @@
 
 #include "core/evidence/survey_comparison.h"
 #include "core/fe/frame_transform.h"
-#include "io/geo/cause_evidence.h"
 #include "io/geo/map_files.h"
-#include "io/geo/map_place.h"
-#include "io/geo/survey_file.h"
 #include "io/geo/survey_files.h"
+#include "io/site/cause_evidence.h"
+#include "io/site/map_place.h"
+#include "io/site/survey_file.h"
 #include "tests/core/analysis/debris_scene.h"
 #include "tests/support/temporary_folder.h"
 

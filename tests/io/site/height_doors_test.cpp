@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "io/geo/cause_evidence.h"
-#include "io/geo/survey_file.h"
+#include "io/site/cause_evidence.h"
+#include "io/site/survey_file.h"
 #include "io/terrain_reader.h"
 #include "tests/support/temporary_folder.h"
 

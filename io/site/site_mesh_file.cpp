@@ -1,4 +1,4 @@
-#include "io/geo/site_mesh_file.h"
+#include "io/site/site_mesh_file.h"
 
 #include <vtkCellArray.h>
 #include <vtkCommand.h>
@@ -20,7 +20,7 @@
 #include "core/base/error.h"
 #include "io/fe/exodus/library_lock.h"
 #include "io/fe/exodus/trial.h"
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 

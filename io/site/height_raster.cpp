@@ -1,4 +1,4 @@
-#include "io/terrain/height_raster.h"
+#include "io/site/height_raster.h"
 
 #include <algorithm>
 #include <cmath>

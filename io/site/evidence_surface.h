@@ -3,7 +3,7 @@
 #include "core/base/execution.h"
 #include "core/evidence/cause_comparison.h"
 #include "core/fe/site_surface.h"
-#include "io/geo/survey_file.h"
+#include "io/site/survey_file.h"
 
 namespace rubble::io {
 

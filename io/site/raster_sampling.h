@@ -6,8 +6,8 @@
 
 #include "core/fe/height_grid.h"
 #include "core/fe/orthophoto.h"
-#include "io/terrain/raster_file.h"
-#include "io/terrain/site_place.h"
+#include "io/site/raster_file.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 

@@ -5,8 +5,8 @@
 
 #include "core/base/execution.h"
 #include "core/base/finding.h"
-#include "io/terrain/height_raster.h"
-#include "io/terrain/site_place.h"
+#include "io/site/height_raster.h"
+#include "io/site/site_place.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/terrain/raster_file.h"
+#include "io/site/raster_file.h"
 
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>

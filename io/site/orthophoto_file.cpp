@@ -1,12 +1,12 @@
-#include "io/geo/orthophoto_file.h"
+#include "io/site/orthophoto_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "io/terrain/height_reading.h"
-#include "io/terrain/raster_sampling.h"
+#include "io/site/height_reading.h"
+#include "io/site/raster_sampling.h"
 
 namespace rubble::io {
 

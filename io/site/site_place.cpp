@@ -1,4 +1,4 @@
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 
 #include <cmath>
 

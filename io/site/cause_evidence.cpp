@@ -1,10 +1,10 @@
-#include "io/geo/cause_evidence.h"
+#include "io/site/cause_evidence.h"
 
 #include <algorithm>
 #include <array>
 
 #include "core/base/error.h"
-#include "io/geo/evidence_surface.h"
+#include "io/site/evidence_surface.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/geo/evidence_surface.h"
+#include "io/site/evidence_surface.h"
 
 #include <algorithm>
 #include <cmath>

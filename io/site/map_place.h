@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "io/terrain/site_place.h"
+#include "io/site/site_place.h"
 
 class OGRSpatialReference;
 

@@ -1,4 +1,4 @@
-#include "io/geo/map_place.h"
+#include "io/site/map_place.h"
 
 #include <ogr_spatialref.h>
 

@@ -1,4 +1,4 @@
-#include "io/terrain/height_reading.h"
+#include "io/site/height_reading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include "io/base/native_lock.h"
 #include "io/fe/exodus/trial.h"
 #include "io/site/file_words.h"
-#include "io/terrain/raster_file.h"
-#include "io/terrain/raster_sampling.h"
+#include "io/site/raster_file.h"
+#include "io/site/raster_sampling.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/geo/gdal_memory.h"
+#include "io/site/gdal_memory.h"
 
 #include <cpl_vsi.h>
 

@@ -1,4 +1,4 @@
-#include "io/geo/photograph_file.h"
+#include "io/site/photograph_file.h"
 
 #include <cpl_error.h>
 #include <gdal_priv.h>

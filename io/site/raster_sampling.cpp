@@ -1,4 +1,4 @@
-#include "io/terrain/raster_sampling.h"
+#include "io/site/raster_sampling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "io/geo/point_pairs.h"
+#include "io/site/point_pairs.h"
 
 #include <algorithm>
 #include <array>

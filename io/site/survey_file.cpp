@@ -1,4 +1,4 @@
-#include "io/geo/survey_file.h"
+#include "io/site/survey_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
+#include "io/site/height_reading.h"
 #include "io/site/outline_file.h"
-#include "io/terrain/height_reading.h"
 
 namespace rubble::io {
 

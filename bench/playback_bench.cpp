@@ -18,7 +18,7 @@
 #include "core/base/memory.h"
 #include "core/pipeline/pipeline.h"
 #include "io/fe/fe_reader.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "tests/support/places.h"
 #include "widgets/figures/draw.h"
 #include "widgets/figures/figure_file.h"

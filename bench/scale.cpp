@@ -19,7 +19,7 @@
 #include "io/base/machine.h"
 #include "io/fe/fe_copy/copy_writer.h"
 #include "io/fe/fe_reader.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "tests/support/places.h"
 
 namespace rubble {

@@ -56,11 +56,11 @@ set(RUBBLE_PUBLIC_HEADERS
     core/simulation/simulation.h
     core/trajectory/sink_relay.h
     core/trajectory/trajectory.h
-    io/acknowledgements.h
+    io/run/acknowledgements.h
     io/case_file.h
     io/exports.h
     io/fe/fe_reader.h
-    io/fragment_places.h
+    io/run/fragment_places.h
     io/geo/map_files.h
-    io/run_file.h
+    io/run/run_file.h
     io/terrain_reader.h)

@@ -6,7 +6,7 @@
 
 #include "core/base/execution.h"
 #include "core/fe/fe_result.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 
 namespace rubble::io {
 

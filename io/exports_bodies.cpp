@@ -7,8 +7,8 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/exports.h"
-#include "io/run_columns.h"
-#include "io/run_layout.h"
+#include "io/run/run_columns.h"
+#include "io/run/run_layout.h"
 
 namespace rubble::io {
 

@@ -6,7 +6,7 @@
 
 #include "io/base/files.h"
 #include "io/exports.h"
-#include "io/fragment_places.h"
+#include "io/run/fragment_places.h"
 #include "io/site/site_place.h"
 
 namespace rubble::io {

@@ -9,9 +9,9 @@
 #include "core/fe/mesh.h"
 #include "io/base/files.h"
 #include "io/exports.h"
-#include "io/fragment_places.h"
 #include "io/gltf/body_motion.h"
 #include "io/gltf/glb_file.h"
+#include "io/run/fragment_places.h"
 #include "io/site/site_place.h"
 
 namespace rubble::io {

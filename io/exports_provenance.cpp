@@ -1,8 +1,8 @@
-#include "io/acknowledgements.h"
+#include "io/run/acknowledgements.h"
 
 #include <nlohmann/json.hpp>
 #include "io/exports.h"
-#include "io/run_json.h"
+#include "io/run/run_json.h"
 #include "io/site/site_place.h"
 
 namespace rubble::io {

@@ -23,7 +23,7 @@
 #include "io/base/files.h"
 #include "io/exports.h"
 #include "io/pvd_index.h"
-#include "io/run_grids.h"
+#include "io/run/run_grids.h"
 
 namespace rubble::io {
 

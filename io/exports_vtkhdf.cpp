@@ -9,7 +9,7 @@
 #include "io/base/hdf5_rows.h"
 #include "io/base/run_driver.h"
 #include "io/exports.h"
-#include "io/run_grids.h"
+#include "io/run/run_grids.h"
 
 namespace rubble::io {
 

@@ -6,12 +6,12 @@
 
 #include "core/base/build.h"
 #include "core/base/error.h"
-#include "io/acknowledgements.h"
 #include "io/base/embedded_text.h"
 #include "io/case_file.h"
 #include "io/exports.h"
 #include "io/fe/fe_reader.h"
-#include "io/run_json.h"
+#include "io/run/acknowledgements.h"
+#include "io/run/run_json.h"
 
 namespace rubble::io {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/execution.h"
 #include "core/trajectory/trajectory.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "io/terrain_reader.h"
 
 namespace rubble::io {

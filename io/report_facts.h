@@ -8,7 +8,7 @@
 #include "core/evidence/report_facts.h"
 #include "core/pipeline/pipeline.h"
 #include "core/scenario/case.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 
 namespace rubble::io {
 

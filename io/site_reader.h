@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "io/terrain_reader.h"
 
 namespace rubble::io {

@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/base/machine.h"
-#include "io/study_files.h"
+#include "io/run/study_files.h"
 
 namespace rubble::cli {
 

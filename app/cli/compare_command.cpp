@@ -14,7 +14,7 @@
 #include "io/base/files.h"
 #include "io/base/machine.h"
 #include "io/case_file.h"
-#include "io/settled_files.h"
+#include "io/run/settled_files.h"
 #include "io/site/cause_evidence.h"
 
 namespace rubble::cli {

@@ -10,7 +10,7 @@
 #include "app/cli/figure_request.h"
 #include "app/cli/map_request.h"
 #include "app/cli/session.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 
 namespace rubble::cli {
 

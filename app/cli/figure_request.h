@@ -7,7 +7,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/run_surroundings.h"
 #include "core/pipeline/pipeline.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/figure_sheet.h"
 #include "widgets/render/camera.h"

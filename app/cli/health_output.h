@@ -5,8 +5,8 @@
 
 #include "app/cli/json_output.h"
 #include "core/simulation/simulation.h"
-#include "io/acknowledgements.h"
-#include "io/run_file.h"
+#include "io/run/acknowledgements.h"
+#include "io/run/run_file.h"
 
 namespace rubble::cli {
 

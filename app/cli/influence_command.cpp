@@ -6,7 +6,7 @@
 #include "app/cli/study_place.h"
 #include "core/base/error.h"
 #include "io/base/machine.h"
-#include "io/study_files.h"
+#include "io/run/study_files.h"
 
 namespace rubble::cli {
 

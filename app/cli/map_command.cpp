@@ -9,7 +9,7 @@
 #include "app/cli/map_subject.h"
 #include "app/cli/output_file.h"
 #include "app/cli/text_output.h"
-#include "io/acknowledgements.h"
+#include "io/run/acknowledgements.h"
 
 namespace rubble::cli {
 

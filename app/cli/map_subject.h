@@ -10,7 +10,7 @@
 #include "app/cli/temporary_run.h"
 #include "core/base/finding.h"
 #include "core/pipeline/pipeline.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 
 namespace rubble::cli {
 

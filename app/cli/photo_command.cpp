@@ -15,7 +15,7 @@
 #include "core/evidence/confidence.h"
 #include "core/evidence/photo_comparison.h"
 #include "io/case_file.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "io/site/photograph_file.h"
 
 namespace rubble::cli {

@@ -19,7 +19,7 @@
 #include "io/case_file.h"
 #include "io/provenance.h"
 #include "io/report_facts.h"
-#include "io/run_history.h"
+#include "io/run/run_history.h"
 #include "io/site/site_place.h"
 #include "widgets/figures/report/report_pictures.h"
 

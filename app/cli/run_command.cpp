@@ -12,8 +12,8 @@
 #include "app/cli/subject.h"
 #include "app/cli/temporary_run.h"
 #include "core/base/error.h"
-#include "io/checkpoint_file.h"
-#include "io/run_file.h"
+#include "io/run/checkpoint_file.h"
+#include "io/run/run_file.h"
 
 namespace rubble::cli {
 

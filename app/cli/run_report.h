@@ -8,7 +8,7 @@
 #include "app/cli/text_table.h"
 #include "core/pipeline/pipeline.h"
 #include "core/trajectory/trajectory.h"
-#include "io/acknowledgements.h"
+#include "io/run/acknowledgements.h"
 
 namespace rubble::cli {
 

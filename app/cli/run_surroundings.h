@@ -5,7 +5,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/session.h"
 #include "core/pipeline/pipeline.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "io/terrain_reader.h"
 
 namespace rubble::cli {

@@ -6,7 +6,7 @@
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/base/machine.h"
-#include "io/study_files.h"
+#include "io/run/study_files.h"
 #include "widgets/figures/live_screen.h"
 #include "widgets/wording.h"
 

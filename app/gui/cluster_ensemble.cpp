@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "io/base/machine.h"
-#include "io/settled_files.h"
+#include "io/run/settled_files.h"
 
 namespace rubble {
 

@@ -9,8 +9,8 @@
 #include "core/base/error.h"
 #include "core/pipeline/stage_reports.h"
 #include "core/scenario/parameters.h"
-#include "io/acknowledgements.h"
 #include "io/case_file.h"
+#include "io/run/acknowledgements.h"
 #include "widgets/wording.h"
 
 namespace rubble {

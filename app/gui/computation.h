@@ -12,7 +12,7 @@
 #include "core/simulation/acknowledgement.h"
 #include "io/case/open_case.h"
 #include "io/input_check.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "widgets/stage_rail.h"
 
 namespace rubble {

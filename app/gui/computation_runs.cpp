@@ -6,7 +6,7 @@
 
 #include "app/gui/computation.h"
 #include "core/base/error.h"
-#include "io/acknowledgements.h"
+#include "io/run/acknowledgements.h"
 
 namespace rubble {
 

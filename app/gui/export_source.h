@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 
 namespace rubble {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "io/base/machine.h"
-#include "io/study_files.h"
+#include "io/run/study_files.h"
 
 namespace rubble {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/provenance.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "widgets/figure_dialog.h"
 #include "widgets/movie_dialog.h"
 #include "widgets/render/scene_data.h"

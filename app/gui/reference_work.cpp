@@ -8,7 +8,7 @@
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/base/machine.h"
-#include "io/checkpoint_file.h"
+#include "io/run/checkpoint_file.h"
 
 namespace rubble {
 

@@ -6,7 +6,7 @@
 
 #include "app/gui/worker.h"
 #include "core/pipeline/pipeline.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 
 namespace rubble {
 

@@ -8,7 +8,7 @@
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/simulation/acknowledgement.h"
-#include "io/run_history.h"
+#include "io/run/run_history.h"
 
 namespace rubble {
 

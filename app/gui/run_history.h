@@ -14,8 +14,8 @@ class Computation;
 class Document;
 class Session;
 
-/// The runs of the open case, kept beside it (io/run_history.h); in the state folder for a case that was never saved or lies where
-/// nothing can be written.
+/// The runs of the open case, kept beside it (io/run/run_history.h); in the state folder for a case that was never saved or lies
+/// where nothing can be written.
 class RunHistory : public QObject {
     Q_OBJECT
 

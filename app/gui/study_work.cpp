@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/base/machine.h"
-#include "io/settled_files.h"
+#include "io/run/settled_files.h"
 #include "widgets/wording.h"
 
 namespace rubble {

@@ -7,7 +7,7 @@
 
 #include "core/evidence/run_map.h"
 #include "core/pipeline/pipeline.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 
 namespace rubble::python {
 

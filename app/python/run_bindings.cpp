@@ -9,7 +9,7 @@
 #include "app/python/recorded_run.h"
 #include "app/python/watched.h"
 #include "core/base/error.h"
-#include "io/fragment_places.h"
+#include "io/run/fragment_places.h"
 
 namespace rubble::python {
 

@@ -11,7 +11,7 @@
 #include "core/base/finding.h"
 #include "core/pipeline/pipeline.h"
 #include "core/scenario/case.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "io/terrain_reader.h"
 
 namespace rubble::io {

@@ -5,7 +5,7 @@
 #include "core/base/build.h"
 #include "core/base/csv_text.h"
 #include "io/json/ensemble_json.h"
-#include "io/run_json.h"
+#include "io/run/run_json.h"
 #include "io/site/map_place.h"
 
 namespace rubble::io {

@@ -8,7 +8,7 @@
 #include "core/evidence/debris_map.h"
 #include "core/fe/frame.h"
 #include "core/scenario/site.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 
 namespace rubble::io {
 

@@ -2,11 +2,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/csv_text.h"
-#include "io/acknowledgements.h"
 #include "io/exports.h"
 #include "io/geo/map_files.h"
 #include "io/provenance.h"
-#include "io/run_json.h"
+#include "io/run/acknowledgements.h"
+#include "io/run/run_json.h"
 #include "io/site/map_place.h"
 
 namespace rubble::io {

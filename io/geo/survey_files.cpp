@@ -8,10 +8,10 @@
 #include <cmath>
 
 #include "core/base/csv_text.h"
-#include "io/acknowledgements.h"
 #include "io/base/files.h"
 #include "io/exports.h"
-#include "io/run_json.h"
+#include "io/run/acknowledgements.h"
+#include "io/run/run_json.h"
 #include "io/site/gdal_memory.h"
 #include "io/site/gdal_session.h"
 #include "io/site/map_place.h"

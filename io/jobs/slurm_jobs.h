@@ -10,7 +10,7 @@
 #include "core/base/execution.h"
 #include "io/jobs/job_record.h"
 #include "io/jobs/slurm.h"
-#include "io/study_files.h"
+#include "io/run/study_files.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/acknowledgements.h"
+#include "io/run/acknowledgements.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "io/exports.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "tests/io/sample_run.h"
 #include "tests/support/temporary_folder.h"
 

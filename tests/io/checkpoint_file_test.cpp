@@ -1,4 +1,4 @@
-#include "io/checkpoint_file.h"
+#include "io/run/checkpoint_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@
 #include "core/base/error.h"
 #include "io/base/machine.h"
 #include "io/fe/fe_copy/fe_cache.h"
-#include "io/settled_files.h"
-#include "io/world_record.h"
+#include "io/run/settled_files.h"
+#include "io/run/world_record.h"
 #include "tests/scenes/fe_scenes.h"
 #include "tests/support/temporary_folder.h"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "io/run_file.h"
-#include "io/run_layout.h"
+#include "io/run/run_file.h"
+#include "io/run/run_layout.h"
 #include "tests/io/sample_run.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"

@@ -1,4 +1,4 @@
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,11 +15,11 @@
 
 #include "core/base/error.h"
 #include "core/simulation/acknowledgement.h"
-#include "io/acknowledgements.h"
 #include "io/base/files.h"
-#include "io/run_columns.h"
-#include "io/run_json.h"
-#include "io/run_tables.h"
+#include "io/run/acknowledgements.h"
+#include "io/run/run_columns.h"
+#include "io/run/run_json.h"
+#include "io/run/run_tables.h"
 #include "tests/io/sample_run.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"

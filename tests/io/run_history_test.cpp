@@ -1,4 +1,4 @@
-#include "io/run_history.h"
+#include "io/run/run_history.h"
 
 #include <gtest/gtest.h>
 

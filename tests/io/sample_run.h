@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/trajectory/trajectory.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 
 namespace rubble::io {
 

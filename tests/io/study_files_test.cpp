@@ -1,4 +1,4 @@
-#include "io/study_files.h"
+#include "io/run/study_files.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 #include "core/base/error.h"
 #include "io/base/machine.h"
-#include "io/world_record.h"
+#include "io/run/world_record.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

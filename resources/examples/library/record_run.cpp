@@ -5,7 +5,7 @@
 #include <core/pipeline/pipeline.h>
 #include <core/scenario/parameters.h>
 #include <io/fe/fe_reader.h>
-#include <io/run_file.h>
+#include <io/run/run_file.h>
 
 #include <cstdio>
 

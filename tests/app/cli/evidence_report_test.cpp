@@ -9,7 +9,7 @@
 #include "io/base/files.h"
 #include "io/case_file.h"
 #include "io/provenance.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "tests/support/photographed_case.h"
 
 namespace rubble::cli {

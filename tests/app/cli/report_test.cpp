@@ -7,7 +7,7 @@
 
 #include "io/case_file.h"
 #include "io/provenance.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"

@@ -17,7 +17,7 @@
 #include "core/analysis/calibration_table.h"
 #include "core/clusters/clustering.h"
 #include "io/base/machine.h"
-#include "io/study_files.h"
+#include "io/run/study_files.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/calibration_chart.h"

@@ -4,7 +4,7 @@
 #include "app/gui/health_display.h"
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
-#include "io/acknowledgements.h"
+#include "io/run/acknowledgements.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/effect_row.h"
 #include "widgets/effects_panel.h"

@@ -13,7 +13,7 @@
 #include "app/gui/report_work.h"
 #include "app/gui/view_area.h"
 #include "io/case_file.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/photographed_case.h"
 #include "widgets/report_panel.h"

@@ -14,8 +14,8 @@
 
 #include "core/base/error.h"
 #include "io/exports.h"
-#include "io/fragment_places.h"
 #include "io/gltf/body_motion.h"
+#include "io/run/fragment_places.h"
 #include "tests/io/sample_run.h"
 #include "tests/support/gltf_rules.h"
 #include "tests/support/temporary_folder.h"

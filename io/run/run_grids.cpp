@@ -1,4 +1,4 @@
-#include "io/run_grids.h"
+#include "io/run/run_grids.h"
 
 #include <vtkCellType.h>
 

@@ -1,4 +1,4 @@
-#include "io/study_files.h"
+#include "io/run/study_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include "core/base/error.h"
 #include "core/scenario/parameters.h"
 #include "io/base/files.h"
-#include "io/checkpoint_file.h"
 #include "io/json/json_cursor.h"
-#include "io/world_record.h"
+#include "io/run/checkpoint_file.h"
+#include "io/run/world_record.h"
 
 namespace rubble::io {
 

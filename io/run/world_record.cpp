@@ -1,4 +1,4 @@
-#include "io/world_record.h"
+#include "io/run/world_record.h"
 
 #include <bit>
 #include <cstring>

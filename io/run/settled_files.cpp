@@ -1,4 +1,4 @@
-#include "io/settled_files.h"
+#include "io/run/settled_files.h"
 
 #include <filesystem>
 #include <fstream>

@@ -5,7 +5,7 @@
 #include "core/fragments/fragment_set.h"
 #include "core/simulation/simulation.h"
 #include "core/trajectory/trajectory.h"
-#include "io/run_layout.h"
+#include "io/run/run_layout.h"
 
 namespace rubble::io {
 

@@ -3,12 +3,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "io/frame_cache.h"
 #include "io/json/case_migrations.h"
-#include "io/run_columns.h"
-#include "io/run_file.h"
-#include "io/run_json.h"
-#include "io/run_store.h"
+#include "io/run/frame_cache.h"
+#include "io/run/run_columns.h"
+#include "io/run/run_file.h"
+#include "io/run/run_json.h"
+#include "io/run/run_store.h"
 
 namespace rubble::io {
 

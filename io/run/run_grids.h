@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/fe/fe_result.h"
-#include "io/fragment_places.h"
-#include "io/run_file.h"
+#include "io/run/fragment_places.h"
+#include "io/run/run_file.h"
 #include "io/site/site_place.h"
 
 namespace rubble::io {

@@ -1,4 +1,4 @@
-#include "io/run_columns.h"
+#include "io/run/run_columns.h"
 
 #include <unistd.h>
 

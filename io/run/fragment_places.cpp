@@ -1,4 +1,4 @@
-#include "io/fragment_places.h"
+#include "io/run/fragment_places.h"
 
 #include <algorithm>
 #include <tuple>

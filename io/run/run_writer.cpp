@@ -16,11 +16,11 @@
 
 #include "core/base/archive.h"
 #include "core/base/error.h"
-#include "io/run_columns.h"
-#include "io/run_file.h"
-#include "io/run_json.h"
-#include "io/run_store.h"
-#include "io/run_tables.h"
+#include "io/run/run_columns.h"
+#include "io/run/run_file.h"
+#include "io/run/run_json.h"
+#include "io/run/run_store.h"
+#include "io/run/run_tables.h"
 
 namespace rubble::io {
 

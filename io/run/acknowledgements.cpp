@@ -1,4 +1,4 @@
-#include "io/acknowledgements.h"
+#include "io/run/acknowledgements.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include "io/base/files.h"
 #include "io/base/trimmed.h"
 #include "io/json/json_document.h"
-#include "io/run_json.h"
+#include "io/run/run_json.h"
 
 namespace rubble::io {
 

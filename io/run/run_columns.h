@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/run_layout.h"
-#include "io/run_tables.h"
+#include "io/run/run_layout.h"
+#include "io/run/run_tables.h"
 
 namespace rubble::io {
 

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "io/run_members.h"
+#include "io/run/run_members.h"
 
 namespace rubble::io {
 

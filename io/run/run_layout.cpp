@@ -1,8 +1,8 @@
-#include "io/run_layout.h"
+#include "io/run/run_layout.h"
 
 #include <cstddef>
 
-#include "io/run_tables.h"
+#include "io/run/run_tables.h"
 
 namespace rubble::io {
 

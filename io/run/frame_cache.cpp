@@ -1,4 +1,4 @@
-#include "io/frame_cache.h"
+#include "io/run/frame_cache.h"
 
 namespace rubble::io {
 

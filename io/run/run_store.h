@@ -9,7 +9,7 @@
 #include "core/base/hash.h"
 #include "core/trajectory/trajectory.h"
 #include "io/base/packed_rows.h"
-#include "io/run_layout.h"
+#include "io/run/run_layout.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/checkpoint_file.h"
+#include "io/run/checkpoint_file.h"
 
 #include <chrono>
 #include <filesystem>

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/analysis/settled_world.h"
-#include "io/study_files.h"
+#include "io/run/study_files.h"
 
 namespace rubble::io {
 

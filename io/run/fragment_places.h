@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/fe/frame.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/run_json.h"
+#include "io/run/run_json.h"
 
 #include <array>
 #include <nlohmann/json.hpp>
@@ -7,7 +7,7 @@
 
 #include "io/json/scenario_json.h"
 #include "io/json/site_json.h"
-#include "io/run_members.h"
+#include "io/run/run_members.h"
 
 namespace rubble::io {
 

@@ -7,7 +7,7 @@
 #include "io/json/findings_json.h"
 #include "io/json/json_cursor.h"
 #include "io/json/json_text.h"
-#include "io/run_file.h"
+#include "io/run/run_file.h"
 
 namespace rubble::io {
 

@@ -3,9 +3,9 @@
 
 #include "core/base/error.h"
 #include "io/json/json_cursor.h"
-#include "io/run_columns.h"
-#include "io/run_file.h"
-#include "io/run_store.h"
+#include "io/run/run_columns.h"
+#include "io/run/run_file.h"
+#include "io/run/run_store.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/run_history.h"
+#include "io/run/run_history.h"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/json/json_document.h"
-#include "io/run_json.h"
+#include "io/run/run_json.h"
 
 namespace rubble::io {
 

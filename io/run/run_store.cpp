@@ -1,4 +1,4 @@
-#include "io/run_store.h"
+#include "io/run/run_store.h"
 
 #include <unistd.h>
 

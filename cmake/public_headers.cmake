@@ -57,10 +57,10 @@ set(RUBBLE_PUBLIC_HEADERS
     core/trajectory/sink_relay.h
     core/trajectory/trajectory.h
     io/run/acknowledgements.h
-    io/case_file.h
+    io/case/case_file.h
     io/exports.h
     io/fe/fe_reader.h
     io/run/fragment_places.h
     io/geo/map_files.h
     io/run/run_file.h
-    io/terrain_reader.h)
+    io/case/terrain_reader.h)

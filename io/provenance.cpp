@@ -7,7 +7,7 @@
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/base/embedded_text.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/exports.h"
 #include "io/fe/fe_reader.h"
 #include "io/run/acknowledgements.h"

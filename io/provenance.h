@@ -7,8 +7,8 @@
 
 #include "core/base/execution.h"
 #include "core/trajectory/trajectory.h"
+#include "io/case/terrain_reader.h"
 #include "io/run/run_file.h"
-#include "io/terrain_reader.h"
 
 namespace rubble::io {
 

@@ -14,7 +14,8 @@
 #include "core/scenario/differences.h"
 #include "io/base/files.h"
 #include "io/base/machine.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
+#include "io/case/terrain_reader.h"
 #include "io/fe/fe_reader.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/settled_files.h"
@@ -22,7 +23,6 @@
 #include "io/site/photograph_file.h"
 #include "io/site/site_place.h"
 #include "io/site/survey_file.h"
-#include "io/terrain_reader.h"
 
 namespace rubble::io {
 

@@ -13,7 +13,7 @@
 #include "core/evidence/cause_comparison.h"
 #include "io/base/files.h"
 #include "io/base/machine.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/run/settled_files.h"
 #include "io/site/cause_evidence.h"
 

@@ -8,7 +8,7 @@
 #include "app/cli/subject.h"
 #include "core/base/error.h"
 #include "io/base/machine.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 namespace rubble::cli {
 

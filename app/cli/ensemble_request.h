@@ -8,7 +8,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/subject.h"
 #include "core/evidence/probability_map.h"
-#include "io/ensemble_source.h"
+#include "io/case/ensemble_source.h"
 
 namespace rubble::cli {
 

@@ -5,7 +5,7 @@
 #include "app/cli/subject.h"
 #include "app/cli/text_output.h"
 #include "core/base/error.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 namespace rubble::cli {
 

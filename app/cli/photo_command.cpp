@@ -14,7 +14,7 @@
 #include "core/base/error.h"
 #include "core/evidence/confidence.h"
 #include "core/evidence/photo_comparison.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/run/run_file.h"
 #include "io/site/photograph_file.h"
 

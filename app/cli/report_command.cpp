@@ -16,7 +16,7 @@
 #include "core/scenario/case_lookup.h"
 #include "core/selftest/report_checks.h"
 #include "io/base/machine.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/provenance.h"
 #include "io/report_facts.h"
 #include "io/run/run_history.h"

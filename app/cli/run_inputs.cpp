@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
+#include "io/case/site_reader.h"
 #include "io/fe/fe_reader.h"
-#include "io/site_reader.h"
 
 namespace rubble::cli {
 

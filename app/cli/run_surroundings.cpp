@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "io/case_file.h"
-#include "io/site_reader.h"
+#include "io/case/case_file.h"
+#include "io/case/site_reader.h"
 
 namespace rubble::cli {
 

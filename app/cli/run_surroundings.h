@@ -5,8 +5,8 @@
 #include "app/cli/arguments.h"
 #include "app/cli/session.h"
 #include "core/pipeline/pipeline.h"
+#include "io/case/terrain_reader.h"
 #include "io/run/run_file.h"
-#include "io/terrain_reader.h"
 
 namespace rubble::cli {
 

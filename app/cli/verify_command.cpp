@@ -8,9 +8,9 @@
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
+#include "io/case/journal_check.h"
 #include "io/fe/fe_reader.h"
-#include "io/journal_check.h"
 
 namespace rubble::cli {
 

@@ -10,7 +10,7 @@
 #include "app/gui/document.h"
 #include "app/gui/worker.h"
 #include "core/simulation/acknowledgement.h"
-#include "io/autosave_file.h"
+#include "io/case/autosave_file.h"
 
 namespace rubble {
 

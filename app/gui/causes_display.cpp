@@ -10,7 +10,7 @@
 #include "core/evidence/study_tables.h"
 #include "core/scenario/case_lookup.h"
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "widgets/causes_page.h"
 #include "widgets/causes_panel.h"
 #include "widgets/wording.h"

@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/scenario/case_lookup.h"
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/jobs/program.h"
 #include "widgets/wording.h"
 

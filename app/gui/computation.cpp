@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/pipeline/stage_reports.h"
 #include "core/scenario/parameters.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/run/acknowledgements.h"
 #include "widgets/wording.h"
 

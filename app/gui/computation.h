@@ -10,8 +10,8 @@
 #include "core/pipeline/pipeline.h"
 #include "core/scenario/case.h"
 #include "core/simulation/acknowledgement.h"
+#include "io/case/input_check.h"
 #include "io/case/open_case.h"
-#include "io/input_check.h"
 #include "io/run/run_file.h"
 #include "widgets/stage_rail.h"
 

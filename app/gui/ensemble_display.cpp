@@ -11,7 +11,7 @@
 #include "core/evidence/study_tables.h"
 #include "core/scenario/parameters.h"
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "widgets/ensemble_page.h"
 #include "widgets/ensemble_panel.h"
 #include "widgets/place_choice.h"

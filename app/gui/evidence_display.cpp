@@ -13,7 +13,7 @@
 #include "app/gui/playback.h"
 #include "app/gui/scene_display.h"
 #include "app/gui/session/session.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/site/point_pairs.h"
 #include "widgets/evidence_page.h"
 #include "widgets/evidence_panel.h"

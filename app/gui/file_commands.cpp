@@ -17,7 +17,7 @@
 #include "core/analysis/sweep_table.h"
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/exports.h"
 #include "io/run/acknowledgements.h"
 #include "widgets/figures/figure_file.h"

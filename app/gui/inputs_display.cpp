@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "app/gui/session/session.h"
-#include "io/case_file.h"
-#include "io/input_check.h"
+#include "io/case/case_file.h"
+#include "io/case/input_check.h"
 #include "widgets/notice_bar.h"
 
 namespace rubble {

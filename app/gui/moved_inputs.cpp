@@ -3,7 +3,7 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 namespace rubble {
 

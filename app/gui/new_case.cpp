@@ -9,7 +9,7 @@
 #include "app/gui/component_display.h"
 #include "app/gui/regrouping_edit.h"
 #include "core/fe/units.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "widgets/case_panel.h"
 #include "widgets/case_preview.h"
 #include "widgets/new_case_wizard.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 namespace rubble {
 

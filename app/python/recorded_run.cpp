@@ -4,10 +4,10 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
+#include "io/case/terrain_reader.h"
 #include "io/exports.h"
 #include "io/fe/fe_reader.h"
 #include "io/geo/map_files.h"
-#include "io/terrain_reader.h"
 
 namespace rubble::python {
 

@@ -11,10 +11,10 @@
 #include "core/scenario/case_lookup.h"
 #include "core/scenario/parameters.h"
 #include "io/base/machine.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
+#include "io/case/site_reader.h"
 #include "io/fe/fe_copy/fe_cache.h"
 #include "io/fe/fe_reader.h"
-#include "io/site_reader.h"
 
 namespace rubble::io {
 

@@ -11,8 +11,8 @@
 #include "core/base/finding.h"
 #include "core/pipeline/pipeline.h"
 #include "core/scenario/case.h"
+#include "io/case/terrain_reader.h"
 #include "io/run/run_file.h"
-#include "io/terrain_reader.h"
 
 namespace rubble::io {
 

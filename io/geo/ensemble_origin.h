@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/evidence/ensemble.h"
-#include "io/ensemble_source.h"
+#include "io/case/ensemble_source.h"
 #include "io/geo/map_files.h"
 
 namespace rubble::io {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 using namespace rubble;
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "io/case/terrain_reader.h"
 #include "io/fe/exodus/trial.h"
 #include "io/site/raster_file.h"
-#include "io/terrain_reader.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 using namespace rubble;

@@ -1,4 +1,4 @@
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-#include "io/ensemble_source.h"
+#include "io/case/ensemble_source.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/fe/fe_reader.h"
 #include "tests/support/exodus_builder.h"
 #include "tests/support/temporary_folder.h"

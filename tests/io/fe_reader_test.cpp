@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/fe/series_digest.h"
 #include "tests/io/d3plot/d3plot_builder.h"
 #include "tests/io/radioss/anim_builder.h"

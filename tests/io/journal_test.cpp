@@ -1,4 +1,4 @@
-#include "io/journal.h"
+#include "io/case/journal.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "io/case_file.h"
-#include "io/journal_check.h"
+#include "io/case/case_file.h"
+#include "io/case/journal_check.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "io/base/embedded_text.h"
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/fe/fe_reader.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
+#include "io/case/terrain_reader.h"
 #include "io/fe/fe_reader.h"
-#include "io/terrain_reader.h"
 #include "tests/support/places.h"
 
 namespace rubble::io {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "io/terrain_reader.h"
+#include "io/case/terrain_reader.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

@@ -1,4 +1,4 @@
-#include "io/terrain_reader.h"
+#include "io/case/terrain_reader.h"
 
 #include <gtest/gtest.h>
 

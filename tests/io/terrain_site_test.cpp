@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
+#include "io/case/site_reader.h"
+#include "io/case/terrain_reader.h"
 #include "io/site/orthophoto_file.h"
 #include "io/site/site_mesh_file.h"
-#include "io/site_reader.h"
-#include "io/terrain_reader.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

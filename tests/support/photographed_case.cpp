@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "tests/core/evidence/camera_scene.h"
 
 namespace rubble::cli {

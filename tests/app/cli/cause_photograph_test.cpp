@@ -4,7 +4,7 @@
 #include "core/evidence/silhouette.h"
 #include "core/pipeline/pipeline.h"
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/fe/fe_reader.h"
 #include "tests/core/evidence/camera_scene.h"
 #include "tests/support/command_run.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
 

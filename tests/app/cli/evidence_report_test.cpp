@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/provenance.h"
 #include "io/run/run_file.h"
 #include "tests/support/photographed_case.h"

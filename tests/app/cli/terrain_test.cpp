@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"

@@ -12,7 +12,7 @@
 #include "app/gui/ensemble_display.h"
 #include "app/gui/evidence_studies.h"
 #include "app/gui/file_commands.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"

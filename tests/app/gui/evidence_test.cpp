@@ -9,7 +9,7 @@
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/places.h"
 #include "widgets/evidence_page.h"

@@ -10,7 +10,7 @@
 #include "app/gui/picture_export.h"
 #include "app/gui/report_work.h"
 #include "app/gui/view_area.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"

@@ -13,7 +13,7 @@
 #include "app/gui/picture_export.h"
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/provenance.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/command_run.h"

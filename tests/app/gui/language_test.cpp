@@ -26,7 +26,7 @@
 #include "app/gui/playback.h"
 #include "app/gui/settings.h"
 #include "app/gui/view_area.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/exports.h"
 #include "tests/app/gui/spoken_texts.h"
 #include "tests/app/gui/workbench.h"

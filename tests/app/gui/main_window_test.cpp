@@ -18,7 +18,7 @@
 #include "app/gui/panel_deck.h"
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/case_panel.h"
 #include "widgets/status_line.h"

@@ -28,7 +28,7 @@
 #include "app/gui/scenarios_display.h"
 #include "app/gui/start_display.h"
 #include "app/gui/view_area.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/run/run_history.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"

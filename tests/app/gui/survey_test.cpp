@@ -11,7 +11,7 @@
 #include "app/gui/file_commands.h"
 #include "app/gui/survey_display.h"
 #include "app/gui/view_area.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/case_panel.h"

@@ -14,7 +14,7 @@
 #include "app/gui/playback.h"
 #include "app/gui/project_display.h"
 #include "app/gui/timeline_display.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/bookmark_editor.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
 

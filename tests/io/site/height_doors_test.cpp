@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/case/terrain_reader.h"
 #include "io/site/cause_evidence.h"
 #include "io/site/survey_file.h"
-#include "io/terrain_reader.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

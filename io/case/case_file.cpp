@@ -1,4 +1,4 @@
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
+#include "io/case/journal.h"
 #include "io/fe/fe_reader.h"
-#include "io/journal.h"
 #include "io/json/case_migrations.h"
 #include "io/json/ensemble_json.h"
 #include "io/json/json_cursor.h"

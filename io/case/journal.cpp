@@ -1,4 +1,4 @@
-#include "io/journal.h"
+#include "io/case/journal.h"
 
 #include <pwd.h>
 #include <unistd.h>
@@ -11,8 +11,8 @@
 #include "core/base/build.h"
 #include "core/simulation/acknowledgement.h"
 #include "io/base/files.h"
-#include "io/case_file.h"
-#include "io/journal_check.h"
+#include "io/case/case_file.h"
+#include "io/case/journal_check.h"
 #include "io/json/json_text.h"
 
 namespace rubble::io {

@@ -1,4 +1,4 @@
-#include "io/ensemble_source.h"
+#include "io/case/ensemble_source.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
-#include "io/site_reader.h"
+#include "io/case/site_reader.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/site/height_reading.h"
 #include "io/site/orthophoto_file.h"
 #include "io/site/site_mesh_file.h"

@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
+#include "io/case/terrain_reader.h"
 #include "io/run/run_file.h"
-#include "io/terrain_reader.h"
 
 namespace rubble::io {
 

@@ -1,10 +1,10 @@
-#include "io/autosave_file.h"
+#include "io/case/autosave_file.h"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/json/json_cursor.h"
 #include "io/json/json_document.h"
 

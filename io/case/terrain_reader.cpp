@@ -1,4 +1,4 @@
-#include "io/terrain_reader.h"
+#include "io/case/terrain_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/fe/frame_transform.h"
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/site/file_words.h"
 #include "io/site/height_reading.h"
 #include "io/site/site_place.h"

@@ -1,10 +1,10 @@
-#include "io/input_check.h"
+#include "io/case/input_check.h"
 
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/fe/fe_reader.h"
 
 namespace rubble::io {

@@ -58,9 +58,9 @@ set(RUBBLE_PUBLIC_HEADERS
     core/trajectory/trajectory.h
     io/run/acknowledgements.h
     io/case/case_file.h
-    io/exports.h
+    io/exports/exports.h
     io/fe/fe_reader.h
     io/run/fragment_places.h
-    io/geo/map_files.h
+    io/exports/map_files.h
     io/run/run_file.h
     io/case/terrain_reader.h)

@@ -5,7 +5,7 @@
 #include "app/cli/output_file.h"
 #include "app/cli/subject.h"
 #include "app/cli/text_output.h"
-#include "io/convert/fe_conversion.h"
+#include "io/exports/convert/fe_conversion.h"
 
 namespace rubble::cli {
 

@@ -7,7 +7,7 @@
 #include "app/cli/output_file.h"
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/exports.h"
+#include "io/exports/exports.h"
 
 namespace rubble::cli {
 

@@ -13,7 +13,7 @@
 #include "core/fe/components.h"
 #include "core/fe/frame_transform.h"
 #include "core/fe/regrouping.h"
-#include "io/provenance.h"
+#include "io/exports/provenance.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/view_json.h"

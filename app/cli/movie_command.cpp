@@ -10,7 +10,7 @@
 #include "app/cli/run_inputs.h"
 #include "app/cli/virtual_display.h"
 #include "io/base/files.h"
-#include "io/provenance.h"
+#include "io/exports/provenance.h"
 #include "widgets/figures/export_record.h"
 #include "widgets/figures/movie.h"
 #include "widgets/figures/view_json.h"

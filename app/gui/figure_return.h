@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <optional>
 
-#include "io/provenance.h"
+#include "io/exports/provenance.h"
 #include "widgets/render/view.h"
 
 namespace rubble {

@@ -18,7 +18,7 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
-#include "io/exports.h"
+#include "io/exports/exports.h"
 #include "io/run/acknowledgements.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/view_json.h"

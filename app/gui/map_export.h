@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "io/geo/map_files.h"
+#include "io/exports/map_files.h"
 #include "widgets/figures/map_picture.h"
 
 namespace rubble {

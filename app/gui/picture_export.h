@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/provenance.h"
+#include "io/exports/provenance.h"
 #include "io/run/run_file.h"
 #include "widgets/figure_dialog.h"
 #include "widgets/movie_dialog.h"

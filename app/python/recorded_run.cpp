@@ -5,9 +5,9 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/case/terrain_reader.h"
-#include "io/exports.h"
+#include "io/exports/exports.h"
+#include "io/exports/map_files.h"
 #include "io/fe/fe_reader.h"
-#include "io/geo/map_files.h"
 
 namespace rubble::python {
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "io/exports.h"
+#include "io/exports/exports.h"
 #include "io/run/run_file.h"
 #include "tests/io/sample_run.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "io/exports.h"
+#include "io/exports/exports.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "io/provenance.h"
+#include "io/exports/provenance.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -17,7 +17,7 @@
 #include <pugixml.hpp>
 
 #include "core/base/error.h"
-#include "io/exports.h"
+#include "io/exports/exports.h"
 #include "io/fe/vtk/hdf5_table.h"
 #include "tests/io/run_over_fe.h"
 #include "tests/support/temporary_folder.h"

@@ -8,7 +8,7 @@
 
 #include "io/base/files.h"
 #include "io/case/case_file.h"
-#include "io/provenance.h"
+#include "io/exports/provenance.h"
 #include "io/run/run_file.h"
 #include "tests/support/photographed_case.h"
 

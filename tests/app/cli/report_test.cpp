@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "io/case/case_file.h"
-#include "io/provenance.h"
+#include "io/exports/provenance.h"
 #include "io/run/run_file.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"

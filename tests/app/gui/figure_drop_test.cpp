@@ -14,7 +14,7 @@
 #include "app/gui/playback.h"
 #include "app/gui/view_area.h"
 #include "io/case/case_file.h"
-#include "io/provenance.h"
+#include "io/exports/provenance.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"

@@ -27,7 +27,7 @@
 #include "app/gui/settings.h"
 #include "app/gui/view_area.h"
 #include "io/case/case_file.h"
-#include "io/exports.h"
+#include "io/exports/exports.h"
 #include "tests/app/gui/spoken_texts.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/accuracy_panel.h"

@@ -8,7 +8,7 @@
 #include "app/gui/picture_export.h"
 #include "app/gui/view_area.h"
 #include "io/case/case_file.h"
-#include "io/provenance.h"
+#include "io/exports/provenance.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"

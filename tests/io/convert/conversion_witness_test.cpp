@@ -17,7 +17,7 @@
 #include <regex>
 #include <set>
 
-#include "io/convert/fe_conversion.h"
+#include "io/exports/convert/fe_conversion.h"
 #include "io/fe/fe_reader.h"
 #include "tests/io/convert/mixed_result.h"
 #include "tests/support/temporary_folder.h"

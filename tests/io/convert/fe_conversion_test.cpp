@@ -1,4 +1,4 @@
-#include "io/convert/fe_conversion.h"
+#include "io/exports/convert/fe_conversion.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "io/base/native_lock.h"
-#include "io/convert/fe_conversion.h"
+#include "io/exports/convert/fe_conversion.h"
 #include "io/fe/fe_reader.h"
 #include "tests/io/convert/mixed_result.h"
 #include "tests/io/fe_copy/chunk_damage.h"

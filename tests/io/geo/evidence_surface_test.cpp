@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "io/geo/ensemble_origin.h"
-#include "io/geo/map_files.h"
+#include "io/exports/ensemble_origin.h"
+#include "io/exports/map_files.h"
 #include "io/site/survey_file.h"
 #include "tests/core/analysis/debris_scene.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "io/geo/map_files.h"
+#include "io/exports/map_files.h"
 
 #include <gdal_priv.h>
 #include <gdal_utils.h>

@@ -11,7 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/evidence/survey_comparison.h"
-#include "io/geo/survey_files.h"
+#include "io/exports/survey_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

@@ -11,8 +11,8 @@
 
 #include "core/evidence/survey_comparison.h"
 #include "core/fe/frame_transform.h"
-#include "io/geo/map_files.h"
-#include "io/geo/survey_files.h"
+#include "io/exports/map_files.h"
+#include "io/exports/survey_files.h"
 #include "io/site/cause_evidence.h"
 #include "io/site/map_place.h"
 #include "io/site/survey_file.h"

@@ -13,8 +13,8 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "io/exports.h"
-#include "io/gltf/body_motion.h"
+#include "io/exports/exports.h"
+#include "io/exports/gltf/body_motion.h"
 #include "io/run/fragment_places.h"
 #include "tests/io/sample_run.h"
 #include "tests/support/gltf_rules.h"

@@ -6,7 +6,7 @@
 #include "core/base/csv_text.h"
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/exports.h"
+#include "io/exports/exports.h"
 #include "io/run/run_columns.h"
 #include "io/run/run_layout.h"
 

@@ -4,7 +4,7 @@
 
 #include "core/evidence/ensemble.h"
 #include "io/case/ensemble_source.h"
-#include "io/geo/map_files.h"
+#include "io/exports/map_files.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/gltf/body_motion.h"
+#include "io/exports/gltf/body_motion.h"
 
 #include <algorithm>
 #include <cmath>

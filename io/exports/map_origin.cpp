@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/csv_text.h"
-#include "io/exports.h"
-#include "io/geo/map_files.h"
-#include "io/provenance.h"
+#include "io/exports/exports.h"
+#include "io/exports/map_files.h"
+#include "io/exports/provenance.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_json.h"
 #include "io/site/map_place.h"

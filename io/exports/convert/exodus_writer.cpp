@@ -1,4 +1,4 @@
-#include "io/convert/exodus_writer.h"
+#include "io/exports/convert/exodus_writer.h"
 
 #include <exodusII.h>
 #include <netcdf.h>

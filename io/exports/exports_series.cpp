@@ -21,8 +21,8 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/exports.h"
-#include "io/pvd_index.h"
+#include "io/exports/exports.h"
+#include "io/exports/pvd_index.h"
 #include "io/run/run_grids.h"
 
 namespace rubble::io {

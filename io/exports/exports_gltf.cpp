@@ -8,9 +8,9 @@
 #include "core/base/error.h"
 #include "core/fe/mesh.h"
 #include "io/base/files.h"
-#include "io/exports.h"
-#include "io/gltf/body_motion.h"
-#include "io/gltf/glb_file.h"
+#include "io/exports/exports.h"
+#include "io/exports/gltf/body_motion.h"
+#include "io/exports/gltf/glb_file.h"
 #include "io/run/fragment_places.h"
 #include "io/site/site_place.h"
 

@@ -1,4 +1,4 @@
-#include "io/convert/fe_conversion.h"
+#include "io/exports/convert/fe_conversion.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,8 +6,8 @@
 #include "core/base/error.h"
 #include "core/fe/frame_transform.h"
 #include "io/base/files.h"
-#include "io/convert/exodus_writer.h"
-#include "io/convert/grid_writer.h"
+#include "io/exports/convert/exodus_writer.h"
+#include "io/exports/convert/grid_writer.h"
 #include "io/fe/fe_copy/copy_writer.h"
 
 namespace rubble::io {

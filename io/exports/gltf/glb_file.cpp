@@ -1,4 +1,4 @@
-#include "io/gltf/glb_file.h"
+#include "io/exports/gltf/glb_file.h"
 
 #include <algorithm>
 #include <array>

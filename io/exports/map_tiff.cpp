@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "io/base/files.h"
-#include "io/geo/map_files.h"
+#include "io/exports/map_files.h"
 #include "io/site/gdal_memory.h"
 #include "io/site/gdal_session.h"
 #include "io/site/map_place.h"

@@ -1,4 +1,4 @@
-#include "io/geo/survey_files.h"
+#include "io/exports/survey_files.h"
 
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
@@ -9,7 +9,7 @@
 
 #include "core/base/csv_text.h"
 #include "io/base/files.h"
-#include "io/exports.h"
+#include "io/exports/exports.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_json.h"
 #include "io/site/gdal_memory.h"

@@ -1,7 +1,7 @@
 #include "io/run/acknowledgements.h"
 
 #include <nlohmann/json.hpp>
-#include "io/exports.h"
+#include "io/exports/exports.h"
 #include "io/run/run_json.h"
 #include "io/site/site_place.h"
 

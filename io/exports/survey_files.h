@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/evidence/survey_comparison.h"
-#include "io/geo/map_files.h"
+#include "io/exports/map_files.h"
 #include "io/site/survey_file.h"
 
 namespace rubble::io {

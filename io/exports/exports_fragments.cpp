@@ -5,7 +5,7 @@
 #include <map>
 
 #include "io/base/files.h"
-#include "io/exports.h"
+#include "io/exports/exports.h"
 #include "io/run/fragment_places.h"
 #include "io/site/site_place.h"
 

@@ -8,7 +8,7 @@
 #include "io/base/files.h"
 #include "io/base/hdf5_rows.h"
 #include "io/base/run_driver.h"
-#include "io/exports.h"
+#include "io/exports/exports.h"
 #include "io/run/run_grids.h"
 
 namespace rubble::io {

@@ -1,4 +1,4 @@
-#include "io/report_facts.h"
+#include "io/exports/report_facts.h"
 
 #include <algorithm>
 #include <array>

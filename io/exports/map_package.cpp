@@ -10,7 +10,7 @@
 #include "core/evidence/footprint.h"
 #include "core/evidence/height_contours.h"
 #include "io/base/files.h"
-#include "io/geo/map_files.h"
+#include "io/exports/map_files.h"
 #include "io/site/gdal_memory.h"
 #include "io/site/gdal_session.h"
 #include "io/site/map_place.h"

@@ -3,7 +3,7 @@
 
 #include "core/base/csv_text.h"
 #include "io/base/files.h"
-#include "io/geo/map_files.h"
+#include "io/exports/map_files.h"
 #include "io/site/site_place.h"
 
 namespace rubble::io {

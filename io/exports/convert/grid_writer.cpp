@@ -1,4 +1,4 @@
-#include "io/convert/grid_writer.h"
+#include "io/exports/convert/grid_writer.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -29,7 +29,7 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/base/single_precision.h"
-#include "io/pvd_index.h"
+#include "io/exports/pvd_index.h"
 
 namespace rubble::io {
 

@@ -1,4 +1,4 @@
-#include "io/provenance.h"
+#include "io/exports/provenance.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "io/base/embedded_text.h"
 #include "io/case/case_file.h"
-#include "io/exports.h"
+#include "io/exports/exports.h"
 #include "io/fe/fe_reader.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_json.h"

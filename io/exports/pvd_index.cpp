@@ -1,4 +1,4 @@
-#include "io/pvd_index.h"
+#include "io/exports/pvd_index.h"
 
 #include <array>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "io/geo/ensemble_origin.h"
+#include "io/exports/ensemble_origin.h"
 
 #include <nlohmann/json.hpp>
 

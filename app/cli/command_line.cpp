@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "app/cli/arguments.h"
-#include "app/cli/commands.h"
-#include "app/cli/interruption.h"
-#include "app/cli/json_output.h"
-#include "app/cli/progress_line.h"
+#include "app/cli/frame/arguments.h"
+#include "app/cli/frame/commands.h"
+#include "app/cli/frame/interruption.h"
+#include "app/cli/frame/json_output.h"
+#include "app/cli/frame/progress_line.h"
+#include "app/cli/frame/session.h"
 #include "app/cli/self_description.h"
-#include "app/cli/session.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "app/cli/command.h"
+#include "app/cli/frame/command.h"
 
 namespace rubble::cli {
 

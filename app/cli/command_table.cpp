@@ -1,5 +1,5 @@
-#include "app/cli/commands.h"
-#include "app/cli/ensemble_commands.h"
+#include "app/cli/frame/commands.h"
+#include "app/cli/frame/ensemble_commands.h"
 
 namespace rubble::cli {
 

@@ -4,8 +4,8 @@
 #include <cctype>
 #include <iterator>
 
-#include "app/cli/commands.h"
-#include "app/cli/export_request.h"
+#include "app/cli/exports/export_request.h"
+#include "app/cli/frame/commands.h"
 #include "core/base/bash_completion.h"
 #include "core/base/man_page.h"
 #include "core/scenario/parameters.h"

@@ -156,8 +156,8 @@ TEST(Include, NothingOfTheProgramSeesTheSelfTestButItsCommandAndTheReport) {
         for (const Include& include : includesOf(file)) {
             if (include.quoted && include.name.starts_with("core/selftest/")) {
                 ++seen;
-                EXPECT_TRUE(file.under("core/selftest") || file.path == "app/cli/self_test_command.cpp" ||
-                            file.path == "app/cli/report_command.cpp" || file.path == "app/gui/report_work.cpp")
+                EXPECT_TRUE(file.under("core/selftest") || file.path == "app/cli/run/self_test_command.cpp" ||
+                            file.path == "app/cli/exports/report_command.cpp" || file.path == "app/gui/report_work.cpp")
                     << place(file, include.line) << ": " << include.name;
             }
         }

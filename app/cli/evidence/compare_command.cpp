@@ -1,0 +1,427 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "app/cli/accuracy/study_place.h"
+#include "app/cli/evidence/ensemble_output.h"
+#include "app/cli/frame/commands.h"
+#include "app/cli/frame/ensemble_commands.h"
+#include "app/cli/frame/option_value.h"
+#include "app/cli/frame/output_file.h"
+#include "app/cli/frame/text_output.h"
+#include "core/base/error.h"
+#include "core/evidence/cause_comparison.h"
+#include "io/base/files.h"
+#include "io/base/machine.h"
+#include "io/case/case_file.h"
+#include "io/run/settled_files.h"
+#include "io/site/cause_evidence.h"
+
+namespace rubble::cli {
+
+namespace {
+
+/// What --against names.
+struct Against {
+    std::vector<io::EvidenceFile> files;
+    bool photographs = false;
+};
+
+Against parseAgainst(const Arguments& arguments) {
+    using Kind = io::EvidenceFile::Kind;
+    Against against;
+    for (const std::string& text : arguments.values("--against")) {
+        if (text == "photographs") {
+            against.photographs = true;
+            continue;
+        }
+        const auto [keyword, path] = splitAssignment("--against", text);
+        const std::size_t before = against.files.size();
+        for (const Kind kind : {Kind::Footprint, Kind::Heights, Kind::Surface}) {
+            if (keyword == io::evidenceKeyword(kind)) {
+                against.files.push_back({kind, path});
+            }
+        }
+        if (against.files.size() == before) {
+            throw wrongValue("--against", text, "footprint=FILE, height=FILE, surface=FILE or photographs");
+        }
+    }
+    return against;
+}
+
+std::string nameOf(const std::string& path, const EnsembleSubject& subject) {
+    return subject.theCase.title.empty() ? std::filesystem::path(path).stem().string() : subject.theCase.title;
+}
+
+/// The hypotheses of one site, opened.
+struct Causes {
+    std::vector<std::string> names;
+    std::vector<EnsembleSubject> subjects;
+};
+
+/// The causes that the operands name: each one, or of a single case each of its scenarios.
+std::vector<std::pair<std::string, std::optional<std::string>>> causesOf(const std::vector<std::string>& paths) {
+    std::vector<std::pair<std::string, std::optional<std::string>>> list;
+    for (const std::string& path : paths) {
+        list.emplace_back(path, std::nullopt);
+    }
+    if (paths.size() == 1 && io::isCaseFile(paths.front())) {
+        const Case theCase = io::loadCase(paths.front());
+        if (theCase.scenarios.size() > 1) {
+            list.clear();
+            for (const CaseScenario& scenario : theCase.scenarios) {
+                list.emplace_back(paths.front(), scenario.id);
+            }
+        }
+    }
+    return list;
+}
+
+Causes openCauses(const Arguments& arguments, const EnsembleRequest& request, Session& session) {
+    Causes causes;
+    for (const auto& [path, scenario] : causesOf(operandsOf(arguments))) {
+        EnsembleSubject& subject = causes.subjects.emplace_back(openEnsembleSubject(path, scenario, arguments, request, session));
+        std::string name = scenario ? subject.scenes.front().name : nameOf(path, subject);
+        while (std::find(causes.names.begin(), causes.names.end(), name) != causes.names.end()) {
+            name += '\'';
+        }
+        causes.names.push_back(name);
+        const EnsembleSubject& first = causes.subjects.front();
+        if (!(subject.frame == first.frame && subject.theCase.site.controlPoints == first.theCase.site.controlPoints)) {
+            throw UsageError({"causes.other_frame",
+                              "{0} has another origin, axes, coordinate system or control points than {1}.",
+                              {path, arguments.operand()}},
+                             {"causes.other_frame.remedy", "Give both cases the same frame: they must be of one site.", {}});
+        }
+    }
+    return causes;
+}
+
+CauseEvidence readEvidence(const Arguments& arguments, const EnsembleRequest& request, Causes& causes, Findings& findings,
+                           Session& session) {
+    const Against against = parseAgainst(arguments);
+    CauseEvidence evidence;
+    EnsembleSubject& first = causes.subjects.front();
+    const EnsembleScene& scene = first.scenes.front();
+    const SiteSurface ground{true, scene.scenario.simulation.groundHeight, scene.inputs.terrain};
+    for (const io::EvidenceFile& file : against.files) {
+        evidence.surfaces.push_back(
+            io::readEvidence(file, first.frame, first.theCase.site, request.surface(), ground, findings, session.execution()));
+        first.inputs.push_back({"evidence", file.path, io::sha256OfFile(file.path)});
+    }
+    if (against.photographs) {
+        if (request.instant() != DebrisInstant::AtRest) {
+            throw wrongValue("--against", "photographs",
+                             "footprints or heights with --instant fe_end: photographs show debris at rest");
+        }
+        evidence.photographs = io::photographsAsEvidence(first.theCase, findings, session.execution());
+        if (evidence.photographs.empty()) {
+            throw UsageError(
+                {"cli.no_usable_photographs", "{0} has no photograph at rest with an outline and a camera.", {arguments.operand()}},
+                {"cli.no_usable_photographs.remedy", "Match and draw on one in the window, under Evidence.", {}});
+        }
+    }
+    return evidence;
+}
+
+std::vector<Hypothesis> simulate(Causes& causes, const EnsembleRequest& request, const CauseEvidence& evidence, SettledStore& store,
+                                 const WorldChoice& choice, Findings& findings, Session& session) {
+    std::vector<Hypothesis> hypotheses;
+    for (std::size_t h = 0; h < causes.subjects.size(); ++h) {
+        EnsembleSubject& subject = causes.subjects[h];
+        EnsembleOptions options = request.studyOptions(&store);
+        options.choice = choice;
+        if (!evidence.photographs.empty()) {
+            options.look = [&](const MemberSite& site, const Execution& own) {
+                return lookedAt(evidence, site, request.surface(), own);
+            };
+        }
+        auto report =
+            std::make_shared<EnsembleReport>(ensembleStudy(subject.scenes, subject.settings, options, session.execution()));
+        session.execution().check();
+        report->findings.append(subject.findings);
+        findings.append(report->findings);
+        hypotheses.push_back({causes.names[h], std::move(report)});
+    }
+    return hypotheses;
+}
+
+std::string percent(double share) {
+    return englishNumber(std::round(1000.0 * share) / 10.0) + " %";
+}
+
+TextTable rankTable(const CauseComparison& made) {
+    std::vector<TextTable::Column> columns{{"rank", "rank"},
+                                           {"cause", "cause"},
+                                           {"members", "members"},
+                                           {"score", "score_p50"},
+                                           {"5 %", "score_p05"},
+                                           {"95 %", "score_p95"},
+                                           {"closest over it", "superiority"},
+                                           {"at least", "superiority_low"},
+                                           {"", "told_apart"}};
+    for (std::size_t e = 0; e < made.evidence.size(); ++e) {
+        columns.push_back({made.evidence[e], "departure_" + std::to_string(e + 1)});
+        columns.push_back({"±", "departure_" + std::to_string(e + 1) + "_deviation"});
+    }
+    TextTable table(std::move(columns));
+    for (std::size_t r = 0; r < made.ranking.causes.size(); ++r) {
+        const RankedCause& cause = made.ranking.causes[r];
+        std::vector<Cell> row{integerCell(static_cast<std::int64_t>(r + 1)),
+                              textCell(made.hypotheses[cause.hypothesis]),
+                              integerCell(static_cast<std::int64_t>(cause.score.count)),
+                              numberCell(cause.score.middle),
+                              numberCell(cause.score.low),
+                              numberCell(cause.score.high),
+                              r == 0 ? textCell("") : numberCell(cause.bestOver.share),
+                              r == 0 ? textCell("") : numberCell(cause.bestOver.low),
+                              textCell(r == 0        ? "closest"
+                                       : cause.apart ? "told apart"
+                                                     : "not told apart")};
+        for (const FigureSpread& spread : cause.departures) {
+            row.push_back(numberCell(spread.mean));
+            row.push_back(numberCell(spread.deviation));
+        }
+        table.add(std::move(row));
+    }
+    return table;
+}
+
+TextTable blindTable(const BlindTest& test, const std::vector<std::string>& names) {
+    std::vector<TextTable::Column> columns{{"true cause", "true_cause"}};
+    for (const std::string& name : names) {
+        columns.push_back({"named " + name, "named_" + name});
+    }
+    columns.push_back({"not told apart", "undecided"});
+    columns.push_back({"closest rightly", "closest_right"});
+    if (!test.noticed.empty()) {
+        columns.push_back({"noticed if left out", "noticed_left_out"});
+    }
+    TextTable table(std::move(columns));
+    for (std::size_t h = 0; h < names.size(); ++h) {
+        std::vector<Cell> row{textCell(names[h])};
+        for (const std::int64_t count : test.named[h]) {
+            row.push_back(integerCell(count));
+        }
+        row.push_back(integerCell(test.undecided[h]));
+        row.push_back(integerCell(test.closest[h]));
+        if (!test.noticed.empty()) {
+            row.push_back(integerCell(test.noticed[h]));
+        }
+        table.add(std::move(row));
+    }
+    return table;
+}
+
+Json superiorityJson(const Superiority& superiority) {
+    return {{"share", superiority.share}, {"low", superiority.low}, {"high", superiority.high}};
+}
+
+Json comparisonJson(const CauseComparison& made) {
+    Json object;
+    object["told_apart"] = made.ranking.decided();
+    object["words"] = englishText(made.verdict);
+    object["closest"] = made.hypotheses[made.ranking.causes.front().hypothesis];
+    object["not_told_from"] = made.alike;
+    object["evidence"] = Json::array();
+    for (std::size_t e = 0; e < made.evidence.size(); ++e) {
+        object["evidence"].push_back(
+            {{"name", made.evidence[e]}, {"kind", evidenceKindName(made.kinds[e])}, {"scatter", made.ranking.scatter[e]}});
+    }
+    object["ranking"] = Json::array();
+    for (std::size_t r = 0; r < made.ranking.causes.size(); ++r) {
+        const RankedCause& cause = made.ranking.causes[r];
+        Json row{{"cause", made.hypotheses[cause.hypothesis]}, {"score", spreadJson(cause.score)}};
+        row["closest_over_it"] = r == 0 ? Json() : superiorityJson(cause.bestOver);
+        row["told_apart"] = r == 0 ? Json() : Json(cause.apart);
+        row["departures"] = Json::array();
+        row["closest_over_it_by_evidence"] = Json::array();
+        for (std::size_t e = 0; e < made.evidence.size(); ++e) {
+            row["departures"].push_back(spreadJson(cause.departures[e]));
+            row["closest_over_it_by_evidence"].push_back(r == 0 ? Json() : superiorityJson(cause.bestOverEvidence[e]));
+        }
+        object["ranking"].push_back(std::move(row));
+    }
+    object["telling_evidence"] = made.evidence[made.telling];
+    object["telling_place"] = Json();
+    if (made.place) {
+        object["telling_place"] = {{"x_m", made.place->middle.x()}, {"y_m", made.place->middle.y()}, {"area_m2", made.place->area}};
+    }
+    object["fit"] = made.fit;
+    object["unexplained"] = made.unexplained;
+    return object;
+}
+
+Json blindJson(const BlindTest& test) {
+    return {{"evidence", evidenceKindName(test.kind)},
+            {"trials", test.trials()},
+            {"right", test.right()},
+            {"wrong", test.wrong()},
+            {"named", test.named},
+            {"undecided", test.undecided},
+            {"closest_right", test.closest},
+            {"noticed_left_out", test.noticed}};
+}
+
+void printComparison(std::ostream& out, const CauseComparison& made) {
+    printHeading(out, "Which cause");
+    rankTable(made).print(out);
+    out << englishText(made.verdict) << '\n';
+    if (made.ranking.causes.size() > 1) {
+        const Superiority& best = made.ranking.causes[1].bestOverEvidence[made.telling];
+        FactList facts;
+        facts.add("tells most",
+                  made.evidence[made.telling] + ": the closest is closer in " + percent(best.share) + " of the pairs");
+        if (made.place) {
+            facts.add("where", "around x = " + englishNumber(made.place->middle.x()) + " m, y = " +
+                                   englishNumber(made.place->middle.y()) + " m, " + englishNumber(made.place->area) + " m2");
+        }
+        facts.print(out);
+    }
+}
+
+void printBlind(std::ostream& out, const BlindTest& test, const std::vector<std::string>& names) {
+    printHeading(out, "Blind test, " + std::string(evidenceKindName(test.kind)) + ": each member in turn is what was observed");
+    blindTable(test, names).print(out);
+    out << englishInteger(test.right()) << " of " << englishInteger(test.trials()) << " named rightly, "
+        << englishInteger(test.wrong()) << " wrongly, the rest not told apart\n";
+}
+
+/// Has the members of all causes made elsewhere, in one list or array.
+std::optional<ExitCode> haveMade(const StudyPlace& place, const Causes& causes, const EnsembleRequest& request,
+                                 io::SettledFiles& files, Session& session) {
+    StudyPlace::Study study;
+    study.store = files.worlds().folder();
+    study.islands = true;
+    study.kept = [&](const WorldOrigin& origin) { return files.keeps(origin); };
+    for (std::size_t h = 0; h < causes.subjects.size(); ++h) {
+        const EnsembleSubject& subject = causes.subjects[h];
+        std::vector<StudyTask> tasks = tasksOf(subject, request, session.execution());
+        study.files.insert(study.files.end(), subject.files.begin(), subject.files.end());
+        for (StudyTask& task : tasks) {
+            task.name = causes.names[h] + ", " + task.name;
+            study.tasks.push_back(std::move(task));
+        }
+    }
+    return place.haveMade(std::move(study), session);
+}
+
+/// Makes one world of whichever cause has it.
+ExitCode makeSingle(const StudyPlace& place, const Causes& causes, const EnsembleRequest& request, io::SettledFiles& files,
+                    Session& session) {
+    EnsembleOptions options = request.studyOptions(&files);
+    options.choice = place.choice();
+    for (std::size_t h = 0; h < causes.subjects.size(); ++h) {
+        const EnsembleSubject& subject = causes.subjects[h];
+        try {
+            const EnsembleReport report = ensembleStudy(subject.scenes, subject.settings, options, session.execution());
+            return place.endSingle(files.worlds().folder(), true, {}, report.findings, session);
+        } catch (const UsageError&) {
+            // Another cause may have it.
+            if (h + 1 == causes.subjects.size()) {
+                throw;
+            }
+        }
+    }
+    return ExitCode::Failed;
+}
+
+ExitCode compare(const Arguments& arguments, Session& session) {
+    const StudyPlace place(arguments);
+    const EnsembleRequest request(arguments);
+    const EnsembleMaps maps(arguments, {MapLayer::Separation});
+    checkCsvPath(arguments, operandsOf(arguments));
+    Findings findings;
+    Causes causes = openCauses(arguments, request, session);
+    io::SettledFiles files(arguments.value("--cache").value_or(io::cacheFolder()));
+    if (place.single()) {
+        return makeSingle(place, causes, request, files, session);
+    }
+    const CauseEvidence evidence = readEvidence(arguments, request, causes, findings, session);
+    if (place.elsewhere()) {
+        if (const auto ended = haveMade(place, causes, request, files, session)) {
+            return *ended;
+        }
+    }
+    const std::vector<Hypothesis> hypotheses = simulate(causes, request, evidence, files, place.choice(), findings, session);
+    std::optional<CauseComparison> made;
+    if (evidence.count() > 0) {
+        made = compareCauses(hypotheses, evidence);
+        findings.append(made->findings);
+        writeCsv(arguments, rankTable(*made));
+    }
+    std::vector<BlindTest> blind;
+    if (arguments.has("--blind") || !made) {
+        for (const EvidenceKind kind : {EvidenceKind::Footprint, EvidenceKind::Heights}) {
+            blind.push_back(blindTest(hypotheses, kind, session.execution()));
+        }
+    }
+    std::vector<std::string> written;
+    if (made && made->separation) {
+        EnsembleSubject all = causes.subjects.front();
+        for (std::size_t h = 1; h < causes.subjects.size(); ++h) {
+            const EnsembleSubject& other = causes.subjects[h];
+            all.inputs.insert(all.inputs.end(), other.inputs.begin(), other.inputs.end());
+        }
+        written = maps.write(*made->separation, "separation", *hypotheses[made->ranking.causes.front().hypothesis].ensemble, all,
+                             session);
+    }
+    if (arguments.json()) {
+        Json object = made ? comparisonJson(*made) : Json::object();
+        object["blind_tests"] = Json::array();
+        for (const BlindTest& test : blind) {
+            object["blind_tests"].push_back(blindJson(test));
+        }
+        object["causes"] = causes.names;
+        object["exports"] = written;
+        object["warnings"] = findingsJson(findings);
+        printJson(session, object);
+    } else {
+        if (made) {
+            printComparison(session.out(), *made);
+        }
+        for (const BlindTest& test : blind) {
+            printBlind(session.out(), test, causes.names);
+        }
+        for (const std::string& path : written) {
+            session.out() << path << '\n';
+        }
+        printFindings(session.out(), findings);
+    }
+    return ExitCode::Ok;
+}
+
+}  // namespace
+
+Command compareCommand() {
+    std::vector<Option> options{
+        {"--against", "KIND=FILE", true,
+         "evidence: footprint=POLYGONS, height=RASTER above the ground, surface=RASTER of the surface, or photographs of the first "
+         "case"},
+        {"--blind", "", false, "let each member in turn be what was observed, and say how often its cause is found"},
+    };
+    for (const Option& option : EnsembleRequest::options()) {
+        options.push_back(option);
+    }
+    for (const Option& option : EnsembleMaps::options()) {
+        options.push_back(option);
+    }
+    for (const Option& option : StudyPlace::options()) {
+        options.push_back(option);
+    }
+    options.push_back(setOption());
+    options.push_back(cachedOption());
+    options.push_back(terrainOption());
+    options.push_back(csvOption("write the ranking, one row for each cause"));
+    return {"compare",
+            "FE|CASE...",
+            "which cause: several hypotheses of one collapse, each with its ensemble, against the same evidence",
+            "Ranks supposed causes of one collapse, several cases or FE results or the scenarios of one case, by how close their "
+            "debris comes to footprints, surveyed heights and photographs, "
+            "with their spread, or says that the evidence cannot tell them apart. Without --against it says how far footprints and "
+            "heights could tell them apart at all.",
+            std::move(options),
+            compare};
+}
+
+}  // namespace rubble::cli

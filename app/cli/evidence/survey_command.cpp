@@ -1,0 +1,275 @@
+#include <QString>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "app/cli/exports/map_subject.h"
+#include "app/cli/frame/commands.h"
+#include "app/cli/frame/health_output.h"
+#include "app/cli/frame/json_output.h"
+#include "app/cli/frame/option_value.h"
+#include "app/cli/frame/output_file.h"
+#include "app/cli/frame/picture_options.h"
+#include "app/cli/frame/text_output.h"
+#include "core/base/error.h"
+#include "core/evidence/survey_comparison.h"
+#include "io/base/files.h"
+#include "io/case/case_file.h"
+#include "io/case/terrain_reader.h"
+#include "io/exports/provenance.h"
+#include "io/exports/survey_files.h"
+#include "io/run/acknowledgements.h"
+#include "io/site/site_place.h"
+#include "widgets/figures/figure_file.h"
+#include "widgets/figures/survey_picture.h"
+
+namespace rubble::cli {
+
+namespace {
+
+SurveySettings surveySettingsFrom(const Arguments& arguments) {
+    SurveySettings settings;
+    settings.cell = parseLength(arguments, "--cell", settings.cell);
+    settings.leastHeight = parseLength(arguments, "--least-height", settings.leastHeight, true);
+    settings.liveThreshold = parseLength(arguments, "--live-threshold", settings.liveThreshold, true);
+    settings.shiftMost = parseLength(arguments, "--shift-most", settings.shiftMost, true);
+    settings.withFallen = parseOnOff(arguments, "--live", settings.withFallen);
+    if (arguments.has("--survey-live")) {
+        settings.showsFallen = parseOnOff(arguments, "--survey-live", true);
+    }
+    if (const auto fit = arguments.value("--register")) {
+        if (*fit != "none" && *fit != "ground" && *fit != "debris") {
+            throw wrongValue("--register", *fit, "none, ground or debris");
+        }
+        settings.fit = *fit == "ground" ? SurveyFit::Ground : *fit == "debris" ? SurveyFit::Debris : SurveyFit::None;
+    }
+    if (const auto sectors = arguments.value("--sectors")) {
+        if (!parseNumber(*sectors, settings.sectors) || settings.sectors < 1 || settings.sectors > 360) {
+            throw wrongValue("--sectors", *sectors, "a whole number from 1 to 360");
+        }
+    }
+    return settings;
+}
+
+std::optional<double> timeFrom(const Arguments& arguments) {
+    const auto text = arguments.value("--time");
+    double seconds = 0.0;
+    if (!text || *text == "end") {
+        return std::nullopt;
+    }
+    if (!parseNumber(*text, seconds) || !std::isfinite(seconds)) {
+        throw wrongValue("--time", *text, "seconds with a point as decimal sign, or end");
+    }
+    return seconds;
+}
+
+/// The file of --survey, else the first survey of the case, and how it is brought to the local frame.
+struct SurveyFile {
+    std::string path;
+    std::string sha256;  ///< that the case names; empty: none
+    Site site;
+    std::optional<bool> showsFallen = std::nullopt;  ///< as the case states
+};
+
+SurveyFile surveyFile(const Arguments& arguments, const io::RunReader& run) {
+    SurveyFile file{arguments.value("--survey").value_or(""), {}, run.origin().site};
+    if (io::isCaseFile(arguments.operand())) {
+        const Case theCase = io::loadCase(arguments.operand());
+        file.site = theCase.site;
+        for (const CaseInput& input : theCase.inputs) {
+            if (input.role == InputRole::Survey && file.path.empty()) {
+                file.path = io::inputPath(arguments.operand(), input);
+                file.sha256 = input.sha256;
+                file.showsFallen = input.showsFallen;
+            }
+        }
+    }
+    if (file.path.empty()) {
+        throw UsageError({"cli.no_survey", "There is no survey to compare {0} with.", {arguments.operand()}},
+                         {"cli.no_survey.remedy", "Name a raster of heights or an outline with --survey FILE.", {}});
+    }
+    return file;
+}
+
+std::string_view fitText(SurveyFit fit) {
+    return fit == SurveyFit::None ? "none" : fit == SurveyFit::Ground ? "ground" : "debris";
+}
+
+TextTable sectorTable(const SurveyComparison& made) {
+    TextTable table({{"direction", "direction"},
+                     {"surveyed [m]", "survey_run_out_m"},
+                     {"simulated [m]", "simulated_run_out_m"},
+                     {"difference [m]", "difference_m"}});
+    for (int s = 0; s < made.settings.sectors; ++s) {
+        const double real = made.survey.runOut[static_cast<std::size_t>(s)];
+        const double simulated = made.simulated.runOut[static_cast<std::size_t>(s)];
+        table.add({textCell(sectorName(s, made.settings.sectors)), numberCell(real), numberCell(simulated),
+                   numberCell(simulated - real)});
+    }
+    return table;
+}
+
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json sideJson(const SurveySide& side) {
+    Json object{{"area_m2", side.area}, {"volume_m3", number(side.volume)}};
+    object["centroid_m"] = std::isfinite(side.centroid.x()) ? Json{side.centroid.x(), side.centroid.y()} : Json();
+    object["run_out_m"] = side.runOut;
+    return object;
+}
+
+Json surveyJson(const SurveyComparison& made, const io::SurveyInput& input) {
+    Json object;
+    object["survey"] = {
+        {"path", input.path}, {"sha256", input.sha256}, {"kind", made.isFootprint ? "footprint" : "heights"}, {"crs", input.crs}};
+    object["time_s"] = made.time;
+    object["interpolated"] = made.shown == FrameKind::Interpolated;
+    object["cell_m"] = made.settings.cell;
+    object["least_height_m"] = made.settings.leastHeight;
+    object["live_structure"] = made.settings.withFallen;
+    object["survey_live_structure"] = made.surveyShowsFallen ? Json(*made.surveyShowsFallen) : Json();
+    object["fallen"] = {{"elements", made.fallen.elements}, {"volume_m3", made.fallen.volume}, {"held_parts", made.fallen.held}};
+    object["registration"] = {{"to", fitText(made.settings.fit)},
+                              {"shift_m", {made.shift.by.x(), made.shift.by.y(), made.shift.by.z()}},
+                              {"cells", made.shift.cells},
+                              {"rms_before", made.shift.before},
+                              {"rms_after", made.shift.after}};
+    object["iou"] = number(made.iou);
+    object["height_rms_m"] = number(made.heightRms);
+    object["height_mean_m"] = number(made.heightMean);
+    object["centroid_distance_m"] = number(made.centroidDistance);
+    object["surveyed"] = sideJson(made.survey);
+    object["simulated"] = sideJson(made.simulated);
+    object["run_out_from_m"] = {made.centre.x(), made.centre.y()};
+    object["directions"] = Json::array();
+    for (int s = 0; s < made.settings.sectors; ++s) {
+        object["directions"].push_back(sectorName(s, made.settings.sectors));
+    }
+    object["not_surveyed"] = {{"area_m2", made.unsurveyedArea}, {"volume_m3", made.unsurveyedVolume}};
+    return object;
+}
+
+void print(std::ostream& out, const SurveyComparison& made, const io::SurveyInput& input) {
+    const auto both = [](double real, double simulated, const std::string& unit) {
+        const double share = 100.0 * (simulated - real) / real;
+        return englishNumber(real) + " surveyed, " + englishNumber(simulated) + " simulated " + unit +
+               (std::isfinite(share) ? " (" + std::string(share >= 0.0 ? "+" : "") + englishNumber(share) + " %)" : "");
+    };
+    FactList facts;
+    facts.add("survey", input.path + (made.isFootprint ? ", an outline" : ", heights"));
+    facts.add("time", englishNumber(made.time) + " s");
+    facts.add("footprint IoU", englishNumber(made.iou));
+    facts.add("area", both(made.survey.area, made.simulated.area, "m2"));
+    if (!made.isFootprint) {
+        facts.add("volume with voids", both(made.survey.volume, made.simulated.volume, "m3"));
+        facts.add("height difference", englishNumber(made.heightRms) + " m RMS, " + englishNumber(made.heightMean) + " m mean");
+    }
+    facts.add("centroids apart", englishNumber(made.centroidDistance) + " m");
+    facts.add("registration", made.settings.fit == SurveyFit::None
+                                  ? std::string("none: the survey lies where it was surveyed")
+                                  : "to the " + std::string(fitText(made.settings.fit)) + ", moved by " +
+                                        englishNumber(made.shift.by.x()) + ", " + englishNumber(made.shift.by.y()) + ", " +
+                                        englishNumber(made.shift.by.z()) + " m; RMS " + englishNumber(made.shift.before) +
+                                        " before, " + englishNumber(made.shift.after) + " after");
+    facts.add("live structure", englishText(made.words));
+    printHeading(out, "Survey against simulation");
+    facts.print(out);
+    printHeading(out, "Run-out from the middle of the structure, 95 % of the covered area");
+    sectorTable(made).print(out);
+}
+
+void writePicture(const std::string& path, const SurveyComparison& made, const io::SurveyInput& input, const io::RunReader& run,
+                  const Arguments& arguments) {
+    quietQt();
+    figures::ensureGuiApplication();
+    figures::SurveyPictureStyle style;
+    if (const auto size = arguments.value("--size")) {
+        style.pixels = parsePictureSize(*size);
+    }
+    style.textPixels = 25.0 * std::min(style.pixels.width() / 1600.0, style.pixels.height() / 800.0);
+    style.place = io::SitePlace(input.frame, input.site).transform();
+    style.system = input.frame.crs;
+    style.provenance = "survey " + input.sha256.substr(0, 16) + ", " + io::footLine(run.origin());
+    figures::writePng(path, figures::surveyPicture(made, style));
+    io::writeProvenance(path, io::surveyOrigin(run, made, input).provenance);
+}
+
+ExitCode survey(const Arguments& arguments, Session& session) {
+    SurveySettings settings = surveySettingsFrom(arguments);
+    const std::optional<double> time = timeFrom(arguments);
+    const std::vector<std::string> files = arguments.values("--out");
+    const std::vector<std::string> inputs{arguments.operand(), arguments.value("--survey").value_or(arguments.operand())};
+    for (const std::string& path : files) {
+        if (!io::hasEnding(path, ".tif") && !io::hasEnding(path, ".tiff") && !io::hasEnding(path, ".png")) {
+            throw wrongValue("--out", path, "a path that ends in .tif or .png");
+        }
+        checkOutputPath(path, inputs);
+    }
+    checkCsvPath(arguments, inputs);
+    const MapSubject subject = openMapSubject(arguments, session);
+    const SurveyFile file = surveyFile(arguments, *subject.run);
+    const io::SurveyInput input = io::readSurvey(file.path, subject.inputs.frame, file.site,
+                                                 io::boundsAtRest(subject.inputs.fe->mesh()), session.execution());
+    if (!settings.showsFallen) {
+        settings.showsFallen = file.showsFallen;
+    }
+    settings.turn = io::SitePlace(input.frame, input.site).transform().angle;
+    const MappedRun mapped{subject.inputs.fe.get(), subject.run.get(),      subject.run->fragments(),
+                           subject.run->result(),   subject.inputs.terrain, subject.run->origin().scenario};
+    const SurveyComparison made = compareRunWithSurvey(mapped, time, input.survey, settings, session.execution());
+    for (const std::string& path : files) {
+        if (io::hasEnding(path, ".png")) {
+            writePicture(path, made, input, *subject.run, arguments);
+        } else {
+            io::writeSurveyTiff(path, made, io::surveyOrigin(*subject.run, made, input), session.execution());
+        }
+    }
+    writeCsv(arguments, sectorTable(made));
+    Findings findings = subject.findings;
+    findings.append(input.findings);
+    findings.append(made.findings);
+    if (!file.sha256.empty() && file.sha256 != input.sha256) {
+        findings.add({"survey.changed", "the survey is not the one the case was saved with", {}},
+                     {"survey.changed.remedy", "find the file with the SHA-256 of the case, or accept it as it is", {}}, file.path);
+    }
+    conclude(
+        arguments, session, subject, findings, [&] { return surveyJson(made, input); },
+        [&](std::ostream& out) { print(out, made, input); });
+    return ExitCode::Ok;
+}
+
+}  // namespace
+
+Command surveyCommand() {
+    return {"survey",
+            "RUN|FE|CASE",
+            "simulated debris against a surveyed height model or outline",
+            "Holds the debris of a recorded run, or of a case or FE file that is simulated first, against a survey: difference "
+            "map, overlap "
+            "of the footprints, volume, run-out by direction, centroids.",
+            {{"--survey", "FILE", false,
+              "raster of heights, or polygons in a GeoPackage, GeoJSON or Shapefile (default: that of the case)"},
+             {"--time", "SECONDS", false, "instant on the file's clock, or end (default: end)"},
+             {"--cell", "M", false, "side of the cells that are compared, m (default: 0.5)"},
+             {"--least-height", "M", false, "height above the ground from which there is debris, m (default: 0.2)"},
+             {"--live", "on|off", false, "whether fallen live structure counts as debris (default: on)"},
+             {"--survey-live", "on|off", false,
+              "whether the survey shows fallen live structure (default: as the case or the file says, else not known)"},
+             {"--live-threshold", "M", false, "live structure has fallen if it moved farther than this, m (default: 1)"},
+             {"--register", "none|ground|debris", false, "what the survey is moved to before, by least squares (default: none)"},
+             {"--shift-most", "M", false, "that it is moved in plan at most, m (default: 5)"},
+             {"--sectors", "N", false, "directions in which run-out is measured, 1 to 360 (default: 8)"},
+             {"--out", "FILE", true, "a file to write: .tif (difference, surveyed, simulated) or .png"},
+             {"--size", "WxH", false, "pixels of a picture (default: 1600x1000)"},
+             setOption(),
+             scenarioOption(),
+             feOption(),
+             {"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"},
+             csvOption("write the table of directions")},
+            survey};
+}
+
+}  // namespace rubble::cli

@@ -1,0 +1,81 @@
+#include "app/cli/exports/map_subject.h"
+
+#include "app/cli/frame/health_output.h"
+#include "app/cli/frame/run_inputs.h"
+#include "app/cli/frame/subject.h"
+#include "app/cli/frame/text_output.h"
+#include "core/base/error.h"
+#include "io/case/case_file.h"
+
+namespace rubble::cli {
+
+namespace {
+
+/// The run of a file; null if the file is none.
+std::shared_ptr<io::RunReader> runAt(const std::string& path) {
+    if (io::isCaseFile(path)) {
+        return nullptr;
+    }
+    try {
+        return io::openRun(path);
+    } catch (const ParseError& error) {
+        const std::string& id = error.message().id;
+        if (id == "io.run.not_a_run" || (id == "io.run.not_hdf5" && !path.ends_with(".run.h5"))) {
+            return nullptr;
+        }
+        throw;
+    }
+}
+
+void refuseSettingsOfRun(const Arguments& arguments) {
+    for (const std::string_view option : {"--set", "--scenario"}) {
+        if (arguments.has(option)) {
+            throw UsageError({"cli.setting_of_run", "{0} cannot change a run that is recorded already.", {option}},
+                             {"cli.setting_of_run.remedy", "Leave it out, or give the case instead of the run.", {}});
+        }
+    }
+}
+
+}  // namespace
+
+MapSubject openMapSubject(const Arguments& arguments, Session& session) {
+    MapSubject subject;
+    subject.run = runAt(arguments.operand());
+    if (subject.run) {
+        refuseSettingsOfRun(arguments);
+        subject.inputs = openInputsOfRun(subject.run->origin(), arguments, session);
+        return subject;
+    }
+    const io::OpenedCase opened = openSubject(arguments, session);
+    subject.temporary = std::make_unique<TemporaryRun>();
+    const std::string path = subject.temporary->path();
+    std::unique_ptr<TrajectorySink> file = io::createRun(path, io::originOf(opened));
+    const Results results = runTo(opened, Stage::Simulation, file.get(), session.execution());
+    file.reset();
+    subject.run = io::openRun(path);
+    subject.inputs = opened.inputs;
+    subject.findings = io::openingFindings(opened);
+    return subject;
+}
+
+void conclude(const Arguments& arguments, Session& session, const MapSubject& subject, const Findings& findings,
+              const std::function<Json()>& json, const std::function<void(std::ostream&)>& tables) {
+    const std::vector<std::string> files = arguments.values("--out");
+    const io::Taint taint = io::taintOf(*subject.run);
+    if (arguments.json()) {
+        Json object = json();
+        object["exports"] = files;
+        object["tainted"] = taint.tainted();
+        object["warnings"] = findingsJson(findings);
+        printJson(session, object);
+    } else {
+        tables(session.out());
+        for (const std::string& path : files) {
+            session.out() << path << '\n';
+        }
+        printFindings(session.out(), findings);
+    }
+    warnIfTainted(session, subject.temporary ? "" : arguments.operand(), taint);
+}
+
+}  // namespace rubble::cli

@@ -1,0 +1,46 @@
+#include "app/cli/exports/run_surroundings.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "io/case/case_file.h"
+#include "io/case/site_reader.h"
+
+namespace rubble::cli {
+
+Option caseOption() {
+    return {"--case", "CASE", false, "the case of the run, whose orthophoto and surroundings pictures then show"};
+}
+
+RunSurroundings surroundingsOfRun(const io::RunOrigin& origin, const Inputs& inputs, const Arguments& arguments, Session& session) {
+    const std::optional<std::string> path = arguments.value("--case");
+    if (!path) {
+        return {};
+    }
+    const Case theCase = io::loadCase(*path);
+    const bool same = std::any_of(theCase.inputs.begin(), theCase.inputs.end(), [&](const CaseInput& input) {
+        return input.role == InputRole::Fe && input.sha256 == origin.feSha256;
+    });
+    if (!same) {
+        throw UsageError({"cli.other_case",
+                          "--case {0}: none of its FE results is that of the run, whose SHA-256 is {1}.",
+                          {*path, origin.feSha256}},
+                         {"cli.other_case.remedy", "Name the case that the run was made from.", {}});
+    }
+    return surroundingsOfRun(theCase, *path, origin, inputs, session);
+}
+
+RunSurroundings surroundingsOfRun(const Case& theCase, const std::string& casePath, const io::RunOrigin& origin,
+                                  const Inputs& inputs, Session& session) {
+    RunSurroundings around{
+        casePath, io::openSurroundingsOfCase(theCase, casePath, inputs.fe->mesh(), inputs.frame, origin.site, session.execution())};
+    for (const Finding& finding : around.shown.findings.list()) {
+        const std::string what = englishText(finding.what);
+        const bool named = finding.example.empty() || what.find(finding.example) != std::string::npos;
+        session.err() << "rubble-cli: note: " << (named ? "" : finding.example + ": ") << what << "\n  "
+                      << englishText(finding.remedy) << '\n';
+    }
+    return around;
+}
+
+}  // namespace rubble::cli

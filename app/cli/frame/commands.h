@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "app/cli/frame/command.h"
+
+namespace rubble::cli {
+
+// One row of the command table each.
+Command inspectCommand();
+Command sizeCommand();
+Command effectsCommand();
+Command runCommand();
+Command influenceCommand();
+Command accuracyCommand();
+Command calibrateCommand();
+Command convertCommand();
+Command cacheCommand();
+Command jobsCommand();
+Command exportCommand();
+Command figureCommand();
+Command mapCommand();
+Command surveyCommand();
+Command movieCommand();
+Command cameraCommand();
+Command photoCommand();
+Command verifyCommand();
+Command reportCommand();
+Command acknowledgeCommand();
+Command selfTestCommand();
+Command parametersCommand();
+
+/// Every command, in the order in which the help lists them.
+const std::vector<Command>& commandTable();
+
+// Options that several commands share.
+Option helpOption();
+Option jsonOption();
+Option csvOption(std::string_view help);
+Option setOption();
+Option scenarioOption();
+Option feOption();
+Option cachedOption();
+Option terrainOption();
+Option runTerrainOption();
+
+}  // namespace rubble::cli

@@ -1,0 +1,64 @@
+#include "app/cli/frame/option_value.h"
+
+#include <cmath>
+
+namespace rubble::cli {
+
+UsageError wrongValue(std::string_view option, const std::string& value, std::string_view offered) {
+    return UsageError({"cli.option_value", "{0} {1}: this value is not known.", {option, value}},
+                      {"cli.option_value.remedy", "Give {0}.", {offered}});
+}
+
+std::vector<std::string> splitAtCommas(std::string_view text) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == ',') {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+int parseCount(const Arguments& arguments, std::string_view option, int low, int high, int otherwise) {
+    const auto text = arguments.value(option);
+    int number = otherwise;
+    if (text && (!parseNumber(*text, number) || number < low || number > high)) {
+        throw wrongValue(option, *text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    }
+    return number;
+}
+
+std::vector<double> parsePositives(const Arguments& arguments, std::string_view option, std::string_view offered) {
+    std::vector<double> numbers;
+    if (const auto text = arguments.value(option)) {
+        for (const std::string& part : splitAtCommas(*text)) {
+            double number = 0.0;
+            if (!parseNumber(part, number) || !std::isfinite(number) || number <= 0.0) {
+                throw wrongValue(option, part, offered);
+            }
+            numbers.push_back(number);
+        }
+    }
+    return numbers;
+}
+
+double parseLength(const Arguments& arguments, std::string_view option, double otherwise, bool zeroToo) {
+    const auto text = arguments.value(option);
+    double metres = otherwise;
+    if (text && (!parseNumber(*text, metres) || !std::isfinite(metres) || metres < 0.0 || (metres == 0.0 && !zeroToo))) {
+        throw wrongValue(option, *text, zeroToo ? "metres, not below zero" : "metres, above zero");
+    }
+    return metres;
+}
+
+bool parseOnOff(const Arguments& arguments, std::string_view option, bool otherwise) {
+    const auto text = arguments.value(option);
+    if (text && *text != "on" && *text != "off") {
+        throw wrongValue(option, *text, "on or off");
+    }
+    return text ? *text == "on" : otherwise;
+}
+
+}  // namespace rubble::cli

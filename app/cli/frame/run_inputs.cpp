@@ -1,0 +1,131 @@
+#include "app/cli/frame/run_inputs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "core/base/error.h"
+#include "io/base/files.h"
+#include "io/case/site_reader.h"
+#include "io/fe/fe_reader.h"
+
+namespace rubble::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view feKind = "FE";
+
+/// A file that a run was made from, and the words to speak of it.
+struct RecordedFile {
+    std::string_view kind;    ///< "FE", "terrain"
+    std::string_view option;  ///< that names its place; empty: none does
+    std::string path;         ///< then
+    std::string sha256;
+    std::optional<std::string> given;
+};
+
+// Of an FE result the digest is that of its whole series.
+std::string digestOf(const RecordedFile& file, const std::string& path) {
+    return file.kind == feKind ? io::sha256OfFe(path) : io::sha256OfFile(path);
+}
+
+bool hasDigest(const RecordedFile& file, const std::string& path) {
+    try {
+        return digestOf(file, path) == file.sha256;
+    } catch (const WorldError&) {
+        // A file that cannot be read is not the one looked for.
+        return false;
+    }
+}
+
+// A series is looked at once, by its first file.
+bool opensSeries(const RecordedFile& file, const std::string& path) {
+    try {
+        return file.kind != feKind || io::feFiles(path).front() == path;
+    } catch (const WorldError&) {
+        return false;
+    }
+}
+
+/// Files beside the run that may be the one looked for: the same ending first keeps the search short.
+std::vector<fs::path> candidatesBeside(const std::string& runPath, const fs::path& original) {
+    std::vector<fs::path> candidates;
+    std::error_code ignored;
+    for (fs::directory_iterator it(fs::absolute(runPath).parent_path(), ignored), end; it != end; it.increment(ignored)) {
+        if (it->path().extension() == original.extension()) {
+            candidates.push_back(it->path());
+        }
+    }
+    std::sort(candidates.begin(), candidates.end());
+    std::stable_partition(candidates.begin(), candidates.end(),
+                          [&](const fs::path& path) { return path.filename() == original.filename(); });
+    return candidates;
+}
+
+std::string find(const std::string& runPath, const RecordedFile& file) {
+    if (file.given) {
+        const std::string found = digestOf(file, *file.given);
+        if (found != file.sha256) {
+            throw WorldError({"cli.fe_differs",
+                              "{0} is not the {1} file of {2}: its SHA-256 is {3}, the run was made from {4}.",
+                              {*file.given, file.kind, runPath, found, file.sha256}},
+                             {"cli.fe_differs.remedy", "Give the file with that SHA-256, or simulate again.", {}});
+        }
+        return *file.given;
+    }
+    if (hasDigest(file, file.path)) {
+        return file.path;
+    }
+    for (const fs::path& candidate : candidatesBeside(runPath, file.path)) {
+        if (opensSeries(file, candidate.string()) && hasDigest(file, candidate.string())) {
+            return candidate.string();
+        }
+    }
+    throw WorldError(
+        {"cli.fe_missing",
+         "The {0} file of {1} was not found: neither {2} nor a file beside the run has the SHA-256 {3}.",
+         {file.kind, runPath, file.path, file.sha256}},
+        file.option.empty()
+            ? Message{"cli.fe_missing.beside", "Put the file beside the run.", {}}
+            : Message{"cli.fe_missing.remedy", "Put the file beside the run, or name it with {0} FILE.", {file.option}});
+}
+
+}  // namespace
+
+std::string findFeOfRun(const std::string& runPath, const io::RunOrigin& origin, const std::optional<std::string>& given) {
+    return find(runPath, {feKind, "--fe", origin.fePath, origin.feSha256, given});
+}
+
+Inputs openInputsOfRun(const io::RunOrigin& origin, const Arguments& arguments, Session& session) {
+    return openInputsOfRun(arguments.operand(), origin, arguments, session);
+}
+
+Inputs openInputsOfRun(const std::string& runPath, const io::RunOrigin& origin, const Arguments& arguments, Session& session,
+                       Findings* site) {
+    Inputs inputs;
+    inputs.fe = io::openFe(findFeOfRun(runPath, origin, arguments.value("--fe")), origin.scenario.import, origin.frame,
+                           session.execution());
+    inputs.frame = inputs.fe->contents().frame;
+    if (!origin.terrainPath.empty()) {
+        const std::string terrain =
+            find(runPath, {"terrain", "--terrain", origin.terrainPath, origin.terrainSha256, arguments.value("--terrain")});
+        const io::TerrainInput read =
+            io::openTerrain(terrain, inputs.frame, io::boundsAtRest(inputs.fe->mesh()), session.execution(), origin.site);
+        inputs.terrain = read.grid;
+        if (site != nullptr) {
+            site->append(read.findings);
+        }
+        std::vector<std::string> meshes;
+        for (const io::RecordedInput& mesh : origin.surroundings) {
+            meshes.push_back(find(runPath, {"surroundings", "", mesh.path, mesh.sha256, std::nullopt}));
+        }
+        if (!meshes.empty()) {
+            inputs.terrain = io::raisedTerrain(*inputs.terrain, meshes, inputs.frame, origin.site, session.execution());
+        }
+    }
+    return inputs;
+}
+
+}  // namespace rubble::cli

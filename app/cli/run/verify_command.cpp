@@ -1,0 +1,187 @@
+#include "app/cli/frame/arguments.h"
+#include "app/cli/frame/commands.h"
+#include "app/cli/frame/json_output.h"
+#include "app/cli/frame/run_inputs.h"
+#include "app/cli/frame/text_output.h"
+#include "app/cli/run/run_sinks.h"
+#include "core/base/build.h"
+#include "core/base/error.h"
+#include "core/pipeline/pipeline.h"
+#include "io/base/files.h"
+#include "io/case/case_file.h"
+#include "io/case/journal_check.h"
+#include "io/fe/fe_reader.h"
+
+namespace rubble::cli {
+
+namespace {
+
+/// One thing that was compared.
+struct Check {
+    std::string name;
+    std::string recorded;
+    std::string found;
+    bool same = false;
+    std::string said{};  ///< in place of what was found; empty: that says it
+};
+
+Check compare(std::string name, std::string recorded, std::string found) {
+    const bool same = recorded == found;
+    return {std::move(name), std::move(recorded), std::move(found), same};
+}
+
+ExitCode report(const Arguments& arguments, Session& session, const std::vector<Check>& checks, const std::string& verdict,
+                const std::string& note, bool good) {
+    if (arguments.json()) {
+        Json object;
+        object["file"] = arguments.operand();
+        object["verdict"] = verdict;
+        object["ok"] = good;
+        object["checks"] = Json::array();
+        for (const Check& check : checks) {
+            object["checks"].push_back(
+                {{"name", check.name}, {"same", check.same}, {"recorded", check.recorded}, {"found", check.found}});
+        }
+        object["note"] = note;
+        printJson(session, object);
+    } else {
+        FactList facts;
+        for (const Check& check : checks) {
+            facts.add(check.name, !check.said.empty() ? check.said
+                                  : check.same        ? "same: " + check.found
+                                                      : "differs: recorded " + check.recorded + ", now " + check.found);
+        }
+        session.out() << arguments.operand() << ": " << verdict << '\n';
+        facts.print(session.out());
+        if (!note.empty()) {
+            session.out() << "  " << note << '\n';
+        }
+    }
+    return good ? ExitCode::Ok : ExitCode::Failed;
+}
+
+std::string orNothing(const std::string& value) {
+    return value.empty() ? "nothing" : value;
+}
+
+/// What the journal of a case says of it: its chain, and each place that is not as it was saved.
+void addJournal(std::vector<Check>& checks, const io::JournalCheck& journal) {
+    const std::string whole = "entries chained: " + englishInteger(static_cast<std::int64_t>(journal.entries));
+    Check chain = compare("journal", whole, whole);
+    if (journal.entries == 0) {
+        chain.found = chain.recorded = "none";
+        chain.said = !journal.broken.empty() ? "" : "none, so it cannot be told whether the case itself was altered";
+    }
+    for (const std::size_t number : journal.broken) {
+        chain.same = false;
+        chain.found = (chain.found == whole ? "altered or missing before: entry " : chain.found + ", ") +
+                      englishInteger(static_cast<std::int64_t>(number));
+    }
+    checks.push_back(std::move(chain));
+    for (const JournalChange& change : journal.altered) {
+        checks.push_back({change.place, orNothing(change.before), orNothing(change.after), false});
+    }
+}
+
+/// Alterations of before that came into the journal when the case was saved again.
+std::string journalNote(const io::JournalCheck& journal) {
+    std::string places;
+    for (const JournalEntry& entry : journal.outside) {
+        for (const JournalChange& change : entry.changes) {
+            places += (places.empty() ? "" : ", ") + change.place;
+        }
+    }
+    return places.empty() ? "" : "Altered outside Rubble before it was last saved: " + places + ".";
+}
+
+ExitCode verifyCase(const Arguments& arguments, Session& session) {
+    const Case theCase = io::loadCase(arguments.operand());
+    std::vector<Check> checks;
+    bool good = true;
+    for (const CaseInput& input : theCase.inputs) {
+        session.execution().check();
+        Check check;
+        try {
+            const std::string path = io::inputPath(arguments.operand(), input);
+            check = compare(input.id + " " + input.path, input.sha256,
+                            input.role == InputRole::Fe ? io::sha256OfFe(path) : io::sha256OfFile(path));
+        } catch (const WorldError& error) {
+            check = {input.id + " " + input.path, input.sha256, englishText(error.message()), false};
+        }
+        good = good && check.same;
+        checks.push_back(std::move(check));
+    }
+    const io::JournalCheck journal = io::checkJournal(arguments.operand());
+    addJournal(checks, journal);
+    const std::string verdict = !good                      ? "inputs differ"
+                                : !journal.broken.empty()  ? "the journal was altered"
+                                : !journal.altered.empty() ? "the case was altered outside Rubble"
+                                                           : "inputs unchanged";
+    return report(arguments, session, checks, verdict, journalNote(journal), good && journal.sound());
+}
+
+std::string differenceText(const FrameComparison& comparison) {
+    if (!comparison.firstDifference()) {
+        return "";
+    }
+    const FrameComparison::Difference& difference = *comparison.firstDifference();
+    const std::string when = "The first difference is at t = " + englishNumber(difference.time) + " s: ";
+    if (difference.body < 0) {
+        return when + "the frames have other times or another number of bodies.";
+    }
+    return when + "body " + englishInteger(difference.body) + " is " + englishNumber(difference.distance) + " m away.";
+}
+
+ExitCode verifyRun(const Arguments& arguments, Session& session) {
+    const std::string& path = arguments.operand();
+    const std::shared_ptr<io::RunReader> recorded = io::openRun(path);
+    if (!recorded->complete()) {
+        throw ParseError({"cli.run_incomplete",
+                          "{0} is not complete: it holds {1} frames and no outcome to compare with.",
+                          {path, recorded->frameCount()}},
+                         {"cli.run_incomplete.remedy", "What it holds can be shown and exported; simulate again to verify.", {}});
+    }
+    io::checkRunDigest(path, session.execution());
+    const io::RunOrigin& origin = recorded->origin();
+    const Inputs inputs = openInputsOfRun(origin, arguments, session);
+    FrameComparison comparison(*recorded);
+    const Results again = run(inputs, origin.scenario, Stage::Simulation, {}, &comparison, session.execution());
+    const SimulationResult& before = *recorded->result();
+    const SimulationResult& now = *again.simulation;
+    std::vector<Check> checks;
+    checks.push_back(compare("build", origin.build, std::string(buildText())));
+    const Digest fingerprint = stageKey(inputs, origin.scenario, Stage::Simulation);
+    checks.push_back(compare("fingerprint", origin.fingerprint.hex(), fingerprint.hex()));
+    checks.push_back(compare("clusters", englishInteger(static_cast<std::int64_t>(recorded->clustering()->list.size())),
+                             englishInteger(static_cast<std::int64_t>(again.clustering->list.size()))));
+    checks.push_back(compare("frames", englishInteger(static_cast<std::int64_t>(recorded->frameCount())),
+                             englishInteger(static_cast<std::int64_t>(comparison.frames()))));
+    checks.push_back(compare("steps", englishInteger(before.steps), englishInteger(now.steps)));
+    // Runs of before the monitor know of no effects either.
+    if (!before.effects.empty()) {
+        checks.push_back(compare("health breaches", englishInteger(static_cast<std::int64_t>(before.health.breaches.size())),
+                                 englishInteger(static_cast<std::int64_t>(now.health.breaches.size()))));
+    }
+    checks.push_back(compare("trajectory hash", before.trajectoryHash.hex(), now.trajectoryHash.hex()));
+    const bool good = checks.back().same;
+    return report(arguments, session, checks, good ? "bit-equal" : "not equal", differenceText(comparison), good);
+}
+
+ExitCode verify(const Arguments& arguments, Session& session) {
+    return io::isCaseFile(arguments.operand()) ? verifyCase(arguments, session) : verifyRun(arguments, session);
+}
+
+}  // namespace
+
+Command verifyCommand() {
+    return {"verify",
+            "RUN|CASE",
+            "does a run repeat bit by bit; are a case and its inputs unchanged",
+            "RUN: checks the digest of the whole file, then simulates again and compares. CASE: compares the SHA-256 of its "
+            "inputs, and "
+            "holds what it says against its journal, whose entries are chained by their digests.",
+            {feOption(), runTerrainOption()},
+            verify};
+}
+
+}  // namespace rubble::cli

@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "core/evidence/debris_map.h"
+#include "core/evidence/maps/debris_map.h"
 #include "tests/samples/arches.h"
 
 namespace rubble {

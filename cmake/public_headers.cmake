@@ -17,10 +17,10 @@ set(RUBBLE_PUBLIC_HEADERS
     core/clusters/basic_grid.h
     core/clusters/clustering.h
     core/clusters/sizing.h
-    core/evidence/debris_map.h
-    core/evidence/live_structure.h
-    core/evidence/map_piece.h
-    core/evidence/run_map.h
+    core/evidence/maps/debris_map.h
+    core/evidence/maps/live_structure.h
+    core/evidence/maps/map_piece.h
+    core/evidence/maps/run_map.h
     core/fe/activity.h
     core/fe/audit.h
     core/fe/block_scene.h

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "core/evidence/cause_comparison.h"
+#include "core/evidence/ensembles/cause_comparison.h"
 #include "widgets/file_chart.h"
 
 namespace rubble::widgets {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/evidence/cause_comparison.h"
+#include "core/evidence/ensembles/cause_comparison.h"
 #include "widgets/figures/map_picture.h"
 
 class QLabel;

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "core/evidence/probability_map.h"
+#include "core/evidence/ensembles/probability_map.h"
 #include "widgets/figures/map_picture.h"
 
 class QComboBox;

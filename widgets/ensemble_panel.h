@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/evidence/ensemble.h"
+#include "core/evidence/ensembles/ensemble.h"
 #include "widgets/panel.h"
 #include "widgets/varied_table.h"
 #include "widgets/wording.h"

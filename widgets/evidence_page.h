@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/base/ids.h"
-#include "core/evidence/survey_comparison.h"
+#include "core/evidence/surveys/survey_comparison.h"
 #include "widgets/photo_view.h"
 
 class QButtonGroup;

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/evidence/photo_comparison.h"
+#include "core/evidence/photographs/photo_comparison.h"
 #include "widgets/panel.h"
 #include "widgets/wording.h"
 

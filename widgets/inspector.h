@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/evidence/fragment_path.h"
+#include "core/evidence/maps/fragment_path.h"
 
 class QLabel;
 class QToolButton;

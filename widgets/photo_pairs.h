@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "core/evidence/camera_match.h"
+#include "core/evidence/photographs/camera_match.h"
 #include "widgets/wording.h"
 
 class QLineEdit;

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/evidence/survey_comparison.h"
+#include "core/evidence/surveys/survey_comparison.h"
 
 class QCheckBox;
 class QComboBox;

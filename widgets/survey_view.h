@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "core/evidence/survey_comparison.h"
+#include "core/evidence/surveys/survey_comparison.h"
 
 namespace rubble::widgets {
 

@@ -7,7 +7,7 @@
 #include "app/gui/ensemble_display.h"
 #include "app/gui/map_export.h"
 #include "app/gui/session/session.h"
-#include "core/evidence/study_tables.h"
+#include "core/evidence/ensembles/study_tables.h"
 #include "core/scenario/case_lookup.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/gui/worker.h"
-#include "core/evidence/photo_comparison.h"
+#include "core/evidence/photographs/photo_comparison.h"
 #include "core/pipeline/pipeline.h"
 
 namespace rubble {

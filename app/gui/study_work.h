@@ -7,7 +7,7 @@
 
 #include "app/gui/time_left.h"
 #include "app/gui/worker.h"
-#include "core/evidence/cause_comparison.h"
+#include "core/evidence/ensembles/cause_comparison.h"
 #include "io/case/ensemble_source.h"
 #include "io/site/cause_evidence.h"
 

@@ -8,7 +8,7 @@
 
 #include "app/gui/evidence_work.h"
 #include "app/gui/worker.h"
-#include "core/evidence/survey_comparison.h"
+#include "core/evidence/surveys/survey_comparison.h"
 #include "core/scenario/case.h"
 #include "io/site/survey_file.h"
 

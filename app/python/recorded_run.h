@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/evidence/run_map.h"
+#include "core/evidence/maps/run_map.h"
 #include "core/pipeline/pipeline.h"
 #include "io/run/run_file.h"
 

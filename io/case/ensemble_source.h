@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/evidence/ensemble.h"
+#include "core/evidence/ensembles/ensemble.h"
 #include "core/scenario/case.h"
 #include "io/case/open_case.h"
 

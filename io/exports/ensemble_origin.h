@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/evidence/ensemble.h"
+#include "core/evidence/ensembles/ensemble.h"
 #include "io/case/ensemble_source.h"
 #include "io/exports/map_files.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/analysis/debris.h"
-#include "core/evidence/debris_map.h"
+#include "core/evidence/maps/debris_map.h"
 #include "core/fe/frame.h"
 #include "core/scenario/site.h"
 #include "io/run/run_file.h"

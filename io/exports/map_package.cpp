@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/analysis/box_outline.h"
-#include "core/evidence/footprint.h"
-#include "core/evidence/height_contours.h"
+#include "core/evidence/maps/footprint.h"
+#include "core/evidence/maps/height_contours.h"
 #include "io/base/files.h"
 #include "io/exports/map_files.h"
 #include "io/site/gdal_memory.h"

@@ -8,7 +8,7 @@
 #include "core/analysis/collapse_plan.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
-#include "core/evidence/probability_map.h"
+#include "core/evidence/ensembles/probability_map.h"
 #include "core/fe/components.h"
 #include "core/scenario/case_lookup.h"
 #include "core/scenario/differences.h"

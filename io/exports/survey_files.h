@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/evidence/survey_comparison.h"
+#include "core/evidence/surveys/survey_comparison.h"
 #include "io/exports/map_files.h"
 #include "io/site/survey_file.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/evidence/cause_comparison.h"
+#include "core/evidence/ensembles/cause_comparison.h"
 #include "core/fe/frame.h"
 #include "core/fe/site_surface.h"
 #include "core/scenario/case.h"

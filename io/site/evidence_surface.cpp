@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/evidence/survey_grid.h"
+#include "core/evidence/surveys/survey_grid.h"
 #include "io/site/file_words.h"
 
 namespace rubble::io {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/execution.h"
-#include "core/evidence/cause_comparison.h"
+#include "core/evidence/ensembles/cause_comparison.h"
 #include "core/fe/site_surface.h"
 #include "io/site/survey_file.h"
 

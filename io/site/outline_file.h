@@ -6,7 +6,7 @@
 
 #include "core/base/execution.h"
 #include "core/base/finding.h"
-#include "core/evidence/footprint.h"
+#include "core/evidence/maps/footprint.h"
 #include "core/fe/frame.h"
 #include "core/scenario/site.h"
 

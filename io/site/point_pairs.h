@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/evidence/camera_match.h"
+#include "core/evidence/photographs/camera_match.h"
 
 namespace rubble::io {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/execution.h"
 #include "core/base/finding.h"
-#include "core/evidence/survey.h"
+#include "core/evidence/surveys/survey.h"
 #include "core/fe/frame.h"
 #include "core/scenario/site.h"
 

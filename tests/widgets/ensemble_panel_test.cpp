@@ -12,7 +12,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "core/evidence/probability_map.h"
+#include "core/evidence/ensembles/probability_map.h"
 #include "widgets/ensemble_page.h"
 #include "widgets/number_field.h"
 

@@ -3,7 +3,7 @@
 #include <QImage>
 #include <QSize>
 
-#include "core/evidence/camera_model.h"
+#include "core/evidence/photographs/camera_model.h"
 #include "widgets/figures/figure_file.h"
 
 namespace rubble::figures {

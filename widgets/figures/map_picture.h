@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/base/geometry.h"
-#include "core/evidence/debris_map.h"
+#include "core/evidence/maps/debris_map.h"
 #include "core/fe/control_points.h"
 #include "core/fe/orthophoto.h"
 #include "widgets/render/view.h"

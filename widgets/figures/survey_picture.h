@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "core/evidence/survey_comparison.h"
+#include "core/evidence/surveys/survey_comparison.h"
 #include "core/fe/control_points.h"
 #include "widgets/render/view.h"
 

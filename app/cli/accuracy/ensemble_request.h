@@ -7,7 +7,7 @@
 
 #include "app/cli/frame/arguments.h"
 #include "app/cli/frame/subject.h"
-#include "core/evidence/probability_map.h"
+#include "core/evidence/ensembles/probability_map.h"
 #include "io/case/ensemble_source.h"
 
 namespace rubble::cli {

@@ -5,7 +5,7 @@
 
 #include "app/cli/frame/json_output.h"
 #include "app/cli/frame/text_table.h"
-#include "core/evidence/camera_match.h"
+#include "core/evidence/photographs/camera_match.h"
 
 namespace rubble::cli {
 

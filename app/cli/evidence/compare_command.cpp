@@ -10,7 +10,7 @@
 #include "app/cli/frame/output_file.h"
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
-#include "core/evidence/cause_comparison.h"
+#include "core/evidence/ensembles/cause_comparison.h"
 #include "io/base/files.h"
 #include "io/base/machine.h"
 #include "io/case/case_file.h"

@@ -13,7 +13,7 @@
 #include "app/cli/frame/picture_options.h"
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
-#include "core/evidence/survey_comparison.h"
+#include "core/evidence/surveys/survey_comparison.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/case/terrain_reader.h"

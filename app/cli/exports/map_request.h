@@ -9,7 +9,7 @@
 
 #include "app/cli/frame/arguments.h"
 #include "app/cli/frame/session.h"
-#include "core/evidence/run_map.h"
+#include "core/evidence/maps/run_map.h"
 #include "core/pipeline/pipeline.h"
 #include "io/run/run_file.h"
 

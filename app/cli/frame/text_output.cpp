@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/base/message.h"
-#include "core/evidence/confidence.h"
+#include "core/evidence/photographs/confidence.h"
 
 namespace rubble::cli {
 

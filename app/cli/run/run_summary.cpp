@@ -9,7 +9,7 @@
 #include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
 #include "core/base/message.h"
-#include "core/evidence/run_map.h"
+#include "core/evidence/maps/run_map.h"
 
 namespace rubble::cli {
 

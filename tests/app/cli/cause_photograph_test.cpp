@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/evidence/silhouette.h"
+#include "core/evidence/photographs/silhouette.h"
 #include "core/pipeline/pipeline.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"

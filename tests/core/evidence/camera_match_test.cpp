@@ -1,4 +1,4 @@
-#include "core/evidence/camera_match.h"
+#include "core/evidence/photographs/camera_match.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "core/evidence/camera_model.h"
+#include "core/evidence/photographs/camera_model.h"
 
 #include <gtest/gtest.h>
 
-#include "core/evidence/confidence.h"
-#include "core/evidence/three_point_pose.h"
+#include "core/evidence/photographs/confidence.h"
+#include "core/evidence/photographs/three_point_pose.h"
 #include "tests/core/evidence/camera_scene.h"
 
 namespace rubble {

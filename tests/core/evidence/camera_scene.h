@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/evidence/camera_match.h"
+#include "core/evidence/photographs/camera_match.h"
 #include "tests/core/analysis/random_numbers.h"
 
 namespace rubble {

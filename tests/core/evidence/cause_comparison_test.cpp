@@ -1,4 +1,4 @@
-#include "core/evidence/cause_comparison.h"
+#include "core/evidence/ensembles/cause_comparison.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/evidence/cause_ranking.h"
+#include "core/evidence/ensembles/cause_ranking.h"
 #include <gtest/gtest.h>
 
 #include "core/base/unknown.h"

@@ -1,4 +1,4 @@
-#include "core/evidence/ensemble.h"
+#include "core/evidence/ensembles/ensemble.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "core/base/error.h"
-#include "core/evidence/probability_map.h"
+#include "core/evidence/ensembles/probability_map.h"
 #include "tests/scenes/fe_scenes.h"
 
 namespace rubble {

@@ -1,4 +1,4 @@
-#include "core/evidence/footprint.h"
+#include "core/evidence/maps/footprint.h"
 
 #include <gtest/gtest.h>
 

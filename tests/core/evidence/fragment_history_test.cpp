@@ -1,4 +1,4 @@
-#include "core/evidence/fragment_history.h"
+#include "core/evidence/maps/fragment_history.h"
 #include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/evidence/fragment_path.h"
+#include "core/evidence/maps/fragment_path.h"
 #include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/evidence/height_contours.h"
+#include "core/evidence/maps/height_contours.h"
 
 #include <gtest/gtest.h>
 

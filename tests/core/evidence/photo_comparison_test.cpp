@@ -1,4 +1,4 @@
-#include "core/evidence/photo_comparison.h"
+#include "core/evidence/photographs/photo_comparison.h"
 
 #include <gtest/gtest.h>
 

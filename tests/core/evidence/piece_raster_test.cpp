@@ -1,4 +1,4 @@
-#include "core/evidence/piece_raster.h"
+#include "core/evidence/maps/piece_raster.h"
 #include <gtest/gtest.h>
 
 #include "core/base/unknown.h"
@@ -10,7 +10,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/evidence/tile_cover.h"
+#include "core/evidence/maps/tile_cover.h"
 #include "tests/core/analysis/debris_scene.h"
 #include "tests/core/analysis/random_numbers.h"
 #include "tests/scenes/level_site.h"

@@ -1,4 +1,4 @@
-#include "core/evidence/run_map.h"
+#include "core/evidence/maps/run_map.h"
 #include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>

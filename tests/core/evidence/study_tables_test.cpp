@@ -1,4 +1,4 @@
-#include "core/evidence/study_tables.h"
+#include "core/evidence/ensembles/study_tables.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/evidence/survey_comparison.h"
+#include "core/evidence/surveys/survey_comparison.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "core/evidence/survey_registration.h"
+#include "core/evidence/surveys/survey_registration.h"
 
 namespace rubble {
 namespace {

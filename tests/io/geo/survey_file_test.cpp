@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "core/evidence/survey_comparison.h"
+#include "core/evidence/surveys/survey_comparison.h"
 #include "io/exports/survey_files.h"
 #include "tests/support/temporary_folder.h"
 

@@ -9,7 +9,7 @@
 #include <functional>
 #include <sstream>
 
-#include "core/evidence/survey_comparison.h"
+#include "core/evidence/surveys/survey_comparison.h"
 #include "core/fe/frame_transform.h"
 #include "io/exports/map_files.h"
 #include "io/exports/survey_files.h"

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "core/evidence/survey_comparison.h"
+#include "core/evidence/surveys/survey_comparison.h"
 #include "tests/scenes/fe_scenes.h"
 #include "tests/widgets/gl/golden_picture.h"
 #include "tests/widgets/scenes/ballistic_run.h"

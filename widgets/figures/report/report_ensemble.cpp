@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "core/evidence/probability_map.h"
+#include "core/evidence/ensembles/probability_map.h"
 #include "core/scenario/parameters.h"
 #include "widgets/figures/report/report_sections.h"
 

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/evidence/ensembles/cause_ranking.h"
+#include "core/evidence/ensembles/probability_map.h"
+#include "core/evidence/photographs/photo_comparison.h"
+
+namespace rubble {
+
+enum class EvidenceKind : std::uint8_t { Footprint, Heights, Photograph };
+/// "footprint", "heights", "photograph"
+std::string_view evidenceKindName(EvidenceKind kind);
+
+/// Where debris was seen on the ground, on the cells that hypotheses are mapped on.
+struct SurfaceEvidence {
+    std::string name;
+    EvidenceKind kind = EvidenceKind::Footprint;  ///< or Heights
+    MemberSurface seen;                           ///< cells with debris; of a footprint the heights are 1
+    bool everywhere = true;                       ///< what is not among `seen` holds no debris
+    std::vector<MapCell> looked;                  ///< else the cells that were looked at, ascending; no others count
+};
+
+/// A photograph with an outline of the debris and the camera that took it.
+struct PhotoEvidence {
+    std::string name;
+    Photograph photograph;
+    CameraMatch match;
+};
+
+/// What hypotheses are held against.
+struct CauseEvidence {
+    std::vector<SurfaceEvidence> surfaces;
+    std::vector<PhotoEvidence> photographs;
+
+    std::size_t count() const { return surfaces.size() + photographs.size(); }
+    std::string name(std::size_t evidence) const;
+    EvidenceKind kind(std::size_t evidence) const;
+};
+
+/// How far debris is from evidence, 0 the same, 1 nothing in common. Footprint: 1 less the overlap of the cells (IoU). Heights: the
+/// sum of the differences of height over the sum of both heights (Bray & Curtis 1957). NaN if neither holds anything.
+double departureFrom(const SurfaceEvidence& evidence, const MemberSurface& surface);
+
+/// 1 less the overlap of silhouettes, mean over cameras that the match allows. Of a photograph that was not taken at rest NaN: what
+/// a member keeps is its debris at rest. Throws as compareWithPhoto().
+double departureFrom(const PhotoEvidence& evidence, const MemberSite& site, const SurfaceSettings& settings,
+                     const Execution& execution);
+
+/// Looks at a member with the photographs of the evidence, for EnsembleOptions::look.
+std::vector<double> lookedAt(const CauseEvidence& evidence, const MemberSite& site, const SurfaceSettings& settings,
+                             const Execution& execution);
+
+/// One supposed cause, with its ensemble. Its members were looked at by lookedAt() if there are photographs.
+struct Hypothesis {
+    std::string name;
+    std::shared_ptr<const EnsembleReport> ensemble;
+};
+
+/// Part of the site that speaks most for the closest hypothesis and against the next one.
+struct TellingPlace {
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< m
+    double area = 0.0;                                 ///< m2
+    double share = 0.0;                                ///< of all that speaks for it on the map
+};
+
+/// Hypotheses of one collapse, held against the same evidence.
+struct CauseComparison {
+    std::vector<std::string> hypotheses;
+    std::vector<std::string> evidence;
+    std::vector<EvidenceKind> kinds;  ///< [evidence]
+    std::vector<Departures> departures;
+    CauseRanking ranking;
+    std::vector<std::string> alike;  ///< hypotheses that cannot be told from the closest one, that one not among them
+    std::size_t telling = 0;         ///< piece of evidence that tells the first two apart best
+    /// Chance that one more member of the closest hypothesis would be as far from the others as the evidence is, least over the
+    /// pieces of surface evidence times their number, at most 1; NaN without those or with fewer than two members.
+    double fit = 0.0;
+    /// The evidence lies outside of what the closest hypothesis does: fit below 1 %, where there are members enough to judge by.
+    bool unexplained = false;
+    std::optional<DebrisMap> separation;  ///< of the first two hypotheses; unset without surface evidence
+    std::optional<TellingPlace> place;
+    Message verdict;
+    Findings findings;
+};
+
+/// Compares hypotheses. Throws UsageError for ensembles on other cells or with other counting of fallen structure, no evidence, and
+/// as rankCauses().
+CauseComparison compareCauses(std::span<const Hypothesis> hypotheses, const CauseEvidence& evidence);
+
+/// What comes of it if each member in turn is what was observed, and left out of its own ensemble: how far evidence of a kind can
+/// tell these causes apart at all.
+struct BlindTest {
+    EvidenceKind kind = EvidenceKind::Heights;
+    std::vector<std::vector<std::int64_t>> named;  ///< [true cause][cause that was named] trials
+    std::vector<std::int64_t> undecided;           ///< [true cause]
+    std::vector<std::int64_t> closest;             ///< [true cause] trials in which it was the closest, named or not
+    /// [true cause] trials in which, with that cause not among the hypotheses, the evidence lies outside of what the closest of the
+    /// others does: what would not be noticed is a wrong cause named. Empty with fewer than eight members of any.
+    std::vector<std::int64_t> noticed;
+
+    std::int64_t trials() const;
+    std::int64_t right() const;  ///< named, and rightly
+    std::int64_t wrong() const;  ///< named, and wrongly
+};
+/// @param kind  Footprint or Heights. Throws as compareCauses(), Cancelled.
+BlindTest blindTest(std::span<const Hypothesis> hypotheses, EvidenceKind kind, const Execution& execution);
+
+}  // namespace rubble

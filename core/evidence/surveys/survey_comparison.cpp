@@ -1,0 +1,279 @@
+#include "core/evidence/surveys/survey_comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/error.h"
+#include "core/base/unknown.h"
+#include "core/evidence/surveys/survey_registration.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr double reachShare = 0.95;  // of the covered area in a sector, within its run-out
+
+void check(const SurveySettings& settings) {
+    const auto size = [](double value) { return std::isfinite(value) && value >= 0.0; };
+    if (!size(settings.leastHeight) || !size(settings.shiftMost) || !size(settings.liveThreshold) || settings.sectors < 1 ||
+        settings.sectors > 360) {
+        throw UsageError({"survey.settings", "A setting of the survey comparison is no size", {}},
+                         {"survey.settings.remedy", "Give lengths in metres, not below zero, and 1 to 360 sectors.", {}});
+    }
+}
+
+/// Sums one side of a comparison cell by cell.
+class SideSum {
+public:
+    SideSum(const Eigen::Vector2d& centre, const SurveySettings& settings, bool heights)
+        : m_centre(centre),
+          m_cell(settings.cell),
+          m_heights(heights),
+          m_turn(settings.turn),
+          m_reach(static_cast<std::size_t>(settings.sectors)) {}
+
+    /// @param height  m, of a cell that is covered
+    void add(const Eigen::Vector2d& middle, double height) {
+        const double area = m_cell * m_cell;
+        const double weight = m_heights ? height * area : area;
+        m_side.area += area;
+        m_side.volume += height * area;
+        m_weight += weight;
+        m_side.centroid += weight * middle;
+        const Eigen::Vector2d from = middle - m_centre;
+        const auto sectors = static_cast<double>(m_reach.size());
+        const double bearing = std::remainder(std::atan2(from.y(), from.x()) + m_turn, 2.0 * std::numbers::pi);
+        const double turn = bearing / (2.0 * std::numbers::pi) * sectors + 0.5;
+        const auto sector = static_cast<std::size_t>(std::floor(turn) + sectors) % m_reach.size();
+        m_reach[sector].push_back(from.norm());
+    }
+    SurveySide side() {
+        m_side.centroid = m_weight > 0.0 ? Eigen::Vector2d(m_side.centroid / m_weight) : Eigen::Vector2d(unknown, unknown);
+        if (!m_heights) {
+            m_side.volume = unknown;
+        }
+        for (std::vector<double>& distances : m_reach) {
+            std::sort(distances.begin(), distances.end());
+            const auto last = static_cast<std::size_t>(std::ceil(reachShare * static_cast<double>(distances.size())));
+            m_side.runOut.push_back(distances.empty() ? 0.0 : distances[last - 1]);
+        }
+        return m_side;
+    }
+
+private:
+    Eigen::Vector2d m_centre;
+    double m_cell;
+    bool m_heights;
+    double m_weight = 0.0;
+    double m_turn;                             // rad
+    std::vector<std::vector<double>> m_reach;  ///< m, of covered cells [sectors]
+    SurveySide m_side;
+};
+
+/// Goes over the cells that were surveyed.
+void compareCells(SurveyComparison& made) {
+    const CellGrid& debris = made.simulatedCells;
+    const CellGrid& surveyed = made.surveyedCells;
+    const SurveySettings& settings = made.settings;
+    const bool heights = !made.isFootprint;
+    SideSum survey(made.centre, settings, heights);
+    SideSum simulated(made.centre, settings, heights);
+    const double area = settings.cell * settings.cell;
+    std::size_t both = 0;
+    std::size_t either = 0;
+    double squares = 0.0;
+    double sum = 0.0;
+    for (int row = 0; row < debris.rows; ++row) {
+        for (int column = 0; column < debris.columns; ++column) {
+            const std::size_t k = debris.index(column, row);
+            const bool there = simulatedDebris(made, k);
+            if (std::isnan(surveyed.values[k])) {
+                made.unsurveyedArea += there ? area : 0.0;
+                made.unsurveyedVolume += there ? debris.values[k] * area : 0.0;
+                continue;
+            }
+            const bool real = surveyedDebris(made, k);
+            if (there) {
+                simulated.add(debris.middle(column, row), debris.values[k]);
+            }
+            if (real) {
+                survey.add(debris.middle(column, row), heights ? surveyed.values[k] : 0.0);
+            }
+            if (!there && !real) {
+                continue;
+            }
+            ++either;
+            both += there && real ? 1 : 0;
+            const double left = there ? (heights ? debris.values[k] : 1.0) : 0.0;
+            const double right = real ? (heights ? surveyed.values[k] : 1.0) : 0.0;
+            made.difference.values[k] = left - right;
+            squares += (left - right) * (left - right);
+            sum += left - right;
+        }
+    }
+    made.survey = survey.side();
+    made.simulated = simulated.side();
+    made.iou = either > 0 ? static_cast<double>(both) / static_cast<double>(either) : unknown;
+    made.heightRms = heights && either > 0 ? std::sqrt(squares / static_cast<double>(either)) : unknown;
+    made.heightMean = heights && either > 0 ? sum / static_cast<double>(either) : unknown;
+    made.centroidDistance = (made.simulated.centroid - made.survey.centroid).norm();
+}
+
+void findFlaws(SurveyComparison& made, std::size_t surveyedCells) {
+    if (surveyedCells == 0) {
+        throw UsageError({"survey.elsewhere", "The survey covers no cell of the site", {}},
+                         {"survey.elsewhere.remedy",
+                          "Check the coordinate systems of survey and case, the origin of the frame and the control points.",
+                          {}});
+    }
+    if (made.unsurveyedArea > 0.01 * (made.simulated.area + made.unsurveyedArea)) {
+        made.findings.add({"survey.beyond",
+                           "{0} of simulated debris lies where nothing was surveyed and is left out",
+                           {{made.unsurveyedArea, "m2"}}},
+                          {"survey.beyond.remedy", "take a survey of the whole site if that is not meant", {}});
+    }
+    if (made.shift.atLimit) {
+        made.findings.add(
+            {"survey.at_limit", "the best shift of the survey is as far as was looked: {0}", {{made.settings.shiftMost, "m"}}},
+            {"survey.at_limit.remedy", "look at the place of the survey, or allow a longer shift", {}});
+    }
+    if (!made.shift.planKnown) {
+        made.findings.add(
+            {"survey.level", "the ground beside the debris is too level to find a shift in plan; only heights were moved", {}},
+            {"survey.level.remedy", "make sure that the survey lies in the right place in plan", {}});
+    }
+}
+
+/// What the two sides hold of live structure that fell.
+Message wordsOf(const SurveyComparison& made) {
+    const bool with = made.settings.withFallen;
+    const Argument threshold{made.settings.liveThreshold, "m"};
+    if (!made.surveyShowsFallen) {
+        return with ? Message{"survey.words.with",
+                              "The simulated side holds fallen live structure, what moved farther than {0}; whether the survey "
+                              "does is "
+                              "not known.",
+                              {threshold}}
+                    : Message{"survey.words.without",
+                              "Fallen live structure is left out of the simulated side; whether the survey shows it is not known.",
+                              {}};
+    }
+    if (with) {
+        return *made.surveyShowsFallen
+                   ? Message{"survey.words.both",
+                             "Both sides hold fallen live structure: simulated, what moved farther than {0}.",
+                             {threshold}}
+                   : Message{"survey.words.simulated_only",
+                             "The simulated side holds fallen live structure, what moved farther than {0}; the survey does not.",
+                             {threshold}};
+    }
+    return *made.surveyShowsFallen ? Message{"survey.words.surveyed_only",
+                                             "Fallen live structure is left out of the simulated side; the survey shows it.",
+                                             {}}
+                                   : Message{"survey.words.neither", "Both sides leave out fallen live structure.", {}};
+}
+
+/// Live structure that fell and that one side holds and the other does not, or may not.
+void compareFallen(SurveyComparison& made, const std::string& survey) {
+    const FallenStructure& fallen = made.fallen;
+    const std::vector<Argument> amount{fallen.elements, {fallen.volume, "m3"}};
+    if (fallen.elements > 0 && !made.surveyShowsFallen) {
+        made.findings.add(
+            {"survey.fallen_unknown",
+             "live structure fell, {0} elements of {1}, and it is not known whether the survey shows such structure", amount},
+            {"survey.fallen_unknown.remedy", "say what the survey shows (--survey-live, or beside the survey in the window)", {}},
+            survey, fallen.elements);
+    } else if (fallen.elements > 0 && *made.surveyShowsFallen != made.settings.withFallen) {
+        made.findings.add(
+            made.settings.withFallen
+                ? Message{"survey.fallen_simulated_only",
+                          "fallen live structure counts as simulated debris, {0} elements of {1}, and the survey "
+                          "does not hold such structure",
+                          amount}
+                : Message{"survey.fallen_surveyed_only",
+                          "the survey shows fallen live structure, and that of the simulation, {0} elements of {1}, is "
+                          "left out",
+                          amount},
+            {"survey.fallen.remedy", "count it on both sides or on neither (--live)", {}}, survey, fallen.elements);
+    }
+    if (fallen.held > 0 && made.surveyShowsFallen.value_or(true)) {
+        made.findings.add({"survey.held",
+                           "{0} loose parts of live structure were held where the FE result ends; in the survey they have fallen",
+                           {fallen.held}},
+                          {"survey.held.remedy", "set live_islands=released and simulate again", {}}, survey, fallen.held);
+    }
+}
+
+}  // namespace
+
+SurveyComparison compareWithSurvey(const PieceRaster& debris, const Survey& survey, const SiteSurface& ground,
+                                   const Eigen::Vector2d& centre, const SurveySettings& settings, const Execution& execution) {
+    check(settings);
+    SurveyComparison made;
+    made.isFootprint = survey.isFootprint;
+    made.settings = settings;
+    made.surveyShowsFallen = settings.showsFallen ? settings.showsFallen : survey.showsFallen;
+    made.centre = centre;
+    const CellGrid grid = gridAround(survey, debris, settings.cell, 2);
+    const CellGrid laid = laidOn(grid, debris);
+    made.difference = grid;
+    made.shift = registered(laid, survey, ground, settings, execution);
+    const CellGrid surveyed = surveyedOn(grid, survey, ground, made.shift.by, execution);
+    const auto known = std::count_if(surveyed.values.begin(), surveyed.values.end(), [](double v) { return !std::isnan(v); });
+    made.surveyedCells = surveyed;
+    made.simulatedCells = laid;
+    compareCells(made);
+    findFlaws(made, static_cast<std::size_t>(known));
+    made.words = wordsOf(made);
+    return made;
+}
+
+SurveyComparison compareRunWithSurvey(const MappedRun& run, std::optional<double> time, const Survey& survey,
+                                      const SurveySettings& settings, const Execution& execution) {
+    check(settings);
+    MapSettings map;
+    map.cell = settings.cell;
+    map.liveThreshold = settings.liveThreshold;
+    const RunMap made = mapOfRun(run, time, map, true, execution);
+    std::vector<MapPiece> pieces = mapPieces(*run.fragments, made.debris, made.arrivals, made.energies);
+    if (settings.withFallen) {
+        pieces.insert(pieces.end(), made.live->pieces.begin(), made.live->pieces.end());
+    }
+    const SiteSurface ground = groundOf(run);
+    Aabb plan;
+    for (const Vec3& node : run.fe->mesh().nodes) {
+        if (node.allFinite()) {
+            plan.extend(node);
+        }
+    }
+    SurveyComparison compared = compareWithSurvey(rasterOf(pieces, settings.cell, ground, execution), survey, ground,
+                                                  plan.center().head<2>(), settings, execution);
+    compared.time = made.map.time;
+    compared.shown = made.shown;
+    compared.fallen = {static_cast<std::int64_t>(made.live->pieces.size()), made.live->volume,
+                       run.result ? run.result->islands.held() : 0};
+    compareFallen(compared, survey.name);
+    return compared;
+}
+
+bool surveyedDebris(const SurveyComparison& made, std::size_t cell) {
+    const double least = made.isFootprint ? 0.5 : std::max(made.settings.leastHeight, 1e-9);
+    return made.surveyedCells.values[cell] >= least;
+}
+
+bool simulatedDebris(const SurveyComparison& made, std::size_t cell) {
+    return made.simulatedCells.values[cell] >= std::max(made.settings.leastHeight, 1e-9);
+}
+
+std::string sectorName(int sector, int sectors) {
+    static constexpr std::array<const char*, 8> names{"E", "NE", "N", "NW", "W", "SW", "S", "SE"};
+    if (sectors == 8) {
+        return names[static_cast<std::size_t>(sector)];
+    }
+    const double bearing = std::fmod(450.0 - 360.0 * sector / sectors, 360.0);
+    return std::to_string(static_cast<int>(std::lround(bearing))) + " deg";
+}
+
+}  // namespace rubble

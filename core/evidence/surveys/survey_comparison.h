@@ -1,0 +1,91 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/evidence/maps/run_map.h"
+#include "core/evidence/surveys/survey_grid.h"
+
+namespace rubble {
+
+struct SurveySettings {
+    double cell = 0.5;                ///< m
+    double leastHeight = 0.2;         ///< m above the ground from which a surveyed height is debris; what lies lower is noise
+    bool withFallen = true;           ///< fallen live structure is debris
+    double liveThreshold = 1.0;       ///< m, farther than this live structure has fallen
+    std::optional<bool> showsFallen;  ///< whether the survey holds such structure too, as stated; unset: as its file says
+    SurveyFit fit = SurveyFit::None;
+    double shiftMost = 5.0;  ///< m, that the survey is moved in plan at most
+    int sectors = 8;         ///< directions in which run-out is measured
+    double turn = 0.0;       ///< rad, counter-clockwise from east to local x
+};
+
+/// How the survey was moved.
+struct SurveyShift {
+    Vec3 by = Vec3::Zero();  ///< m
+    std::size_t cells = 0;   ///< that took part
+    double before = 0.0;     ///< m (of a footprint: share of a cell), root of the mean square of what is made small
+    double after = 0.0;
+    bool planKnown = true;  ///< false: the ground is too level for a shift in plan, only the height was moved
+    bool atLimit = false;   ///< the best shift is as far as was looked
+};
+
+/// One side of a comparison.
+struct SurveySide {
+    double area = 0.0;                                   ///< m2 covered by debris
+    double volume = 0.0;                                 ///< m3 between ground and top, voids included; NaN of a footprint
+    Eigen::Vector2d centroid = Eigen::Vector2d::Zero();  ///< m, of the volume, of a footprint of the area; NaN without debris
+    std::vector<double> runOut;                          ///< m, [sectors]; 0 where nothing lies in the sector
+};
+
+/// Live structure of a run that fell, whether it is counted or not.
+struct FallenStructure {
+    std::int64_t elements = 0;  ///< that moved farther than the threshold
+    double volume = 0.0;        ///< m3, of material
+    std::int64_t held = 0;      ///< loose parts that the run held where the FE result ends
+};
+
+/// The simulated debris held against a survey. Only cells that were surveyed count, on both sides alike.
+struct SurveyComparison {
+    double time = 0.0;  ///< s, of the simulated debris
+    FrameKind shown = FrameKind::Simulated;
+    bool isFootprint = false;
+    SurveySettings settings;
+    std::optional<bool> surveyShowsFallen;  ///< as stated, else as its file says; unset: not known
+    FallenStructure fallen;                 ///< of the simulated side
+    SurveyShift shift;
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< m, of the structure's plan at rest: run-out counts from here
+    SurveySide survey;
+    SurveySide simulated;
+    double iou = 0.0;               ///< of the footprints
+    double heightRms = 0.0;         ///< m, of the differences where either has debris; NaN of a footprint
+    double heightMean = 0.0;        ///< m, simulated less surveyed there; NaN of a footprint
+    double centroidDistance = 0.0;  ///< m
+    double unsurveyedArea = 0.0;    ///< m2 of simulated debris where nothing was surveyed: left out
+    double unsurveyedVolume = 0.0;  ///< m3
+    CellGrid difference;            ///< m, simulated less surveyed; of a footprint 1 only simulated, -1 only surveyed, 0 both.
+                                    ///< Not a number where neither has debris or nothing was surveyed
+    CellGrid surveyedCells;         ///< m above the ground, of a footprint shares of cells; not a number where nothing was surveyed
+    CellGrid simulatedCells;        ///< m above the ground
+    Findings findings;
+    Message words;  ///< what the comparison rests on, in a sentence
+};
+
+/// Compares heights of debris by cell with a survey.
+/// @param centre  m, run-out counts from here; the bearing of a cell's middle decides its sector, the first one around east
+/// Throws UsageError (no cells in common, settings that are no sizes), Cancelled.
+SurveyComparison compareWithSurvey(const PieceRaster& debris, const Survey& survey, const SiteSurface& ground,
+                                   const Eigen::Vector2d& centre, const SurveySettings& settings, const Execution& execution);
+
+/// The same for a run at a time within its span; unset means its end. Throws as above and as mapOfRun().
+SurveyComparison compareRunWithSurvey(const MappedRun& run, std::optional<double> time, const Survey& survey,
+                                      const SurveySettings& settings, const Execution& execution);
+
+/// Whether a cell counts as debris on either side.
+bool surveyedDebris(const SurveyComparison& made, std::size_t cell);
+bool simulatedDebris(const SurveyComparison& made, std::size_t cell);
+
+/// "E", "NE", "N" and so on for eight sectors, else the bearing of the middle in degrees from north.
+std::string sectorName(int sector, int sectors);
+
+}  // namespace rubble

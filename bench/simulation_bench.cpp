@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/debris.h"
+#include "core/analysis/debris/debris.h"
 #include "core/clusters/clustering.h"
 #include "core/clusters/sizing.h"
 #include "core/selftest/box_overlap.h"

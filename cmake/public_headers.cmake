@@ -1,9 +1,9 @@
 # Headers that are installed: the interface of the libraries. "The library" in ARCHITECTURE.md says what of it is stable.
 set(RUBBLE_PUBLIC_HEADERS
-    core/analysis/cell_map.h
-    core/analysis/collapse_plan.h
-    core/analysis/debris.h
-    core/analysis/debris_measures.h
+    core/analysis/debris/cell_map.h
+    core/analysis/debris/collapse_plan.h
+    core/analysis/debris/debris.h
+    core/analysis/debris/debris_measures.h
     core/base/build.h
     core/base/error.h
     core/base/execution.h

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/analysis/accuracy_study.h"
+#include "core/analysis/accuracy/accuracy_study.h"
 #include "widgets/accuracy_plot.h"
 
 class QComboBox;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/accuracy_settings.h"
+#include "core/analysis/accuracy/accuracy_settings.h"
 #include "widgets/panel.h"
 
 class QCheckBox;

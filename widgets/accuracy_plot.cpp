@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/analysis/accuracy_settings.h"
+#include "core/analysis/accuracy/accuracy_settings.h"
 #include "core/base/unknown.h"
 #include "widgets/accuracy_words.h"
 #include "widgets/figures/round_step.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/analysis/accuracy_front.h"
+#include "core/analysis/accuracy/accuracy_front.h"
 #include "widgets/chart_axis.h"
 #include "widgets/figures/palette.h"
 

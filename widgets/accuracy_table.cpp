@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/accuracy_settings.h"
+#include "core/analysis/accuracy/accuracy_settings.h"
 #include "widgets/accuracy_words.h"
 #include "widgets/theme.h"
 #include "widgets/wording.h"

@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <cmath>
 
-#include "core/analysis/accuracy_settings.h"
+#include "core/analysis/accuracy/accuracy_settings.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {

@@ -3,7 +3,7 @@
 #include <QString>
 #include <vector>
 
-#include "core/analysis/accuracy_front.h"
+#include "core/analysis/accuracy/accuracy_front.h"
 
 namespace rubble::widgets {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/analysis/published_results.h"
+#include "core/analysis/accuracy/published_results.h"
 #include "widgets/wording.h"
 
 namespace rubble::widgets {

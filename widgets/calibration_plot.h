@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/analysis/calibration.h"
+#include "core/analysis/accuracy/calibration.h"
 #include "widgets/chart_axis.h"
 #include "widgets/figures/palette.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/analysis/calibration.h"
+#include "core/analysis/accuracy/calibration.h"
 #include "core/clusters/clustering.h"
 #include "core/clusters/sizing.h"
 #include "core/fe/components.h"

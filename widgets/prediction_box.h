@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/analysis/prediction.h"
+#include "core/analysis/accuracy/prediction.h"
 
 class QGridLayout;
 class QLabel;

@@ -6,7 +6,7 @@
 #include "app/gui/cluster_work.h"
 #include "app/gui/time_left.h"
 #include "app/gui/worker.h"
-#include "core/analysis/accuracy_study.h"
+#include "core/analysis/accuracy/accuracy_study.h"
 #include "widgets/accuracy_panel.h"
 
 namespace rubble {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/accuracy_study.h"
+#include "core/analysis/accuracy/accuracy_study.h"
 
 namespace rubble {
 

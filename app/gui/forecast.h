@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/gui/worker.h"
-#include "core/analysis/prediction.h"
+#include "core/analysis/accuracy/prediction.h"
 #include "core/pipeline/pipeline.h"
 #include "widgets/prediction_box.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "core/analysis/accuracy_settings.h"
+#include "core/analysis/accuracy/accuracy_settings.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/base/machine.h"

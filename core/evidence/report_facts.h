@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/debris_measures.h"
-#include "core/analysis/prediction.h"
-#include "core/analysis/repeat_floor.h"
+#include "core/analysis/accuracy/prediction.h"
+#include "core/analysis/accuracy/repeat_floor.h"
+#include "core/analysis/debris/debris_measures.h"
 #include "core/evidence/ensembles/ensemble.h"
 #include "core/evidence/maps/run_map.h"
 #include "core/evidence/photographs/photo_comparison.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/box_outline.h"
+#include "core/analysis/debris/box_outline.h"
 #include "core/base/message.h"
 #include "core/selftest/pile.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/analysis/debris.h"
+#include "core/analysis/debris/debris.h"
 #include "core/evidence/maps/debris_map.h"
 #include "core/fe/frame.h"
 #include "core/scenario/site.h"

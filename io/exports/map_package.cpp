@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/analysis/box_outline.h"
+#include "core/analysis/debris/box_outline.h"
 #include "core/evidence/maps/footprint.h"
 #include "core/evidence/maps/height_contours.h"
 #include "io/base/files.h"

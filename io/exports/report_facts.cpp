@@ -4,8 +4,8 @@
 #include <array>
 #include <filesystem>
 
-#include "core/analysis/accuracy_study.h"
-#include "core/analysis/collapse_plan.h"
+#include "core/analysis/accuracy/accuracy_study.h"
+#include "core/analysis/debris/collapse_plan.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "core/evidence/ensembles/probability_map.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/study_tasks.h"
+#include "core/analysis/accuracy/study_tasks.h"
 #include "core/base/execution.h"
 #include "io/jobs/job_record.h"
 #include "io/jobs/slurm_jobs.h"

@@ -14,7 +14,7 @@
 #include <set>
 #include <thread>
 
-#include "core/analysis/prediction.h"
+#include "core/analysis/accuracy/prediction.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/base/files.h"

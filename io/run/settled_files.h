@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/analysis/settled_world.h"
+#include "core/analysis/accuracy/settled_world.h"
 #include "io/run/study_files.h"
 
 namespace rubble::io {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "core/analysis/study_tasks.h"
+#include "core/analysis/accuracy/study_tasks.h"
 #include "core/base/error.h"
 #include "core/scenario/parameters.h"
 #include "io/base/files.h"

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/calibration.h"
-#include "core/analysis/prediction.h"
-#include "core/analysis/study_store.h"
+#include "core/analysis/accuracy/calibration.h"
+#include "core/analysis/accuracy/prediction.h"
+#include "core/analysis/accuracy/study_store.h"
 
 namespace rubble::io {
 

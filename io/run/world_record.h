@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/analysis/study_store.h"
+#include "core/analysis/accuracy/study_store.h"
 
 namespace rubble::io {
 

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <thread>
 
-#include "core/analysis/settled_world.h"
+#include "core/analysis/accuracy/settled_world.h"
 #include "core/base/error.h"
 #include "io/base/machine.h"
 #include "io/fe/fe_copy/fe_cache.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/analysis/prediction.h"
+#include "core/analysis/accuracy/prediction.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
 #include "io/jobs/distributed_study.h"

@@ -9,8 +9,8 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/analysis/machine_load.h"
-#include "core/analysis/published_results.h"
+#include "core/analysis/accuracy/machine_load.h"
+#include "core/analysis/accuracy/published_results.h"
 #include "widgets/calibration_chart.h"
 #include "widgets/theme.h"
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "core/analysis/live_cost.h"
+#include "core/analysis/accuracy/live_cost.h"
 
 namespace rubble::figures {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/debris_measures.h"
+#include "core/analysis/debris/debris_measures.h"
 #include "widgets/render/colour_choice.h"
 #include "widgets/render/vertex_cells.h"
 

@@ -8,7 +8,7 @@
 #include "app/cli/frame/live_display.h"
 #include "app/cli/frame/option_value.h"
 #include "app/cli/frame/output_file.h"
-#include "core/analysis/sweep_table.h"
+#include "core/analysis/accuracy/sweep_table.h"
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/base/machine.h"

@@ -6,8 +6,8 @@
 #include "app/cli/accuracy/published_tables.h"
 #include "app/cli/frame/measure_output.h"
 #include "app/cli/frame/text_output.h"
-#include "core/analysis/accuracy_front.h"
-#include "core/analysis/sweep_table.h"
+#include "core/analysis/accuracy/accuracy_front.h"
+#include "core/analysis/accuracy/sweep_table.h"
 
 namespace rubble::cli {
 

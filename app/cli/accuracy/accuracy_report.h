@@ -7,8 +7,8 @@
 #include "app/cli/frame/json_output.h"
 #include "app/cli/frame/subject.h"
 #include "app/cli/frame/text_table.h"
-#include "core/analysis/accuracy_study.h"
-#include "core/analysis/prediction.h"
+#include "core/analysis/accuracy/accuracy_study.h"
+#include "core/analysis/accuracy/prediction.h"
 
 namespace rubble::cli {
 

@@ -3,7 +3,7 @@
 #include "app/cli/frame/json_output.h"
 #include "app/cli/frame/subject.h"
 #include "app/cli/frame/text_table.h"
-#include "core/analysis/influence.h"
+#include "core/analysis/accuracy/influence.h"
 
 namespace rubble::cli {
 

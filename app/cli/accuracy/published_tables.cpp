@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "app/cli/frame/measure_output.h"
-#include "core/analysis/published_results.h"
-#include "core/analysis/sweep_table.h"
+#include "core/analysis/accuracy/published_results.h"
+#include "core/analysis/accuracy/sweep_table.h"
 
 namespace rubble::cli {
 

@@ -2,7 +2,7 @@
 
 #include "app/cli/frame/json_output.h"
 #include "app/cli/frame/text_table.h"
-#include "core/analysis/accuracy_study.h"
+#include "core/analysis/accuracy/accuracy_study.h"
 
 namespace rubble::cli {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/cli/frame/arguments.h"
-#include "core/analysis/study_world.h"
+#include "core/analysis/accuracy/study_world.h"
 
 namespace rubble::cli {
 

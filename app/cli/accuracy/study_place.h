@@ -8,7 +8,7 @@
 #include "app/cli/frame/arguments.h"
 #include "app/cli/frame/session.h"
 #include "app/cli/frame/subject.h"
-#include "core/analysis/study_tasks.h"
+#include "core/analysis/accuracy/study_tasks.h"
 #include "core/base/finding.h"
 #include "io/jobs/distributed_study.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/frame/virtual_display.h"
-#include "core/analysis/live_cost.h"
+#include "core/analysis/accuracy/live_cost.h"
 
 namespace rubble::cli {
 

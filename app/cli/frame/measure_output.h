@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "app/cli/frame/json_output.h"
-#include "core/analysis/repeat_floor.h"
+#include "core/analysis/accuracy/repeat_floor.h"
 
 namespace rubble::cli {
 

@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "app/cli/run/run_report.h"
-#include "core/analysis/debris_measures.h"
+#include "core/analysis/debris/debris_measures.h"
 
 namespace rubble::cli {
 

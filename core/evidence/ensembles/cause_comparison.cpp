@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/analysis/interval_fit.h"
+#include "core/analysis/accuracy/interval_fit.h"
 #include "core/base/error.h"
 #include "core/base/unknown.h"
 

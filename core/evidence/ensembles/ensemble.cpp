@@ -6,7 +6,7 @@
 #include <new>
 #include <optional>
 
-#include "core/analysis/world_pool.h"
+#include "core/analysis/accuracy/world_pool.h"
 #include "core/base/error.h"
 #include "core/base/unknown.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/settled_world.h"
-#include "core/analysis/study_tasks.h"
+#include "core/analysis/accuracy/settled_world.h"
+#include "core/analysis/accuracy/study_tasks.h"
 #include "core/evidence/ensembles/member_surface.h"
 #include "core/scenario/ensemble.h"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/analysis/settled_world.h"
+#include "core/analysis/accuracy/settled_world.h"
 #include "core/evidence/maps/piece_raster.h"
 
 namespace rubble {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/analysis/cell_map.h"
+#include "core/analysis/debris/cell_map.h"
 #include "core/base/execution.h"
 #include "core/evidence/maps/live_structure.h"
 #include "core/evidence/maps/map_piece.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/analysis/settled_world.h"
+#include "core/analysis/accuracy/settled_world.h"
 #include "core/fe/activity.h"
 #include "core/fe/fe_result.h"
 #include "core/trajectory/trajectory.h"

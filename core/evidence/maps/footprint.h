@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/analysis/cell_map.h"
+#include "core/analysis/debris/cell_map.h"
 #include "core/base/geometry.h"
 
 namespace rubble {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/analysis/debris.h"
+#include "core/analysis/debris/debris.h"
 #include "core/base/execution.h"
 #include "core/simulation/simulation.h"
 #include "core/trajectory/trajectory.h"

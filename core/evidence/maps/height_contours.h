@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/analysis/cell_map.h"
+#include "core/analysis/debris/cell_map.h"
 
 namespace rubble {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/analysis/settled_world.h"
+#include "core/analysis/accuracy/settled_world.h"
 #include "core/evidence/maps/element_places.h"
 #include "core/fragments/birth_windows.h"
 #include "core/fragments/element_solid.h"

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/analysis/debris.h"
+#include "core/analysis/debris/debris.h"
 #include "core/base/execution.h"
 #include "core/evidence/maps/map_piece.h"
 #include "core/fe/components.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/analysis/cell_map.h"
+#include "core/analysis/debris/cell_map.h"
 #include "core/base/execution.h"
 #include "core/evidence/maps/map_piece.h"
 #include "core/fe/site_surface.h"

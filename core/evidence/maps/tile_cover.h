@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "core/analysis/box_outline.h"
+#include "core/analysis/debris/box_outline.h"
 
 namespace rubble {
 

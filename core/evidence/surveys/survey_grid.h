@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/analysis/cell_map.h"
+#include "core/analysis/debris/cell_map.h"
 #include "core/base/execution.h"
 #include "core/evidence/maps/piece_raster.h"
 #include "core/evidence/surveys/survey.h"

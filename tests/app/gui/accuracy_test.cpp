@@ -10,7 +10,7 @@
 #include "app/gui/comparison_memory.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/view_area.h"
-#include "core/analysis/sweep_table.h"
+#include "core/analysis/accuracy/sweep_table.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/accuracy_chart.h"

@@ -14,7 +14,7 @@
 #include "app/gui/forecast_display.h"
 #include "app/gui/grid_display.h"
 #include "app/gui/view_area.h"
-#include "core/analysis/calibration_table.h"
+#include "core/analysis/accuracy/calibration_table.h"
 #include "core/clusters/clustering.h"
 #include "io/base/machine.h"
 #include "io/run/study_files.h"

@@ -1,4 +1,4 @@
-#include "core/analysis/accuracy_front.h"
+#include "core/analysis/accuracy/accuracy_front.h"
 #include <gtest/gtest.h>
 
 #include "core/base/unknown.h"

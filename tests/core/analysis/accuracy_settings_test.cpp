@@ -1,4 +1,4 @@
-#include "core/analysis/accuracy_settings.h"
+#include "core/analysis/accuracy/accuracy_settings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/analysis/accuracy_study.h"
+#include "core/analysis/accuracy/accuracy_study.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <map>
 #include <mutex>
 
-#include "core/analysis/accuracy_front.h"
+#include "core/analysis/accuracy/accuracy_front.h"
 #include "core/base/error.h"
 #include "core/selftest/element_scene.h"
 #include "tests/scenes/fe_scenes.h"

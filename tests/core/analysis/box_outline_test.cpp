@@ -1,4 +1,4 @@
-#include "core/analysis/box_outline.h"
+#include "core/analysis/debris/box_outline.h"
 
 #include <gtest/gtest.h>
 

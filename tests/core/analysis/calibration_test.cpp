@@ -1,4 +1,4 @@
-#include "core/analysis/calibration.h"
+#include "core/analysis/accuracy/calibration.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/analysis/cell_map.h"
+#include "core/analysis/debris/cell_map.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "core/analysis/box_outline.h"
+#include "core/analysis/debris/box_outline.h"
 #include "core/base/error.h"
 #include "tests/core/analysis/debris_scene.h"
 #include "tests/scenes/level_site.h"

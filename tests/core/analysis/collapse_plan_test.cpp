@@ -1,4 +1,4 @@
-#include "core/analysis/collapse_plan.h"
+#include "core/analysis/debris/collapse_plan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/analysis/debris_measures.h"
+#include "core/analysis/debris/debris_measures.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "core/analysis/debris.h"
+#include "core/analysis/debris/debris.h"
 
 namespace rubble::analysis_scene {
 

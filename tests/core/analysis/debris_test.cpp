@@ -1,4 +1,4 @@
-#include "core/analysis/debris.h"
+#include "core/analysis/debris/debris.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/analysis/influence.h"
+#include "core/analysis/accuracy/influence.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/analysis/interval_fit.h"
+#include "core/analysis/accuracy/interval_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/analysis/live_cost.h"
+#include "core/analysis/accuracy/live_cost.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/analysis/machine_load.h"
+#include "core/analysis/accuracy/machine_load.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

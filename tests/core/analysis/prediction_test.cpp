@@ -1,4 +1,4 @@
-#include "core/analysis/prediction.h"
+#include "core/analysis/accuracy/prediction.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/analysis/repeat_floor.h"
+#include "core/analysis/accuracy/repeat_floor.h"
 
 #include <gtest/gtest.h>
 

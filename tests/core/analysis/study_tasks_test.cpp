@@ -1,11 +1,11 @@
-#include "core/analysis/study_tasks.h"
+#include "core/analysis/accuracy/study_tasks.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <mutex>
 
-#include "core/analysis/influence.h"
+#include "core/analysis/accuracy/influence.h"
 #include "core/base/error.h"
 #include "tests/scenes/fe_scenes.h"
 

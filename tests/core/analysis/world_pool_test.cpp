@@ -1,4 +1,4 @@
-#include "core/analysis/world_pool.h"
+#include "core/analysis/accuracy/world_pool.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/analysis/debris.h"
+#include "core/analysis/debris/debris.h"
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/scenes/fe_scenes.h"

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/analysis/accuracy/study_store.h"
+
+namespace rubble {
+
+class Archive;
+
+/// Live elements of a released island and how they were carried since the last FE state.
+struct CarriedIsland {
+    std::vector<ElementIndex> elements;  ///< ascending
+    Pose moved;                          ///< a point that lay at p at the last FE state lies at moved * p
+
+    void keep(Archive& archive);
+};
+
+/// Where the islands of a run are in one of its frames, those that have bodies there.
+std::vector<CarriedIsland> carriedIslands(std::span<const IslandRecord> islands, std::span<const BodyRecord> bodies,
+                                          const TrajectoryFrame& frame);
+
+/// A simulated world with the live structure that fell in it: all that lies on the site.
+struct SettledWorld {
+    SimulatedWorld world;
+    std::vector<CarriedIsland> islands;  ///< at rest
+};
+
+/// Simulates a world; frames are not kept. Throws what simulate() throws.
+/// @param checkpoints  null: none are kept
+SettledWorld simulateSettled(const RunDescription& description, const Execution& execution, CheckpointStore* checkpoints = nullptr);
+
+/// Where settled worlds are kept. Members may be called from several threads at once.
+class SettledStore {
+public:
+    virtual ~SettledStore() = default;
+    /// As StudyStore::world(); a world whose islands are not kept beside it is not taken.
+    virtual std::optional<SettledWorld> settled(const WorldOrigin& origin, Findings& findings) = 0;
+    /// Throws WorldError when there is no room.
+    virtual void keep(const WorldOrigin& origin, const SettledWorld& settled) = 0;
+    /// As StudyStore::checkpoints().
+    virtual std::unique_ptr<CheckpointStore> checkpoints(const WorldOrigin&) { return nullptr; }
+};
+
+}  // namespace rubble

@@ -23,8 +23,8 @@
 #include "widgets/figures/draw.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/palette.h"
-#include "widgets/render/camera.h"
-#include "widgets/render/drawn_resolution.h"
+#include "widgets/render/basics/camera.h"
+#include "widgets/render/basics/drawn_resolution.h"
 #include "widgets/render/scene.h"
 
 namespace {

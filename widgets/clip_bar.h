@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/base/geometry.h"
-#include "widgets/render/view.h"
+#include "widgets/render/basics/view.h"
 
 class QComboBox;
 class QLabel;

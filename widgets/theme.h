@@ -5,7 +5,7 @@
 #include <QString>
 
 #include "widgets/figures/palette.h"
-#include "widgets/render/view.h"
+#include "widgets/render/basics/view.h"
 
 namespace rubble::widgets {
 

@@ -8,10 +8,10 @@
 #include <memory>
 #include <optional>
 
-#include "widgets/render/camera.h"
-#include "widgets/render/drawn_resolution.h"
+#include "widgets/render/basics/camera.h"
+#include "widgets/render/basics/drawn_resolution.h"
+#include "widgets/render/basics/view.h"
 #include "widgets/render/scene.h"
-#include "widgets/render/view.h"
 
 class QRubberBand;
 

@@ -6,7 +6,7 @@
 #include "app/gui/document.h"
 #include "widgets/component_tree.h"
 #include "widgets/playback_clock.h"
-#include "widgets/render/colour_choice.h"
+#include "widgets/render/basics/colour_choice.h"
 #include "widgets/theme.h"
 #include "widgets/view_widget.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "io/exports/provenance.h"
-#include "widgets/render/view.h"
+#include "widgets/render/basics/view.h"
 
 namespace rubble {
 

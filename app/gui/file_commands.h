@@ -7,8 +7,8 @@
 #include <ostream>
 
 #include "core/scenario/case.h"
-#include "widgets/render/scene_data.h"
-#include "widgets/render/view.h"
+#include "widgets/render/basics/scene_data.h"
+#include "widgets/render/basics/view.h"
 #include "widgets/wording.h"
 
 class QWidget;

@@ -8,7 +8,7 @@
 #include "app/gui/worker.h"
 #include "widgets/new_case_deaths.h"
 #include "widgets/new_case_units.h"
-#include "widgets/render/view.h"
+#include "widgets/render/basics/view.h"
 
 class QWidget;
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/gui/computation.h"
-#include "widgets/render/view.h"
+#include "widgets/render/basics/view.h"
 
 class QWidget;
 

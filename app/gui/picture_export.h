@@ -10,8 +10,8 @@
 #include "io/run/run_file.h"
 #include "widgets/figure_dialog.h"
 #include "widgets/movie_dialog.h"
-#include "widgets/render/scene_data.h"
-#include "widgets/render/view.h"
+#include "widgets/render/basics/scene_data.h"
+#include "widgets/render/basics/view.h"
 
 namespace rubble {
 

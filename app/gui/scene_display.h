@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "widgets/render/scene_data.h"
-#include "widgets/render/view.h"
+#include "widgets/render/basics/scene_data.h"
+#include "widgets/render/basics/view.h"
 
 class QComboBox;
 

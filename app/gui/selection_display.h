@@ -5,7 +5,7 @@
 
 #include "app/gui/worker.h"
 #include "widgets/inspector.h"
-#include "widgets/render/scene_data.h"
+#include "widgets/render/basics/scene_data.h"
 #include "widgets/select_form.h"
 
 namespace rubble {

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "app/gui/actions.h"
-#include "widgets/render/view.h"
+#include "widgets/render/basics/view.h"
 
 namespace rubble {
 

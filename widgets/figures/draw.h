@@ -4,8 +4,8 @@
 #include <QSize>
 #include <QString>
 
+#include "widgets/render/basics/view.h"
 #include "widgets/render/scene.h"
-#include "widgets/render/view.h"
 
 namespace rubble::figures {
 

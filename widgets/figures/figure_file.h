@@ -9,9 +9,9 @@
 
 #include "widgets/figures/figure_sheet.h"
 #include "widgets/figures/x_display.h"
+#include "widgets/render/basics/scene_data.h"
+#include "widgets/render/basics/view.h"
 #include "widgets/render/scene.h"
-#include "widgets/render/scene_data.h"
-#include "widgets/render/view.h"
 
 class QPdfWriter;
 

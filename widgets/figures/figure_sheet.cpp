@@ -13,7 +13,7 @@
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
 #include "widgets/figures/translated.h"
-#include "widgets/render/camera.h"
+#include "widgets/render/basics/camera.h"
 #include "widgets/render/panes.h"
 
 namespace rubble::figures {

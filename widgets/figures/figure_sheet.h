@@ -13,10 +13,10 @@
 
 #include "widgets/figures/marks.h"
 #include "widgets/figures/overlay.h"
-#include "widgets/render/camera.h"
+#include "widgets/render/basics/camera.h"
+#include "widgets/render/basics/scene_data.h"
+#include "widgets/render/basics/view.h"
 #include "widgets/render/scene.h"
-#include "widgets/render/scene_data.h"
-#include "widgets/render/view.h"
 
 class QPainter;
 

@@ -18,7 +18,7 @@
 #include "widgets/figures/map_edges.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/palette.h"
-#include "widgets/render/colour_choice.h"
+#include "widgets/render/basics/colour_choice.h"
 
 namespace rubble::figures {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/evidence/maps/debris_map.h"
 #include "core/fe/control_points.h"
 #include "core/fe/orthophoto.h"
-#include "widgets/render/view.h"
+#include "widgets/render/basics/view.h"
 
 namespace rubble::figures {
 

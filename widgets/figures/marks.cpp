@@ -12,7 +12,7 @@
 
 #include "widgets/figures/palette.h"
 #include "widgets/figures/shown_units.h"
-#include "widgets/render/camera.h"
+#include "widgets/render/basics/camera.h"
 
 namespace rubble::figures {
 namespace {

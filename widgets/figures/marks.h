@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "core/base/geometry.h"
+#include "widgets/render/basics/view.h"
 #include "widgets/render/panes.h"
-#include "widgets/render/view.h"
 
 class QPainter;
 

@@ -5,7 +5,7 @@
 
 #include "widgets/figures/palette.h"
 #include "widgets/figures/x_display.h"
-#include "widgets/render/camera.h"
+#include "widgets/render/basics/camera.h"
 
 namespace rubble::figures {
 

@@ -14,8 +14,8 @@
 #include "widgets/figures/palette.h"
 #include "widgets/figures/shown_units.h"
 #include "widgets/figures/translated.h"
-#include "widgets/render/camera.h"
-#include "widgets/render/colour_choice.h"
+#include "widgets/render/basics/camera.h"
+#include "widgets/render/basics/colour_choice.h"
 
 namespace rubble::figures {
 namespace {

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "widgets/render/colours.h"
-#include "widgets/render/view.h"
+#include "widgets/render/basics/colours.h"
+#include "widgets/render/basics/view.h"
 
 namespace rubble::figures {
 

@@ -7,7 +7,7 @@
 
 #include "core/evidence/surveys/survey_comparison.h"
 #include "core/fe/control_points.h"
-#include "widgets/render/view.h"
+#include "widgets/render/basics/view.h"
 
 class QPainter;
 class QRectF;

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "widgets/render/view.h"
+#include "widgets/render/basics/view.h"
 
 namespace rubble::figures {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "widgets/render/pane_geometry.h"
-#include "widgets/render/vertex_cells.h"
+#include "widgets/render/shapes/vertex_cells.h"
 
 namespace rubble::render {
 namespace {

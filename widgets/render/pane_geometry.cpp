@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/analysis/debris/debris_measures.h"
-#include "widgets/render/colour_choice.h"
-#include "widgets/render/vertex_cells.h"
+#include "widgets/render/basics/colour_choice.h"
+#include "widgets/render/shapes/vertex_cells.h"
 
 namespace rubble::render {
 namespace {

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "widgets/render/camera.h"
-#include "widgets/render/colours.h"
-#include "widgets/render/debris_geometry.h"
-#include "widgets/render/island_motion.h"
-#include "widgets/render/node_motion.h"
+#include "widgets/render/basics/camera.h"
+#include "widgets/render/basics/colours.h"
+#include "widgets/render/basics/scene_data.h"
 #include "widgets/render/scene.h"
-#include "widgets/render/scene_data.h"
+#include "widgets/render/shapes/debris_geometry.h"
+#include "widgets/render/shapes/island_motion.h"
+#include "widgets/render/shapes/node_motion.h"
+#include "widgets/render/shapes/structure_faces.h"
 #include "widgets/render/shown_counts.h"
-#include "widgets/render/structure_faces.h"
 
 namespace rubble::render {
 

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <optional>
 
-#include "widgets/render/grid_lines.h"
-#include "widgets/render/ground.h"
 #include "widgets/render/pane_geometry.h"
 #include "widgets/render/panes.h"
-#include "widgets/render/site_layer.h"
-#include "widgets/render/water_surface.h"
+#include "widgets/render/site/grid_lines.h"
+#include "widgets/render/site/ground.h"
+#include "widgets/render/site/site_layer.h"
+#include "widgets/render/site/water_surface.h"
 
 class vtkActor;
 class vtkFloatArray;

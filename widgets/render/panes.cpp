@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "widgets/render/camera.h"
+#include "widgets/render/basics/camera.h"
 
 namespace rubble::render {
 

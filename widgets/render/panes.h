@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "widgets/render/view.h"
+#include "widgets/render/basics/view.h"
 
 namespace rubble::render {
 

@@ -11,11 +11,11 @@
 
 #include "core/base/standard_gravity.h"
 #include "core/clusters/grid_outline.h"
-#include "widgets/render/camera.h"
-#include "widgets/render/intact_outline.h"
+#include "widgets/render/basics/camera.h"
 #include "widgets/render/pane_geometry.h"
 #include "widgets/render/pane_renderer.h"
-#include "widgets/render/relief.h"
+#include "widgets/render/shapes/intact_outline.h"
+#include "widgets/render/site/relief.h"
 
 namespace rubble::render {
 namespace {

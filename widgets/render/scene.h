@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "widgets/render/colours.h"
+#include "widgets/render/basics/colours.h"
+#include "widgets/render/basics/scene_data.h"
+#include "widgets/render/basics/view.h"
 #include "widgets/render/panes.h"
-#include "widgets/render/scene_data.h"
-#include "widgets/render/view.h"
 
 class vtkRenderWindow;
 

@@ -5,7 +5,7 @@
 
 #include "core/clusters/clustering.h"
 #include "core/fragments/fragment_set.h"
-#include "widgets/render/structure_faces.h"
+#include "widgets/render/shapes/structure_faces.h"
 
 namespace rubble::render {
 

@@ -10,7 +10,7 @@
 #include "io/run/run_file.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/figure_sheet.h"
-#include "widgets/render/camera.h"
+#include "widgets/render/basics/camera.h"
 
 namespace rubble::cli {
 

@@ -21,7 +21,7 @@
 #include "tests/support/temporary_folder.h"
 #include "widgets/figure_dialog.h"
 #include "widgets/figures/view_json.h"
-#include "widgets/render/camera.h"
+#include "widgets/render/basics/camera.h"
 #include "widgets/render/panes.h"
 #include "widgets/render/scene.h"
 #include "widgets/status_line.h"

@@ -8,7 +8,7 @@
 #include "app/gui/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/preferences_dialog.h"
-#include "widgets/render/camera.h"
+#include "widgets/render/basics/camera.h"
 #include "widgets/render/panes.h"
 
 namespace rubble {

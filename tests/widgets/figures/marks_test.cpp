@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "widgets/render/camera.h"
+#include "widgets/render/basics/camera.h"
 
 namespace rubble::figures {
 namespace {

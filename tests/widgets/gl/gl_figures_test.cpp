@@ -13,7 +13,7 @@
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/offscreen_view.h"
 #include "widgets/figures/palette.h"
-#include "widgets/render/camera.h"
+#include "widgets/render/basics/camera.h"
 
 namespace rubble::figures {
 namespace {

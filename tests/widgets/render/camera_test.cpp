@@ -1,4 +1,4 @@
-#include "widgets/render/camera.h"
+#include "widgets/render/basics/camera.h"
 
 #include <gtest/gtest.h>
 

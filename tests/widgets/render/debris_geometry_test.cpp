@@ -1,4 +1,4 @@
-#include "widgets/render/debris_geometry.h"
+#include "widgets/render/shapes/debris_geometry.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/render/intact_outline.h"
+#include "widgets/render/shapes/intact_outline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/render/structure_faces.h"
+#include "widgets/render/shapes/structure_faces.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <memory>
 
-#include "widgets/render/scene_data.h"
+#include "widgets/render/basics/scene_data.h"
 
 namespace rubble::scenes {
 

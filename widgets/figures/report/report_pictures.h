@@ -5,7 +5,7 @@
 #include "core/base/execution.h"
 #include "widgets/figures/map_picture.h"
 #include "widgets/figures/report/report_text.h"
-#include "widgets/render/scene_data.h"
+#include "widgets/render/basics/scene_data.h"
 
 namespace rubble::figures {
 

@@ -1,4 +1,4 @@
-#include "widgets/render/ground.h"
+#include "widgets/render/site/ground.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -15,8 +15,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "widgets/render/disc.h"
-#include "widgets/render/relief.h"
+#include "widgets/render/site/disc.h"
+#include "widgets/render/site/relief.h"
 
 namespace rubble::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/render/water_surface.h"
+#include "widgets/render/site/water_surface.h"
 
 #include <vtkActor.h>
 #include <vtkPolyData.h>
@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "widgets/render/disc.h"
+#include "widgets/render/site/disc.h"
 
 namespace rubble::render {
 namespace {

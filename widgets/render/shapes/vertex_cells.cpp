@@ -1,4 +1,4 @@
-#include "widgets/render/vertex_cells.h"
+#include "widgets/render/shapes/vertex_cells.h"
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
-#include "widgets/render/colours.h"
+#include "widgets/render/basics/colours.h"
 
 /// Which of the scene's colours a thing takes; scene and legends ask here, so that they agree.
 namespace rubble::render::colour_choice {

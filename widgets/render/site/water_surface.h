@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/base/geometry.h"
-#include "widgets/render/colours.h"
+#include "widgets/render/basics/colours.h"
 
 class vtkActor;
 class vtkPolyData;

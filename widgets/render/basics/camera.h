@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/base/geometry.h"
-#include "widgets/render/view.h"
+#include "widgets/render/basics/view.h"
 
 namespace rubble::render {
 

@@ -1,4 +1,4 @@
-#include "widgets/render/colour_choice.h"
+#include "widgets/render/basics/colour_choice.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
-#include "widgets/render/colours.h"
+#include "widgets/render/basics/colours.h"
 
 namespace rubble::render {
 

@@ -1,4 +1,4 @@
-#include "widgets/render/debris_geometry.h"
+#include "widgets/render/shapes/debris_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "core/fe/mesh.h"
-#include "widgets/render/vertex_cells.h"
+#include "widgets/render/shapes/vertex_cells.h"
 
 namespace rubble::render {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/fe/orthophoto.h"
 #include "core/fe/site_mesh.h"
 #include "core/fe/site_surface.h"
-#include "widgets/render/colours.h"
+#include "widgets/render/basics/colours.h"
 
 class vtkActor;
 class vtkPolyData;

@@ -1,4 +1,4 @@
-#include "widgets/render/drawn_resolution.h"
+#include "widgets/render/basics/drawn_resolution.h"
 
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLRenderWindow.h>

@@ -1,4 +1,4 @@
-#include "widgets/render/node_motion.h"
+#include "widgets/render/shapes/node_motion.h"
 
 namespace rubble::render {
 

@@ -1,4 +1,4 @@
-#include "widgets/render/grid_lines.h"
+#include "widgets/render/site/grid_lines.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>

@@ -1,4 +1,4 @@
-#include "widgets/render/disc.h"
+#include "widgets/render/site/disc.h"
 
 #include <vtkCellArray.h>
 #include <vtkPointData.h>

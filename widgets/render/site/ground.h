@@ -4,7 +4,7 @@
 
 #include "core/base/geometry.h"
 #include "core/fe/site_surface.h"
-#include "widgets/render/colours.h"
+#include "widgets/render/basics/colours.h"
 
 class vtkActor;
 class vtkPolyData;

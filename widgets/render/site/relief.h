@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/fe/terrain_grid.h"
-#include "widgets/render/camera.h"
-#include "widgets/render/colours.h"
+#include "widgets/render/basics/camera.h"
+#include "widgets/render/basics/colours.h"
 
 namespace rubble::render {
 

@@ -1,4 +1,4 @@
-#include "widgets/render/scene_data.h"
+#include "widgets/render/basics/scene_data.h"
 
 namespace rubble::render {
 

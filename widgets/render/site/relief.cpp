@@ -1,4 +1,4 @@
-#include "widgets/render/relief.h"
+#include "widgets/render/site/relief.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "widgets/render/view.h"
+#include "widgets/render/basics/view.h"
 
 namespace rubble::render {
 

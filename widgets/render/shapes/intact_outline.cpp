@@ -1,9 +1,9 @@
-#include "widgets/render/intact_outline.h"
+#include "widgets/render/shapes/intact_outline.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "widgets/render/structure_faces.h"
+#include "widgets/render/shapes/structure_faces.h"
 
 namespace rubble::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/render/island_motion.h"
+#include "widgets/render/shapes/island_motion.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "widgets/render/site_layer.h"
+#include "widgets/render/site/site_layer.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -17,7 +17,7 @@
 #include <array>
 #include <cmath>
 
-#include "widgets/render/relief.h"
+#include "widgets/render/site/relief.h"
 
 namespace rubble::render {
 namespace {

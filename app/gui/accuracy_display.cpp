@@ -3,9 +3,9 @@
 #include "app/gui/comparison_memory.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/session/session.h"
-#include "widgets/accuracy_page.h"
-#include "widgets/accuracy_words.h"
-#include "widgets/place_choice.h"
+#include "widgets/accuracy/accuracy_page.h"
+#include "widgets/accuracy/accuracy_words.h"
+#include "widgets/basics/place_choice.h"
 
 namespace rubble {
 

@@ -7,8 +7,8 @@
 #include "core/base/error.h"
 #include "io/base/machine.h"
 #include "io/run/study_files.h"
+#include "widgets/basics/wording.h"
 #include "widgets/figures/live_screen.h"
-#include "widgets/wording.h"
 
 namespace rubble {
 

@@ -7,7 +7,7 @@
 #include "app/gui/time_left.h"
 #include "app/gui/worker.h"
 #include "core/analysis/accuracy/accuracy_study.h"
-#include "widgets/accuracy_panel.h"
+#include "widgets/accuracy/accuracy_panel.h"
 
 namespace rubble {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "widgets/icons.h"
+#include "widgets/basics/icons.h"
 
 namespace rubble {
 

@@ -5,7 +5,7 @@
 
 #include "app/gui/panel_deck.h"
 #include "app/gui/session/session.h"
-#include "widgets/calibration_view.h"
+#include "widgets/accuracy/calibration_view.h"
 
 namespace rubble {
 

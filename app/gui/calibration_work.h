@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/gui/worker.h"
-#include "widgets/calibration_plot.h"
+#include "widgets/accuracy/calibration_plot.h"
 
 namespace rubble {
 

@@ -3,7 +3,7 @@
 #include <QLocale>
 
 #include "app/gui/computation.h"
-#include "widgets/photo_view.h"
+#include "widgets/evidence/photo_view.h"
 
 namespace rubble {
 

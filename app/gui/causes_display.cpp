@@ -11,9 +11,9 @@
 #include "core/scenario/case_lookup.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
-#include "widgets/causes_page.h"
-#include "widgets/causes_panel.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
+#include "widgets/evidence/causes_page.h"
+#include "widgets/evidence/causes_panel.h"
 
 namespace rubble {
 

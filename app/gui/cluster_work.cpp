@@ -13,7 +13,7 @@
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/jobs/program.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
 
 namespace rubble {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "widgets/accuracy_panel.h"
+#include "widgets/accuracy/accuracy_panel.h"
 
 namespace rubble {
 

@@ -4,11 +4,11 @@
 
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
-#include "widgets/component_tree.h"
-#include "widgets/playback_clock.h"
+#include "widgets/basics/theme.h"
+#include "widgets/case/component_tree.h"
 #include "widgets/render/basics/colour_choice.h"
-#include "widgets/theme.h"
-#include "widgets/view_widget.h"
+#include "widgets/views/playback_clock.h"
+#include "widgets/views/view_widget.h"
 
 namespace rubble {
 

@@ -11,7 +11,7 @@
 #include "core/scenario/parameters.h"
 #include "io/case/case_file.h"
 #include "io/run/acknowledgements.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
 
 namespace rubble {
 

@@ -13,7 +13,7 @@
 #include "io/case/input_check.h"
 #include "io/case/open_case.h"
 #include "io/run/run_file.h"
-#include "widgets/stage_rail.h"
+#include "widgets/views/stage_rail.h"
 
 namespace rubble {
 

@@ -6,7 +6,7 @@
 
 #include "core/scenario/case.h"
 #include "core/scenario/parameters.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
 
 namespace rubble {
 

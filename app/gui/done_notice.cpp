@@ -7,7 +7,7 @@
 
 #include "app/gui/main_window.h"
 #include "app/gui/session/session.h"
-#include "widgets/status_line.h"
+#include "widgets/views/status_line.h"
 
 namespace rubble {
 

@@ -12,9 +12,9 @@
 #include "core/scenario/parameters.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
-#include "widgets/ensemble_page.h"
-#include "widgets/ensemble_panel.h"
-#include "widgets/place_choice.h"
+#include "widgets/basics/place_choice.h"
+#include "widgets/evidence/ensemble_page.h"
+#include "widgets/evidence/ensemble_panel.h"
 
 namespace rubble {
 

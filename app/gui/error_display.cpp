@@ -5,7 +5,7 @@
 
 #include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
-#include "widgets/error_bar.h"
+#include "widgets/accuracy/error_bar.h"
 
 namespace rubble {
 

@@ -15,11 +15,11 @@
 #include "app/gui/session/session.h"
 #include "io/case/case_file.h"
 #include "io/site/point_pairs.h"
-#include "widgets/evidence_page.h"
-#include "widgets/evidence_panel.h"
-#include "widgets/theme.h"
-#include "widgets/view_widget.h"
-#include "widgets/wording.h"
+#include "widgets/basics/theme.h"
+#include "widgets/basics/wording.h"
+#include "widgets/evidence/evidence_page.h"
+#include "widgets/evidence/evidence_panel.h"
+#include "widgets/views/view_widget.h"
 
 namespace rubble {
 

@@ -5,7 +5,7 @@
 
 #include "app/gui/camera_overlay.h"
 #include "app/gui/evidence_work.h"
-#include "widgets/photo_view.h"
+#include "widgets/evidence/photo_view.h"
 
 namespace rubble {
 

@@ -5,10 +5,10 @@
 #include "app/gui/ensemble_display.h"
 #include "app/gui/panel_deck.h"
 #include "app/gui/session/session.h"
-#include "widgets/causes_page.h"
-#include "widgets/causes_panel.h"
-#include "widgets/ensemble_page.h"
-#include "widgets/ensemble_panel.h"
+#include "widgets/evidence/causes_page.h"
+#include "widgets/evidence/causes_panel.h"
+#include "widgets/evidence/ensemble_page.h"
+#include "widgets/evidence/ensemble_panel.h"
 
 namespace rubble {
 

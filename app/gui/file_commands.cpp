@@ -20,10 +20,10 @@
 #include "io/case/case_file.h"
 #include "io/exports/exports.h"
 #include "io/run/acknowledgements.h"
+#include "widgets/basics/file_chart.h"
+#include "widgets/case/site_dialog.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/view_json.h"
-#include "widgets/file_chart.h"
-#include "widgets/site_dialog.h"
 
 namespace rubble {
 

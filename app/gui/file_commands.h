@@ -7,9 +7,9 @@
 #include <ostream>
 
 #include "core/scenario/case.h"
+#include "widgets/basics/wording.h"
 #include "widgets/render/basics/scene_data.h"
 #include "widgets/render/basics/view.h"
-#include "widgets/wording.h"
 
 class QWidget;
 

@@ -7,7 +7,7 @@
 #include "app/gui/worker.h"
 #include "core/analysis/accuracy/prediction.h"
 #include "core/pipeline/pipeline.h"
-#include "widgets/prediction_box.h"
+#include "widgets/basics/prediction_box.h"
 
 namespace rubble {
 

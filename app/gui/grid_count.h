@@ -6,7 +6,7 @@
 #include "app/gui/worker.h"
 #include "core/clusters/sizing.h"
 #include "core/fe/fe_result.h"
-#include "widgets/grid_panel.h"
+#include "widgets/accuracy/grid_panel.h"
 
 namespace rubble {
 

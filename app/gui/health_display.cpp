@@ -5,8 +5,8 @@
 #include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
 #include "core/fe/frame_transform.h"
-#include "widgets/health_list.h"
-#include "widgets/timeline.h"
+#include "widgets/run/health_list.h"
+#include "widgets/views/timeline.h"
 
 namespace rubble {
 

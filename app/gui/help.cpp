@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "app/gui/manual.h"
-#include "widgets/language.h"
-#include "widgets/parameter_editor.h"
+#include "widgets/basics/language.h"
+#include "widgets/basics/parameter_editor.h"
 
 namespace rubble {
 

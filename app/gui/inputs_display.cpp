@@ -10,7 +10,7 @@
 #include "app/gui/session/session.h"
 #include "io/case/case_file.h"
 #include "io/case/input_check.h"
-#include "widgets/notice_bar.h"
+#include "widgets/basics/notice_bar.h"
 
 namespace rubble {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/scenario/case.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
 
 class QBoxLayout;
 class QWidget;

@@ -10,7 +10,7 @@
 #include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
 #include "app/gui/view_tools.h"
-#include "widgets/component_tree.h"
+#include "widgets/case/component_tree.h"
 
 namespace rubble {
 

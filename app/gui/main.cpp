@@ -15,10 +15,10 @@
 #include "app/gui/settings.h"
 #include "app/gui/speed_measure.h"
 #include "core/base/memory.h"
+#include "widgets/basics/language.h"
+#include "widgets/basics/theme.h"
+#include "widgets/case/new_case_wizard.h"
 #include "widgets/figures/figure_file.h"
-#include "widgets/language.h"
-#include "widgets/new_case_wizard.h"
-#include "widgets/theme.h"
 
 namespace {
 

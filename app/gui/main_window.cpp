@@ -24,15 +24,15 @@
 #include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
 #include "core/base/build.h"
-#include "widgets/accuracy_page.h"
-#include "widgets/evidence_page.h"
-#include "widgets/evidence_tabs.h"
+#include "widgets/accuracy/accuracy_page.h"
+#include "widgets/basics/evidence_tabs.h"
+#include "widgets/basics/theme.h"
+#include "widgets/evidence/evidence_page.h"
 #include "widgets/figures/palette.h"
 #include "widgets/figures/shown_units.h"
-#include "widgets/status_line.h"
-#include "widgets/theme.h"
-#include "widgets/timeline.h"
-#include "widgets/transport.h"
+#include "widgets/views/status_line.h"
+#include "widgets/views/timeline.h"
+#include "widgets/views/transport.h"
 
 namespace rubble {
 

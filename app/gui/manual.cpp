@@ -8,7 +8,7 @@
 
 #include "app/gui/actions.h"
 #include "core/scenario/parameters.h"
-#include "widgets/language.h"
+#include "widgets/basics/language.h"
 
 namespace rubble {
 

@@ -10,8 +10,8 @@
 #include <algorithm>
 
 #include "app/gui/manual.h"
-#include "widgets/language.h"
-#include "widgets/theme.h"
+#include "widgets/basics/language.h"
+#include "widgets/basics/theme.h"
 
 namespace rubble {
 

@@ -3,7 +3,7 @@
 #include <QUndoCommand>
 #include <utility>
 
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
 
 namespace rubble {
 

@@ -10,10 +10,10 @@
 #include "app/gui/regrouping_edit.h"
 #include "core/fe/units.h"
 #include "io/case/case_file.h"
-#include "widgets/case_panel.h"
-#include "widgets/case_preview.h"
-#include "widgets/new_case_wizard.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
+#include "widgets/case/case_panel.h"
+#include "widgets/case/case_preview.h"
+#include "widgets/case/new_case_wizard.h"
 
 namespace rubble {
 

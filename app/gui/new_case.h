@@ -6,8 +6,8 @@
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
 #include "app/gui/worker.h"
-#include "widgets/new_case_deaths.h"
-#include "widgets/new_case_units.h"
+#include "widgets/case/new_case_deaths.h"
+#include "widgets/case/new_case_units.h"
 #include "widgets/render/basics/view.h"
 
 class QWidget;

@@ -22,9 +22,9 @@
 #include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
 #include "io/fe/fe_reader.h"
+#include "widgets/case/new_case_wizard.h"
+#include "widgets/case/start_page.h"
 #include "widgets/figures/export_record.h"
-#include "widgets/new_case_wizard.h"
-#include "widgets/start_page.h"
 
 namespace rubble {
 

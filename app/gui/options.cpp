@@ -12,7 +12,7 @@
 #include "core/base/bash_completion.h"
 #include "core/base/build.h"
 #include "core/base/man_page.h"
-#include "widgets/language.h"
+#include "widgets/basics/language.h"
 
 namespace rubble {
 

@@ -2,16 +2,16 @@
 
 #include "app/gui/regrouping_edit.h"
 #include "app/gui/session/session.h"
-#include "widgets/case_panel.h"
-#include "widgets/causes_panel.h"
-#include "widgets/effects_panel.h"
-#include "widgets/ensemble_panel.h"
-#include "widgets/evidence_panel.h"
-#include "widgets/evidence_tabs.h"
-#include "widgets/fragments_panel.h"
-#include "widgets/parameter_editor.h"
-#include "widgets/report_panel.h"
-#include "widgets/wording.h"
+#include "widgets/basics/evidence_tabs.h"
+#include "widgets/basics/parameter_editor.h"
+#include "widgets/basics/wording.h"
+#include "widgets/case/case_panel.h"
+#include "widgets/case/fragments_panel.h"
+#include "widgets/evidence/causes_panel.h"
+#include "widgets/evidence/ensemble_panel.h"
+#include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/report_panel.h"
+#include "widgets/run/effects_panel.h"
 
 namespace rubble {
 

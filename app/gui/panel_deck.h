@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "app/gui/worker.h"
-#include "widgets/accuracy_panel.h"
-#include "widgets/grid_panel.h"
-#include "widgets/panel.h"
-#include "widgets/run_panel.h"
-#include "widgets/stage_rail.h"
+#include "widgets/accuracy/accuracy_panel.h"
+#include "widgets/accuracy/grid_panel.h"
+#include "widgets/basics/panel.h"
+#include "widgets/run/run_panel.h"
+#include "widgets/views/stage_rail.h"
 
 namespace rubble {
 

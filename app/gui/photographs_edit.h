@@ -5,7 +5,7 @@
 
 #include "app/gui/evidence_work.h"
 #include "core/scenario/case.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
 
 namespace rubble {
 

@@ -8,8 +8,8 @@
 
 #include "io/exports/provenance.h"
 #include "io/run/run_file.h"
-#include "widgets/figure_dialog.h"
-#include "widgets/movie_dialog.h"
+#include "widgets/evidence/figure_dialog.h"
+#include "widgets/evidence/movie_dialog.h"
 #include "widgets/render/basics/scene_data.h"
 #include "widgets/render/basics/view.h"
 

@@ -4,9 +4,9 @@
 
 #include "app/gui/actions.h"
 #include "app/gui/session/session.h"
-#include "widgets/timeline.h"
-#include "widgets/transport.h"
-#include "widgets/view_widget.h"
+#include "widgets/views/timeline.h"
+#include "widgets/views/transport.h"
+#include "widgets/views/view_widget.h"
 
 namespace rubble {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "widgets/playback_clock.h"
+#include "widgets/views/playback_clock.h"
 
 namespace rubble {
 

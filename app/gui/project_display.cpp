@@ -12,7 +12,7 @@
 #include "app/gui/session/session.h"
 #include "app/gui/start_display.h"
 #include "app/gui/view_area.h"
-#include "widgets/case_panel.h"
+#include "widgets/case/case_panel.h"
 
 namespace rubble {
 

@@ -5,7 +5,7 @@
 #include <QLocale>
 
 #include "app/gui/session/session.h"
-#include "widgets/notice_bar.h"
+#include "widgets/basics/notice_bar.h"
 
 namespace rubble {
 

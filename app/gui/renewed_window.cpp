@@ -5,7 +5,7 @@
 
 #include "app/gui/main_window.h"
 #include "app/gui/session/session.h"
-#include "widgets/language.h"
+#include "widgets/basics/language.h"
 
 namespace rubble {
 

@@ -15,9 +15,9 @@
 #include "io/exports/provenance.h"
 #include "io/exports/report_facts.h"
 #include "io/site/site_place.h"
+#include "widgets/basics/wording.h"
+#include "widgets/evidence/report_panel.h"
 #include "widgets/figures/report/report_pictures.h"
-#include "widgets/report_panel.h"
-#include "widgets/wording.h"
 
 namespace rubble {
 

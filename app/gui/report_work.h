@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/gui/worker.h"
-#include "widgets/report_panel.h"
+#include "widgets/evidence/report_panel.h"
 
 class QWidget;
 

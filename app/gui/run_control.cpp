@@ -15,7 +15,7 @@
 #include "app/gui/scene_display.h"
 #include "app/gui/session/session.h"
 #include "app/gui/status_feed.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
 
 namespace rubble {
 

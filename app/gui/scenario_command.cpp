@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "widgets/language.h"
-#include "widgets/wording.h"
+#include "widgets/basics/language.h"
+#include "widgets/basics/wording.h"
 
 namespace rubble {
 

@@ -6,7 +6,7 @@
 
 #include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
-#include "widgets/scenario_bar.h"
+#include "widgets/views/scenario_bar.h"
 
 namespace rubble {
 

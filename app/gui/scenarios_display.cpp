@@ -7,10 +7,10 @@
 
 #include "app/gui/project_files.h"
 #include "app/gui/session/session.h"
-#include "widgets/run_list.h"
-#include "widgets/scenario_comparison.h"
-#include "widgets/scenario_list.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
+#include "widgets/case/scenario_comparison.h"
+#include "widgets/case/scenario_list.h"
+#include "widgets/run/run_list.h"
 
 namespace rubble {
 

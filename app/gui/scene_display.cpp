@@ -8,7 +8,7 @@
 #include "app/gui/playback.h"
 #include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
-#include "widgets/theme.h"
+#include "widgets/basics/theme.h"
 
 namespace rubble {
 

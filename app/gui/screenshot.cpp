@@ -17,9 +17,9 @@
 #include "app/gui/session/session.h"
 #include "app/gui/survey_display.h"
 #include "app/gui/view_area.h"
-#include "widgets/accuracy_chart.h"
-#include "widgets/accuracy_page.h"
-#include "widgets/evidence_page.h"
+#include "widgets/accuracy/accuracy_chart.h"
+#include "widgets/accuracy/accuracy_page.h"
+#include "widgets/evidence/evidence_page.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/view_json.h"
 

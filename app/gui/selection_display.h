@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "app/gui/worker.h"
-#include "widgets/inspector.h"
 #include "widgets/render/basics/scene_data.h"
-#include "widgets/select_form.h"
+#include "widgets/views/inspector.h"
+#include "widgets/views/select_form.h"
 
 namespace rubble {
 

@@ -2,7 +2,7 @@
 
 #include <QFileInfo>
 
-#include "widgets/language.h"
+#include "widgets/basics/language.h"
 
 namespace rubble {
 

@@ -3,7 +3,7 @@
 #include <QSettings>
 #include <QStringList>
 
-#include "widgets/preferences_dialog.h"
+#include "widgets/case/preferences_dialog.h"
 
 namespace rubble {
 

@@ -10,7 +10,7 @@
 #include "app/gui/sample.h"
 #include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
-#include "widgets/start_page.h"
+#include "widgets/case/start_page.h"
 
 namespace rubble {
 

@@ -8,9 +8,9 @@
 
 #include "app/gui/playback.h"
 #include "app/gui/session/session.h"
-#include "widgets/health_list.h"
-#include "widgets/status_line.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
+#include "widgets/run/health_list.h"
+#include "widgets/views/status_line.h"
 
 namespace rubble {
 

@@ -4,7 +4,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "widgets/frame_meter.h"
+#include "widgets/views/frame_meter.h"
 
 namespace rubble {
 

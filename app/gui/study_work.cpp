@@ -6,7 +6,7 @@
 #include "io/base/files.h"
 #include "io/base/machine.h"
 #include "io/run/settled_files.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
 
 namespace rubble {
 

@@ -15,11 +15,11 @@
 #include "io/exports/provenance.h"
 #include "io/exports/survey_files.h"
 #include "io/site/site_place.h"
-#include "widgets/evidence_page.h"
-#include "widgets/evidence_panel.h"
+#include "widgets/evidence/evidence_page.h"
+#include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/survey_box.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/survey_picture.h"
-#include "widgets/survey_box.h"
 
 namespace rubble {
 

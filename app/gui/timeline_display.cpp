@@ -9,9 +9,9 @@
 #include "app/gui/actions.h"
 #include "app/gui/document.h"
 #include "app/gui/playback.h"
-#include "widgets/bookmark_editor.h"
-#include "widgets/timeline.h"
-#include "widgets/transport.h"
+#include "widgets/views/bookmark_editor.h"
+#include "widgets/views/timeline.h"
+#include "widgets/views/transport.h"
 
 namespace rubble {
 

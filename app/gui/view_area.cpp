@@ -3,11 +3,11 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "widgets/clip_bar.h"
-#include "widgets/error_bar.h"
-#include "widgets/scenario_bar.h"
-#include "widgets/start_page.h"
-#include "widgets/theme.h"
+#include "widgets/accuracy/error_bar.h"
+#include "widgets/basics/theme.h"
+#include "widgets/case/start_page.h"
+#include "widgets/views/clip_bar.h"
+#include "widgets/views/scenario_bar.h"
 
 namespace rubble {
 

@@ -2,8 +2,8 @@
 
 #include <QStackedWidget>
 
-#include "widgets/panel.h"
-#include "widgets/view_widget.h"
+#include "widgets/basics/panel.h"
+#include "widgets/views/view_widget.h"
 
 namespace rubble {
 

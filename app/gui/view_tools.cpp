@@ -6,7 +6,7 @@
 
 #include "app/gui/view_area.h"
 #include "core/fe/frame_transform.h"
-#include "widgets/clip_bar.h"
+#include "widgets/views/clip_bar.h"
 
 namespace rubble {
 

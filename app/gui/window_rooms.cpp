@@ -7,13 +7,13 @@
 #include "app/gui/session/session.h"
 #include "app/gui/view_area.h"
 #include "app/gui/view_tools.h"
-#include "widgets/accuracy_chart.h"
-#include "widgets/accuracy_page.h"
-#include "widgets/calibration_chart.h"
-#include "widgets/calibration_view.h"
-#include "widgets/cause_chart.h"
-#include "widgets/causes_page.h"
-#include "widgets/status_line.h"
+#include "widgets/accuracy/accuracy_chart.h"
+#include "widgets/accuracy/accuracy_page.h"
+#include "widgets/accuracy/calibration_chart.h"
+#include "widgets/accuracy/calibration_view.h"
+#include "widgets/evidence/cause_chart.h"
+#include "widgets/evidence/causes_page.h"
+#include "widgets/views/status_line.h"
 
 namespace rubble {
 

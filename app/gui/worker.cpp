@@ -5,7 +5,7 @@
 #include <new>
 
 #include "core/base/error.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
 
 namespace rubble {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/base/execution.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
 
 namespace rubble {
 

@@ -1,4 +1,4 @@
-#include "widgets/accuracy_page.h"
+#include "widgets/accuracy/accuracy_page.h"
 #include <gtest/gtest.h>
 
 #include "core/base/unknown.h"
@@ -12,10 +12,10 @@
 #include <QTest>
 #include <cmath>
 
-#include "widgets/accuracy_chart.h"
-#include "widgets/accuracy_panel.h"
-#include "widgets/accuracy_table.h"
-#include "widgets/theme.h"
+#include "widgets/accuracy/accuracy_chart.h"
+#include "widgets/accuracy/accuracy_panel.h"
+#include "widgets/accuracy/accuracy_table.h"
+#include "widgets/basics/theme.h"
 
 namespace rubble::widgets {
 

@@ -1,4 +1,4 @@
-#include "widgets/calibration_view.h"
+#include "widgets/accuracy/calibration_view.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 
 #include "core/analysis/accuracy/machine_load.h"
 #include "core/analysis/accuracy/published_results.h"
-#include "widgets/calibration_chart.h"
-#include "widgets/theme.h"
+#include "widgets/accuracy/calibration_chart.h"
+#include "widgets/basics/theme.h"
 
 namespace rubble::widgets {
 

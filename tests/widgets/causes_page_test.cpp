@@ -1,4 +1,4 @@
-#include "widgets/causes_page.h"
+#include "widgets/evidence/causes_page.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <QTableWidget>
 #include <QTest>
 
-#include "widgets/cause_chart.h"
-#include "widgets/causes_panel.h"
-#include "widgets/panel.h"
+#include "widgets/basics/panel.h"
+#include "widgets/evidence/cause_chart.h"
+#include "widgets/evidence/causes_panel.h"
 
 namespace rubble::widgets {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/chart_axis.h"
+#include "widgets/basics/chart_axis.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/clip_bar.h"
+#include "widgets/views/clip_bar.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/component_tree.h"
+#include "widgets/case/component_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
-#include "widgets/parameter_editor.h"
+#include "widgets/basics/parameter_editor.h"
 
 namespace rubble::widgets {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/effects_panel.h"
+#include "widgets/run/effects_panel.h"
 #include <gtest/gtest.h>
 
 #include "core/base/unknown.h"
@@ -9,10 +9,10 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "widgets/contact_table.h"
-#include "widgets/effect_row.h"
-#include "widgets/materials_table.h"
-#include "widgets/parameter_editor.h"
+#include "widgets/basics/parameter_editor.h"
+#include "widgets/case/contact_table.h"
+#include "widgets/case/materials_table.h"
+#include "widgets/run/effect_row.h"
 
 namespace rubble::widgets {
 

@@ -1,4 +1,4 @@
-#include "widgets/ensemble_panel.h"
+#include "widgets/evidence/ensemble_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 #include <QToolButton>
 
 #include "core/evidence/ensembles/probability_map.h"
-#include "widgets/ensemble_page.h"
-#include "widgets/number_field.h"
+#include "widgets/basics/number_field.h"
+#include "widgets/evidence/ensemble_page.h"
 
 namespace rubble::widgets {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/error_bar.h"
+#include "widgets/accuracy/error_bar.h"
 
 #include <gtest/gtest.h>
 

@@ -8,10 +8,10 @@
 #include <QTest>
 
 #include "core/base/error.h"
-#include "widgets/evidence_panel.h"
-#include "widgets/number_field.h"
-#include "widgets/photo_pairs.h"
-#include "widgets/photo_view.h"
+#include "widgets/basics/number_field.h"
+#include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/photo_pairs.h"
+#include "widgets/evidence/photo_view.h"
 
 namespace rubble::widgets {
 namespace {

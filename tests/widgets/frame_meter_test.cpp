@@ -1,4 +1,4 @@
-#include "widgets/frame_meter.h"
+#include "widgets/views/frame_meter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/health_list.h"
+#include "widgets/run/health_list.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <QPushButton>
 #include <QTest>
 
-#include "widgets/panel.h"
-#include "widgets/run_panel.h"
-#include "widgets/theme.h"
+#include "widgets/basics/panel.h"
+#include "widgets/basics/theme.h"
+#include "widgets/run/run_panel.h"
 
 namespace rubble::widgets {
 

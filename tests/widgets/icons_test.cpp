@@ -1,11 +1,11 @@
-#include "widgets/icons.h"
+#include "widgets/basics/icons.h"
 
 #include <gtest/gtest.h>
 
 #include <QImage>
 #include <set>
 
-#include "widgets/theme.h"
+#include "widgets/basics/theme.h"
 
 namespace rubble::widgets {
 

@@ -1,4 +1,4 @@
-#include "widgets/inspector.h"
+#include "widgets/views/inspector.h"
 
 #include <gtest/gtest.h>
 

@@ -9,15 +9,15 @@
 #include <QVBoxLayout>
 #include <map>
 
-#include "widgets/case_panel.h"
-#include "widgets/effects_panel.h"
-#include "widgets/fragments_panel.h"
-#include "widgets/grid_panel.h"
-#include "widgets/panel.h"
-#include "widgets/parameter_editor.h"
-#include "widgets/run_panel.h"
-#include "widgets/stage_rail.h"
-#include "widgets/status_line.h"
+#include "widgets/accuracy/grid_panel.h"
+#include "widgets/basics/panel.h"
+#include "widgets/basics/parameter_editor.h"
+#include "widgets/case/case_panel.h"
+#include "widgets/case/fragments_panel.h"
+#include "widgets/run/effects_panel.h"
+#include "widgets/run/run_panel.h"
+#include "widgets/views/stage_rail.h"
+#include "widgets/views/status_line.h"
 
 namespace rubble::widgets {
 

@@ -1,4 +1,4 @@
-#include "widgets/parameter_editor.h"
+#include "widgets/basics/parameter_editor.h"
 
 #include <gtest/gtest.h>
 

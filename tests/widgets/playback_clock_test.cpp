@@ -1,4 +1,4 @@
-#include "widgets/playback_clock.h"
+#include "widgets/views/playback_clock.h"
 
 #include <gtest/gtest.h>
 

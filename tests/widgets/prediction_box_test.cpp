@@ -1,4 +1,4 @@
-#include "widgets/prediction_box.h"
+#include "widgets/basics/prediction_box.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <QSignalSpy>
 #include <cmath>
 
-#include "widgets/run_panel.h"
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
+#include "widgets/run/run_panel.h"
 
 namespace rubble::widgets {
 

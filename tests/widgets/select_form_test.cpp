@@ -1,4 +1,4 @@
-#include "widgets/select_form.h"
+#include "widgets/views/select_form.h"
 
 #include <gtest/gtest.h>
 

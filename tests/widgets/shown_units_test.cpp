@@ -6,10 +6,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "widgets/number_field.h"
-#include "widgets/parameter_editor.h"
-#include "widgets/unit_label.h"
-#include "widgets/wording.h"
+#include "widgets/basics/number_field.h"
+#include "widgets/basics/parameter_editor.h"
+#include "widgets/basics/unit_label.h"
+#include "widgets/basics/wording.h"
 
 namespace rubble::widgets {
 

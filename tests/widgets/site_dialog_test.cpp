@@ -1,4 +1,4 @@
-#include "widgets/site_dialog.h"
+#include "widgets/case/site_dialog.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <QTest>
 #include <array>
 
-#include "widgets/number_field.h"
+#include "widgets/basics/number_field.h"
 
 namespace rubble::widgets {
 namespace {

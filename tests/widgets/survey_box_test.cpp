@@ -1,4 +1,4 @@
-#include "widgets/survey_box.h"
+#include "widgets/evidence/survey_box.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <QTest>
 #include <map>
 
-#include "widgets/number_field.h"
-#include "widgets/survey_view.h"
+#include "widgets/basics/number_field.h"
+#include "widgets/evidence/survey_view.h"
 
 namespace rubble::widgets {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/timeline.h"
+#include "widgets/views/timeline.h"
 
 #include <gtest/gtest.h>
 

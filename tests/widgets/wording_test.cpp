@@ -1,4 +1,4 @@
-#include "widgets/wording.h"
+#include "widgets/basics/wording.h"
 
 #include <gtest/gtest.h>
 

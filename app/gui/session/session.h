@@ -9,7 +9,7 @@
 
 #include "app/gui/computation.h"
 #include "app/gui/document.h"
-#include "widgets/preferences_dialog.h"
+#include "widgets/case/preferences_dialog.h"
 
 namespace rubble {
 

@@ -13,9 +13,9 @@
 #include "core/analysis/accuracy/sweep_table.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
-#include "widgets/accuracy_chart.h"
-#include "widgets/accuracy_page.h"
-#include "widgets/accuracy_table.h"
+#include "widgets/accuracy/accuracy_chart.h"
+#include "widgets/accuracy/accuracy_page.h"
+#include "widgets/accuracy/accuracy_table.h"
 
 namespace rubble {
 

@@ -29,9 +29,9 @@
 #include "tests/app/gui/workbench.h"
 #include "tests/support/run_tests.h"
 #include "tests/support/small_collapse.h"
-#include "widgets/accuracy_panel.h"
-#include "widgets/calibration_view.h"
-#include "widgets/error_bar.h"
+#include "widgets/accuracy/accuracy_panel.h"
+#include "widgets/accuracy/calibration_view.h"
+#include "widgets/accuracy/error_bar.h"
 
 namespace rubble {
 

@@ -20,11 +20,11 @@
 #include "io/run/study_files.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
-#include "widgets/calibration_chart.h"
-#include "widgets/calibration_view.h"
-#include "widgets/error_bar.h"
-#include "widgets/language.h"
-#include "widgets/prediction_box.h"
+#include "widgets/accuracy/calibration_chart.h"
+#include "widgets/accuracy/calibration_view.h"
+#include "widgets/accuracy/error_bar.h"
+#include "widgets/basics/language.h"
+#include "widgets/basics/prediction_box.h"
 
 namespace rubble {
 

@@ -6,11 +6,11 @@
 #include "app/gui/view_area.h"
 #include "io/run/acknowledgements.h"
 #include "tests/app/gui/workbench.h"
-#include "widgets/effect_row.h"
-#include "widgets/effects_panel.h"
-#include "widgets/health_list.h"
-#include "widgets/status_line.h"
-#include "widgets/timeline.h"
+#include "widgets/run/effect_row.h"
+#include "widgets/run/effects_panel.h"
+#include "widgets/run/health_list.h"
+#include "widgets/views/status_line.h"
+#include "widgets/views/timeline.h"
 
 namespace rubble {
 

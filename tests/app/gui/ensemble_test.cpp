@@ -16,13 +16,13 @@
 #include "tests/app/gui/workbench.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
-#include "widgets/case_panel.h"
-#include "widgets/causes_page.h"
-#include "widgets/causes_panel.h"
-#include "widgets/ensemble_page.h"
-#include "widgets/ensemble_panel.h"
-#include "widgets/evidence_tabs.h"
-#include "widgets/panel.h"
+#include "widgets/basics/evidence_tabs.h"
+#include "widgets/basics/panel.h"
+#include "widgets/case/case_panel.h"
+#include "widgets/evidence/causes_page.h"
+#include "widgets/evidence/causes_panel.h"
+#include "widgets/evidence/ensemble_page.h"
+#include "widgets/evidence/ensemble_panel.h"
 
 namespace rubble {
 namespace {

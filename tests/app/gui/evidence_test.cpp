@@ -12,10 +12,10 @@
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/places.h"
-#include "widgets/evidence_page.h"
-#include "widgets/evidence_panel.h"
+#include "widgets/evidence/evidence_page.h"
+#include "widgets/evidence/evidence_panel.h"
 #include "widgets/figures/camera_picture.h"
-#include "widgets/view_widget.h"
+#include "widgets/views/view_widget.h"
 
 namespace rubble {
 namespace {

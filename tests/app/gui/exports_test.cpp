@@ -14,10 +14,10 @@
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
-#include "widgets/figure_dialog.h"
-#include "widgets/movie_dialog.h"
-#include "widgets/report_panel.h"
-#include "widgets/status_line.h"
+#include "widgets/evidence/figure_dialog.h"
+#include "widgets/evidence/movie_dialog.h"
+#include "widgets/evidence/report_panel.h"
+#include "widgets/views/status_line.h"
 
 namespace rubble {
 namespace {

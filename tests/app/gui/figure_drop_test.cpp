@@ -19,12 +19,12 @@
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
-#include "widgets/figure_dialog.h"
+#include "widgets/evidence/figure_dialog.h"
 #include "widgets/figures/view_json.h"
 #include "widgets/render/basics/camera.h"
 #include "widgets/render/panes.h"
 #include "widgets/render/scene.h"
-#include "widgets/status_line.h"
+#include "widgets/views/status_line.h"
 
 namespace rubble {
 namespace {

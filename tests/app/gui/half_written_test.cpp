@@ -16,7 +16,7 @@
 #include "io/run/run_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/photographed_case.h"
-#include "widgets/report_panel.h"
+#include "widgets/evidence/report_panel.h"
 
 namespace rubble {
 namespace {

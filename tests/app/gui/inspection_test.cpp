@@ -12,10 +12,10 @@
 #include "app/gui/selection_display.h"
 #include "app/gui/view_area.h"
 #include "tests/app/gui/workbench.h"
-#include "widgets/clip_bar.h"
-#include "widgets/component_tree.h"
+#include "widgets/case/component_tree.h"
 #include "widgets/figures/view_json.h"
-#include "widgets/inspector.h"
+#include "widgets/views/clip_bar.h"
+#include "widgets/views/inspector.h"
 
 namespace rubble {
 

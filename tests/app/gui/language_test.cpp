@@ -1,4 +1,4 @@
-#include "widgets/language.h"
+#include "widgets/basics/language.h"
 
 #include <gtest/gtest.h>
 
@@ -30,11 +30,11 @@
 #include "io/exports/exports.h"
 #include "tests/app/gui/spoken_texts.h"
 #include "tests/app/gui/workbench.h"
-#include "widgets/accuracy_panel.h"
-#include "widgets/new_case_wizard.h"
-#include "widgets/preferences_dialog.h"
-#include "widgets/spoken_text.h"
-#include "widgets/status_line.h"
+#include "widgets/accuracy/accuracy_panel.h"
+#include "widgets/basics/spoken_text.h"
+#include "widgets/case/new_case_wizard.h"
+#include "widgets/case/preferences_dialog.h"
+#include "widgets/views/status_line.h"
 
 namespace rubble {
 

@@ -20,9 +20,9 @@
 #include "app/gui/view_area.h"
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
-#include "widgets/case_panel.h"
-#include "widgets/status_line.h"
-#include "widgets/timeline.h"
+#include "widgets/case/case_panel.h"
+#include "widgets/views/status_line.h"
+#include "widgets/views/timeline.h"
 
 namespace rubble {
 

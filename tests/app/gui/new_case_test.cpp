@@ -15,9 +15,9 @@
 #include "app/gui/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
-#include "widgets/case_preview.h"
-#include "widgets/new_case_wizard.h"
-#include "widgets/parameter_editor.h"
+#include "widgets/basics/parameter_editor.h"
+#include "widgets/case/case_preview.h"
+#include "widgets/case/new_case_wizard.h"
 
 namespace rubble {
 

@@ -12,7 +12,7 @@
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "tests/support/temporary_folder.h"
-#include "widgets/status_line.h"
+#include "widgets/views/status_line.h"
 
 namespace rubble {
 namespace {

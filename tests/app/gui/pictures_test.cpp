@@ -14,8 +14,8 @@
 #include "app/gui/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/places.h"
-#include "widgets/case_preview.h"
-#include "widgets/new_case_wizard.h"
+#include "widgets/case/case_preview.h"
+#include "widgets/case/new_case_wizard.h"
 
 namespace rubble {
 

@@ -28,7 +28,7 @@
 #include "tests/app/gui/workbench.h"
 #include "tests/support/run_tests.h"
 #include "tests/support/small_collapse.h"
-#include "widgets/timeline.h"
+#include "widgets/views/timeline.h"
 
 namespace rubble {
 

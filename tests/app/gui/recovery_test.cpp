@@ -22,7 +22,7 @@
 #include "tests/app/gui/left_session.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
-#include "widgets/notice_bar.h"
+#include "widgets/basics/notice_bar.h"
 
 namespace rubble {
 

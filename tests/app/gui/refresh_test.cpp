@@ -10,7 +10,7 @@
 #include "app/gui/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
-#include "widgets/status_line.h"
+#include "widgets/views/status_line.h"
 
 namespace rubble {
 

@@ -9,7 +9,7 @@
 #include "app/gui/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
-#include "widgets/scenario_bar.h"
+#include "widgets/views/scenario_bar.h"
 
 namespace rubble {
 

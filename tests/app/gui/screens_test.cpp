@@ -14,8 +14,8 @@
 #include "tests/app/gui/legibility.h"
 #include "tests/app/gui/spoken_texts.h"
 #include "tests/app/gui/workbench.h"
-#include "widgets/language.h"
-#include "widgets/new_case_wizard.h"
+#include "widgets/basics/language.h"
+#include "widgets/case/new_case_wizard.h"
 
 namespace rubble {
 

@@ -8,7 +8,7 @@
 
 #include "app/gui/view_area.h"
 #include "tests/app/gui/workbench.h"
-#include "widgets/view_widget.h"
+#include "widgets/views/view_widget.h"
 
 namespace rubble {
 namespace {

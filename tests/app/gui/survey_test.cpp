@@ -14,11 +14,11 @@
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/temporary_folder.h"
-#include "widgets/case_panel.h"
-#include "widgets/evidence_panel.h"
-#include "widgets/site_dialog.h"
-#include "widgets/survey_box.h"
-#include "widgets/view_widget.h"
+#include "widgets/case/case_panel.h"
+#include "widgets/case/site_dialog.h"
+#include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/survey_box.h"
+#include "widgets/views/view_widget.h"
 
 namespace rubble {
 namespace {

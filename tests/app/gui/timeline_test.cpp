@@ -1,4 +1,4 @@
-#include "widgets/timeline.h"
+#include "widgets/views/timeline.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
-#include "widgets/bookmark_editor.h"
+#include "widgets/views/bookmark_editor.h"
 
 namespace rubble {
 

@@ -7,14 +7,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/gui/worker.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/view_area.h"
+#include "app/gui/worker.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
+#include "widgets/basics/parameter_editor.h"
+#include "widgets/case/fragments_panel.h"
 #include "widgets/figures/figure_file.h"
-#include "widgets/fragments_panel.h"
-#include "widgets/parameter_editor.h"
 
 namespace rubble {
 

@@ -7,7 +7,7 @@
 #include "app/gui/settings.h"
 #include "app/gui/view_area.h"
 #include "tests/app/gui/workbench.h"
-#include "widgets/preferences_dialog.h"
+#include "widgets/case/preferences_dialog.h"
 #include "widgets/render/basics/camera.h"
 #include "widgets/render/panes.h"
 

@@ -3,8 +3,8 @@
 #include <QPainter>
 #include <QSettings>
 
-#include "widgets/language.h"
-#include "widgets/view_widget.h"
+#include "widgets/basics/language.h"
+#include "widgets/views/view_widget.h"
 
 namespace rubble {
 

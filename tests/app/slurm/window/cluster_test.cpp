@@ -19,11 +19,11 @@
 #include "tests/app/slurm/one_node.h"
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
-#include "widgets/accuracy_page.h"
-#include "widgets/accuracy_table.h"
-#include "widgets/ensemble_page.h"
-#include "widgets/ensemble_panel.h"
-#include "widgets/place_choice.h"
+#include "widgets/accuracy/accuracy_page.h"
+#include "widgets/accuracy/accuracy_table.h"
+#include "widgets/basics/place_choice.h"
+#include "widgets/evidence/ensemble_page.h"
+#include "widgets/evidence/ensemble_panel.h"
 
 namespace rubble {
 

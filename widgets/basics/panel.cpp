@@ -1,0 +1,265 @@
+#include "widgets/basics/panel.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QStyle>
+#include <QVBoxLayout>
+
+#include "widgets/basics/parameter_editor.h"
+#include "widgets/basics/prediction_box.h"
+#include "widgets/basics/spoken_text.h"
+#include "widgets/basics/theme.h"
+#include "widgets/basics/unit_label.h"
+#include "widgets/basics/wording.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+/// The layout of what a panel scrolls. A scroll area does not ask for the height that wrapped sentences need at its width, so this
+/// does whenever things are placed: not every change of them is told to the widget as an event.
+class PanelColumn : public QVBoxLayout {
+public:
+    using QVBoxLayout::QVBoxLayout;
+    void setGeometry(const QRect& place) override {
+        QVBoxLayout::setGeometry(place);
+        parentWidget()->setMinimumHeight(totalHeightForWidth(parentWidget()->width()));
+    }
+};
+
+}  // namespace
+
+Notice::Notice(QWidget* parent) : QFrame(parent), m_label(new QLabel) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(10, 8, 10, 8);
+    row->addWidget(m_label);
+    m_label->setWordWrap(true);
+    m_label->setTextFormat(Qt::RichText);
+    m_label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::LinksAccessibleByMouse);
+    setObjectName(QStringLiteral("notice"));
+    hide();
+}
+
+void Notice::set(Kind kind, const QString& what, const QString& remedy) {
+    static constexpr std::array names = {"note", "finding", "error"};
+    setProperty("kind", QString::fromLatin1(names[static_cast<std::size_t>(kind)]));
+    QString html = what.toHtmlEscaped().replace(u'\n', QStringLiteral("<br/>"));
+    if (!remedy.isEmpty()) {
+        html += QStringLiteral("<br/><span style='color:%1'>%2</span>").arg(tints().muted.name(), remedy.toHtmlEscaped());
+    }
+    m_label->setText(html);
+    setVisible(!what.isEmpty());
+    // A style sheet reads properties when a widget is polished.
+    style()->unpolish(this);
+    style()->polish(this);
+}
+
+QString Notice::text() const {
+    return isHidden() ? QString() : m_label->text();
+}
+
+FindingList::FindingList(QWidget* parent) : QWidget(parent), m_column(new QVBoxLayout(this)) {
+    m_column->setContentsMargins(0, 0, 0, 0);
+    m_column->setSpacing(8);
+    hide();
+}
+
+void FindingList::set(const Findings& findings) {
+    while (QLayoutItem* item = m_column->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    for (const Finding& finding : findings.list()) {
+        auto* notice = new Notice;
+        QString text = worded(finding.what);
+        // Some sentences name their count themselves.
+        if (finding.count > 1 && !text.contains(shownCount(finding.count))) {
+            text = tr("%1×: %2").arg(shownCount(finding.count), text);
+        }
+        if (!finding.example.empty()) {
+            text += QStringLiteral(" (") + tr("first: %1").arg(spokenText(finding.example)) + QStringLiteral(")");
+        }
+        notice->set(Notice::Kind::Finding, text, worded(finding.remedy));
+        m_column->addWidget(notice);
+    }
+    setVisible(!findings.empty());
+}
+
+PanelGroup::PanelGroup(const QString& heading, QWidget* parent) : QWidget(parent), m_grid(new QGridLayout) {
+    auto* title = new QLabel(heading);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    title->setObjectName(QStringLiteral("groupHeading"));
+    title->setFont(groupFont());
+    title->setVisible(!heading.isEmpty());
+    column->addWidget(title);
+    column->addLayout(m_grid);
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setHorizontalSpacing(8);
+    m_grid->setVerticalSpacing(4);
+    m_grid->setColumnStretch(0, 5);
+    m_grid->setColumnStretch(1, 4);
+    m_grid->setColumnMinimumWidth(0, 80);
+    m_grid->setColumnMinimumWidth(2, 28);
+}
+
+QLabel* PanelGroup::addValue(const QString& label, const QString& unit, const QString& tip) {
+    const int row = m_grid->rowCount();
+    auto* name = new QLabel(label);
+    name->setWordWrap(true);
+    name->setToolTip(tip);
+    auto* value = new QLabel(QString(QChar(0x2013)));
+    value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    // A long one takes further lines, never the room of the names.
+    value->setWordWrap(true);
+    value->setObjectName(QStringLiteral("value"));
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    value->setToolTip(tip);
+    value->setAccessibleName(label);
+    auto* of = new UnitLabel(unit);
+    m_grid->addWidget(name, row, 0);
+    m_grid->addWidget(value, row, 1);
+    m_grid->addWidget(of, row, 2);
+    return value;
+}
+
+ParameterEditor* PanelGroup::addParameter(const Parameter& parameter, const std::string& subject) {
+    const int row = m_grid->rowCount();
+    auto* editor = new ParameterEditor(parameter, subject);
+    auto* name = new QLabel(editor->label());
+    name->setWordWrap(true);
+    name->setToolTip(editor->toolTip());
+    name->setBuddy(editor);
+    auto* of = new UnitLabel(editor->siUnit());
+    m_grid->addWidget(name, row, 0);
+    m_grid->addWidget(editor, row, 1);
+    m_grid->addWidget(of, row, 2);
+    return editor;
+}
+
+void PanelGroup::addField(const QString& label, QWidget* field, const QString& unit, const QString& tip) {
+    const int row = m_grid->rowCount();
+    auto* name = new QLabel(label);
+    name->setWordWrap(true);
+    name->setToolTip(tip);
+    name->setBuddy(field);
+    field->setToolTip(tip);
+    auto* of = new UnitLabel(unit);
+    m_grid->addWidget(name, row, 0);
+    m_grid->addWidget(field, row, 1);
+    m_grid->addWidget(of, row, 2);
+}
+
+void PanelGroup::addWide(QWidget* widget) {
+    m_grid->addWidget(widget, m_grid->rowCount(), 0, 1, 3);
+}
+
+QLabel* PanelGroup::addNote(const QString& text) {
+    auto* note = new QLabel(text);
+    note->setObjectName(QStringLiteral("muted"));
+    note->setWordWrap(true);
+    addWide(note);
+    return note;
+}
+
+Panel::Panel(const QString& title, const QString& question, QWidget* parent)
+    : QScrollArea(parent), m_column(new QVBoxLayout), m_error(new Notice), m_stale(new Notice) {
+    auto* body = new QWidget;
+    body->setObjectName(QStringLiteral("panelBody"));
+    auto* outer = new PanelColumn(body);
+    outer->setContentsMargins(14, 12, 14, 16);
+    outer->setSpacing(4);
+    auto* heading = new QLabel(title);
+    heading->setFont(titleFont());
+    outer->addWidget(heading);
+    auto* subtitle = new QLabel(question);
+    subtitle->setObjectName(QStringLiteral("muted"));
+    subtitle->setWordWrap(true);
+    outer->addWidget(subtitle);
+    m_column->setSpacing(16);
+    m_column->setContentsMargins(0, 12, 0, 0);
+    m_column->addWidget(m_error);
+    m_column->addWidget(m_stale);
+    outer->addLayout(m_column);
+    outer->addStretch();
+    setWidget(body);
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+}
+
+QSize Panel::sizeHint() const {
+    return {264, 480};
+}
+
+PanelGroup* Panel::addGroup(const QString& heading) {
+    auto* group = new PanelGroup(heading);
+    m_column->addWidget(group);
+    return group;
+}
+
+void Panel::addWide(QWidget* widget) {
+    m_column->addWidget(widget);
+}
+
+void Panel::setStale(bool stale, const QString& why) {
+    m_stale->set(Notice::Kind::Note, stale ? why : QString());
+}
+
+void Panel::setError(const QString& what, const QString& remedy) {
+    m_error->set(Notice::Kind::Error, what, remedy);
+}
+
+void Panel::setScenario(const Scenario& scenario) {
+    for (ParameterEditor* editor : std::as_const(m_editors)) {
+        editor->setValue(parameterValue(scenario, editor->key().toStdString()));
+    }
+}
+
+void Panel::setEditable(bool editable) {
+    for (ParameterEditor* editor : std::as_const(m_editors)) {
+        editor->setAvailable(editable, tr("Open a result first"));
+    }
+}
+
+void Panel::addPrediction() {
+    m_prediction = new PredictionBox;
+    addWide(m_prediction);
+    connect(m_prediction, &PredictionBox::helpRequested, this, &Panel::predictionHelpRequested);
+}
+
+void Panel::setPrediction(const PredictionContent& content) {
+    if (m_prediction != nullptr) {
+        m_prediction->setContent(content);
+    }
+}
+
+ParameterEditor* Panel::addParameter(PanelGroup* group, const std::string& key) {
+    const auto [row, subject] = findParameter(key);
+    ParameterEditor* editor = group->addParameter(*row, subject);
+    takeEditor(editor);
+    return editor;
+}
+
+void Panel::takeEditor(ParameterEditor* editor) {
+    connect(editor, &ParameterEditor::edited, this, &Panel::edited);
+    m_editors.insert(editor->key(), editor);
+}
+
+void Panel::addRemaining(Stage stage, const QString& heading, bool (*elsewhere)(std::string_view key)) {
+    PanelGroup* group = nullptr;
+    for (const Parameter& row : parameterTable()) {
+        const QString key = QString::fromUtf8(row.key.data(), static_cast<qsizetype>(row.key.size()));
+        const bool shown = m_editors.contains(key) || (elsewhere != nullptr && elsewhere(row.key));
+        if (row.stage == stage && !row.keyed() && !shown) {
+            if (group == nullptr) {
+                group = addGroup(heading);
+            }
+            addParameter(group, std::string(row.key));
+        }
+    }
+}
+
+}  // namespace rubble::widgets

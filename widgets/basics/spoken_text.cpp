@@ -1,0 +1,121 @@
+#include "widgets/basics/spoken_text.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <QStringList>
+#include <array>
+#include <vector>
+
+#include "widgets/basics/language.h"
+#include "widgets/basics/wording.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+/// Places and reasons that core makes into texts before they become part of a message.
+constexpr std::array madeTexts = {
+    QT_TRANSLATE_NOOP("messages",
+                      "{0} lay {1} deep in another for over 0.5 s, {2} of its smallest side; the limit is {3} ({4} bodies)"),
+    QT_TRANSLATE_NOOP(
+        "messages",
+        "{0} of the bodies lay more than 5 % of their smallest side inside another for over 0.5 s, {1} at most; {2} worst"),
+    QT_TRANSLATE_NOOP("messages",
+                      "energy rose by {0} of the work of gravity beyond gravity, births, overlap, pieces and effects; the limit is "
+                      "{1} ({2} gained most)"),
+    QT_TRANSLATE_NOOP("messages", "{0} was {1} times as fast as its birth and its fall allow; the limit is {2} ({3} bodies)"),
+    QT_TRANSLATE_NOOP("messages", "the centre of {0} was {1} below the ground ({2} bodies)"),
+    QT_TRANSLATE_NOOP("messages", "{0} was {1} from the structure, beyond 10 building heights, {2} ({3} bodies)"),
+    QT_TRANSLATE_NOOP("messages", "place or velocity of {0} was no number: it was taken out ({1} bodies)"),
+    QT_TRANSLATE_NOOP("messages", "the share of bodies at rest fell to {0} after it had reached {1}"),
+    QT_TRANSLATE_NOOP("messages", "the pile has {0} times the volume of its material, less than {1}: it is squeezed into itself"),
+    QT_TRANSLATE_NOOP("messages", "the pile has {0} times the volume of its material, more than {1}: its shapes are inflated"),
+    QT_TRANSLATE_NOOP("messages", "{0} ({1}), up is {2} ({3})"),
+    QT_TRANSLATE_NOOP("messages", "{0}; {1} of {2} active at the first state"),
+    QT_TRANSLATE_NOOP("messages", "{0} of {1} active at the first state"),
+    QT_TRANSLATE_NOOP("messages", "{0}, {1} is active ({2})"),
+    QT_TRANSLATE_NOOP("messages", "{0}, {1} is active"),
+    QT_TRANSLATE_NOOP("messages", "{0}, {1} times its first volume"),
+    QT_TRANSLATE_NOOP("messages", "{0}, {1} thick per length"),
+    QT_TRANSLATE_NOOP("messages", "{0}, {1} s, but reported at state {2}"),
+    QT_TRANSLATE_NOOP("messages", "element {0} ({1}), {2} s"),
+    QT_TRANSLATE_NOOP("messages", "element {0} ({1}) at state {2}"),
+    QT_TRANSLATE_NOOP("messages", "element {0} ({1})"),
+    QT_TRANSLATE_NOOP("messages", "element {0} of type {1}"),
+    QT_TRANSLATE_NOOP("messages", "element {0} at state {1}: {2}"),
+    QT_TRANSLATE_NOOP("messages", "element {0}"),
+    QT_TRANSLATE_NOOP("messages", "node {0}"),
+    QT_TRANSLATE_NOOP("messages", "body {0}"),
+    QT_TRANSLATE_NOOP("messages", "the fragment of {0}"),
+    QT_TRANSLATE_NOOP("messages", "{0} of time are {1}"),
+    QT_TRANSLATE_NOOP("messages", "size {0} is {1}"),
+    QT_TRANSLATE_NOOP("messages", "free nodes fall at {0}, which is {1}"),
+    QT_TRANSLATE_NOOP("messages", "free nodes fall along {0}"),
+    QT_TRANSLATE_NOOP("messages", "free nodes fall at {0} in the file, {1} m/s2"),
+    QT_TRANSLATE_NOOP("messages", "what comes down gathers speed at {0} in the file, {1} m/s2"),
+    QT_TRANSLATE_NOOP("messages", "what comes down gathers speed at {0}, which is {1}"),
+    QT_TRANSLATE_NOOP("messages", "what comes down gathers speed along {0}"),
+    QT_TRANSLATE_NOOP("messages", "density {0} of \"{1}\" is {2}, {3}"),
+    QT_TRANSLATE_NOOP("messages", "solid"),
+    QT_TRANSLATE_NOOP("messages", "shell"),
+    QT_TRANSLATE_NOOP("messages", "beam"),
+    QT_TRANSLATE_NOOP("messages", "mixed")};
+
+/// A made text, and the form that finds its values in English.
+struct MadeForm {
+    const char* text;
+    QRegularExpression form;
+};
+
+/// Compiled once: a panel that is shown asks for hundreds of texts, and forms made for each took half of the window's time.
+const std::vector<MadeForm>& madeForms() {
+    static const std::vector<MadeForm> forms = [] {
+        const QRegularExpression place(QStringLiteral("\\\\\\{(\\d)\\\\\\}"));
+        std::vector<MadeForm> made;
+        for (const char* text : madeTexts) {
+            QString form = QRegularExpression::escape(QString::fromUtf8(text));
+            form.replace(place, QStringLiteral("(?<v\\1>.+?)"));
+            made.push_back({text, QRegularExpression(u'^' + form + u'$')});
+            made.back().form.optimize();
+        }
+        return made;
+    }();
+    return forms;
+}
+
+/// What a made text says, if it is one: its values go from the English pattern into the one of the window.
+QString filledText(const QString& english) {
+    for (const MadeForm& made : madeForms()) {
+        const QRegularExpressionMatch match = made.form.match(english);
+        if (!match.hasMatch()) {
+            continue;
+        }
+        QString text = said("messages", made.text);
+        for (int i = 0; i < 5; ++i) {
+            const QString value = match.captured(QStringLiteral("v%1").arg(i));
+            text.replace(QStringLiteral("{%1}").arg(i), value.isEmpty() ? value : spokenText(value.toStdString()));
+        }
+        return text;
+    }
+    return english;
+}
+
+}  // namespace
+
+QString spokenText(const std::string& english) {
+    const QString text = QString::fromStdString(english);
+    if (const QString whole = said("messages", english); whole != text || text.isEmpty()) {
+        return whole;
+    }
+    if (const QString filled = filledText(text); filled != text) {
+        return filled;
+    }
+    QStringList parts;
+    for (const QString& part : text.split(QStringLiteral("; "))) {
+        const QString exact = said("messages", part.toStdString());
+        parts << (exact != part ? exact : filledText(part));
+    }
+    return inOneLine(parts);
+}
+
+}  // namespace rubble::widgets

@@ -1,0 +1,200 @@
+#include "widgets/basics/wording.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "widgets/basics/language.h"
+#include "widgets/basics/spoken_text.h"
+#include "widgets/figures/shown_units.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+/// The pattern of a message in the language of the window. Core puts some together: what was asked in front of a reason, and that a
+/// value may be automatic before the last stop.
+QString patternOf(const std::string& english) {
+    const QString whole = said("messages", english);
+    if (whole != QString::fromStdString(english)) {
+        return whole;
+    }
+    static constexpr std::string_view orAuto = ", or auto";
+    if (const std::size_t at = english.rfind(orAuto); at != std::string::npos && at + orAuto.size() + 1 == english.size()) {
+        QString without = patternOf(english.substr(0, at) + english.back());
+        return without.insert(without.size() - 1, said("messages", orAuto));
+    }
+    for (std::size_t colon = english.find(": "); colon != std::string::npos; colon = english.find(": ", colon + 2)) {
+        const std::string preface = english.substr(0, colon + 2);
+        if (const QString words = said("messages", preface); words != QString::fromStdString(preface)) {
+            return words + patternOf(english.substr(colon + 2));
+        }
+    }
+    return whole;
+}
+
+QString shownArgument(const Argument& argument) {
+    QString text;
+    const figures::ShownUnit unit = figures::shownUnit(argument.unit);
+    if (const auto* words = std::get_if<std::string>(&argument.value)) {
+        text = spokenText(*words);
+    } else if (const auto* whole = std::get_if<std::int64_t>(&argument.value)) {
+        text = shownCount(*whole);
+    } else {
+        text = shownNumber(std::get<double>(argument.value) * unit.perSi, 4);
+    }
+    return argument.unit.empty() ? text : text + QChar(0x00A0) + unit.name;
+}
+
+}  // namespace
+
+QString worded(const Message& message) {
+    const QString pattern = patternOf(message.pattern);
+    QString text;
+    for (qsizetype i = 0; i < pattern.size(); ++i) {
+        const qsizetype close = pattern[i] == u'{' ? pattern.indexOf(u'}', i) : -1;
+        bool isNumber = false;
+        const int index = close > 0 ? pattern.mid(i + 1, close - i - 1).toInt(&isNumber) : -1;
+        if (isNumber && index >= 0 && index < static_cast<int>(message.arguments.size())) {
+            text += shownArgument(message.arguments[static_cast<std::size_t>(index)]);
+            i = close;
+        } else {
+            text += pattern[i];
+        }
+    }
+    return text;
+}
+
+QString shownNumber(double value, int significant) {
+    if (!std::isfinite(value)) {
+        return QString(QChar(0x2013));
+    }
+    if (value == 0.0) {
+        return QStringLiteral("0");
+    }
+    const QLocale locale;
+    const double size = std::abs(value);
+    const int power = static_cast<int>(std::floor(std::log10(size)));
+    if (size >= 1e7 || size < 1e-4) {
+        QString raised;
+        for (const QChar digit : QString::number(power)) {
+            // Superscript digits are not in one row of the character set.
+            raised += digit == u'-'
+                          ? QChar(0x207B)
+                          : QStringLiteral("\u2070\u00B9\u00B2\u00B3\u2074\u2075\u2076\u2077\u2078\u2079")[digit.digitValue()];
+        }
+        return locale.toString(value / std::pow(10.0, power), 'f', significant - 1) + QStringLiteral(" × 10") + raised;
+    }
+    if (power >= significant) {
+        const double step = std::pow(10.0, power + 1 - significant);
+        value = std::round(value / step) * step;
+    }
+    return locale.toString(value, 'f', std::max(0, significant - power - 1));
+}
+
+QString shownIn(double value, std::string_view unit, int significant) {
+    return shownNumber(value * figures::shownUnit(unit).perSi, significant);
+}
+
+QString shownWith(double value, std::string_view unit, int significant) {
+    return shownIn(value, unit, significant) + QChar(0x00A0) + figures::shownUnit(unit).name;
+}
+
+QString shownLength(double metres, int significant) {
+    return shownWith(metres, "m", significant);
+}
+
+QString shownPlace(double metres, int decimals) {
+    const double perSi = figures::shownUnit("m").perSi;
+    // A thousandth of a metre is a whole millimetre.
+    const int fewer = static_cast<int>(std::lround(std::floor(std::log10(perSi) + 1e-9)));
+    return QLocale().toString(metres * perSi, 'f', std::max(0, decimals - fewer));
+}
+
+double typedIn(double shown, std::string_view unit) {
+    return shown / figures::shownUnit(unit).perSi;
+}
+
+QString shownEnergy(double joules) {
+    if (figures::unitSet() != figures::UnitSet::Si) {
+        return shownWith(joules, "J");
+    }
+    static constexpr std::array units = {"J", "kJ", "MJ", "GJ", "TJ"};
+    std::size_t unit = 0;
+    while (std::abs(joules) >= 1000.0 && unit + 1 < units.size()) {
+        joules /= 1000.0;
+        ++unit;
+    }
+    return shownNumber(joules) + QChar(0x00A0) + QLatin1String(units[unit]);
+}
+
+QString shownCount(std::int64_t value) {
+    return QLocale().toString(static_cast<qlonglong>(value));
+}
+
+QString shownShare(double share, int decimals) {
+    if (!std::isfinite(share)) {
+        return QString(QChar(0x2013));
+    }
+    // A run that has gone astray must not widen the window with its digits.
+    const double percent = 100.0 * share;
+    return (std::abs(percent) < 1e5 ? QLocale().toString(percent, 'f', decimals) : shownNumber(percent)) + QStringLiteral(" %");
+}
+
+QString shownDuration(double seconds) {
+    if (!std::isfinite(seconds)) {
+        return QString(QChar(0x2013));
+    }
+    if (seconds < 10.0) {
+        return QLocale().toString(seconds, 'f', 1) + QStringLiteral(" s");
+    }
+    const auto whole = static_cast<std::int64_t>(std::llround(seconds));
+    const auto two = [](const char* form, std::int64_t large, std::int64_t small) {
+        return QString::fromLatin1(form).arg(large).arg(small, 2, 10, QLatin1Char('0'));
+    };
+    return whole < 60     ? QStringLiteral("%1 s").arg(whole)
+           : whole < 3600 ? two("%1 min %2 s", whole / 60, whole % 60)
+                          : two("%1 h %2 min", (whole + 30) / 3600, (whole + 30) / 60 % 60);
+}
+
+QString shownProgress(const QString& what, double secondsLeft) {
+    QString text = what.left(1).toUpper() + what.mid(1);
+    if (std::isfinite(secondsLeft)) {
+        text += QCoreApplication::translate("rubble", " · about %1 left").arg(shownDuration(secondsLeft));
+    }
+    return text;
+}
+
+QString inOneLine(const QStringList& parts) {
+    QString line = parts.value(0);
+    for (const QString& part : parts.mid(1)) {
+        line = QCoreApplication::translate("rubble", "%1; %2", "two parts of a line").arg(line, part);
+    }
+    return line;
+}
+
+QString shownName(std::string_view name) {
+    std::string words(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return said("choices", words);
+}
+
+QString shownValue(const ParameterValue& value) {
+    if (std::holds_alternative<std::monostate>(value)) {
+        return QCoreApplication::translate("rubble", "auto");
+    }
+    if (const auto* flag = std::get_if<bool>(&value)) {
+        return *flag ? QCoreApplication::translate("rubble", "on") : QCoreApplication::translate("rubble", "off");
+    }
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+        return shownCount(*whole);
+    }
+    if (const auto* number = std::get_if<double>(&value)) {
+        return QLocale().toString(*number, 'g', 6);
+    }
+    return shownName(std::get<std::string>(value));
+}
+
+}  // namespace rubble::widgets

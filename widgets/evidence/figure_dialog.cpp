@@ -1,0 +1,128 @@
+#include "widgets/evidence/figure_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "widgets/basics/form_row.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+constexpr QSize previewPixels(560, 350);
+constexpr int restMs = 250;
+
+QSpinBox* spin(const char* name, int low, int high, int value, const QString& unit) {
+    auto* box = new QSpinBox;
+    box->setObjectName(QLatin1String(name));
+    box->setRange(low, high);
+    box->setValue(value);
+    box->setSuffix(unit);
+    box->setGroupSeparatorShown(false);
+    return box;
+}
+
+}  // namespace
+
+FigureDialog::FigureDialog(const FigureChoice& choice, QWidget* parent)
+    : QDialog(parent),
+      m_preset(new QComboBox),
+      m_width(spin("figureWidth", 100, 8000, choice.pixels.width(), tr(" px"))),
+      m_height(spin("figureHeight", 100, 8000, choice.pixels.height(), tr(" px"))),
+      m_dpi(spin("figureDpi", 50, 1200, choice.dpi, tr(" dpi"))),
+      m_print(new QLabel),
+      m_preview(new QLabel) {
+    setWindowTitle(tr("Figure for print"));
+    setObjectName(QStringLiteral("figureDialog"));
+    m_preset->setObjectName(QStringLiteral("figurePreset"));
+    m_preset->addItem(tr("As the views are"), -1);
+    m_preset->addItem(tr("Three instants, FE above fragments (figure 11)"), static_cast<int>(figures::FigurePreset::Pairs));
+    m_preset->addItem(tr("Both at the end (figure 12)"), static_cast<int>(figures::FigurePreset::End));
+    m_preset->addItem(tr("Debris and surroundings (figure 13)"), static_cast<int>(figures::FigurePreset::Surroundings));
+    m_preset->addItem(tr("Four stages (figure 14)"), static_cast<int>(figures::FigurePreset::Stages));
+    m_preset->setCurrentIndex(choice.preset ? m_preset->findData(static_cast<int>(*choice.preset)) : 0);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(20, 16, 20, 16);
+    column->setSpacing(12);
+    m_preview->setMinimumSize(previewPixels);
+    m_preview->setAlignment(Qt::AlignCenter);
+    m_preview->setWordWrap(true);
+    m_preview->setAccessibleName(tr("Preview of the figure"));
+    m_preview->setText(tr("Drawing the preview …"));
+    column->addWidget(m_preview, 1);
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(16);
+    form->setVerticalSpacing(8);
+    addRow(*form, tr("Arrangement"), m_preset,
+           tr("The panes as they are, or the arrangement of a figure of the published method with its instants"));
+    addRow(*form, tr("Width"), m_width, tr("Pixels from left to right, 100 to 8000"));
+    addRow(*form, tr("Height"), m_height, tr("Pixels from top to bottom, 100 to 8000"));
+    addRow(*form, tr("Resolution"), m_dpi, tr("Pixels per inch in print, 50 to 1200: text is 9 pt high whatever the size"));
+    column->addLayout(form);
+    m_print->setObjectName(QStringLiteral("muted"));
+    column->addWidget(m_print);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    auto* save = buttons->addButton(tr("Save figure…"), QDialogButtonBox::AcceptRole);
+    save->setObjectName(QStringLiteral("primary"));
+    save->setToolTip(tr("Write it as PNG, or as SVG or PDF with text and lines as vectors"));
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restMs);
+    connect(&m_rest, &QTimer::timeout, this, [this] { emit previewRequested(this->choice()); });
+    const auto changed = [this] {
+        showSize();
+        m_rest.start();
+    };
+    // A size that nobody chose is that of the arrangement.
+    connect(m_preset, &QComboBox::currentIndexChanged, this, [this, before = choice.preset]() mutable {
+        const FigureChoice now = this->choice();
+        if (now.pixels == figures::usualSize(before)) {
+            m_height->setValue(figures::usualSize(now.preset).height());
+        }
+        before = now.preset;
+    });
+    connect(m_preset, &QComboBox::currentIndexChanged, this, changed);
+    for (QSpinBox* box : {m_width, m_height, m_dpi}) {
+        connect(box, &QSpinBox::valueChanged, this, changed);
+    }
+    showSize();
+}
+
+FigureChoice FigureDialog::choice() const {
+    FigureChoice choice;
+    if (const int preset = m_preset->currentData().toInt(); preset >= 0) {
+        choice.preset = static_cast<figures::FigurePreset>(preset);
+    }
+    choice.pixels = {m_width->value(), m_height->value()};
+    choice.dpi = m_dpi->value();
+    return choice;
+}
+
+void FigureDialog::setPreview(const QImage& picture, const QString& problem) {
+    if (picture.isNull()) {
+        m_preview->setPixmap({});
+        m_preview->setText(problem);
+        return;
+    }
+    m_preview->setPixmap(QPixmap::fromImage(picture.scaled(m_preview->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+}
+
+void FigureDialog::showEvent(QShowEvent* event) {
+    QDialog::showEvent(event);
+    m_rest.start();
+}
+
+void FigureDialog::showSize() {
+    const auto millimetres = [this](int pixels) { return QLocale().toString(25.4 * pixels / m_dpi->value(), 'f', 0); };
+    m_print->setText(tr("In print %1 × %2 mm").arg(millimetres(m_width->value()), millimetres(m_height->value())));
+}
+
+}  // namespace rubble::widgets

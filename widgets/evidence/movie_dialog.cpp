@@ -1,0 +1,117 @@
+#include "widgets/evidence/movie_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "widgets/basics/form_row.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+QDoubleSpinBox* seconds(const char* name, double low, double high, double value) {
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(QLatin1String(name));
+    box->setDecimals(3);
+    box->setRange(low, high);
+    box->setSingleStep(0.1);
+    box->setValue(value);
+    box->setSuffix(QStringLiteral(" s"));
+    return box;
+}
+
+}  // namespace
+
+MovieDialog::MovieDialog(const MovieChoice& choice, bool encoder, QWidget* parent)
+    : QDialog(parent),
+      m_from(seconds("movieFrom", choice.settings.from, choice.settings.to, choice.settings.from)),
+      m_to(seconds("movieTo", choice.settings.from, choice.settings.to, choice.settings.to)),
+      m_pace(new QComboBox),
+      m_fps(new QSpinBox),
+      m_size(new QComboBox),
+      m_format(new QComboBox),
+      m_length(new QLabel) {
+    setWindowTitle(tr("Movie"));
+    setObjectName(QStringLiteral("movieDialog"));
+    m_pace->setObjectName(QStringLiteral("moviePace"));
+    m_pace->addItem(tr("Real time"), 1.0);
+    m_pace->addItem(tr("Half as fast"), 0.5);
+    m_pace->addItem(tr("A quarter as fast"), 0.25);
+    m_pace->addItem(tr("A tenth as fast"), 0.1);
+    m_pace->addItem(tr("Twice as fast"), 2.0);
+    m_fps->setObjectName(QStringLiteral("movieFps"));
+    m_fps->setRange(1, 120);
+    m_fps->setValue(static_cast<int>(choice.settings.fps));
+    m_size->setObjectName(QStringLiteral("movieSize"));
+    for (const QSize size : {QSize(1280, 720), QSize(1920, 1080), QSize(3840, 2160), QSize(854, 480)}) {
+        m_size->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
+    }
+    m_size->setCurrentIndex(std::max(0, m_size->findData(choice.pixels)));
+    m_format->setObjectName(QStringLiteral("movieFormat"));
+    if (encoder) {
+        m_format->addItem(tr("MP4"), true);
+    }
+    m_format->addItem(tr("Folder of pictures (PNG)"), false);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(20, 16, 20, 16);
+    column->setSpacing(12);
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(16);
+    form->setVerticalSpacing(8);
+    addRow(*form, tr("From"), m_from, tr("Where the movie begins, on the clock of the FE result, s"));
+    addRow(*form, tr("To"), m_to, tr("Where it ends, s; the run may go on after the FE result"));
+    addRow(*form, tr("Pace"), m_pace, tr("How fast the collapse runs in the movie; other paces than real time are printed on it"));
+    addRow(*form, tr("Pictures per second"), m_fps, tr("1 to 120; 25 is usual"));
+    addRow(*form, tr("Size"), m_size, tr("Width and height in pixels"));
+    addRow(*form, tr("Format"), m_format,
+           encoder ? tr("One file to play, or numbered pictures for other programs")
+                   : tr("Numbered pictures; for an MP4 install the program ffmpeg"));
+    column->addLayout(form);
+    m_length->setObjectName(QStringLiteral("muted"));
+    m_length->setWordWrap(true);
+    column->addWidget(m_length);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    auto* save = buttons->addButton(tr("Save movie…"), QDialogButtonBox::AcceptRole);
+    save->setObjectName(QStringLiteral("primary"));
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_from, &QDoubleSpinBox::valueChanged, this, &MovieDialog::showLength);
+    connect(m_to, &QDoubleSpinBox::valueChanged, this, &MovieDialog::showLength);
+    connect(m_pace, &QComboBox::currentIndexChanged, this, &MovieDialog::showLength);
+    connect(m_fps, &QSpinBox::valueChanged, this, &MovieDialog::showLength);
+    showLength();
+}
+
+MovieChoice MovieDialog::choice() const {
+    MovieChoice choice;
+    choice.settings = {m_from->value(), m_to->value(), static_cast<double>(m_fps->value()), m_pace->currentData().toDouble()};
+    choice.pixels = m_size->currentData().toSize();
+    choice.encoded = m_format->currentData().toBool();
+    return choice;
+}
+
+void MovieDialog::showLength() {
+    auto* save = findChild<QPushButton*>(QStringLiteral("primary"));
+    try {
+        const MovieChoice now = choice();
+        const std::size_t pictures = figures::movieLength(now.settings);
+        m_length->setText(tr("%1 pictures, %2 s to watch")
+                              .arg(QLocale().toString(static_cast<qulonglong>(pictures)),
+                                   QLocale().toString(static_cast<double>(pictures) / now.settings.fps, 'f', 1)));
+        save->setEnabled(true);
+    } catch (const Error&) {
+        m_length->setText(tr("The end must come after the beginning, with at most 100,000 pictures between them."));
+        save->setEnabled(false);
+    }
+}
+
+}  // namespace rubble::widgets

@@ -1,0 +1,278 @@
+#include "widgets/evidence/survey_box.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "widgets/basics/number_field.h"
+#include "widgets/basics/panel.h"
+#include "widgets/basics/theme.h"
+#include "widgets/basics/wording.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+QString shown(double value, int decimals) {
+    return std::isfinite(value) ? QLocale().toString(value, 'f', decimals) : QStringLiteral("–");
+}
+
+void prepare(QTableWidget& table, const QStringList& headings) {
+    table.setHorizontalHeaderLabels(headings);
+    table.verticalHeader()->hide();
+    table.setShowGrid(false);
+    table.setFont(headingFont());
+    table.horizontalHeader()->setFont(headingFont());
+    table.setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table.setSelectionMode(QAbstractItemView::NoSelection);
+    table.setTabKeyNavigation(false);
+    table.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table.verticalHeader()->setDefaultSectionSize(table.fontMetrics().height() + 7);
+    table.horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table.horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    table.horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    table.horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+}
+
+void addRow(QTableWidget& table, const QStringList& cells) {
+    const int row = table.rowCount();
+    table.setRowCount(row + 1);
+    for (int c = 0; c < cells.size(); ++c) {
+        auto* item = new QTableWidgetItem(cells[c]);
+        item->setTextAlignment((c == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        table.setItem(row, c, item);
+    }
+}
+
+void fitHeight(QTableWidget& table) {
+    int height = table.horizontalHeader()->sizeHint().height() + 2 * table.frameWidth() + 2;
+    for (int row = 0; row < table.rowCount(); ++row) {
+        height += table.rowHeight(row);
+    }
+    table.setFixedHeight(height);
+}
+
+}  // namespace
+
+SurveyBox::SurveyBox(QWidget* parent)
+    : QWidget(parent),
+      m_surveys(new QComboBox),
+      m_add(new QPushButton(tr("Add survey…"))),
+      m_remove(new QPushButton(tr("Remove"))),
+      m_cell(new NumberField(tr("Cells of the survey comparison"))),
+      m_least(new NumberField(tr("Least height of debris"))),
+      m_fit(new QComboBox),
+      m_showsFallen(new QComboBox),
+      m_withFallen(new QCheckBox(tr("Fallen structure counts as debris"))),
+      m_compare(new QPushButton(tr("Compare with survey"))),
+      m_cancel(new QPushButton(tr("Cancel"))),
+      m_save(new QPushButton(tr("Save difference map…"))),
+      m_whyNot(new QLabel),
+      m_notice(new Notice),
+      m_findings(new FindingList),
+      m_figures(new QTableWidget(0, 3)),
+      m_runOut(new QTableWidget(0, 3)),
+      m_words(new QLabel) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    auto* files = new QHBoxLayout;
+    m_surveys->setAccessibleName(tr("Surveys"));
+    m_surveys->setToolTip(tr("The survey that is compared"));
+    m_surveys->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_surveys->setMinimumContentsLength(8);
+    files->addWidget(m_surveys, 1);
+    files->addWidget(m_remove);
+    column->addWidget(m_add);
+    column->addLayout(files);
+    buildFields();
+    buildResults();
+    m_add->setToolTip(tr("Add a surveyed height model, or the outline of the real debris as polygons"));
+    m_remove->setToolTip(tr("Take this survey out of the case; its file stays"));
+    connect(m_add, &QPushButton::clicked, this, &SurveyBox::addRequested);
+    connect(m_remove, &QPushButton::clicked, this, &SurveyBox::removeRequested);
+    connect(m_compare, &QPushButton::clicked, this, &SurveyBox::compareRequested);
+    connect(m_cancel, &QPushButton::clicked, this, &SurveyBox::cancelRequested);
+    connect(m_save, &QPushButton::clicked, this, &SurveyBox::saveRequested);
+    connect(m_surveys, &QComboBox::currentIndexChanged, this, [this](int survey) {
+        if (!m_showing) {
+            emit chosen(survey);
+        }
+    });
+    setContent({});
+}
+
+void SurveyBox::buildFields() {
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(8);
+    form->setVerticalSpacing(4);
+    const SurveySettings usual;
+    m_cell->setRange(0.05, 10.0);
+    m_cell->setNumber(usual.cell);
+    m_cell->setToolTip(tr("Side of the cells that are compared, 0.05 to 10 m"));
+    form->addRow(tr("Cells, m"), m_cell);
+    m_least->setRange(0.0, 5.0);
+    m_least->setNumber(usual.leastHeight);
+    m_least->setToolTip(tr("Height above the ground from which there is debris, 0 to 5 m; what lies lower is noise of the survey"));
+    form->addRow(tr("Least height, m"), m_least);
+    m_fit->addItem(tr("where it was surveyed"), static_cast<int>(SurveyFit::None));
+    m_fit->addItem(tr("moved to the ground beside it"), static_cast<int>(SurveyFit::Ground));
+    m_fit->addItem(tr("moved to the debris"), static_cast<int>(SurveyFit::Debris));
+    // Its list is wider than a narrow panel; what is chosen stands in the words of the result too.
+    m_fit->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_fit->setMinimumContentsLength(12);
+    m_fit->setAccessibleName(tr("Registration of the survey"));
+    m_fit->setToolTip(
+        tr("Where the survey is taken to lie: as it is, shifted by least squares to the ground beside the debris (errors "
+           "of its place go), or to the simulated debris, at most 5 m (only the shape is compared then)"));
+    form->addRow(tr("Registration"), m_fit);
+    for (const QString& shows : {tr("not known"), tr("yes"), tr("no")}) {
+        m_showsFallen->addItem(shows);
+    }
+    m_showsFallen->setAccessibleName(tr("Whether the survey shows fallen structure"));
+    m_showsFallen->setToolTip(
+        tr("Whether structure that fell whole lies in the survey: yes of a scan of all that was there, no where such pieces were "
+           "taken "
+           "out; kept in the case"));
+    form->addRow(tr("Fallen structure in it"), m_showsFallen);
+    m_withFallen->setChecked(usual.withFallen);
+    m_withFallen->setToolTip(
+        tr("Whether live structure that moved farther than 1 m belongs to the simulated debris, as it does to the "
+           "surveyed; said on the result"));
+    form->addRow(m_withFallen);
+    static_cast<QVBoxLayout*>(layout())->addLayout(form);
+    for (NumberField* field : {m_cell, m_least}) {
+        connect(field, &NumberField::edited, this, &SurveyBox::settingsChanged);
+    }
+    connect(m_fit, &QComboBox::currentIndexChanged, this, &SurveyBox::settingsChanged);
+    connect(m_withFallen, &QCheckBox::toggled, this, &SurveyBox::settingsChanged);
+    connect(m_showsFallen, &QComboBox::currentIndexChanged, this, [this](int shows) {
+        if (!m_showing) {
+            emit showsFallenChosen(shows == 0 ? std::nullopt : std::optional<bool>(shows == 1));
+        }
+    });
+}
+
+void SurveyBox::buildResults() {
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_compare, 1);
+    buttons->addWidget(m_cancel);
+    column->addLayout(buttons);
+    m_compare->setToolTip(tr("Hold the debris at rest against the survey"));
+    m_cancel->setToolTip(tr("Stop comparing"));
+    m_whyNot->setObjectName(QStringLiteral("muted"));
+    m_whyNot->setWordWrap(true);
+    column->addWidget(m_whyNot);
+    column->addWidget(m_notice);
+    prepare(*m_figures, {tr("debris"), tr("surveyed"), tr("simulated")});
+    m_figures->setAccessibleName(tr("Surveyed and simulated debris"));
+    column->addWidget(m_figures);
+    prepare(*m_runOut, {tr("run-out, m"), tr("surveyed"), tr("simulated")});
+    m_runOut->setAccessibleName(tr("Run-out by direction"));
+    m_runOut->setToolTip(
+        tr("Distance from the middle of the structure's plan within which 95 % of the covered area in that direction "
+           "lies, m"));
+    column->addWidget(m_runOut);
+    m_words->setObjectName(QStringLiteral("muted"));
+    m_words->setWordWrap(true);
+    column->addWidget(m_words);
+    column->addWidget(m_save);
+    m_save->setToolTip(tr("Save the difference map as GeoTIFF or as a picture"));
+    column->addWidget(m_findings);
+}
+
+SurveySettings SurveyBox::settings() const {
+    SurveySettings settings;
+    settings.cell = m_cell->number().value_or(settings.cell);
+    settings.leastHeight = m_least->number().value_or(settings.leastHeight);
+    settings.fit = static_cast<SurveyFit>(m_fit->currentData().toInt());
+    settings.withFallen = m_withFallen->isChecked();
+    return settings;
+}
+
+void SurveyBox::setSettings(const SurveySettings& settings) {
+    m_cell->setNumber(settings.cell);
+    m_least->setNumber(settings.leastHeight);
+    m_fit->setCurrentIndex(m_fit->findData(static_cast<int>(settings.fit)));
+    m_withFallen->setChecked(settings.withFallen);
+}
+
+void SurveyBox::setContent(const Content& content) {
+    m_content = content;
+    m_showing = true;
+    m_surveys->clear();
+    m_surveys->addItems(content.names);
+    m_surveys->setCurrentIndex(content.chosen);
+    m_showsFallen->setCurrentIndex(!content.showsFallen ? 0 : *content.showsFallen ? 1 : 2);
+    m_showing = false;
+    const bool some = content.chosen >= 0;
+    m_add->setEnabled(content.available);
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_surveys, m_remove, m_cell, m_least, m_fit, m_showsFallen, m_withFallen, m_compare}) {
+        widget->setEnabled(some);
+    }
+    m_compare->setEnabled(some && content.noComparison.isEmpty() && !content.comparing);
+    m_cancel->setVisible(content.comparing);
+    m_whyNot->setText(!some ? tr("A height model or an outline of the real debris, measured after the collapse, is compared here.")
+                            : content.noComparison);
+    m_whyNot->setVisible(!m_whyNot->text().isEmpty());
+    m_findings->set(content.findings);
+    showResults();
+}
+
+void SurveyBox::showResults() {
+    const SurveyComparison* made = m_content.comparison.get();
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_figures, m_runOut, m_words, m_save}) {
+        widget->setVisible(made != nullptr);
+    }
+    if (!m_content.complaint.isEmpty()) {
+        m_notice->set(Notice::Kind::Error, m_content.complaint);
+    } else if (made != nullptr && m_content.stale) {
+        m_notice->set(Notice::Kind::Finding, tr("Of another run or other settings: compare again."));
+    } else {
+        m_notice->set(Notice::Kind::Note, {});
+    }
+    if (made == nullptr) {
+        return;
+    }
+    m_figures->setRowCount(0);
+    addRow(*m_figures, {tr("area, m²"), shown(made->survey.area, 0), shown(made->simulated.area, 0)});
+    if (!made->isFootprint) {
+        addRow(*m_figures, {tr("volume, m³"), shown(made->survey.volume, 0), shown(made->simulated.volume, 0)});
+    }
+    addRow(*m_figures, {tr("centroid x, m"), shown(made->survey.centroid.x(), 2), shown(made->simulated.centroid.x(), 2)});
+    addRow(*m_figures, {tr("centroid y, m"), shown(made->survey.centroid.y(), 2), shown(made->simulated.centroid.y(), 2)});
+    fitHeight(*m_figures);
+    m_runOut->setRowCount(0);
+    for (int s = 0; s < made->settings.sectors; ++s) {
+        const auto at = static_cast<std::size_t>(s);
+        addRow(*m_runOut, {QString::fromStdString(sectorName(s, made->settings.sectors)), shown(made->survey.runOut[at], 1),
+                           shown(made->simulated.runOut[at], 1)});
+    }
+    fitHeight(*m_runOut);
+    QStringList words{tr("Overlap of the footprints (IoU): %1.").arg(shown(made->iou, 3))};
+    if (!made->isFootprint) {
+        words << tr("Heights differ by %1 m RMS, by %2 m in the mean.").arg(shown(made->heightRms, 2), shown(made->heightMean, 2));
+        words << tr("Volumes hold the voids.");
+    }
+    words << tr("Centroids lie %1 m apart.").arg(shown(made->centroidDistance, 2));
+    words << (made->settings.fit == SurveyFit::None
+                  ? tr("The survey lies where it was surveyed.")
+                  : tr("The survey was moved by %1, %2, %3 m; what was fitted went from %4 to %5 RMS.")
+                        .arg(shown(made->shift.by.x(), 2), shown(made->shift.by.y(), 2), shown(made->shift.by.z(), 2),
+                             shown(made->shift.before, 3), shown(made->shift.after, 3)));
+    words << worded(made->words);
+    m_words->setText(words.join(QLatin1Char(' ')));
+}
+
+}  // namespace rubble::widgets

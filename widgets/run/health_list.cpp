@@ -1,0 +1,222 @@
+#include "widgets/run/health_list.h"
+
+#include <QDateTime>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "widgets/basics/panel.h"
+#include "widgets/basics/theme.h"
+#include "widgets/basics/wording.h"
+#include "widgets/figures/shown_units.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+QString hundredths(double time) {
+    return QLocale().toString(time, 'f', 2);
+}
+
+QString interval(const HealthBreach& breach) {
+    return breach.to - breach.from < 0.005 ? HealthList::tr("at %1 s").arg(hundredths(breach.from))
+                                           : HealthList::tr("%1–%2 s").arg(hundredths(breach.from), hundredths(breach.to));
+}
+
+/// Messages are parts of sentences; here they stand alone.
+QString sentence(const Message& message) {
+    const QString text = worded(message);
+    return text.left(1).toUpper() + text.mid(1);
+}
+
+QString titleOf(const HealthBreach& breach) {
+    return sentence(healthCheckTitle(breach.check));
+}
+
+/// Where the worst body was, and how many there were.
+QString placeOf(const HealthBreach& breach, const Vec3& origin) {
+    QStringList parts;
+    if (breach.body && breach.place.allFinite()) {
+        const Vec3 p = breach.place + origin;
+        const auto metres = [](double value) { return shownPlace(value, 1); };
+        parts << HealthList::tr("body %1 at x %2, y %3, z %4 %5")
+                     .arg(shownCount(static_cast<std::int64_t>(at(*breach.body))), metres(p.x()), metres(p.y()), metres(p.z()),
+                          figures::shownUnit("m").name);
+    }
+    if (breach.bodies > 1) {
+        parts << HealthList::tr("%1 bodies at worst").arg(shownCount(breach.bodies));
+    }
+    return inOneLine(parts);
+}
+
+QString against(const HealthBreach& breach) {
+    const QString worst = std::isfinite(breach.worst) ? shownNumber(breach.worst) : HealthList::tr("no number");
+    const QString when = std::isfinite(breach.worstAt) ? HealthList::tr(" at %1 s").arg(hundredths(breach.worstAt)) : QString();
+    return HealthList::tr("worst %1%2, limit %3").arg(worst, when, shownNumber(breach.limit));
+}
+
+QString muted(const QString& text) {
+    return QStringLiteral("<span style='color:%1'>%2</span>").arg(tints().muted.name(), text.toHtmlEscaped());
+}
+
+QWidget* bare(QBoxLayout* layout) {
+    auto* widget = new QWidget;
+    layout->setContentsMargins(0, 0, 0, 0);
+    widget->setLayout(layout);
+    return widget;
+}
+
+}  // namespace
+
+QString limitsPassed(std::int64_t count) {
+    return count == 1 ? HealthList::tr("1 limit passed") : HealthList::tr("%1 limits passed").arg(shownCount(count));
+}
+
+QString breachWords(const HealthBreach& breach, const Vec3& origin) {
+    QString text =
+        QStringLiteral("<b>%1</b> · %2<br/>%3").arg(titleOf(breach), interval(breach), sentence(breach.what).toHtmlEscaped());
+    QStringList aside;
+    if (const QString place = placeOf(breach, origin); !place.isEmpty()) {
+        aside << place;
+    }
+    aside << against(breach);
+    text += QStringLiteral("<br/>") + muted(inOneLine(aside));
+    if (!breach.remedy.empty()) {
+        text += QStringLiteral("<br/>") + muted(sentence(breach.remedy));
+    }
+    return text;
+}
+
+std::vector<HealthMark> healthMarks(const HealthReport& health, bool acknowledged, const Vec3& origin) {
+    std::vector<HealthMark> marks;
+    for (const HealthBreach& breach : health.breaches) {
+        QString words = breachWords(breach, origin);
+        if (acknowledged) {
+            words += QStringLiteral("<br/>") + muted(HealthList::tr("acknowledged"));
+        }
+        marks.push_back({breach.from, breach.to, titleOf(breach), words, acknowledged});
+    }
+    return marks;
+}
+
+HealthList::HealthList(QWidget* parent)
+    : QWidget(parent),
+      m_verdict(new Notice),
+      m_breaches(new QVBoxLayout),
+      m_form(new QWidget),
+      m_name(new QLineEdit),
+      m_note(new QLineEdit),
+      m_button(new QPushButton(tr("Acknowledge"))),
+      m_complaint(new QLabel),
+      m_acknowledged(new Notice) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addWidget(m_verdict);
+    m_breaches->setSpacing(8);
+    column->addLayout(m_breaches);
+    column->addWidget(m_acknowledged);
+    auto* form = new QGridLayout(m_form);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setVerticalSpacing(4);
+    const auto field = [&](int row, const QString& label, QLineEdit* edit, const QString& tip) {
+        auto* name = new QLabel(label);
+        name->setBuddy(edit);
+        edit->setToolTip(tip);
+        edit->setAccessibleName(label);
+        form->addWidget(name, row, 0);
+        form->addWidget(edit, row, 1);
+        connect(edit, &QLineEdit::textChanged, this, [this] { m_complaint->hide(); });
+        connect(edit, &QLineEdit::returnPressed, this, &HealthList::acknowledge);
+    };
+    field(0, tr("Name"), m_name, tr("Who has looked at these breaches and vouches for the run"));
+    field(1, tr("Note"), m_note, tr("Why the run may be used all the same"));
+    m_button->setToolTip(tr("Write name, note and time beside the run file; the run no longer counts as tainted"));
+    m_button->setObjectName(QStringLiteral("acknowledge"));
+    m_complaint->setObjectName(QStringLiteral("complaint"));
+    m_complaint->setWordWrap(true);
+    m_complaint->hide();
+    form->addWidget(m_button, 2, 1);
+    form->addWidget(m_complaint, 3, 0, 1, 2);
+    column->addWidget(m_form);
+    connect(m_button, &QPushButton::clicked, this, &HealthList::acknowledge);
+    setContent({});
+}
+
+void HealthList::setContent(const Content& content) {
+    showBreaches(content);
+    const auto count = static_cast<std::int64_t>(content.health.breaches.size());
+    const bool waits = count > 0 && !content.acknowledged;
+    const QString passed = limitsPassed(count);
+    if (count == 0) {
+        m_verdict->set(Notice::Kind::Note, tr("Sound: no limit was passed."));
+    } else if (waits) {
+        m_verdict->set(Notice::Kind::Finding, tr("%1: this run is tainted until someone acknowledges it.").arg(passed));
+    } else {
+        m_verdict->set(Notice::Kind::Note, passed + u'.');
+    }
+    m_form->setVisible(waits);
+    if (content.acknowledged && count > 0) {
+        const Acknowledgement& a = *content.acknowledged;
+        const QDateTime when = QDateTime::fromString(QString::fromStdString(a.when), Qt::ISODate);
+        m_acknowledged->set(
+            Notice::Kind::Note,
+            tr("Acknowledged by %1, %2")
+                .arg(QString::fromStdString(a.by), when.isValid() ? QLocale().toString(when.toLocalTime(), QLocale::ShortFormat)
+                                                                  : QString::fromStdString(a.when)),
+            QString::fromStdString(a.note));
+    } else {
+        m_acknowledged->set(Notice::Kind::Note, {});
+    }
+    m_complaint->hide();
+}
+
+void HealthList::showBreaches(const Content& content) {
+    while (QLayoutItem* item = m_breaches->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    for (std::size_t i = 0; i < content.health.breaches.size(); ++i) {
+        const HealthBreach& breach = content.health.breaches[i];
+        auto* row = new QVBoxLayout;
+        row->setSpacing(3);
+        auto* words = new QLabel(breachWords(breach, content.origin));
+        words->setWordWrap(true);
+        words->setTextFormat(Qt::RichText);
+        words->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        words->setObjectName(QStringLiteral("breach"));
+        row->addWidget(words);
+        auto* show = new QPushButton(tr("Show %1 s").arg(hundredths(breach.from)));
+        show->setToolTip(breach.body ? tr("Go to this instant and point out the body") : tr("Go to this instant"));
+        show->setAccessibleName(tr("Show %1, %2").arg(titleOf(breach), interval(breach)));
+        connect(show, &QPushButton::clicked, this, [this, i] { emit breachChosen(i); });
+        row->addWidget(show, 0, Qt::AlignLeft);
+        m_breaches->addWidget(bare(row));
+    }
+}
+
+void HealthList::setComplaint(const QString& complaint) {
+    m_complaint->setText(complaint);
+    m_complaint->setVisible(!complaint.isEmpty());
+}
+
+void HealthList::acknowledge() {
+    const QString name = m_name->text().trimmed();
+    if (name.isEmpty()) {
+        setComplaint(tr("A name is needed: who vouches for this run?"));
+        m_name->setFocus();
+        return;
+    }
+    if (m_note->text().trimmed().isEmpty()) {
+        setComplaint(tr("A note is needed: why may this run be used all the same?"));
+        m_note->setFocus();
+        return;
+    }
+    emit acknowledgeRequested(name, m_note->text().trimmed());
+}
+
+}  // namespace rubble::widgets

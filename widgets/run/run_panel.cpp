@@ -1,0 +1,169 @@
+#include "widgets/run/run_panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <algorithm>
+
+#include "widgets/basics/wording.h"
+#include "widgets/run/effects_panel.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+/// The solver with its cost and its effect on the pile.
+QString solverLine(const SimulationSettings& settings, const SimulationResult& result) {
+    const QString cost = RunPanel::tr("mean %1 ms per step").arg(shownNumber(result.stepTimes.meanMs, 2));
+    const QString pile = RunPanel::tr("bulking of the pile %1").arg(shownNumber(result.bulkingFactor));
+    return settings.solver == SolverKind::SoftStep
+               ? RunPanel::tr("Solver: soft-step, %1 substeps or more, %2, %3").arg(settings.substeps).arg(cost, pile)
+               : RunPanel::tr("Solver: bullet, %1, %2").arg(cost, pile);
+}
+
+}  // namespace
+
+RunPanel::RunPanel(QWidget* parent)
+    : Panel(tr("Run"), tr("Where the fragments go."), parent),
+      m_simulate(new QPushButton(tr("Simulate"))),
+      m_live(new QPushButton(tr("Live"))),
+      m_cancel(new QPushButton(tr("Cancel"))),
+      m_why(new QLabel),
+      m_runs(new RunList),
+      m_findings(new FindingList) {
+    auto* buttons = new QWidget;
+    auto* row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_simulate, 2);
+    row->addWidget(m_live, 1);
+    row->addWidget(m_cancel, 1);
+    m_simulate->setObjectName(QStringLiteral("primary"));
+    m_simulate->setToolTip(tr("Simulate the whole collapse as fast as it goes (Ctrl+R)"));
+    m_live->setToolTip(
+        tr("Simulate at the pace of the collapse and watch: each frame simulates one frame time and draws both views"));
+    m_cancel->setToolTip(tr("Stop the run (Esc); what is computed is kept"));
+    m_why->setObjectName(QStringLiteral("muted"));
+    m_why->setWordWrap(true);
+    addWide(buttons);
+    addWide(m_why);
+    connect(m_simulate, &QPushButton::clicked, this, &RunPanel::simulateRequested);
+    connect(m_live, &QPushButton::clicked, this, &RunPanel::liveRequested);
+    connect(m_cancel, &QPushButton::clicked, this, &RunPanel::cancelRequested);
+    addPrediction();
+    m_healthGroup = addGroup(tr("Health of the run"));
+    m_health = new HealthList;
+    m_healthGroup->addWide(m_health);
+    buildOutcome();
+    addGroup(tr("Runs of this case"))->addWide(m_runs);
+    buildSettings();
+    setReady(false, false, tr("Open a result first."));
+    clearOutcome();
+    setHealth(std::nullopt);
+}
+
+void RunPanel::setHealth(const std::optional<HealthList::Content>& health) {
+    m_healthGroup->setVisible(health.has_value());
+    m_health->setContent(health.value_or(HealthList::Content()));
+}
+
+void RunPanel::buildSettings() {
+    PanelGroup* engine = addGroup(tr("Engine"));
+    for (const char* key : {"solver", "step_rate", "substeps", "iterations", "cluster_shape", "box_bulking", "gravity"}) {
+        addParameter(engine, key);
+    }
+    addRemaining(Stage::Simulation, tr("Rest and recording"), isEffectParameter);
+}
+
+void RunPanel::buildOutcome() {
+    m_outcome = addGroup(tr("Last run"));
+    m_solver = m_outcome->addNote({});
+    m_solver->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_solver->setToolTip(
+        tr("What the solver cost, and what it made of the pile: volume under its surface over volume of material. Broken "
+           "rock has 1.3 to 1.7; below 1.15 the pile has squeezed into itself."));
+    m_bodies = m_outcome->addValue(tr("Bodies at most"));
+    m_awake = m_outcome->addValue(tr("Awake at most"), {},
+                                  tr("Bodies that moved at one recorded instant; the others cost next to nothing"));
+    m_asleep = m_outcome->addValue(tr("Asleep at the end"), {}, tr("Share of the bodies"));
+    m_moving = m_outcome->addValue(tr("Still moving"), tr("bodies"));
+    m_span = m_outcome->addValue(tr("The end"), tr("s"), tr("When 99 % of the bodies slept, or the settle time was over"));
+    m_wall = m_outcome->addValue(tr("Wall time"));
+    m_step = m_outcome->addValue(tr("Step, mean and worst"), tr("ms"), tr("From the first to the last birth"));
+    m_factor =
+        m_outcome->addValue(tr("Real-time factor"), {}, tr("Simulated over wall time, first to last birth, recording included"));
+    m_liveFps = m_outcome->addValue(tr("Live rate, mean and worst second"), tr("FPS"), tr("Measured in live mode"));
+    m_energy =
+        m_outcome->addValue(tr("Energy drift"), {}, tr("Largest gain beyond gravity, births and pieces, over gravity's work"));
+    m_occupied = m_outcome->addValue(tr("Births in occupied space"), {}, tr("Bodies born inside older debris or pieces"));
+    m_overlap = m_outcome->addValue(tr("Work of resolving overlap"));
+    m_penetration = m_outcome->addValue(tr("Deepest contact"), tr("m"));
+    m_released = m_outcome->addValue(
+        tr("Released structure"), {},
+        tr("Live islands without a path to a support that became rigid bodies when the FE result ended, apart from fragments"));
+    m_islands =
+        m_outcome->addValue(tr("Live islands held"), {}, tr("Parts of the structure alive at the end without a path to a support"));
+    m_ledger = m_outcome->addValue(tr("Ledger, fragments"), {},
+                                   tr("Largest relative error of mass, momentum, angular momentum against the FE result"));
+    m_bodyLedger = m_outcome->addValue(tr("Ledger, bodies"), {}, tr("The same for the bodies, as read back from the engine"));
+    m_hash = m_outcome->addValue(tr("Trajectory"), {}, tr("Hash of every recorded frame: equal runs have equal hashes"));
+    addWide(m_findings);
+}
+
+void RunPanel::clearOutcome() {
+    m_outcome->hide();
+    m_findings->set(Findings());
+}
+
+void RunPanel::setOutcome(const Outcome& outcome) {
+    if (outcome.result == nullptr) {
+        clearOutcome();
+        return;
+    }
+    const SimulationResult& r = *outcome.result;
+    const auto sum = static_cast<double>(std::max<std::int64_t>(1, r.births.births));
+    const auto pair = [](double a, double b) { return QStringLiteral("%1, %2").arg(shownNumber(a, 2), shownNumber(b, 2)); };
+    m_solver->setText(solverLine(outcome.settings, r));
+    m_bodies->setText(shownCount(r.bodiesPeak));
+    m_awake->setText(shownCount(r.awakePeak));
+    m_asleep->setText(shownShare(r.asleepAtEnd));
+    m_moving->setText(shownCount(r.stillMoving));
+    m_span->setText(QLocale().toString(r.endTime, 'f', 2));
+    m_wall->setText(shownDuration(outcome.wallSeconds));
+    m_step->setText(pair(r.stepTimes.meanMs, r.stepTimes.worstMs));
+    m_factor->setText(shownNumber(r.stepTimes.realTimeFactor));
+    m_liveFps->setText(outcome.liveMean > 0.0 ? QStringLiteral("%1, %2").arg(QLocale().toString(outcome.liveMean, 'f', 1),
+                                                                             QLocale().toString(outcome.liveWorst, 'f', 0))
+                                              : tr("not measured"));
+    m_energy->setText(shownShare(r.energy.drift, 2));
+    m_occupied->setText(
+        QStringLiteral("%1 (%2)").arg(shownCount(r.births.occupied), shownShare(static_cast<double>(r.births.occupied) / sum, 0)));
+    m_overlap->setText(shownEnergy(r.births.work));
+    m_penetration->setText(shownIn(r.penetrationMax, "m", 2));
+    const auto islands = [](std::int64_t count, std::int64_t elements) {
+        return tr("%1 (%2 elements)").arg(shownCount(count), shownCount(elements));
+    };
+    m_released->setText(islands(r.islands.released, r.islands.releasedElements));
+    m_released->setToolTip(
+        tr("%1; %2 released inside debris or structure; %3 still move at the end")
+            .arg(shownWith(r.islands.releasedMass, "kg"), shownCount(r.islands.occupied), shownCount(r.islands.stillMoving)));
+    m_islands->setText(islands(r.islands.held(), r.islands.elements - r.islands.releasedElements));
+    m_ledger->setText(shownNumber(std::max({r.ledger.mass, r.ledger.momentum, r.ledger.angularMomentum}), 2));
+    m_bodyLedger->setText(shownNumber(std::max({r.ledger.bodyMass, r.ledger.bodyMomentum, r.ledger.bodyAngularMomentum}), 2));
+    m_hash->setText(QString::fromStdString(r.trajectoryHash.hex()).left(8));
+    m_hash->setToolTip(QString::fromStdString(r.trajectoryHash.hex()));
+    m_outcome->show();
+    m_findings->set(r.findings);
+}
+
+void RunPanel::setReady(bool ready, bool running, const QString& why) {
+    m_simulate->setEnabled(ready && !running);
+    m_live->setEnabled(ready && !running);
+    m_simulate->setVisible(!running);
+    m_live->setVisible(!running);
+    m_cancel->setVisible(running);
+    m_why->setText(why);
+    m_why->setVisible(!why.isEmpty());
+}
+
+}  // namespace rubble::widgets

@@ -1,0 +1,94 @@
+#include "widgets/views/status_line.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <cmath>
+
+#include "widgets/basics/theme.h"
+
+namespace rubble::widgets {
+
+StatusLine::StatusLine(QWidget* parent)
+    : QWidget(parent), m_activity(new QLabel), m_progress(new QProgressBar), m_cancel(new QPushButton(tr("Cancel"))) {
+    setObjectName(QStringLiteral("statusLine"));
+    setAttribute(Qt::WA_StyledBackground);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(12, 2, 12, 2);
+    row->setSpacing(16);
+    m_progress->setTextVisible(false);
+    m_progress->setFixedWidth(96);
+    m_progress->setRange(0, 1000);
+    m_progress->setAccessibleName(tr("Progress"));
+    m_cancel->setToolTip(tr("Stop what runs (Esc); what is computed is kept"));
+    m_cancel->setObjectName(QStringLiteral("cancel"));
+    m_cancel->setStyleSheet(QStringLiteral("padding: 1px 8px;"));
+    row->addWidget(m_activity);
+    row->addWidget(m_progress);
+    row->addWidget(m_cancel);
+    for (std::size_t i = 0; i < m_figures.size(); ++i) {
+        m_figures[i] = new QLabel;
+        m_figures[i]->setTextFormat(Qt::RichText);
+        if (static_cast<Figure>(i) == Figure::Memory) {
+            row->addStretch();
+        }
+        row->addWidget(m_figures[i]);
+        m_figures[i]->hide();
+    }
+    m_activity->hide();
+    m_progress->hide();
+    m_cancel->hide();
+    setFixedHeight(fontMetrics().height() + 16);
+    connect(m_cancel, &QPushButton::clicked, this, &StatusLine::cancelRequested);
+}
+
+void StatusLine::setActivity(const QString& what, double fraction) {
+    m_running = !what.isEmpty();
+    m_activity->setText(m_running ? what : m_message);
+    m_activity->setVisible(!m_activity->text().isEmpty());
+    m_progress->setVisible(m_running);
+    m_cancel->setVisible(m_running);
+    if (fraction < 0.0) {
+        m_progress->setRange(0, 0);
+    } else {
+        m_progress->setRange(0, 1000);
+        m_progress->setValue(static_cast<int>(std::lround(1000.0 * std::min(1.0, fraction))));
+    }
+}
+
+void StatusLine::setMessage(const QString& message) {
+    m_message = message;
+    if (!m_running) {
+        m_activity->setText(message);
+        m_activity->setVisible(!message.isEmpty());
+    }
+}
+
+void StatusLine::setFigure(Figure figure, const QString& name, const QString& value, const QString& aside, bool warns) {
+    QLabel* label = m_figures[static_cast<std::size_t>(figure)];
+    QString text = QStringLiteral("%1 <b>%2</b>").arg(name.toHtmlEscaped(), value.toHtmlEscaped());
+    if (!aside.isEmpty()) {
+        text += QStringLiteral(" <span style='color:%1'>%2</span>").arg(tints().muted.name(), aside.toHtmlEscaped());
+    }
+    if (warns || figure == Figure::Findings) {
+        text = QStringLiteral("<span style='color:%1'>%2</span>").arg(tints().finding.name(), text);
+    }
+    label->setText(text);
+    label->setVisible(!value.isEmpty());
+}
+
+void StatusLine::setFigureTip(Figure figure, const QString& tip) {
+    m_figures[static_cast<std::size_t>(figure)]->setToolTip(tip);
+}
+
+QString StatusLine::figureText(Figure figure) const {
+    const QLabel* label = m_figures[static_cast<std::size_t>(figure)];
+    return label->isHidden() ? QString() : label->text();
+}
+
+QString StatusLine::activityText() const {
+    return m_activity->text();
+}
+
+}  // namespace rubble::widgets

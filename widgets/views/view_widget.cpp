@@ -1,0 +1,566 @@
+#include "widgets/views/view_widget.h"
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkOpenGLState.h>
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QRubberBand>
+#include <QSurfaceFormat>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/figures/draw.h"
+#include "widgets/figures/palette.h"
+
+namespace rubble::widgets {
+
+namespace {
+
+constexpr int restAfter = 250;  // ms
+
+double& slowestDraw() {
+    static double seconds = ViewWidget::slowDraw;
+    return seconds;
+}
+
+}  // namespace
+
+struct ViewWidget::Window {
+    vtkNew<vtkGenericOpenGLRenderWindow> gl;
+};
+
+/// Brings the scene's picture onto the widget, then lends the widget as paint device for captions.
+class ViewWidget::Target : public figures::Surface {
+public:
+    explicit Target(ViewWidget& widget) : m_widget(widget) {}
+
+    QSize pixels() const override { return m_widget.devicePixels(); }
+    double textHeight() const override { return 13.0 * m_widget.devicePixelRatioF(); }
+    QPaintDevice& drawScene() override {
+        vtkGenericOpenGLRenderWindow& window = *m_widget.m_window->gl;
+        // Qt has left GL in a state that VTK does not know of.
+        vtkOpenGLState* state = window.GetState();
+        state->Reset();
+        state->Push();
+        m_widget.context()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, m_widget.defaultFramebufferObject());
+        const QSize size = m_widget.devicePixels();
+        render::drawWith(window, size.width(), size.height(), m_widget.m_scene.resolution());
+        state->Pop();
+        readyForPainter();
+        return m_widget;
+    }
+
+private:
+    /// Qt's painter takes GL as it finds it, and VTK leaves depth test, culling and scissor on.
+    void readyForPainter() {
+        QOpenGLFunctions& gl = *m_widget.context()->functions();
+        gl.glBindFramebuffer(GL_FRAMEBUFFER, m_widget.defaultFramebufferObject());
+        gl.glUseProgram(0);
+        gl.glBindBuffer(GL_ARRAY_BUFFER, 0);
+        gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+        gl.glActiveTexture(GL_TEXTURE0);
+        gl.glDisable(GL_DEPTH_TEST);
+        gl.glDisable(GL_CULL_FACE);
+        gl.glDisable(GL_SCISSOR_TEST);
+        gl.glDisable(GL_STENCIL_TEST);
+        gl.glDepthMask(GL_TRUE);
+        gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        const QSize size = m_widget.devicePixels();
+        gl.glViewport(0, 0, size.width(), size.height());
+    }
+
+    ViewWidget& m_widget;
+};
+
+ViewWidget::ViewWidget(QWidget* parent) : QOpenGLWidget(parent), m_window(std::make_unique<Window>()) {
+    QSurfaceFormat format;
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setSamples(0);
+    format.setSwapInterval(0);
+    setFormat(format);
+    setMinimumSize(240, 160);
+    setFocusPolicy(Qt::ClickFocus);
+    setAccessibleName(tr("Views of the collapse"));
+    m_window->gl->SetOwnContext(false);
+    m_window->gl->SetMultiSamples(0);
+    m_window->gl->SetReadyForRendering(false);
+    m_flight.setInterval(12);
+    m_rest.setInterval(restAfter);
+    m_rest.setSingleShot(true);
+    connect(&m_rest, &QTimer::timeout, this, [this] {
+        if (m_simplified) {
+            update();
+        }
+    });
+    connect(&m_flight, &QTimer::timeout, this, &ViewWidget::stepFlight);
+    connect(this, &QOpenGLWidget::frameSwapped, this, [this] { emit shown(m_view.time); });
+}
+
+ViewWidget::~ViewWidget() {
+    releaseGraphics();
+    // The base takes the context down, when this is no view any more.
+    if (context() != nullptr) {
+        disconnect(context(), nullptr, this, nullptr);
+    }
+}
+
+void ViewWidget::releaseGraphics() {
+    if (!m_ready) {
+        return;
+    }
+    makeCurrent();
+    m_scene.detach();
+    m_window->gl->Finalize();
+    m_ready = false;
+    doneCurrent();
+}
+
+void ViewWidget::initializeGL() {
+    // The context dies when the widget moves to another window: what VTK holds in it must go first.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ViewWidget::releaseGraphics, Qt::UniqueConnection);
+    m_window->gl->SetReadyForRendering(true);
+    m_window->gl->SetIsCurrent(true);
+    m_window->gl->OpenGLInit();
+    m_scene.attach(*m_window->gl);
+    m_ready = true;
+}
+
+QSize ViewWidget::devicePixels() const {
+    const double scale = devicePixelRatioF();
+    return {std::max(1, static_cast<int>(std::lround(width() * scale))),
+            std::max(1, static_cast<int>(std::lround(height() * scale)))};
+}
+
+void ViewWidget::paintGL() {
+    QElapsedTimer clock;
+    clock.start();
+    Target target(*this);
+    m_simplified = m_rest.isActive() && std::min(m_drawSeconds[0], m_drawSeconds[1]) > slowestDraw();
+    m_scene.setSimplified(m_simplified, m_resolution.share());
+    figures::draw(m_view, m_scene, target);
+    if (!m_rest.isActive()) {
+        return;  // at rest a picture may have been kept up by what had to be built anew
+    }
+    context()->functions()->glFinish();
+    const double seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+    if (m_simplified) {
+        m_resolution.drew(seconds, slowestDraw());
+        m_rest.start();  // a picture that took long is not yet rest
+    } else {
+        m_drawSeconds = {m_drawSeconds[1], seconds};
+    }
+}
+
+void ViewWidget::noteMove() {
+    m_rest.start();
+}
+
+void ViewWidget::simplifyAbove(double seconds) {
+    slowestDraw() = seconds;
+}
+
+QImage ViewWidget::picture() {
+    m_rest.stop();
+    return grabFramebuffer();
+}
+
+void ViewWidget::setData(const render::SceneData& scene) {
+    if (scene.fe != m_scene.data().fe) {
+        m_drawSeconds = {};
+        m_resolution = {};
+    }
+    m_scene.setData(scene);
+    update();
+}
+
+void ViewWidget::setOther(const render::SceneData& scene, const std::string& scenario) {
+    m_scene.setOther(scene, scenario);
+    update();
+}
+
+void ViewWidget::setView(const render::View& view) {
+    if (view == m_view) {
+        return;
+    }
+    const bool reselected = view.selection != m_view.selection;
+    // A length that was begun lives here alone.
+    m_measuring = m_measuring && view.measurements == m_view.measurements;
+    m_view = view;
+    update();
+    if (reselected) {
+        emit selectionChanged();
+    }
+}
+
+void ViewWidget::setTime(double time) {
+    if (time != m_view.time) {
+        noteMove();
+        m_view.time = time;
+        update();
+    }
+}
+
+const render::PaneStatus& ViewWidget::status(render::PaneContent content) const {
+    return m_scene.status(content);
+}
+
+std::vector<ElementIndex> ViewWidget::elementsWhere(const std::function<bool(const Vec3&)>& inside) const {
+    const bool feOnly = m_view.layout == render::Layout::FeOnly;
+    return m_scene.elementsWhere(feOnly ? render::PaneContent::Fe : render::PaneContent::Fragments, inside);
+}
+
+void ViewWidget::setCamera(std::size_t index, const render::Camera& camera) {
+    m_flight.stop();
+    noteMove();
+    m_view.cameras[index] = camera;
+    update();
+    emit viewChanged(m_view);
+}
+
+ViewWidget::Cameras ViewWidget::fittedCameras() const {
+    const QSize size = devicePixels();
+    Cameras cameras = m_view.cameras;
+    for (const render::Pane& pane : render::panesOf(m_view.layout, size.width(), size.height())) {
+        const std::size_t index = render::cameraIndex(m_view, pane.content);
+        cameras[index] = render::refit(m_view.cameras[index], m_scene.bounds(), pane.aspect());
+    }
+    return cameras;
+}
+
+void ViewWidget::fit() {
+    m_fitted = fittedCameras();
+    flyTo(*m_fitted);
+}
+
+void ViewWidget::keepFitted() {
+    m_fitted = m_view.cameras;
+}
+
+void ViewWidget::resizeEvent(QResizeEvent* event) {
+    QOpenGLWidget::resizeEvent(event);
+    const bool flies = m_flight.isActive();
+    if (m_fitted && (flies ? m_flightTo : m_view.cameras) == *m_fitted) {
+        m_flight.stop();
+        m_fitted = m_view.cameras = fittedCameras();
+        emit viewChanged(m_view);
+    }
+}
+
+void ViewWidget::look(render::Preset preset) {
+    const QSize size = devicePixels();
+    Cameras cameras = m_view.cameras;
+    for (const render::Pane& pane : render::panesOf(m_view.layout, size.width(), size.height())) {
+        if (pane.content != render::PaneContent::Plan) {
+            render::Camera& camera = cameras[render::cameraIndex(m_view, pane.content)];
+            const bool parallel = camera.parallel;
+            camera = render::withProjection(render::fitCamera(m_scene.bounds(), pane.aspect(), preset), parallel);
+            camera = render::refit(camera, m_scene.bounds(), pane.aspect());
+        }
+    }
+    m_fitted = cameras;
+    flyTo(cameras);
+}
+
+void ViewWidget::centreOn(const Vec3& point) {
+    Cameras cameras = m_view.cameras;
+    for (render::Camera& camera : cameras) {
+        camera = render::centreOn(camera, point);
+    }
+    flyTo(cameras);
+}
+
+void ViewWidget::centreNow(const Vec3& point) {
+    m_flight.stop();
+    noteMove();
+    for (render::Camera& camera : m_view.cameras) {
+        camera = render::centreOn(camera, point);
+    }
+    update();
+    emit viewChanged(m_view);
+}
+
+void ViewWidget::setParallel(bool parallel) {
+    m_flight.stop();
+    const std::size_t plan = static_cast<std::size_t>(render::PaneContent::Plan);
+    for (std::size_t i = 0; i < m_view.cameras.size(); ++i) {
+        if (i != plan) {
+            m_view.cameras[i] = render::withProjection(m_view.cameras[i], parallel);
+        }
+    }
+    update();
+    emit viewChanged(m_view);
+}
+
+void ViewWidget::turn(double yaw, double pitch) {
+    Cameras cameras = m_view.cameras;
+    const std::size_t plan = static_cast<std::size_t>(render::PaneContent::Plan);
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        if (i != plan) {
+            cameras[i] = render::orbit(cameras[i], yaw, pitch);
+        }
+    }
+    flyTo(cameras);
+}
+
+void ViewWidget::zoomBy(double factor) {
+    Cameras cameras = m_view.cameras;
+    for (render::Camera& camera : cameras) {
+        camera = render::zoom(camera, factor, 0.5, 0.5, 1.0);
+    }
+    flyTo(cameras);
+}
+
+void ViewWidget::setTool(Tool tool) {
+    dropMeasurement();
+    m_tool = tool;
+    setCursor(tool == Tool::Select ? Qt::ArrowCursor : Qt::CrossCursor);
+    setMouseTracking(tool != Tool::Select);
+}
+
+bool ViewWidget::dropMeasurement() {
+    if (!m_measuring) {
+        return false;
+    }
+    m_measuring = false;
+    m_view.measurements.pop_back();
+    update();
+    emit measured();
+    return true;
+}
+
+void ViewWidget::flyTo(const Cameras& cameras) {
+    m_flightFrom = m_view.cameras;
+    m_flightTo = cameras;
+    m_flightClock.start();
+    if (m_animated) {
+        m_flight.start();
+    } else {
+        noteMove();
+        m_view.cameras = cameras;
+        update();
+        emit viewChanged(m_view);
+    }
+}
+
+void ViewWidget::stepFlight() {
+    const double t = std::min(1.0, static_cast<double>(m_flightClock.elapsed()) / 200.0);
+    for (std::size_t i = 0; i < m_view.cameras.size(); ++i) {
+        m_view.cameras[i] = t < 1.0 ? render::between(m_flightFrom[i], m_flightTo[i], t) : m_flightTo[i];
+    }
+    if (t >= 1.0) {
+        m_flight.stop();
+    }
+    noteMove();
+    update();
+    emit viewChanged(m_view);
+}
+
+std::optional<ViewWidget::Cursor> ViewWidget::cursorAt(const QPointF& position) const {
+    const double scale = devicePixelRatioF();
+    const QSize size = devicePixels();
+    const double x = position.x() * scale;
+    const double y = position.y() * scale;
+    const auto pane = render::paneAt(m_view.layout, size.width(), size.height(), static_cast<int>(x), static_cast<int>(y));
+    if (!pane) {
+        return std::nullopt;
+    }
+    return Cursor{*pane, (x - pane->x) / std::max(1, pane->width), (y - pane->y) / std::max(1, pane->height)};
+}
+
+std::optional<ViewWidget::Hit> ViewWidget::hitAt(const QPointF& place) const {
+    constexpr double nodeWithin = 10.0;  // px of the screen
+    const auto cursor = cursorAt(place);
+    if (!cursor) {
+        return std::nullopt;
+    }
+    const double scale = devicePixelRatioF();
+    const int x = static_cast<int>(place.x() * scale);
+    const int y = static_cast<int>(place.y() * scale);
+    const auto pick = m_scene.pick(x, y);
+    if (!pick) {
+        const auto ground = m_scene.groundAt(x, y);
+        return ground ? std::optional(Hit{*ground, false, std::nullopt}) : std::nullopt;
+    }
+    // Seen under as many pixels at the distance of the click.
+    render::Camera there = render::cameraOf(m_view, cursor->pane.content);
+    const Vec3 ahead = (there.focalPoint - there.position).normalized();
+    there.focalPoint = there.position + ahead * std::max(1e-3, ahead.dot(pick->position - there.position));
+    const double reach = nodeWithin * scale * render::metresPerPixel(there, cursor->pane.height);
+    const bool node = (pick->corner - pick->position).norm() < reach;
+    return Hit{node ? pick->corner : pick->position, node, pick};
+}
+
+void ViewWidget::mousePressEvent(QMouseEvent* event) {
+    m_pressed = m_grabbed = event->position();
+    m_dragged = false;
+    const auto cursor = cursorAt(m_grabbed);
+    m_pane = cursor ? std::optional(cursor->pane) : std::nullopt;
+}
+
+void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
+    if (event->buttons() == Qt::NoButton) {
+        stretchMeasurement(event->position());
+        return;
+    }
+    // A hand trembles by some pixels while it clicks.
+    m_dragged = m_dragged || (event->position() - m_pressed).manhattanLength() > QApplication::startDragDistance();
+    if (!m_pane || !m_dragged) {
+        return;
+    }
+    if ((event->buttons() & Qt::LeftButton) != 0 && (event->modifiers() & Qt::ControlModifier) != 0) {
+        band(QRectF(m_pressed, event->position()).normalized().toRect());
+        return;
+    }
+    const QPointF moved = event->position() - m_grabbed;
+    m_grabbed = event->position();
+    const std::size_t index = render::cameraIndex(m_view, m_pane->content);
+    const render::Camera& camera = m_view.cameras[index];
+    const double scale = devicePixelRatioF();
+    const bool left = (event->buttons() & Qt::LeftButton) != 0;
+    if ((event->buttons() & Qt::MiddleButton) != 0 || (left && (event->modifiers() & Qt::ShiftModifier) != 0)) {
+        setCamera(index, render::pan(camera, moved.x() * scale, moved.y() * scale, m_pane->height));
+    } else if (left) {
+        // Half a turn across the pane, whatever its size.
+        const double perPixel = M_PI * scale / std::max(1, m_pane->height);
+        setCamera(index, render::orbit(camera, -moved.x() * perPixel, -moved.y() * perPixel));
+    }
+}
+
+void ViewWidget::band(const QRect& rectangle) {
+    if (m_band == nullptr) {
+        m_band = new QRubberBand(QRubberBand::Rectangle, this);
+    }
+    m_band->setGeometry(rectangle);
+    m_band->show();
+}
+
+void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
+    if (m_band != nullptr && m_band->isVisible()) {
+        m_band->hide();
+        if (m_pane) {
+            const double scale = devicePixelRatioF();
+            const QRectF area = m_band->geometry();
+            const auto inside =
+                m_scene.elementsIn(*m_pane, static_cast<int>(area.left() * scale), static_cast<int>(area.top() * scale),
+                                   static_cast<int>(area.right() * scale), static_cast<int>(area.bottom() * scale));
+            std::vector<ElementIndex> all = m_view.selection;
+            all.insert(all.end(), inside.begin(), inside.end());
+            std::sort(all.begin(), all.end());
+            all.erase(std::unique(all.begin(), all.end()), all.end());
+            setSelection(std::move(all));
+        }
+    } else if (event->button() == Qt::LeftButton && !m_dragged) {
+        click(event->position(), (event->modifiers() & Qt::ControlModifier) != 0);
+    }
+    m_pane.reset();
+}
+
+std::optional<Vec3> ViewWidget::pointAt(const QPointF& position) const {
+    const double scale = devicePixelRatioF();
+    const int x = static_cast<int>(position.x() * scale);
+    const int y = static_cast<int>(position.y() * scale);
+    const auto hit = m_scene.pick(x, y);
+    return hit ? std::optional(hit->position) : m_scene.groundAt(x, y);
+}
+
+void ViewWidget::click(const QPointF& position, bool adds) {
+    if (m_tool != Tool::Select) {
+        if (const auto point = pointAt(position)) {
+            measure(*point);
+        }
+        return;
+    }
+    const double scale = devicePixelRatioF();
+    const auto hit = m_scene.pick(static_cast<int>(position.x() * scale), static_cast<int>(position.y() * scale));
+    if (!adds) {
+        setSelection(hit ? std::vector{hit->element} : std::vector<ElementIndex>());
+    } else if (hit) {
+        std::vector<ElementIndex> selection = m_view.selection;
+        const auto there = std::find(selection.begin(), selection.end(), hit->element);
+        if (there != selection.end()) {
+            selection.erase(there);
+        } else {
+            selection.push_back(hit->element);
+        }
+        setSelection(std::move(selection));
+    }
+}
+
+void ViewWidget::setSelection(std::vector<ElementIndex> selection) {
+    if (selection != m_view.selection) {
+        m_view.selection = std::move(selection);
+        update();
+        emit selectionChanged();
+        emit viewChanged(m_view);
+    }
+}
+
+void ViewWidget::measure(const Vec3& point) {
+    if (m_measuring) {
+        m_view.measurements.back().to = point;
+    } else {
+        m_view.measurements.push_back({point, point, m_tool == Tool::Height});
+    }
+    m_measuring = !m_measuring;
+    update();
+    emit measured();
+    emit viewChanged(m_view);
+}
+
+void ViewWidget::stretchMeasurement(const QPointF& position) {
+    if (!m_measuring) {
+        return;
+    }
+    if (const auto point = pointAt(position)) {
+        m_view.measurements.back().to = *point;
+        update();
+    }
+}
+
+void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+    const auto cursor = cursorAt(event->position());
+    // The second press of two clicks while measuring is a click of its own.
+    if (m_tool != Tool::Select) {
+        mousePressEvent(event);
+        return;
+    }
+    if (!cursor || event->button() != Qt::LeftButton) {
+        return;
+    }
+    m_dragged = true;  // its release is no click
+    if (const auto point = pointAt(event->position())) {
+        Cameras cameras = m_view.cameras;
+        const std::size_t index = render::cameraIndex(m_view, cursor->pane.content);
+        cameras[index] = render::centreOn(cameras[index], *point);
+        flyTo(cameras);
+    }
+}
+
+void ViewWidget::keyPressEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Escape || m_tool == Tool::Select) {
+        QOpenGLWidget::keyPressEvent(event);
+    } else if (!dropMeasurement()) {
+        setTool(Tool::Select);
+        emit measured();
+    }
+}
+
+void ViewWidget::wheelEvent(QWheelEvent* event) {
+    const auto cursor = cursorAt(event->position());
+    if (!cursor) {
+        return;
+    }
+    const std::size_t index = render::cameraIndex(m_view, cursor->pane.content);
+    const double factor = std::pow(1.2, event->angleDelta().y() / 120.0);
+    setCamera(index, render::zoom(m_view.cameras[index], factor, cursor->u, cursor->v, cursor->pane.aspect()));
+    event->accept();
+}
+
+}  // namespace rubble::widgets

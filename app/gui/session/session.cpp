@@ -2,7 +2,7 @@
 
 #include <QSettings>
 
-#include "app/gui/settings.h"
+#include "app/gui/session/settings.h"
 
 namespace rubble {
 

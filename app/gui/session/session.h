@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/gui/computation.h"
-#include "app/gui/document.h"
+#include "app/gui/session/computation.h"
+#include "app/gui/session/document.h"
 #include "widgets/case/preferences_dialog.h"
 
 namespace rubble {

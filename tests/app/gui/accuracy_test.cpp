@@ -6,10 +6,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/gui/accuracy_display.h"
-#include "app/gui/comparison_memory.h"
-#include "app/gui/file_commands.h"
-#include "app/gui/view_area.h"
+#include "app/gui/accuracy/accuracy_display.h"
+#include "app/gui/accuracy/comparison_memory.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/stage/view_area.h"
 #include "core/analysis/accuracy/sweep_table.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"

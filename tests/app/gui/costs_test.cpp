@@ -7,13 +7,13 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/gui/accuracy_display.h"
-#include "app/gui/calibration_display.h"
-#include "app/gui/error_display.h"
-#include "app/gui/file_commands.h"
-#include "app/gui/forecast_display.h"
-#include "app/gui/grid_display.h"
-#include "app/gui/view_area.h"
+#include "app/gui/accuracy/accuracy_display.h"
+#include "app/gui/accuracy/calibration_display.h"
+#include "app/gui/accuracy/error_display.h"
+#include "app/gui/accuracy/forecast_display.h"
+#include "app/gui/accuracy/grid_display.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/stage/view_area.h"
 #include "core/analysis/accuracy/calibration_table.h"
 #include "core/clusters/clustering.h"
 #include "io/base/machine.h"

@@ -1,8 +1,8 @@
-#include "app/gui/document.h"
+#include "app/gui/session/document.h"
 
 #include <gtest/gtest.h>
 
-#include "app/gui/regrouping_edit.h"
+#include "app/gui/session/regrouping_edit.h"
 #include "core/base/error.h"
 
 namespace rubble {

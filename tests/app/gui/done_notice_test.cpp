@@ -1,4 +1,4 @@
-#include "app/gui/done_notice.h"
+#include "app/gui/window/done_notice.h"
 
 #include <gtest/gtest.h>
 

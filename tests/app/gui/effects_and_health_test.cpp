@@ -1,9 +1,9 @@
 #include <QFileInfo>
 
-#include "app/gui/file_commands.h"
-#include "app/gui/health_display.h"
-#include "app/gui/playback.h"
-#include "app/gui/view_area.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/run/health_display.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/view_area.h"
 #include "io/run/acknowledgements.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/run/effect_row.h"

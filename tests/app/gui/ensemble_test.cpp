@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/gui/causes_display.h"
-#include "app/gui/ensemble_display.h"
-#include "app/gui/evidence_studies.h"
-#include "app/gui/file_commands.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/evidence/causes_display.h"
+#include "app/gui/evidence/ensemble_display.h"
+#include "app/gui/evidence/evidence_studies.h"
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/command_run.h"

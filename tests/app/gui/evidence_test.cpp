@@ -4,10 +4,10 @@
 #include <QTest>
 #include <fstream>
 
-#include "app/gui/evidence_display.h"
-#include "app/gui/file_commands.h"
-#include "app/gui/playback.h"
-#include "app/gui/view_area.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/evidence/evidence_display.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/view_area.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"

@@ -7,9 +7,9 @@
 #include <QSpinBox>
 #include <QTest>
 
-#include "app/gui/picture_export.h"
-#include "app/gui/report_work.h"
-#include "app/gui/view_area.h"
+#include "app/gui/exports/picture_export.h"
+#include "app/gui/exports/report_work.h"
+#include "app/gui/stage/view_area.h"
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"

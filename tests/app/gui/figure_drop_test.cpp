@@ -10,9 +10,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/gui/picture_export.h"
-#include "app/gui/playback.h"
-#include "app/gui/view_area.h"
+#include "app/gui/exports/picture_export.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/view_area.h"
 #include "io/case/case_file.h"
 #include "io/exports/provenance.h"
 #include "tests/app/gui/workbench.h"

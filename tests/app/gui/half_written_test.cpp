@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/gui/ensemble_display.h"
-#include "app/gui/evidence_display.h"
-#include "app/gui/evidence_studies.h"
-#include "app/gui/picture_export.h"
-#include "app/gui/report_work.h"
-#include "app/gui/view_area.h"
+#include "app/gui/evidence/ensemble_display.h"
+#include "app/gui/evidence/evidence_display.h"
+#include "app/gui/evidence/evidence_studies.h"
+#include "app/gui/exports/picture_export.h"
+#include "app/gui/exports/report_work.h"
+#include "app/gui/stage/view_area.h"
 #include "io/case/case_file.h"
 #include "io/run/run_file.h"
 #include "tests/app/gui/workbench.h"

@@ -1,4 +1,4 @@
-#include "app/gui/inspection.h"
+#include "app/gui/views/inspection.h"
 
 #include <QDockWidget>
 #include <QSignalSpy>
@@ -6,11 +6,11 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "app/gui/component_display.h"
-#include "app/gui/file_commands.h"
-#include "app/gui/playback.h"
-#include "app/gui/selection_display.h"
-#include "app/gui/view_area.h"
+#include "app/gui/case/component_display.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/view_area.h"
+#include "app/gui/views/selection_display.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/case/component_tree.h"
 #include "widgets/figures/view_json.h"

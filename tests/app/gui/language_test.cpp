@@ -19,13 +19,13 @@
 #include <regex>
 #include <set>
 
-#include "app/gui/help.h"
-#include "app/gui/manual.h"
-#include "app/gui/mnemonics.h"
-#include "app/gui/new_case.h"
-#include "app/gui/playback.h"
-#include "app/gui/settings.h"
-#include "app/gui/view_area.h"
+#include "app/gui/case/new_case.h"
+#include "app/gui/help/help.h"
+#include "app/gui/help/manual.h"
+#include "app/gui/session/settings.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/view_area.h"
+#include "app/gui/window/mnemonics.h"
 #include "io/case/case_file.h"
 #include "io/exports/exports.h"
 #include "tests/app/gui/spoken_texts.h"

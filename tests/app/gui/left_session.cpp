@@ -2,9 +2,9 @@
 
 #include <QApplication>
 
-#include "app/gui/computation.h"
-#include "app/gui/main_window.h"
+#include "app/gui/session/computation.h"
 #include "app/gui/session/session.h"
+#include "app/gui/window/main_window.h"
 
 namespace rubble {
 

@@ -1,4 +1,4 @@
-#include "app/gui/main_window.h"
+#include "app/gui/window/main_window.h"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <fstream>
 
-#include "app/gui/dock_area.h"
-#include "app/gui/file_commands.h"
-#include "app/gui/inspection.h"
-#include "app/gui/panel_deck.h"
-#include "app/gui/playback.h"
-#include "app/gui/view_area.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/stage/dock_area.h"
+#include "app/gui/stage/panel_deck.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/view_area.h"
+#include "app/gui/views/inspection.h"
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/case/case_panel.h"

@@ -1,4 +1,4 @@
-#include "app/gui/manual.h"
+#include "app/gui/help/manual.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <QTextBrowser>
 #include <set>
 
-#include "app/gui/actions.h"
-#include "app/gui/options.h"
+#include "app/gui/stage/actions.h"
+#include "app/gui/window/options.h"
 #include "core/scenario/parameters.h"
 
 namespace rubble {

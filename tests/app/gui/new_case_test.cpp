@@ -1,4 +1,4 @@
-#include "app/gui/new_case.h"
+#include "app/gui/case/new_case.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
-#include "app/gui/playback.h"
-#include "app/gui/view_area.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/basics/parameter_editor.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <fstream>
 
-#include "app/gui/export_source.h"
-#include "app/gui/picture_export.h"
-#include "app/gui/view_area.h"
+#include "app/gui/exports/export_source.h"
+#include "app/gui/exports/picture_export.h"
+#include "app/gui/stage/view_area.h"
 #include "io/case/case_file.h"
 #include "io/exports/provenance.h"
 #include "tests/app/gui/workbench.h"

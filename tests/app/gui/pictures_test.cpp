@@ -9,9 +9,9 @@
 #include <array>
 #include <cmath>
 
-#include "app/gui/new_case.h"
-#include "app/gui/playback.h"
-#include "app/gui/view_area.h"
+#include "app/gui/case/new_case.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/places.h"
 #include "widgets/case/case_preview.h"

@@ -1,4 +1,4 @@
-#include "app/gui/project_display.h"
+#include "app/gui/case/project_display.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,15 +19,15 @@
 #include <QUndoView>
 #include <fstream>
 
-#include "app/gui/file_commands.h"
-#include "app/gui/inputs_display.h"
-#include "app/gui/layout_memory.h"
-#include "app/gui/playback.h"
-#include "app/gui/run_history.h"
-#include "app/gui/sample.h"
-#include "app/gui/scenarios_display.h"
-#include "app/gui/start_display.h"
-#include "app/gui/view_area.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/case/inputs_display.h"
+#include "app/gui/case/layout_memory.h"
+#include "app/gui/case/run_history.h"
+#include "app/gui/case/scenarios_display.h"
+#include "app/gui/case/start_display.h"
+#include "app/gui/session/sample.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/view_area.h"
 #include "io/case/case_file.h"
 #include "io/run/run_history.h"
 #include "tests/app/gui/workbench.h"

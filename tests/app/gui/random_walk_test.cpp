@@ -22,8 +22,8 @@
 #include <cstdio>
 #include <random>
 
-#include "app/gui/file_commands.h"
-#include "app/gui/view_area.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/stage/view_area.h"
 #include "tests/app/gui/complaints.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/run_tests.h"

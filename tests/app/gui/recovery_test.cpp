@@ -1,4 +1,4 @@
-#include "app/gui/recovery.h"
+#include "app/gui/case/recovery.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@
 #include <csignal>
 #include <fstream>
 
-#include "app/gui/file_commands.h"
-#include "app/gui/layout_memory.h"
-#include "app/gui/project_display.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/case/layout_memory.h"
+#include "app/gui/case/project_display.h"
 #include "core/base/error.h"
 #include "io/case/autosave_file.h"
 #include "io/case/case_file.h"

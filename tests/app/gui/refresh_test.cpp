@@ -6,8 +6,8 @@
 #include <array>
 #include <filesystem>
 
-#include "app/gui/playback.h"
-#include "app/gui/view_area.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/views/status_line.h"

@@ -1,4 +1,4 @@
-#include "app/gui/scenario_pane.h"
+#include "app/gui/case/scenario_pane.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/gui/view_area.h"
+#include "app/gui/stage/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/views/scenario_bar.h"

@@ -6,11 +6,11 @@
 #include <array>
 #include <functional>
 
-#include "app/gui/inspection.h"
-#include "app/gui/new_case.h"
-#include "app/gui/playback.h"
-#include "app/gui/selection_display.h"
-#include "app/gui/view_area.h"
+#include "app/gui/case/new_case.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/view_area.h"
+#include "app/gui/views/inspection.h"
+#include "app/gui/views/selection_display.h"
 #include "tests/app/gui/legibility.h"
 #include "tests/app/gui/spoken_texts.h"
 #include "tests/app/gui/workbench.h"

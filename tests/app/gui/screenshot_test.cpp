@@ -1,4 +1,4 @@
-#include "app/gui/screenshot.h"
+#include "app/gui/window/screenshot.h"
 
 #include <QApplication>
 #include <QFile>
@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
-#include "app/gui/view_area.h"
+#include "app/gui/stage/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/views/view_widget.h"
 

@@ -1,4 +1,4 @@
-#include "app/gui/speed_measure.h"
+#include "app/gui/window/speed_measure.h"
 
 #include <gtest/gtest.h>
 

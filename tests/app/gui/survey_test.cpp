@@ -8,9 +8,9 @@
 #include <fstream>
 #include <functional>
 
-#include "app/gui/file_commands.h"
-#include "app/gui/survey_display.h"
-#include "app/gui/view_area.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/evidence/survey_display.h"
+#include "app/gui/stage/view_area.h"
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/temporary_folder.h"

@@ -10,10 +10,10 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/gui/file_commands.h"
-#include "app/gui/playback.h"
-#include "app/gui/project_display.h"
-#include "app/gui/timeline_display.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/case/project_display.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/timeline_display.h"
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"

@@ -7,9 +7,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/gui/file_commands.h"
-#include "app/gui/view_area.h"
-#include "app/gui/worker.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/session/worker.h"
+#include "app/gui/stage/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/support/small_collapse.h"
 #include "widgets/basics/parameter_editor.h"

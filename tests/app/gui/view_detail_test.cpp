@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "app/gui/settings.h"
-#include "app/gui/view_area.h"
+#include "app/gui/session/settings.h"
+#include "app/gui/stage/view_area.h"
 #include "tests/app/gui/workbench.h"
 #include "widgets/case/preferences_dialog.h"
 #include "widgets/render/basics/camera.h"

@@ -13,9 +13,9 @@
 #include <sstream>
 #include <string>
 
-#include "app/gui/main_window.h"
-#include "app/gui/renewed_window.h"
 #include "app/gui/session/session.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/window/renewed_window.h"
 #include "tests/support/places.h"
 
 namespace rubble {

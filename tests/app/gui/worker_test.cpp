@@ -1,4 +1,4 @@
-#include "app/gui/worker.h"
+#include "app/gui/session/worker.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "app/gui/watched_sink.h"
+#include "app/gui/session/watched_sink.h"
 #include "core/base/error.h"
 
 namespace rubble {

@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/gui/accuracy_display.h"
-#include "app/gui/ensemble_display.h"
-#include "app/gui/evidence_studies.h"
-#include "app/gui/file_commands.h"
+#include "app/gui/accuracy/accuracy_display.h"
+#include "app/gui/case/file_commands.h"
+#include "app/gui/evidence/ensemble_display.h"
+#include "app/gui/evidence/evidence_studies.h"
 #include "io/jobs/job_record.h"
 #include "tests/app/gui/workbench.h"
 #include "tests/app/slurm/one_node.h"

@@ -1,0 +1,71 @@
+#include "app/gui/accuracy/forecast.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "io/base/machine.h"
+#include "io/run/study_files.h"
+
+namespace rubble {
+
+namespace {
+
+/// What the panels show, the robust measures of accuracy among them.
+constexpr std::array<Predicted, 4> shownFigures{Predicted::WallSeconds, Predicted::Fps, Predicted::MassMap,
+                                                Predicted::FootprintIou};
+
+std::vector<KnownPoint> keptPoints(const Digest& scene) {
+    try {
+        Findings ignored;
+        return io::StudyFiles(io::cacheFolder()).points(scene, ignored);
+    } catch (const WorldError&) {
+        // No folder for what can be made again: there are no points.
+        return {};
+    }
+}
+
+}  // namespace
+
+Forecast::Forecast(std::string machine, QObject* parent) : QObject(parent), m_machine(std::move(machine)) {}
+
+void Forecast::forgetPoints() {
+    // The worker may still use the older ones.
+    m_earlier = std::make_shared<Earlier>();
+}
+
+Forecast::Answer Forecast::answer(const Question& question, const std::string& machine, const Calibration* calibration,
+                                  Earlier& earlier, int threads) {
+    const WorldOrigin reference = originOf(question.inputs, referenceScenario(question.scenario), 0, 0.0, machine);
+    const Digest scene = sceneDigest(reference, DebrisInstant::AtRest);
+    if (!earlier.read || earlier.scene != scene) {
+        earlier.points = keptPoints(scene);
+        earlier.scene = scene;
+        earlier.read = true;
+    }
+    KnownPoint open = openPoint(scene, machine, threads, question.scenario, static_cast<std::int64_t>(question.fragments->size()),
+                                question.bodies);
+    open.span = collapseSpan(*question.fragments, question.inputs.fe->times().back());
+    Answer answer{question.scenario, question.bodies, {}, false};
+    for (const Predicted what : shownFigures) {
+        answer.figures.push_back({what, predict(what, open, earlier.points, calibration), std::nullopt});
+    }
+    return answer;
+}
+
+void Forecast::ask(const Question& question) {
+    const int number = ++m_asked;
+    auto made = std::make_shared<std::optional<Answer>>();
+    m_worker.startNext(
+        {Worker::Kind::Study,
+         [question, machine = m_machine, calibration = m_calibration, earlier = m_earlier, made](const Execution& execution) {
+             *made = answer(question, machine, calibration.get(), *earlier, execution.threads());
+         },
+         [this, number, made](const std::exception_ptr&) {
+             if (made->has_value()) {
+                 (*made)->newest = number == m_asked;
+                 emit said(**made);
+             }
+         }});
+}
+
+}  // namespace rubble

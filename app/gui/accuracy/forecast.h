@@ -1,0 +1,64 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "app/gui/session/worker.h"
+#include "core/analysis/accuracy/prediction.h"
+#include "core/pipeline/pipeline.h"
+#include "widgets/basics/prediction_box.h"
+
+namespace rubble {
+
+/// Says what a setting will cost and how accurate it will be, from earlier points in the user's cache and the calibration of this
+/// machine. Works on a thread of its own; of questions that wait only the newest is answered.
+class Forecast : public QObject {
+    Q_OBJECT
+
+public:
+    struct Question {
+        Inputs inputs;
+        Scenario scenario;
+        std::shared_ptr<const FragmentSet> fragments;
+        std::int64_t bodies = 0;
+    };
+    /// The answer with what it was asked for.
+    struct Answer {
+        Scenario scenario;
+        std::int64_t bodies = 0;
+        std::vector<widgets::PredictedFigure> figures;
+        bool newest = false;  ///< nothing was asked since
+    };
+
+    /// @param machine  in words
+    explicit Forecast(std::string machine, QObject* parent = nullptr);
+
+    void setCalibration(std::shared_ptr<const Calibration> calibration) { m_calibration = std::move(calibration); }
+    /// Earlier points are read anew: there may be more now.
+    void forgetPoints();
+    /// Answers with said().
+    void ask(const Question& question);
+
+signals:
+    void said(const rubble::Forecast::Answer& answer);
+
+private:
+    /// Earlier points of the scene that was asked for last; used by the worker alone.
+    struct Earlier {
+        Digest scene;
+        bool read = false;
+        std::vector<KnownPoint> points;
+    };
+    static Answer answer(const Question& question, const std::string& machine, const Calibration* calibration, Earlier& earlier,
+                         int threads);
+
+    std::string m_machine;
+    int m_asked = 0;
+    std::shared_ptr<const Calibration> m_calibration;
+    std::shared_ptr<Earlier> m_earlier = std::make_shared<Earlier>();
+    // Last, so that it has ended before anything it uses goes.
+    Worker m_worker;
+};
+
+}  // namespace rubble

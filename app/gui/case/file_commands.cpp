@@ -1,0 +1,414 @@
+#include "app/gui/case/file_commands.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include "app/gui/case/project_files.h"
+#include "app/gui/session/moved_inputs.h"
+#include "app/gui/session/session.h"
+#include "app/gui/stage/actions.h"
+#include "core/analysis/accuracy/calibration_table.h"
+#include "core/analysis/accuracy/sweep_table.h"
+#include "core/base/error.h"
+#include "io/base/files.h"
+#include "io/case/case_file.h"
+#include "io/exports/exports.h"
+#include "io/run/acknowledgements.h"
+#include "widgets/basics/file_chart.h"
+#include "widgets/case/site_dialog.h"
+#include "widgets/figures/figure_file.h"
+#include "widgets/figures/view_json.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr QSize chartSize(960, 640);
+
+/// A table of these fragments alone.
+auto tableOf(const std::vector<FragmentId>& fragments) {
+    return [fragments](const std::string& path, const io::RunReader& run, const Execution& execution) {
+        io::exportFragments(path, run, fragments, execution);
+    };
+}
+
+/// What was said about a run goes with it; what lies beside the target is about the run that lay there before.
+void copyAcknowledgements(const std::string& fromRun, const std::string& toRun) {
+    const std::filesystem::path from = io::acknowledgementPath(fromRun);
+    const std::filesystem::path to = io::acknowledgementPath(toRun);
+    std::error_code failed;
+    std::filesystem::remove(to, failed);
+    if (!failed && std::filesystem::exists(from, failed)) {
+        std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, failed);
+    }
+    if (failed) {
+        throw WorldError({"gui.save_acknowledgement", "{0} cannot be written: {1}", {to.string(), failed.message()}},
+                         {"gui.save_acknowledgement.remedy", "Choose another folder, or make room there.", {}});
+    }
+}
+
+}  // namespace
+
+FileCommands::FileCommands(Session& session, Actions& actions, QWidget& window)
+    : m_session(session), m_document(session.document()), m_computation(session.computation()), m_window(window) {
+    connectActions(actions);
+}
+
+void FileCommands::connectActions(Actions& actions) {
+    const auto on = [&](const char* id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
+    on("terrain", &FileCommands::chooseTerrain);
+    on("no_terrain", &FileCommands::dropTerrain);
+    on("orthophoto", &FileCommands::chooseOrthophoto);
+    on("surroundings", &FileCommands::chooseSurroundings);
+    on("no_surroundings", &FileCommands::dropSurroundings);
+    on("site", &FileCommands::editSite);
+    on("save", &FileCommands::save);
+    on("save_as", &FileCommands::saveAs);
+    on("save_run", &FileCommands::saveRun);
+    on("export_fragments", &FileCommands::exportFragments);
+    on("export_series", &FileCommands::exportSeries);
+    on("export_vtkhdf", &FileCommands::exportVtkHdf);
+    on("export_gltf", &FileCommands::exportGltf);
+}
+
+QString FileCommands::askForInput() {
+    return QFileDialog::getOpenFileName(&m_window, tr("Open"), QFileInfo(m_document.base()).absolutePath(),
+                                        tr("Cases, FE results and figures of them (*);;Cases (*.rubble)"));
+}
+
+void FileCommands::setTerrain(const QString& path, const widgets::Wording& what) {
+    std::vector<CaseInput> inputs;
+    for (const CaseInput& input : m_document.theCase().inputs) {
+        if (input.role != InputRole::Terrain) {
+            inputs.push_back(input);
+        }
+    }
+    if (!path.isEmpty()) {
+        const QDir folder = QFileInfo(m_document.base()).absoluteDir();
+        inputs.push_back({"terrain-1", InputRole::Terrain, folder.relativeFilePath(path).toStdString(), ""});
+    }
+    m_document.setInputs(std::move(inputs), what);
+}
+
+void FileCommands::chooseTerrain() {
+    const QString path = QFileDialog::getOpenFileName(
+        &m_window, tr("Terrain"), QFileInfo(m_document.base()).absolutePath(),
+        tr("Rasters of heights (*.tif *.tiff *.asc *.bil *.img *.hgt *.dt0 *.dt1 *.dt2 *.xyz *.grd);;All files (*)"));
+    if (!path.isEmpty()) {
+        setTerrain(path, [name = QFileInfo(path).fileName()] { return tr("terrain %1").arg(name); });
+    }
+}
+
+void FileCommands::dropTerrain() {
+    setTerrain({}, [] { return tr("terrain left out"); });
+}
+
+void FileCommands::setFiles(InputRole role, const QStringList& paths, bool beside, const widgets::Wording& what) {
+    std::vector<CaseInput> inputs = m_document.theCase().inputs;
+    if (!beside) {
+        std::erase_if(inputs, [&](const CaseInput& input) { return input.role == role; });
+    }
+    const QDir folder = QFileInfo(m_document.base()).absoluteDir();
+    const std::string stem = role == InputRole::Orthophoto ? "orthophoto-" : "surroundings-";
+    for (const QString& path : paths) {
+        int number = 1;
+        const auto taken = [&] {
+            return std::any_of(inputs.begin(), inputs.end(),
+                               [&](const CaseInput& input) { return input.id == stem + std::to_string(number); });
+        };
+        while (taken()) {
+            ++number;
+        }
+        inputs.push_back({stem + std::to_string(number), role, folder.relativeFilePath(path).toStdString(), ""});
+    }
+    m_document.setInputs(std::move(inputs), what);
+}
+
+void FileCommands::chooseOrthophoto() {
+    const QString path =
+        QFileDialog::getOpenFileName(&m_window, tr("Orthophoto"), QFileInfo(m_document.base()).absolutePath(),
+                                     tr("Pictures of the ground (*.tif *.tiff *.jp2 *.jpg *.jpeg *.png *.img);;All files (*)"));
+    if (!path.isEmpty()) {
+        setFiles(InputRole::Orthophoto, {path}, false,
+                 [name = QFileInfo(path).fileName()] { return tr("orthophoto %1").arg(name); });
+    }
+}
+
+void FileCommands::chooseSurroundings() {
+    const QStringList paths =
+        QFileDialog::getOpenFileNames(&m_window, tr("Surroundings"), QFileInfo(m_document.base()).absolutePath(),
+                                      tr("Meshes (*.obj *.ply *.gltf *.glb);;All files (*)"));
+    if (!paths.isEmpty()) {
+        setFiles(InputRole::Surroundings, paths, true,
+                 [name = QFileInfo(paths.front()).fileName()] { return tr("surroundings %1").arg(name); });
+    }
+}
+
+void FileCommands::dropSurroundings() {
+    std::vector<CaseInput> inputs = m_document.theCase().inputs;
+    std::erase_if(inputs, [](const CaseInput& input) {
+        return input.role == InputRole::Orthophoto || input.role == InputRole::Surroundings;
+    });
+    m_document.setInputs(std::move(inputs), [] { return tr("orthophoto and surroundings left out"); });
+}
+
+void FileCommands::editSite() {
+    const Case& theCase = m_document.theCase();
+    widgets::SiteDialog dialog(&m_window);
+    dialog.setContent(theCase.site, QString::fromStdString(theCase.frame.crs),
+                      static_cast<int>(std::count_if(theCase.inputs.begin(), theCase.inputs.end(), [](const CaseInput& input) {
+                          return input.role == InputRole::Surroundings;
+                      })));
+    if (dialog.exec() == QDialog::Accepted) {
+        m_document.setSite(dialog.site(), dialog.crs().toStdString(), [] { return tr("site"); });
+    }
+}
+
+bool FileCommands::mayLeave() {
+    if (!m_document.modified()) {
+        return true;
+    }
+    const auto answer =
+        QMessageBox::question(&m_window, tr("Save the case?"), tr("The settings of this case have changed since it was saved."),
+                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
+}
+
+QString FileCommands::askForOutput(const QString& title, const QString& suffix, const QString& filter) {
+    const QFileInfo base(m_document.base());
+    QString stem = base.fileName();
+    stem = stem.left(stem.indexOf(u'.') > 0 ? stem.indexOf(u'.') : stem.size());
+    QString path = QFileDialog::getSaveFileName(&m_window, title, base.absolutePath() + u'/' + stem + suffix, filter);
+    if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) {
+        path += suffix;
+    }
+    return path;
+}
+
+bool FileCommands::save() {
+    return m_document.path().isEmpty() ? saveAs() : saveTo(m_document.path());
+}
+
+bool FileCommands::saveAs() {
+    const QString path = askForOutput(tr("Save case"), QStringLiteral(".rubble"), tr("Cases (*.rubble)"));
+    return !path.isEmpty() && saveTo(path);
+}
+
+bool FileCommands::saveTo(const QString& path) {
+    try {
+        Case moved = movedCase(m_document.theCase(), m_document.base(), path);
+        for (CaseInput& input : moved.inputs) {
+            if (m_computation.inputs().fe != nullptr && input.role == InputRole::Fe && input.sha256.empty()) {
+                input.sha256 = m_computation.inputs().fe->contents().sha256;
+            }
+            if (input.role == InputRole::Terrain && input.sha256.empty()) {
+                input.sha256 = m_computation.terrain().sha256;
+            }
+            for (const io::SiteFile& file : m_computation.terrain().files) {
+                if (input.sha256.empty() && file.input == input.id) {
+                    input.sha256 = file.sha256;
+                }
+            }
+        }
+        m_document.saved(io::saveCase(path.toStdString(), moved), path);
+        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
+        return true;
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        m_session.report(*failure);
+        return false;
+    }
+}
+
+void FileCommands::reportWrite(Session& session, const QString& path, const std::exception_ptr& thrown) {
+    if (const auto failure = failureOf(thrown)) {
+        session.report(*failure);
+    } else if (thrown == nullptr) {
+        session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    }
+}
+
+void FileCommands::saveRun() {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || record->running) {
+        return;
+    }
+    const QString path = askForOutput(tr("Save run"), QStringLiteral(".run.h5"), tr("Runs (*.run.h5)"));
+    if (!path.isEmpty()) {
+        saveRunTo(path);
+    }
+}
+
+void FileCommands::saveRunTo(const QString& path) {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || record->running) {
+        return;
+    }
+    m_computation.write(
+        [from = record->path.toStdString(), to = path.toStdString()](const Execution& execution) {
+            execution.report({"gui.saving_run", "Saving the run", {}}, 0.0);
+            io::writeAtomically(to, [&](std::ostream& out) {
+                std::ifstream in(from, std::ios::binary);
+                std::vector<char> block(1 << 20);
+                while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
+                    execution.check();
+                    out.write(block.data(), in.gcount());
+                }
+            });
+            copyAcknowledgements(from, to);
+        },
+        [session = &m_session, path, kept = record->path](const std::exception_ptr& thrown) {
+            reportWrite(*session, path, thrown);
+            const RunRecord* shown = session->computation().currentRun();
+            if (thrown == nullptr && shown != nullptr && shown->path == kept) {
+                session->part<ProjectFiles>().runs.keptAt(QFileInfo(path).absoluteFilePath());
+            }
+        });
+}
+
+void FileCommands::exportFragments() {
+    exportRun(tr("Table of fragments"), QStringLiteral(".csv"), tr("Tables (*.csv)"),
+              [](const std::string& path, const io::RunReader& run, const Execution& execution) {
+                  io::exportFragments(path, run, execution);
+              });
+}
+
+void FileCommands::exportSelection(const std::vector<FragmentId>& fragments) {
+    if (!fragments.empty()) {
+        exportRun(tr("Table of selected fragments"), QStringLiteral("-selection.csv"), tr("Tables (*.csv)"), tableOf(fragments));
+    }
+}
+
+void FileCommands::exportSelectionTo(const QString& path, const std::vector<FragmentId>& fragments) {
+    writeRun(path, m_computation.currentRun()->reader, tableOf(fragments));
+}
+
+void FileCommands::exportView(const render::View& view) {
+    const QString path = askForOutput(tr("View"), QStringLiteral("-view.json"), tr("Views (*.json)"));
+    if (!path.isEmpty()) {
+        writeTable(path, [&](std::ostream& out) { out << figures::toJson(view); });
+    }
+}
+
+std::optional<render::View> FileCommands::importView() {
+    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open a view"), QFileInfo(m_document.base()).absolutePath(),
+                                                      tr("Views (*.json);;All files (*)"));
+    if (path.isEmpty()) {
+        return std::nullopt;
+    }
+    try {
+        return figures::viewFromFile(path.toStdString());
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        m_session.report(*failure);
+        return std::nullopt;
+    }
+}
+
+void FileCommands::exportSeries() {
+    exportRun(tr("Series for ParaView"), QStringLiteral(".pvd"), tr("Series (*.pvd)"),
+              [fe = m_computation.inputs().fe](const std::string& path, const io::RunReader& run, const Execution& execution) {
+                  io::exportSeries(path, run, *fe, execution);
+              });
+}
+
+void FileCommands::exportVtkHdf() {
+    exportRun(tr("Series in one file"), QStringLiteral(".vtkhdf"), tr("VTKHDF (*.vtkhdf)"),
+              [fe = m_computation.inputs().fe](const std::string& path, const io::RunReader& run, const Execution& execution) {
+                  io::exportVtkHdf(path, run, *fe, execution);
+              });
+}
+
+void FileCommands::exportGltf() {
+    exportRun(tr("Fragments as glTF"), QStringLiteral(".glb"), tr("Binary glTF (*.glb)"), io::exportGltf);
+}
+
+void FileCommands::exportRun(const QString& title, const QString& suffix, const QString& filter, const RunExport& write) {
+    const RunRecord* record = m_computation.currentRun();
+    if (record == nullptr || record->reader == nullptr || record->running) {
+        return;
+    }
+    // What was shown when it was asked for: another run may have taken its place before the answer.
+    const std::shared_ptr<io::RunReader> run = record->reader;
+    const QString path = askForOutput(title, suffix, filter);
+    if (!path.isEmpty()) {
+        writeRun(path, run, write);
+    }
+}
+
+void FileCommands::writeRun(const QString& path, const std::shared_ptr<io::RunReader>& run, const RunExport& write) {
+    m_computation.write([path, run, write](const Execution& execution) { write(path.toStdString(), *run, execution); },
+                        [session = &m_session, path](const std::exception_ptr& thrown) { reportWrite(*session, path, thrown); });
+}
+
+void FileCommands::saveSweep(const std::shared_ptr<const AccuracyReport>& report) {
+    if (report == nullptr) {
+        return;
+    }
+    const QString path = askForOutput(tr("Settings compared"), QStringLiteral("-accuracy.csv"), tr("Tables (*.csv)"));
+    if (!path.isEmpty()) {
+        saveSweepTo(path, *report);
+    }
+}
+
+void FileCommands::saveCalibration(const std::shared_ptr<const Calibration>& calibration) {
+    if (calibration == nullptr) {
+        return;
+    }
+    const QString path = askForOutput(tr("Calibration"), QStringLiteral("-calibration.csv"), tr("Tables (*.csv)"));
+    if (!path.isEmpty()) {
+        saveCalibrationTo(path, *calibration);
+    }
+}
+
+void FileCommands::saveSweepTo(const QString& path, const AccuracyReport& report) {
+    writeTable(path, [&](std::ostream& out) { writeSweepCsv(report, out); });
+}
+
+void FileCommands::saveCalibrationTo(const QString& path, const Calibration& calibration) {
+    writeTable(path, [&](std::ostream& out) { writeCalibrationCsv(calibration, out); });
+}
+
+void FileCommands::writeTable(const QString& path, const std::function<void(std::ostream&)>& table) {
+    try {
+        io::writeAtomically(path.toStdString(), table);
+        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        m_session.report(*failure);
+    }
+}
+
+void FileCommands::saveChart(const widgets::FileChart& chart, const QString& suffix) {
+    const QString path = askForOutput(tr("Chart"), suffix, tr("Drawings (*.svg);;Images (*.png)"));
+    if (!path.isEmpty()) {
+        saveChartTo(path, chart);
+    }
+}
+
+void writeChart(const QString& path, const widgets::FileChart& chart) {
+    if (QFileInfo(path).suffix().compare(QLatin1String("svg"), Qt::CaseInsensitive) == 0) {
+        const QByteArray drawing = chart.svg(chartSize);
+        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { out.write(drawing.data(), drawing.size()); });
+    } else {
+        figures::writePng(path.toStdString(), chart.image(2 * chartSize));
+    }
+}
+
+void FileCommands::saveChartTo(const QString& path, const widgets::FileChart& chart) {
+    try {
+        writeChart(path, chart);
+        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        m_session.report(*failure);
+    }
+}
+
+}  // namespace rubble

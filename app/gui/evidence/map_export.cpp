@@ -1,0 +1,37 @@
+#include "app/gui/evidence/map_export.h"
+
+#include <QFileInfo>
+
+#include "io/site/site_place.h"
+#include "widgets/figures/figure_file.h"
+
+namespace rubble {
+
+figures::MapPictureStyle pictureStyle(const io::MapOrigin& origin) {
+    figures::MapPictureStyle style;
+    style.place = io::SitePlace(origin.frame, origin.site).transform();
+    style.system = origin.frame.crs;
+    style.shown = origin.facts.front().second;
+    for (const auto& [key, value] : origin.facts) {
+        if (key.starts_with("RUBBLE_INPUT")) {
+            style.provenance += (style.provenance.empty() ? "inputs " : ", ") + value.substr(0, 16);
+        }
+    }
+    return style;
+}
+
+void writeMapFile(const QString& path, const DebrisMap& map, MapLayer layer, const io::MapOrigin& origin,
+                  const Execution& execution) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    const std::string file = path.toStdString();
+    if (suffix == QLatin1String("csv")) {
+        io::writeMapCsv(file, map, map.present(), origin, execution);
+    } else if (suffix == QLatin1String("png")) {
+        figures::writePng(file, figures::mapPicture(map, layer, pictureStyle(origin)));
+        io::writeMapProvenance(file, origin);
+    } else {
+        io::writeMapTiff(file, map, map.present(), origin, execution);
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,284 @@
+#include "app/gui/evidence/survey_display.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/gui/session/session.h"
+#include "app/gui/stage/actions.h"
+#include "app/gui/stage/panel_deck.h"
+#include "core/base/error.h"
+#include "io/base/files.h"
+#include "io/case/case_file.h"
+#include "io/case/terrain_reader.h"
+#include "io/exports/provenance.h"
+#include "io/exports/survey_files.h"
+#include "io/site/site_place.h"
+#include "widgets/evidence/evidence_page.h"
+#include "widgets/evidence/evidence_panel.h"
+#include "widgets/evidence/survey_box.h"
+#include "widgets/figures/figure_file.h"
+#include "widgets/figures/survey_picture.h"
+
+namespace rubble {
+
+SurveyWork::SurveyWork(Session& session) {
+    connect(&session.document(), &Document::replaced, this, [this] {
+        m_worker.cancel();
+        comparing = m_worker.busy();
+        chosen = 0;
+        comparison = nullptr;
+        input = nullptr;
+        complaint.reset();
+        comparedRun = nullptr;
+        emit changed();
+    });
+}
+
+void SurveyWork::start(const EvidenceRun& run, const Case& theCase, const Frame& frame, const std::string& path) {
+    comparing = true;
+    complaint.reset();
+    const auto made = std::make_shared<SurveyComparison>();
+    const auto read = std::make_shared<io::SurveyInput>();
+    m_worker.start(
+        {Worker::Kind::Study,
+         [made, read, path, run, frame, site = theCase.site, settings = comparedSettings](const Execution& execution) mutable {
+             *read = io::readSurvey(path, frame, site, io::boundsAtRest(run.fe->mesh()), execution);
+             settings.turn = io::SitePlace(frame, site).transform().angle;
+             *made = compareRunWithSurvey(run.mapped(), std::nullopt, read->survey, settings, execution);
+         },
+         [this, made, read, of = comparedRun](const std::exception_ptr& thrown) {
+             comparing = false;
+             if (const auto failure = failureOf(thrown)) {
+                 complaint = failure;
+             } else if (thrown == nullptr && of == comparedRun) {
+                 // None is awaited any more when another case was opened meanwhile.
+                 comparison = made;
+                 input = read;
+                 emit compared();
+             }
+             emit changed();
+         }});
+    emit changed();
+}
+
+void SurveyWork::cancel() {
+    m_worker.cancel();
+    comparing = m_worker.busy();
+    emit changed();
+}
+
+SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::EvidencePage& page, Actions& actions, QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_document(session.document()),
+      m_computation(session.computation()),
+      m_deck(deck),
+      m_page(page),
+      m_work(session.part<SurveyWork>()) {
+    connect(&actions["add_survey"], &QAction::triggered, this, &SurveyDisplay::chooseFile);
+    connect(&actions["compare_survey"], &QAction::triggered, this, [this] {
+        m_deck.choose(PanelDeck::Evidence);
+        compare();
+    });
+    widgets::SurveyBox& box = deck.evidence().survey();
+    if (m_work.asked) {
+        box.setSettings(*m_work.asked);
+    }
+    connect(&box, &widgets::SurveyBox::addRequested, this, &SurveyDisplay::chooseFile);
+    connect(&box, &widgets::SurveyBox::removeRequested, this, &SurveyDisplay::remove);
+    connect(&box, &widgets::SurveyBox::compareRequested, this, &SurveyDisplay::compare);
+    connect(&box, &widgets::SurveyBox::cancelRequested, this, &SurveyDisplay::cancel);
+    connect(&box, &widgets::SurveyBox::saveRequested, this, &SurveyDisplay::save);
+    connect(&box, &widgets::SurveyBox::settingsChanged, this, &SurveyDisplay::refresh);
+    connect(&box, &widgets::SurveyBox::showsFallenChosen, this, &SurveyDisplay::setShowsFallen);
+    connect(&box, &widgets::SurveyBox::chosen, this, [this](int survey) {
+        m_work.chosen = survey;
+        refresh();
+    });
+    connect(&m_work, &SurveyWork::changed, this, &SurveyDisplay::refresh);
+    connect(&m_work, &SurveyWork::compared, this, [this] { m_page.showSurvey(true); });
+    connect(&m_document, &Document::inputsAccepted, this, &SurveyDisplay::refresh);
+    connect(&m_document, &Document::surveysChanged, this, &SurveyDisplay::refresh);
+    connect(&m_computation, &Computation::runBegun, this, &SurveyDisplay::refresh);
+    connect(&m_computation, &Computation::runEnded, this, &SurveyDisplay::refresh);
+    connect(&m_computation, &Computation::runReopened, this, &SurveyDisplay::refresh);
+    connect(&m_computation, &Computation::prepared, this, &SurveyDisplay::refresh);
+    refresh();
+    m_page.showSurvey(m_work.shown && m_work.comparison != nullptr);
+}
+
+SurveyDisplay::~SurveyDisplay() {
+    m_work.asked = m_deck.evidence().survey().settings();
+    m_work.shown = m_page.surveyShown();
+}
+
+std::vector<const CaseInput*> SurveyDisplay::surveys() const {
+    std::vector<const CaseInput*> found;
+    for (const CaseInput& input : m_document.theCase().inputs) {
+        if (input.role == InputRole::Survey) {
+            found.push_back(&input);
+        }
+    }
+    return found;
+}
+
+const CaseInput* SurveyDisplay::current() const {
+    const auto all = surveys();
+    return m_work.chosen >= 0 && m_work.chosen < static_cast<int>(all.size()) ? all[static_cast<std::size_t>(m_work.chosen)]
+                                                                              : nullptr;
+}
+
+void SurveyDisplay::chooseFile() {
+    if (m_document.empty()) {
+        return;
+    }
+    const QString path = QFileDialog::getOpenFileName(
+        m_page.window(), tr("Add a survey"), QFileInfo(m_document.base()).absolutePath(),
+        tr("Height models and outlines (*.tif *.tiff *.asc *.bil *.img *.xyz *.grd *.gpkg *.geojson *.json *.shp *.fgb *.kml);;All "
+           "files (*)"));
+    if (!path.isEmpty()) {
+        add(path);
+    }
+}
+
+void SurveyDisplay::add(const QString& path) {
+    std::vector<CaseInput> inputs = m_document.theCase().inputs;
+    std::string id;
+    for (int number = 1; id.empty() || std::any_of(inputs.begin(), inputs.end(), [&](const CaseInput& i) { return i.id == id; });
+         ++number) {
+        id = "survey-" + std::to_string(number);
+    }
+    const QDir folder = QFileInfo(m_document.base()).absoluteDir();
+    inputs.push_back({id, InputRole::Survey, folder.relativeFilePath(path).toStdString(), {}});
+    try {
+        inputs.back().sha256 = io::sha256OfFile(path.toStdString());
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        m_session.tell(failure->inOneLine());
+        return;
+    }
+    m_work.chosen = static_cast<int>(surveys().size());
+    m_deck.choose(PanelDeck::Evidence);
+    m_document.setSurveys(std::move(inputs), [name = QFileInfo(path).fileName()] { return tr("survey %1 added").arg(name); });
+}
+
+void SurveyDisplay::remove() {
+    if (const CaseInput* survey = current(); survey != nullptr) {
+        std::vector<CaseInput> inputs = m_document.theCase().inputs;
+        std::erase_if(inputs, [id = survey->id](const CaseInput& input) { return input.id == id; });
+        m_work.chosen = std::max(0, m_work.chosen - 1);
+        m_document.setSurveys(std::move(inputs), [] { return tr("survey removed"); });
+    }
+}
+
+void SurveyDisplay::setShowsFallen(std::optional<bool> shows) {
+    if (const CaseInput* survey = current(); survey != nullptr && survey->showsFallen != shows) {
+        std::vector<CaseInput> inputs = m_document.theCase().inputs;
+        for (CaseInput& input : inputs) {
+            if (input.id == survey->id) {
+                input.showsFallen = shows;
+            }
+        }
+        m_document.setSurveys(std::move(inputs), [] { return tr("what the survey shows"); });
+    }
+}
+
+QString SurveyDisplay::whyNot() const {
+    const RunRecord* record = m_computation.currentRun();
+    return record == nullptr || record->reader == nullptr || record->running ? tr("Simulate first: there is no debris yet.")
+                                                                             : QString();
+}
+
+bool SurveyDisplay::stale() const {
+    const RunRecord* record = m_computation.currentRun();
+    const CaseInput* survey = current();
+    const SurveySettings now = m_deck.evidence().survey().settings();
+    const SurveySettings& then = m_work.comparedSettings;
+    return record == nullptr || survey == nullptr || m_work.comparedRun != record->reader.get() ||
+           !(*survey == m_work.comparedWith) || now.cell != then.cell || now.leastHeight != then.leastHeight ||
+           now.fit != then.fit || now.withFallen != then.withFallen || m_computation.runStale(m_document.scenario());
+}
+
+void SurveyDisplay::compare() {
+    const CaseInput* survey = current();
+    if (survey == nullptr || !whyNot().isEmpty() || m_work.comparing) {
+        return;
+    }
+    const RunRecord* record = m_computation.currentRun();
+    m_work.comparedWith = *survey;
+    m_work.comparedSettings = m_deck.evidence().survey().settings();
+    m_work.comparedSettings.showsFallen = survey->showsFallen;
+    m_work.comparedRun = record->reader.get();
+    m_work.start(EvidenceRun(m_computation.inputs(), record), m_document.theCase(), m_computation.inputs().frame,
+                 io::inputPath(m_document.base().toStdString(), *survey));
+}
+
+void SurveyDisplay::cancel() {
+    m_work.cancel();
+}
+
+void SurveyDisplay::save() {
+    const QString path = QFileDialog::getSaveFileName(m_page.window(), tr("Difference map"),
+                                                      QFileInfo(m_document.base()).absolutePath() + QStringLiteral("/survey.tif"),
+                                                      tr("GeoTIFF (*.tif);;Images (*.png)"));
+    if (!path.isEmpty()) {
+        saveTo(path);
+    }
+}
+
+void SurveyDisplay::saveTo(const QString& path) {
+    const RunRecord* record = m_computation.currentRun();
+    if (m_work.comparison == nullptr || record == nullptr || record->reader == nullptr || stale()) {
+        m_session.tell(tr("The comparison is of another run or other settings.") + u' ' + tr("Compare again, then save."));
+        return;
+    }
+    try {
+        const io::MapOrigin origin = io::surveyOrigin(*record->reader, *m_work.comparison, *m_work.input);
+        if (QFileInfo(path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0) {
+            figures::SurveyPictureStyle style;
+            style.place = io::SitePlace(origin.frame, origin.site).transform();
+            style.system = origin.frame.crs;
+            style.provenance = "survey " + m_work.input->sha256.substr(0, 16) + ", " + io::footLine(record->reader->origin());
+            figures::writePng(path.toStdString(), figures::surveyPicture(*m_work.comparison, style));
+            io::writeProvenance(path.toStdString(), origin.provenance);
+        } else {
+            io::writeSurveyTiff(path.toStdString(), *m_work.comparison, origin, Execution());
+        }
+        m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        m_session.tell(failure->inOneLine());
+    }
+}
+
+void SurveyDisplay::refresh() {
+    widgets::SurveyBox::Content content;
+    content.available = !m_document.empty();
+    const auto all = surveys();
+    for (const CaseInput* survey : all) {
+        content.names << QFileInfo(QString::fromStdString(survey->path)).fileName();
+    }
+    m_work.chosen = std::clamp(m_work.chosen, 0, std::max(0, static_cast<int>(all.size()) - 1));
+    content.chosen = all.empty() ? -1 : m_work.chosen;
+    content.showsFallen = all.empty() ? std::nullopt : all[static_cast<std::size_t>(m_work.chosen)]->showsFallen;
+    content.noComparison = whyNot();
+    content.complaint = m_work.complaint ? m_work.complaint->inOneLine() : QString();
+    content.comparing = m_work.comparing;
+    if (m_work.comparison != nullptr && current() != nullptr && current()->id == m_work.comparedWith.id) {
+        content.comparison = m_work.comparison;
+        content.stale = !m_work.comparing && stale();
+        content.findings = m_work.input->findings;
+        content.findings.append(m_work.comparison->findings);
+        if (!m_work.comparedWith.sha256.empty() && m_work.comparedWith.sha256 != m_work.input->sha256) {
+            content.findings.add({"survey.changed", "The survey is not the one the case was saved with", {}},
+                                 {"survey.changed.remedy", "Find the file with the SHA-256 of the case, or accept it as it is", {}},
+                                 m_work.input->path);
+        }
+    }
+    m_deck.evidence().survey().setContent(content);
+    m_page.setSurvey(content.comparison);
+}
+
+}  // namespace rubble

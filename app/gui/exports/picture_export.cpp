@@ -1,0 +1,215 @@
+#include "app/gui/exports/picture_export.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/gui/exports/export_source.h"
+#include "app/gui/session/session.h"
+#include "widgets/figures/export_record.h"
+#include "widgets/figures/figure_file.h"
+#include "widgets/figures/view_json.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr double movieDpi = 110.0;
+
+double lastInstant(const render::SceneData& data) {
+    const double end = data.fe->times().back();
+    const auto& run = data.trajectory;
+    return run != nullptr && run->frameCount() > 0 ? std::max(end, run->frameTime(run->frameCount() - 1)) : end;
+}
+
+figures::Sheet sheetFor(const widgets::FigureChoice& choice, const render::View& view, const render::SceneData& data, QSize pixels,
+                        double dpi) {
+    if (!choice.preset) {
+        return figures::sheetOf(view);
+    }
+    figures::PresetRequest request;
+    request.preset = *choice.preset;
+    request.end = lastInstant(data);
+    return figures::presetSheet(request, view, data, pixels, dpi);
+}
+
+void writeFigureFile(const std::string& path, const widgets::FigureChoice& choice, const render::View& view,
+                     const render::SceneData& data, const PictureExport::Made& made) {
+    figures::FigureStyle style;
+    style.pixels = choice.pixels;
+    style.dpi = choice.dpi;
+    style.provenance = io::footLine(made.origin, made.run != nullptr);
+    figures::Studio studio(data);
+    const figures::SheetPicture picture = studio.sheet(sheetFor(choice, view, data, style.pixels, style.dpi), style);
+    const std::string drawn = figures::toJson(choice.preset ? picture.panels().back().view : view);
+    io::ExportRecord record{"figure",
+                            {},
+                            figures::settingsText(choice.pixels, choice.dpi, choice.preset, picture.panels().back().place.size()),
+                            drawn,
+                            made.casePath,
+                            made.around};
+    for (const figures::SheetPicture::Panel& panel : picture.panels()) {
+        record.shown.push_back({panel.shown.caption.toStdString(), panel.shown.status.time, std::nullopt,
+                                figures::shownAs(panel.shown.content, panel.shown.status)});
+    }
+    figures::writeSheet(path, picture, style, io::exportProvenance(record, made.origin, made.run.get()));
+}
+
+/// Returns where the movie lies.
+std::string writeMovieFile(const std::string& path, const widgets::MovieChoice& choice, render::View view,
+                           const render::SceneData& data, const PictureExport::Made& made, const Execution& execution) {
+    view.captions = true;
+    view.time = choice.settings.from;
+    io::ExportRecord record{"movie",       {},         figures::settingsText(choice.pixels, choice.settings), figures::toJson(view),
+                            made.casePath, made.around};
+    for (const figures::MoviePane& pane : figures::moviePanes(view, made.run != nullptr)) {
+        record.shown.push_back({pane.name, choice.settings.from, choice.settings.to, pane.shownAs});
+    }
+    figures::FigureStyle style;
+    style.pixels = choice.pixels;
+    style.dpi = movieDpi * choice.pixels.height() / 720.0;
+    const auto target =
+        figures::movieTarget(path, style.pixels, choice.settings.fps, io::exportProvenance(record, made.origin, made.run.get()));
+    figures::Studio studio(data);
+    figures::makeMovie(studio, view, style, choice.settings, *target, execution);
+    return target->path();
+}
+
+}  // namespace
+
+io::RunOrigin shownOrigin(const Document& document, const Computation& computation) {
+    const RunRecord* record = computation.currentRun();
+    if (record != nullptr && record->reader != nullptr) {
+        return record->reader->origin();
+    }
+    const CaseScenario* active = document.active();
+    return io::originOf(computation.content(), document.scenario(), active != nullptr ? active->name : std::string());
+}
+
+PictureExport::PictureExport(Session& session, QWidget& window)
+    : m_session(session), m_document(session.document()), m_computation(session.computation()), m_window(window) {}
+
+QString PictureExport::proposed(const QString& suffix) const {
+    const QFileInfo base(m_document.base());
+    return base.absolutePath() + u'/' + base.completeBaseName() + suffix;
+}
+
+void PictureExport::tell(Session& session, const QString& path, const std::exception_ptr& thrown) {
+    if (const auto failure = failureOf(thrown)) {
+        session.report(*failure);
+    } else if (thrown == nullptr) {
+        session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    } else {
+        session.tell(tr("Cancelled; nothing half-made is left"));
+    }
+}
+
+PictureExport::Made PictureExport::madeNow(const render::SceneData& data) const {
+    const RunRecord* record = m_computation.currentRun();
+    std::vector<io::ShownFile> around = io::shownFiles(m_computation.terrain());
+    // A map may lie on the ground in place of the orthophoto.
+    if (data.orthophoto != m_computation.terrain().orthophoto) {
+        std::erase_if(around, [](const io::ShownFile& file) { return file.role == "orthophoto"; });
+    }
+    return {shownOrigin(m_document, m_computation), record != nullptr ? record->reader : nullptr, m_document.path().toStdString(),
+            std::move(around)};
+}
+
+void PictureExport::exportFigure(const render::View& view, const render::SceneData& data) {
+    if (data.fe == nullptr) {
+        return;
+    }
+    // What is shown now: other work may change that before the dialogs are answered.
+    const Made made = madeNow(data);
+    const render::View shown = view;
+    widgets::FigureDialog dialog(m_session.part<LastFigure>().choice, &m_window);
+    connect(&dialog, &widgets::FigureDialog::previewRequested, &dialog, [&](const widgets::FigureChoice& choice) {
+        try {
+            // Smaller, with text as large for the picture as it will be.
+            constexpr double longest = 1120.0;
+            const double scale = std::min(1.0, longest / std::max(choice.pixels.width(), choice.pixels.height()));
+            figures::FigureStyle style;
+            style.pixels = {std::max(100, static_cast<int>(scale * choice.pixels.width())),
+                            std::max(100, static_cast<int>(scale * choice.pixels.height()))};
+            style.dpi = std::max(20.0, scale * choice.dpi);
+            style.provenance = io::footLine(made.origin, data.trajectory != nullptr);
+            figures::Studio studio(data);
+            dialog.setPreview(studio.sheet(sheetFor(choice, shown, data, style.pixels, style.dpi), style).image());
+        } catch (...) {
+            const auto failure = failureOf(std::current_exception());
+            dialog.setPreview({}, failure ? failure->inOneLine() : QString());
+        }
+    });
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    m_session.part<LastFigure>().choice = dialog.choice();
+    QString path =
+        QFileDialog::getSaveFileName(&m_window, tr("Figure"), proposed(QStringLiteral(".png")), tr("Figures (*.png *.svg *.pdf)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    if (!figures::isFigurePath(path.toStdString())) {
+        path += QStringLiteral(".png");
+    }
+    writeFigure(path, m_session.part<LastFigure>().choice, shown, data, made);
+}
+
+void PictureExport::exportFigureTo(const QString& path, const widgets::FigureChoice& choice, const render::View& view,
+                                   const render::SceneData& data) {
+    writeFigure(path, choice, view, data, madeNow(data));
+}
+
+void PictureExport::writeFigure(const QString& path, const widgets::FigureChoice& choice, const render::View& view,
+                                const render::SceneData& data, const Made& made) {
+    m_computation.write(
+        [path, choice, view, data, made](const Execution& execution) {
+            execution.report({"gui.drawing_figure", "Drawing the figure", {}}, 0.0);
+            writeFigureFile(path.toStdString(), choice, view, data, made);
+        },
+        [session = &m_session, path](const std::exception_ptr& thrown) { tell(*session, path, thrown); });
+}
+
+void PictureExport::exportMovie(const render::View& view, const render::SceneData& data) {
+    if (data.fe == nullptr) {
+        return;
+    }
+    const Made made = madeNow(data);
+    const render::View shown = view;
+    widgets::MovieChoice choice;
+    choice.settings.from = data.fe->times().front();
+    choice.settings.to = lastInstant(data);
+    widgets::MovieDialog dialog(choice, figures::ffmpegInstalled(), &m_window);
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    choice = dialog.choice();
+    QString path = choice.encoded ? QFileDialog::getSaveFileName(&m_window, tr("Movie"), proposed(QStringLiteral(".mp4")),
+                                                                 tr("Movies (*.mp4)"))
+                                  : QFileDialog::getExistingDirectory(&m_window, tr("Folder for the pictures of the movie"),
+                                                                      QFileInfo(m_document.base()).absolutePath());
+    if (path.isEmpty()) {
+        return;
+    }
+    if (choice.encoded && !path.endsWith(QLatin1String(".mp4"), Qt::CaseInsensitive)) {
+        path += QStringLiteral(".mp4");
+    }
+    writeMovie(path, choice, shown, data, made);
+}
+
+void PictureExport::exportMovieTo(const QString& path, const widgets::MovieChoice& choice, const render::View& view,
+                                  const render::SceneData& data) {
+    writeMovie(path, choice, view, data, madeNow(data));
+}
+
+void PictureExport::writeMovie(const QString& path, const widgets::MovieChoice& choice, const render::View& view,
+                               const render::SceneData& data, const Made& made) {
+    const auto lies = std::make_shared<std::string>();
+    m_computation.write(
+        [path, choice, view, data, made, lies](const Execution& execution) {
+            *lies = writeMovieFile(path.toStdString(), choice, view, data, made, execution);
+        },
+        [session = &m_session, lies](const std::exception_ptr& thrown) { tell(*session, QString::fromStdString(*lies), thrown); });
+}
+
+}  // namespace rubble

@@ -1,0 +1,150 @@
+#include "app/gui/stage/scene_display.h"
+
+#include <QComboBox>
+#include <array>
+#include <utility>
+
+#include "app/gui/session/session.h"
+#include "app/gui/stage/actions.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/view_area.h"
+#include "widgets/basics/theme.h"
+
+namespace rubble {
+
+namespace {
+
+/// The actions of the layouts, in their order.
+constexpr std::array layoutActions = {"beside", "stacked", "fe_only", "fragments_only", "overlay", "four", "other_scenario"};
+
+}  // namespace
+
+SceneDisplay::SceneDisplay(Session& session, Playback& playback, ViewArea& area, Actions& actions, QComboBox& colours,
+                           QObject* parent)
+    : QObject(parent),
+      m_document(session.document()),
+      m_computation(session.computation()),
+      m_playback(playback),
+      m_area(area),
+      m_actions(actions),
+      m_colours(colours),
+      m_kept(session.part<Kept>()) {
+    connectActions();
+    connect(&m_computation, &Computation::runGrew, this, [this] { m_area.views().update(); });
+    connect(&m_computation, &Computation::progressed, this,
+            [this](const QString& what) { m_area.setActivity(what.isEmpty() ? QString() : what + QStringLiteral(" …")); });
+}
+
+SceneDisplay::~SceneDisplay() {
+    m_kept.view = m_area.views().view();
+}
+
+void SceneDisplay::connectActions() {
+    for (std::size_t i = 0; i < layoutActions.size(); ++i) {
+        connect(&m_actions[layoutActions[i]], &QAction::triggered, this,
+                [this, layout = static_cast<render::Layout>(i)] { setLayout(layout); });
+    }
+    connect(&m_actions["link"], &QAction::triggered, this, [this](bool linked) {
+        render::View view = m_area.views().view();
+        // Unlinked, the fragments start from where both looked; linked, both look as the FE view does.
+        view.cameras[1] = view.cameras[2] = view.cameras[0];
+        view.camerasLinked = linked;
+        setView(view);
+    });
+    connect(&m_actions["fit"], &QAction::triggered, this, [this] { m_area.views().fit(); });
+    connect(&m_colours, &QComboBox::activated, this, [this] {
+        render::View view = m_area.views().view();
+        view.colourBy = static_cast<render::ColourBy>(m_colours.currentData().toInt());
+        setView(view);
+    });
+}
+
+render::SceneData SceneDisplay::data() const {
+    const RunRecord* record = m_computation.currentRun();
+    const Results& from = record != nullptr ? record->results : m_computation.results();
+    render::SceneData scene;
+    scene.fe = m_computation.inputs().fe;
+    scene.components = from.components;
+    scene.fragments = from.fragments;
+    scene.clustering = from.clustering;
+    scene.trajectory = record != nullptr ? record->reader : nullptr;
+    scene.reference = m_reference;
+    scene.setSurroundings(record != nullptr ? record->scenario : m_document.scenario(), m_computation.inputs().terrain,
+                          record != nullptr ? record->outcome.get() : nullptr);
+    scene.orthophoto = m_ground != nullptr ? m_ground : m_computation.terrain().orthophoto;
+    scene.surroundings = m_computation.terrain().surroundings;
+    return scene;
+}
+
+void SceneDisplay::show() {
+    const render::SceneData scene = data();
+    if (!(scene == m_shown)) {
+        m_shown = scene;
+        m_area.views().setData(scene);
+        emit changed();
+    }
+}
+
+void SceneDisplay::goOn() {
+    show();
+    m_area.showViews(m_computation.inputs().fe != nullptr, !m_document.empty());
+    render::View view = m_kept.view.value_or(m_area.views().view());
+    view.theme = widgets::currentTheme();
+    setView(view);
+}
+
+void SceneDisplay::setView(const render::View& view) {
+    m_area.views().setView(view);
+    m_actions[layoutActions[static_cast<std::size_t>(view.layout)]].setChecked(true);
+    m_actions["link"].setChecked(view.camerasLinked);
+    m_colours.setCurrentIndex(m_colours.findData(static_cast<int>(view.colourBy)));
+    emit viewSet(view);
+}
+
+void SceneDisplay::setLayout(render::Layout layout) {
+    render::View view = m_area.views().view();
+    view.layout = layout;
+    setView(view);
+    m_area.views().fit();
+}
+
+void SceneDisplay::look(render::View view) {
+    view.theme = widgets::currentTheme();
+    m_playback.clock().pause();
+    setView(view);
+    m_playback.scrub(view.time);
+    emit changed();
+}
+
+void SceneDisplay::lookAtAll() {
+    const render::View before = m_area.views().view();
+    render::View view = render::defaultView(m_shown, m_area.views().width(), m_area.views().height());
+    view.theme = widgets::currentTheme();
+    view.colourBy = before.colourBy;
+    view.colourMap = before.colourMap;
+    view.style = before.style;
+    view.axes = before.axes;
+    view.groundGrid = before.groundGrid;
+    view.shading = before.shading;
+    setView(view);
+    m_area.views().keepFitted();
+    emit changed();
+}
+
+void SceneDisplay::setReference(std::shared_ptr<const TrajectoryReader> reference) {
+    m_reference = std::move(reference);
+    show();
+}
+
+void SceneDisplay::setGround(std::shared_ptr<const Orthophoto> ground) {
+    m_ground = std::move(ground);
+    show();
+}
+
+void SceneDisplay::useTheme() {
+    render::View view = m_area.views().view();
+    view.theme = widgets::currentTheme();
+    m_area.views().setView(view);
+}
+
+}  // namespace rubble

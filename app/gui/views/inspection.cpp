@@ -1,0 +1,95 @@
+#include "app/gui/views/inspection.h"
+
+#include <QDockWidget>
+#include <QLineEdit>
+
+#include "app/gui/case/component_display.h"
+#include "app/gui/session/session.h"
+#include "app/gui/stage/dock_area.h"
+#include "app/gui/stage/playback.h"
+#include "app/gui/stage/view_area.h"
+#include "app/gui/stage/view_tools.h"
+#include "app/gui/views/selection_display.h"
+#include "widgets/case/component_tree.h"
+
+namespace rubble {
+
+Inspection::Inspection(Session& session, Playback& playback, ViewArea& area, Actions& actions, QObject* parent)
+    : QObject(parent),
+      m_actions(actions),
+      m_area(area),
+      m_docks(new DockArea),
+      m_tree(new widgets::ComponentTree),
+      m_inspector(new widgets::Inspector),
+      m_form(new widgets::SelectForm),
+      m_treeDock(m_docks->addDock(m_tree, tr("Components"), QStringLiteral("componentsDock"))),
+      m_formDock(m_docks->addDock(m_form, tr("Select by"), QStringLiteral("selectDock"))),
+      m_inspectorDock(m_docks->addDock(m_inspector, tr("Inspector"), QStringLiteral("inspectorDock"))),
+      m_components(new ComponentDisplay(session.document(), session.computation(), playback.clock(), area.views(), *m_tree, this)),
+      m_selection(new SelectionDisplay(session, playback, area, *m_inspector, *m_form, this)),
+      m_tools(new ViewTools(actions, area, this)) {
+    m_docks->floatWhereNarrow(*m_inspectorDock);
+    connectActions();
+    connect(m_selection, &SelectionDisplay::changed, this, &Inspection::selectionChanged);
+    connect(m_treeDock, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+        if (visible) {
+            m_components->refresh();
+        }
+    });
+    selectionChanged(false);
+}
+
+// Work on the way of a fragment ends before anything it tells goes.
+Inspection::~Inspection() {
+    delete m_selection;
+    delete m_components;
+}
+
+QDockWidget& Inspection::dock(const char* name) const {
+    return *m_docks->findChild<QDockWidget*>(QLatin1String(name));
+}
+
+void Inspection::connectActions() {
+    const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
+    on("select_none", [this] { m_selection->clear(); });
+    on("select_cluster", [this] { m_selection->growToClusters(); });
+    on("select_component", [this] { m_selection->growToComponents(); });
+    on("hide", [this] { m_selection->hide(); });
+    on("isolate", [this] { m_selection->isolate(); });
+    on("show_all", [this] { m_components->showAll(); });
+    on("go_to_birth", [this] { m_selection->goToBirth(); });
+    const std::pair<const char*, QDockWidget*> docks[] = {
+        {"components", m_treeDock}, {"select_by", m_formDock}, {"inspector", m_inspectorDock}};
+    for (const auto& [id, dock] : docks) {
+        QAction& action = m_actions[id];
+        connect(&action, &QAction::triggered, dock, [dock = dock](bool visible) {
+            dock->setVisible(visible);
+            if (visible) {
+                dock->widget()->setFocus();
+            }
+        });
+        connect(dock, &QDockWidget::visibilityChanged, &action, [&action, dock = dock] { action.setChecked(!dock->isHidden()); });
+    }
+}
+
+void Inspection::selectionChanged(bool something) {
+    for (const char* id : {"select_none", "select_cluster", "select_component", "hide", "isolate", "go_to_birth"}) {
+        m_actions[id].setEnabled(something);
+    }
+    // It comes with a selection and goes with it; what the user closed meanwhile stays closed.
+    if (something != m_something) {
+        m_something = something;
+        m_inspectorDock->setVisible(something);
+    }
+}
+
+void Inspection::refresh() {
+    m_components->refresh();
+    m_selection->refresh();
+    m_tools->refresh();
+    const bool have = m_area.views().data().fe != nullptr;
+    m_actions["show_all"].setEnabled(have);
+    m_actions["select_by"].setEnabled(have);
+}
+
+}  // namespace rubble

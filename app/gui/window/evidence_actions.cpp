@@ -1,0 +1,118 @@
+#include <QCoreApplication>
+#include <array>
+
+#include "app/gui/window/action_table.h"
+
+namespace rubble {
+
+namespace {
+
+const std::array table = {
+    ActionRow{"add_photographs",
+              "Evidence",
+              QT_TRANSLATE_NOOP("actions", "Add photographs…"),
+              QT_TRANSLATE_NOOP("actions", "Add photographs of the site to the case"),
+              "",
+              {}},
+    ActionRow{"add_point",
+              "Evidence",
+              QT_TRANSLATE_NOOP("actions", "Add point"),
+              QT_TRANSLATE_NOOP("actions", "Click a point in the photograph, then the same point in the model"),
+              "Shift+A",
+              {}},
+    ActionRow{"photo_alone",
+              "Evidence",
+              QT_TRANSLATE_NOOP("actions", "Photograph"),
+              QT_TRANSLATE_NOOP("actions", "Show the photograph alone"),
+              "Ctrl+1",
+              {}},
+    ActionRow{"photo_swipe",
+              "Evidence",
+              QT_TRANSLATE_NOOP("actions", "Swipe"),
+              QT_TRANSLATE_NOOP("actions", "Show photograph and simulation to both sides of a line"),
+              "Ctrl+2",
+              {}},
+    ActionRow{"photo_blend",
+              "Evidence",
+              QT_TRANSLATE_NOOP("actions", "Blend"),
+              QT_TRANSLATE_NOOP("actions", "Lay the simulation over the photograph"),
+              "Ctrl+3",
+              {}},
+    ActionRow{"photo_blink",
+              "Evidence",
+              QT_TRANSLATE_NOOP("actions", "Blink"),
+              QT_TRANSLATE_NOOP("actions", "Show photograph and simulation in turn"),
+              "Ctrl+4",
+              {}},
+    ActionRow{"photo_outline",
+              "Evidence",
+              QT_TRANSLATE_NOOP("actions", "Outline"),
+              QT_TRANSLATE_NOOP("actions", "Draw the outline of the simulated debris on the photograph"),
+              "Ctrl+5",
+              {}},
+    ActionRow{"photo_beside",
+              "Evidence",
+              QT_TRANSLATE_NOOP("actions", "Model beside the photograph"),
+              QT_TRANSLATE_NOOP("actions", "Show or hide the model beside the photograph"),
+              "Ctrl+6",
+              {}},
+    ActionRow{
+        "compare_photo",
+        "Evidence",
+        QT_TRANSLATE_NOOP("actions", "Compare debris"),
+        QT_TRANSLATE_NOOP("actions", "Hold the silhouette of the simulated debris against the outline drawn on the photograph"),
+        "",
+        {}},
+    ActionRow{"look_through",
+              "Evidence",
+              QT_TRANSLATE_NOOP("actions", "Look through the camera"),
+              QT_TRANSLATE_NOOP("actions", "Let the fragment view look as the matched camera does"),
+              "",
+              {}},
+    ActionRow{"add_survey",
+              "Evidence",
+              QT_TRANSLATE_NOOP("actions", "Add survey…"),
+              QT_TRANSLATE_NOOP("actions", "Add a surveyed height model or outline of the real debris to the case"),
+              "",
+              {}},
+    ActionRow{"compare_survey",
+              "Evidence",
+              QT_TRANSLATE_NOOP("actions", "Compare with survey"),
+              QT_TRANSLATE_NOOP("actions", "Hold the debris at rest against the survey that is chosen"),
+              "",
+              {}},
+    ActionRow{"show_ensemble",
+              "Evidence",
+              QT_TRANSLATE_NOOP("actions", "Ensemble"),
+              QT_TRANSLATE_NOOP("actions", "Show how sure it is where debris lies, with what is not known drawn anew"),
+              "Ctrl+7",
+              {}},
+    ActionRow{
+        "simulate_ensemble",
+        "Evidence",
+        QT_TRANSLATE_NOOP("actions", "Simulate members"),
+        QT_TRANSLATE_NOOP("actions", "Simulate the members of the ensemble; those of an earlier start are taken from the cache"),
+        "",
+        {}},
+    ActionRow{"show_causes",
+              "Evidence",
+              QT_TRANSLATE_NOOP("actions", "Which cause"),
+              QT_TRANSLATE_NOOP("actions", "Show which of several supposed causes explains what was found"),
+              "Ctrl+8",
+              {}},
+    ActionRow{
+        "compare_causes",
+        "Evidence",
+        QT_TRANSLATE_NOOP("actions", "Compare causes"),
+        QT_TRANSLATE_NOOP("actions", "Simulate the ensembles of the causes that are ticked and hold them against what was found"),
+        "",
+        {}},
+};
+
+}  // namespace
+
+std::span<const ActionRow> evidenceActions() {
+    return table;
+}
+
+}  // namespace rubble

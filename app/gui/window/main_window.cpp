@@ -1,0 +1,296 @@
+#include "app/gui/window/main_window.h"
+
+#include <QAbstractButton>
+#include <QAbstractSlider>
+#include <QApplication>
+#include <QButtonGroup>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <limits>
+
+#include "app/gui/case/layout_memory.h"
+#include "app/gui/exports/figure_return.h"
+#include "app/gui/help/help.h"
+#include "app/gui/help/manual.h"
+#include "app/gui/session/session.h"
+#include "app/gui/stage/view_area.h"
+#include "app/gui/window/done_notice.h"
+#include "core/base/build.h"
+#include "widgets/accuracy/accuracy_page.h"
+#include "widgets/basics/evidence_tabs.h"
+#include "widgets/basics/theme.h"
+#include "widgets/evidence/evidence_page.h"
+#include "widgets/figures/palette.h"
+#include "widgets/figures/shown_units.h"
+#include "widgets/views/status_line.h"
+#include "widgets/views/timeline.h"
+#include "widgets/views/transport.h"
+
+namespace rubble {
+
+struct MainWindow::Kept {
+    std::optional<LayoutMemory::Layout> layout;  ///< of an earlier window; unset: this is the first one
+    bool keepsLayout = false;                    ///< also from one start of the program to the next
+    bool preferencesOpen = false;
+    QString manualPage;  ///< that was open; empty: none was
+};
+
+MainWindow::MainWindow(Session& session, QWidget* parent)
+    : QMainWindow(parent),
+      m_session(session),
+      m_kept(session.part<Kept>()),
+      m_actions(*this),
+      m_area(new ViewArea),
+      m_accuracyPage(new widgets::AccuracyPage),
+      m_evidencePage(new widgets::EvidencePage),
+      m_timeline(new widgets::Timeline),
+      m_transport(new widgets::Transport),
+      m_status(new widgets::StatusLine),
+      m_colours(new QComboBox),
+      m_notices(new QVBoxLayout),
+      m_title(new QLabel) {
+    setAcceptDrops(true);
+    setWindowIcon(QIcon(QStringLiteral(":/desktop/org.rubble.Rubble.svg")));
+    resize(1280, 800);
+    const widgets::Preferences& preferences = session.preferences();
+    figures::chooseColours(preferences.colours);
+    figures::chooseUnits(preferences.units);
+    m_rooms = std::make_unique<WindowRooms>(session, WindowParts{*this, m_actions, *m_area, *m_accuracyPage, *m_evidencePage,
+                                                                 *m_timeline, *m_transport, *m_status, *m_colours, *m_notices});
+    m_help = std::make_unique<Help>(*this);
+    buildLayout();
+    buildMenus();
+    buildToolBar();
+    connectSession();
+    connectActions();
+    prepareTour();
+    new DoneNotice(*this);
+    qApp->installEventFilter(this);
+    goOn();
+}
+
+MainWindow::~MainWindow() {
+    qApp->removeEventFilter(this);
+    keepLook();
+}
+
+void MainWindow::goOn() {
+    setTheme(m_session.preferences().theme);
+    widgets::ViewWidget::simplifyAbove(m_session.preferences().simplify ? widgets::ViewWidget::slowDraw
+                                                                        : std::numeric_limits<double>::infinity());
+    m_actions["keep_copies"].setChecked(m_session.preferences().keepCopies);
+    m_rooms->goOn();
+    if (m_kept.layout) {
+        m_layout->show(*m_kept.layout);
+    }
+    showCentre();
+    showTitle();
+    if (const auto& failure = m_rooms->deck->failure()) {
+        m_area->setError(failure->what(), failure->remedy());
+    }
+    m_session.computation().tellProgress();
+    if (m_kept.preferencesOpen) {
+        showPreferences();
+    }
+    if (!m_kept.manualPage.isEmpty()) {
+        m_help->manual().showPage(m_kept.manualPage);
+    }
+    if (const QStringList complaints = m_session.takeComplaints(); !complaints.isEmpty()) {
+        m_status->setMessage(
+            tr("Preferences that could not be read are as delivered: %1").arg(complaints.join(QStringLiteral(", "))));
+    }
+}
+
+void MainWindow::keepLook() {
+    m_kept.layout = m_layout->now();
+    const auto* preferences = findChild<widgets::PreferencesDialog*>();
+    m_kept.preferencesOpen = preferences != nullptr && preferences->isVisible();
+    m_kept.manualPage = m_help->openPage();
+}
+
+void MainWindow::connectSession() {
+    connect(&m_session, &Session::told, m_status, &widgets::StatusLine::setMessage);
+    connect(&m_session, &Session::failed, this, &MainWindow::showFailure);
+    connect(&m_session.computation(), &Computation::failed, this, &MainWindow::showFailure);
+    connect(&m_session.document(), &Document::titleChanged, this, &MainWindow::showTitle);
+    connect(&m_session, &Session::preferencesChanged, this, [this] {
+        const widgets::Preferences& now = m_session.preferences();
+        figures::chooseColours(now.colours);
+        widgets::ViewWidget::simplifyAbove(now.simplify ? widgets::ViewWidget::slowDraw : std::numeric_limits<double>::infinity());
+        m_actions["keep_copies"].setChecked(now.keepCopies);
+        setTheme(now.theme);
+        m_area->views().update();
+        if (auto* dialog = findChild<widgets::PreferencesDialog*>()) {
+            dialog->show(now);
+        }
+    });
+}
+
+void MainWindow::connectActions() {
+    const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
+    const auto prefer = [this](auto change) {
+        widgets::Preferences preferences = m_session.preferences();
+        change(preferences);
+        m_session.setPreferences(preferences);
+    };
+    on("keep_copies", [prefer](bool keep) { prefer([keep](widgets::Preferences& now) { now.keepCopies = keep; }); });
+    for (const char* theme : {"system", "light", "dark"}) {
+        on(("theme_" + std::string(theme)).c_str(),
+           [prefer, theme] { prefer([theme](widgets::Preferences& now) { now.theme = QLatin1String(theme); }); });
+    }
+    on("preset_default", [this] { m_session.document().applyPreset(QStringLiteral("default")); });
+    on("preset_paper", [this] { m_session.document().applyPreset(QStringLiteral("paper")); });
+    on("quit", [this] { close(); });
+    on("preferences", [this] { showPreferences(); });
+    on("manual", [this] { m_help->showAbout(QApplication::focusWidget()); });
+    on("manual_search", [this] { m_help->search(); });
+    on("about", [this] { showAbout(); });
+    on("reset_layout", [this] { m_layout->reset(); });
+    connect(&m_rooms->deck->stack(), &QStackedWidget::currentChanged, this, &MainWindow::showCentre);
+    connect(&m_rooms->deck->evidenceTabs(), &widgets::EvidenceTabs::currentChanged, this, &MainWindow::showCentre);
+}
+
+void MainWindow::open(const QString& path, bool simulate) {
+    m_rooms->opening->open(path, simulate);
+}
+
+void MainWindow::showFailure(const Failure& failure) {
+    m_rooms->opening->stayStill();
+    m_rooms->deck->showFailure(failure);
+    m_area->setError(failure.what(), failure.remedy());
+    m_status->setMessage(failure.what());
+}
+
+void MainWindow::restoreLayout() {
+    m_kept.keepsLayout = true;
+    m_layout->restore();
+    // It comes with a selection, and there is none yet.
+    m_rooms->inspection->dock("inspectorDock").hide();
+}
+
+void MainWindow::setTheme(const QString& name) {
+    widgets::applyTheme(widgets::themeNamed(name));
+    m_actions["theme_" + (name.isEmpty() ? std::string("system") : name.toStdString())].setChecked(true);
+    m_rooms->useTheme();
+    showTitle();
+}
+
+void MainWindow::showPreferences() {
+    auto* dialog = findChild<widgets::PreferencesDialog*>();
+    if (dialog == nullptr) {
+        dialog = new widgets::PreferencesDialog(m_session.preferences(), this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        connect(dialog, &widgets::PreferencesDialog::changed, &m_session, &Session::setPreferences);
+    }
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
+}
+
+void MainWindow::showCentre() {
+    const int entry = m_rooms->deck->stack().currentIndex();
+    const int page = m_rooms->deck->evidenceTabs().current();
+    m_centre->setCurrentIndex(entry == PanelDeck::Accuracy ? 1 : entry == PanelDeck::Evidence ? 2 + page : 0);
+}
+
+void MainWindow::showTitle() {
+    Document& document = m_session.document();
+    if (document.empty()) {
+        m_title->clear();
+        setWindowTitle(QStringLiteral("Rubble"));
+        return;
+    }
+    const CaseScenario* active = document.active();
+    const QString name = QString::fromStdString(document.theCase().title);
+    const QString saved = document.modified() ? tr("changed")
+                          : document.path().isEmpty()
+                              ? tr("not saved")
+                              : tr("saved %1").arg(QFileInfo(document.path()).lastModified().toString(QStringLiteral("HH:mm")));
+    m_title->setText(QStringLiteral("<span style='color:%1'>%2 · %3 <b>%4</b> · %5</span>&nbsp;&nbsp;")
+                         .arg(widgets::tints().muted.name(), name.toHtmlEscaped(), tr("scenario"),
+                              active != nullptr ? QString::fromStdString(active->name).toHtmlEscaped() : QString(), saved));
+    m_title->setFixedHeight(menuBar()->sizeHint().height() - 2);
+    m_title->setAlignment(Qt::AlignVCenter | Qt::AlignRight);
+    // The menu bar asks its corner for its size only when it is set.
+    menuBar()->setCornerWidget(m_title);
+    m_title->show();
+    setWindowTitle(QStringLiteral("%1%2 – Rubble").arg(name, document.modified() ? QStringLiteral(" *") : QString()));
+}
+
+void MainWindow::showAbout() {
+    QMessageBox::about(
+        this, tr("About Rubble"),
+        tr("<h3>Rubble %1</h3><p>Turns the elements that a collapse analysis deactivates into rigid fragments and shows where "
+           "they go.</p><p>Method: Xu, Lu, Guan, Ren: Physics engine-driven visualization of deactivated elements and its "
+           "application in bridge collapse simulation. Automation in Construction 35 (2013) 471-481.</p>")
+            .arg(QString::fromUtf8(versionText().data(), static_cast<qsizetype>(versionText().size()))));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!m_rooms->files->mayLeave()) {
+        event->ignore();
+        return;
+    }
+    if (m_kept.keepsLayout) {
+        m_layout->save();
+    }
+    m_session.computation().cancel();
+    m_rooms->accuracy->work().cancel();
+    m_rooms->calibration->work().cancel();
+    m_rooms->errors->work().cancel();
+    m_rooms->evidence->work().cancel();
+    m_rooms->survey->cancel();
+    m_rooms->studies->work().cancel();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (!urls.isEmpty() && urls.front().isLocalFile()) {
+        event->acceptProposedAction();
+        QStringList paths;
+        for (const QUrl& url : urls) {
+            paths << url.toLocalFile();
+        }
+        if (!FigureReturn::carriesSource(paths.front()) && m_rooms->evidence->takes(paths)) {
+            m_rooms->evidence->add(paths);
+        } else {
+            open(paths.front());
+        }
+    }
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    // Keys that mean something to the widget with the focus go to it, not to the action that has the same key.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const QWidget* focus = QApplication::focusWidget();
+        const auto* button = qobject_cast<const QAbstractButton*>(focus);
+        const bool pushes = key->key() == Qt::Key_Space && button != nullptr;
+        const bool moves = (key->key() == Qt::Key_Left || key->key() == Qt::Key_Right || key->key() == Qt::Key_Home ||
+                            key->key() == Qt::Key_End) &&
+                           (qobject_cast<const QAbstractSlider*>(focus) != nullptr ||
+                            qobject_cast<const QComboBox*>(focus) != nullptr || (button != nullptr && button->group() != nullptr));
+        if (watched == focus && (pushes || moves)) {
+            event->accept();
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+}  // namespace rubble

@@ -1,0 +1,196 @@
+#include <QActionGroup>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QResizeEvent>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "app/gui/case/layout_memory.h"
+#include "app/gui/help/help.h"
+#include "app/gui/stage/dock_area.h"
+#include "app/gui/stage/view_area.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/window/mnemonics.h"
+#include "app/gui/window/window_focus.h"
+#include "widgets/accuracy/accuracy_page.h"
+#include "widgets/basics/page_stack.h"
+#include "widgets/evidence/causes_page.h"
+#include "widgets/evidence/ensemble_page.h"
+#include "widgets/evidence/evidence_page.h"
+#include "widgets/views/status_line.h"
+#include "widgets/views/timeline.h"
+#include "widgets/views/tour.h"
+#include "widgets/views/transport.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr int compactBelow = 1440;
+constexpr int panelWidth = 336;
+// Below it the tables and buttons of the panels would be cut off.
+constexpr int leastPanelWidth = 306;
+
+}  // namespace
+
+void MainWindow::buildLayout() {
+    new WindowFocus(this);
+    auto* centre = new QWidget;
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto* upper = new QHBoxLayout;
+    upper->setSpacing(0);
+    m_splitter = new QSplitter(Qt::Horizontal);
+    m_splitter->setObjectName(QStringLiteral("mainSplitter"));
+    m_splitter->setHandleWidth(1);
+    m_splitter->setChildrenCollapsible(false);
+    m_rooms->deck->stack().setMinimumWidth(leastPanelWidth);
+    m_splitter->addWidget(&m_rooms->deck->stack());
+    m_centre = new widgets::PageStack;
+    m_centre->addWidget(m_area);
+    m_centre->addWidget(m_accuracyPage);
+    m_centre->addWidget(m_evidencePage);
+    m_centre->addWidget(&m_rooms->studies->ensemblePage());
+    m_centre->addWidget(&m_rooms->studies->causesPage());
+    auto* middle = new QWidget;
+    auto* stacked = new QVBoxLayout(middle);
+    stacked->setContentsMargins(0, 0, 0, 0);
+    stacked->setSpacing(0);
+    stacked->addLayout(m_notices);
+    stacked->addWidget(m_centre, 1);
+    m_rooms->inspection->docks().setCentralWidget(middle);
+    m_splitter->addWidget(&m_rooms->inspection->docks());
+    m_splitter->setStretchFactor(1, 1);
+    m_splitter->setSizes({panelWidth, 1000});
+    upper->addWidget(&m_rooms->deck->rail());
+    upper->addWidget(m_splitter, 1);
+    column->addLayout(upper, 1);
+
+    auto* bottom = new QWidget;
+    bottom->setObjectName(QStringLiteral("bottom"));
+    bottom->setAttribute(Qt::WA_StyledBackground);
+    auto* lower = new QHBoxLayout(bottom);
+    lower->setContentsMargins(0, 1, 0, 0);
+    lower->setSpacing(0);
+    lower->addWidget(m_transport);
+    lower->addWidget(m_timeline, 1);
+    column->addWidget(bottom);
+    column->addWidget(m_status);
+    setCentralWidget(centre);
+}
+
+void MainWindow::buildMenus() {
+    QMenu* menu = nullptr;
+    QString title;
+    for (const ActionRow& row : actionTable()) {
+        if (const QString name = QCoreApplication::translate("actions", row.menu); name != title) {
+            title = name;
+            menu = menuBar()->addMenu(title);
+            menu->menuAction()->setProperty("source", QString::fromUtf8(row.menu));
+        }
+        for (const char* first : {"save", "close", "preset_default", "preferences", "clip", "components", "look_side", "parallel",
+                                  "turn_left", "map_standard", "theme_system", "hide", "play"}) {
+            if (row.id == first) {
+                menu->addSeparator();
+            }
+        }
+        menu->addAction(&m_actions[row.id]);
+    }
+    menuBar()->setCornerWidget(m_title);
+    giveMnemonics(*menuBar());
+    for (const auto& ids :
+         {std::vector<const char*>{"stacked", "beside", "overlay", "four", "fe_only", "fragments_only", "other_scenario"},
+          std::vector<const char*>{"map_standard", "map_viridis", "map_cividis", "map_grey"},
+          std::vector<const char*>{"theme_system", "theme_light", "theme_dark"}}) {
+        auto* group = new QActionGroup(this);
+        for (const char* id : ids) {
+            group->addAction(&m_actions[id]);
+        }
+    }
+}
+
+void MainWindow::buildToolBar() {
+    auto* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("toolBar"));
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    bar->setIconSize({16, 16});
+    const auto add = [&](const char* id, Qt::ToolButtonStyle style) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(&m_actions[id]);
+        button->setToolButtonStyle(style);
+        button->setFocusPolicy(Qt::TabFocus);
+        bar->addWidget(button);
+        return button;
+    };
+    add("open", Qt::ToolButtonTextOnly);
+    add("undo", Qt::ToolButtonIconOnly);
+    add("redo", Qt::ToolButtonIconOnly);
+    bar->addSeparator();
+    for (const char* id : {"stacked", "beside", "overlay", "four"}) {
+        add(id, Qt::ToolButtonTextOnly);
+    }
+    bar->addSeparator();
+    for (const char* id : {"link", "fit", "measure_distance", "clip", "components"}) {
+        add(id, Qt::ToolButtonTextOnly);
+    }
+    bar->addSeparator();
+    auto* label = new QLabel(tr(" Colour by "));
+    label->setObjectName(QStringLiteral("muted"));
+    bar->addWidget(label);
+    const std::array<std::pair<QString, render::ColourBy>, 6> choices = {{{tr("highlight"), render::ColourBy::Highlight},
+                                                                          {tr("component"), render::ColourBy::Component},
+                                                                          {tr("birth time"), render::ColourBy::BirthTime},
+                                                                          {tr("speed"), render::ColourBy::Speed},
+                                                                          {tr("cluster"), render::ColourBy::Cluster},
+                                                                          {tr("error"), render::ColourBy::Error}}};
+    for (const auto& [name, by] : choices) {
+        m_colours->addItem(name, static_cast<int>(by));
+    }
+    m_colours->setToolTip(tr("What the colour of a fragment says"));
+    m_colours->setAccessibleName(tr("Colour by"));
+    m_colours->setObjectName(QStringLiteral("colourBy"));
+    m_colours->setFocusPolicy(Qt::TabFocus);
+    bar->addWidget(m_colours);
+    auto* space = new QWidget;
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(space);
+    add("live", Qt::ToolButtonTextOnly);
+    add("simulate", Qt::ToolButtonTextOnly)->setObjectName(QStringLiteral("primary"));
+    m_layout = std::make_unique<LayoutMemory>(*this, m_rooms->inspection->docks(), *m_splitter);
+}
+
+void MainWindow::prepareTour() {
+    auto* tour = new widgets::Tour(
+        {{&m_rooms->deck->rail(), tr("The order of work"),
+          tr("From the file to the debris, top to bottom. Each entry shows its state: up to date, stale after a change, running, "
+             "or "
+             "with a finding.")},
+         {&m_rooms->deck->stack(), tr("The panel of a stage"),
+          tr("One question per panel, its settings, and what they cost. Every change can be undone with Ctrl+Z.")},
+         {m_centre, tr("The views"),
+          tr("The conventional FE result and the fragments, from the same camera. Left button orbits, Shift and left pans, the "
+             "wheel "
+             "zooms. Keys 1 to 4 choose the layout.")},
+         {findChild<QToolButton*>(QStringLiteral("primary")), tr("Simulate"),
+          tr("Computes where the fragments go (Ctrl+R); the views play what is computed meanwhile. Live runs at the pace of the "
+             "collapse.")},
+         {m_timeline, tr("The timeline"),
+          tr("Deaths over time and how far the run has got. Drag to scrub, Space plays, the arrow keys go from state to state.")}},
+        this);
+    connect(&m_actions["tour"], &QAction::triggered, tour, &widgets::Tour::start);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    m_rooms->deck->rail().setCompact(event->size().width() < compactBelow);
+    m_transport->setFixedWidth(m_rooms->deck->rail().sizeHint().width() + panelWidth);
+}
+
+}  // namespace rubble

@@ -1,0 +1,166 @@
+#include "app/gui/window/window_rooms.h"
+
+#include <vector>
+
+#include "app/gui/evidence/ensemble_display.h"
+#include "app/gui/session/session.h"
+#include "app/gui/stage/actions.h"
+#include "app/gui/stage/view_area.h"
+#include "app/gui/stage/view_tools.h"
+#include "widgets/accuracy/accuracy_chart.h"
+#include "widgets/accuracy/accuracy_page.h"
+#include "widgets/accuracy/calibration_chart.h"
+#include "widgets/accuracy/calibration_view.h"
+#include "widgets/evidence/cause_chart.h"
+#include "widgets/evidence/causes_page.h"
+#include "widgets/views/status_line.h"
+
+namespace rubble {
+
+namespace {
+
+/// Where the colours of an error change: at the tolerances, and at two lengths beyond them.
+std::vector<double> errorStepsFor(const std::vector<double>& tolerances) {
+    std::vector<double> steps = tolerances;
+    for (const double beyond : {1.0, 3.0, 10.0, 30.0, 100.0, 300.0}) {
+        if (steps.size() < tolerances.size() + 2 && beyond > steps.back()) {
+            steps.push_back(beyond);
+        }
+    }
+    return steps;
+}
+
+}  // namespace
+
+WindowRooms::WindowRooms(Session& session, const WindowParts& parts)
+    : deck(std::make_unique<PanelDeck>(session)),
+      playback(std::make_unique<Playback>(session, parts.area.views(), parts.timeline, parts.transport, parts.actions)),
+      scene(std::make_unique<SceneDisplay>(session, *playback, parts.area, parts.actions, parts.colours)),
+      files(std::make_unique<FileCommands>(session, parts.actions, parts.window)),
+      errors(std::make_unique<ErrorDisplay>(session, parts.area)),
+      pictures(std::make_unique<PictureExport>(session, parts.window)),
+      report(std::make_unique<ReportWork>(session, *deck, *scene, parts.actions, parts.window)),
+      scenarioPane(std::make_unique<ScenarioPane>(session, parts.area)),
+      studies(std::make_unique<EvidenceStudies>(session, *deck, parts.actions)),
+      evidence(std::make_unique<EvidenceDisplay>(session, *deck, parts.evidencePage, *playback, *scene, parts.actions)),
+      survey(std::make_unique<SurveyDisplay>(session, *deck, parts.evidencePage, parts.actions)),
+      inspection(std::make_unique<Inspection>(session, *playback, parts.area, parts.actions)),
+      grid(std::make_unique<GridDisplay>(session, *deck)),
+      calibration(std::make_unique<CalibrationDisplay>(session, *deck, parts.window)),
+      forecast(std::make_unique<ForecastDisplay>(session, *grid, calibration->work(), *deck)),
+      accuracy(std::make_unique<AccuracyDisplay>(session, *deck, parts.accuracyPage)),
+      health(std::make_unique<HealthDisplay>(session, *deck, *playback, parts.area, parts.timeline)),
+      feed(std::make_unique<StatusFeed>(session, *playback, parts.status)),
+      opening(std::make_unique<Opening>(session, Opening::Shown{*deck, parts.area, *playback, *scene, *health, *inspection, *files},
+                                        parts.actions, parts.window)),
+      runs(std::make_unique<RunControl>(
+          session, RunControl::Shown{*deck, *scene, *health, *forecast, *feed, *accuracy, *calibration, *errors, *studies},
+          parts.actions)),
+      project(std::make_unique<ProjectDisplay>(session, *deck, parts.area, parts.actions, parts.notices, inspection->docks(),
+                                               parts.window)),
+      timeline(std::make_unique<TimelineDisplay>(session.document(), *playback, parts.timeline, parts.transport, parts.actions)),
+      states(std::make_unique<ActionStates>(session, *this, parts.actions, parts.colours)) {
+    connectViews(parts);
+    connectFiles(parts);
+    connectGrid(parts);
+    QObject::connect(opening.get(), &Opening::simulateRequested, runs.get(), [this] { runs->simulate(false); });
+    QObject::connect(project.get(), &ProjectDisplay::openRequested, opening.get(),
+                     [this](const QString& path) { opening->open(path); });
+    QObject::connect(project.get(), &ProjectDisplay::sampleRequested, opening.get(),
+                     [this](const QString& path) { opening->open(path, true); });
+    QObject::connect(project.get(), &ProjectDisplay::recoverRequested, opening.get(), &Opening::recover);
+    QObject::connect(&parts.status, &widgets::StatusLine::cancelRequested, &session.computation(), &Computation::cancel);
+}
+
+// The rooms end before the widgets that they fill, the last one first.
+WindowRooms::~WindowRooms() = default;
+
+void WindowRooms::connectViews(const WindowParts& parts) {
+    QObject::connect(scene.get(), &SceneDisplay::changed, inspection.get(), &Inspection::refresh);
+    QObject::connect(scene.get(), &SceneDisplay::changed, evidence.get(), &EvidenceDisplay::refresh);
+    QObject::connect(scene.get(), &SceneDisplay::viewSet, inspection.get(), [this](const render::View& view) {
+        errors->setShown(view.colourBy == render::ColourBy::Error);
+        scenarioPane->setShown(view.layout == render::Layout::Scenarios);
+        inspection->tools().refresh();
+    });
+    QObject::connect(errors.get(), &ErrorDisplay::changed, scene.get(), [this] { scene->setReference(errors->reference()); });
+    QObject::connect(&studies->ensemble(), &EnsembleDisplay::groundChanged, scene.get(),
+                     [this] { scene->setGround(studies->ensemble().groundPicture()); });
+    QObject::connect(evidence.get(), &EvidenceDisplay::lookThroughRequested, scene.get(),
+                     [this, area = &parts.area](const render::Camera& camera) {
+                         render::View view = area->views().view();
+                         view.layout = render::Layout::FragmentsOnly;
+                         view.camerasLinked = false;
+                         view.cameras[1] = camera;
+                         scene->setView(view);
+                         deck->choose(PanelDeck::Run);
+                     });
+    QObject::connect(&deck->accuracy(), &widgets::AccuracyPanel::tolerancesChanged, scene.get(),
+                     [this, area = &parts.area](const std::vector<double>& tolerances) {
+                         render::View view = area->views().view();
+                         view.errorSteps = errorStepsFor(tolerances);
+                         scene->setView(view);
+                     });
+}
+
+void WindowRooms::connectFiles(const WindowParts& parts) {
+    const auto on = [&](const char* id, auto slot) {
+        QObject::connect(&parts.actions[id], &QAction::triggered, files.get(), slot);
+    };
+    on("export_selection", [this] { files->exportSelection(inspection->selection().fragments()); });
+    on("export_view", [this, area = &parts.area] { files->exportView(area->views().view()); });
+    on("import_view", [this] {
+        if (const auto view = files->importView()) {
+            scene->look(*view);
+        }
+    });
+    on("export_figure", [this, area = &parts.area] { pictures->exportFigure(area->views().view(), scene->data()); });
+    on("export_movie", [this, area = &parts.area] { pictures->exportMovie(area->views().view(), scene->data()); });
+    widgets::AccuracyPage* page = &parts.accuracyPage;
+    QObject::connect(page, &widgets::AccuracyPage::saveTableRequested, files.get(),
+                     [this] { files->saveSweep(accuracy->work().report()); });
+    QObject::connect(page, &widgets::AccuracyPage::saveChartRequested, files.get(),
+                     [this, page] { files->saveChart(page->chart(), QStringLiteral("-accuracy.svg")); });
+    widgets::CalibrationView* curves = &calibration->view();
+    QObject::connect(curves, &widgets::CalibrationView::saveTableRequested, files.get(),
+                     [this] { files->saveCalibration(calibration->work().calibration()); });
+    QObject::connect(curves, &widgets::CalibrationView::saveChartRequested, files.get(),
+                     [this, curves] { files->saveChart(curves->chart(), QStringLiteral("-calibration.svg")); });
+    QObject::connect(studies.get(), &EvidenceStudies::saveChartRequested, files.get(),
+                     [this] { files->saveChart(studies->causesPage().chart(), QStringLiteral("-causes.svg")); });
+}
+
+void WindowRooms::connectGrid(const WindowParts& parts) {
+    const auto showGrid = [this, area = &parts.area] {
+        render::View view = area->views().view();
+        view.basicGrid = deck->rail().current() == PanelDeck::Grid ? grid->grid() : std::nullopt;
+        area->views().setView(view);
+    };
+    QObject::connect(grid.get(), &GridDisplay::changed, scene.get(), showGrid);
+    QObject::connect(&deck->stack(), &QStackedWidget::currentChanged, scene.get(), showGrid);
+}
+
+void WindowRooms::goOn() {
+    scene->goOn();
+    playback->goOn();
+    deck->goOn();
+    errors->refresh();
+    health->refresh();
+    inspection->refresh();
+    states->refresh();
+    feed->refresh();
+}
+
+void WindowRooms::useTheme() {
+    scene->useTheme();
+    inspection->refresh();
+    deck->showResults();
+    accuracy->refresh();
+    calibration->refresh();
+    evidence->refresh();
+    survey->refresh();
+    studies->refresh();
+    feed->refresh();
+}
+
+}  // namespace rubble

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "core/base/standard_gravity.h"
+#include "core/engine/world/constants.h"
 #include "core/selftest/pile.h"
-#include "core/simulation/constants.h"
 
 namespace rubble::selftest {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
-#include "core/simulation/rigid_world.h"
+#include "core/engine/world/rigid_world.h"
 
 namespace rubble::selftest {
 

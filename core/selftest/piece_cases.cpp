@@ -5,8 +5,8 @@
 
 #include "core/base/message.h"
 #include "core/base/standard_gravity.h"
+#include "core/engine/world/constants.h"
 #include "core/selftest/pile.h"
-#include "core/simulation/constants.h"
 
 namespace rubble::selftest {
 

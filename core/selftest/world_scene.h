@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "core/base/execution.h"
+#include "core/engine/world/rigid_world.h"
 #include "core/selftest/hard_case.h"
-#include "core/simulation/rigid_world.h"
 
 namespace rubble::selftest {
 

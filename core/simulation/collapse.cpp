@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/engine/world/constants.h"
 #include "core/fe/site_surface.h"
 #include "core/fragments/birth_windows.h"
-#include "core/simulation/constants.h"
 #include "core/simulation/effects/stopwatch.h"
 #include "core/simulation/step_rate.h"
 

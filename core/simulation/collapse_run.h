@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/base/execution.h"
-#include "core/simulation/rigid_world.h"
+#include "core/engine/world/rigid_world.h"
 #include "core/simulation/simulation.h"
 #include "core/trajectory/trajectory.h"
 

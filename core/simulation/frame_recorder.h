@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/base/resumable_hash.h"
-#include "core/simulation/rigid_world.h"
+#include "core/engine/world/rigid_world.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble {

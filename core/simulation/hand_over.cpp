@@ -1,6 +1,6 @@
 #include "core/simulation/hand_over.h"
 
-#include "core/simulation/body_shapes.h"
+#include "core/engine/world/body_shapes.h"
 
 namespace rubble {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/finding.h"
-#include "core/simulation/rigid_world.h"
+#include "core/engine/world/rigid_world.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble {

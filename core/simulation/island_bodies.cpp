@@ -7,10 +7,10 @@
 #include <set>
 #include <tuple>
 
+#include "core/engine/world/body_shapes.h"
+#include "core/engine/world/tight_box.h"
 #include "core/fragments/element_place.h"
 #include "core/fragments/element_solid.h"
-#include "core/simulation/body_shapes.h"
-#include "core/simulation/tight_box.h"
 
 namespace rubble {
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/clusters/rigid_motion.h"
+#include "core/engine/world/rigid_world.h"
 #include "core/fragments/corner_motion.h"
 #include "core/simulation/live_islands.h"
-#include "core/simulation/rigid_world.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/engine/world/constants.h"
 #include "core/simulation/bulking.h"
-#include "core/simulation/constants.h"
 #include "core/simulation/ledger.h"
 #include "core/simulation/value_archive.h"
 

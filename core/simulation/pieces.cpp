@@ -7,10 +7,10 @@
 #include <numeric>
 #include <tuple>
 
+#include "core/engine/world/body_shapes.h"
+#include "core/engine/world/constants.h"
+#include "core/engine/world/tight_box.h"
 #include "core/fragments/solids.h"
-#include "core/simulation/body_shapes.h"
-#include "core/simulation/constants.h"
-#include "core/simulation/tight_box.h"
 
 namespace rubble {
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "core/base/archive.h"
+#include "core/engine/world/rigid_world.h"
 #include "core/fe/activity.h"
 #include "core/fe/components.h"
 #include "core/fe/fe_result.h"
 #include "core/scenario/scenario.h"
-#include "core/simulation/rigid_world.h"
 
 namespace rubble {
 

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/base/finding.h"
+#include "core/engine/world/world_archive.h"
 #include "core/simulation/health.h"
 #include "core/simulation/island_bodies.h"
 #include "core/simulation/outcomes.h"
 #include "core/simulation/run_account.h"
-#include "core/simulation/world_archive.h"
 #include "core/trajectory/record_archive.h"
 
 namespace rubble {

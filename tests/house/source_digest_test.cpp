@@ -64,7 +64,7 @@ TEST(SourceDigest, WhatStandsInQuotesIsNoComment) {
 TEST(SourceDigest, CoversWhatMakesResultsAndNothingThatOnlyLooksAtThem) {
     const std::vector<std::string> sources = resultSources();
     ASSERT_GT(sources.size(), 200u);
-    for (const char* path : {"core/simulation/soft_step_world.cpp", "core/fragments/rigid_fit.cpp", "core/base/geometry.h",
+    for (const char* path : {"core/engine/soft/soft_step_world.cpp", "core/fragments/rigid_fit.cpp", "core/base/geometry.h",
                              "core/analysis/accuracy/study_world.h", "io/fe/result_frame.cpp", "io/fe/exodus/exodus_reader.cpp"}) {
         EXPECT_NE(std::find(sources.begin(), sources.end(), path), sources.end()) << path;
     }

@@ -7,8 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/unknown.h"
+#include "core/engine/world/worker_pool.h"
 #include "core/evidence/maps/tile_cover.h"
-#include "core/simulation/worker_pool.h"
 
 namespace rubble {
 

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "core/base/unknown.h"
+#include "core/engine/world/body_shapes.h"
+#include "core/engine/world/collider.h"
 #include "core/fragments/birth_windows.h"
-#include "core/simulation/body_shapes.h"
-#include "core/simulation/collider.h"
 #include "core/simulation/effects/box_tree.h"
 #include "core/simulation/effects/island_reach.h"
 #include "core/simulation/effects/reach.h"

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/simulation/rigid_world.h"
+#include "core/engine/world/rigid_world.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble {

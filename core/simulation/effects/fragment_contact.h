@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/simulation/rigid_world.h"
+#include "core/engine/world/rigid_world.h"
 
 namespace rubble {
 

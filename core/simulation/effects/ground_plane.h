@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/engine/world/rigid_world.h"
 #include "core/scenario/scenario.h"
-#include "core/simulation/rigid_world.h"
 
 namespace rubble {
 

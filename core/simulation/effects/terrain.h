@@ -2,9 +2,9 @@
 
 #include <memory>
 
+#include "core/engine/world/rigid_world.h"
 #include "core/fe/terrain_grid.h"
 #include "core/scenario/scenario.h"
-#include "core/simulation/rigid_world.h"
 
 namespace rubble {
 

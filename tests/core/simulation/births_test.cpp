@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/simulation/birth_overlap.h"
+#include "core/engine/world/birth_overlap.h"
 #include "tests/core/simulation/world_scene.h"
 
 namespace rubble {

@@ -1,4 +1,4 @@
-#include "core/simulation/box_index.h"
+#include "core/engine/soft/box_index.h"
 
 #include <gtest/gtest.h>
 

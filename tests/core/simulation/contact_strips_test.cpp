@@ -1,4 +1,4 @@
-#include "core/simulation/contact_strips.h"
+#include "core/engine/soft/contact_strips.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/simulation/soft_solver.h"
+#include "core/engine/soft/soft_solver.h"
 #include "tests/core/simulation/solver_contact.h"
 
 namespace rubble {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/simulation/rigid_world.h"
+#include "core/engine/world/rigid_world.h"
 
 namespace rubble::test {
 

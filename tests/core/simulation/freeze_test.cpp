@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/simulation/freeze.h"
+#include "core/engine/world/freeze.h"
 #include "tests/core/simulation/world_scene.h"
 
 namespace rubble {

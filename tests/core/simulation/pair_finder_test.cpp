@@ -1,4 +1,4 @@
-#include "core/simulation/pair_finder.h"
+#include "core/engine/soft/pair_finder.h"
 
 #include <gtest/gtest.h>
 

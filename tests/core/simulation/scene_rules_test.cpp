@@ -1,8 +1,8 @@
-#include "core/simulation/scene_rules.h"
+#include "core/engine/world/scene_rules.h"
 
 #include <gtest/gtest.h>
 
-#include "core/simulation/constants.h"
+#include "core/engine/world/constants.h"
 
 namespace rubble {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "core/engine/world/rigid_world.h"
 #include "core/simulation/outcomes.h"
-#include "core/simulation/rigid_world.h"
 
 namespace rubble::test {
 

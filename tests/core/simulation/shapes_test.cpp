@@ -2,9 +2,9 @@
 
 #include <random>
 
-#include "core/simulation/body_shapes.h"
+#include "core/engine/world/body_shapes.h"
+#include "core/engine/world/tight_box.h"
 #include "core/simulation/bulking.h"
-#include "core/simulation/tight_box.h"
 #include "tests/core/fragments/element_scene.h"
 
 namespace rubble {

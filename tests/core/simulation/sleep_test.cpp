@@ -1,4 +1,4 @@
-#include "core/simulation/sleep.h"
+#include "core/engine/world/sleep.h"
 
 #include <gtest/gtest.h>
 

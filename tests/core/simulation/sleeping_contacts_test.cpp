@@ -1,4 +1,4 @@
-#include "core/simulation/sleeping_contacts.h"
+#include "core/engine/soft/sleeping_contacts.h"
 
 #include <gtest/gtest.h>
 

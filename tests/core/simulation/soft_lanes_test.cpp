@@ -1,4 +1,4 @@
-#include "core/simulation/soft_lanes.h"
+#include "core/engine/soft/soft_lanes.h"
 #include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/simulation/soft_solver.h"
+#include "core/engine/soft/soft_solver.h"
 #include "tests/core/simulation/solver_contact.h"
 
 namespace rubble {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/base/standard_gravity.h"
-#include "core/simulation/soft_solver.h"
+#include "core/engine/soft/soft_solver.h"
 
 namespace rubble::scenes {
 

@@ -1,8 +1,8 @@
-#include "core/simulation/speed_bound.h"
+#include "core/engine/soft/speed_bound.h"
 
 #include <gtest/gtest.h>
 
-#include "core/simulation/constants.h"
+#include "core/engine/world/constants.h"
 
 namespace rubble {
 namespace {

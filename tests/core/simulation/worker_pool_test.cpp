@@ -1,4 +1,4 @@
-#include "core/simulation/worker_pool.h"
+#include "core/engine/world/worker_pool.h"
 
 #include <gtest/gtest.h>
 

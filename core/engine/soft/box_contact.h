@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/engine/world/contact_patch.h"
+
+namespace rubble {
+
+/// A box placed in the world, ready for contact: axes are the columns of `axes`.
+struct PlacedBox {
+    Vec3 centre = Vec3::Zero();
+    Mat3 axes = Mat3::Identity();
+    Vec3 halfExtents = Vec3::Zero();
+};
+
+/// Contact between two boxes by separating axes and face clipping; points up to `margin` [m] apart are reported too (speculative).
+/// Returns no points where the boxes are farther apart. Deterministic.
+ContactPatch collideBoxes(const PlacedBox& a, const PlacedBox& b, double margin);
+
+}  // namespace rubble

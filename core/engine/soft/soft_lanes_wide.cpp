@@ -1,0 +1,18 @@
+#include "core/engine/soft/soft_lanes.h"
+
+#ifdef RUBBLE_WIDE_LANES
+#define RUBBLE_LANE_VARIANT wide_lanes
+#include "core/engine/soft/soft_lanes_passes.h"
+#endif
+
+namespace rubble {
+
+const LanePasses* wideLanePasses() {
+#ifdef RUBBLE_WIDE_LANES
+    return &wide_lanes::passes;
+#else
+    return nullptr;
+#endif
+}
+
+}  // namespace rubble

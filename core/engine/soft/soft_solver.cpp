@@ -1,0 +1,594 @@
+#include "core/engine/soft/soft_solver.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace rubble {
+
+namespace {
+
+/// A load comes back in the next substep, a blow does not: what is new may grow by this factor from substep to substep. Lower:
+/// slow under a pile that is lifted; higher: what was hit flies on.
+constexpr double warmGrowth = 3.0;
+/// Passes that take the push back. Fewer: piles creep and tremble, since what one contact leaves the others have to take; more:
+/// slower.
+constexpr int relaxPasses = 3;
+/// Passes that bring overlap apart, then such that only keep others from being pressed together for it; both go on from what the
+/// step before found. More of the first: it comes apart sooner; fewer of the second: piles are pressed into themselves and tremble.
+/// A push has to get through a pile from body to body, so larger ones take more of the first, as the cube root of their contacts.
+constexpr int fewestCorrectionPasses = 24, mostCorrectionPasses = 72;
+constexpr double contactsOfFewest = 16000;
+constexpr int holdPasses = 4;
+/// Rounds over the points of a contact that bounces.
+constexpr int restitutionRounds = 8;
+/// Contacts that one thread takes at a time.
+constexpr std::size_t grain = 96;
+/// The same, side by side.
+constexpr std::size_t laneGrain = 12;
+/// Contacts that are worth a strip of their own.
+constexpr std::size_t stripContacts = 512;
+/// Steps without strips after one in which the threads did not run at the same time.
+constexpr int stepsAlone = 32;
+/// Bodies that one thread takes at a time.
+constexpr std::size_t bodyGrain = 512;
+/// N s. No limit.
+constexpr KeptNumber unlimited = std::numeric_limits<KeptNumber>::max();
+/// Groups; a body with more contacts than this puts the rest into the ordered group.
+constexpr std::uint32_t mostColours = 63;
+
+int correctionPassesFor(std::size_t contacts) {
+    const double wanted = fewestCorrectionPasses * std::cbrt(static_cast<double>(contacts) / contactsOfFewest);
+    return static_cast<int>(std::clamp<double>(wanted, fewestCorrectionPasses, mostCorrectionPasses));
+}
+
+Vec3 relativeVelocity(const SolverBody& a, const SolverBody& b, const SolverPoint& p) {
+    return b.velocity + b.spin.cross(p.fromB) - a.velocity - a.spin.cross(p.fromA);
+}
+
+void apply(SolverBody& a, SolverBody& b, const SolverPoint& p, const Vec3& impulse) {
+    // Threads may share an immovable body, so nothing is written to it.
+    if (a.inverseMass > 0.0) {
+        a.velocity -= a.inverseMass * impulse;
+        a.spin -= a.inverseInertia * p.fromA.cross(impulse);
+    }
+    if (b.inverseMass > 0.0) {
+        b.velocity += b.inverseMass * impulse;
+        b.spin += b.inverseInertia * p.fromB.cross(impulse);
+    }
+}
+
+void restituteContact(const SolverContact& c, std::span<SolverPoint> points, SolverBody& a, SolverBody& b, double threshold) {
+    // The points of one face share a blow; a few rounds find their shares.
+    for (int round = 0; round < restitutionRounds; ++round) {
+        for (SolverPoint& p : points) {
+            if (p.approachSpeed < threshold || p.largestImpulse == 0.0) {
+                continue;
+            }
+            const double speed = c.normal.dot(relativeVelocity(a, b, p));
+            // Over the whole step a contact never pulls.
+            const double change = std::max(-p.normalMass * (speed - c.restitution * p.approachSpeed), -p.impulseSum);
+            // What a limit left of a moving piece's approach is not made up for here.
+            if (c.driven && change > 0.0) {
+                continue;
+            }
+            p.impulseSum += change;
+            p.normalImpulse = std::max(0.0, p.normalImpulse + change);
+            apply(a, b, p, change * c.normal);
+        }
+    }
+}
+
+}  // namespace
+
+void colourContacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> ends, std::size_t movable, ContactColours& colours) {
+    std::vector<std::uint64_t> used(movable, 0);
+    std::vector<std::uint8_t> colour(ends.size());
+    std::vector<std::uint32_t> counts(mostColours + 2, 0);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const auto [a, b] = ends[i];
+        const std::uint64_t taken = (a < movable ? used[a] : 0) | (b < movable ? used[b] : 0);
+        const auto free = std::min<std::uint32_t>(static_cast<std::uint32_t>(std::countr_one(taken)), mostColours);
+        if (free < mostColours) {
+            const std::uint64_t bit = std::uint64_t{1} << free;
+            if (a < movable) {
+                used[a] |= bit;
+            }
+            if (b < movable) {
+                used[b] |= bit;
+            }
+        }
+        colour[i] = static_cast<std::uint8_t>(free);
+        ++counts[free + 1];
+    }
+    colours.lastInOrder = counts[mostColours + 1] > 0;
+    for (std::uint32_t k = 0; k <= mostColours; ++k) {
+        counts[k + 1] += counts[k];
+    }
+    colours.first.assign(counts.begin(), counts.end());
+    colours.order.resize(ends.size());
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        colours.order[counts[colour[i]]++] = static_cast<std::uint32_t>(i);
+    }
+    while (colours.first.size() > 1 && colours.first[colours.first.size() - 2] == colours.first.back()) {
+        colours.first.pop_back();
+    }
+}
+
+template <class Pass>
+void SoftSolver::forEachWithWork(Pass pass) {
+    m_pool.loop(m_withWork.size(), laneGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            pass(m_scene, m_withWork[i], m_withWork[i] + std::size_t{1});
+        }
+    });
+}
+
+/// Passes one after the other, colour by colour.
+template <class Pass>
+void SoftSolver::forEachColour(int passes, Pass pass) {
+    if (m_strips.size() == 1) {
+        for (int i = 0; i < passes; ++i) {
+            for (const Colour& colour : m_strips[0].colours) {
+                const std::size_t count = colour.last - colour.first;
+                m_pool.loop(count, colour.inOrder ? count : laneGrain,
+                            [&](std::size_t from, std::size_t to) { pass(i, m_scene, colour.first + from, colour.first + to); });
+            }
+        }
+        return;
+    }
+    for (Strip& strip : m_strips) {
+        strip.border.restart();
+        strip.done = 0;
+    }
+    if (!m_givenUp) {
+        m_pool.together(m_strips.size(), [&](std::size_t strip) { solveStrip(m_strips[strip], passes, pass); });
+    }
+    // What is left where the threads gave up, in the order in which they would have done it.
+    const std::size_t colours = m_strips[0].colours.size();
+    for (std::size_t k = 0; m_givenUp && k < static_cast<std::size_t>(passes) * colours; ++k) {
+        for (const Strip& strip : m_strips) {
+            if (strip.done <= k) {
+                pass(static_cast<int>(k / colours), m_scene, strip.colours[k % colours].first, strip.colours[k % colours].last);
+            }
+        }
+    }
+}
+
+/// Within a colour what lies at the border of a strip goes first: others wait for it with their next colour, and what lies inside
+/// gives it time to get there.
+template <class Pass>
+void SoftSolver::solveStrip(Strip& own, int passes, Pass pass) {
+    Patience patience(m_givenUp);
+    std::uint32_t met = 0;
+    for (int i = 0; i < passes; ++i) {
+        for (const Colour& colour : own.colours) {
+            const bool atBorder = colour.inside > colour.first;
+            const auto isThere = [&](const Strip& other) { return patience.await(other.border, met); };
+            if (patience.givenUp() || (atBorder && !std::ranges::all_of(m_strips, isThere))) {
+                return;
+            }
+            pass(i, m_scene, colour.first, colour.inside);
+            if (colour.meets) {
+                own.border.pass(++met);
+            }
+            pass(i, m_scene, colour.inside, colour.last);
+            ++own.done;
+        }
+    }
+}
+
+/// One for a while, where the threads did not run at the same time.
+std::size_t SoftSolver::stripCount() {
+    m_alone = m_givenUp.exchange(false) ? stepsAlone : std::max(0, m_alone - 1);
+    return m_alone > 0 ? 1 : std::clamp<std::size_t>(contacts.size() / stripContacts, 1, m_pool.threads());
+}
+
+void SoftSolver::resize(std::size_t contactCount, std::size_t pointCount) {
+    contacts.resize(contactCount);
+    points.resize(pointCount);
+    m_fastest.resize(contactCount);
+}
+
+void SoftSolver::layOut(double h, const Source& source) {
+    arrange();
+    m_scene.contacts = m_lanes.data();
+    m_scene.tallies = m_tallies.data();
+    m_scene.points = m_lanePoints.data();
+    m_scene.pointTallies = m_pointTallies.data();
+    m_scene.works = m_laneWorks.data();
+    m_scene.h = h;
+    m_pool.loop(m_lanes.size(), laneGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            if (i + 1 < to) {
+                std::for_each_n(m_groups[i + 1].found, m_groups[i + 1].count, source.prefetch);
+            }
+            fillLanes(i, source);
+            m_passes.prepare(m_scene, i, i + 1);
+            for (std::uint32_t lane = 0; lane < m_groups[i].count; ++lane) {
+                m_fastest[m_groups[i].found[lane]] = m_tallies[i].fastest[lane];
+            }
+        }
+    });
+    m_back.assign(m_groups.size(), 0);
+    m_withWork.clear();
+    for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
+        if (m_lanes[i].countsWork) {
+            m_withWork.push_back(i);
+        }
+    }
+}
+
+/// Contacts of a strip after those of the strip before, by colours, at the border before inside, those between two that move before
+/// those with what does not, those with as many points side by side; within a colour the order does not matter.
+void SoftSolver::arrange() {
+    const std::size_t colours = firstOfGroup.size() - 1;
+    const std::size_t loose = lastInOrder ? firstOfGroup[colours - 1] : contacts.size();
+    const std::size_t strips = stripCount();
+    cutIntoStrips(contacts, m_scene.movable, strips, loose, m_cut);
+    m_strips = std::vector<Strip>(strips);
+
+    constexpr std::size_t counts = 4, idle = counts, still = 2 * counts, half = 4 * counts, sections = 2 * half;
+    std::vector<std::uint32_t> keys(contacts.size());
+    std::vector<std::uint32_t> first(strips * colours * sections + 1, 0);
+    for (std::size_t colour = 0; colour < colours; ++colour) {
+        for (std::size_t i = firstOfGroup[colour]; i < firstOfGroup[colour + 1]; ++i) {
+            const SolverContact& c = contacts[i];
+            const std::size_t section = (m_cut.border[i] != 0 ? 0 : half) +
+                                        (c.a >= m_scene.movable || c.b >= m_scene.movable ? still : 0) + (c.idle ? idle : 0) +
+                                        counts - c.points;
+            keys[i] = static_cast<std::uint32_t>((m_cut.strip[i] * colours + colour) * sections + (i < loose ? section : 0));
+            ++first[keys[i] + 1];
+        }
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::uint32_t> order(contacts.size());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+        order[next[keys[i]]++] = i;
+    }
+
+    m_groups.clear();
+    std::vector<char> meets(colours, 0);
+    const auto put = [&](std::size_t from, std::size_t to) {
+        const std::size_t begin = m_groups.size();
+        for (std::size_t k = from; k < to; ++k) {
+            const std::uint32_t contact = order[k];
+            if (m_groups.size() == begin || m_groups.back().count == solverLanes || contact >= loose) {
+                m_groups.emplace_back();
+            }
+            Group& lanes = m_groups.back();
+            lanes.found[lanes.count++] = contact;
+            lanes.points = std::max(lanes.points, contacts[contact].points);
+        }
+    };
+    for (std::size_t part = 0; part < strips * colours; ++part) {
+        const std::uint32_t* section = &first[part * sections];
+        Colour colour{m_groups.size(), 0, 0};
+        put(section[0], section[half]);
+        colour.inside = m_groups.size();
+        put(section[half], section[sections]);
+        colour.last = m_groups.size();
+        colour.inOrder = lastInOrder && part % colours + 1 == colours;
+        meets[part % colours] |= colour.inside > colour.first;
+        m_strips[part / colours].colours.push_back(colour);
+    }
+    for (Strip& strip : m_strips) {
+        for (std::size_t colour = 0; colour < colours; ++colour) {
+            strip.colours[colour].meets = meets[colour] != 0;
+        }
+    }
+    std::uint32_t point = 0;
+    for (Group& group : m_groups) {
+        group.firstPoint = point;
+        point += group.points;
+    }
+
+    m_lanes.resize(m_groups.size());
+    m_tallies.resize(m_groups.size());
+    m_lanePoints.resize(point);
+    m_pointTallies.resize(point);
+    m_laneWorks.resize(point);
+    m_correctionPoints.resize(point);
+    m_laneCorrections.resize(m_groups.size());
+}
+
+namespace {
+
+void setLane(KeptLaneVector& to, std::size_t lane, const Vec3& v) {
+    to.x[lane] = static_cast<KeptNumber>(v.x());
+    to.y[lane] = static_cast<KeptNumber>(v.y());
+    to.z[lane] = static_cast<KeptNumber>(v.z());
+}
+
+void setLane(KeptLaneTensor& to, std::size_t lane, const KeptNumber (&t)[6]) {
+    to.xx[lane] = t[0];
+    to.yy[lane] = t[1];
+    to.zz[lane] = t[2];
+    to.xy[lane] = t[3];
+    to.xz[lane] = t[4];
+    to.yz[lane] = t[5];
+}
+
+void setLane(LanePoint& to, LanePointTally& tally, std::size_t lane, const SolverPoint& p) {
+    setLane(to.fromA, lane, p.fromA);
+    setLane(to.fromB, lane, p.fromB);
+    tally.separation[lane] = to.now[lane] = static_cast<KeptNumber>(p.separation);
+    to.normalMass[lane] = 1;
+    to.normalImpulse[lane] = p.normalImpulse;
+    tally.before[lane] = static_cast<KeptNumber>(p.normalImpulse);
+    for (int t = 0; t < 2; ++t) {
+        to.tangentImpulse[t][lane] = p.tangentImpulse[t];
+    }
+}
+
+}  // namespace
+
+void SoftSolver::fillLanes(std::size_t at, const Source& source) {
+    const Group& group = m_groups[at];
+    LaneContacts& lanes = m_lanes[at];
+    LaneTally& tally = m_tallies[at];
+    const std::uint32_t count = group.count, first = group.firstPoint, most = group.points;
+    lanes = LaneContacts{};
+    tally = LaneTally{};
+    lanes.firstPoint = first;
+    lanes.points = most;
+    const auto still = static_cast<std::uint32_t>(bodies.size() - 1);
+    for (std::uint32_t i = count; i < solverLanes; ++i) {
+        lanes.a[i] = lanes.b[i] = still;
+    }
+    lanes.allMove = count == solverLanes;
+    std::fill_n(m_lanePoints.begin() + first, most, LanePoint{});
+    std::fill_n(m_pointTallies.begin() + first, most, LanePointTally{});
+    for (std::uint32_t k = 0; k < most; ++k) {
+        m_correctionPoints[first + k].push = {};
+    }
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
+        source.fill(group.found[lane]);
+        const SolverContact& c = contacts[group.found[lane]];
+        const MassProperties& a = m_massProperties[c.a];
+        const MassProperties& b = m_massProperties[c.b];
+        lanes.a[lane] = c.a;
+        lanes.b[lane] = c.b;
+        lanes.allMove = lanes.allMove && c.a < m_scene.movable && c.b < m_scene.movable;
+        setLane(lanes.normal, lane, c.normal);
+        setLane(lanes.tangent, lane, c.tangent[0]);
+        setLane(lanes.inverseInertiaA, lane, a.inverseInertia);
+        setLane(lanes.inverseInertiaB, lane, b.inverseInertia);
+        lanes.friction[lane] = static_cast<KeptNumber>(c.friction);
+        lanes.inverseMassA[lane] = a.inverseMass;
+        lanes.inverseMassB[lane] = b.inverseMass;
+        lanes.impulseLimit[lane] = c.impulseLimit < 0.0 ? unlimited : static_cast<KeptNumber>(c.impulseLimit);
+        tally.weight[lane] = static_cast<KeptNumber>(c.weight);
+        tally.frequency[lane] = static_cast<KeptNumber>(c.frequency);
+        tally.sinkAllowed[lane] = static_cast<KeptNumber>(c.sinkAllowed);
+        tally.correction[lane] = static_cast<KeptNumber>(c.correction);
+        tally.lift[lane] = static_cast<KeptNumber>(c.lift);
+        tally.workShare[lane] = c.countsWork ? 1 : 0;
+        tally.drivenByA[lane] = c.driven && a.inverseMass == 0.0 ? 1 : 0;
+        tally.drivenByB[lane] = c.driven && a.inverseMass != 0.0 ? 1 : 0;
+        lanes.countsWork = lanes.countsWork || c.countsWork || c.driven;
+        for (std::uint32_t k = 0; k < c.points; ++k) {
+            setLane(m_lanePoints[first + k], m_pointTallies[first + k], lane, points[c.firstPoint + k]);
+            m_correctionPoints[first + k].push[lane] = static_cast<KeptNumber>(points[c.firstPoint + k].push);
+        }
+    }
+}
+
+void SoftSolver::resizeBodies(std::size_t count) {
+    bodies.resize(count);
+    m_lanePoses.resize(count, {{}, {0.0, 0.0, 0.0, 1.0}});
+}
+
+void SoftSolver::place(std::size_t body, const Pose& pose) {
+    for (int k = 0; k < 3; ++k) {
+        m_lanePoses[body].position[k] = pose.position[k];
+    }
+    for (int k = 0; k < 4; ++k) {
+        m_lanePoses[body].orientation[k] = pose.orientation.coeffs()[k];
+    }
+}
+
+void SoftSolver::begin(std::size_t movable) {
+    m_scene.movable = static_cast<std::uint32_t>(movable);
+    m_massProperties.resize(bodies.size());
+    m_laneBodies.resize(bodies.size());
+    m_laneTravel.resize(bodies.size());
+    m_laneSolids.resize(bodies.size());
+    m_scene.bodies = m_laneBodies.data();
+    m_scene.travel = m_laneTravel.data();
+    m_scene.poses = m_lanePoses.data();
+    m_scene.solids = m_laneSolids.data();
+    m_pool.loop(bodies.size(), bodyGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            const SolverBody& body = bodies[i];
+            const Mat3& t = body.inverseInertia;
+            m_massProperties[i] = {
+                body.inverseMass,
+                {static_cast<KeptNumber>(t(0, 0)), static_cast<KeptNumber>(t(1, 1)), static_cast<KeptNumber>(t(2, 2)),
+                 static_cast<KeptNumber>(t(0, 1)), static_cast<KeptNumber>(t(0, 2)), static_cast<KeptNumber>(t(1, 2))}};
+            setVelocity(i, body.velocity, body.spin);
+            m_laneBodies[i].velocity[3] = 0.0;
+            m_laneTravel[i] = {};
+            for (int k = 0; k < 3; ++k) {
+                m_laneSolids[i].inertia[k] = body.inertia[k];
+            }
+            m_laneSolids[i].inertia[3] = body.radius;
+            m_laneSolids[i].limit[0] = body.fastest;
+        }
+    });
+}
+
+void SoftSolver::bound(std::size_t body, double fastest) {
+    bodies[body].fastest = m_laneSolids[body].limit[0] = fastest;
+}
+
+Pose SoftSolver::poseOf(std::size_t body) const {
+    const LanePose& pose = m_lanePoses[body];
+    return {Vec3(pose.position), Quat(pose.orientation)};
+}
+
+SolverMotion SoftSolver::motion(std::size_t body) const {
+    const LaneBody& lane = m_laneBodies[body];
+    return {poseOf(body), Vec3(lane.velocity), Vec3(lane.spin)};
+}
+
+void SoftSolver::setVelocity(std::size_t body, const Vec3& velocity, const Vec3& spin) {
+    for (int k = 0; k < 3; ++k) {
+        m_laneBodies[body].velocity[k] = velocity[k];
+        m_laneBodies[body].spin[k] = spin[k];
+    }
+}
+
+void SoftSolver::applyGravity(double speed) {
+    m_pool.loop(m_scene.movable, bodyGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            m_laneBodies[i].velocity[2] -= speed;
+            m_laneBodies[i].velocity[3] = 0.0;
+        }
+    });
+}
+
+std::int64_t SoftSolver::move(double gravity) {
+    std::atomic<std::int64_t> held = 0;
+    m_pool.loop(m_scene.movable, bodyGrain,
+                [&](std::size_t from, std::size_t to) { held += m_passes.move(m_scene, from, to, gravity); });
+    for (std::size_t i = m_scene.movable; i < bodies.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            m_laneTravel[i].moved[k] += m_scene.h * m_laneBodies[i].velocity[k];
+            m_laneTravel[i].turned[k] += m_scene.h * m_laneBodies[i].spin[k];
+        }
+    }
+    return held;
+}
+
+void SoftSolver::end() {
+    m_pool.loop(m_scene.movable, bodyGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            const LaneBody& lane = m_laneBodies[i];
+            SolverBody& body = bodies[i];
+            body.velocity = Vec3(lane.velocity);
+            body.spin = Vec3(lane.spin);
+            body.moved = Vec3(m_laneTravel[i].moved);
+            body.turned = Vec3(m_laneTravel[i].turned);
+            body.active = m_laneTravel[i].moved[3] > 0.0 || m_laneBodies[i].velocity[3] > 0.0;
+        }
+    });
+}
+
+void SoftSolver::solveSoft(double push) {
+    forEachWithWork(m_passes.noteOpening);
+    forEachColour(2, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
+        if (pass == 0) {
+            m_passes.warmStart(scene, first, last, warmGrowth);
+        } else {
+            m_passes.soft(scene, first, last, push);
+        }
+    });
+}
+
+void SoftSolver::relax() {
+    forEachColour(relaxPasses, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
+        m_passes.relax(scene, first, last, pass == 0, pass + 1 == relaxPasses);
+    });
+}
+
+void SoftSolver::accumulateWork() {
+    forEachWithWork(m_passes.accumulateWork);
+}
+
+bool SoftSolver::correctPositions() {
+    if (std::none_of(contacts.begin(), contacts.end(), [](const SolverContact& c) { return c.correction > 0.0; })) {
+        for (LaneCorrectionPoint& point : m_correctionPoints) {
+            point.push = {};
+        }
+        return false;
+    }
+    m_corrections.assign(bodies.size(), LaneWay{});
+    m_scene.corrected = m_corrections.data();
+    m_scene.corrections = m_laneCorrections.data();
+    m_scene.correctionPoints = m_correctionPoints.data();
+    const int correctionPasses = correctionPassesFor(contacts.size());
+    forEachColour(1 + correctionPasses + holdPasses, [&](int pass, const LaneScene& scene, std::size_t first, std::size_t last) {
+        if (pass == 0) {
+            m_passes.startCorrection(scene, first, last);
+        } else {
+            m_passes.correct(scene, first, last, pass > correctionPasses);
+        }
+    });
+    return true;
+}
+
+SolverWay SoftSolver::correctionOf(std::size_t body) const {
+    const LaneWay& way = m_corrections[body];
+    return {Vec3(way.moved[0], way.moved[1], way.moved[2]), Vec3(way.turned[0], way.turned[1], way.turned[2])};
+}
+
+void SoftSolver::takeGroupBack(std::size_t at) {
+    const Group& group = m_groups[at];
+    for (std::uint32_t lane = 0; lane < group.count; ++lane) {
+        SolverContact& c = contacts[group.found[lane]];
+        c.work = m_tallies[at].work[lane];
+        for (std::uint32_t n = 0; n < c.points; ++n) {
+            const LanePoint& lanePoint = m_lanePoints[group.firstPoint + n];
+            const LanePointTally& tally = m_pointTallies[group.firstPoint + n];
+            SolverPoint& p = points[c.firstPoint + n];
+            p.normalMass = lanePoint.normalMass[lane];
+            p.approachSpeed = tally.approach[lane];
+            p.normalImpulse = lanePoint.normalImpulse[lane];
+            p.tangentImpulse[0] = lanePoint.tangentImpulse[0][lane];
+            p.tangentImpulse[1] = lanePoint.tangentImpulse[1][lane];
+            p.largestImpulse = tally.largestImpulse[lane];
+            p.impulseSum = tally.impulseSum[lane];
+            p.push = m_correctionPoints[group.firstPoint + n].push[lane];
+        }
+    }
+    m_back[at] = 1;
+}
+
+void SoftSolver::takeBack(const Target& target) {
+    m_pool.loop(m_groups.size(), laneGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            if (i + 1 < to) {
+                std::for_each_n(m_groups[i + 1].found, m_groups[i + 1].count, target.prefetch);
+            }
+            if (m_back[i] == 0) {
+                takeGroupBack(i);
+            }
+            std::for_each_n(m_groups[i].found, m_groups[i].count, target.take);
+        }
+    });
+}
+
+void SoftSolver::restitute(double threshold) {
+    m_pool.loop(m_groups.size(), laneGrain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            const KeptLanes& fastest = m_tallies[i].fastest;
+            if (std::any_of(fastest.at, fastest.at + m_groups[i].count, [&](KeptNumber x) { return x >= threshold; })) {
+                takeGroupBack(i);
+            }
+        }
+    });
+    std::vector<std::uint32_t> hit;
+    for (std::size_t group = 0; group + 1 < firstOfGroup.size(); ++group) {
+        hit.clear();
+        for (std::uint32_t i = firstOfGroup[group]; i < firstOfGroup[group + 1]; ++i) {
+            if (m_fastest[i] >= threshold) {
+                hit.push_back(i);
+            }
+        }
+        const bool inOrder = lastInOrder && group + 2 == firstOfGroup.size();
+        m_pool.loop(hit.size(), inOrder ? hit.size() : grain, [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i) {
+                SolverContact& c = contacts[hit[i]];
+                const auto own = std::span<SolverPoint>(points).subspan(c.firstPoint, c.points);
+                restituteContact(c, own, bodies[c.a], bodies[c.b], threshold);
+            }
+        });
+    }
+}
+
+}  // namespace rubble

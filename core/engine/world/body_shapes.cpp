@@ -1,0 +1,170 @@
+#include "core/engine/world/body_shapes.h"
+
+#include <LinearMath/btConvexHullComputer.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/engine/world/tight_box.h"
+
+namespace rubble {
+
+namespace {
+
+/// Members whose own axes are tried for the box of a cluster.
+constexpr std::size_t axesTried = 6;
+/// More vertices than this make a hull slow and hardly better.
+constexpr std::size_t hullVerticesMax = 32;
+/// m. Margin of a hull, or this share of its least half extent if that is less.
+constexpr double hullMargin = 0.02;
+constexpr double hullMarginShare = 0.1;
+
+double leastHalf(const Vec3& halfExtents, const FragmentSettings& settings) {
+    return std::max(settings.minimumHalfExtent, settings.minimumThicknessRatio * halfExtents.maxCoeff());
+}
+
+ConvexPart boxPart(OrientedBox box, const FragmentSettings& settings) {
+    box.halfExtents = box.halfExtents.cwiseMax(leastHalf(box.halfExtents, settings));
+    return {box, {}, 0.0};
+}
+
+/// A box around scattered members, drawn in towards the centre of mass until it holds at most `bulking` times their boxes.
+OrientedBox drawnIn(OrientedBox box, const FragmentSet& fragments, std::span<const FragmentId> members, double bulking) {
+    double material = 0.0;
+    for (const FragmentId f : members) {
+        material += fragments.list[at(f)].box.volume();
+    }
+    const double scale = std::cbrt(bulking * material / box.volume());
+    if (scale < 1.0) {
+        box.centre *= scale;
+        box.halfExtents *= scale;
+    }
+    return box;
+}
+
+std::vector<Vec3> verticesIn(const FragmentSet& fragments, std::span<const FragmentId> members, const Pose& frame) {
+    const Quat inverse = frame.orientation.conjugate();
+    std::vector<Vec3> points;
+    for (const FragmentId f : members) {
+        for (const Vec3& p : fragments.verticesOf(f)) {
+            points.push_back(inverse * (p - frame.position));
+        }
+    }
+    return points;
+}
+
+/// Axes of some members' boxes, evenly spread over them, in the frame of the body.
+std::vector<Mat3> memberAxes(const FragmentSet& fragments, std::span<const FragmentId> members, const Pose& frame) {
+    std::vector<Mat3> axes;
+    const std::size_t count = std::min(members.size(), axesTried);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Fragment& fragment = fragments.list[at(members[i * members.size() / count])];
+        axes.push_back((frame.orientation.conjugate() * fragment.box.orientation).toRotationMatrix());
+    }
+    return axes;
+}
+
+/// The extreme points in directions spread over the sphere (Fibonacci spiral): a subset of the hull's vertices.
+std::vector<Vec3> extremePoints(const std::vector<Vec3>& points, std::size_t directions) {
+    std::vector<std::size_t> chosen;
+    const double golden = M_PI * (3.0 - std::sqrt(5.0));
+    for (std::size_t i = 0; i < directions; ++i) {
+        const double z = 1.0 - 2.0 * (static_cast<double>(i) + 0.5) / static_cast<double>(directions);
+        const double r = std::sqrt(1.0 - z * z);
+        const double angle = golden * static_cast<double>(i);
+        const Vec3 direction(r * std::cos(angle), r * std::sin(angle), z);
+        const auto best = std::max_element(points.begin(), points.end(),
+                                           [&](const Vec3& a, const Vec3& b) { return direction.dot(a) < direction.dot(b); });
+        chosen.push_back(static_cast<std::size_t>(best - points.begin()));
+    }
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    std::vector<Vec3> extremes;
+    for (const std::size_t i : chosen) {
+        extremes.push_back(points[i]);
+    }
+    return extremes;
+}
+
+std::vector<Vec3> hullVertices(std::span<const Vec3> points, double shrink) {
+    std::vector<double> coordinates;
+    for (const Vec3& p : points) {
+        coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+    }
+    btConvexHullComputer hull;
+    const btScalar done = hull.compute(coordinates.data(), 3 * sizeof(double), static_cast<int>(points.size()), shrink, 0.5);
+    std::vector<Vec3> vertices;
+    if (done >= 0.0) {
+        for (int i = 0; i < hull.vertices.size(); ++i) {
+            vertices.emplace_back(hull.vertices[i].x(), hull.vertices[i].y(), hull.vertices[i].z());
+        }
+    }
+    return vertices;
+}
+
+}  // namespace
+
+BodyFrame bodyFrame(const Cluster& cluster) {
+    return bodyFrame(cluster.centre, cluster.inertia);
+}
+
+BodyFrame bodyFrame(const Vec3& centre, const Mat3& inertia) {
+    const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia);
+    Mat3 axes = principal.eigenvectors();
+    if (axes.determinant() < 0.0) {
+        axes.col(2) = -axes.col(2);
+    }
+    return {{centre, Quat(axes).normalized()}, principal.eigenvalues()};
+}
+
+ConvexPart hullOf(std::span<const Vec3> points, double leastHalfExtent) {
+    OrientedBox box = tightBox(points, {}, false);
+    if (box.halfExtents.minCoeff() < leastHalfExtent) {
+        box.halfExtents = box.halfExtents.cwiseMax(leastHalfExtent);
+        return {box, {}, 0.0};
+    }
+    const double margin = std::min(hullMargin, hullMarginShare * box.halfExtents.minCoeff());
+    std::vector<Vec3> vertices = hullVertices(points, margin);
+    if (vertices.size() > hullVerticesMax) {
+        vertices = extremePoints(vertices, hullVerticesMax);
+    }
+    if (vertices.size() < 4) {
+        return {box, {}, 0.0};
+    }
+    return {box, std::move(vertices), margin};
+}
+
+CollisionShape clusterShape(const FragmentSet& fragments, std::span<const FragmentId> members, const Pose& frame, ClusterShape kind,
+                            double boxBulking, const FragmentSettings& settings) {
+    if (kind == ClusterShape::Compound || (kind == ClusterShape::OrientedBox && members.size() == 1)) {
+        CollisionShape parts;
+        for (const FragmentId f : members) {
+            OrientedBox box = fragments.list[at(f)].box;
+            box.centre = frame.orientation.conjugate() * (box.centre - frame.position);
+            box.orientation = frame.orientation.conjugate() * box.orientation;
+            parts.push_back(boxPart(box, settings));
+        }
+        return parts;
+    }
+    const std::vector<Vec3> points = verticesIn(fragments, members, frame);
+    if (kind == ClusterShape::AxisBox) {
+        const OrientedBox box = boxWithAxes(points, frame.orientation.conjugate().toRotationMatrix());
+        return {boxPart(drawnIn(box, fragments, members, boxBulking), settings)};
+    }
+    if (kind == ClusterShape::Hull) {
+        return {hullOf(points, settings.minimumHalfExtent)};
+    }
+    const OrientedBox box = tightBox(points, memberAxes(fragments, members, frame));
+    return {boxPart(drawnIn(box, fragments, members, boxBulking), settings)};
+}
+
+double smallestSide(const CollisionShape& shape) {
+    double side = 0.0;
+    for (const ConvexPart& part : shape) {
+        side = std::max(side, 2.0 * part.box.halfExtents.minCoeff());
+    }
+    return side;
+}
+
+}  // namespace rubble

@@ -10,7 +10,7 @@
 #include "core/clusters/clustering.h"
 #include "core/clusters/sizing.h"
 #include "core/selftest/box_overlap.h"
-#include "core/simulation/collapse_run.h"
+#include "core/simulation/run/collapse_run.h"
 #include "tests/samples/arches.h"
 
 namespace rubble {

@@ -48,12 +48,12 @@ set(RUBBLE_PUBLIC_HEADERS
     core/scenario/scenario.h
     core/scenario/site.h
     core/scenario/stage.h
-    core/simulation/acknowledgement.h
-    core/simulation/checkpoint.h
+    core/simulation/run/acknowledgement.h
+    core/simulation/run/checkpoint.h
     core/simulation/effects/decisions.h
-    core/simulation/health.h
-    core/simulation/run_account.h
-    core/simulation/simulation.h
+    core/simulation/health/health.h
+    core/simulation/bodies/run_account.h
+    core/simulation/run/simulation.h
     core/trajectory/sink_relay.h
     core/trajectory/trajectory.h
     io/run/acknowledgements.h

@@ -15,7 +15,7 @@
 #include "core/evidence/photographs/photo_comparison.h"
 #include "core/evidence/surveys/survey_comparison.h"
 #include "core/scenario/journal.h"
-#include "core/simulation/acknowledgement.h"
+#include "core/simulation/run/acknowledgement.h"
 
 namespace rubble {
 

@@ -13,7 +13,7 @@
 #include "core/fragments/fragment_set.h"
 #include "core/scenario/scenario.h"
 #include "core/scenario/stage.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 
 namespace rubble {
 

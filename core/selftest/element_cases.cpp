@@ -9,7 +9,7 @@
 #include "core/base/unknown.h"
 #include "core/selftest/collapse_scene.h"
 #include "core/selftest/pile.h"
-#include "core/simulation/hand_over.h"
+#include "core/simulation/bodies/hand_over.h"
 
 namespace rubble::selftest {
 

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/simulation/checkpoint.h"
+#include "core/simulation/run/checkpoint.h"
 
 namespace rubble::io {
 

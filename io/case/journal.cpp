@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "core/base/build.h"
-#include "core/simulation/acknowledgement.h"
+#include "core/simulation/run/acknowledgement.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/case/journal_check.h"

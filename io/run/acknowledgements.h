@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/message.h"
-#include "core/simulation/acknowledgement.h"
+#include "core/simulation/run/acknowledgement.h"
 
 namespace rubble::io {
 

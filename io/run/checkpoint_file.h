@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/simulation/checkpoint.h"
+#include "core/simulation/run/checkpoint.h"
 
 namespace rubble::io {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/scenario/case.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble::io {

@@ -3,7 +3,7 @@
 #include "core/clusters/clustering.h"
 #include "core/clusters/sizing.h"
 #include "core/fragments/fragment_set.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "core/trajectory/trajectory.h"
 #include "io/run/run_layout.h"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/fragments/lifetimes.h"
-#include "core/simulation/live_islands.h"
+#include "core/simulation/bodies/live_islands.h"
 #include "tests/samples/arches.h"
 
 namespace rubble {

@@ -6,7 +6,7 @@
 
 #include "core/base/standard_gravity.h"
 #include "core/pipeline/pipeline.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "tests/samples/arches.h"
 
 namespace rubble {

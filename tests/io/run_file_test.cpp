@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/simulation/acknowledgement.h"
+#include "core/simulation/run/acknowledgement.h"
 #include "io/base/files.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_columns.h"

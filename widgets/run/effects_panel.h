@@ -3,7 +3,7 @@
 #include <array>
 #include <memory>
 
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "widgets/basics/panel.h"
 
 class QLabel;

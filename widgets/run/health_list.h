@@ -3,8 +3,8 @@
 #include <QWidget>
 #include <optional>
 
-#include "core/simulation/acknowledgement.h"
-#include "core/simulation/health.h"
+#include "core/simulation/health/health.h"
+#include "core/simulation/run/acknowledgement.h"
 #include "widgets/views/timeline.h"
 
 class QLabel;

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "widgets/basics/panel.h"
 #include "widgets/run/health_list.h"
 #include "widgets/run/run_list.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/frame/json_output.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_file.h"
 

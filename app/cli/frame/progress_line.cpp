@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/message.h"
-#include "core/simulation/checkpoint.h"
+#include "core/simulation/run/checkpoint.h"
 
 namespace rubble::cli {
 

@@ -6,7 +6,7 @@
 
 #include "app/cli/frame/json_output.h"
 #include "app/cli/frame/text_table.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 
 namespace rubble::cli {
 

@@ -9,7 +9,7 @@
 
 #include "app/gui/session/document.h"
 #include "app/gui/session/worker.h"
-#include "core/simulation/acknowledgement.h"
+#include "core/simulation/run/acknowledgement.h"
 #include "io/case/autosave_file.h"
 
 namespace rubble {

@@ -7,7 +7,7 @@
 #include "app/gui/session/session.h"
 #include "core/base/build.h"
 #include "core/base/error.h"
-#include "core/simulation/acknowledgement.h"
+#include "core/simulation/run/acknowledgement.h"
 #include "io/run/run_history.h"
 
 namespace rubble {

@@ -9,7 +9,7 @@
 #include "app/gui/session/worker.h"
 #include "core/pipeline/pipeline.h"
 #include "core/scenario/case.h"
-#include "core/simulation/acknowledgement.h"
+#include "core/simulation/run/acknowledgement.h"
 #include "io/case/input_check.h"
 #include "io/case/open_case.h"
 #include "io/run/run_file.h"

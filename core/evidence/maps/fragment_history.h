@@ -4,7 +4,7 @@
 
 #include "core/analysis/debris/debris.h"
 #include "core/base/execution.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble {

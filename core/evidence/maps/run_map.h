@@ -7,7 +7,7 @@
 
 #include "core/evidence/maps/debris_map.h"
 #include "core/evidence/maps/live_structure.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble {

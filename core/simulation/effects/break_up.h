@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/simulation/bodies/hand_over.h"
 #include "core/simulation/effects/effect.h"
-#include "core/simulation/hand_over.h"
 
 namespace rubble {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/simulation/pieces.h"
+#include "core/simulation/bodies/pieces.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble {

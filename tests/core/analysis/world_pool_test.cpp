@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/simulation/checkpoint.h"
+#include "core/simulation/run/checkpoint.h"
 
 namespace rubble {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/simulation/breach_log.h"
+#include "core/simulation/health/breach_log.h"
 
 #include <gtest/gtest.h>
 

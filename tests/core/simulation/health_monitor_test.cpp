@@ -1,4 +1,4 @@
-#include "core/simulation/health_monitor.h"
+#include "core/simulation/health/health_monitor.h"
 #include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 #include "core/base/standard_gravity.h"
 #include "core/base/unknown.h"
 #include "core/pipeline/pipeline.h"
-#include "core/simulation/acknowledgement.h"
-#include "core/simulation/collapse_run.h"
+#include "core/simulation/run/acknowledgement.h"
+#include "core/simulation/run/collapse_run.h"
 #include "tests/core/simulation/forwarding_world.h"
 #include "tests/scenes/fe_scenes.h"
 

@@ -1,4 +1,4 @@
-#include "core/simulation/islands.h"
+#include "core/simulation/run/islands.h"
 #include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/pipeline/pipeline.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "tests/core/fragments/element_scene.h"
 #include "tests/scenes/fe_scenes.h"
 

@@ -1,4 +1,4 @@
-#include "core/simulation/live_islands.h"
+#include "core/simulation/bodies/live_islands.h"
 #include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "core/pipeline/pipeline.h"
-#include "core/simulation/island_bodies.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/bodies/island_bodies.h"
+#include "core/simulation/run/simulation.h"
 #include "tests/core/fragments/element_scene.h"
 #include "tests/scenes/fe_scenes.h"
 

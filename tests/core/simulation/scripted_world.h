@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/engine/world/rigid_world.h"
-#include "core/simulation/outcomes.h"
+#include "core/simulation/health/outcomes.h"
 
 namespace rubble::test {
 

@@ -4,7 +4,7 @@
 
 #include "core/engine/world/body_shapes.h"
 #include "core/engine/world/tight_box.h"
-#include "core/simulation/bulking.h"
+#include "core/simulation/run/bulking.h"
 #include "tests/core/fragments/element_scene.h"
 
 namespace rubble {

@@ -1,5 +1,5 @@
 #include "core/base/standard_gravity.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/pipeline/pipeline.h"
 #include "core/selftest/killed_trajectory.h"
-#include "core/simulation/hand_over.h"
+#include "core/simulation/bodies/hand_over.h"
 #include "tests/core/fragments/element_scene.h"
 #include "tests/core/simulation/effects/run_scene.h"
 #include "tests/core/simulation/world_scene.h"

@@ -1,4 +1,4 @@
-#include "core/simulation/step_rate.h"
+#include "core/simulation/run/step_rate.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <thread>
 
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 
 namespace rubble {
 namespace {

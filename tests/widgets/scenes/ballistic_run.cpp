@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 
 namespace rubble::scenes {
 namespace {

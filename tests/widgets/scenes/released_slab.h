@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "tests/scenes/fe_scenes.h"
 #include "tests/widgets/scenes/ballistic_run.h"
 

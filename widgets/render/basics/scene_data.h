@@ -11,7 +11,7 @@
 #include "core/fe/terrain_grid.h"
 #include "core/fragments/fragment_set.h"
 #include "core/scenario/scenario.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble::render {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "tests/core/simulation/effects/run_scene.h"
 #include "tests/core/simulation/world_scene.h"
 #include "tests/scenes/fe_scenes.h"

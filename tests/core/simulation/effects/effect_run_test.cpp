@@ -7,7 +7,7 @@
 #include <cmath>
 #include <thread>
 
-#include "core/simulation/collapse_run.h"
+#include "core/simulation/run/collapse_run.h"
 #include "tests/core/simulation/effects/run_scene.h"
 #include "tests/core/simulation/forwarding_world.h"
 #include "tests/scenes/fe_scenes.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/simulation/hand_over.h"
+#include "core/simulation/bodies/hand_over.h"
 #include "tests/core/simulation/effects/run_scene.h"
 #include "tests/core/simulation/world_scene.h"
 #include "tests/scenes/fe_scenes.h"

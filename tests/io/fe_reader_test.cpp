@@ -10,8 +10,8 @@
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/fe/series_digest.h"
-#include "tests/io/d3plot/d3plot_builder.h"
-#include "tests/io/radioss/anim_builder.h"
+#include "tests/io/fe/d3plot/d3plot_builder.h"
+#include "tests/io/fe/radioss/anim_builder.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

@@ -11,7 +11,7 @@
 #include "io/fe/fe_reader.h"
 #include "io/fe/radioss/anim_file.h"
 #include "tests/io/collapse_identity.h"
-#include "tests/io/radioss/anim_builder.h"
+#include "tests/io/fe/radioss/anim_builder.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"
 

@@ -11,8 +11,8 @@
 #include "io/base/native_lock.h"
 #include "io/exports/convert/fe_conversion.h"
 #include "io/fe/fe_reader.h"
-#include "tests/io/convert/mixed_result.h"
-#include "tests/io/fe_copy/chunk_damage.h"
+#include "tests/io/exports/convert/mixed_result.h"
+#include "tests/io/fe/fe_copy/chunk_damage.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

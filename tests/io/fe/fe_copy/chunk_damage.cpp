@@ -1,4 +1,4 @@
-#include "tests/io/fe_copy/chunk_damage.h"
+#include "tests/io/fe/fe_copy/chunk_damage.h"
 
 #include <gtest/gtest.h>
 #include <hdf5.h>

@@ -1,4 +1,4 @@
-#include "tests/io/d3plot/d3plot_builder.h"
+#include "tests/io/fe/d3plot/d3plot_builder.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "tests/io/convert/mixed_result.h"
+#include "tests/io/exports/convert/mixed_result.h"
 #include <gtest/gtest.h>
 
 #include "core/base/unknown.h"

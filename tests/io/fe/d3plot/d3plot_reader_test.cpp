@@ -9,7 +9,7 @@
 #include "core/fe/frame_transform.h"
 #include "io/fe/fe_reader.h"
 #include "tests/io/collapse_identity.h"
-#include "tests/io/d3plot/d3plot_builder.h"
+#include "tests/io/fe/d3plot/d3plot_builder.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

@@ -19,7 +19,7 @@
 
 #include "io/exports/convert/fe_conversion.h"
 #include "io/fe/fe_reader.h"
-#include "tests/io/convert/mixed_result.h"
+#include "tests/io/exports/convert/mixed_result.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"
 

@@ -1,4 +1,4 @@
-#include "tests/io/radioss/anim_builder.h"
+#include "tests/io/fe/radioss/anim_builder.h"
 
 #include <zlib.h>
 

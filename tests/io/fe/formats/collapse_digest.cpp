@@ -1,4 +1,4 @@
-#include "tests/io/formats/collapse_digest.h"
+#include "tests/io/fe/formats/collapse_digest.h"
 
 #include <algorithm>
 #include <cmath>

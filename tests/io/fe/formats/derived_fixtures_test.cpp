@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "io/fe/fe_reader.h"
-#include "tests/io/formats/collapse_digest.h"
+#include "tests/io/fe/formats/collapse_digest.h"
 #include "tests/support/whole_file.h"
 
 namespace rubble::io {

@@ -14,8 +14,8 @@
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/fe/fe_reader.h"
-#include "tests/io/convert/mixed_result.h"
-#include "tests/io/formats/collapse_digest.h"
+#include "tests/io/exports/convert/mixed_result.h"
+#include "tests/io/fe/formats/collapse_digest.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/whole_file.h"
 

@@ -1,4 +1,4 @@
-#include "tests/io/formats/small_results.h"
+#include "tests/io/fe/formats/small_results.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -11,9 +11,9 @@
 
 #include "core/base/error.h"
 #include "io/fe/fe_reader.h"
-#include "tests/io/convert/mixed_result.h"
-#include "tests/io/d3plot/d3plot_builder.h"
-#include "tests/io/fe_copy/chunk_damage.h"
+#include "tests/io/exports/convert/mixed_result.h"
+#include "tests/io/fe/d3plot/d3plot_builder.h"
+#include "tests/io/fe/fe_copy/chunk_damage.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rubble::io {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/engine/soft/soft_solver.h"
-#include "tests/core/simulation/solver_contact.h"
+#include "tests/core/engine/soft/solver_contact.h"
 
 namespace rubble {
 namespace {

@@ -23,14 +23,6 @@ std::string padded(std::string text, std::size_t width) {
     return text;
 }
 
-std::string usageOf(const Command& command) {
-    std::string usage = "rubble-cli " + std::string(command.name);
-    if (!command.operand.empty()) {
-        usage += ' ' + std::string(command.operand);
-    }
-    return usage;
-}
-
 void printOverview(std::ostream& out) {
     out << "Rubble " << versionText() << ": where the deactivated elements of a collapse go.\n\n";
     for (const Command& command : commandTable()) {

@@ -16,11 +16,6 @@ namespace {
 
 constexpr std::string_view program = "rubble-cli";
 
-std::string usageOf(const Command& command) {
-    return std::string(program) + ' ' + std::string(command.name) + (command.operand.empty() ? "" : " ") +
-           std::string(command.operand);
-}
-
 /// "on|off" as its parts; names of things to fill in (FE|CASE) have none.
 std::vector<std::string> alternatives(std::string_view value) {
     const bool literal = std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isupper(c) == 0; });
@@ -70,6 +65,11 @@ CompletedOption completed(const Option& option) {
 }
 
 }  // namespace
+
+std::string usageOf(const Command& command) {
+    return std::string(program) + ' ' + std::string(command.name) + (command.operand.empty() ? "" : " ") +
+           std::string(command.operand);
+}
 
 std::string manPageText() {
     ManPage page(program, "where the deactivated elements of a collapse go");

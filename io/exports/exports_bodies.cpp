@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A frame dataset as others see it.
-struct Column {
+struct BodyColumn {
     RunDataset dataset;
     const char* name;
     const char* type;       ///< of an XDMF attribute; empty for the geometry
@@ -25,17 +25,17 @@ struct Column {
     const char* precision;  ///< bytes
 };
 
-constexpr Column geometry{RunDataset::Positions, "positions", "", "Float", "4"};
-constexpr std::array<Column, 3> attributes{{{RunDataset::Speeds, "speed", "Scalar", "Float", "4"},
-                                            {RunDataset::States, "state", "Scalar", "UChar", "1"},
-                                            {RunDataset::Orientations, "orientation", "Matrix", "Float", "4"}}};
+constexpr BodyColumn geometry{RunDataset::Positions, "positions", "", "Float", "4"};
+constexpr std::array<BodyColumn, 3> attributes{{{RunDataset::Speeds, "speed", "Scalar", "Float", "4"},
+                                                {RunDataset::States, "state", "Scalar", "UChar", "1"},
+                                                {RunDataset::Orientations, "orientation", "Matrix", "Float", "4"}}};
 
 /// Writes the part of a column that belongs to one frame.
 class FrameItems {
 public:
     FrameItems(const RunColumns& columns, std::string run) : m_columns(columns), m_run(std::move(run)) {}
 
-    void add(pugi::xml_node owner, const Column& column, const FrameRow& frame) const {
+    void add(pugi::xml_node owner, const BodyColumn& column, const FrameRow& frame) const {
         const RunDatasetLayout& layout = layoutOf(column.dataset);
         const bool wide = layout.width > 1;
         const auto shape = [&](std::uint64_t rows) {
@@ -75,7 +75,7 @@ void addFrame(pugi::xml_node series, const FrameRow& frame, const FrameItems& it
     pugi::xml_node places = grid.append_child("Geometry");
     places.append_attribute("GeometryType") = "XYZ";
     items.add(places, geometry, frame);
-    for (const Column& column : attributes) {
+    for (const BodyColumn& column : attributes) {
         pugi::xml_node attribute = grid.append_child("Attribute");
         attribute.append_attribute("Name") = column.name;
         attribute.append_attribute("AttributeType") = column.type;

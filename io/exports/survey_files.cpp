@@ -20,7 +20,7 @@ namespace rubble::io {
 
 namespace {
 
-constexpr double noData = -9999.0;
+constexpr double surveyNoData = -9999.0;
 
 std::string_view fitName(SurveyFit fit) {
     return fit == SurveyFit::None ? "none" : fit == SurveyFit::Ground ? "ground" : "debris";
@@ -33,7 +33,7 @@ std::vector<double> northUp(const CellGrid& grid) {
     for (int row = grid.rows - 1; row >= 0; --row) {
         for (int column = 0; column < grid.columns; ++column) {
             const double value = grid.values[grid.index(column, row)];
-            values.push_back(std::isfinite(value) ? value : noData);
+            values.push_back(std::isfinite(value) ? value : surveyNoData);
         }
     }
     return values;
@@ -104,7 +104,7 @@ void writeSurveyTiff(const std::string& path, const SurveyComparison& made, cons
             GDALRasterBand& band = *file->GetRasterBand(static_cast<int>(b + 1));
             band.SetDescription(bands[b].first);
             band.SetUnitType(made.isFootprint && b < 2 ? "" : "m");
-            band.SetNoDataValue(noData);
+            band.SetNoDataValue(surveyNoData);
             std::vector<double> values = northUp(*bands[b].second);
             if (band.RasterIO(GF_Write, 0, 0, grid.columns, grid.rows, values.data(), grid.columns, grid.rows, GDT_Float64, 0, 0,
                               nullptr) != CE_None) {

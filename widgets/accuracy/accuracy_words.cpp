@@ -6,15 +6,12 @@
 #include <cmath>
 
 #include "core/analysis/accuracy/accuracy_settings.h"
+#include "widgets/basics/translated.h"
 #include "widgets/basics/wording.h"
 
 namespace rubble::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("rubble::widgets", text);
-}
 
 struct MeasureWords {
     const char* name;

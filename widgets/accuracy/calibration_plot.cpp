@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "core/analysis/accuracy/published_results.h"
+#include "widgets/basics/translated.h"
 #include "widgets/basics/wording.h"
 
 namespace rubble::widgets {
@@ -20,10 +21,6 @@ constexpr double tickSpace = 64.0;  // px, that one tick of an axis takes at lea
 constexpr int placesOfCurve = 33;
 constexpr std::array<PileKind, 2> piles{PileKind::Typical, PileKind::Worst};
 constexpr std::array<LiveLoad, 3> loads{LiveLoad::Physics, LiveLoad::Drawing, LiveLoad::Both};
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("rubble::widgets", text);
-}
 
 RateCurve curveOf(const Calibration& calibration, PileKind pile, LiveLoad load) {
     RateCurve curve{pile, load, {}};

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "widgets/basics/translated.h"
 #include "widgets/basics/wording.h"
 
 namespace rubble::widgets {
@@ -10,10 +11,6 @@ namespace rubble::widgets {
 namespace {
 
 constexpr double aBit = 1e-9;  // share by which a size may pass a bound unsaid
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("rubble::widgets", text);
-}
 
 QString reasonByHand(QChar which, const AxisSizing& axis, bool byComponents, const QString& component) {
     if (axis.size < axis.accuracyMin * (1.0 - aBit)) {

@@ -18,7 +18,7 @@ namespace rubble::widgets {
 
 namespace {
 
-enum Column { Name, Kind, Elements, Dead, Density, ColumnCount };
+enum ComponentColumn { NameColumn, KindColumn, ElementsColumn, DeadColumn, DensityColumn, ColumnsOfComponents };
 
 QTableWidgetItem* cell(const QString& text, bool number) {
     auto* item = new QTableWidgetItem(text);
@@ -57,7 +57,7 @@ QString regroupText(const RegroupStep& step) {
 CasePanel::CasePanel(QWidget* parent)
     : Panel(tr("Case"), tr("What was computed, and of what the structure is made."), parent),
       m_scenarios(new ScenarioList),
-      m_table(new QTableWidget(0, ColumnCount)),
+      m_table(new QTableWidget(0, ColumnsOfComponents)),
       m_regroup(new RegroupForm),
       m_steps(new QLabel),
       m_clear(new QPushButton(tr("Back to the parts of the file"))),
@@ -94,16 +94,16 @@ void CasePanel::buildFile() {
 void CasePanel::buildTable() {
     PanelGroup* group = addGroup(tr("Components"));
     m_table->setHorizontalHeaderLabels({tr("name"), tr("kind"), tr("elem."), tr("dead"), tr("kg/m³")});
-    m_table->horizontalHeaderItem(Density)->setToolTip(tr("Density; double-click to change, empty for what the file says"));
-    for (int column = Elements; column < ColumnCount; ++column) {
+    m_table->horizontalHeaderItem(DensityColumn)->setToolTip(tr("Density; double-click to change, empty for what the file says"));
+    for (int column = ElementsColumn; column < ColumnsOfComponents; ++column) {
         m_table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }
-    m_table->horizontalHeaderItem(Name)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_table->horizontalHeaderItem(Kind)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->horizontalHeaderItem(NameColumn)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->horizontalHeaderItem(KindColumn)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 9);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
     m_table->horizontalHeader()->setMinimumSectionSize(24);
     m_table->horizontalHeader()->setFont(headingFont());
     m_table->setFont(headingFont());
@@ -125,7 +125,7 @@ void CasePanel::buildTable() {
     connect(m_table, &QTableWidget::itemSelectionChanged, this, [this] {
         QStringList all;
         for (int row = 0; row < m_table->rowCount(); ++row) {
-            all << m_table->item(row, Name)->text();
+            all << m_table->item(row, NameColumn)->text();
         }
         const QStringList selected = selectedComponents();
         m_regroup->setSelection(selected, all);
@@ -144,8 +144,8 @@ void CasePanel::buildTable() {
 QStringList CasePanel::selectedComponents() const {
     QStringList names;
     for (int row = 0; row < m_table->rowCount(); ++row) {
-        if (m_table->item(row, Name) != nullptr && m_table->item(row, Name)->isSelected()) {
-            names << m_table->item(row, Name)->text();
+        if (m_table->item(row, NameColumn) != nullptr && m_table->item(row, NameColumn)->isSelected()) {
+            names << m_table->item(row, NameColumn)->text();
         }
     }
     return names;
@@ -237,7 +237,7 @@ void CasePanel::showUnits(const FeResult::Contents& contents) {
 
 void CasePanel::showComponents(const FeResult* fe, const Components* components) {
     m_filling = true;
-    m_table->horizontalHeaderItem(Density)->setText(figures::shownUnit("kg/m3").name);
+    m_table->horizontalHeaderItem(DensityColumn)->setText(figures::shownUnit("kg/m3").name);
     m_table->clearSelection();
     m_table->setRowCount(components != nullptr ? static_cast<int>(components->list.size()) : 0);
     for (int row = 0; row < m_table->rowCount(); ++row) {
@@ -246,19 +246,19 @@ void CasePanel::showComponents(const FeResult* fe, const Components* components)
         for (const ElementIndex e : component.elements) {
             dead += fe != nullptr && !fe->activity().active(fe->stateCount() - 1, e) ? 1 : 0;
         }
-        m_table->setItem(row, Name, cell(QString::fromStdString(component.name), false));
-        m_table->item(row, Name)->setToolTip(QString::fromStdString(component.name));
-        m_table->setItem(row, Kind, cell(spokenText(component.kind), false));
-        m_table->setItem(row, Elements, cell(shownCount(static_cast<std::int64_t>(component.elements.size())), true));
-        m_table->setItem(row, Dead, cell(shownCount(dead), true));
+        m_table->setItem(row, NameColumn, cell(QString::fromStdString(component.name), false));
+        m_table->item(row, NameColumn)->setToolTip(QString::fromStdString(component.name));
+        m_table->setItem(row, KindColumn, cell(spokenText(component.kind), false));
+        m_table->setItem(row, ElementsColumn, cell(shownCount(static_cast<std::int64_t>(component.elements.size())), true));
+        m_table->setItem(row, DeadColumn, cell(shownCount(dead), true));
         auto* density = cell(shownIn(component.density, "kg/m3", 4), true);
         density->setFlags(density->flags() | Qt::ItemIsEditable);
-        m_table->setItem(row, Density, density);
+        m_table->setItem(row, DensityColumn, density);
         const Vec3 size = component.bounds.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(component.bounds.sizes());
-        m_table->item(row, Name)->setToolTip(tr("%1: %2, %3 × %4 × %5")
-                                                 .arg(QString::fromStdString(component.name),
-                                                      shownWith(component.mass / 1000.0, "t"), shownIn(size.x(), "m"),
-                                                      shownIn(size.y(), "m"), shownLength(size.z())));
+        m_table->item(row, NameColumn)
+            ->setToolTip(tr("%1: %2, %3 × %4 × %5")
+                             .arg(QString::fromStdString(component.name), shownWith(component.mass / 1000.0, "t"),
+                                  shownIn(size.x(), "m"), shownIn(size.y(), "m"), shownLength(size.z())));
     }
     const int lines = std::min(12, std::max(1, m_table->rowCount()));
     m_table->setFixedHeight((lines + 1) * (m_table->fontMetrics().height() + 9) + 8);
@@ -283,7 +283,7 @@ void CasePanel::setEditable(bool editable) {
 }
 
 void CasePanel::densityTyped(int row, int column) {
-    if (m_filling || column != Density || m_components == nullptr) {
+    if (m_filling || column != DensityColumn || m_components == nullptr) {
         return;
     }
     const Component& component = m_components->list[static_cast<std::size_t>(row)];

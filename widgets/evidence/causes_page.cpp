@@ -14,6 +14,7 @@
 
 #include "widgets/basics/map_view.h"
 #include "widgets/basics/panel.h"
+#include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/cause_chart.h"
@@ -22,14 +23,7 @@ namespace rubble::widgets {
 
 namespace {
 
-constexpr int besideFrom = 1300;  // px: narrower, the map stands below the chart
-
-QTableWidgetItem* cell(const QString& text, bool left, const QString& tip) {
-    auto* item = new QTableWidgetItem(text);
-    item->setTextAlignment((left ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-    item->setToolTip(tip);
-    return item;
-}
+constexpr int causesBesideFrom = 1300;  // px: narrower, the map stands below the chart
 
 void prepare(QTableWidget& table, const QString& name) {
     table.setAccessibleName(name);
@@ -47,7 +41,7 @@ void setHeads(QTableWidget& table, const std::vector<std::pair<QString, QString>
     table.setColumnCount(static_cast<int>(heads.size()));
     for (int i = 0; i < table.columnCount(); ++i) {
         const auto& [text, tip] = heads[static_cast<std::size_t>(i)];
-        table.setHorizontalHeaderItem(i, cell(text, i == 0, tip));
+        table.setHorizontalHeaderItem(i, tableCell(text, i == 0, tip));
     }
 }
 
@@ -155,7 +149,7 @@ const FileChart& CausesPage::chart() const {
 
 void CausesPage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    m_splitter->setOrientation(event->size().width() >= besideFrom ? Qt::Horizontal : Qt::Vertical);
+    m_splitter->setOrientation(event->size().width() >= causesBesideFrom ? Qt::Horizontal : Qt::Vertical);
 }
 
 void CausesPage::setContent(const Content& content) {
@@ -256,7 +250,7 @@ void CausesPage::showRanking() {
             texts << withSpread(spread);
         }
         for (int i = 0; i < texts.size(); ++i) {
-            m_table->setItem(line, i, cell(texts[i], i == 0, texts[i]));
+            m_table->setItem(line, i, tableCell(texts[i], i == 0, texts[i]));
         }
     }
     m_table->resizeColumnsToContents();
@@ -290,14 +284,15 @@ void CausesPage::showBlind() {
         for (std::size_t h = 0; h < names.size(); ++h) {
             const int line = m_blind->rowCount();
             m_blind->insertRow(line);
-            m_blind->setItem(line, 0, cell(tr("%1, by %2").arg(QString::fromStdString(names[h]), kind), true, {}));
+            m_blind->setItem(line, 0, tableCell(tr("%1, by %2").arg(QString::fromStdString(names[h]), kind), true, {}));
             int column = 1;
             for (const std::int64_t count : test.named[h]) {
-                m_blind->setItem(line, column++, cell(shownCount(count), false, {}));
+                m_blind->setItem(line, column++, tableCell(shownCount(count), false, {}));
             }
-            m_blind->setItem(line, column++, cell(shownCount(test.undecided[h]), false, {}));
-            m_blind->setItem(line, column++, cell(shownCount(test.closest[h]), false, {}));
-            m_blind->setItem(line, column, cell(test.noticed.empty() ? tr("not known") : shownCount(test.noticed[h]), false, {}));
+            m_blind->setItem(line, column++, tableCell(shownCount(test.undecided[h]), false, {}));
+            m_blind->setItem(line, column++, tableCell(shownCount(test.closest[h]), false, {}));
+            m_blind->setItem(line, column,
+                             tableCell(test.noticed.empty() ? tr("not known") : shownCount(test.noticed[h]), false, {}));
         }
     }
     m_blindTitle->setText(tr("Blind test, each member in turn is what was found. %1").arg(inOneLine(sums)));

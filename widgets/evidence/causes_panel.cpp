@@ -14,7 +14,7 @@ namespace rubble::widgets {
 
 namespace {
 
-constexpr int rowHeight = 24;  // px
+constexpr int entryHeight = 24;  // px
 constexpr int rowsMost = 7;
 
 QWidget* rowOf(QPushButton* first, QPushButton* second) {
@@ -131,7 +131,7 @@ void CausesPanel::fill(QListWidget& list, const std::vector<Entry>& entries, con
         item->setFlags(Qt::NoItemFlags);
     }
     list.setCurrentRow(std::min(current, static_cast<int>(entries.size()) - 1));
-    list.setFixedHeight(std::clamp(list.count(), 1, rowsMost) * rowHeight + 6);
+    list.setFixedHeight(std::clamp(list.count(), 1, rowsMost) * entryHeight + 6);
 }
 
 void CausesPanel::showRemovable() {

@@ -18,6 +18,7 @@
 #include "widgets/basics/language.h"
 #include "widgets/basics/map_view.h"
 #include "widgets/basics/panel.h"
+#include "widgets/basics/table_cell.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wording.h"
 #include "widgets/figures/shown_units.h"
@@ -26,16 +27,9 @@ namespace rubble::widgets {
 
 namespace {
 
-constexpr int besideFrom = 1400;  // px: narrower, the table stands below the map
+constexpr int ensembleBesideFrom = 1400;  // px: narrower, the table stands below the map
 constexpr int rowHeight = 24;
 constexpr int headingHeight = 30;
-
-QTableWidgetItem* cell(const QString& text, bool left, const QString& tip) {
-    auto* item = new QTableWidgetItem(text);
-    item->setTextAlignment((left ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-    item->setToolTip(tip);
-    return item;
-}
 
 /// With as many digits as the standard error of the mean leaves.
 QString deserved(double value, double error, std::string_view unit) {
@@ -231,7 +225,7 @@ void EnsemblePage::setHeads() {
          {tr("95 %"), tr("One member in twenty lies above")}}};
     for (int i = 0; i < static_cast<int>(heads.size()); ++i) {
         m_spread->setHorizontalHeaderItem(
-            i, cell(heads[static_cast<std::size_t>(i)].first, i == 0, heads[static_cast<std::size_t>(i)].second));
+            i, tableCell(heads[static_cast<std::size_t>(i)].first, i == 0, heads[static_cast<std::size_t>(i)].second));
     }
 }
 
@@ -260,7 +254,7 @@ void EnsemblePage::showSpread() {
                                            shown(spread.high)};
         for (int i = 0; i < static_cast<int>(texts.size()); ++i) {
             const QString& text = texts[static_cast<std::size_t>(i)];
-            m_spread->setItem(line, i, cell(text, i == 0, QStringLiteral("%1: %2").arg(name, text)));
+            m_spread->setItem(line, i, tableCell(text, i == 0, QStringLiteral("%1: %2").arg(name, text)));
         }
     }
     m_spread->resizeColumnsToContents();
@@ -276,7 +270,7 @@ void EnsemblePage::showSpread() {
 
 void EnsemblePage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    m_splitter->setOrientation(event->size().width() >= besideFrom ? Qt::Horizontal : Qt::Vertical);
+    m_splitter->setOrientation(event->size().width() >= ensembleBesideFrom ? Qt::Horizontal : Qt::Vertical);
 }
 
 }  // namespace rubble::widgets

@@ -9,7 +9,7 @@ namespace {
 
 using widgets::Glyph;
 
-const std::array table = {
+const std::array caseTable = {
     ActionRow{"new_case", "Case", QT_TRANSLATE_NOOP("actions", "New case…"),
               QT_TRANSLATE_NOOP("actions", "Make a case from an FE result step by step: units, ground, components, deaths"),
               "Ctrl+N", Glyph::New},
@@ -113,7 +113,7 @@ const std::array table = {
 }  // namespace
 
 std::span<const ActionRow> caseActions() {
-    return table;
+    return caseTable;
 }
 
 }  // namespace rubble

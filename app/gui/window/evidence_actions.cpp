@@ -7,7 +7,7 @@ namespace rubble {
 
 namespace {
 
-const std::array table = {
+const std::array evidenceTable = {
     ActionRow{"add_photographs",
               "Evidence",
               QT_TRANSLATE_NOOP("actions", "Add photographs…"),
@@ -112,7 +112,7 @@ const std::array table = {
 }  // namespace
 
 std::span<const ActionRow> evidenceActions() {
-    return table;
+    return evidenceTable;
 }
 
 }  // namespace rubble

@@ -7,7 +7,7 @@ namespace rubble {
 
 namespace {
 
-const std::array table = {
+const std::array exportTable = {
     ActionRow{"export_figure",
               "Export",
               QT_TRANSLATE_NOOP("actions", "Figure of this instant…"),
@@ -69,7 +69,7 @@ const std::array table = {
 }  // namespace
 
 std::span<const ActionRow> exportActions() {
-    return table;
+    return exportTable;
 }
 
 }  // namespace rubble

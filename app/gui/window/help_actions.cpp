@@ -9,7 +9,7 @@ namespace {
 
 using widgets::Glyph;
 
-const std::array table = {
+const std::array helpTable = {
     ActionRow{"tour",
               "Help",
               QT_TRANSLATE_NOOP("actions", "Tour"),
@@ -27,7 +27,7 @@ const std::array table = {
 }  // namespace
 
 std::span<const ActionRow> helpActions() {
-    return table;
+    return helpTable;
 }
 
 }  // namespace rubble

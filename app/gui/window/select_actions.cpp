@@ -7,7 +7,7 @@ namespace rubble {
 
 namespace {
 
-const std::array table = {
+const std::array selectTable = {
     ActionRow{"select_by",
               "Select",
               QT_TRANSLATE_NOOP("actions", "Select by…"),
@@ -62,7 +62,7 @@ const std::array table = {
 }  // namespace
 
 std::span<const ActionRow> selectActions() {
-    return table;
+    return selectTable;
 }
 
 }  // namespace rubble

@@ -9,7 +9,7 @@ namespace {
 
 using widgets::Glyph;
 
-const std::array table = {
+const std::array simulationTable = {
     ActionRow{"simulate",
               "Simulation",
               QT_TRANSLATE_NOOP("actions", "Simulate"),
@@ -93,7 +93,7 @@ const std::array table = {
 }  // namespace
 
 std::span<const ActionRow> simulationActions() {
-    return table;
+    return simulationTable;
 }
 
 }  // namespace rubble

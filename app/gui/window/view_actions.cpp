@@ -9,7 +9,7 @@ namespace {
 
 using widgets::Glyph;
 
-const std::array table = {
+const std::array viewTable = {
     ActionRow{"stacked", "View", QT_TRANSLATE_NOOP("actions", "Stacked"),
               QT_TRANSLATE_NOOP("actions", "FE view above the fragments"), "1", Glyph::Stacked, true},
     ActionRow{"beside", "View", QT_TRANSLATE_NOOP("actions", "Beside"),
@@ -260,7 +260,7 @@ const std::array table = {
 }  // namespace
 
 std::span<const ActionRow> viewActions() {
-    return table;
+    return viewTable;
 }
 
 }  // namespace rubble

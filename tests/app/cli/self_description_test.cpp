@@ -36,7 +36,7 @@ std::vector<std::string> completions(const std::vector<std::string>& words) {
     return offered;
 }
 
-std::vector<std::string> commands() {
+std::vector<std::string> commandsInOrder() {
     std::vector<std::string> names;
     std::istringstream lines(cli({"--help"}).out);
     for (std::string line; std::getline(lines, line);) {
@@ -48,8 +48,8 @@ std::vector<std::string> commands() {
 }
 
 TEST(Completion, OffersEveryCommandAndItsOptions) {
-    ASSERT_GT(commands().size(), 15u);
-    EXPECT_THAT(completions({""}), IsSupersetOf(commands()));
+    ASSERT_GT(commandsInOrder().size(), 15u);
+    EXPECT_THAT(completions({""}), IsSupersetOf(commandsInOrder()));
     EXPECT_THAT(completions({"ins"}), testing::ElementsAre("inspect"));
     EXPECT_THAT(completions({"run", "--"}), IsSupersetOf({"--set", "--out", "--json", "--export", "--tables"}));
     EXPECT_THAT(completions({"inspect", "--o"}), IsEmpty());
@@ -78,7 +78,7 @@ TEST(ManPage, IsSoundTroffWithEveryCommand) {
     const Outcome page = CommandRun().run({"groff", "-man", "-ww", "-K", "utf8", "-T", "utf8", "-P", "-c", folder / "page.1"});
     EXPECT_EQ(page.exitCode, 0);
     EXPECT_EQ(page.err, "");
-    for (const std::string& command : commands()) {
+    for (const std::string& command : commandsInOrder()) {
         EXPECT_THAT(page.out, HasSubstr("rubble-cli " + command));
     }
     EXPECT_THAT(page.out, HasSubstr("wrong usage"));

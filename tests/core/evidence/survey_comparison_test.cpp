@@ -42,7 +42,7 @@ Survey heightsOf(const std::function<double(double, double)>& height, double ste
     return survey;
 }
 
-Survey rectangle(double x0, double y0, double x1, double y1) {
+Survey outlineOfRectangle(double x0, double y0, double x1, double y1) {
     Survey survey;
     survey.isFootprint = true;
     survey.footprint.polygons = {{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}};
@@ -57,7 +57,7 @@ SurveyComparison compared(const PieceRaster& debris, const Survey& survey, const
 TEST(SurveyComparison, TwoBlocksHaveTheirIouVolumeAndCentroids) {
     // 8 x 4 m and 2 m high against 6 x 4 m and 3 m high, 4 x 4 m in common.
     const SurveyComparison made =
-        compared(rasterised({block(-4.0, -2.0, 4.0, 2.0, 2.0)}, 0.5), rectangle(0.0, -2.0, 6.0, 2.0), SurveySettings());
+        compared(rasterised({block(-4.0, -2.0, 4.0, 2.0, 2.0)}, 0.5), outlineOfRectangle(0.0, -2.0, 6.0, 2.0), SurveySettings());
     EXPECT_NEAR(made.iou, 16.0 / (32.0 + 24.0 - 16.0), 1e-12);
     EXPECT_NEAR(made.survey.area, 24.0, 1e-9);
     EXPECT_NEAR(made.simulated.area, 32.0, 1e-9);
@@ -107,7 +107,7 @@ TEST(SurveyComparison, TheSameDebrisAgreesWhole) {
 
 TEST(SurveyComparison, RunOutIsByDirection) {
     const PieceRaster debris = rasterised({block(-1.0, -1.0, 1.0, 1.0, 1.0), block(9.0, -0.5, 10.0, 0.5, 1.0)}, 0.5);
-    const SurveyComparison made = compared(debris, rectangle(-0.5, 0.0, 0.5, 6.0), SurveySettings());
+    const SurveyComparison made = compared(debris, outlineOfRectangle(-0.5, 0.0, 0.5, 6.0), SurveySettings());
     EXPECT_NEAR(made.simulated.runOut[0], 9.75, 0.3);  // east
     EXPECT_NEAR(made.survey.runOut[2], 5.75, 0.3);     // north
     EXPECT_LT(made.survey.runOut[6], 0.1);             // south
@@ -206,13 +206,13 @@ TEST(SurveyRegistration, LevelGroundGivesOnlyHeights) {
 TEST(SurveyComparison, RefusesWhatHasNoSense) {
     SurveySettings settings;
     settings.cell = 0.0;
-    EXPECT_THROW(compared(PieceRaster(), rectangle(0, 0, 1, 1), settings), UsageError);
+    EXPECT_THROW(compared(PieceRaster(), outlineOfRectangle(0, 0, 1, 1), settings), UsageError);
     settings = SurveySettings();
     settings.fit = SurveyFit::Ground;
-    EXPECT_THROW(compared(PieceRaster(), rectangle(0, 0, 1, 1), settings), UsageError);
+    EXPECT_THROW(compared(PieceRaster(), outlineOfRectangle(0, 0, 1, 1), settings), UsageError);
     settings.fit = SurveyFit::None;
     settings.cell = 1e-6;
-    EXPECT_THROW(compared(PieceRaster(), rectangle(0, 0, 1, 1), settings), UsageError);
+    EXPECT_THROW(compared(PieceRaster(), outlineOfRectangle(0, 0, 1, 1), settings), UsageError);
 }
 
 }  // namespace

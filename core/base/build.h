@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-/// Version of the program, as in the changelog: "0.1.0".
+/// Version of the program, as in the changelog: "0.2.0".
 std::string_view versionText();
 
 /// Names what can change a result bit for bit: program version, the sources of core and io that make results (without comments),
@@ -12,7 +12,7 @@ std::string_view versionText();
 /// Part of every fingerprint.
 std::string_view buildText();
 
-/// What people need of such a text: program and sources, "Rubble 0.1.0, sources 1a2b3c4d".
+/// What people need of such a text: program and sources, "Rubble 0.2.0, sources 1a2b3c4d".
 std::string_view shortBuild(std::string_view build);
 
 }  // namespace rubble

@@ -154,6 +154,9 @@ TEST_F(Languages, ASwitchChangesTheWordsAndNothingElse) {
     const double time = session->computation().inputs().fe->times()[3];
     window->rooms().playback->showInstant(time);
     window->rooms().deck->choose(PanelDeck::Run);
+    // The way of what is selected is part of the view, and is read beside it.
+    const auto read = [&] { return !window->rooms().inspection->selection().reading(); };
+    ASSERT_TRUE(QTest::qWaitFor(read, patience));
     const RunRecord* run = session->computation().currentRun();
     const auto hash = run->outcome->trajectoryHash;
     const render::View view = window->area().views().view();
@@ -164,6 +167,7 @@ TEST_F(Languages, ASwitchChangesTheWordsAndNothingElse) {
     const QSize size = window->size();
     for (const char* language : {"zh_CN", "en"}) {
         speak(language);
+        ASSERT_TRUE(QTest::qWaitFor(read, patience));
         EXPECT_EQ(session->computation().currentRun(), run);
         EXPECT_EQ(run->outcome->trajectoryHash, hash);
         EXPECT_EQ(window->area().views().view(), view) << "view, selection and cameras: " << language;
@@ -185,7 +189,7 @@ TEST_F(Languages, ASwitchChangesTheWordsAndNothingElse) {
     speak("zh_CN");
     window->actions()["history"].trigger();
     chooseAll();
-    const QStringList names = namesOfTheFile();
+    const QStringList names = namesOfTheFile() << QStringLiteral("paper");  // of the preset
     for (const auto& [place, text] : textsOf(*window)) {
         EXPECT_TRUE(strangeWords(text, names).isEmpty()) << qPrintable(place) << ": " << qPrintable(text);
     }

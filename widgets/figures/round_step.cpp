@@ -1,6 +1,7 @@
 #include "widgets/figures/round_step.h"
 
 #include <cmath>
+#include <initializer_list>
 
 namespace rubble::figures {
 

@@ -9,6 +9,7 @@
 #include "app/cli/accuracy/ensemble_request.h"
 #include "app/cli/frame/json_output.h"
 #include "app/cli/frame/text_table.h"
+#include "io/exports/ensemble_origin.h"
 
 namespace rubble::cli {
 

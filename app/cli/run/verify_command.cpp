@@ -17,7 +17,7 @@ namespace rubble::cli {
 namespace {
 
 /// One thing that was compared.
-struct Check {
+struct Comparison {
     std::string name;
     std::string recorded;
     std::string found;
@@ -25,12 +25,12 @@ struct Check {
     std::string said{};  ///< in place of what was found; empty: that says it
 };
 
-Check compare(std::string name, std::string recorded, std::string found) {
+Comparison compare(std::string name, std::string recorded, std::string found) {
     const bool same = recorded == found;
     return {std::move(name), std::move(recorded), std::move(found), same};
 }
 
-ExitCode report(const Arguments& arguments, Session& session, const std::vector<Check>& checks, const std::string& verdict,
+ExitCode report(const Arguments& arguments, Session& session, const std::vector<Comparison>& checks, const std::string& verdict,
                 const std::string& note, bool good) {
     if (arguments.json()) {
         Json object;
@@ -38,7 +38,7 @@ ExitCode report(const Arguments& arguments, Session& session, const std::vector<
         object["verdict"] = verdict;
         object["ok"] = good;
         object["checks"] = Json::array();
-        for (const Check& check : checks) {
+        for (const Comparison& check : checks) {
             object["checks"].push_back(
                 {{"name", check.name}, {"same", check.same}, {"recorded", check.recorded}, {"found", check.found}});
         }
@@ -46,7 +46,7 @@ ExitCode report(const Arguments& arguments, Session& session, const std::vector<
         printJson(session, object);
     } else {
         FactList facts;
-        for (const Check& check : checks) {
+        for (const Comparison& check : checks) {
             facts.add(check.name, !check.said.empty() ? check.said
                                   : check.same        ? "same: " + check.found
                                                       : "differs: recorded " + check.recorded + ", now " + check.found);
@@ -65,9 +65,9 @@ std::string orNothing(const std::string& value) {
 }
 
 /// What the journal of a case says of it: its chain, and each place that is not as it was saved.
-void addJournal(std::vector<Check>& checks, const io::JournalCheck& journal) {
+void addJournal(std::vector<Comparison>& checks, const io::JournalCheck& journal) {
     const std::string whole = "entries chained: " + englishInteger(static_cast<std::int64_t>(journal.entries));
-    Check chain = compare("journal", whole, whole);
+    Comparison chain = compare("journal", whole, whole);
     if (journal.entries == 0) {
         chain.found = chain.recorded = "none";
         chain.said = !journal.broken.empty() ? "" : "none, so it cannot be told whether the case itself was altered";
@@ -96,11 +96,11 @@ std::string journalNote(const io::JournalCheck& journal) {
 
 ExitCode verifyCase(const Arguments& arguments, Session& session) {
     const Case theCase = io::loadCase(arguments.operand());
-    std::vector<Check> checks;
+    std::vector<Comparison> checks;
     bool good = true;
     for (const CaseInput& input : theCase.inputs) {
         session.execution().check();
-        Check check;
+        Comparison check;
         try {
             const std::string path = io::inputPath(arguments.operand(), input);
             check = compare(input.id + " " + input.path, input.sha256,
@@ -148,7 +148,7 @@ ExitCode verifyRun(const Arguments& arguments, Session& session) {
     const Results again = run(inputs, origin.scenario, Stage::Simulation, {}, &comparison, session.execution());
     const SimulationResult& before = *recorded->result();
     const SimulationResult& now = *again.simulation;
-    std::vector<Check> checks;
+    std::vector<Comparison> checks;
     checks.push_back(compare("build", origin.build, std::string(buildText())));
     const Digest fingerprint = stageKey(inputs, origin.scenario, Stage::Simulation);
     checks.push_back(compare("fingerprint", origin.fingerprint.hex(), fingerprint.hex()));

@@ -11,6 +11,7 @@
 #include "core/scenario/case_lookup.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
+#include "io/exports/ensemble_origin.h"
 #include "widgets/basics/wording.h"
 #include "widgets/evidence/causes_page.h"
 #include "widgets/evidence/causes_panel.h"

@@ -12,6 +12,7 @@
 #include "core/scenario/parameters.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
+#include "io/exports/ensemble_origin.h"
 #include "widgets/basics/place_choice.h"
 #include "widgets/evidence/ensemble_page.h"
 #include "widgets/evidence/ensemble_panel.h"

@@ -18,8 +18,8 @@
 namespace rubble::io {
 namespace {
 
-constexpr int columns = 40;
-constexpr int rows = 30;
+constexpr int rasterColumns = 40;
+constexpr int rasterRows = 30;
 /// What is stored where a mask says that there is nothing.
 constexpr double wrong = 400.0;
 
@@ -50,8 +50,9 @@ struct HeightModel {
         GDALAllRegister();
         GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
         const int bands = gap == Gap::Alpha ? 2 : 1;
-        GDALDatasetUniquePtr file(driver->Create(path.c_str(), columns, rows, bands, GDT_Float64, nullptr));
-        std::array<double, 6> place{middle.x() - 0.5 * columns * step, step, 0.0, middle.y() + 0.5 * rows * step, 0.0, -step};
+        GDALDatasetUniquePtr file(driver->Create(path.c_str(), rasterColumns, rasterRows, bands, GDT_Float64, nullptr));
+        std::array<double, 6> place{middle.x() - 0.5 * rasterColumns * step, step, 0.0,
+                                    middle.y() + 0.5 * rasterRows * step,    0.0,  -step};
         file->SetGeoTransform(place.data());
         if (!crs.empty()) {
             OGRSpatialReference system;
@@ -67,10 +68,10 @@ struct HeightModel {
         }
         std::vector<double> values;
         std::vector<double> there;
-        for (int r = 0; r < rows; ++r) {
-            for (int c = 0; c < columns; ++c) {
-                const double x = c + 0.5 - 0.5 * columns;
-                const double y = 0.5 * rows - r - 0.5;
+        for (int r = 0; r < rasterRows; ++r) {
+            for (int c = 0; c < rasterColumns; ++c) {
+                const double x = c + 0.5 - 0.5 * rasterColumns;
+                const double y = 0.5 * rasterRows - r - 0.5;
                 const bool none = gap != Gap::None && inGap(x, y);
                 values.push_back(none ? wrong : (height(x, y) / metres - offset) / scale);
                 there.push_back(none ? 0.0 : 255.0);
@@ -88,7 +89,9 @@ struct HeightModel {
     }
 
     static void fill(GDALRasterBand& band, std::vector<double>& values) {
-        ASSERT_EQ(band.RasterIO(GF_Write, 0, 0, columns, rows, values.data(), columns, rows, GDT_Float64, 0, 0, nullptr), CE_None);
+        ASSERT_EQ(band.RasterIO(GF_Write, 0, 0, rasterColumns, rasterRows, values.data(), rasterColumns, rasterRows, GDT_Float64, 0,
+                                0, nullptr),
+                  CE_None);
     }
 };
 
@@ -156,7 +159,7 @@ protected:
         GDALAllRegister();
         m_path = m_folder / name;
         const GDALDatasetUniquePtr memory(
-            GetGDALDriverManager()->GetDriverByName("MEM")->Create("", columns, rows, 3, GDT_Byte, nullptr));
+            GetGDALDriverManager()->GetDriverByName("MEM")->Create("", rasterColumns, rasterRows, 3, GDT_Byte, nullptr));
         std::array<double, 6> place{-20.0, 1.0, 0.0, 15.0, 0.0, -1.0};
         memory->SetGeoTransform(place.data());
         for (int b = 0; b < 3; ++b) {

@@ -11,12 +11,12 @@ namespace {
 
 using test::ElementScene;
 
-const std::vector<Vec3> tetrahedron{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+const std::vector<Vec3> rightTetrahedron{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 ElementScene sceneOf(const std::vector<std::string>& activity, double stateInterval = 0.1) {
     ElementScene scene;
     for (const std::string& a : activity) {
-        scene.element(ElementShape::Tetrahedron, tetrahedron, a);
+        scene.element(ElementShape::Tetrahedron, rightTetrahedron, a);
     }
     for (std::size_t k = 0; k < activity.front().size(); ++k) {
         // As a file in single precision keeps them.

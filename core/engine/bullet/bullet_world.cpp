@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "core/engine/bullet/fragment_world.h"
-#include "core/engine/bullet/terrain_shape.h"
 #include "core/engine/soft/soft_step_world.h"
 #include "core/engine/world/constants.h"
 #include "core/engine/world/rigid_state.h"
+#include "core/engine/world/terrain_shape.h"
 
 namespace rubble {
 

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "core/engine/bullet/bullet_collider.h"
+#include "core/engine/world/bullet_collider.h"
 #include "core/engine/world/scene_world.h"
 
 namespace rubble {

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "core/engine/bullet/bullet_collider.h"
 #include "core/engine/bullet/fragment_solver.h"
 #include "core/engine/world/birth_overlap.h"
+#include "core/engine/world/bullet_collider.h"
 #include "core/engine/world/rigid_world.h"
 #include "core/engine/world/scene_rules.h"
 #include "core/fe/site_surface.h"

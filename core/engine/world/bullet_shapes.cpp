@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/engine/bullet/terrain_shape.h"
+#include "core/engine/world/terrain_shape.h"
 
 namespace rubble {
 

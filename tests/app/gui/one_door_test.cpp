@@ -27,10 +27,10 @@ protected:
     void openIt() {
         io::saveCase(m_path, m_case);
         window->open(QString::fromStdString(m_path));
-        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() || window->computation().failure().has_value(); }, patience));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() || session->computation().failure().has_value(); }, patience));
     }
     bool idle() {
-        return QTest::qWaitFor([&] { return !window->computation().busy(); }, patience);
+        return QTest::qWaitFor([&] { return !session->computation().busy(); }, patience);
     }
 
     io::TemporaryFolder m_folder;
@@ -41,7 +41,7 @@ protected:
 TEST_F(OneDoor, AScenarioThatNamesNoFeInputStandsOnTheOneOfTheCase) {
     m_case.scenarios[0].feInput.clear();
     openIt();
-    ASSERT_FALSE(window->computation().failure()) << window->computation().failure()->what.toStdString();
+    ASSERT_FALSE(session->computation().failure()) << session->computation().failure()->what.toStdString();
     EXPECT_TRUE(prepared());
 }
 
@@ -61,16 +61,16 @@ TEST_F(OneDoor, AFigureMadeBeforeARunCarriesTheSite) {
     openIt();
     ASSERT_TRUE(prepared());
     const std::string figure = m_folder / "before.svg";
-    window->pictures().exportFigureTo(QString::fromStdString(figure), {{}, {320, 200}, 50}, window->area().views().view(),
-                                      window->sceneData());
+    window->rooms().pictures->exportFigureTo(QString::fromStdString(figure), {{}, {320, 200}, 50}, window->area().views().view(),
+                                             window->rooms().scene->data());
     ASSERT_TRUE(idle());
     const auto carried = io::readProvenance(figure);
     ASSERT_TRUE(carried);
     EXPECT_NE(carried->text.find("\"height_shift_m\":0.25"), std::string::npos) << carried->text;
     EXPECT_NE(carried->text.find("house.obj"), std::string::npos) << carried->text;
-    const io::RunOrigin before = shownOrigin(window->document(), window->computation());
+    const io::RunOrigin before = shownOrigin(session->document(), session->computation());
     simulateToEnd();
-    const io::RunOrigin& after = window->computation().currentRun()->reader->origin();
+    const io::RunOrigin& after = session->computation().currentRun()->reader->origin();
     EXPECT_EQ(before.fePath, after.fePath);
     EXPECT_EQ(before.fingerprint, after.fingerprint);
     EXPECT_EQ(before.site, after.site);
@@ -84,23 +84,23 @@ TEST_F(OneDoor, AnFeResultThatChangedIsAFindingUntilItIsAccepted) {
     other.times.back() += 0.05;
     other.write(m_folder / "small.exo");
     window->open(QString::fromStdString(m_path));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && window->computation().inputs().fe->times().back() > 0.52; }, patience));
-    EXPECT_EQ(window->computation().findings().count("case.input_changed"), 1);
-    std::vector<CaseInput> inputs = window->document().theCase().inputs;
-    inputs[0].sha256 = window->computation().inputs().fe->contents().sha256;
-    window->document().setInputs(inputs, QStringLiteral("accepted"));
-    EXPECT_EQ(window->computation().findings().count("case.input_changed"), 0);
-    window->document().undoStack().undo();
-    EXPECT_EQ(window->computation().findings().count("case.input_changed"), 1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && session->computation().inputs().fe->times().back() > 0.52; }, patience));
+    EXPECT_EQ(session->computation().findings().count("case.input_changed"), 1);
+    std::vector<CaseInput> inputs = session->document().theCase().inputs;
+    inputs[0].sha256 = session->computation().inputs().fe->contents().sha256;
+    session->document().setInputs(inputs, QStringLiteral("accepted"));
+    EXPECT_EQ(session->computation().findings().count("case.input_changed"), 0);
+    session->document().undoStack().undo();
+    EXPECT_EQ(session->computation().findings().count("case.input_changed"), 1);
 }
 
 TEST_F(OneDoor, ACaseWithoutAnyScenarioOpensAndSaysWhatIsMissing) {
     m_case.scenarios.clear();
     m_case.activeScenario.clear();
     openIt();
-    ASSERT_TRUE(window->computation().failure());
-    EXPECT_EQ(window->computation().failure()->id, "case.without_scenarios");
-    EXPECT_EQ(window->document().path().toStdString(), m_path);
+    ASSERT_TRUE(session->computation().failure());
+    EXPECT_EQ(session->computation().failure()->id, "case.without_scenarios");
+    EXPECT_EQ(session->document().path().toStdString(), m_path);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-#include "core/engine/bullet/terrain_shape.h"
+#include "core/engine/world/terrain_shape.h"
 
 #include <BulletCollision/CollisionDispatch/btConvexConcaveCollisionAlgorithm.h>
 
 #include <vector>
 
-#include "core/engine/bullet/bullet_collider.h"
+#include "core/engine/world/bullet_collider.h"
 #include "core/engine/world/constants.h"
 #include "core/engine/world/ground_contact.h"
 

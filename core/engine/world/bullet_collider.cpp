@@ -1,4 +1,4 @@
-#include "core/engine/bullet/bullet_collider.h"
+#include "core/engine/world/bullet_collider.h"
 
 namespace rubble {
 

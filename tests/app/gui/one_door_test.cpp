@@ -41,7 +41,7 @@ protected:
 TEST_F(OneDoor, AScenarioThatNamesNoFeInputStandsOnTheOneOfTheCase) {
     m_case.scenarios[0].feInput.clear();
     openIt();
-    ASSERT_FALSE(session->computation().failure()) << session->computation().failure()->what.toStdString();
+    ASSERT_FALSE(session->computation().failure()) << session->computation().failure()->what().toStdString();
     EXPECT_TRUE(prepared());
 }
 
@@ -88,7 +88,7 @@ TEST_F(OneDoor, AnFeResultThatChangedIsAFindingUntilItIsAccepted) {
     EXPECT_EQ(session->computation().findings().count("case.input_changed"), 1);
     std::vector<CaseInput> inputs = session->document().theCase().inputs;
     inputs[0].sha256 = session->computation().inputs().fe->contents().sha256;
-    session->document().setInputs(inputs, QStringLiteral("accepted"));
+    session->document().setInputs(inputs, [] { return QStringLiteral("accepted"); });
     EXPECT_EQ(session->computation().findings().count("case.input_changed"), 0);
     session->document().undoStack().undo();
     EXPECT_EQ(session->computation().findings().count("case.input_changed"), 1);

@@ -73,7 +73,9 @@ TEST_F(HiddenCause, OfAStoneBridgeIsFoundAndWhatIsNotAmongThemIsNot) {
         const nlohmann::json none = compare(without(truth), evidence);
         EXPECT_TRUE(none["unexplained"]) << none["fit"] << none["words"];
         EXPECT_THAT(none["words"].get<std::string>(), HasSubstr("perhaps none of the hypotheses is the cause"));
-        EXPECT_EQ(none["warnings"][0]["id"], "causes.no_fit");
+        const nlohmann::json& warnings = none["warnings"];
+        EXPECT_TRUE(std::ranges::any_of(warnings, [](const nlohmann::json& each) { return each["id"] == "causes.no_fit"; }))
+            << warnings;
     }
 }
 

@@ -38,7 +38,7 @@ protected:
 };
 
 TEST_F(TimelineKeys, BookmarksAreMadeNamedFoundAndUndone) {
-    auto* display = window->rooms().project->findChild<TimelineDisplay*>();
+    TimelineDisplay* display = window->rooms().timeline.get();
     window->rooms().playback->showInstant(0.2);
     QTest::keyClick(window, Qt::Key_B);
     QLineEdit& note = display->editor().note();
@@ -54,10 +54,10 @@ TEST_F(TimelineKeys, BookmarksAreMadeNamedFoundAndUndone) {
     EXPECT_DOUBLE_EQ(clock().time(), 0.2);
     QTest::keyClick(window, Qt::Key_Period);
     EXPECT_DOUBLE_EQ(clock().time(), 0.4);
-    QTest::mouseClick(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, {},
+    QTest::mouseClick(window->findChild<widgets::Timeline*>(), Qt::LeftButton, {},
                       window->findChild<widgets::Timeline*>()->flagOf(0).toPoint() + QPoint(3, 0));
     EXPECT_DOUBLE_EQ(clock().time(), 0.2);
-    QTest::mouseDClick(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, {},
+    QTest::mouseDClick(window->findChild<widgets::Timeline*>(), Qt::LeftButton, {},
                        window->findChild<widgets::Timeline*>()->flagOf(1).toPoint() + QPoint(3, 0));
     ASSERT_TRUE(display->editor().isVisible());
     QTest::mouseClick(display->editor().findChild<QPushButton*>(QStringLiteral("removeBookmark")), Qt::LeftButton);
@@ -89,9 +89,9 @@ TEST_F(TimelineKeys, PlaysBackwardsAndStopsAtTheFirstInstant) {
 }
 
 TEST_F(TimelineKeys, ARangeDraggedWithShiftIsPlayedRoundAndRound) {
-    QTest::mousePress(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, Qt::ShiftModifier, at(0.1));
-    QTest::mouseMove(&(*window->findChild<widgets::Timeline*>()), at(0.2));
-    QTest::mouseRelease(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, Qt::ShiftModifier, at(0.3));
+    QTest::mousePress(window->findChild<widgets::Timeline*>(), Qt::LeftButton, Qt::ShiftModifier, at(0.1));
+    QTest::mouseMove(window->findChild<widgets::Timeline*>(), at(0.2));
+    QTest::mouseRelease(window->findChild<widgets::Timeline*>(), Qt::LeftButton, Qt::ShiftModifier, at(0.3));
     ASSERT_TRUE(window->rooms().playback->loopRange().has_value());
     EXPECT_NEAR(window->rooms().playback->loopRange()->first, 0.1, 0.005);
     EXPECT_NEAR(window->rooms().playback->loopRange()->second, 0.3, 0.005);
@@ -108,18 +108,18 @@ TEST_F(TimelineKeys, ARangeDraggedWithShiftIsPlayedRoundAndRound) {
     window->rooms().playback->showInstant(0.4);
     QTest::keyClick(window, Qt::Key_BracketRight);
     EXPECT_NEAR(window->rooms().playback->loopRange()->second, 0.4, 1e-9);
-    QTest::mouseClick(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, Qt::ShiftModifier, at(0.25));
+    QTest::mouseClick(window->findChild<widgets::Timeline*>(), Qt::LeftButton, Qt::ShiftModifier, at(0.25));
     EXPECT_FALSE(window->rooms().playback->looping()) << "a range without length ends it";
 }
 
 TEST_F(TimelineKeys, ScrubbingSnapsToStatesAndTimesCountFromZero) {
     window->actions()["snap"].trigger();
-    QTest::mouseClick(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, {}, at(0.234));
+    QTest::mouseClick(window->findChild<widgets::Timeline*>(), Qt::LeftButton, {}, at(0.234));
     EXPECT_DOUBLE_EQ(clock().time(), 0.2);
-    QTest::mouseClick(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, {}, at(0.271));
+    QTest::mouseClick(window->findChild<widgets::Timeline*>(), Qt::LeftButton, {}, at(0.271));
     EXPECT_DOUBLE_EQ(clock().time(), session->computation().inputs().fe->times()[3]);
     window->actions()["snap"].trigger();
-    QTest::mouseClick(&(*window->findChild<widgets::Timeline*>()), Qt::LeftButton, {}, at(0.234));
+    QTest::mouseClick(window->findChild<widgets::Timeline*>(), Qt::LeftButton, {}, at(0.234));
     EXPECT_NE(clock().time(), 0.2);
 
     io::ExodusBuilder later = cli::smallCollapse();

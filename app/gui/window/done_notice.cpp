@@ -23,7 +23,7 @@ DoneNotice::DoneNotice(MainWindow& window)
                  [](const QString& what, const QString& about) { notifyDesktop(QDBusConnection::sessionBus(), what, about); }) {}
 
 DoneNotice::DoneNotice(MainWindow& window, int longMs, Show show)
-    : QObject(&window), m_window(window), m_longMs(longMs), m_show(std::move(show)), m_kept(window.session().part<Kept>()) {
+    : QObject(&window), m_window(window), m_longMs(longMs), m_show(std::move(show)), m_kept(window.session().part<Kept>()), m_since(m_kept.since) {
     connect(&m_timer, &QTimer::timeout, this, &DoneNotice::look);
     connect(&window.session().computation(), &Computation::stateChanged, this, &DoneNotice::look);
     m_timer.start(lookEvery);
@@ -37,12 +37,14 @@ bool DoneNotice::working() const {
 
 void DoneNotice::look() {
     if (working()) {
-        if (!m_kept.since.isValid()) {
-            m_kept.since.start();
+        if (!m_since.isValid()) {
+            m_since.start();
+            m_kept.since = m_since;
         }
         return;
     }
-    const bool ended = m_kept.since.isValid() && m_kept.since.elapsed() >= m_longMs;
+    const bool ended = m_since.isValid() && m_since.elapsed() >= m_longMs;
+    m_since.invalidate();
     m_kept.since.invalidate();
     if (ended) {
         // By then the window has said what came of it.

@@ -36,6 +36,7 @@ private:
     const int m_longMs;
     Show m_show;
     Kept& m_kept;
+    QElapsedTimer m_since;  // invalid: nothing goes on
     QTimer m_timer;
 };
 

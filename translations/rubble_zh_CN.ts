@@ -8439,10 +8439,6 @@
         <translation>请先在照片上画出堆积物的轮廓。</translation>
     </message>
     <message>
-        <source>Simulate first: there is no debris yet.</source>
-        <translation>请先模拟：尚无堆积物。</translation>
-    </message>
-    <message>
         <source>reading the file</source>
         <translation>正在读取文件</translation>
     </message>
@@ -8465,6 +8461,13 @@
     <message>
         <source>Click points that the photograph and the model both show; once the camera is found, the simulation is seen from there.</source>
         <translation>单击照片和模型都能看到的点；求得相机后即可从该处看模拟。</translation>
+    </message>
+</context>
+<context>
+    <name>rubble::EvidenceWork</name>
+    <message>
+        <source>Simulate first: there is no debris yet.</source>
+        <translation>请先模拟：还没有堆积物。</translation>
     </message>
 </context>
 <context>
@@ -9418,10 +9421,6 @@
     <message>
         <source>survey removed</source>
         <translation>已移除测量</translation>
-    </message>
-    <message>
-        <source>Simulate first: there is no debris yet.</source>
-        <translation>请先模拟：还没有堆积物。</translation>
     </message>
     <message>
         <source>Difference map</source>

@@ -3,6 +3,7 @@
 #include "app/gui/accuracy/comparison_memory.h"
 #include "app/gui/session/session.h"
 #include "app/gui/stage/panel_deck.h"
+#include "app/gui/studies/answer.h"
 #include "widgets/accuracy/accuracy_page.h"
 #include "widgets/accuracy/accuracy_words.h"
 #include "widgets/basics/place_choice.h"
@@ -212,13 +213,9 @@ void AccuracyDisplay::showPanel() {
 }
 
 void AccuracyDisplay::showRail() {
-    using widgets::StageState;
     const auto& report = m_work.report();
-    const bool done = report != nullptr && report->complete;
-    const StageState state = m_work.running()    ? StageState::Running
-                             : report == nullptr ? StageState::NotYet
-                             : !done || stale()  ? StageState::Stale
-                                                 : StageState::UpToDate;
+    const bool old = report != nullptr && (!report->complete || stale());
+    const widgets::StageState state = answerState(m_work.running(), report != nullptr, old);
     const std::int64_t found = report != nullptr ? static_cast<std::int64_t>(report->findings.list().size()) : 0;
     m_deck.rail().setState(PanelDeck::Accuracy, state, found, m_kept.fraction);
 }

@@ -72,7 +72,7 @@ CausesDisplay::CausesDisplay(Session& session, EnsembleDisplay& ensemble, widget
       m_kept(session.part<Kept>()) {
     m_panel.setBlind(m_kept.blind);
     connect(&m_work, &StudyWork::compared, this, [this](const std::shared_ptr<const MadeComparison>& made) {
-        m_kept.made = made;
+        m_kept.answer.take(made);
         showPage();
     });
     connect(&m_work, &StudyWork::ended, this, &CausesDisplay::ended);
@@ -91,10 +91,11 @@ CausesDisplay::CausesDisplay(Session& session, EnsembleDisplay& ensemble, widget
             m_kept.added.clear();
             m_kept.files.clear();
             m_kept.unticked.clear();
-            m_kept.made = nullptr;
+            m_kept.answer.drop();
             showFailure({});
             if (m_work.comparing()) {
                 m_work.forget();
+                m_kept.answer.end();
             }
         }
         refresh();
@@ -324,27 +325,25 @@ QString CausesDisplay::whyNot(const CauseOrder& order) const {
 }
 
 void CausesDisplay::compare() {
-    const CauseOrder causes = causeOrder();
-    if (!whyNot(causes).isEmpty() || m_work.running()) {
+    const Compared now{causeOrder(), studyOrder()};
+    if (!whyNot(now.causes).isEmpty() || m_work.running()) {
         return;
     }
     showFailure({});
-    m_kept.causes = causes;
-    m_kept.order = studyOrder();
-    m_kept.comparing = true;
+    m_kept.answer.ask(now);
     m_panel.setProgress(tr("Preparing"), 0.0, std::numeric_limits<double>::quiet_NaN());
-    m_work.compare(causes, m_kept.order);
+    m_work.compare(now.causes, now.study);
     refresh();
 }
 
 void CausesDisplay::ended(const Failure* failure) {
-    if (!m_kept.comparing) {
+    if (!m_kept.answer.running()) {
         return;
     }
-    m_kept.comparing = false;
+    m_kept.answer.end();
     if (failure != nullptr) {
         showFailure(*failure);
-    } else if (m_kept.made != nullptr) {
+    } else if (made() != nullptr) {
         m_session.tell(tr("Causes compared"));
     }
     refresh();
@@ -357,10 +356,13 @@ void CausesDisplay::setBusy(const QString& why) {
     }
 }
 
+bool CausesDisplay::Compared::operator==(const Compared& other) const {
+    return sameCauses(causes, other.causes) && study.settings == other.study.settings && study.surface == other.study.surface &&
+           study.instant == other.study.instant;
+}
+
 bool CausesDisplay::stale() const {
-    const StudyOrder now = studyOrder();
-    return m_kept.made != nullptr && !(sameCauses(causeOrder(), m_kept.causes) && now.settings == m_kept.order.settings &&
-                                       now.surface == m_kept.order.surface && now.instant == m_kept.order.instant);
+    return m_kept.answer.stale({causeOrder(), studyOrder()});
 }
 
 void CausesDisplay::refresh() {
@@ -401,23 +403,23 @@ void CausesDisplay::showPanel() {
     if (content.available) {
         content.members = tr("Each gets %1 members with what is varied under Ensemble.").arg(widgets::shownCount(ensemble.members));
     }
-    if (m_kept.made != nullptr) {
-        content.findings = m_kept.made->findings;
+    if (made() != nullptr) {
+        content.findings = made()->findings;
     }
     m_panel.setContent(content);
 }
 
 void CausesDisplay::showPage() {
     widgets::CausesPage::Content content;
-    if (m_kept.made != nullptr) {
-        content.comparison = m_kept.made->comparison;
-        content.blind = m_kept.made->blind;
-        content.causes = m_kept.made->causes;
-        if (m_kept.made->comparison != nullptr && m_kept.made->comparison->separation) {
-            content.separation = std::shared_ptr<const DebrisMap>(m_kept.made->comparison, &*m_kept.made->comparison->separation);
-            const Hypothesis& closest = m_kept.made->hypotheses[m_kept.made->comparison->ranking.causes.front().hypothesis];
-            content.place = pictureStyle(io::ensembleOrigin(*closest.ensemble, *content.separation, m_kept.made->frame,
-                                                            m_kept.made->site, m_kept.made->inputs));
+    if (made() != nullptr) {
+        content.comparison = made()->comparison;
+        content.blind = made()->blind;
+        content.causes = made()->causes;
+        if (made()->comparison != nullptr && made()->comparison->separation) {
+            content.separation = std::shared_ptr<const DebrisMap>(made()->comparison, &*made()->comparison->separation);
+            const Hypothesis& closest = made()->hypotheses[made()->comparison->ranking.causes.front().hypothesis];
+            content.place = pictureStyle(
+                io::ensembleOrigin(*closest.ensemble, *content.separation, made()->frame, made()->site, made()->inputs));
         }
         content.stale = stale();
     }
@@ -434,11 +436,11 @@ void CausesDisplay::saveTable() {
 }
 
 void CausesDisplay::saveTableTo(const QString& path) {
-    if (m_kept.made == nullptr || m_kept.made->comparison == nullptr) {
+    if (made() == nullptr || made()->comparison == nullptr) {
         return;
     }
     try {
-        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeRankingCsv(*m_kept.made->comparison, out); });
+        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeRankingCsv(*made()->comparison, out); });
         m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
     } catch (...) {
         const auto failure = failureOf(std::current_exception());
@@ -457,11 +459,11 @@ void CausesDisplay::saveMap() {
 }
 
 void CausesDisplay::saveMapTo(const QString& path) {
-    if (m_kept.made == nullptr || m_kept.made->comparison == nullptr || !m_kept.made->comparison->separation) {
+    if (made() == nullptr || made()->comparison == nullptr || !made()->comparison->separation) {
         return;
     }
     m_computation.write(
-        [path, made = m_kept.made](const Execution& execution) {
+        [path, made = made()](const Execution& execution) {
             const Hypothesis& closest = made->hypotheses[made->comparison->ranking.causes.front().hypothesis];
             const DebrisMap& map = *made->comparison->separation;
             writeMapFile(path, map, MapLayer::Separation,

@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 
+#include "app/gui/studies/answer.h"
 #include "app/gui/studies/study_work.h"
 
 namespace rubble {
@@ -38,7 +39,7 @@ public:
     void setBusy(const QString& why);
     void refresh();
     /// Null: nothing was compared.
-    const std::shared_ptr<const MadeComparison>& made() const { return m_kept.made; }
+    const std::shared_ptr<const MadeComparison>& made() const { return m_kept.answer.result(); }
     bool stale() const;
     void saveTableTo(const QString& path);
     void saveMapTo(const QString& path);
@@ -47,6 +48,13 @@ signals:
     void saveChartRequested();
 
 private:
+    /// Causes, and how their members are made.
+    struct Compared {
+        CauseOrder causes;
+        StudyOrder study;
+        /// What decides the ranking is the same.
+        bool operator==(const Compared& other) const;
+    };
     struct Added {
         StudyCase cause;
         QString path;
@@ -62,10 +70,7 @@ private:
         std::vector<Added> added;
         std::vector<File> files;
         std::set<std::string> unticked;  ///< ids of own scenarios and photographs that are not used
-        std::shared_ptr<const MadeComparison> made;
-        CauseOrder causes;  ///< what was compared
-        StudyOrder order;
-        bool comparing = false;
+        Answer<Compared, MadeComparison> answer;
         QString base;  ///< of the case that is open
         std::optional<Failure> failure;
         bool blind = false;  ///< what the panel was set to when a window went

@@ -42,7 +42,7 @@ EnsembleDisplay::EnsembleDisplay(Session& session, widgets::EnsemblePanel& panel
     });
     connect(&m_kept.cluster, &ClusterWork::progressed, &m_panel, &widgets::EnsemblePanel::setProgress);
     connect(&m_kept.cluster, &ClusterWork::begun, this, [this] {
-        m_kept.startedKey = m_kept.key = keyNow();
+        m_kept.answer.ask(keyNow());
         m_panel.place().setOnCluster(true);
         showPanel();
     });
@@ -67,9 +67,9 @@ EnsembleDisplay::EnsembleDisplay(Session& session, widgets::EnsemblePanel& panel
         if (fe != m_kept.fe) {
             // Members of another result say nothing here.
             m_kept.fe = fe;
-            m_kept.made = {};
+            m_kept.answer.drop();
+            m_kept.answer.end();
             m_kept.map = nullptr;
-            m_kept.failure.reset();
             showFailure();
             if (m_work.simulating()) {
                 m_work.forget();
@@ -109,7 +109,8 @@ EnsembleDisplay::~EnsembleDisplay() {
 }
 
 void EnsembleDisplay::showFailure() {
-    m_panel.setError(m_kept.failure ? m_kept.failure->what() : QString(), m_kept.failure ? m_kept.failure->remedy() : QString());
+    const std::optional<Failure>& failure = m_kept.answer.failure();
+    m_panel.setError(failure ? failure->what() : QString(), failure ? failure->remedy() : QString());
 }
 
 StudyCase EnsembleDisplay::openCase() const {
@@ -152,11 +153,10 @@ void EnsembleDisplay::simulate() {
         (here && (m_work.running() || m_computation.busy(Stage::Simulation) || !m_busy.isEmpty()))) {
         return;
     }
-    m_kept.failure.reset();
-    showFailure();
-    m_kept.made = {};
+    m_kept.answer.drop();
     m_kept.map = nullptr;
-    m_kept.startedKey = m_kept.key = keyNow();
+    m_kept.answer.ask(keyNow());
+    showFailure();
     m_panel.setProgress(tr("Preparing"), 0.0, std::numeric_limits<double>::quiet_NaN());
     if (here) {
         m_work.simulate(openCase(), order());
@@ -190,8 +190,7 @@ void EnsembleDisplay::cancel() {
 }
 
 void EnsembleDisplay::take(const MadeEnsemble& made) {
-    m_kept.made = made;
-    m_kept.key = m_kept.startedKey;
+    m_kept.answer.take(std::make_shared<const MadeEnsemble>(made));
     m_kept.map =
         made.report->done().empty() ? nullptr : std::make_shared<const DebrisMap>(probabilityMap(*made.report, usualThresholds));
     showPage();
@@ -199,14 +198,13 @@ void EnsembleDisplay::take(const MadeEnsemble& made) {
 }
 
 void EnsembleDisplay::ended(const Failure* failure) {
-    if (m_kept.startedKey == Digest()) {
+    if (!m_kept.answer.running()) {
         return;
     }
-    m_kept.startedKey = {};
-    m_kept.failure = failure != nullptr ? std::optional(*failure) : std::nullopt;
+    m_kept.answer.end(failure);
     showFailure();
-    if (failure == nullptr && m_kept.made.report != nullptr) {
-        m_session.tell(m_kept.made.report->complete
+    if (failure == nullptr && made().report != nullptr) {
+        m_session.tell(made().report->complete
                            ? tr("Ensemble simulated")
                            : tr("The ensemble is not complete; what is done is kept, and simulating again goes on"));
     }
@@ -220,8 +218,13 @@ void EnsembleDisplay::setBusy(const QString& why) {
     }
 }
 
+const MadeEnsemble& EnsembleDisplay::made() const {
+    static const MadeEnsemble none;
+    return m_kept.answer.result() != nullptr ? *m_kept.answer.result() : none;
+}
+
 bool EnsembleDisplay::stale() const {
-    return m_kept.made.report != nullptr && !(m_kept.key == keyNow());
+    return m_kept.answer.stale(keyNow());
 }
 
 void EnsembleDisplay::refresh() {
@@ -253,19 +256,18 @@ void EnsembleDisplay::showPanel() {
     if (record != nullptr && record->outcome != nullptr && !record->live && record->wallSeconds > 0.0) {
         content.runSeconds = record->wallSeconds;
     }
-    if (m_kept.made.report != nullptr) {
-        content.findings = m_kept.made.report->findings;
+    if (made().report != nullptr) {
+        content.findings = made().report->findings;
     }
     m_panel.setContent(content);
 }
 
 void EnsembleDisplay::showPage() {
     widgets::EnsemblePage::Content content;
-    content.report = m_kept.made.report;
+    content.report = made().report;
     content.map = m_kept.map;
     if (m_kept.map != nullptr) {
-        content.place = pictureStyle(
-            io::ensembleOrigin(*m_kept.made.report, *m_kept.map, m_kept.made.frame, m_kept.made.site, m_kept.made.inputs));
+        content.place = pictureStyle(io::ensembleOrigin(*made().report, *m_kept.map, made().frame, made().site, made().inputs));
     }
     content.stale = stale();
     content.running = running();
@@ -295,8 +297,7 @@ void EnsembleDisplay::saveMapTo(const QString& path) {
     if (m_kept.map == nullptr) {
         return;
     }
-    const io::MapOrigin origin =
-        io::ensembleOrigin(*m_kept.made.report, *m_kept.map, m_kept.made.frame, m_kept.made.site, m_kept.made.inputs);
+    const io::MapOrigin origin = io::ensembleOrigin(*made().report, *m_kept.map, made().frame, made().site, made().inputs);
     m_computation.write([path, origin, map = m_kept.map, layer = m_page.layer()](
                             const Execution& execution) { writeMapFile(path, *map, layer, origin, execution); },
                         [session = &m_session, path](const std::exception_ptr& thrown) {
@@ -318,11 +319,11 @@ void EnsembleDisplay::saveTable() {
 }
 
 void EnsembleDisplay::saveTableTo(const QString& path) {
-    if (m_kept.made.report == nullptr) {
+    if (made().report == nullptr) {
         return;
     }
     try {
-        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeMembersCsv(*m_kept.made.report, out); });
+        io::writeAtomically(path.toStdString(), [&](std::ostream& out) { writeMembersCsv(*made().report, out); });
         m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
     } catch (...) {
         const auto failure = failureOf(std::current_exception());

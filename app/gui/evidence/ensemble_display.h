@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/gui/studies/answer.h"
 #include "app/gui/studies/cluster_work.h"
 #include "app/gui/studies/study_work.h"
 #include "core/base/hash.h"
@@ -26,13 +27,10 @@ class EnsembleKept : public QObject {
 public:
     EnsembleKept();
 
-    MadeEnsemble made;                     ///< its report is null if there is none
+    Answer<Digest, MadeEnsemble> answer;   ///< ordered by what it is made from
     std::shared_ptr<const DebrisMap> map;  ///< of its members that are done; null: none are
     const void* fe = nullptr;              ///< of the result that it was made of
-    Digest key;                            ///< of what it was made from
-    Digest startedKey;
-    int generation = 0;  ///< what a cluster made for an older start is not taken
-    std::optional<Failure> failure;
+    int generation = 0;                    ///< what a cluster made for an older start is not taken
     // What panel and page were set to when a window went.
     SurfaceSettings surface;
     DebrisInstant instant = DebrisInstant::AtRest;
@@ -67,7 +65,7 @@ public:
     void setBusy(const QString& why);
     void refresh();
     /// The ensemble as far as it is made; its report is null if there is none.
-    const MadeEnsemble& made() const { return m_kept.made; }
+    const MadeEnsemble& made() const;
     /// Whether it is of the case as it is now.
     bool stale() const;
     /// What is to lie on the ground of the views; null: nothing.
@@ -93,6 +91,7 @@ private:
     void showFailure();
     void saveMap();
     void saveTable();
+    /// Names what an ensemble would be made from now.
     Digest keyNow() const;
 
     Session& m_session;

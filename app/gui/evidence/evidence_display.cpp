@@ -46,8 +46,7 @@ EvidenceDisplay::EvidenceDisplay(Session& session, PanelDeck& deck, widgets::Evi
     connect(&m_document, &Document::photographsChanged, this, &EvidenceDisplay::photographsChanged);
     connect(&m_document, &Document::replaced, this, [this] {
         m_kept.chosen = -1;
-        m_kept.comparison = nullptr;
-        m_kept.complaint.reset();
+        m_kept.answer.drop();
         // The file may be another one by now.
         m_kept.photo = {};
         m_kept.loading.clear();
@@ -81,8 +80,10 @@ EvidenceDisplay::EvidenceDisplay(Session& session, PanelDeck& deck, widgets::Evi
     connect(&m_overlay, &CameraOverlay::failed, &m_page, &widgets::EvidencePage::setHint);
     connect(&m_work, &EvidenceWork::compared, this,
             [this](const std::shared_ptr<const PhotoComparison>& made, const Failure* failure) {
-                m_kept.complaint = failure != nullptr ? std::optional(*failure) : std::nullopt;
-                m_kept.comparison = made != nullptr ? made : m_kept.comparison;
+                if (made != nullptr) {
+                    m_kept.answer.take(made);
+                }
+                m_kept.answer.end(failure);
                 showPanel();
             });
     m_deck.evidence().setWithFallen(m_kept.withFallen);
@@ -279,8 +280,7 @@ void EvidenceDisplay::choose(int photograph) {
     m_kept.chosen = photograph;
     m_kept.chosenPair = -1;
     m_kept.chosenMask = -1;
-    m_kept.comparison = nullptr;
-    m_kept.complaint.reset();
+    m_kept.answer.drop();
     photographsChanged();
     toItsTime();
 }
@@ -424,16 +424,17 @@ bool EvidenceDisplay::visible() const {
     return m_deck.rail().current() == PanelDeck::Evidence;
 }
 
+EvidenceDisplay::Compared EvidenceDisplay::comparedNow(const Photograph& photograph, const RunRecord& record) const {
+    Compared now{photograph, record.reader.get(), m_deck.evidence().withFallen()};
+    now.photograph.note.clear();
+    return now;
+}
+
 bool EvidenceDisplay::comparisonStale() const {
     const RunRecord* record = m_computation.currentRun();
     const Photograph* photograph = current();
-    if (m_kept.comparison == nullptr || photograph == nullptr || record == nullptr) {
-        return true;
-    }
-    Photograph same = m_kept.comparedPhoto;
-    same.note = photograph->note;
-    return !(same == *photograph) || m_kept.comparedRun != record->reader.get() ||
-           m_kept.comparedFallen != m_deck.evidence().withFallen() || m_computation.runStale(m_document.scenario());
+    return comparison() == nullptr || photograph == nullptr || record == nullptr ||
+           m_kept.answer.stale(comparedNow(*photograph, *record)) || m_computation.runStale(m_document.scenario());
 }
 
 QString EvidenceDisplay::whyNoComparison() const {
@@ -446,9 +447,7 @@ QString EvidenceDisplay::whyNoComparison() const {
     if (!drawn) {
         return tr("Draw the outline of the debris on the photograph first.");
     }
-    const RunRecord* record = m_computation.currentRun();
-    return record == nullptr || record->reader == nullptr || record->running ? tr("Simulate first: there is no debris yet.")
-                                                                             : QString();
+    return EvidenceWork::whyNoDebris(m_computation.currentRun());
 }
 
 void EvidenceDisplay::compare() {
@@ -457,12 +456,10 @@ void EvidenceDisplay::compare() {
         return;
     }
     const RunRecord* record = m_computation.currentRun();
-    m_kept.comparedPhoto = *photograph;
-    m_kept.comparedRun = record->reader.get();
-    m_kept.comparedFallen = m_deck.evidence().withFallen();
-    m_kept.complaint.reset();
+    const Compared now = comparedNow(*photograph, *record);
+    m_kept.answer.ask(now);
     ComparisonSettings settings;
-    settings.withFallen = m_kept.comparedFallen;
+    settings.withFallen = now.withFallen;
     m_work.compare(EvidenceRun(m_computation.inputs(), record), *photograph, *m_kept.match, settings);
     showPanel();
 }
@@ -502,8 +499,8 @@ void EvidenceDisplay::showPanel() {
         content.match = m_kept.match;
         content.noMatch = m_kept.noMatch ? m_kept.noMatch->what() : QString();
         content.remedy = m_kept.noMatch ? m_kept.noMatch->remedy() : QString();
-        content.comparison = m_kept.comparison;
-        content.comparisonComplaint = m_kept.complaint ? m_kept.complaint->inOneLine() : QString();
+        content.comparison = comparison();
+        content.comparisonComplaint = m_kept.answer.failure() ? m_kept.answer.failure()->inOneLine() : QString();
         content.noComparison = whyNoComparison();
         content.comparisonStale = comparisonStale();
         content.comparing = m_work.comparing();
@@ -566,12 +563,9 @@ void EvidenceDisplay::showPage() {
 }
 
 void EvidenceDisplay::showRail() {
-    using widgets::StageState;
     const auto& list = m_document.theCase().photographs;
-    const StageState state = m_work.comparing()                                  ? StageState::Running
-                             : list.empty() || !m_kept.match                     ? StageState::NotYet
-                             : m_kept.comparison != nullptr && comparisonStale() ? StageState::Stale
-                                                                                 : StageState::UpToDate;
+    const bool stale = comparison() != nullptr && comparisonStale();
+    const widgets::StageState state = answerState(m_work.comparing(), !list.empty() && m_kept.match, stale);
     const std::int64_t found = static_cast<std::int64_t>(m_kept.photo.findings.list().size()) +
                                (m_kept.match ? static_cast<std::int64_t>(m_kept.match->wrong().size()) : 0);
     m_deck.rail().setState(PanelDeck::Evidence, state, found);

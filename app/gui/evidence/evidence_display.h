@@ -5,6 +5,7 @@
 
 #include "app/gui/evidence/camera_overlay.h"
 #include "app/gui/evidence/evidence_work.h"
+#include "app/gui/studies/answer.h"
 #include "widgets/evidence/photo_view.h"
 
 namespace rubble {
@@ -43,7 +44,7 @@ public:
     void choose(int photograph);
     int chosen() const { return m_kept.chosen; }
     const std::optional<CameraMatch>& match() const { return m_kept.match; }
-    const std::shared_ptr<const PhotoComparison>& comparison() const { return m_kept.comparison; }
+    const std::shared_ptr<const PhotoComparison>& comparison() const { return m_kept.answer.result(); }
     /// The place of a point in the model that belongs to the one clicked in the photograph, or the other way round.
     void placePicture(const QPointF& pixel);
     void placeModel(const Vec3& point, const QString& name);
@@ -59,6 +60,13 @@ signals:
     void lookThroughRequested(const rubble::render::Camera& camera);
 
 private:
+    /// What the outline on a photograph is held against.
+    struct Compared {
+        Photograph photograph;  ///< without its note
+        const void* run = nullptr;
+        bool withFallen = true;
+        bool operator==(const Compared&) const = default;
+    };
     /// What outlives the window.
     struct Kept {
         int chosen = -1;
@@ -70,16 +78,13 @@ private:
         std::optional<Failure> noMatch;
         std::vector<PointPair> matchedPairs;
         CameraKnowledge matchedKnowing;
-        std::shared_ptr<const PhotoComparison> comparison;
-        Photograph comparedPhoto;
-        const void* comparedRun = nullptr;
-        bool comparedFallen = true;
-        std::optional<Failure> complaint;
+        Answer<Compared, PhotoComparison> answer;
         bool withFallen = true;  ///< what the panel and the page were set to when a window went
         bool beside = false;
         widgets::PhotoView::Show show = widgets::PhotoView::Show::Photograph;
     };
     const Photograph* current() const;
+    Compared comparedNow(const Photograph& photograph, const RunRecord& record) const;
     QString pathOf(const Photograph& photograph) const;
     void connectPanel();
     void connectPage();

@@ -48,6 +48,13 @@ EvidenceRun::EvidenceRun(const Inputs& inputs, const RunRecord* record) {
 
 EvidenceWork::EvidenceWork(QObject* parent) : QObject(parent) {}
 
+QString EvidenceWork::whyNoDebris(const RunRecord* record) {
+    if (record == nullptr || record->reader == nullptr || record->running) {
+        return tr("Simulate first: there is no debris yet.");
+    }
+    return {};
+}
+
 void EvidenceWork::find(const QStringList& paths) {
     auto outcome = std::make_shared<FoundPhotos>();
     m_files.startNext({Worker::Kind::Write,

@@ -56,6 +56,9 @@ class EvidenceWork : public QObject {
 public:
     explicit EvidenceWork(QObject* parent = nullptr);
 
+    /// Why a run has no debris that evidence can be held against; empty: it has. @param record  null: there is no run
+    static QString whyNoDebris(const RunRecord* record);
+
     /// Looks at files that are to be added; answers with found().
     void find(const QStringList& paths);
     /// Reads a photograph for the screen; answers with loaded(). The latest wins.

@@ -23,49 +23,55 @@
 
 namespace rubble {
 
+bool SurveyWork::Compared::operator==(const Compared& other) const {
+    return survey == other.survey && run == other.run && settings.cell == other.settings.cell &&
+           settings.leastHeight == other.settings.leastHeight && settings.fit == other.settings.fit &&
+           settings.withFallen == other.settings.withFallen;
+}
+
 SurveyWork::SurveyWork(Session& session) {
     connect(&session.document(), &Document::replaced, this, [this] {
-        m_worker.cancel();
-        comparing = m_worker.busy();
+        m_making = nullptr;
         chosen = 0;
-        comparison = nullptr;
-        input = nullptr;
-        complaint.reset();
-        comparedRun = nullptr;
-        emit changed();
+        answer.drop();
+        cancel();
     });
 }
 
-void SurveyWork::start(const EvidenceRun& run, const Case& theCase, const Frame& frame, const std::string& path) {
-    comparing = true;
-    complaint.reset();
-    const auto made = std::make_shared<SurveyComparison>();
-    const auto read = std::make_shared<io::SurveyInput>();
+void SurveyWork::start(const Compared& order, const EvidenceRun& run, const Case& theCase, const Frame& frame,
+                       const std::string& path) {
+    answer.ask(order);
+    m_making = std::make_shared<Made>();
     m_worker.start(
         {Worker::Kind::Study,
-         [made, read, path, run, frame, site = theCase.site, settings = comparedSettings](const Execution& execution) mutable {
-             *read = io::readSurvey(path, frame, site, io::boundsAtRest(run.fe->mesh()), execution);
+         [made = m_making, path, run, frame, site = theCase.site, settings = order.settings](const Execution& execution) mutable {
+             made->input = io::readSurvey(path, frame, site, io::boundsAtRest(run.fe->mesh()), execution);
              settings.turn = io::SitePlace(frame, site).transform().angle;
-             *made = compareRunWithSurvey(run.mapped(), std::nullopt, read->survey, settings, execution);
+             made->comparison = compareRunWithSurvey(run.mapped(), std::nullopt, made->input.survey, settings, execution);
          },
-         [this, made, read, of = comparedRun](const std::exception_ptr& thrown) {
-             comparing = false;
-             if (const auto failure = failureOf(thrown)) {
-                 complaint = failure;
-             } else if (thrown == nullptr && of == comparedRun) {
-                 // None is awaited any more when another case was opened meanwhile.
-                 comparison = made;
-                 input = read;
-                 emit compared();
-             }
-             emit changed();
-         }});
+         [this, made = m_making](const std::exception_ptr& thrown) { take(made, thrown); }});
+    emit changed();
+}
+
+void SurveyWork::take(const std::shared_ptr<Made>& made, const std::exception_ptr& thrown) {
+    // None is awaited any more when another case was opened meanwhile.
+    const bool awaited = thrown == nullptr && made == m_making;
+    if (awaited) {
+        answer.take(std::move(m_making));
+    }
+    const auto failure = failureOf(thrown);
+    answer.end(failure ? &*failure : nullptr);
+    if (awaited) {
+        emit compared();
+    }
     emit changed();
 }
 
 void SurveyWork::cancel() {
     m_worker.cancel();
-    comparing = m_worker.busy();
+    if (!m_worker.busy()) {
+        answer.end();
+    }
     emit changed();
 }
 
@@ -106,7 +112,7 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
     connect(&m_computation, &Computation::runReopened, this, &SurveyDisplay::refresh);
     connect(&m_computation, &Computation::prepared, this, &SurveyDisplay::refresh);
     refresh();
-    m_page.showSurvey(m_work.shown && m_work.comparison != nullptr);
+    m_page.showSurvey(m_work.shown && m_work.answer.result() != nullptr);
 }
 
 SurveyDisplay::~SurveyDisplay() {
@@ -185,34 +191,32 @@ void SurveyDisplay::setShowsFallen(std::optional<bool> shows) {
     }
 }
 
-QString SurveyDisplay::whyNot() const {
-    const RunRecord* record = m_computation.currentRun();
-    return record == nullptr || record->reader == nullptr || record->running ? tr("Simulate first: there is no debris yet.")
-                                                                             : QString();
+std::shared_ptr<const SurveyComparison> SurveyDisplay::comparison() const {
+    const std::shared_ptr<const SurveyWork::Made>& made = m_work.answer.result();
+    return made != nullptr ? std::shared_ptr<const SurveyComparison>(made, &made->comparison) : nullptr;
+}
+
+SurveyWork::Compared SurveyDisplay::comparedNow(const CaseInput& survey, const RunRecord& record) const {
+    SurveyWork::Compared now{survey, record.reader.get(), m_deck.evidence().survey().settings()};
+    now.settings.showsFallen = survey.showsFallen;
+    return now;
 }
 
 bool SurveyDisplay::stale() const {
     const RunRecord* record = m_computation.currentRun();
     const CaseInput* survey = current();
-    const SurveySettings now = m_deck.evidence().survey().settings();
-    const SurveySettings& then = m_work.comparedSettings;
-    return record == nullptr || survey == nullptr || m_work.comparedRun != record->reader.get() ||
-           !(*survey == m_work.comparedWith) || now.cell != then.cell || now.leastHeight != then.leastHeight ||
-           now.fit != then.fit || now.withFallen != then.withFallen || m_computation.runStale(m_document.scenario());
+    return record == nullptr || survey == nullptr || m_work.answer.stale(comparedNow(*survey, *record)) ||
+           m_computation.runStale(m_document.scenario());
 }
 
 void SurveyDisplay::compare() {
     const CaseInput* survey = current();
-    if (survey == nullptr || !whyNot().isEmpty() || m_work.comparing) {
+    if (survey == nullptr || !EvidenceWork::whyNoDebris(m_computation.currentRun()).isEmpty() || busy()) {
         return;
     }
     const RunRecord* record = m_computation.currentRun();
-    m_work.comparedWith = *survey;
-    m_work.comparedSettings = m_deck.evidence().survey().settings();
-    m_work.comparedSettings.showsFallen = survey->showsFallen;
-    m_work.comparedRun = record->reader.get();
-    m_work.start(EvidenceRun(m_computation.inputs(), record), m_document.theCase(), m_computation.inputs().frame,
-                 io::inputPath(m_document.base().toStdString(), *survey));
+    m_work.start(comparedNow(*survey, *record), EvidenceRun(m_computation.inputs(), record), m_document.theCase(),
+                 m_computation.inputs().frame, io::inputPath(m_document.base().toStdString(), *survey));
 }
 
 void SurveyDisplay::cancel() {
@@ -230,21 +234,22 @@ void SurveyDisplay::save() {
 
 void SurveyDisplay::saveTo(const QString& path) {
     const RunRecord* record = m_computation.currentRun();
-    if (m_work.comparison == nullptr || record == nullptr || record->reader == nullptr || stale()) {
+    const std::shared_ptr<const SurveyWork::Made>& made = m_work.answer.result();
+    if (made == nullptr || record == nullptr || record->reader == nullptr || stale()) {
         m_session.tell(tr("The comparison is of another run or other settings.") + u' ' + tr("Compare again, then save."));
         return;
     }
     try {
-        const io::MapOrigin origin = io::surveyOrigin(*record->reader, *m_work.comparison, *m_work.input);
+        const io::MapOrigin origin = io::surveyOrigin(*record->reader, made->comparison, made->input);
         if (QFileInfo(path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0) {
             figures::SurveyPictureStyle style;
             style.place = io::SitePlace(origin.frame, origin.site).transform();
             style.system = origin.frame.crs;
-            style.provenance = "survey " + m_work.input->sha256.substr(0, 16) + ", " + io::footLine(record->reader->origin());
-            figures::writePng(path.toStdString(), figures::surveyPicture(*m_work.comparison, style));
+            style.provenance = "survey " + made->input.sha256.substr(0, 16) + ", " + io::footLine(record->reader->origin());
+            figures::writePng(path.toStdString(), figures::surveyPicture(made->comparison, style));
             io::writeProvenance(path.toStdString(), origin.provenance);
         } else {
-            io::writeSurveyTiff(path.toStdString(), *m_work.comparison, origin, Execution());
+            io::writeSurveyTiff(path.toStdString(), made->comparison, origin, Execution());
         }
         m_session.tell(tr("Saved %1").arg(QFileInfo(path).fileName()));
     } catch (...) {
@@ -263,18 +268,20 @@ void SurveyDisplay::refresh() {
     m_work.chosen = std::clamp(m_work.chosen, 0, std::max(0, static_cast<int>(all.size()) - 1));
     content.chosen = all.empty() ? -1 : m_work.chosen;
     content.showsFallen = all.empty() ? std::nullopt : all[static_cast<std::size_t>(m_work.chosen)]->showsFallen;
-    content.noComparison = whyNot();
-    content.complaint = m_work.complaint ? m_work.complaint->inOneLine() : QString();
-    content.comparing = m_work.comparing;
-    if (m_work.comparison != nullptr && current() != nullptr && current()->id == m_work.comparedWith.id) {
-        content.comparison = m_work.comparison;
-        content.stale = !m_work.comparing && stale();
-        content.findings = m_work.input->findings;
-        content.findings.append(m_work.comparison->findings);
-        if (!m_work.comparedWith.sha256.empty() && m_work.comparedWith.sha256 != m_work.input->sha256) {
+    content.noComparison = EvidenceWork::whyNoDebris(m_computation.currentRun());
+    content.complaint = m_work.answer.failure() ? m_work.answer.failure()->inOneLine() : QString();
+    content.comparing = busy();
+    const std::shared_ptr<const SurveyWork::Made>& made = m_work.answer.result();
+    const CaseInput& compared = m_work.answer.answered().survey;
+    if (made != nullptr && current() != nullptr && current()->id == compared.id) {
+        content.comparison = comparison();
+        content.stale = !busy() && stale();
+        content.findings = made->input.findings;
+        content.findings.append(made->comparison.findings);
+        if (!compared.sha256.empty() && compared.sha256 != made->input.sha256) {
             content.findings.add({"survey.changed", "The survey is not the one the case was saved with", {}},
                                  {"survey.changed.remedy", "Find the file with the SHA-256 of the case, or accept it as it is", {}},
-                                 m_work.input->path);
+                                 made->input.path);
         }
     }
     m_deck.evidence().survey().setContent(content);

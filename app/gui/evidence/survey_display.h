@@ -8,6 +8,7 @@
 
 #include "app/gui/evidence/evidence_work.h"
 #include "app/gui/session/worker.h"
+#include "app/gui/studies/answer.h"
 #include "core/evidence/surveys/survey_comparison.h"
 #include "core/scenario/case.h"
 #include "io/site/survey_file.h"
@@ -28,20 +29,27 @@ class SurveyWork : public QObject {
     Q_OBJECT
 
 public:
+    /// What a survey is held against, and how.
+    struct Compared {
+        CaseInput survey;
+        const void* run = nullptr;
+        SurveySettings settings;
+        /// What can be chosen is the same.
+        bool operator==(const Compared& other) const;
+    };
+    struct Made {
+        SurveyComparison comparison;
+        io::SurveyInput input;  ///< what was compared with
+    };
+
     explicit SurveyWork(Session& session);
 
-    /// Compares a run with the survey that `comparedWith` names, by `comparedSettings`; answers with changed().
-    void start(const EvidenceRun& run, const Case& theCase, const Frame& frame, const std::string& path);
+    /// Compares a run with a survey; answers with changed(). @param path  of the survey
+    void start(const Compared& order, const EvidenceRun& run, const Case& theCase, const Frame& frame, const std::string& path);
     void cancel();
 
     int chosen = 0;
-    bool comparing = false;
-    std::optional<Failure> complaint;
-    std::shared_ptr<const SurveyComparison> comparison;  ///< null: there is none
-    std::shared_ptr<const io::SurveyInput> input;        ///< what was compared with
-    CaseInput comparedWith;
-    SurveySettings comparedSettings;
-    const void* comparedRun = nullptr;
+    Answer<Compared, Made> answer;
     std::optional<SurveySettings> asked;  ///< what the fields asked for when a window went
     bool shown = false;                   ///< its map stood in the centre then
 
@@ -51,6 +59,9 @@ signals:
     void compared();
 
 private:
+    void take(const std::shared_ptr<Made>& made, const std::exception_ptr& thrown);
+
+    std::shared_ptr<Made> m_making;  // null: what is made is not awaited any more
     // Last, so that it has ended before anything it uses goes.
     Worker m_worker;
 };
@@ -68,8 +79,9 @@ public:
     void add(const QString& path);
     void compare();
     void cancel();
-    bool busy() const { return m_work.comparing; }
-    const std::shared_ptr<const SurveyComparison>& comparison() const { return m_work.comparison; }
+    bool busy() const { return m_work.answer.running(); }
+    /// Null: nothing was compared.
+    std::shared_ptr<const SurveyComparison> comparison() const;
     /// Writes the difference map as GeoTIFF or PNG, by the ending.
     void saveTo(const QString& path);
     void refresh();
@@ -77,7 +89,7 @@ public:
 private:
     std::vector<const CaseInput*> surveys() const;
     const CaseInput* current() const;
-    QString whyNot() const;
+    SurveyWork::Compared comparedNow(const CaseInput& survey, const RunRecord& record) const;
     bool stale() const;
     void remove();
     void setShowsFallen(std::optional<bool> shows);

@@ -198,9 +198,9 @@ INSTANTIATE_TEST_SUITE_P(Work, Closing, testing::ValuesIn(kindsToTest()),
                          [](const testing::TestParamInfo<WorkKind>& kind) { return std::string(kind.param.name); });
 
 /// Answers the question that comes up by one of its buttons, and tells whether one came.
-class Answer {
+class BoxAnswer {
 public:
-    explicit Answer(QMessageBox::StandardButton button) {
+    explicit BoxAnswer(QMessageBox::StandardButton button) {
         m_timer.setInterval(50);
         QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this, button] {
             if (auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
@@ -227,14 +227,14 @@ TEST_F(Workbench, ClosingWithUnsavedChangesAsksAndDoesWhatIsAnswered) {
     session->document().setParameter(QStringLiteral("friction"), 0.31);
     const std::string before = textOf(path);
     {
-        const Answer stay(QMessageBox::Cancel);
+        const BoxAnswer stay(QMessageBox::Cancel);
         EXPECT_FALSE(window->close());
         EXPECT_TRUE(stay.asked());
         EXPECT_TRUE(window->isVisible());
         EXPECT_TRUE(session->document().modified());
     }
     {
-        const Answer save(QMessageBox::Save);
+        const BoxAnswer save(QMessageBox::Save);
         EXPECT_TRUE(window->close());
         EXPECT_TRUE(save.asked());
         EXPECT_NE(textOf(path), before);
@@ -244,7 +244,7 @@ TEST_F(Workbench, ClosingWithUnsavedChangesAsksAndDoesWhatIsAnswered) {
     const std::string saved = textOf(path);
     session->document().setParameter(QStringLiteral("friction"), 0.9);
     {
-        const Answer leave(QMessageBox::Discard);
+        const BoxAnswer leave(QMessageBox::Discard);
         EXPECT_TRUE(window->close());
         EXPECT_TRUE(leave.asked());
         EXPECT_EQ(textOf(path), saved);

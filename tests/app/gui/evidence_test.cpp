@@ -171,6 +171,12 @@ TEST_F(Evidence, ASyntheticPhotographIsMatchedSeenThroughAndCompared) {
     EXPECT_GT(made.iou.spread, 0.0);
     EXPECT_LT(made.edgePixels.best, 6.0);
     EXPECT_FALSE(window->rooms().deck->evidence().content().comparisonStale);
+    edit([](Photograph& p) { p.masks.push_back(p.masks.front()); }, "another outline");
+    EXPECT_TRUE(window->rooms().deck->evidence().content().comparisonStale);
+    window->rooms().evidence->compare();
+    emit window->rooms().deck->evidence().cancelRequested();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->rooms().evidence->work().comparing(); }, patience));
+    EXPECT_TRUE(window->rooms().deck->evidence().content().comparisonStale) << "what is shown is of the outlines before";
     page.setShow(widgets::PhotoView::Show::Outline);
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return window->rooms().evidence->settled() && !page.photo().content().outlines.empty(); }, patience));

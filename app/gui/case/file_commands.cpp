@@ -61,20 +61,20 @@ FileCommands::FileCommands(Session& session, Actions& actions, QWidget& window)
 }
 
 void FileCommands::connectActions(Actions& actions) {
-    const auto on = [&](const char* id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
-    on("terrain", &FileCommands::chooseTerrain);
-    on("no_terrain", &FileCommands::dropTerrain);
-    on("orthophoto", &FileCommands::chooseOrthophoto);
-    on("surroundings", &FileCommands::chooseSurroundings);
-    on("no_surroundings", &FileCommands::dropSurroundings);
-    on("site", &FileCommands::editSite);
-    on("save", &FileCommands::save);
-    on("save_as", &FileCommands::saveAs);
-    on("save_run", &FileCommands::saveRun);
-    on("export_fragments", &FileCommands::exportFragments);
-    on("export_series", &FileCommands::exportSeries);
-    on("export_vtkhdf", &FileCommands::exportVtkHdf);
-    on("export_gltf", &FileCommands::exportGltf);
+    const auto on = [&](ActionId id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
+    on(ActionId::Terrain, &FileCommands::chooseTerrain);
+    on(ActionId::NoTerrain, &FileCommands::dropTerrain);
+    on(ActionId::Orthophoto, &FileCommands::chooseOrthophoto);
+    on(ActionId::Surroundings, &FileCommands::chooseSurroundings);
+    on(ActionId::NoSurroundings, &FileCommands::dropSurroundings);
+    on(ActionId::Site, &FileCommands::editSite);
+    on(ActionId::Save, &FileCommands::save);
+    on(ActionId::SaveAs, &FileCommands::saveAs);
+    on(ActionId::SaveRun, &FileCommands::saveRun);
+    on(ActionId::ExportFragments, &FileCommands::exportFragments);
+    on(ActionId::ExportSeries, &FileCommands::exportSeries);
+    on(ActionId::ExportVtkhdf, &FileCommands::exportVtkHdf);
+    on(ActionId::ExportGltf, &FileCommands::exportGltf);
 }
 
 QString FileCommands::askForInput() {

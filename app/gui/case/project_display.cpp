@@ -30,7 +30,7 @@ ProjectDisplay::ProjectDisplay(Session& session, PanelDeck& deck, ViewArea& area
     connect(m_recovery, &Recovery::recoverRequested, this, &ProjectDisplay::recoverRequested);
     connect(m_start, &StartDisplay::openRequested, this, &ProjectDisplay::openRequested);
     connect(m_start, &StartDisplay::sampleRequested, this, &ProjectDisplay::sampleRequested);
-    connect(m_start, &StartDisplay::tourRequested, &actions["tour"], &QAction::trigger);
+    connect(m_start, &StartDisplay::tourRequested, &actions[ActionId::Tour], &QAction::trigger);
     connectActions(session.document());
 }
 
@@ -41,7 +41,7 @@ QDockWidget* ProjectDisplay::buildHistory(Document& document, DockArea& docks) {
     list->setToolTip(tr("Every edit since the case was opened; a click goes back or forward to it"));
     list->setMinimumWidth(200);
     QDockWidget* dock = docks.addDock(list, tr("History"), QStringLiteral("historyDock"));
-    QAction& shown = m_actions["history"];
+    QAction& shown = m_actions[ActionId::History];
     connect(&shown, &QAction::toggled, this, [dock](bool show) {
         dock->setVisible(show);
         if (show) {
@@ -53,16 +53,16 @@ QDockWidget* ProjectDisplay::buildHistory(Document& document, DockArea& docks) {
 }
 
 void ProjectDisplay::connectActions(Document& document) {
-    const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
-    on("duplicate_scenario", [&document] {
+    const auto on = [this](ActionId id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
+    on(ActionId::DuplicateScenario, [&document] {
         if (document.active() != nullptr) {
             document.duplicateScenario(document.active()->id);
         }
     });
-    on("compare_scenarios", [this] { m_scenarios->compare(); });
+    on(ActionId::CompareScenarios, [this] { m_scenarios->compare(); });
     const auto showState = [this, &document] {
-        m_actions["duplicate_scenario"].setEnabled(!document.empty());
-        m_actions["compare_scenarios"].setEnabled(document.theCase().scenarios.size() > 1);
+        m_actions[ActionId::DuplicateScenario].setEnabled(!document.empty());
+        m_actions[ActionId::CompareScenarios].setEnabled(document.theCase().scenarios.size() > 1);
     };
     connect(&document, &Document::replaced, this, showState);
     connect(&document, &Document::scenariosChanged, this, showState);

@@ -177,30 +177,31 @@ void EvidenceDisplay::connectPage() {
 
 void EvidenceDisplay::connectActions(Actions& actions) {
     using widgets::PhotoView;
-    const auto on = [&](const char* id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
-    on("add_photographs", [this] { chooseFiles(); });
-    constexpr std::array shows{"photo_alone", "photo_swipe", "photo_blend", "photo_blink", "photo_outline"};
+    const auto on = [&](ActionId id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
+    on(ActionId::AddPhotographs, [this] { chooseFiles(); });
+    constexpr std::array shows{ActionId::PhotoAlone, ActionId::PhotoSwipe, ActionId::PhotoBlend, ActionId::PhotoBlink,
+                               ActionId::PhotoOutline};
     for (std::size_t i = 0; i < shows.size(); ++i) {
         on(shows[i], [this, show = static_cast<PhotoView::Show>(i)] {
             m_deck.chooseEvidence(PanelDeck::Photographs);
             m_page.setShow(m_kept.match ? show : PhotoView::Show::Photograph);
         });
     }
-    on("photo_beside", [this] {
+    on(ActionId::PhotoBeside, [this] {
         m_deck.chooseEvidence(PanelDeck::Photographs);
         m_page.setBeside(!m_page.beside());
     });
-    on("add_point", [this] {
+    on(ActionId::AddPoint, [this] {
         if (m_kept.chosen >= 0) {
             m_deck.chooseEvidence(PanelDeck::Photographs);
             m_page.setTool(PhotoView::Tool::Point);
         }
     });
-    on("compare_photo", [this] {
+    on(ActionId::ComparePhoto, [this] {
         m_deck.chooseEvidence(PanelDeck::Photographs);
         compare();
     });
-    on("look_through", [this] { lookThrough(); });
+    on(ActionId::LookThrough, [this] { lookThrough(); });
 }
 
 const Photograph* EvidenceDisplay::current() const {

@@ -34,14 +34,14 @@ EvidenceStudies::EvidenceStudies(Session& session, PanelDeck& deck, Actions& act
 }
 
 void EvidenceStudies::connectActions(PanelDeck& deck, Actions& actions) {
-    const auto on = [&](const char* id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
-    on("show_ensemble", [&deck] { deck.chooseEvidence(PanelDeck::Ensemble); });
-    on("show_causes", [&deck] { deck.chooseEvidence(PanelDeck::Causes); });
-    on("simulate_ensemble", [this, &deck] {
+    const auto on = [&](ActionId id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
+    on(ActionId::ShowEnsemble, [&deck] { deck.chooseEvidence(PanelDeck::Ensemble); });
+    on(ActionId::ShowCauses, [&deck] { deck.chooseEvidence(PanelDeck::Causes); });
+    on(ActionId::SimulateEnsemble, [this, &deck] {
         deck.chooseEvidence(PanelDeck::Ensemble);
         m_ensemble->simulate();
     });
-    on("compare_causes", [this, &deck] {
+    on(ActionId::CompareCauses, [this, &deck] {
         deck.chooseEvidence(PanelDeck::Causes);
         m_causes->compare();
     });

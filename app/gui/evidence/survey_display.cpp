@@ -83,8 +83,8 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
       m_deck(deck),
       m_page(page),
       m_work(session.part<SurveyWork>()) {
-    connect(&actions["add_survey"], &QAction::triggered, this, &SurveyDisplay::chooseFile);
-    connect(&actions["compare_survey"], &QAction::triggered, this, [this] {
+    connect(&actions[ActionId::AddSurvey], &QAction::triggered, this, &SurveyDisplay::chooseFile);
+    connect(&actions[ActionId::CompareSurvey], &QAction::triggered, this, [this] {
         m_deck.choose(PanelDeck::Evidence);
         compare();
     });

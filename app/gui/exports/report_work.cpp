@@ -85,7 +85,7 @@ ReportWork::ReportWork(Session& session, PanelDeck& deck, SceneDisplay& scene, A
     connect(&panel, &widgets::ReportPanel::cancelRequested, this, [this] { m_computation.cancel(); });
     connect(&panel, &widgets::ReportPanel::openRequested, this,
             [](const QString& folder) { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
-    connect(&actions["write_report"], &QAction::triggered, this, [this] {
+    connect(&actions[ActionId::WriteReport], &QAction::triggered, this, [this] {
         m_deck.choose(PanelDeck::Report);
         write();
     });

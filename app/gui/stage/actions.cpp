@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 #include <QWidget>
-#include <cassert>
+#include <algorithm>
 
 namespace rubble {
 
@@ -18,7 +18,7 @@ Actions::Actions(QWidget& window) {
     for (const ActionRow& row : actionTable()) {
         auto* action = new QAction(translated(row.text), &window);
         const QKeySequence key = QKeySequence::fromString(QLatin1String(row.key), QKeySequence::PortableText);
-        action->setObjectName(QString::fromUtf8(row.id.data(), static_cast<qsizetype>(row.id.size())));
+        action->setObjectName(QLatin1String(row.name));
         action->setShortcut(key);
         action->setProperty("source", QString::fromUtf8(row.text));
         action->setToolTip(key.isEmpty()
@@ -29,14 +29,29 @@ Actions::Actions(QWidget& window) {
             action->setIcon(widgets::glyphIcon(*row.glyph));
         }
         window.addAction(action);
-        m_actions.insert(action->objectName(), action);
+        m_actions.push_back(action);
     }
 }
 
-QAction& Actions::operator[](std::string_view id) const {
-    QAction* action = m_actions.value(QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size())));
-    assert(action != nullptr);
-    return *action;
+std::vector<ActionRow> toolRows(ToolSection section) {
+    std::vector<ActionRow> rows;
+    for (const ActionRow& row : actionTable()) {
+        if (row.place.tool && row.place.tool->section == section) {
+            rows.push_back(row);
+        }
+    }
+    std::sort(rows.begin(), rows.end(),
+              [](const ActionRow& a, const ActionRow& b) { return a.place.tool->place < b.place.tool->place; });
+    return rows;
+}
+
+std::optional<ActionId> actionNamed(QStringView name) {
+    for (const ActionRow& row : actionTable()) {
+        if (name == QLatin1String(row.name)) {
+            return row.id;
+        }
+    }
+    return std::nullopt;
 }
 
 QString actionReference() {

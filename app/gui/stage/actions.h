@@ -1,37 +1,200 @@
 #pragma once
 
 #include <QAction>
-#include <QHash>
+#include <QStringView>
 #include <optional>
 #include <span>
-#include <string_view>
+#include <vector>
 
 #include "widgets/basics/icons.h"
 
 namespace rubble {
 
+/// What can be done from a menu, in the order of the menus.
+enum class ActionId {
+    // Case
+    NewCase,
+    Open,
+    Sample,
+    Refresh,
+    KeepCopies,
+    DuplicateScenario,
+    CompareScenarios,
+    Terrain,
+    NoTerrain,
+    Orthophoto,
+    Surroundings,
+    NoSurroundings,
+    Site,
+    Save,
+    SaveAs,
+    SaveRun,
+    Close,
+    Quit,
+    // Edit
+    Undo,
+    Redo,
+    PresetDefault,
+    PresetPaper,
+    Preferences,
+    // View
+    Stacked,
+    Beside,
+    Overlay,
+    Four,
+    FeOnly,
+    FragmentsOnly,
+    OtherScenario,
+    Clip,
+    MeasureDistance,
+    MeasureHeight,
+    ClearMeasurements,
+    Components,
+    Inspector,
+    History,
+    ResetLayout,
+    // Camera
+    Link,
+    Fit,
+    LookSide,
+    LookFront,
+    LookBack,
+    LookLeft,
+    LookRight,
+    LookTop,
+    LookBottom,
+    LookCorner,
+    Parallel,
+    ZoomIn,
+    ZoomOut,
+    TurnLeft,
+    TurnRight,
+    TurnUp,
+    TurnDown,
+    // Look
+    Presentation,
+    Shading,
+    GroundGrid,
+    Axes,
+    MapStandard,
+    MapViridis,
+    MapCividis,
+    MapGrey,
+    ThemeSystem,
+    ThemeLight,
+    ThemeDark,
+    // Select
+    SelectBy,
+    SelectCluster,
+    SelectComponent,
+    SelectNone,
+    Hide,
+    Isolate,
+    ShowAll,
+    GoToBirth,
+    // Simulation
+    Simulate,
+    Live,
+    Cancel,
+    Play,
+    Back,
+    Forward,
+    BackTen,
+    ForwardTen,
+    First,
+    Last,
+    PlayBackwards,
+    Loop,
+    LoopFrom,
+    LoopTo,
+    Bookmark,
+    PreviousBookmark,
+    NextBookmark,
+    Snap,
+    TimeFromZero,
+    // Evidence
+    AddPhotographs,
+    AddPoint,
+    PhotoAlone,
+    PhotoSwipe,
+    PhotoBlend,
+    PhotoBlink,
+    PhotoOutline,
+    PhotoBeside,
+    ComparePhoto,
+    LookThrough,
+    AddSurvey,
+    CompareSurvey,
+    ShowEnsemble,
+    SimulateEnsemble,
+    ShowCauses,
+    CompareCauses,
+    // Export
+    ExportFigure,
+    ExportMovie,
+    WriteReport,
+    ExportFragments,
+    ExportSelection,
+    ExportSeries,
+    ExportVtkhdf,
+    ExportGltf,
+    ExportView,
+    ImportView,
+    // Help
+    Tour,
+    Manual,
+    ManualSearch,
+    About
+};
+
+/// Of the actions of a choice one is checked.
+enum class ActionChoice { None, Layout, ColourMap, Theme };
+
+/// The groups of buttons in the tool bar, from the left.
+enum class ToolSection { Case, Layout, View, Run };
+
+/// A button in the tool bar.
+struct ToolPlace {
+    ToolSection section;
+    int place;              ///< from the left, within the section
+    bool iconOnly = false;  ///< else only its text is shown
+};
+
+/// Where an action stands, and with which others.
+struct ActionPlace {
+    bool line = false;  ///< there is one above it in the menu
+    ActionChoice choice = ActionChoice::None;
+    std::optional<ToolPlace> tool = {};  ///< unset: it is not in the tool bar
+};
+
 /// One row of the table of actions: feeds menus, tool bar, keys and manual.
 struct ActionRow {
-    std::string_view id;
+    ActionId id;
+    const char* name;  ///< in settings, for `--action`, and of its QAction
     const char* menu;  ///< "Case", "Edit", "View", "Camera", "Look", "Select", "Simulation", "Evidence", "Export", "Help"
     const char* text;
     const char* tip;
     const char* key;  ///< portable text; "" for none
     std::optional<widgets::Glyph> glyph;
     bool checkable = false;
+    ActionPlace place = {};
 };
 
+/// One row for each id, in their order.
 std::span<const ActionRow> actionTable();
+/// The rows of a section of the tool bar, from the left.
+std::vector<ActionRow> toolRows(ToolSection section);
+/// Unset: no action has this name.
+std::optional<ActionId> actionNamed(QStringView name);
 
 /// The actions of one window, made from the table.
 class Actions {
 public:
     explicit Actions(QWidget& window);
-    /// The action of an id of the table.
-    QAction& operator[](std::string_view id) const;
+    QAction& operator[](ActionId id) const { return *m_actions[static_cast<std::size_t>(id)]; }
 
 private:
-    QHash<QString, QAction*> m_actions;
+    std::vector<QAction*> m_actions;  // by id
 };
 
 /// The actions as a table in Markdown: a page of the manual.

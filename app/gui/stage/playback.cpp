@@ -47,14 +47,14 @@ Playback::Playback(Session& session, widgets::ViewWidget& view, widgets::Timelin
 }
 
 void Playback::connectActions(Actions& actions) {
-    const auto on = [&](const char* id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
-    on("play", [this] { toggle(); });
-    on("back", [this] { step(-1); });
-    on("forward", [this] { step(1); });
-    on("back_ten", [this] { step(-10); });
-    on("forward_ten", [this] { step(10); });
-    on("first", [this] { jumpToFirst(); });
-    on("last", [this] { jumpToLast(); });
+    const auto on = [&](ActionId id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
+    on(ActionId::Play, [this] { toggle(); });
+    on(ActionId::Back, [this] { step(-1); });
+    on(ActionId::Forward, [this] { step(1); });
+    on(ActionId::BackTen, [this] { step(-10); });
+    on(ActionId::ForwardTen, [this] { step(10); });
+    on(ActionId::First, [this] { jumpToFirst(); });
+    on(ActionId::Last, [this] { jumpToLast(); });
 }
 
 void Playback::reset() {

@@ -15,7 +15,8 @@ namespace rubble {
 namespace {
 
 /// The actions of the layouts, in their order.
-constexpr std::array layoutActions = {"beside", "stacked", "fe_only", "fragments_only", "overlay", "four", "other_scenario"};
+constexpr std::array layoutActions = {ActionId::Beside,  ActionId::Stacked, ActionId::FeOnly,       ActionId::FragmentsOnly,
+                                      ActionId::Overlay, ActionId::Four,    ActionId::OtherScenario};
 
 }  // namespace
 
@@ -44,14 +45,14 @@ void SceneDisplay::connectActions() {
         connect(&m_actions[layoutActions[i]], &QAction::triggered, this,
                 [this, layout = static_cast<render::Layout>(i)] { setLayout(layout); });
     }
-    connect(&m_actions["link"], &QAction::triggered, this, [this](bool linked) {
+    connect(&m_actions[ActionId::Link], &QAction::triggered, this, [this](bool linked) {
         render::View view = m_area.views().view();
         // Unlinked, the fragments start from where both looked; linked, both look as the FE view does.
         view.cameras[1] = view.cameras[2] = view.cameras[0];
         view.camerasLinked = linked;
         setView(view);
     });
-    connect(&m_actions["fit"], &QAction::triggered, this, [this] { m_area.views().fit(); });
+    connect(&m_actions[ActionId::Fit], &QAction::triggered, this, [this] { m_area.views().fit(); });
     connect(&m_colours, &QComboBox::activated, this, [this] {
         render::View view = m_area.views().view();
         view.colourBy = static_cast<render::ColourBy>(m_colours.currentData().toInt());
@@ -96,7 +97,7 @@ void SceneDisplay::goOn() {
 void SceneDisplay::setView(const render::View& view) {
     m_area.views().setView(view);
     m_actions[layoutActions[static_cast<std::size_t>(view.layout)]].setChecked(true);
-    m_actions["link"].setChecked(view.camerasLinked);
+    m_actions[ActionId::Link].setChecked(view.camerasLinked);
     m_colours.setCurrentIndex(m_colours.findData(static_cast<int>(view.colourBy)));
     emit viewSet(view);
 }

@@ -54,34 +54,35 @@ TimelineDisplay::TimelineDisplay(Document& document, Playback& playback, widgets
     connect(m_editor, &widgets::BookmarkEditor::noteChosen, this, [this](const QString& note) { setNote(m_edited, note); });
     connect(m_editor, &widgets::BookmarkEditor::removeRequested, this, [this] { remove(m_edited); });
     connectActions(actions);
-    actions["loop"].setChecked(playback.looping());
+    actions[ActionId::Loop].setChecked(playback.looping());
     refresh();
 }
 
 TimelineDisplay::~TimelineDisplay() = default;
 
 void TimelineDisplay::connectActions(Actions& actions) {
-    const auto on = [&](const char* id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
-    on("play_backwards", [this] { m_playback.toggleBackwards(); });
-    on("loop", [this](bool loop) { m_playback.setLooping(loop); });
-    on("loop_from", [this] {
+    const auto on = [&](ActionId id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
+    on(ActionId::PlayBackwards, [this] { m_playback.toggleBackwards(); });
+    on(ActionId::Loop, [this](bool loop) { m_playback.setLooping(loop); });
+    on(ActionId::LoopFrom, [this] {
         const double end = m_playback.loopRange() ? m_playback.loopRange()->second : m_playback.clock().last();
         const double now = m_playback.clock().time();
         m_playback.setLoopRange(now, end > now ? end : m_playback.clock().last());
     });
-    on("loop_to", [this] {
+    on(ActionId::LoopTo, [this] {
         const double start = m_playback.loopRange() ? m_playback.loopRange()->first : m_playback.clock().first();
         const double now = m_playback.clock().time();
         m_playback.setLoopRange(start < now ? start : m_playback.clock().first(), now);
     });
-    on("bookmark", [this] { mark(); });
-    on("previous_bookmark", [this] { jump(false); });
-    on("next_bookmark", [this] { jump(true); });
-    connect(&m_playback, &Playback::loopChanged, this, [this, &actions] { actions["loop"].setChecked(m_playback.looping()); });
+    on(ActionId::Bookmark, [this] { mark(); });
+    on(ActionId::PreviousBookmark, [this] { jump(false); });
+    on(ActionId::NextBookmark, [this] { jump(true); });
+    connect(&m_playback, &Playback::loopChanged, this,
+            [this, &actions] { actions[ActionId::Loop].setChecked(m_playback.looping()); });
     // How times are counted and where scrubbing stops are habits of the user.
-    const auto habit = [&](const char* id, auto set) {
+    const auto habit = [&](ActionId id, auto set) {
         QAction& action = actions[id];
-        const QString key = QLatin1String(id);
+        const QString key = action.objectName();
         action.setChecked(QSettings().value(key, false).toBool());
         set(action.isChecked());
         connect(&action, &QAction::triggered, this, [key, set](bool checked) {
@@ -89,8 +90,8 @@ void TimelineDisplay::connectActions(Actions& actions) {
             set(checked);
         });
     };
-    habit("snap", [this](bool snaps) { m_playback.setSnapping(snaps); });
-    habit("time_from_zero", [this](bool fromZero) { m_playback.setFromZero(fromZero); });
+    habit(ActionId::Snap, [this](bool snaps) { m_playback.setSnapping(snaps); });
+    habit(ActionId::TimeFromZero, [this](bool fromZero) { m_playback.setFromZero(fromZero); });
 }
 
 void TimelineDisplay::refresh() {

@@ -16,32 +16,34 @@ constexpr double turnStep = std::numbers::pi / 12.0;
 constexpr double zoomStep = 1.25;
 
 struct Look {
-    const char* id;
+    ActionId id;
     render::Preset preset;
 };
-constexpr std::array<Look, 8> looks{{{"look_side", render::Preset::Side},
-                                     {"look_front", render::Preset::Front},
-                                     {"look_back", render::Preset::Back},
-                                     {"look_left", render::Preset::Left},
-                                     {"look_right", render::Preset::Right},
-                                     {"look_top", render::Preset::Top},
-                                     {"look_bottom", render::Preset::Bottom},
-                                     {"look_corner", render::Preset::Corner}}};
+constexpr std::array<Look, 8> looks{{{ActionId::LookSide, render::Preset::Side},
+                                     {ActionId::LookFront, render::Preset::Front},
+                                     {ActionId::LookBack, render::Preset::Back},
+                                     {ActionId::LookLeft, render::Preset::Left},
+                                     {ActionId::LookRight, render::Preset::Right},
+                                     {ActionId::LookTop, render::Preset::Top},
+                                     {ActionId::LookBottom, render::Preset::Bottom},
+                                     {ActionId::LookCorner, render::Preset::Corner}}};
 
 struct Map {
-    const char* id;
+    ActionId id;
     render::ColourMap map;
 };
-constexpr std::array<Map, 4> maps{{{"map_standard", render::ColourMap::Standard},
-                                   {"map_viridis", render::ColourMap::Viridis},
-                                   {"map_cividis", render::ColourMap::Cividis},
-                                   {"map_grey", render::ColourMap::Grey}}};
+constexpr std::array<Map, 4> maps{{{ActionId::MapStandard, render::ColourMap::Standard},
+                                   {ActionId::MapViridis, render::ColourMap::Viridis},
+                                   {ActionId::MapCividis, render::ColourMap::Cividis},
+                                   {ActionId::MapGrey, render::ColourMap::Grey}}};
 
-constexpr std::array modelActions{"look_side",   "look_front",  "look_back", "look_left",    "look_right",       "look_top",
-                                  "look_bottom", "look_corner", "parallel",  "zoom_in",      "zoom_out",         "turn_left",
-                                  "turn_right",  "turn_up",     "turn_down", "clip",         "measure_distance", "measure_height",
-                                  "ground_grid", "axes",        "shading",   "presentation", "map_standard",     "map_viridis",
-                                  "map_cividis", "map_grey"};
+constexpr std::array modelActions{ActionId::LookSide,        ActionId::LookFront,     ActionId::LookBack,    ActionId::LookLeft,
+                                  ActionId::LookRight,       ActionId::LookTop,       ActionId::LookBottom,  ActionId::LookCorner,
+                                  ActionId::Parallel,        ActionId::ZoomIn,        ActionId::ZoomOut,     ActionId::TurnLeft,
+                                  ActionId::TurnRight,       ActionId::TurnUp,        ActionId::TurnDown,    ActionId::Clip,
+                                  ActionId::MeasureDistance, ActionId::MeasureHeight, ActionId::GroundGrid,  ActionId::Axes,
+                                  ActionId::Shading,         ActionId::Presentation,  ActionId::MapStandard, ActionId::MapViridis,
+                                  ActionId::MapCividis,      ActionId::MapGrey};
 
 }  // namespace
 
@@ -65,24 +67,24 @@ void ViewTools::connectCameras() {
     for (const Look& look : looks) {
         connect(&m_actions[look.id], &QAction::triggered, this, [&views, preset = look.preset] { views.look(preset); });
     }
-    connect(&m_actions["parallel"], &QAction::triggered, this, [&views](bool on) { views.setParallel(on); });
-    connect(&m_actions["zoom_in"], &QAction::triggered, this, [&views] { views.zoomBy(zoomStep); });
-    connect(&m_actions["zoom_out"], &QAction::triggered, this, [&views] { views.zoomBy(1.0 / zoomStep); });
-    connect(&m_actions["turn_left"], &QAction::triggered, this, [&views] { views.turn(-turnStep, 0.0); });
-    connect(&m_actions["turn_right"], &QAction::triggered, this, [&views] { views.turn(turnStep, 0.0); });
-    connect(&m_actions["turn_up"], &QAction::triggered, this, [&views] { views.turn(0.0, turnStep); });
-    connect(&m_actions["turn_down"], &QAction::triggered, this, [&views] { views.turn(0.0, -turnStep); });
+    connect(&m_actions[ActionId::Parallel], &QAction::triggered, this, [&views](bool on) { views.setParallel(on); });
+    connect(&m_actions[ActionId::ZoomIn], &QAction::triggered, this, [&views] { views.zoomBy(zoomStep); });
+    connect(&m_actions[ActionId::ZoomOut], &QAction::triggered, this, [&views] { views.zoomBy(1.0 / zoomStep); });
+    connect(&m_actions[ActionId::TurnLeft], &QAction::triggered, this, [&views] { views.turn(-turnStep, 0.0); });
+    connect(&m_actions[ActionId::TurnRight], &QAction::triggered, this, [&views] { views.turn(turnStep, 0.0); });
+    connect(&m_actions[ActionId::TurnUp], &QAction::triggered, this, [&views] { views.turn(0.0, turnStep); });
+    connect(&m_actions[ActionId::TurnDown], &QAction::triggered, this, [&views] { views.turn(0.0, -turnStep); });
 }
 
 void ViewTools::connectStyle() {
-    const auto toggles = [this](const char* id, bool render::View::* flag) {
+    const auto toggles = [this](ActionId id, bool render::View::* flag) {
         connect(&m_actions[id], &QAction::triggered, this,
                 [this, flag](bool on) { change([&](render::View& view) { view.*flag = on; }); });
     };
-    toggles("ground_grid", &render::View::groundGrid);
-    toggles("axes", &render::View::axes);
-    toggles("shading", &render::View::shading);
-    connect(&m_actions["presentation"], &QAction::triggered, this, [this](bool on) {
+    toggles(ActionId::GroundGrid, &render::View::groundGrid);
+    toggles(ActionId::Axes, &render::View::axes);
+    toggles(ActionId::Shading, &render::View::shading);
+    connect(&m_actions[ActionId::Presentation], &QAction::triggered, this, [this](bool on) {
         change([&](render::View& view) { view.style = on ? render::Style::Presentation : render::Style::Analysis; });
     });
     for (const Map& map : maps) {
@@ -92,16 +94,17 @@ void ViewTools::connectStyle() {
 }
 
 void ViewTools::connectTools() {
-    connect(&m_actions["clip"], &QAction::triggered, this, &ViewTools::setClip);
+    connect(&m_actions[ActionId::Clip], &QAction::triggered, this, &ViewTools::setClip);
     using Tool = widgets::ViewWidget::Tool;
-    for (const auto& [id, tool] : {std::pair("measure_distance", Tool::Distance), std::pair("measure_height", Tool::Height)}) {
+    for (const auto& [id, tool] :
+         {std::pair(ActionId::MeasureDistance, Tool::Distance), std::pair(ActionId::MeasureHeight, Tool::Height)}) {
         connect(&m_actions[id], &QAction::triggered, this, [this, tool = tool](bool on) {
             m_area.views().setTool(on ? tool : Tool::Select);
             m_area.views().setFocus();
             refresh();
         });
     }
-    connect(&m_actions["clear_measurements"], &QAction::triggered, this, [this] {
+    connect(&m_actions[ActionId::ClearMeasurements], &QAction::triggered, this, [this] {
         m_area.views().dropMeasurement();
         change([](render::View& view) { view.measurements.clear(); });
     });
@@ -126,21 +129,21 @@ void ViewTools::refresh() {
     const widgets::ViewWidget& views = m_area.views();
     const render::View& view = views.view();
     const bool have = views.data().fe != nullptr;
-    for (const char* id : modelActions) {
+    for (const ActionId id : modelActions) {
         m_actions[id].setEnabled(have);
     }
-    m_actions["parallel"].setChecked(view.cameras[0].parallel);
-    m_actions["ground_grid"].setChecked(view.groundGrid);
-    m_actions["axes"].setChecked(view.axes);
-    m_actions["shading"].setChecked(view.shading);
-    m_actions["presentation"].setChecked(view.style == render::Style::Presentation);
+    m_actions[ActionId::Parallel].setChecked(view.cameras[0].parallel);
+    m_actions[ActionId::GroundGrid].setChecked(view.groundGrid);
+    m_actions[ActionId::Axes].setChecked(view.axes);
+    m_actions[ActionId::Shading].setChecked(view.shading);
+    m_actions[ActionId::Presentation].setChecked(view.style == render::Style::Presentation);
     for (const Map& map : maps) {
         m_actions[map.id].setChecked(view.colourMap == map.map);
     }
-    m_actions["clip"].setChecked(view.clip.has_value());
-    m_actions["measure_distance"].setChecked(views.tool() == widgets::ViewWidget::Tool::Distance);
-    m_actions["measure_height"].setChecked(views.tool() == widgets::ViewWidget::Tool::Height);
-    m_actions["clear_measurements"].setEnabled(!view.measurements.empty());
+    m_actions[ActionId::Clip].setChecked(view.clip.has_value());
+    m_actions[ActionId::MeasureDistance].setChecked(views.tool() == widgets::ViewWidget::Tool::Distance);
+    m_actions[ActionId::MeasureHeight].setChecked(views.tool() == widgets::ViewWidget::Tool::Height);
+    m_actions[ActionId::ClearMeasurements].setEnabled(!view.measurements.empty());
     if (have) {
         m_area.clipBar().setBounds(views.bounds(), FrameTransform(views.data().fe->contents().frame).localZero());
     }

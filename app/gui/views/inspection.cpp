@@ -50,16 +50,16 @@ QDockWidget& Inspection::dock(const char* name) const {
 }
 
 void Inspection::connectActions() {
-    const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
-    on("select_none", [this] { m_selection->clear(); });
-    on("select_cluster", [this] { m_selection->growToClusters(); });
-    on("select_component", [this] { m_selection->growToComponents(); });
-    on("hide", [this] { m_selection->hide(); });
-    on("isolate", [this] { m_selection->isolate(); });
-    on("show_all", [this] { m_components->showAll(); });
-    on("go_to_birth", [this] { m_selection->goToBirth(); });
-    const std::pair<const char*, QDockWidget*> docks[] = {
-        {"components", m_treeDock}, {"select_by", m_formDock}, {"inspector", m_inspectorDock}};
+    const auto on = [this](ActionId id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
+    on(ActionId::SelectNone, [this] { m_selection->clear(); });
+    on(ActionId::SelectCluster, [this] { m_selection->growToClusters(); });
+    on(ActionId::SelectComponent, [this] { m_selection->growToComponents(); });
+    on(ActionId::Hide, [this] { m_selection->hide(); });
+    on(ActionId::Isolate, [this] { m_selection->isolate(); });
+    on(ActionId::ShowAll, [this] { m_components->showAll(); });
+    on(ActionId::GoToBirth, [this] { m_selection->goToBirth(); });
+    const std::pair<ActionId, QDockWidget*> docks[] = {
+        {ActionId::Components, m_treeDock}, {ActionId::SelectBy, m_formDock}, {ActionId::Inspector, m_inspectorDock}};
     for (const auto& [id, dock] : docks) {
         QAction& action = m_actions[id];
         connect(&action, &QAction::triggered, dock, [dock = dock](bool visible) {
@@ -73,7 +73,8 @@ void Inspection::connectActions() {
 }
 
 void Inspection::selectionChanged(bool something) {
-    for (const char* id : {"select_none", "select_cluster", "select_component", "hide", "isolate", "go_to_birth"}) {
+    for (const ActionId id : {ActionId::SelectNone, ActionId::SelectCluster, ActionId::SelectComponent, ActionId::Hide,
+                              ActionId::Isolate, ActionId::GoToBirth}) {
         m_actions[id].setEnabled(something);
     }
     // It comes with a selection and goes with it; what the user closed meanwhile stays closed.
@@ -88,8 +89,8 @@ void Inspection::refresh() {
     m_selection->refresh();
     m_tools->refresh();
     const bool have = m_area.views().data().fe != nullptr;
-    m_actions["show_all"].setEnabled(have);
-    m_actions["select_by"].setEnabled(have);
+    m_actions[ActionId::ShowAll].setEnabled(have);
+    m_actions[ActionId::SelectBy].setEnabled(have);
 }
 
 }  // namespace rubble

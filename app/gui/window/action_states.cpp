@@ -12,38 +12,19 @@ namespace rubble {
 namespace {
 
 /// Need a model that can be seen.
-constexpr const char* ofTheViews[] = {"play",
-                                      "play_backwards",
-                                      "loop",
-                                      "loop_from",
-                                      "loop_to",
-                                      "bookmark",
-                                      "previous_bookmark",
-                                      "next_bookmark",
-                                      "back",
-                                      "forward",
-                                      "back_ten",
-                                      "forward_ten",
-                                      "first",
-                                      "last",
-                                      "fit",
-                                      "stacked",
-                                      "beside",
-                                      "overlay",
-                                      "four",
-                                      "fe_only",
-                                      "fragments_only",
-                                      "other_scenario",
-                                      "link",
-                                      "export_figure",
-                                      "export_movie",
-                                      "export_view",
-                                      "import_view"};
+constexpr ActionId ofTheViews[] = {
+    ActionId::Play,          ActionId::PlayBackwards,    ActionId::Loop,         ActionId::LoopFrom,     ActionId::LoopTo,
+    ActionId::Bookmark,      ActionId::PreviousBookmark, ActionId::NextBookmark, ActionId::Back,         ActionId::Forward,
+    ActionId::BackTen,       ActionId::ForwardTen,       ActionId::First,        ActionId::Last,         ActionId::Fit,
+    ActionId::Stacked,       ActionId::Beside,           ActionId::Overlay,      ActionId::Four,         ActionId::FeOnly,
+    ActionId::FragmentsOnly, ActionId::OtherScenario,    ActionId::Link,         ActionId::ExportFigure, ActionId::ExportMovie,
+    ActionId::ExportView,    ActionId::ImportView};
 /// Need a case.
-constexpr const char* ofTheCase[] = {"save",    "save_as",    "close",        "preset_default", "preset_paper",
-                                     "terrain", "orthophoto", "surroundings", "site",           "add_survey"};
+constexpr ActionId ofTheCase[] = {ActionId::Save,        ActionId::SaveAs,   ActionId::Close,      ActionId::PresetDefault,
+                                  ActionId::PresetPaper, ActionId::Terrain,  ActionId::Orthophoto, ActionId::Surroundings,
+                                  ActionId::Site,        ActionId::AddSurvey};
 /// Need a run that is complete.
-constexpr const char* ofTheRun[] = {"export_fragments", "export_series", "export_vtkhdf", "export_gltf"};
+constexpr ActionId ofTheRun[] = {ActionId::ExportFragments, ActionId::ExportSeries, ActionId::ExportVtkhdf, ActionId::ExportGltf};
 
 }  // namespace
 
@@ -63,23 +44,24 @@ ActionStates::ActionStates(Session& session, WindowRooms& rooms, Actions& action
 
 void ActionStates::connectUndo() {
     QUndoStack& stack = m_session.document().undoStack();
-    connect(&m_actions["undo"], &QAction::triggered, &stack, &QUndoStack::undo);
-    connect(&m_actions["redo"], &QAction::triggered, &stack, &QUndoStack::redo);
+    connect(&m_actions[ActionId::Undo], &QAction::triggered, &stack, &QUndoStack::undo);
+    connect(&m_actions[ActionId::Redo], &QAction::triggered, &stack, &QUndoStack::redo);
     connect(&stack, &QUndoStack::indexChanged, this, &ActionStates::nameUndo);
     nameUndo();
 }
 
 void ActionStates::nameUndo() {
     const QUndoStack& stack = m_session.document().undoStack();
-    m_actions["undo"].setEnabled(stack.canUndo());
-    m_actions["redo"].setEnabled(stack.canRedo());
+    m_actions[ActionId::Undo].setEnabled(stack.canUndo());
+    m_actions[ActionId::Redo].setEnabled(stack.canRedo());
     const auto call = [](QAction& action, const QString& text, const QString& key) {
         action.setText(text);
         action.setIconText(text);
         action.setToolTip(QStringLiteral("%1 (%2)").arg(text, key));
     };
-    call(m_actions["undo"], stack.canUndo() ? tr("Undo %1").arg(stack.undoText()) : tr("Undo"), QStringLiteral("Ctrl+Z"));
-    call(m_actions["redo"], stack.canRedo() ? tr("Redo %1").arg(stack.redoText()) : tr("Redo"), QStringLiteral("Ctrl+Shift+Z"));
+    call(m_actions[ActionId::Undo], stack.canUndo() ? tr("Undo %1").arg(stack.undoText()) : tr("Undo"), QStringLiteral("Ctrl+Z"));
+    call(m_actions[ActionId::Redo], stack.canRedo() ? tr("Redo %1").arg(stack.redoText()) : tr("Redo"),
+         QStringLiteral("Ctrl+Shift+Z"));
 }
 
 void ActionStates::refresh() {
@@ -92,29 +74,29 @@ void ActionStates::refresh() {
     const bool costly = !m_rooms.runs->costlyWork().isEmpty();
     const bool deaths = computation.results().fragments == nullptr || !computation.results().fragments->list.empty();
     m_rooms.deck->showState();
-    for (const char* id : ofTheViews) {
+    for (const ActionId id : ofTheViews) {
         m_actions[id].setEnabled(have);
     }
-    for (const char* id : ofTheCase) {
+    for (const ActionId id : ofTheCase) {
         m_actions[id].setEnabled(!document.empty());
     }
-    for (const char* id : ofTheRun) {
+    for (const ActionId id : ofTheRun) {
         m_actions[id].setEnabled(finished);
     }
-    m_actions["refresh"].setEnabled(have && !running);
-    m_actions["simulate"].setEnabled(have && deaths && !running && !costly);
-    m_actions["live"].setEnabled(have && deaths && !running && !costly);
-    m_actions["cancel"].setEnabled(computation.busy() || costly);
-    m_actions["save_run"].setEnabled(record != nullptr && !record->running);
-    m_actions["write_report"].setEnabled(finished && !m_rooms.report->writing());
+    m_actions[ActionId::Refresh].setEnabled(have && !running);
+    m_actions[ActionId::Simulate].setEnabled(have && deaths && !running && !costly);
+    m_actions[ActionId::Live].setEnabled(have && deaths && !running && !costly);
+    m_actions[ActionId::Cancel].setEnabled(computation.busy() || costly);
+    m_actions[ActionId::SaveRun].setEnabled(record != nullptr && !record->running);
+    m_actions[ActionId::WriteReport].setEnabled(finished && !m_rooms.report->writing());
     m_rooms.report->refresh();
-    m_actions["export_selection"].setEnabled(finished && !m_rooms.inspection->selection().fragments().empty());
+    m_actions[ActionId::ExportSelection].setEnabled(finished && !m_rooms.inspection->selection().fragments().empty());
     const auto has = [&inputs = document.theCase().inputs](InputRole role) {
         return std::any_of(inputs.begin(), inputs.end(), [role](const CaseInput& input) { return input.role == role; });
     };
-    m_actions["no_terrain"].setEnabled(has(InputRole::Terrain));
-    m_actions["no_surroundings"].setEnabled(has(InputRole::Orthophoto) || has(InputRole::Surroundings));
-    m_actions["compare_survey"].setEnabled(finished && has(InputRole::Survey));
+    m_actions[ActionId::NoTerrain].setEnabled(has(InputRole::Terrain));
+    m_actions[ActionId::NoSurroundings].setEnabled(has(InputRole::Orthophoto) || has(InputRole::Surroundings));
+    m_actions[ActionId::CompareSurvey].setEnabled(finished && has(InputRole::Survey));
     m_colours.setEnabled(have);
     m_rooms.playback->refresh(record != nullptr && computation.runStale(document.scenario()));
     m_rooms.runs->showBusy();

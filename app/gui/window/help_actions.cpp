@@ -10,18 +10,19 @@ namespace {
 using widgets::Glyph;
 
 const std::array helpTable = {
-    ActionRow{"tour",
+    ActionRow{ActionId::Tour,
+              "tour",
               "Help",
               QT_TRANSLATE_NOOP("actions", "Tour"),
               QT_TRANSLATE_NOOP("actions", "What the parts of this window are for, in five steps"),
               "",
               {}},
-    ActionRow{"manual", "Help", QT_TRANSLATE_NOOP("actions", "Manual"),
+    ActionRow{ActionId::Manual, "manual", "Help", QT_TRANSLATE_NOOP("actions", "Manual"),
               QT_TRANSLATE_NOOP("actions", "The page of the manual about what has the focus"), "F1", Glyph::Help},
-    ActionRow{"manual_search", "Help", QT_TRANSLATE_NOOP("actions", "Search the manual…"),
+    ActionRow{ActionId::ManualSearch, "manual_search", "Help", QT_TRANSLATE_NOOP("actions", "Search the manual…"),
               QT_TRANSLATE_NOOP("actions", "Find words in the manual"), "Shift+F1", Glyph::Search},
-    ActionRow{"about", "Help", QT_TRANSLATE_NOOP("actions", "About Rubble"), QT_TRANSLATE_NOOP("actions", "Version and method"), "",
-              Glyph::About},
+    ActionRow{ActionId::About, "about", "Help", QT_TRANSLATE_NOOP("actions", "About Rubble"),
+              QT_TRANSLATE_NOOP("actions", "Version and method"), "", Glyph::About},
 };
 
 }  // namespace

@@ -14,7 +14,9 @@
 #include <QMimeData>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <array>
 #include <limits>
+#include <utility>
 
 #include "app/gui/case/layout_memory.h"
 #include "app/gui/exports/figure_return.h"
@@ -35,6 +37,14 @@
 #include "widgets/views/transport.h"
 
 namespace rubble {
+
+namespace {
+
+/// By the names of the preferences.
+constexpr std::array<std::pair<ActionId, const char*>, 3> themeActions{
+    {{ActionId::ThemeSystem, "system"}, {ActionId::ThemeLight, "light"}, {ActionId::ThemeDark, "dark"}}};
+
+}  // namespace
 
 struct MainWindow::Kept {
     std::optional<LayoutMemory::Layout> layout;  ///< of an earlier window; unset: this is the first one
@@ -86,7 +96,7 @@ void MainWindow::goOn() {
     setTheme(m_session.preferences().theme);
     widgets::ViewWidget::simplifyAbove(m_session.preferences().simplify ? widgets::ViewWidget::slowDraw
                                                                         : std::numeric_limits<double>::infinity());
-    m_actions["keep_copies"].setChecked(m_session.preferences().keepCopies);
+    m_actions[ActionId::KeepCopies].setChecked(m_session.preferences().keepCopies);
     m_rooms->goOn();
     if (m_kept.layout) {
         m_layout->show(*m_kept.layout);
@@ -125,7 +135,7 @@ void MainWindow::connectSession() {
         const widgets::Preferences& now = m_session.preferences();
         figures::chooseColours(now.colours);
         widgets::ViewWidget::simplifyAbove(now.simplify ? widgets::ViewWidget::slowDraw : std::numeric_limits<double>::infinity());
-        m_actions["keep_copies"].setChecked(now.keepCopies);
+        m_actions[ActionId::KeepCopies].setChecked(now.keepCopies);
         setTheme(now.theme);
         m_area->views().update();
         if (auto* dialog = findChild<widgets::PreferencesDialog*>()) {
@@ -135,25 +145,24 @@ void MainWindow::connectSession() {
 }
 
 void MainWindow::connectActions() {
-    const auto on = [this](const char* id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
+    const auto on = [this](ActionId id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
     const auto prefer = [this](auto change) {
         widgets::Preferences preferences = m_session.preferences();
         change(preferences);
         m_session.setPreferences(preferences);
     };
-    on("keep_copies", [prefer](bool keep) { prefer([keep](widgets::Preferences& now) { now.keepCopies = keep; }); });
-    for (const char* theme : {"system", "light", "dark"}) {
-        on(("theme_" + std::string(theme)).c_str(),
-           [prefer, theme] { prefer([theme](widgets::Preferences& now) { now.theme = QLatin1String(theme); }); });
+    on(ActionId::KeepCopies, [prefer](bool keep) { prefer([keep](widgets::Preferences& now) { now.keepCopies = keep; }); });
+    for (const auto& [id, theme] : themeActions) {
+        on(id, [prefer, theme = theme] { prefer([theme](widgets::Preferences& now) { now.theme = QLatin1String(theme); }); });
     }
-    on("preset_default", [this] { m_session.document().applyPreset(QStringLiteral("default")); });
-    on("preset_paper", [this] { m_session.document().applyPreset(QStringLiteral("paper")); });
-    on("quit", [this] { close(); });
-    on("preferences", [this] { showPreferences(); });
-    on("manual", [this] { m_help->showAbout(QApplication::focusWidget()); });
-    on("manual_search", [this] { m_help->search(); });
-    on("about", [this] { showAbout(); });
-    on("reset_layout", [this] { m_layout->reset(); });
+    on(ActionId::PresetDefault, [this] { m_session.document().applyPreset(QStringLiteral("default")); });
+    on(ActionId::PresetPaper, [this] { m_session.document().applyPreset(QStringLiteral("paper")); });
+    on(ActionId::Quit, [this] { close(); });
+    on(ActionId::Preferences, [this] { showPreferences(); });
+    on(ActionId::Manual, [this] { m_help->showAbout(QApplication::focusWidget()); });
+    on(ActionId::ManualSearch, [this] { m_help->search(); });
+    on(ActionId::About, [this] { showAbout(); });
+    on(ActionId::ResetLayout, [this] { m_layout->reset(); });
     connect(&m_rooms->deck->stack(), &QStackedWidget::currentChanged, this, &MainWindow::showCentre);
     connect(&m_rooms->deck->evidenceTabs(), &widgets::EvidenceTabs::currentChanged, this, &MainWindow::showCentre);
 }
@@ -178,7 +187,11 @@ void MainWindow::restoreLayout() {
 
 void MainWindow::setTheme(const QString& name) {
     widgets::applyTheme(widgets::themeNamed(name));
-    m_actions["theme_" + (name.isEmpty() ? std::string("system") : name.toStdString())].setChecked(true);
+    for (const auto& [id, theme] : themeActions) {
+        if (name == QLatin1String(theme) || (name.isEmpty() && id == ActionId::ThemeSystem)) {
+            m_actions[id].setChecked(true);
+        }
+    }
     m_rooms->useTheme();
     showTitle();
 }

@@ -10,6 +10,7 @@
 class QLabel;
 class QSplitter;
 class QStackedWidget;
+class QToolBar;
 
 namespace rubble {
 
@@ -54,6 +55,7 @@ private:
     void buildLayout();
     void buildMenus();
     void buildToolBar();
+    void addTools(QToolBar& bar, ToolSection section);
     void connectSession();
     void connectActions();
     void prepareTour();

@@ -55,23 +55,23 @@ Opening::~Opening() {
 }
 
 void Opening::connectActions(Actions& actions) {
-    const auto on = [&](const char* id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
-    on("open", [this] {
+    const auto on = [&](ActionId id, auto slot) { connect(&actions[id], &QAction::triggered, this, slot); };
+    on(ActionId::Open, [this] {
         if (const QString path = m_shown.files.askForInput(); !path.isEmpty()) {
             open(path);
         }
     });
-    on("new_case", [this] { newCase(); });
-    on("sample", [this] { openSample(); });
-    on("refresh", [this] { refreshResult(); });
-    on("close", [this] {
+    on(ActionId::NewCase, [this] { newCase(); });
+    on(ActionId::Sample, [this] { openSample(); });
+    on(ActionId::Refresh, [this] { refreshResult(); });
+    on(ActionId::Close, [this] {
         if (m_shown.files.mayLeave()) {
             closeCase();
         }
     });
     widgets::StartPage& page = m_shown.area.startPage();
-    connect(&page, &widgets::StartPage::openRequested, &actions["open"], &QAction::trigger);
-    connect(&page, &widgets::StartPage::newRequested, &actions["new_case"], &QAction::trigger);
+    connect(&page, &widgets::StartPage::openRequested, &actions[ActionId::Open], &QAction::trigger);
+    connect(&page, &widgets::StartPage::newRequested, &actions[ActionId::NewCase], &QAction::trigger);
 }
 
 void Opening::connectSession() {

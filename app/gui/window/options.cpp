@@ -8,7 +8,6 @@
 #include <iterator>
 #include <map>
 
-#include "app/gui/stage/actions.h"
 #include "core/base/bash_completion.h"
 #include "core/base/build.h"
 #include "core/base/man_page.h"
@@ -102,6 +101,20 @@ bool readValues(const QCommandLineParser& parser, Options& options) {
         options.photo = static_cast<int>(place);
     }
     return true;
+}
+
+/// Reads the actions that are to be triggered; a complaint about the first name that none has.
+void readActions(const QCommandLineParser& parser, Options& options) {
+    for (const QString& name : parser.value(QStringLiteral("action")).split(u',', Qt::SkipEmptyParts)) {
+        if (const auto id = actionNamed(name)) {
+            options.actions.push_back(*id);
+        } else if (!options.wrong) {
+            options.text = QCoreApplication::translate(
+                               "options", "--action knows no “%1”; the manual lists the actions in the order of the menus.")
+                               .arg(name);
+            options.wrong = true;
+        }
+    }
 }
 
 /// Reads what causes are to be compared with; a complaint if evidence has no kind.
@@ -238,17 +251,7 @@ Options parseOptions(const QStringList& arguments) {
     options.simulate = parser.isSet(QStringLiteral("simulate"));
     options.chart = parser.value(QStringLiteral("chart"));
     options.accuracy = parser.isSet(QStringLiteral("accuracy")) || !options.chart.isEmpty();
-    options.actions = parser.value(QStringLiteral("action")).split(u',', Qt::SkipEmptyParts);
-    for (const QString& id : std::as_const(options.actions)) {
-        const auto table = actionTable();
-        if (!options.wrong &&
-            std::none_of(table.begin(), table.end(), [&](const ActionRow& row) { return row.id == id.toStdString(); })) {
-            options.text = QCoreApplication::translate(
-                               "options", "--action knows no “%1”; the manual lists the actions in the order of the menus.")
-                               .arg(id);
-            options.wrong = true;
-        }
-    }
+    readActions(parser, options);
     options.measure = parser.isSet(QStringLiteral("measure"));
     if (!options.wrong && options.measure && parser.positionalArguments().isEmpty()) {
         options.text = QCoreApplication::translate("options", "--measure needs a file to open.");

@@ -4,6 +4,9 @@
 #include <QString>
 #include <QStringList>
 #include <optional>
+#include <vector>
+
+#include "app/gui/stage/actions.h"
 
 namespace rubble {
 
@@ -20,7 +23,7 @@ struct Options {
     QString theme;
     QString language;                ///< en, zh_CN or system; empty: as in the preferences
     std::optional<int> panel;        ///< in the order of the rail; then the ensemble and the causes
-    QStringList actions;             ///< ids of the table of actions, triggered before a picture is taken
+    std::vector<ActionId> actions;   ///< triggered before a picture is taken
     QString view;                    ///< file of a view to look as
     std::optional<int> newCaseStep;  ///< a new case is made from the file; the step of the wizard that is shown
     std::optional<int> photo;        ///< how the simulation lies over the photograph, as PhotoView::Show

@@ -34,9 +34,9 @@ widgets::RunPanel::Outcome outcomeOf(const RunRecord& record) {
 
 RunControl::RunControl(Session& session, const Shown& shown, Actions& actions, QObject* parent)
     : QObject(parent), m_session(session), m_document(session.document()), m_computation(session.computation()), m_shown(shown) {
-    connect(&actions["simulate"], &QAction::triggered, this, [this] { simulate(false); });
-    connect(&actions["live"], &QAction::triggered, this, [this] { simulate(true); });
-    connect(&actions["cancel"], &QAction::triggered, this, &RunControl::cancel);
+    connect(&actions[ActionId::Simulate], &QAction::triggered, this, [this] { simulate(false); });
+    connect(&actions[ActionId::Live], &QAction::triggered, this, [this] { simulate(true); });
+    connect(&actions[ActionId::Cancel], &QAction::triggered, this, &RunControl::cancel);
     connect(&m_shown.deck, &PanelDeck::simulateRequested, this, [this] { simulate(false); });
     connect(&m_shown.deck, &PanelDeck::liveRequested, this, [this] { simulate(true); });
     connect(&m_shown.deck, &PanelDeck::cancelRequested, &m_computation, &Computation::cancel);

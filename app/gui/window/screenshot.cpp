@@ -106,9 +106,9 @@ void Screenshot::prepare() {
         m_window.rooms().scene->look(figures::viewFromFile(m_options.view.toStdString()));
     }
     m_dialogs.start();
-    for (const QString& id : std::as_const(m_options.actions)) {
+    for (const ActionId id : m_options.actions) {
         if (!m_taken) {
-            m_window.actions()[id.toStdString()].trigger();
+            m_window.actions()[id].trigger();
         }
     }
     m_dialogs.stop();

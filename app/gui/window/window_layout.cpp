@@ -9,6 +9,7 @@
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QToolButton>
+#include <map>
 
 #include "app/gui/case/layout_memory.h"
 #include "app/gui/help/help.h"
@@ -88,30 +89,39 @@ void MainWindow::buildLayout() {
 void MainWindow::buildMenus() {
     QMenu* menu = nullptr;
     QString title;
+    std::map<ActionChoice, QActionGroup*> choices;
     for (const ActionRow& row : actionTable()) {
         if (const QString name = QCoreApplication::translate("actions", row.menu); name != title) {
             title = name;
             menu = menuBar()->addMenu(title);
             menu->menuAction()->setProperty("source", QString::fromUtf8(row.menu));
         }
-        for (const char* first : {"save", "close", "preset_default", "preferences", "clip", "components", "look_side", "parallel",
-                                  "turn_left", "map_standard", "theme_system", "hide", "play"}) {
-            if (row.id == first) {
-                menu->addSeparator();
-            }
+        if (row.place.line) {
+            menu->addSeparator();
         }
         menu->addAction(&m_actions[row.id]);
+        if (row.place.choice != ActionChoice::None) {
+            QActionGroup*& choice = choices[row.place.choice];
+            if (choice == nullptr) {
+                choice = new QActionGroup(this);
+            }
+            choice->addAction(&m_actions[row.id]);
+        }
     }
     menuBar()->setCornerWidget(m_title);
     giveMnemonics(*menuBar());
-    for (const auto& ids :
-         {std::vector<const char*>{"stacked", "beside", "overlay", "four", "fe_only", "fragments_only", "other_scenario"},
-          std::vector<const char*>{"map_standard", "map_viridis", "map_cividis", "map_grey"},
-          std::vector<const char*>{"theme_system", "theme_light", "theme_dark"}}) {
-        auto* group = new QActionGroup(this);
-        for (const char* id : ids) {
-            group->addAction(&m_actions[id]);
+}
+
+void MainWindow::addTools(QToolBar& bar, ToolSection section) {
+    for (const ActionRow& row : toolRows(section)) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(&m_actions[row.id]);
+        button->setToolButtonStyle(row.place.tool->iconOnly ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextOnly);
+        button->setFocusPolicy(Qt::TabFocus);
+        if (row.id == ActionId::Simulate) {
+            button->setObjectName(QStringLiteral("primary"));
         }
+        bar.addWidget(button);
     }
 }
 
@@ -121,26 +131,10 @@ void MainWindow::buildToolBar() {
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     bar->setIconSize({16, 16});
-    const auto add = [&](const char* id, Qt::ToolButtonStyle style) {
-        auto* button = new QToolButton;
-        button->setDefaultAction(&m_actions[id]);
-        button->setToolButtonStyle(style);
-        button->setFocusPolicy(Qt::TabFocus);
-        bar->addWidget(button);
-        return button;
-    };
-    add("open", Qt::ToolButtonTextOnly);
-    add("undo", Qt::ToolButtonIconOnly);
-    add("redo", Qt::ToolButtonIconOnly);
-    bar->addSeparator();
-    for (const char* id : {"stacked", "beside", "overlay", "four"}) {
-        add(id, Qt::ToolButtonTextOnly);
+    for (const ToolSection section : {ToolSection::Case, ToolSection::Layout, ToolSection::View}) {
+        addTools(*bar, section);
+        bar->addSeparator();
     }
-    bar->addSeparator();
-    for (const char* id : {"link", "fit", "measure_distance", "clip", "components"}) {
-        add(id, Qt::ToolButtonTextOnly);
-    }
-    bar->addSeparator();
     auto* label = new QLabel(tr(" Colour by "));
     label->setObjectName(QStringLiteral("muted"));
     bar->addWidget(label);
@@ -161,8 +155,7 @@ void MainWindow::buildToolBar() {
     auto* space = new QWidget;
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(space);
-    add("live", Qt::ToolButtonTextOnly);
-    add("simulate", Qt::ToolButtonTextOnly)->setObjectName(QStringLiteral("primary"));
+    addTools(*bar, ToolSection::Run);
     m_layout = std::make_unique<LayoutMemory>(*this, m_rooms->inspection->docks(), *m_splitter);
 }
 
@@ -184,7 +177,7 @@ void MainWindow::prepareTour() {
          {m_timeline, tr("The timeline"),
           tr("Deaths over time and how far the run has got. Drag to scrub, Space plays, the arrow keys go from state to state.")}},
         this);
-    connect(&m_actions["tour"], &QAction::triggered, tour, &widgets::Tour::start);
+    connect(&m_actions[ActionId::Tour], &QAction::triggered, tour, &widgets::Tour::start);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

@@ -104,18 +104,16 @@ void WindowRooms::connectViews(const WindowParts& parts) {
 }
 
 void WindowRooms::connectFiles(const WindowParts& parts) {
-    const auto on = [&](const char* id, auto slot) {
-        QObject::connect(&parts.actions[id], &QAction::triggered, files.get(), slot);
-    };
-    on("export_selection", [this] { files->exportSelection(inspection->selection().fragments()); });
-    on("export_view", [this, area = &parts.area] { files->exportView(area->views().view()); });
-    on("import_view", [this] {
+    const auto on = [&](ActionId id, auto slot) { QObject::connect(&parts.actions[id], &QAction::triggered, files.get(), slot); };
+    on(ActionId::ExportSelection, [this] { files->exportSelection(inspection->selection().fragments()); });
+    on(ActionId::ExportView, [this, area = &parts.area] { files->exportView(area->views().view()); });
+    on(ActionId::ImportView, [this] {
         if (const auto view = files->importView()) {
             scene->look(*view);
         }
     });
-    on("export_figure", [this, area = &parts.area] { pictures->exportFigure(area->views().view(), scene->data()); });
-    on("export_movie", [this, area = &parts.area] { pictures->exportMovie(area->views().view(), scene->data()); });
+    on(ActionId::ExportFigure, [this, area = &parts.area] { pictures->exportFigure(area->views().view(), scene->data()); });
+    on(ActionId::ExportMovie, [this, area = &parts.area] { pictures->exportMovie(area->views().view(), scene->data()); });
     widgets::AccuracyPage* page = &parts.accuracyPage;
     QObject::connect(page, &widgets::AccuracyPage::saveTableRequested, files.get(),
                      [this] { files->saveSweep(accuracy->work().report()); });

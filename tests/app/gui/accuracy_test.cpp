@@ -180,8 +180,8 @@ TEST_F(AccuracyWorkbench, SettingsThatCannotBeComparedAreRefusedInPlace) {
 TEST_F(AccuracyWorkbench, CancelKeepsWhatIsDoneAndSimulateWaits) {
     panel().findChild<QSpinBox*>()->setValue(60);
     panel().findChild<QPushButton*>(QStringLiteral("primary"))->click();
-    EXPECT_FALSE(window->actions()["simulate"].isEnabled()) << "a run beside it would spoil the times";
-    EXPECT_TRUE(window->actions()["cancel"].isEnabled());
+    EXPECT_FALSE(window->actions()[ActionId::Simulate].isEnabled()) << "a run beside it would spoil the times";
+    EXPECT_TRUE(window->actions()[ActionId::Cancel].isEnabled());
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return window->rooms().accuracy->work().report() != nullptr && report().reference.done; }, patience));
     if (window->rooms().accuracy->work().running()) {
@@ -189,7 +189,7 @@ TEST_F(AccuracyWorkbench, CancelKeepsWhatIsDoneAndSimulateWaits) {
     }
     ASSERT_TRUE(QTest::qWaitFor([&] { return !window->rooms().accuracy->work().running(); }, patience));
     EXPECT_TRUE(report().reference.done);
-    EXPECT_TRUE(window->actions()["simulate"].isEnabled());
+    EXPECT_TRUE(window->actions()[ActionId::Simulate].isEnabled());
     // Another result has points of its own.
     session->document().undoStack().setClean();
     openArch();

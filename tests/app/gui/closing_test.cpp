@@ -80,7 +80,7 @@ public:
         return shown().rooms().accuracy->work().running();
     }
     bool members() {
-        shown().actions()["simulate_ensemble"].trigger();
+        shown().actions()[ActionId::SimulateEnsemble].trigger();
         return shown().rooms().studies->work().running();
     }
     bool causes() {
@@ -90,7 +90,7 @@ public:
         }
         builder.write(at("east.exo").toStdString());
         shown().rooms().studies->causes().addCauses({at("east.exo")});
-        shown().actions()["compare_causes"].trigger();
+        shown().actions()[ActionId::CompareCauses].trigger();
         return shown().rooms().studies->work().running();
     }
     bool survey() {

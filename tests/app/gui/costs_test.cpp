@@ -132,11 +132,11 @@ TEST_F(CostsWorkbench, CalibratesAndSavesTheCurve) {
     calibration.work().setBodies({8});
     calibration.view().findChild<QPushButton*>(QStringLiteral("primary"))->click();
     ASSERT_TRUE(calibration.work().running());
-    EXPECT_FALSE(window->actions()["simulate"].isEnabled()) << "a run beside it would spoil the times";
+    EXPECT_FALSE(window->actions()[ActionId::Simulate].isEnabled()) << "a run beside it would spoil the times";
     EXPECT_FALSE(window->rooms().deck->accuracy().findChild<QPushButton*>(QStringLiteral("primary"))->isEnabled());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !calibration.work().running(); }, patience));
     ASSERT_NE(calibration.work().calibration(), nullptr);
-    EXPECT_TRUE(window->actions()["simulate"].isEnabled());
+    EXPECT_TRUE(window->actions()[ActionId::Simulate].isEnabled());
     EXPECT_EQ(calibration.work().calibration()->points.size(), 2u) << "a typical and a worst pile";
     EXPECT_EQ(calibration.view().chart().content().curves.size(), 6u);
 
@@ -250,7 +250,7 @@ TEST_F(CostsWorkbench, FragmentsAreColouredByTheirErrorAgainstAReference) {
     EXPECT_EQ(window->rooms().scene->data().reference, nullptr);
     bar.findChild<QPushButton*>(QStringLiteral("computeReference"))->click();
     ASSERT_TRUE(window->rooms().errors->work().running());
-    EXPECT_FALSE(window->actions()["simulate"].isEnabled());
+    EXPECT_FALSE(window->actions()[ActionId::Simulate].isEnabled());
     ASSERT_TRUE(QTest::qWaitFor([&] { return bar.state() == widgets::ErrorBar::State::Shown; }, patience));
     ASSERT_NE(window->rooms().scene->data().reference, nullptr);
     EXPECT_TRUE(window->rooms().scene->data().reference->complete());

@@ -52,7 +52,7 @@ protected:
                                         [] { return QStringLiteral("fewer"); });
     }
     void simulate() {
-        window->actions()["simulate_ensemble"].trigger();
+        window->actions()[ActionId::SimulateEnsemble].trigger();
         wait();
     }
     void wait() {
@@ -82,7 +82,7 @@ protected:
 
 TEST_F(Studies, WhatAnEnsembleVariesIsKeptInTheCaseAndUndone) {
     auto* members = window->rooms().deck->ensemble().findChild<QSpinBox*>(QStringLiteral("members"));
-    window->actions()["show_ensemble"].trigger();
+    window->actions()[ActionId::ShowEnsemble].trigger();
     EXPECT_TRUE(window->rooms().studies->ensemblePage().isVisible());
     members->setValue(5);
     EXPECT_EQ(session->document().theCase().ensemble.members, 5);
@@ -158,16 +158,16 @@ TEST_F(Studies, TheMapLiesOnTheGroundOfTheViews) {
 
 TEST_F(Studies, CancelKeepsWhatIsDone) {
     varyOnlyFriction(400);
-    window->actions()["simulate_ensemble"].trigger();
+    window->actions()[ActionId::SimulateEnsemble].trigger();
     EXPECT_TRUE(window->rooms().studies->work().simulating());
-    EXPECT_FALSE(window->actions()["simulate"].isEnabled()) << "a run beside it would take its time";
+    EXPECT_FALSE(window->actions()[ActionId::Simulate].isEnabled()) << "a run beside it would take its time";
     ASSERT_TRUE(QTest::qWaitFor([&] { return ensemble().made().report != nullptr && !ensemble().made().report->done().empty(); },
                                 patience));
-    window->actions()["cancel"].trigger();
+    window->actions()[ActionId::Cancel].trigger();
     wait();
     EXPECT_FALSE(ensemble().made().report->complete);
     EXPECT_FALSE(ensemble().made().report->done().empty());
-    EXPECT_TRUE(window->actions()["simulate"].isEnabled());
+    EXPECT_TRUE(window->actions()[ActionId::Simulate].isEnabled());
 }
 
 TEST_F(Studies, CausesAreComparedAndTheClosestIsNamed) {
@@ -178,7 +178,7 @@ TEST_F(Studies, CausesAreComparedAndTheClosestIsNamed) {
                                        "0.5", "--out", pathOf("found.tif").toStdString()});
     ASSERT_EQ(map.exitCode, 0) << map.err;
     causes().addEvidence(io::EvidenceFile::Kind::Heights, {pathOf("found.tif")});
-    window->actions()["compare_causes"].trigger();
+    window->actions()[ActionId::CompareCauses].trigger();
     EXPECT_TRUE(window->rooms().studies->causesPage().isVisible());
     wait();
     ASSERT_NE(causes().made(), nullptr);
@@ -206,7 +206,7 @@ TEST_F(Studies, CausesAreComparedAndTheClosestIsNamed) {
 }
 
 TEST_F(Studies, OneCauseIsNoneAndABadFileIsToldInPlace) {
-    window->actions()["show_causes"].trigger();
+    window->actions()[ActionId::ShowCauses].trigger();
     causes().compare();
     EXPECT_FALSE(window->rooms().studies->work().running()) << "one cause cannot be compared";
     QFile wrong(pathOf("wrong.exo"));

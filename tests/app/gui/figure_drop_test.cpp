@@ -82,7 +82,7 @@ protected:
     }
     void close() {
         session->document().undoStack().setClean();
-        window->actions()["close"].trigger();
+        window->actions()[ActionId::Close].trigger();
         ASSERT_TRUE(session->document().empty());
     }
     bool looksAsTheFigure() {

@@ -108,7 +108,7 @@ TEST_F(HalfWritten, MembersThatAreDoneAreKept) {
     openSmall();
     session->document().setEnsemble({{variationFrom("friction", "uniform:0.3:0.5")}, 400, 1},
                                     [] { return QStringLiteral("many"); });
-    window->actions()["simulate_ensemble"].trigger();
+    window->actions()[ActionId::SimulateEnsemble].trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return window->rooms().studies->ensemble().made().report != nullptr; }, patience));
     ASSERT_TRUE(window->rooms().studies->work().running());
     close();

@@ -65,9 +65,10 @@ protected:
         ADD_FAILURE() << component;
         return {};
     }
-    void press(const char* id) {
-        ASSERT_TRUE(window->actions()[id].isEnabled()) << id;
-        window->actions()[id].trigger();
+    void press(ActionId id) {
+        QAction& action = window->actions()[id];
+        ASSERT_TRUE(action.isEnabled()) << action.objectName().toStdString();
+        action.trigger();
     }
 };
 
@@ -193,10 +194,10 @@ TEST_F(Inspecting, TwoClicksMeasure) {
     EXPECT_EQ(views().view().measurements.size(), 1U);
     QTest::keyClick(&views(), Qt::Key_Escape);
     EXPECT_EQ(views().tool(), widgets::ViewWidget::Tool::Select);
-    EXPECT_FALSE(window->actions()["measure_distance"].isChecked());
+    EXPECT_FALSE(window->actions()[ActionId::MeasureDistance].isChecked());
     window->rooms().playback->jumpToLast();
     EXPECT_EQ(views().view().measurements.size(), 1U) << "kept until cleared";
-    press("clear_measurements");
+    press(ActionId::ClearMeasurements);
     EXPECT_TRUE(views().view().measurements.empty());
 }
 
@@ -211,13 +212,13 @@ TEST_F(Inspecting, TheCutComesAndGoes) {
     emit window->area().clipBar().closeRequested();
     EXPECT_FALSE(views().view().clip);
     EXPECT_FALSE(window->area().clipBar().isVisible());
-    EXPECT_FALSE(window->actions()["clip"].isChecked());
+    EXPECT_FALSE(window->actions()[ActionId::Clip].isChecked());
 }
 
 TEST_F(Inspecting, ProjectionLayoutsAndStyleByKeys) {
     QTest::keyClick(window, Qt::Key_P);
     EXPECT_TRUE(views().view().cameras[0].parallel);
-    press("look_corner");
+    press(ActionId::LookCorner);
     EXPECT_TRUE(views().view().cameras[0].parallel) << "the projection stays";
     QTest::keyClick(window, Qt::Key_P);
     EXPECT_FALSE(views().view().cameras[0].parallel);
@@ -306,7 +307,7 @@ TEST_F(Inspecting, ASavedViewIsLookedAtAgain) {
     EXPECT_EQ(views().view().layout, render::Layout::Four);
     EXPECT_DOUBLE_EQ(window->rooms().playback->clock().time(), 1.0);
     EXPECT_NE(views().view().theme, render::Theme::Print) << "the window keeps its colours";
-    EXPECT_TRUE(window->actions()["four"].isChecked());
+    EXPECT_TRUE(window->actions()[ActionId::Four].isChecked());
     drawn();
     EXPECT_GT(views().status(render::PaneContent::Fe).hidden, 0U);
 }

@@ -179,7 +179,7 @@ TEST_F(Languages, ASwitchChangesTheWordsAndNothingElse) {
         EXPECT_TRUE(document.modified());
         EXPECT_EQ(document.undoStack().index(), index);
         EXPECT_EQ(document.undoStack().count(), edits);
-        EXPECT_TRUE(window->actions()["redo"].isEnabled());
+        EXPECT_TRUE(window->actions()[ActionId::Redo].isEnabled());
         EXPECT_EQ(window->rooms().project->runs().runs().size(), 1u);
         EXPECT_EQ(window->size(), size);
         EXPECT_TRUE(window->isVisible());
@@ -187,7 +187,7 @@ TEST_F(Languages, ASwitchChangesTheWordsAndNothingElse) {
     }
     EXPECT_EQ(document.undoStack().text(index - 1), named);
     speak("zh_CN");
-    window->actions()["history"].trigger();
+    window->actions()[ActionId::History].trigger();
     chooseAll();
     const QStringList names = namesOfTheFile() << QStringLiteral("paper");  // of the preset
     for (const auto& [place, text] : textsOf(*window)) {
@@ -219,11 +219,11 @@ TEST_F(Languages, ARunGoesOnThroughASwitchAndItsProgressShows) {
     const QString activity = window->findChild<widgets::StatusLine*>()->activityText();
     EXPECT_FALSE(activity.isEmpty()) << "nobody says how far the run has got";
     EXPECT_TRUE(strangeWords(activity, {}).isEmpty()) << qPrintable(activity);
-    EXPECT_TRUE(window->actions()["cancel"].isEnabled());
-    EXPECT_FALSE(window->actions()["simulate"].isEnabled());
-    window->actions()["cancel"].trigger();
+    EXPECT_TRUE(window->actions()[ActionId::Cancel].isEnabled());
+    EXPECT_FALSE(window->actions()[ActionId::Simulate].isEnabled());
+    window->actions()[ActionId::Cancel].trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy(); }, patience));
-    EXPECT_TRUE(window->actions()["simulate"].isEnabled());
+    EXPECT_TRUE(window->actions()[ActionId::Simulate].isEnabled());
     EXPECT_EQ(window->rooms().project->runs().runs().size(), 1u) << "the history of runs knows what began before the switch";
 }
 
@@ -310,7 +310,7 @@ TEST_F(Languages, WhatAFieldShowsIsReadFromItAgainInEveryLanguage) {
 
 TEST_F(Languages, PreferencesAreInForceAtOnceAndKept) {
     QSettings().clear();
-    window->actions()["preferences"].trigger();
+    window->actions()[ActionId::Preferences].trigger();
     auto* dialog = window->findChild<widgets::PreferencesDialog*>();
     ASSERT_NE(dialog, nullptr);
     ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog, patience));

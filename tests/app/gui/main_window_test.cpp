@@ -28,7 +28,7 @@ namespace rubble {
 
 TEST_F(Workbench, StartsEmptyAndSaysHowToBegin) {
     EXPECT_EQ(window->area().currentIndex(), 0);
-    EXPECT_FALSE(window->actions()["simulate"].isEnabled());
+    EXPECT_FALSE(window->actions()[ActionId::Simulate].isEnabled());
     EXPECT_EQ(rail(PanelDeck::Case), widgets::StageState::NotYet);
 }
 
@@ -122,7 +122,7 @@ TEST_F(Workbench, CancelKeepsWhatIsComputed) {
     EXPECT_FALSE(record->running);
     EXPECT_GT(record->reader->frameCount(), 3U);
     EXPECT_FALSE(session->computation().failure().has_value());
-    EXPECT_TRUE(window->actions()["simulate"].isEnabled());
+    EXPECT_TRUE(window->actions()[ActionId::Simulate].isEnabled());
 }
 
 TEST_F(Workbench, LiveModeDrawsEveryFrame) {

@@ -6,6 +6,8 @@
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "app/gui/stage/actions.h"
 #include "app/gui/window/options.h"
@@ -36,7 +38,8 @@ TEST(Manual, EveryParameterIsInIt) {
 TEST(Manual, EveryActionIsInItWithItsKey) {
     const QString manual = wholeManual();
     for (const ActionRow& row : actionTable()) {
-        EXPECT_TRUE(manual.contains(QStringLiteral("|%1|%2|").arg(QString::fromUtf8(row.text), QLatin1String(row.key)))) << row.id;
+        EXPECT_TRUE(manual.contains(QStringLiteral("|%1|%2|").arg(QString::fromUtf8(row.text), QLatin1String(row.key))))
+            << row.name;
     }
 }
 
@@ -87,11 +90,36 @@ TEST(Manual, EveryLinkOfEveryPageLeadsSomewhere) {
     EXPECT_GT(followed, 20);
 }
 
-TEST(Actions, KeysAndIdsAreUnique) {
-    std::set<std::string> ids;
+TEST(Actions, EachIdHasItsRowInTheOrderOfTheIds) {
+    int id = 0;
+    for (const ActionRow& row : actionTable()) {
+        EXPECT_EQ(static_cast<int>(row.id), id++) << row.name;
+        EXPECT_EQ(actionNamed(QString::fromLatin1(row.name)), row.id);
+    }
+    EXPECT_EQ(id, static_cast<int>(ActionId::About) + 1);
+    EXPECT_EQ(actionNamed(u"no_such_action"), std::nullopt);
+}
+
+TEST(Actions, StandInTheToolBarFromTheLeft) {
+    const auto names = [](ToolSection section) {
+        std::vector<std::string> found;
+        for (const ActionRow& row : toolRows(section)) {
+            found.emplace_back(row.name);
+        }
+        return found;
+    };
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(names(ToolSection::Case), (Names{"open", "undo", "redo"}));
+    EXPECT_EQ(names(ToolSection::Layout), (Names{"stacked", "beside", "overlay", "four"}));
+    EXPECT_EQ(names(ToolSection::View), (Names{"link", "fit", "measure_distance", "clip", "components"}));
+    EXPECT_EQ(names(ToolSection::Run), (Names{"live", "simulate"}));
+}
+
+TEST(Actions, KeysAndNamesAreUnique) {
+    std::set<std::string> names;
     std::set<std::string> keys;
     for (const ActionRow& row : actionTable()) {
-        EXPECT_TRUE(ids.insert(std::string(row.id)).second) << row.id;
+        EXPECT_TRUE(names.insert(row.name).second) << row.name;
         if (row.key[0] != '\0') {
             EXPECT_TRUE(keys.insert(row.key).second) << row.key;
             EXPECT_FALSE(QKeySequence::fromString(QLatin1String(row.key), QKeySequence::PortableText).isEmpty()) << row.key;

@@ -99,7 +99,7 @@ TEST_F(Project, AMissingResultIsFoundAgainByItsHash) {
     openCase();
     const QString moved = folder.filePath(QStringLiteral("elsewhere.exo"));
     ASSERT_TRUE(QFile::rename(fe, moved));
-    window->actions()["close"].trigger();
+    window->actions()[ActionId::Close].trigger();
     window->open(caseFile());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !session->computation().busy() && !bars().isEmpty(); }, patience));
     EXPECT_TRUE(bars().front().contains(QStringLiteral("small.exo is missing"))) << bars().front().toStdString();
@@ -224,11 +224,11 @@ TEST_F(Project, ScenariosAreDuplicatedNamedSwitchedAndDeleted) {
 TEST_F(Project, TwoScenariosAreComparedWithTheirRuns) {
     openCase();
     simulateIt();
-    window->actions()["duplicate_scenario"].trigger();
+    window->actions()[ActionId::DuplicateScenario].trigger();
     session->document().setParameter(QStringLiteral("friction"), 0.25);
     session->document().setParameter(QStringLiteral("restitution"), 0.1);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
-    window->actions()["compare_scenarios"].trigger();
+    window->actions()[ActionId::CompareScenarios].trigger();
     widgets::ScenarioComparison& comparison = *window->rooms().project->scenarios().comparison();
     ASSERT_TRUE(comparison.isVisible());
     ASSERT_EQ(comparison.settings().rowCount(), 2);
@@ -275,7 +275,7 @@ TEST_F(Project, RunsAreListedKeptAndShownAgain) {
     const std::string sidecar = io::runHistoryPath(caseFile().toStdString());
     EXPECT_EQ(io::readRunHistory(sidecar).size(), 3U);
     ASSERT_TRUE(window->rooms().files->save());
-    window->actions()["close"].trigger();
+    window->actions()[ActionId::Close].trigger();
     EXPECT_TRUE(window->rooms().project->runs().runs().empty());
     openIt(caseFile());
     ASSERT_EQ(window->rooms().project->runs().runs().size(), 3U);
@@ -297,7 +297,7 @@ TEST_F(Project, ACancelledRunIsListedOnce) {
     cancelled.scenarioId = session->document().active()->id;
     cancelled.wallSeconds = 0.1;
     io::writeRunHistory(io::runHistoryPath(caseFile().toStdString()), {cancelled});
-    window->actions()["close"].trigger();
+    window->actions()[ActionId::Close].trigger();
     openIt(caseFile());
     for (int i = 0; i < 3; ++i) {
         ASSERT_EQ(window->rooms().project->runs().runs().size(), 1U) << i;
@@ -382,7 +382,7 @@ TEST_F(Project, NoCaseTakesThePlaceOfOneThatADialogAsksAbout) {
             answer(dialog);
         });
         window->open(other);
-        window->actions()["site"].trigger();
+        window->actions()[ActionId::Site].trigger();
     };
     inDialog([](QDialog& dialog) {
         dynamic_cast<widgets::SiteDialog&>(dialog).setContent({}, QStringLiteral("EPSG:25832"), 0);
@@ -392,7 +392,7 @@ TEST_F(Project, NoCaseTakesThePlaceOfOneThatADialogAsksAbout) {
     QTest::qWait(200);
     EXPECT_EQ(session->document().path(), caseFile()) << "its files were asked for after the other result";
     EXPECT_EQ(session->document().theCase().frame.crs, "EPSG:25832");
-    window->actions()["undo"].trigger();
+    window->actions()[ActionId::Undo].trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared() && !session->computation().busy(); }, patience));
     inDialog([](QDialog& dialog) { dialog.reject(); });
     ASSERT_TRUE(QTest::qWaitFor([&] { return session->document().base().endsWith(QStringLiteral("other.exo.rubble")); }, patience));
@@ -408,7 +408,7 @@ TEST_F(Project, AnEditMadeWhileAnotherCaseIsReadIsNotLost) {
             dynamic_cast<QMessageBox&>(dialog).button(answer)->click();
         });
         if (answer == QMessageBox::Discard) {
-            window->actions()["undo"].trigger();
+            window->actions()[ActionId::Undo].trigger();
         }
         window->open(other);
         session->document().setParameter(QStringLiteral("friction"), 0.3);
@@ -422,7 +422,7 @@ TEST_F(Project, ADamagedHistoryIsSetAside) {
     openCase();
     const QString sidecar = QString::fromStdString(io::runHistoryPath(caseFile().toStdString()));
     std::ofstream(sidecar.toStdString()) << R"({"format": "rubble-run-history", "version": 1, "runs": [{"when": 3}]})";
-    window->actions()["close"].trigger();
+    window->actions()[ActionId::Close].trigger();
     QStringList told;
     QObject::connect(session.get(), &Session::failed, window, [&](const Failure& failure) { told << failure.what(); });
     openIt(caseFile());
@@ -448,7 +448,7 @@ TEST_F(Project, TheHistoryListGoesWhereItIsClicked) {
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
     EXPECT_FALSE(session->document().scenario().simulation.friction.has_value());
     window->rooms().project->historyDock().close();
-    EXPECT_FALSE(window->actions()["history"].isChecked());
+    EXPECT_FALSE(window->actions()[ActionId::History].isChecked());
 }
 
 TEST_F(Project, TheLayoutComesBackAndIsReset) {
@@ -458,7 +458,7 @@ TEST_F(Project, TheLayoutComesBackAndIsReset) {
     QTest::qWait(50);
     auto* splitter = window->findChild<QSplitter*>(QStringLiteral("mainSplitter"));
     const int first = splitter->sizes().front();
-    window->actions()["history"].trigger();
+    window->actions()[ActionId::History].trigger();
     splitter->setSizes({first + 90, 400});
     const int wide = splitter->sizes().front();
     ASSERT_TRUE(window->close());
@@ -469,8 +469,8 @@ TEST_F(Project, TheLayoutComesBackAndIsReset) {
     splitter = window->findChild<QSplitter*>(QStringLiteral("mainSplitter"));
     EXPECT_NEAR(splitter->sizes().front(), wide, 2);
     EXPECT_TRUE(window->rooms().project->historyDock().isVisible());
-    EXPECT_TRUE(window->actions()["history"].isChecked());
-    window->actions()["reset_layout"].trigger();
+    EXPECT_TRUE(window->actions()[ActionId::History].isChecked());
+    window->actions()[ActionId::ResetLayout].trigger();
     EXPECT_FALSE(window->rooms().project->historyDock().isVisible());
     EXPECT_LT(splitter->sizes().front(), wide - 40);
     QSettings().setValue(QStringLiteral("layout/docks"), QByteArray("no layout"));
@@ -484,7 +484,7 @@ TEST_F(Project, TheStartPageOpensSamplesAndRecentCases) {
     const auto cards = [&] { return window->area().startPage().findChildren<widgets::CaseCard*>(); };
     EXPECT_EQ(cards().size(), static_cast<qsizetype>(samples().size())) << "nothing was opened yet";
     openCase();
-    window->actions()["close"].trigger();
+    window->actions()[ActionId::Close].trigger();
     EXPECT_EQ(window->area().currentIndex(), 0);
     ASSERT_EQ(window->rooms().project->start().recent().list().size(), 2U) << "the result and the case";
     const auto card = [&](const QString& words) -> widgets::CaseCard* {
@@ -499,7 +499,7 @@ TEST_F(Project, TheStartPageOpensSamplesAndRecentCases) {
     QTest::mouseClick(card(caseFile()), Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     EXPECT_EQ(session->document().path(), caseFile());
-    window->actions()["close"].trigger();
+    window->actions()[ActionId::Close].trigger();
     const QString moved = folder.filePath(QStringLiteral("moved.rubble"));
     ASSERT_TRUE(QFile::rename(caseFile(), moved));
     window->rooms().project->start().refresh();
@@ -509,7 +509,7 @@ TEST_F(Project, TheStartPageOpensSamplesAndRecentCases) {
     window->rooms().project->start().locate(caseFile(), moved);
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     EXPECT_EQ(session->document().path(), moved);
-    window->actions()["close"].trigger();
+    window->actions()[ActionId::Close].trigger();
     const std::size_t before = window->rooms().project->start().recent().list().size();
     QTest::qWait(10);
     for (QPushButton* forget : window->area().startPage().findChildren<QPushButton*>(QStringLiteral("forget"))) {
@@ -522,7 +522,7 @@ TEST_F(Project, TheStartPageOpensSamplesAndRecentCases) {
 }
 
 TEST_F(Project, TheTourLeadsThroughTheWindowByKeys) {
-    window->actions()["tour"].trigger();
+    window->actions()[ActionId::Tour].trigger();
     auto* tour = window->findChild<widgets::Tour*>();
     ASSERT_TRUE(tour->isVisible());
     for (int stop = 0; stop < 5; ++stop) {
@@ -530,7 +530,7 @@ TEST_F(Project, TheTourLeadsThroughTheWindowByKeys) {
         QTest::keyClick(tour, Qt::Key_Right);
     }
     EXPECT_FALSE(tour->isVisible());
-    window->actions()["tour"].trigger();
+    window->actions()[ActionId::Tour].trigger();
     QTest::keyClick(tour, Qt::Key_Escape);
     EXPECT_FALSE(tour->isVisible());
 }

@@ -130,18 +130,15 @@ protected:
     void pressKeyOfAction() {
         const auto table = actionTable();
         const ActionRow& row = table[static_cast<std::size_t>(below(static_cast<int>(table.size())))];
-        if (std::string_view(row.key).empty() || tabu(QString::fromStdString(std::string(row.id)))) {
+        if (std::string_view(row.key).empty() || tabu(QLatin1String(row.name))) {
             return;
         }
         pressKey(row.id);
     }
-    void pressKey(std::string_view id) {
-        for (const ActionRow& row : actionTable()) {
-            if (row.id == id) {
-                const QKeySequence keys = QKeySequence::fromString(QLatin1String(row.key), QKeySequence::PortableText);
-                QTest::keyClick(window, static_cast<Qt::Key>(keys[0].key()), keys[0].keyboardModifiers());
-            }
-        }
+    void pressKey(ActionId id) {
+        const ActionRow& row = actionTable()[static_cast<std::size_t>(id)];
+        const QKeySequence keys = QKeySequence::fromString(QLatin1String(row.key), QKeySequence::PortableText);
+        QTest::keyClick(window, static_cast<Qt::Key>(keys[0].key()), keys[0].keyboardModifiers());
     }
     void chooseInMenu() {
         const QList<QAction*> menus = window->menuBar()->actions();
@@ -266,7 +263,7 @@ protected:
     }
     /// Language, theme, colours or units.
     void changePreferences() {
-        pressKey("preferences");
+        pressKey(ActionId::Preferences);
         if (auto* dialog = window->findChild<widgets::PreferencesDialog*>(); dialog != nullptr && dialog->isVisible()) {
             const auto boxes = dialog->findChildren<QComboBox*>();
             QComboBox* box = boxes[below(static_cast<int>(boxes.size()))];

@@ -75,13 +75,13 @@ TEST_F(Workbench, CopiesOfResultsAreKeptWhenAskedFor) {
     };
     const Digest plain = openIt();
     EXPECT_FALSE(std::filesystem::exists(cache.path().toStdString() + "/fe"));
-    window->actions()["keep_copies"].trigger();
-    window->actions()["close"].trigger();
+    window->actions()[ActionId::KeepCopies].trigger();
+    window->actions()[ActionId::Close].trigger();
     EXPECT_EQ(openIt(), plain);
     ASSERT_TRUE(std::filesystem::exists(cache.path().toStdString() + "/fe"));
-    window->actions()["close"].trigger();
+    window->actions()[ActionId::Close].trigger();
     EXPECT_EQ(openIt(), plain);
-    window->actions()["keep_copies"].trigger();
+    window->actions()[ActionId::KeepCopies].trigger();
     qunsetenv("RUBBLE_CACHE");
 }
 

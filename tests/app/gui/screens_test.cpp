@@ -96,9 +96,11 @@ protected:
         window->rooms().playback->showInstant(0.6 * window->rooms().playback->clock().last());
     }
     /// Triggers an action, looks at the dialog that it opens, which may hold the action up, and closes that.
-    void lookAtDialogOf(const char* action) {
+    void lookAtDialogOf(ActionId id) {
+        QAction& action = window->actions()[id];
+        const QString name = action.objectName();
         bool seen = false;
-        QTimer::singleShot(1000, window, [this, action, &seen] {
+        QTimer::singleShot(1000, window, [this, name, &seen] {
             QWidget* dialog = nullptr;
             for (QWidget* each : QApplication::topLevelWidgets()) {
                 const bool isDialog = each->isVisible() && each != window && each->windowType() == Qt::Dialog;
@@ -107,12 +109,12 @@ protected:
                 }
             }
             seen = true;
-            ASSERT_NE(dialog, nullptr) << action;
-            lookNow(QStringLiteral("dialog-") + QLatin1String(action), [dialog] { return dialog; });
+            ASSERT_NE(dialog, nullptr) << name.toStdString();
+            lookNow(QStringLiteral("dialog-") + name, [dialog] { return dialog; });
             dialog->close();
         });
-        window->actions()[action].trigger();
-        ASSERT_TRUE(QTest::qWaitFor([&] { return seen; }, patience)) << action;
+        action.trigger();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return seen; }, patience)) << name.toStdString();
     }
 };
 
@@ -132,22 +134,24 @@ TEST_F(Screens, CanBeReadWholeWithARun) {
         }
         return window;
     });
-    window->actions()["select_none"].trigger();
-    for (const char* action : {"components", "history", "select_by", "clip", "four", "overlay", "presentation"}) {
-        window->actions()[action].trigger();
-        look(QLatin1String(action), [this] { return window; });
-        window->actions()[action].trigger();
+    window->actions()[ActionId::SelectNone].trigger();
+    for (const ActionId id : {ActionId::Components, ActionId::History, ActionId::SelectBy, ActionId::Clip, ActionId::Four,
+                              ActionId::Overlay, ActionId::Presentation}) {
+        window->actions()[id].trigger();
+        look(window->actions()[id].objectName(), [this] { return window; });
+        // The window is another one by now.
+        window->actions()[id].trigger();
     }
 }
 
 TEST_F(Screens, WholeDialogsCanBeReadWhole) {
     simulated();
-    window->actions()["duplicate_scenario"].trigger();
+    window->actions()[ActionId::DuplicateScenario].trigger();
     for (const char* language : {"en", "zh_CN"}) {
         renewed->speak(QLatin1String(language));
-        for (const char* action :
-             {"preferences", "manual", "compare_scenarios", "export_figure", "export_movie", "site", "about"}) {
-            lookAtDialogOf(action);
+        for (const ActionId id : {ActionId::Preferences, ActionId::Manual, ActionId::CompareScenarios, ActionId::ExportFigure,
+                                  ActionId::ExportMovie, ActionId::Site, ActionId::About}) {
+            lookAtDialogOf(id);
         }
     }
 }

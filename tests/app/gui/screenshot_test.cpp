@@ -16,7 +16,7 @@ namespace {
 class Pictured : public Workbench {
 protected:
     /// The picture that the program saves and leaves with.
-    QImage taken(const QStringList& actions) {
+    QImage taken(const std::vector<ActionId>& actions) {
         Options options;
         options.path = arch();
         options.actions = actions;
@@ -39,7 +39,7 @@ TEST_F(Pictured, AnActionThatAsksIsPicturedWithItsDialogAndHangsNothing) {
     openArch();
     const QImage plain = taken({});
     ASSERT_EQ(plain.size(), window->size() * window->devicePixelRatioF());
-    const QImage asking = taken({QStringLiteral("site"), QStringLiteral("fe_only")});
+    const QImage asking = taken({ActionId::Site, ActionId::FeOnly});
     ASSERT_EQ(asking.size(), plain.size());
     int different = 0;
     for (int y = 0; y < plain.height(); y += 4) {

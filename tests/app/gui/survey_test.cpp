@@ -64,10 +64,10 @@ TEST_F(SiteAndSurvey, ASurveyIsAddedComparedSavedAndUndone) {
     ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
     const QString survey =
         heights("after.asc", [](double x, double y) { return std::abs(x) < 15.0 && std::abs(y) < 5.0 ? 1.0 : 0.0; });
-    EXPECT_FALSE(window->actions()["compare_survey"].isEnabled());
+    EXPECT_FALSE(window->actions()[ActionId::CompareSurvey].isEnabled());
     window->rooms().survey->add(survey);
     EXPECT_EQ(window->rooms().deck->rail().current(), PanelDeck::Evidence);
-    EXPECT_TRUE(window->actions()["compare_survey"].isEnabled());
+    EXPECT_TRUE(window->actions()[ActionId::CompareSurvey].isEnabled());
     ASSERT_EQ(session->document().theCase().inputs.back().role, InputRole::Survey);
     EXPECT_FALSE(session->computation().stale(Stage::Simulation, session->document().scenario())) << "no result stands on a survey";
     QTest::mouseClick(compareButton(), Qt::LeftButton);
@@ -114,12 +114,12 @@ TEST_F(SiteAndSurvey, ASurveyIsAddedComparedSavedAndUndone) {
     ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
     EXPECT_EQ(io::loadCase(m_folder / "case.rubble").inputs.back().path, "after.asc");
     EXPECT_EQ(io::loadCase(m_folder / "case.rubble").inputs.back().showsFallen, std::optional<bool>(true));
-    window->actions()["undo"].trigger();
+    window->actions()[ActionId::Undo].trigger();
     EXPECT_EQ(session->document().theCase().inputs.back().showsFallen, std::nullopt);
-    window->actions()["undo"].trigger();
+    window->actions()[ActionId::Undo].trigger();
     EXPECT_NE(session->document().theCase().inputs.back().role, InputRole::Survey);
-    EXPECT_FALSE(window->actions()["compare_survey"].isEnabled());
-    window->actions()["redo"].trigger();
+    EXPECT_FALSE(window->actions()[ActionId::CompareSurvey].isEnabled());
+    window->actions()[ActionId::Redo].trigger();
     EXPECT_EQ(session->document().theCase().inputs.back().role, InputRole::Survey);
 }
 
@@ -155,17 +155,17 @@ TEST_F(SiteAndSurvey, TheSiteIsAskedForAndReadAnew) {
         site->setContent(content, QStringLiteral("EPSG:25832"), 0);
         QTest::keyClick(site, Qt::Key_Return);
     });
-    window->actions()["site"].trigger();
+    window->actions()[ActionId::Site].trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(height() + 2.0) < 1e-6; }, patience));
     EXPECT_EQ(session->document().theCase().frame.crs, "EPSG:25832");
-    window->actions()["undo"].trigger();
+    window->actions()[ActionId::Undo].trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(height() - 5.0) < 1e-6; }, patience));
     EXPECT_EQ(session->document().theCase().frame.crs, "");
 }
 
 TEST_F(SiteAndSurvey, AMeshOfTheSurroundingsIsDrawnAndLeftOutAgain) {
     openArch();
-    window->actions()["fragments_only"].trigger();
+    window->actions()[ActionId::FragmentsOnly].trigger();
     widgets::ViewWidget& views = window->area().views();
     const auto drawn = [&] {
         QTest::qWait(300);
@@ -178,10 +178,10 @@ TEST_F(SiteAndSurvey, AMeshOfTheSurroundingsIsDrawnAndLeftOutAgain) {
     inputs.push_back({"surroundings-1", InputRole::Surroundings, path, ""});
     session->document().setInputs(inputs, [] { return QStringLiteral("house"); });
     ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().terrain().surroundings != nullptr && prepared(); }, patience));
-    EXPECT_TRUE(window->actions()["no_surroundings"].isEnabled());
+    EXPECT_TRUE(window->actions()[ActionId::NoSurroundings].isEnabled());
     EXPECT_EQ(views.view().layout, render::Layout::FragmentsOnly) << "the view stays when the files around the result change";
     EXPECT_NE(drawn(), without);
-    window->actions()["no_surroundings"].trigger();
+    window->actions()[ActionId::NoSurroundings].trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return session->computation().terrain().surroundings == nullptr && prepared(); }, patience));
     EXPECT_TRUE(QTest::qWaitFor([&] { return drawn() == without; }, patience));
 }

@@ -95,7 +95,7 @@ TEST_F(TimelineKeys, ARangeDraggedWithShiftIsPlayedRoundAndRound) {
     ASSERT_TRUE(window->rooms().playback->loopRange().has_value());
     EXPECT_NEAR(window->rooms().playback->loopRange()->first, 0.1, 0.005);
     EXPECT_NEAR(window->rooms().playback->loopRange()->second, 0.3, 0.005);
-    EXPECT_TRUE(window->actions()["loop"].isChecked());
+    EXPECT_TRUE(window->actions()[ActionId::Loop].isChecked());
     EXPECT_TRUE(window->findChild<QToolButton*>(QStringLiteral("loop"))->isChecked());
     clock().play();
     for (int i = 0; i < 50; ++i) {
@@ -113,12 +113,12 @@ TEST_F(TimelineKeys, ARangeDraggedWithShiftIsPlayedRoundAndRound) {
 }
 
 TEST_F(TimelineKeys, ScrubbingSnapsToStatesAndTimesCountFromZero) {
-    window->actions()["snap"].trigger();
+    window->actions()[ActionId::Snap].trigger();
     QTest::mouseClick(window->findChild<widgets::Timeline*>(), Qt::LeftButton, {}, at(0.234));
     EXPECT_DOUBLE_EQ(clock().time(), 0.2);
     QTest::mouseClick(window->findChild<widgets::Timeline*>(), Qt::LeftButton, {}, at(0.271));
     EXPECT_DOUBLE_EQ(clock().time(), session->computation().inputs().fe->times()[3]);
-    window->actions()["snap"].trigger();
+    window->actions()[ActionId::Snap].trigger();
     QTest::mouseClick(window->findChild<widgets::Timeline*>(), Qt::LeftButton, {}, at(0.234));
     EXPECT_NE(clock().time(), 0.2);
 
@@ -133,10 +133,10 @@ TEST_F(TimelineKeys, ScrubbingSnapsToStatesAndTimesCountFromZero) {
     window->rooms().playback->showInstant(1.7);
     auto* figures = window->findChild<QLabel*>(QStringLiteral("timeFigures"));
     EXPECT_EQ(figures->text(), QStringLiteral("1.70 s"));
-    window->actions()["time_from_zero"].trigger();
+    window->actions()[ActionId::TimeFromZero].trigger();
     EXPECT_EQ(figures->text(), QStringLiteral("0.20 s"));
     EXPECT_DOUBLE_EQ(clock().time(), 1.7) << "the clock is the file's";
-    window->actions()["time_from_zero"].trigger();
+    window->actions()[ActionId::TimeFromZero].trigger();
     EXPECT_EQ(figures->text(), QStringLiteral("1.70 s"));
 }
 

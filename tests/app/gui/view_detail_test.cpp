@@ -99,7 +99,7 @@ TEST_F(ViewDetail, APictureThatIsTakenHasEveryDetail) {
 TEST_F(ViewDetail, ThePreferenceSwitchesItOff) {
     widgets::ViewWidget::simplifyAbove(0.0);
     ASSERT_TRUE(simplifiedInOrbit());
-    window->actions()["preferences"].trigger();
+    window->actions()[ActionId::Preferences].trigger();
     auto* dialog = window->findChild<widgets::PreferencesDialog*>();
     ASSERT_NE(dialog, nullptr);
     ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog, patience));
@@ -132,19 +132,19 @@ bool seenWhole(const widgets::ViewWidget& views) {
 TEST_F(ViewDetail, WhatIsFittedStaysSoBesideADockUntilTheCameraIsMoved) {
     ASSERT_TRUE(seenWhole(views()));
     const int wide = views().width();
-    window->actions()["components"].trigger();
+    window->actions()[ActionId::Components].trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return views().width() < wide; }, patience));
     EXPECT_TRUE(seenWhole(views())) << "the model does not move out of sight because a list opens";
-    window->actions()["components"].trigger();
+    window->actions()[ActionId::Components].trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return views().width() == wide; }, patience));
     EXPECT_TRUE(seenWhole(views()));
 
     views().turn(0.3, 0.0);
     const render::View turned = views().view();
-    window->actions()["components"].trigger();
+    window->actions()[ActionId::Components].trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return views().width() < wide; }, patience));
     EXPECT_EQ(views().view(), turned) << "where the user looks from is not the window's to change";
-    window->actions()["fit"].trigger();
+    window->actions()[ActionId::Fit].trigger();
     EXPECT_TRUE(seenWhole(views()));
 }
 

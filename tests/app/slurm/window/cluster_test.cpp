@@ -124,7 +124,7 @@ TEST_F(ClusterWorkbench, AComparisonRunsOnTheClusterAndItsPointsComeIn) {
     compare();
     EXPECT_TRUE(window->rooms().accuracy->work().running());
     EXPECT_FALSE(window->rooms().accuracy->work().simulatesHere());
-    EXPECT_TRUE(window->actions()["simulate"].isEnabled()) << "the cluster leaves this machine to itself";
+    EXPECT_TRUE(window->actions()[ActionId::Simulate].isEnabled()) << "the cluster leaves this machine to itself";
     ASSERT_TRUE(QTest::qWaitFor([&] { return done() > 0; }, patience));
     EXPECT_FALSE(report()->complete) << "points come in while others are made";
     waitForComparison();
@@ -192,7 +192,7 @@ TEST_F(ClusterWorkbench, WholeCancelAsksAndTheSecondStartSendsOnlyWhatIsMissing)
 TEST_F(ClusterWorkbench, WholeMembersOfAnEnsembleComeFromTheCluster) {
     session->document().setEnsemble({{variationFrom("friction", "uniform:0.3:0.5")}, 4, 1}, [] { return QStringLiteral("fewer"); });
     ASSERT_TRUE(window->rooms().files->saveTo(m_case));
-    window->actions()["show_ensemble"].trigger();
+    window->actions()[ActionId::ShowEnsemble].trigger();
     widgets::EnsemblePanel& panel = window->rooms().deck->ensemble();
     chooseCluster(panel.place());
     panel.findChild<QPushButton*>(QStringLiteral("primary"))->click();

@@ -49,7 +49,10 @@ struct RunRecord {
     std::optional<Acknowledgement> acknowledged;  ///< somebody vouches for it in spite of its breaches
 
     /// What the monitor saw; its breaches only, while the run is not complete.
-    const HealthReport& health() const { return outcome != nullptr ? outcome->health : soFar; }
+    const HealthReport& health() const {
+        const SimulationResult* made = outcome.get();
+        return made != nullptr ? made->health : soFar;
+    }
 };
 
 /// Whether what was opened may take the place of what is there.

@@ -20,8 +20,8 @@ struct Storeys {
 const std::vector<Storeys>& storeys() {
     static const std::vector<Storeys> table{
         {"core",
-         {"base", "fe", "scenario", "fragments", "clusters", "trajectory", "engine", "simulation", "pipeline", "analysis", "evidence",
-          "selftest"}},
+         {"base", "fe", "scenario", "fragments", "clusters", "trajectory", "engine", "simulation", "pipeline", "analysis",
+          "evidence", "selftest"}},
         {"core/engine", {"world", "soft", "bullet"}},
         {"core/simulation", {"bodies", "effects", "health", "run"}},
         {"core/analysis", {"debris", "accuracy"}},
@@ -30,8 +30,7 @@ const std::vector<Storeys>& storeys() {
         {"widgets", {"render", "figures", "basics", "views", "case", "run", "accuracy", "evidence"}},
         {"widgets/render", {"basics", "shapes", "site", "."}},
         {"app/cli", {"frame", "fe", "exports", "run", "accuracy", "evidence", "."}},
-        {"app/gui",
-         {"session", "stage", "case", "run", "views", "studies", "accuracy", "evidence", "exports", "help", "window"}},
+        {"app/gui", {"session", "stage", "case", "run", "views", "studies", "accuracy", "evidence", "exports", "help", "window"}},
     };
     return table;
 }

@@ -23,7 +23,12 @@ DoneNotice::DoneNotice(MainWindow& window)
                  [](const QString& what, const QString& about) { notifyDesktop(QDBusConnection::sessionBus(), what, about); }) {}
 
 DoneNotice::DoneNotice(MainWindow& window, int longMs, Show show)
-    : QObject(&window), m_window(window), m_longMs(longMs), m_show(std::move(show)), m_kept(window.session().part<Kept>()), m_since(m_kept.since) {
+    : QObject(&window),
+      m_window(window),
+      m_longMs(longMs),
+      m_show(std::move(show)),
+      m_kept(window.session().part<Kept>()),
+      m_since(m_kept.since) {
     connect(&m_timer, &QTimer::timeout, this, &DoneNotice::look);
     connect(&window.session().computation(), &Computation::stateChanged, this, &DoneNotice::look);
     m_timer.start(lookEvery);

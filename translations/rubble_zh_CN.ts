@@ -7197,6 +7197,10 @@
         <source>{0} points to heights in other files, which may change unnoticed</source>
         <translation>{0} 指向其他文件中的高程，这些文件可能在不知不觉中改变</translation>
     </message>
+    <message>
+        <source>looking for loose structure</source>
+        <translation>正在查找松脱的结构</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "app/cli/fe/growth_watch.h"
+#include "app/cli/fe/loose_output.h"
 #include "app/cli/fe/missing_facts.h"
 #include "app/cli/frame/commands.h"
 #include "app/cli/frame/json_output.h"
@@ -11,6 +12,7 @@
 #include "core/base/message.h"
 #include "core/fe/audit.h"
 #include "core/fe/unit_evidence.h"
+#include "core/fragments/lifetimes.h"
 
 namespace rubble::cli {
 
@@ -56,7 +58,31 @@ std::string proposalText(const Proposal& proposal) {
     return (proposal.choice.empty() ? "cannot be told: " : proposal.choice + ": ") + englishText(proposal.reason);
 }
 
-Json inspectionJson(const io::OpenedCase& subject, const Audit& audit, const Findings& findings, const UnitReport& units) {
+/// What is loose at which state, by the rule that releases live structure at the end of the FE result.
+struct LooseReport {
+    LooseStructure structure;
+    LooseAccount account;
+};
+
+LooseReport looseReport(const io::OpenedCase& subject, const Components& components, const Execution& execution) {
+    const FeResult& fe = *subject.inputs.fe;
+    const SiteSurface ground{true, subject.scenario.simulation.groundHeight, subject.inputs.terrain};
+    const Activity activity = activityUnder(fe.activity(), subject.scenario.fragments.revival);
+    LooseReport report{looseStructure(fe, activity, ground, execution), {}};
+    report.account = accountOf(report.structure, fe, activity, components);
+    return report;
+}
+
+/// All that is told of one result.
+struct Inspection {
+    Audit audit;
+    Findings findings;
+    UnitReport units;
+    LooseReport loose;
+};
+
+Json inspectionJson(const io::OpenedCase& subject, const Inspection& inspection) {
+    const Audit& audit = inspection.audit;
     const FeResult& fe = *subject.inputs.fe;
     Json object;
     object["format"] = fe.contents().format;
@@ -89,7 +115,7 @@ Json inspectionJson(const io::OpenedCase& subject, const Audit& audit, const Fin
     object["has_velocity"] = fe.contents().hasVelocity;
     object["has_death_time"] = !fe.contents().deathTime.empty();
     object["activity_from"] = fe.contents().activityFrom;
-    object["units"] = unitsJson(fe.contents(), units);
+    object["units"] = unitsJson(fe.contents(), inspection.units);
     object["missing"] = Json::array();
     for (const MissingFact& fact : missingFacts(fe)) {
         object["missing"].push_back({{"what", fact.what}, {"elements", fact.count}, {"instead", fact.instead}});
@@ -98,7 +124,8 @@ Json inspectionJson(const io::OpenedCase& subject, const Audit& audit, const Fin
     for (const Anomaly& anomaly : audit.anomalies) {
         object["anomalies"].push_back({{"kind", anomaly.kind}, {"count", anomaly.count}, {"example", anomaly.example}});
     }
-    object["warnings"] = findingsJson(findings);
+    object["loose"] = looseJson(inspection.loose.structure, inspection.loose.account, fe);
+    object["warnings"] = findingsJson(inspection.findings);
     return object;
 }
 
@@ -140,8 +167,9 @@ TextTable deathTable(const FeResult& fe, const Audit& audit) {
     return table;
 }
 
-void printInspection(std::ostream& out, const io::OpenedCase& subject, const Audit& audit, const Findings& findings,
-                     const UnitReport& units) {
+void printInspection(std::ostream& out, const io::OpenedCase& subject, const Inspection& inspection) {
+    const Audit& audit = inspection.audit;
+    const UnitReport& units = inspection.units;
     const FeResult& fe = *subject.inputs.fe;
     const auto whole = [](std::size_t number) { return englishInteger(static_cast<std::int64_t>(number)); };
     out << subject.fePath << '\n';
@@ -176,6 +204,7 @@ void printInspection(std::ostream& out, const io::OpenedCase& subject, const Aud
         printHeading(out, "Deaths: " + englishInteger(audit.deadTotal) + " elements are dead at the end");
         deathTable(fe, audit).print(out);
     }
+    printLoose(out, inspection.loose.structure, inspection.loose.account);
     if (audit.anomalies.empty()) {
         out << "\nNo anomalies.\n";
     } else {
@@ -184,7 +213,7 @@ void printInspection(std::ostream& out, const io::OpenedCase& subject, const Aud
             out << "  " << englishInteger(anomaly.count) << " x  " << anomaly.kind << ", for example " << anomaly.example << '\n';
         }
     }
-    printFindings(out, findings);
+    printFindings(out, inspection.findings);
 }
 
 ExitCode inspect(const Arguments& arguments, Session& session) {
@@ -192,14 +221,14 @@ ExitCode inspect(const Arguments& arguments, Session& session) {
     const io::OpenedCase subject = openSubject(arguments, session);
     checkCsvPath(arguments, subject.files);
     const Results results = runTo(subject, Stage::Components, nullptr, session.execution());
-    const Audit audit = auditDeaths(*subject.inputs.fe, *results.components, session.execution());
-    const Findings findings = io::allFindings(subject, results);
-    const UnitReport units = unitReport(*subject.inputs.fe, session.execution());
-    writeCsv(arguments, componentTable(audit));
+    const Execution& execution = session.execution();
+    const Inspection inspection{auditDeaths(*subject.inputs.fe, *results.components, execution), io::allFindings(subject, results),
+                                unitReport(*subject.inputs.fe, execution), looseReport(subject, *results.components, execution)};
+    writeCsv(arguments, componentTable(inspection.audit));
     if (arguments.json()) {
-        printJson(session, inspectionJson(subject, audit, findings, units));
+        printJson(session, inspectionJson(subject, inspection));
     } else {
-        printInspection(session.out(), subject, audit, findings, units);
+        printInspection(session.out(), subject, inspection);
     }
     if (pause) {
         followGrowth(subject, *pause, session);

@@ -6,7 +6,7 @@
 #include "core/clusters/rigid_motion.h"
 #include "core/engine/world/rigid_world.h"
 #include "core/fragments/corner_motion.h"
-#include "core/simulation/bodies/live_islands.h"
+#include "core/fe/live_islands.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble {

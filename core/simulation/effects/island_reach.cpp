@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/fragments/birth_windows.h"
-#include "core/simulation/bodies/live_islands.h"
+#include "core/fe/live_islands.h"
 
 namespace rubble {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/engine/world/constants.h"
+#include "core/simulation/bodies/loose_count.h"
 #include "core/simulation/health/ledger.h"
 #include "core/simulation/health/value_archive.h"
 #include "core/simulation/run/bulking.h"

@@ -7,6 +7,7 @@
 #include "core/fe/activity.h"
 #include "core/fe/site_surface.h"
 #include "core/simulation/bodies/island_bodies.h"
+#include "core/simulation/bodies/run_account.h"
 #include "core/simulation/bodies/pieces.h"
 
 namespace rubble {

@@ -1,4 +1,4 @@
-#include "core/simulation/bodies/live_islands.h"
+#include "core/fe/live_islands.h"
 #include "core/base/standard_gravity.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 
 #include "core/pipeline/pipeline.h"
 #include "core/simulation/bodies/island_bodies.h"
+#include "core/simulation/bodies/loose_count.h"
 #include "core/simulation/run/simulation.h"
 #include "tests/core/fragments/element_scene.h"
 #include "tests/scenes/fe_scenes.h"

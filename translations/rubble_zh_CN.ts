@@ -1538,10 +1538,6 @@
         <translation>CalculiX 结果</translation>
     </message>
     <message>
-        <source>Cannot make the folder {0} for the series</source>
-        <translation>无法为该序列建立文件夹 {0}</translation>
-    </message>
-    <message>
         <source>Cannot make the folder {0}: {1}</source>
         <translation>无法建立文件夹 {0}：{1}</translation>
     </message>
@@ -6542,8 +6538,8 @@
         <translation>{0} 没有显示碎块：没有 {1} 的单元格高于地面</translation>
     </message>
     <message>
-        <source>{0}: XDMF cannot name a run file with a colon in its path: {1}</source>
-        <translation>{0}：XDMF 无法引用路径中含冒号的计算文件：{1}</translation>
+        <source>{0}: XDMF cannot name a run file with a colon or a bar in its path: {1}</source>
+        <translation>{0}：XDMF 无法指称路径中含冒号或竖线的计算文件：{1}</translation>
     </message>
     <message>
         <source>{0}: its provenance names no FE result</source>

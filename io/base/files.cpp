@@ -257,14 +257,22 @@ std::optional<std::string> contentOf(const std::string& path) {
     return content;
 }
 
-void writeIn(const std::string& path, std::string_view content) {
+void makeFolder(const std::string& path) {
     std::error_code failed;
-    fs::create_directories(fs::path(path).parent_path(), failed);
+    fs::create_directories(path, failed);
     if (failed) {
-        throw WorldError(
-            {"io.cache.folder", "The folder {0} cannot be made: {1}", {fs::path(path).parent_path().string(), failed.message()}},
-            {"io.cache.folder.remedy", "Name another folder, or check its rights.", {}});
+        throw WorldError({"io.cache.folder", "The folder {0} cannot be made: {1}", {path, systemReason(failed.value())}},
+                         {"io.cache.folder.remedy", "Name another folder, or check its rights.", {}});
     }
+}
+
+void makeFolderOf(const std::string& path) {
+    // Of a bare name the folder is where the program runs; a slash at the end of a folder would be made as one more.
+    makeFolder(fs::absolute(path).lexically_normal().parent_path().string());
+}
+
+void writeIn(const std::string& path, std::string_view content) {
+    makeFolderOf(path);
     writeAtomically(path, [&](std::ostream& out) { out.write(content.data(), static_cast<std::streamsize>(content.size())); });
 }
 

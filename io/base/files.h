@@ -29,6 +29,11 @@ void writeFileAtomically(const std::string& path, const std::function<void(const
 /// The whole content; nothing if there is no such file, or if it is larger than 4 GiB: nothing that is kept comes near that.
 std::optional<std::string> contentOf(const std::string& path);
 
+/// Makes a folder and those above it; one that is there stays. Throws WorldError naming it, the reason and the remedy.
+void makeFolder(const std::string& path);
+/// The folder that a file is to lie in.
+void makeFolderOf(const std::string& path);
+
 /// Writes a content atomically, and makes the folder that it lies in. Throws WorldError.
 void writeIn(const std::string& path, std::string_view content);
 

@@ -43,9 +43,9 @@ void exportVtkHdf(const std::string& path, const RunReader& run, const FeResult&
 /// Cancelled.
 void exportGltf(const std::string& path, const RunReader& run, const Execution& execution);
 
-/// Writes an XDMF file that names places, orientations, speeds and states of the bodies frame by frame inside the run file itself,
-/// so that ParaView, VisIt and others show them as points without a copy. The path of the run is written relative to the XDMF file.
-/// Coordinates are local. Throws WorldError, ParseError, UsageError (no frames), Cancelled.
+/// Writes an XDMF 3 file that names places, orientations, speeds and states of the bodies frame by frame inside the run file
+/// itself, so that ParaView (its Xdmf3 readers) shows them as points without a copy. The path of the run is written relative to the
+/// XDMF file. Coordinates are local. Throws WorldError, ParseError, UsageError (no frames), Cancelled.
 void exportBodies(const std::string& path, const RunReader& run, const Execution& execution);
 
 /// Provenance of a run as JSON text: inputs with SHA-256, scenario, build, settings.

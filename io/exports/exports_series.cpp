@@ -80,8 +80,9 @@ std::string gridText(const CellGrid& cells, const RunGrids& grids) {
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
     writer->SetInputData(grid);
     writer->SetCompressor(compressor);
-    writer->SetDataModeToAppended();
-    writer->EncodeAppendedDataOff();
+    // Data that is appended to the XML cannot be read by VTK 9.1 and ParaView 5.11 with the expat of their distributions since
+    // 2024.
+    writer->SetDataModeToBinary();
     writer->SetIdTypeToInt32();
     writer->WriteToOutputStringOn();
     writer->Write();
@@ -157,13 +158,7 @@ void exportSeries(const std::string& path, const RunReader& run, const FeResult&
     if (folder == fs::path(path)) {
         folder += "_files";
     }
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw WorldError(
-            Message{"io.series.folder", "Cannot make the folder {0} for the series", {folder.string()}},
-            Message{"io.series.folder.remedy", "Check free space and rights of the folder, or choose another place.", {}});
-    }
+    makeFolder(folder.string());
     std::vector<PvdEntry> entries;
     try {
         writeInstants(grids, folder, path, entries, execution);

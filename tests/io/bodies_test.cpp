@@ -5,6 +5,8 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <pugixml.hpp>
 #include <regex>
 #include <sstream>
 
@@ -56,15 +58,15 @@ TEST(BodiesExport, NamesThePlacesOfEveryFrameInTheRunFile) {
     run.reset();
     const std::string text = textOf(folder / "out/a.xdmf");
     const std::regex item(
-        R"re(<Geometry[^>]*>\s*<DataItem[^>]*Dimensions="(\d+) 3">\s*<DataItem[^>]*>(\d+) 0 1 1 (\d+) 3</DataItem>\s*<DataItem[^>]*>([^:<]+):([^<]+)<)re");
+        R"re(<Geometry[^>]*>\s*<DataItem[^>]*Dimensions="(\d+) 3">([^:<]+):([^|<]+)\|(\d+) 0:1 1:(\d+) 3:\d+ 3<)re");
     std::size_t i = 0;
     for (std::sregex_iterator it(text.begin(), text.end(), item), end; it != end; ++it, ++i) {
         ASSERT_LT(i, frames.size());
         const std::size_t rows = std::stoul((*it)[1]);
         ASSERT_EQ(rows, frames[i]->bodies());
-        EXPECT_EQ((*it)[1], (*it)[3]);
+        EXPECT_EQ((*it)[1], (*it)[5]);
         const auto values =
-            slabOf((std::filesystem::path(folder / "out") / (*it)[4].str()).string(), (*it)[5], std::stoul((*it)[2]), rows);
+            slabOf((std::filesystem::path(folder / "out") / (*it)[2].str()).string(), (*it)[3], std::stoul((*it)[4]), rows);
         for (std::size_t b = 0; b < rows; ++b) {
             EXPECT_EQ(values[3 * b], frames[i]->positions[b].x());
             EXPECT_EQ(values[3 * b + 2], frames[i]->positions[b].z());
@@ -73,6 +75,35 @@ TEST(BodiesExport, NamesThePlacesOfEveryFrameInTheRunFile) {
     EXPECT_EQ(i, frames.size());
     EXPECT_THAT(text, testing::HasSubstr("CollectionType=\"Temporal\""));
     EXPECT_THAT(text, testing::HasSubstr("../a.run.h5:/frames/speeds"));
+}
+
+TEST(BodiesExport, ATopologyNamesItsPointsOnceForFramesOfAsManyBodies) {
+    TemporaryFolder folder;
+    const SampleRun sample = makeSampleRun(3, 15, 9);
+    sample.feed(*createRun(folder / "a.run.h5", sample.origin));
+    const auto run = openRun(folder / "a.run.h5");
+    exportBodies(folder / "a.xdmf", *run, Execution());
+    pugi::xml_document document;
+    ASSERT_TRUE(document.load_file((folder / "a.xdmf").c_str()));
+    std::map<std::size_t, std::string> first;  // of as many bodies: where the list stands
+    std::size_t i = 0;
+    for (const pugi::xml_node grid : document.child("Xdmf").child("Domain").child("Grid").children("Grid")) {
+        const std::size_t bodies = run->frame(i)->bodies();
+        const std::string place = "xpointer(/Xdmf/Domain/Grid/Grid[" + std::to_string(++i) + "]/Topology)";
+        const auto [known, isNew] = first.emplace(bodies, place);
+        if (!isNew) {
+            EXPECT_EQ(grid.child("xi:include").attribute("xpointer").value(), known->second);
+            continue;
+        }
+        std::istringstream points(grid.child("Topology").child_value("DataItem"));
+        std::size_t count = 0;
+        for (std::size_t point = 0; points >> point; ++count) {
+            EXPECT_EQ(point, count);
+        }
+        EXPECT_EQ(count, bodies);
+    }
+    EXPECT_EQ(i, run->frameCount());
+    EXPECT_LT(first.size(), i);
 }
 
 TEST(BodiesExport, ARunWithoutBodiesIsRefused) {

@@ -15,8 +15,8 @@ std::span<const ExportKind> exportKinds() {
     static constexpr std::array<ExportKind, 8> kinds{
         {{"fragments", "*.csv", "table of all fragments: birth, rest, speeds, mass", "any spreadsheet, pandas, R"},
          {"series", "*.pvd", "fragments and structure over time, a folder of VTU files", "ParaView, VisIt, VTK"},
-         {"vtkhdf", "*.vtkhdf", "the same over time in one file", "ParaView 5.12 and VTK 9.3, and newer"},
-         {"bodies", "*.xdmf", "bodies as points over time, read out of the run file itself", "ParaView (its XDMF Reader), VisIt"},
+         {"vtkhdf", "*.vtkhdf", "the same over time in one file", "ParaView from 5.12 on, VTK from 9.3 on"},
+         {"bodies", "*.xdmf", "bodies as points over time, read out of the run file itself", "ParaView (its Xdmf3 reader)"},
          {"gltf", "*.glb", "fragments with their motion, glTF 2.0, metres, y up", "Blender, three.js, web viewers"},
          {"debris-map", "*.tif, *.gpkg, *.csv, *.png", "a debris map: height, volume, mass and more by cells",
           "QGIS, ArcGIS, GDAL"},

@@ -21,11 +21,7 @@ void checkOutputPath(const std::string& path, std::span<const std::string> input
         throw UsageError({"cli.output_is_folder", "\"{0}\" is not the name of a file to write.", {path}},
                          {"cli.output_is_folder.remedy", "Give the name of a file.", {}});
     }
-    const fs::path folder = fs::absolute(path).parent_path();
-    if (!fs::is_directory(folder, ignored)) {
-        throw WorldError({"cli.no_folder", "{0} cannot be written: the folder {1} does not exist.", {path, folder.string()}},
-                         {"cli.no_folder.remedy", "Make the folder first, or choose another.", {}});
-    }
+    io::makeFolderOf(path);
 }
 
 void checkCsvPath(const Arguments& arguments, std::span<const std::string> inputs) {

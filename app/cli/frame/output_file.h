@@ -9,7 +9,7 @@
 namespace rubble::cli {
 
 /// Refuses a path that cannot be meant as an output, before any work is done: a file that was read, a folder, or a path whose
-/// folder does not exist. Throws UsageError or WorldError.
+/// folder is not there and cannot be made. Throws UsageError or WorldError.
 void checkOutputPath(const std::string& path, std::span<const std::string> inputs);
 
 /// Checks the path of --csv, if it was given.

@@ -185,8 +185,8 @@ private:
         vtkNew<vtkXMLUnstructuredGridWriter> writer;
         writer->SetInputData(m_grid);
         writer->SetCompressor(compressor);
-        writer->SetDataModeToAppended();
-        writer->EncodeAppendedDataOff();
+        // As of a series of a run: appended data is not read everywhere.
+        writer->SetDataModeToBinary();
         writer->WriteToOutputStringOn();
         writer->Write();
         return writer->GetOutputString();

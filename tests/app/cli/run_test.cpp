@@ -214,7 +214,8 @@ TEST_F(Run, WrongRequestsAreRefusedBeforeTheWork) {
     refused({"--export", "movie=a.mp4"}, 2, "Kinds: fragments, series, vtkhdf, bodies, gltf");
     refused({"--export", "vtkhdf=a.h5"}, 2, "ends in .vtkhdf");
     refused({"--export", "fragments"}, 2, "no \"=\"");
-    refused({"--export", "fragments=" + (m_folder / "no/f.csv")}, 1, "does not exist");
+    std::ofstream(m_folder / "file") << "no folder";
+    refused({"--export", "fragments=" + (m_folder / "file/f.csv")}, 1, "cannot be made: Not a directory");
     refused({"--out", m_path}, 2, "is read by this command");
     refused({"--pane", "left"}, 2, "fe, fragments, both");
     refused({"--size", "3x4"}, 2, "WIDTHxHEIGHT");

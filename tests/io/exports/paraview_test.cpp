@@ -1,0 +1,163 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <regex>
+#include <sstream>
+
+#include "io/exports/exports.h"
+#include "tests/io/run_over_fe.h"
+#include "tests/io/sample_run.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rubble::io {
+
+namespace {
+
+using testing::HasSubstr;
+
+/// What a program said, on both of its ways out.
+std::string said(const std::string& command) {
+    std::string text;
+    std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+    std::array<char, 4096> buffer{};
+    while (pipe != nullptr && std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) {
+        // hwloc speaks of the machine, not of the file.
+        if (const std::string line = buffer.data(); !line.starts_with("[hwloc")) {
+            text += line;
+        }
+    }
+    if (pipe != nullptr) {
+        ::pclose(pipe);
+    }
+    return text;
+}
+
+/// ParaView's Python; empty where there is none. RUBBLE_PVPYTHON may name another.
+std::string paraView() {
+    const char* named = std::getenv("RUBBLE_PVPYTHON");
+    const std::string program = named != nullptr ? named : "pvpython";
+    return said("command -v " + program).empty() ? std::string() : program;
+}
+
+/// Opens a file as ParaView does by itself, goes through its times and back, and says what there is.
+constexpr const char* script = R"py(
+import sys
+from paraview.simple import OpenDataFile
+reader = OpenDataFile(sys.argv[1])
+reader.UpdatePipelineInformation()
+times = getattr(reader, 'TimestepValues', None)
+times = [0.0] if times is None else [times] if isinstance(times, float) else list(times)
+print('reader', type(reader).__name__, 'times', len(times))
+for t in times + times[::-1]:
+    reader.UpdatePipeline(t)
+    data = reader.GetDataInformation()
+    print('at', repr(t), 'points', data.GetNumberOfPoints(), 'cells', data.GetNumberOfCells())
+print('arrays', sorted(a.Name for a in reader.PointData), sorted(a.Name for a in reader.CellData))
+)py";
+
+class ParaViewOpens : public testing::Test {
+protected:
+    void SetUp() override {
+        if (m_program.empty()) {
+            std::cout << "not run: no ParaView here\n";
+            return;
+        }
+        m_sample = runOverFe(5, 9, m_fe);
+        m_sample.feed(*createRun(m_folder / "a.run.h5", m_sample.origin));
+        m_run = openRun(m_folder / "a.run.h5");
+        std::ofstream(m_folder / "open.py") << script;
+    }
+    std::string opened(const std::string& file) {
+        return said(m_program + " '" + (m_folder / "open.py") + "' '" + (m_folder / file) + "'");
+    }
+    /// Cells at each time, there and back; nothing else may have been said.
+    std::vector<std::size_t> cellsOf(const std::string& text) {
+        std::vector<std::size_t> cells;
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) {
+            std::smatch found;
+            if (std::regex_match(line, found, std::regex(R"(at \S+ points \d+ cells (\d+))"))) {
+                cells.push_back(std::stoul(found[1]));
+            } else {
+                EXPECT_TRUE(line.starts_with("reader ") || line.starts_with("arrays ")) << line;
+            }
+        }
+        return cells;
+    }
+
+    std::string m_program = paraView();
+    TemporaryFolder m_folder;
+    std::shared_ptr<const FeResult> m_fe;
+    SampleRun m_sample;
+    std::shared_ptr<const RunReader> m_run;
+};
+
+TEST_F(ParaViewOpens, TheBodiesInTheReaderThatItTakesByItself) {
+    if (m_program.empty()) {
+        return;
+    }
+    exportBodies(m_folder / "a.xdmf", *m_run, Execution());
+    const std::string text = opened("a.xdmf");
+    EXPECT_THAT(text, HasSubstr("reader Xdmf3Reader"));
+    EXPECT_THAT(text, HasSubstr("['orientation', 'speed', 'state']"));
+    std::vector<std::size_t> bodies;
+    for (std::size_t i = 0; i < m_run->frameCount(); ++i) {
+        if (m_run->frame(i)->bodies() > 0) {
+            bodies.push_back(m_run->frame(i)->bodies());
+        }
+    }
+    std::vector<std::size_t> thereAndBack = bodies;
+    thereAndBack.insert(thereAndBack.end(), bodies.rbegin(), bodies.rend());
+    EXPECT_EQ(cellsOf(text), thereAndBack);
+}
+
+TEST_F(ParaViewOpens, TheSeriesOfVtuFiles) {
+    if (m_program.empty()) {
+        return;
+    }
+    exportSeries(m_folder / "s.pvd", *m_run, *m_fe, Execution());
+    const std::string text = opened("s.pvd");
+    EXPECT_THAT(text, HasSubstr("reader PVDReader"));
+    EXPECT_THAT(text, HasSubstr("'element_id'"));
+    const std::vector<std::size_t> cells = cellsOf(text);
+    ASSERT_FALSE(cells.empty());
+    for (const std::size_t count : cells) {
+        EXPECT_EQ(count, m_fe->mesh().elementCount()) << "an element is either structure or a fragment";
+    }
+}
+
+TEST_F(ParaViewOpens, TheFragmentsAsGltf) {
+    if (m_program.empty()) {
+        return;
+    }
+    exportGltf(m_folder / "g.glb", *m_run, Execution());
+    const std::string text = opened("g.glb");
+    EXPECT_THAT(text, HasSubstr("reader glTFReader"));
+    EXPECT_GT(cellsOf(text).front(), 0u);
+}
+
+TEST_F(ParaViewOpens, TheVtkHdfFileFromVersion512On) {
+    if (m_program.empty()) {
+        return;
+    }
+    const std::string version = said(m_program + " --version");
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(version, found, std::regex(R"((\d+)\.(\d+))"))) << version;
+    if (std::stoi(found[1]) * 100 + std::stoi(found[2]) < 512) {
+        std::cout << "not run: this is ParaView " << found[0] << '\n';
+        return;
+    }
+    exportVtkHdf(m_folder / "t.vtkhdf", *m_run, *m_fe, Execution());
+    for (const std::size_t count : cellsOf(opened("t.vtkhdf"))) {
+        EXPECT_EQ(count, m_fe->mesh().elementCount());
+    }
+}
+
+}  // namespace
+
+}  // namespace rubble::io

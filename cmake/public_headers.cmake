@@ -29,6 +29,7 @@ set(RUBBLE_PUBLIC_HEADERS
     core/fe/fe_result.h
     core/fe/frame.h
     core/fe/frame_transform.h
+    core/fe/height_grid.h
     core/fe/material.h
     core/fe/mesh.h
     core/fe/orthophoto.h

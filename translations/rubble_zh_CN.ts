@@ -4446,6 +4446,50 @@
         <translation>由地形代替，并在其边缘之外以水平面延续</translation>
     </message>
     <message>
+        <source>{0} at x = {1} m, y = {2} m</source>
+        <translation>{0}，位于 x = {1} m、y = {2} m</translation>
+    </message>
+    <message>
+        <source>the library that reads rasters fails on it</source>
+        <translation>读取栅格的库在其上失败</translation>
+    </message>
+    <message>
+        <source>loose structure</source>
+        <translation>松脱的结构</translation>
+    </message>
+    <message>
+        <source>look at the terrain if debris runs there</source>
+        <translation>若堆积物到达那里，请检查地形</translation>
+    </message>
+    <message>
+        <source>{0} places beyond the window about the structure had no height, or one that stands out, and were filled from their neighbours</source>
+        <translation>结构周围窗口之外有 {0} 处没有高程或高程突兀，已由相邻值填补</translation>
+    </message>
+    <message>
+        <source>copy the raster again from where it came; debris that runs there falls on a level guess</source>
+        <translation>从来源处重新复制栅格；堆积物到达那里时落在水平推测的地面上</translation>
+    </message>
+    <message>
+        <source>what lies beyond the window about the structure cannot be read: {0}</source>
+        <translation>结构周围窗口之外的部分无法读取：{0}</translation>
+    </message>
+    <message>
+        <source>make the raster coarser, or cut it about x = {0} to {1}, y = {2} to {3} of the local frame</source>
+        <translation>把栅格变粗，或围绕局部坐标框架的 x = {0} 至 {1}、y = {2} 至 {3} 裁剪</translation>
+    </message>
+    <message>
+        <source>{0} pieces of debris ran beyond the part of the terrain that there was room for: the ground there is a level guess, though the raster goes on</source>
+        <translation>{0} 块堆积物越过了容纳得下的那部分地形：栅格仍在延续，但该处地面是水平推测</translation>
+    </message>
+    <message>
+        <source>give a larger raster, beyond x = {0} to {1}, y = {2} to {3} of the local frame</source>
+        <translation>提供更大的栅格，超出局部坐标框架的 x = {0} 至 {1}、y = {2} 至 {3}</translation>
+    </message>
+    <message>
+        <source>{0} pieces of debris ran beyond the end of the terrain, where its raster has no heights: the ground there is a level guess</source>
+        <translation>{0} 块堆积物越过了地形的末端，那里栅格没有高程：该处地面是水平推测</translation>
+    </message>
+    <message>
         <source>the text ends too early</source>
         <translation>文本过早结束</translation>
     </message>
@@ -4674,8 +4718,8 @@
         <translation>{0} 个刚体侵入其他刚体超过 0.5 s</translation>
     </message>
     <message>
-        <source>{0} bodies went further than 10 building heights from the structure</source>
-        <translation>{0} 个刚体离结构超过 10 倍建筑高度</translation>
+        <source>{0} bodies went further from the structure than 10 times its height and the drop of the terrain</source>
+        <translation>{0} 个刚体离结构超过结构高度与地形落差之和的 10 倍</translation>
     </message>
     <message>
         <source>{0} bodies were below the ground</source>
@@ -5082,8 +5126,8 @@
         <translation>{0} 由更新版本的 Rubble 写出：案例版本 {1}，本程序最高可读 {2}</translation>
     </message>
     <message>
-        <source>{0} was {1} from the structure, beyond 10 building heights, {2} ({3} bodies)</source>
-        <translation>{0} 距结构 {1}，超过 10 倍建筑高度 {2}（{3} 个刚体）</translation>
+        <source>{0} was {1} from the structure; 10 times its height and the drop of the terrain are {2} ({3} bodies)</source>
+        <translation>{0} 距结构 {1}；结构高度与地形落差之和的 10 倍为 {2}（{3} 个刚体）</translation>
     </message>
     <message>
         <source>{0} was {1} times as fast as its birth and its fall allow; the limit is {2} ({3} bodies)</source>

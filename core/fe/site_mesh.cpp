@@ -10,17 +10,35 @@ namespace {
 /// Nodes of a grid, raised triangle by triangle.
 class RaisedNodes {
 public:
-    RaisedNodes(const TerrainGrid& terrain, std::size_t split)
-        : m_cell(terrain.cell() / static_cast<double>(split)),
-          m_x0(terrain.x0()),
-          m_y0(terrain.y0()),
-          m_nx((terrain.nx() - 1) * split + 1),
-          m_ny((terrain.ny() - 1) * split + 1) {
+    /// @param kept  nodes of the terrain to each side of its window that are taken
+    RaisedNodes(const TerrainGrid& terrain, std::size_t split, const GridSides& kept)
+        : m_cell(terrain.cell() / static_cast<double>(split)) {
+        const TerrainExtent& whole = terrain.extent();
+        const std::size_t firstColumn = whole.column - kept[0];
+        const std::size_t firstRow = whole.row - kept[2];
+        m_extent.x0 = whole.x0;
+        m_extent.y0 = whole.y0;
+        m_extent.column = kept[0] * split;
+        m_extent.row = kept[2] * split;
+        m_extent.columns = (whole.columns - 1) * split + 1;
+        m_extent.rows = (whole.rows - 1) * split + 1;
+        const GridSides there = nodesAround(terrain);
+        for (std::size_t side = 0; side < kept.size(); ++side) {
+            m_extent.unread[side] = whole.unread[side] + there[side] - kept[side];
+        }
+        m_nx = m_extent.columns + (kept[0] + kept[1]) * split;
+        m_ny = m_extent.rows + (kept[2] + kept[3]) * split;
         m_heights.reserve(m_nx * m_ny);
         for (std::size_t j = 0; j < m_ny; ++j) {
             for (std::size_t i = 0; i < m_nx; ++i) {
                 const bool node = i % split == 0 && j % split == 0;
-                m_heights.push_back(node ? terrain.node(i / split, j / split) : terrain.height(x(i), y(j)));
+                m_heights.push_back(node ? terrain.node(firstColumn + i / split, firstRow + j / split)
+                                         : terrain.height(x(i), y(j)));
+                if (!whole.missing.empty()) {
+                    const std::size_t column = firstColumn + (i + split / 2) / split;
+                    const std::size_t row = firstRow + (j + split / 2) / split;
+                    m_extent.missing.push_back(whole.missing[row * terrain.nx() + column]);
+                }
             }
         }
     }
@@ -28,8 +46,10 @@ public:
     void raise(const Vec3& a, const Vec3& b, const Vec3& c) {
         const Vec3 normal = (b - a).cross(c - a);
         const double area = normal.z();
-        const auto [iFrom, iTo] = around(std::min({a.x(), b.x(), c.x()}), std::max({a.x(), b.x(), c.x()}), m_x0, m_nx);
-        const auto [jFrom, jTo] = around(std::min({a.y(), b.y(), c.y()}), std::max({a.y(), b.y(), c.y()}), m_y0, m_ny);
+        const auto [iFrom, iTo] =
+            around(std::min({a.x(), b.x(), c.x()}), std::max({a.x(), b.x(), c.x()}), m_extent.x0, m_extent.column, m_nx);
+        const auto [jFrom, jTo] =
+            around(std::min({a.y(), b.y(), c.y()}), std::max({a.y(), b.y(), c.y()}), m_extent.y0, m_extent.row, m_ny);
         // A wall has no outline from above; roofs and tops bound it.
         if (!normal.allFinite() || !(std::abs(area) > 1e-9 * normal.norm())) {
             return;
@@ -47,29 +67,39 @@ public:
     }
 
     std::shared_ptr<const TerrainGrid> grid() && {
-        return std::make_shared<const TerrainGrid>(m_x0, m_y0, m_cell, m_nx, m_ny, std::move(m_heights));
+        HeightGrid grid{x(0), y(0), m_cell, m_cell, m_nx, m_ny, std::move(m_heights)};
+        return std::make_shared<const TerrainGrid>(std::move(grid), std::move(m_extent));
+    }
+
+    /// Nodes of a terrain to each side of its window.
+    static GridSides nodesAround(const TerrainGrid& terrain) {
+        const TerrainExtent& extent = terrain.extent();
+        return {extent.column, terrain.nx() - extent.column - extent.columns, extent.row, terrain.ny() - extent.row - extent.rows};
     }
 
 private:
     static constexpr double edge = 1e-9;
-    double x(std::size_t i) const { return m_x0 + m_cell * static_cast<double>(i); }
-    double y(std::size_t j) const { return m_y0 + m_cell * static_cast<double>(j); }
-    std::pair<std::size_t, std::size_t> around(double low, double high, double first, std::size_t nodes) const {
-        const auto clamped = [&](double u) { return static_cast<std::size_t>(std::clamp(u, 0.0, static_cast<double>(nodes))); };
+    double x(std::size_t i) const { return m_extent.x0 + m_cell * (static_cast<double>(i) - static_cast<double>(m_extent.column)); }
+    double y(std::size_t j) const { return m_extent.y0 + m_cell * (static_cast<double>(j) - static_cast<double>(m_extent.row)); }
+    std::pair<std::size_t, std::size_t> around(double low, double high, double first, std::size_t before, std::size_t nodes) const {
+        const auto clamped = [&](double u) {
+            return static_cast<std::size_t>(std::clamp(u + static_cast<double>(before), 0.0, static_cast<double>(nodes)));
+        };
         return {clamped(std::ceil((low - first) / m_cell - edge)), clamped(std::floor((high - first) / m_cell + edge) + 1.0)};
     }
 
     double m_cell;
-    double m_x0, m_y0;
-    std::size_t m_nx, m_ny;
+    std::size_t m_nx = 0, m_ny = 0;
     std::vector<double> m_heights;
+    TerrainExtent m_extent;
 };
 
-std::size_t splitFor(const TerrainGrid& terrain, double cell, double nodesMax) {
-    const auto wanted = static_cast<std::size_t>(std::clamp(std::ceil(terrain.cell() / cell - 1e-9), 1.0, 64.0));
+/// Of the window about the structure alone, so that what is read around it changes nothing within.
+std::size_t splitFor(const TerrainExtent& window, double spacing, double cell, double nodesMax) {
+    const auto wanted = static_cast<std::size_t>(std::clamp(std::ceil(spacing / cell - 1e-9), 1.0, 64.0));
     std::size_t split = wanted;
     const auto nodes = [&](std::size_t s) {
-        return static_cast<double>((terrain.nx() - 1) * s + 1) * static_cast<double>((terrain.ny() - 1) * s + 1);
+        return static_cast<double>((window.columns - 1) * s + 1) * static_cast<double>((window.rows - 1) * s + 1);
     };
     while (split > 1 && nodes(split) > nodesMax) {
         --split;
@@ -81,7 +111,12 @@ std::size_t splitFor(const TerrainGrid& terrain, double cell, double nodesMax) {
 
 std::shared_ptr<const TerrainGrid> terrainUnder(const TerrainGrid& terrain, const std::vector<SiteMesh>& meshes, double cell,
                                                 double nodesMax, const Execution& execution) {
-    RaisedNodes nodes(terrain, splitFor(terrain, cell, nodesMax));
+    const TerrainExtent& window = terrain.extent();
+    const std::size_t split = splitFor(window, terrain.cell(), cell, nodesMax);
+    const auto count = [split](std::size_t columns, std::size_t rows) {
+        return static_cast<double>((columns - 1) * split + 1) * static_cast<double>((rows - 1) * split + 1);
+    };
+    RaisedNodes nodes(terrain, split, roomAround(window.columns, window.rows, RaisedNodes::nodesAround(terrain), nodesMax, count));
     for (const SiteMesh& mesh : meshes) {
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
             if (t % 4096 == 0) {

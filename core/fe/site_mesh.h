@@ -20,7 +20,8 @@ struct SiteMesh {
 
 /// A terrain raised to the highest surface of meshes over each node: what falls meets roofs and walls as it meets the ground, and
 /// nothing gets below an overhang. Cells are split evenly so that they are `cell` or less where that takes no more than `nodesMax`
-/// nodes; where no mesh lies, the surface stays as it was to rounding.
+/// nodes over the window about the structure, and as much around it is kept as they then allow. Where no mesh lies, the surface
+/// stays as it was to rounding.
 /// @param cell  m
 std::shared_ptr<const TerrainGrid> terrainUnder(const TerrainGrid& terrain, const std::vector<SiteMesh>& meshes, double cell,
                                                 double nodesMax, const Execution& execution);

@@ -9,26 +9,50 @@ namespace rubble {
 
 namespace {
 
+/// One axis of the nodes.
+struct Axis {
+    double anchor;       ///< m, of the node that places are counted from
+    double spacing;      ///< m
+    std::size_t before;  ///< nodes below that one
+    std::size_t nodes;
+
+    double at(std::size_t i) const { return anchor + spacing * (static_cast<double>(i) - static_cast<double>(before)); }
+    double first() const { return at(0); }
+    double last() const { return at(nodes - 1); }
+};
+
 /// Cell and place within it along one axis; beyond the edges the place on the edge. Not a number stays one.
 struct Along {
     std::size_t cell;
     double share;
 };
 
-Along along(double coordinate, double first, double spacing, std::size_t nodes) {
-    const double last = static_cast<double>(nodes - 1);
-    double u = (coordinate - first) / spacing;
-    u = u < 0.0 ? 0.0 : u > last ? last : u;
-    const std::size_t cell = u > 0.0 ? std::min(static_cast<std::size_t>(u), nodes - 2) : 0;
-    return {cell, u - static_cast<double>(cell)};
+Along along(double coordinate, const Axis& axis) {
+    const double low = -static_cast<double>(axis.before);
+    const double high = static_cast<double>(axis.nodes - 1) + low;
+    double u = (coordinate - axis.anchor) / axis.spacing;
+    if (!(u > low)) {
+        return {0, std::isnan(u) ? u : 0.0};
+    }
+    u = std::min(u, high);
+    auto whole = static_cast<std::int64_t>(u);
+    whole -= static_cast<double>(whole) > u ? 1 : 0;
+    const auto before = static_cast<std::int64_t>(axis.before);
+    whole = std::min(whole, static_cast<std::int64_t>(axis.nodes) - 2 - before);
+    return {static_cast<std::size_t>(whole + before), u - static_cast<double>(whole)};
 }
 
-/// Nodes around an interval along one axis, both included; all of them if it is not a proper interval.
-std::pair<std::size_t, std::size_t> nodesAround(double low, double high, double first, double spacing, std::size_t nodes) {
-    if (!(low <= high)) {
-        return {0, nodes - 1};
-    }
-    return {along(low, first, spacing, nodes).cell, along(high, first, spacing, nodes).cell + 1};
+/// Nodes around an interval along one axis, both included.
+std::pair<std::size_t, std::size_t> nodesAround(double low, double high, const Axis& axis) {
+    return {along(low, axis).cell, along(high, axis).cell + 1};
+}
+
+Axis xAxis(const HeightGrid& grid, const TerrainExtent& extent) {
+    return {extent.x0, grid.dx, extent.column, grid.nx};
+}
+
+Axis yAxis(const HeightGrid& grid, const TerrainExtent& extent) {
+    return {extent.y0, grid.dx, extent.row, grid.ny};
 }
 
 [[noreturn]] void refuse(Message what) {
@@ -39,34 +63,81 @@ std::pair<std::size_t, std::size_t> nodesAround(double low, double high, double 
 }  // namespace
 
 TerrainGrid::TerrainGrid(double x0, double y0, double cell, std::size_t nx, std::size_t ny, std::vector<double> heights)
-    : m_x0(x0), m_y0(y0), m_cell(cell), m_nx(nx), m_ny(ny), m_heights(std::move(heights)) {
-    if (!std::isfinite(x0) || !std::isfinite(y0) || !std::isfinite(cell) || cell <= 0.0) {
+    : TerrainGrid(HeightGrid{x0, y0, cell, cell, nx, ny, std::move(heights)}) {}
+
+TerrainGrid::TerrainGrid(HeightGrid grid, TerrainExtent extent) : m_grid(std::move(grid)), m_extent(std::move(extent)) {
+    check();
+    const auto [lowest, highest] = std::minmax_element(m_grid.heights.begin(), m_grid.heights.end());
+    m_lowest = *lowest;
+    m_highest = *highest;
+    takeExtent();
+    Hasher hasher;
+    hasher.value(m_grid.x0).value(m_grid.y0).value(m_grid.dx).value(std::uint64_t{m_grid.nx});
+    hasher.values(std::span<const double>(m_grid.heights));
+    if (m_extent.columns != m_grid.nx || m_extent.rows != m_grid.ny) {
+        hasher.value(m_extent.x0).value(m_extent.y0);
+        for (const std::size_t n : {m_extent.column, m_extent.row, m_extent.columns, m_extent.rows}) {
+            hasher.value(std::uint64_t{n});
+        }
+    }
+    for (std::size_t side = 0; side < m_extent.unread.size(); ++side) {
+        if (m_extent.unread[side] > 0) {
+            hasher.value(std::uint64_t{side});
+        }
+    }
+    if (!m_extent.missing.empty()) {
+        hasher.values(std::span<const std::uint8_t>(m_extent.missing));
+    }
+    m_digest = hasher.finish();
+}
+
+void TerrainGrid::check() const {
+    const auto& [x0, y0, cell, other, nx, ny, heights] = m_grid;
+    if (!std::isfinite(x0) || !std::isfinite(y0) || !std::isfinite(cell) || cell <= 0.0 || other != cell) {
         refuse({"terrain.grid.place",
                 "A terrain with its first node at ({0}, {1}) and cells of {2} has no place",
                 {{x0, "m"}, {y0, "m"}, {cell, "m"}}});
     }
-    if (nx < 2 || ny < 2 || m_heights.size() / nx != ny || m_heights.size() % nx != 0) {
-        refuse({"terrain.grid.counts", "{0} heights do not make a terrain of {1} by {2} nodes", {m_heights.size(), nx, ny}});
+    if (nx < 2 || ny < 2 || heights.size() / nx != ny || heights.size() % nx != 0) {
+        refuse({"terrain.grid.counts", "{0} heights do not make a terrain of {1} by {2} nodes", {heights.size(), nx, ny}});
     }
-    for (std::size_t k = 0; k < m_heights.size(); ++k) {
-        if (!std::isfinite(m_heights[k])) {
+    for (std::size_t k = 0; k < heights.size(); ++k) {
+        if (!std::isfinite(heights[k])) {
             refuse({"terrain.grid.height",
                     "The terrain has no finite height at node {0} of row {1}, counted from the south-west",
                     {k % nx, k / nx}});
         }
     }
-    const auto [lowest, highest] = std::minmax_element(m_heights.begin(), m_heights.end());
-    m_lowest = *lowest;
-    m_highest = *highest;
-    m_digest =
-        Hasher().value(x0).value(y0).value(cell).value(std::uint64_t{nx}).values(std::span<const double>(m_heights)).finish();
+}
+
+void TerrainGrid::takeExtent() {
+    if (m_extent.columns == 0 || m_extent.rows == 0) {
+        m_extent.column = m_extent.row = 0;
+        m_extent.columns = m_grid.nx;
+        m_extent.rows = m_grid.ny;
+        m_extent.x0 = m_grid.x0;
+        m_extent.y0 = m_grid.y0;
+    }
+    const Axis x = xAxis(m_grid, m_extent);
+    const Axis y = yAxis(m_grid, m_extent);
+    const std::size_t lastColumn = m_extent.column + m_extent.columns - 1;
+    const std::size_t lastRow = m_extent.row + m_extent.rows - 1;
+    Vec3 low(m_extent.x0, m_extent.y0, m_highest);
+    Vec3 high(x.at(lastColumn), y.at(lastRow), m_lowest);
+    for (std::size_t j = m_extent.row; j <= lastRow; ++j) {
+        for (std::size_t i = m_extent.column; i <= lastColumn; ++i) {
+            low.z() = std::min(low.z(), node(i, j));
+            high.z() = std::max(high.z(), node(i, j));
+        }
+    }
+    m_window = Aabb(low, high);
 }
 
 double TerrainGrid::height(double x, double y) const {
-    const Along u = along(x, m_x0, m_cell, m_nx);
-    const Along v = along(y, m_y0, m_cell, m_ny);
-    const double* low = &m_heights[v.cell * m_nx + u.cell];
-    const double* high = low + m_nx;
+    const Along u = along(x, xAxis(m_grid, m_extent));
+    const Along v = along(y, yAxis(m_grid, m_extent));
+    const double* low = &m_grid.heights[v.cell * m_grid.nx + u.cell];
+    const double* high = low + m_grid.nx;
     // Weights of the corners rather than slopes: a node keeps its height to the last bit.
     if (u.share >= v.share) {
         return (1.0 - u.share) * low[0] + (u.share - v.share) * low[1] + v.share * high[1];
@@ -75,28 +146,35 @@ double TerrainGrid::height(double x, double y) const {
 }
 
 Vec3 TerrainGrid::normal(double x, double y) const {
-    const Along u = along(x, m_x0, m_cell, m_nx);
-    const Along v = along(y, m_y0, m_cell, m_ny);
-    const double* low = &m_heights[v.cell * m_nx + u.cell];
-    const double* high = low + m_nx;
-    const double xEnd = m_x0 + m_cell * static_cast<double>(m_nx - 1);
-    const double yEnd = m_y0 + m_cell * static_cast<double>(m_ny - 1);
+    const Axis xs = xAxis(m_grid, m_extent);
+    const Axis ys = yAxis(m_grid, m_extent);
+    const Along u = along(x, xs);
+    const Along v = along(y, ys);
+    const double* low = &m_grid.heights[v.cell * m_grid.nx + u.cell];
+    const double* high = low + m_grid.nx;
+    const double west = xs.first();
+    const double east = xs.last();
+    const double south = ys.first();
+    const double north = ys.last();
     // West and north of the grid the edge belongs to upper triangles, east and south of it to lower ones.
-    const bool lower = u.share >= v.share && x >= m_x0 && y <= yEnd;
+    const bool lower = u.share >= v.share && x >= west && y <= north;
     double alongX = lower ? low[1] - low[0] : high[1] - high[0];
     double alongY = lower ? high[1] - low[1] : high[0] - low[0];
-    if (x < m_x0 || x > xEnd) {
+    if (x < west || x > east) {
         alongX = 0.0;
     }
-    if (y < m_y0 || y > yEnd) {
+    if (y < south || y > north) {
         alongY = 0.0;
     }
-    return Vec3(-alongX, -alongY, m_cell).normalized();
+    return Vec3(-alongX, -alongY, m_grid.dx).normalized();
 }
 
 double TerrainGrid::highestOver(double xMin, double yMin, double xMax, double yMax) const {
-    const auto [iFrom, iTo] = nodesAround(xMin, xMax, m_x0, m_cell, m_nx);
-    const auto [jFrom, jTo] = nodesAround(yMin, yMax, m_y0, m_cell, m_ny);
+    if (!(xMin <= xMax && yMin <= yMax)) {
+        return m_highest;
+    }
+    const auto [iFrom, iTo] = nodesAround(xMin, xMax, xAxis(m_grid, m_extent));
+    const auto [jFrom, jTo] = nodesAround(yMin, yMax, yAxis(m_grid, m_extent));
     double highest = node(iFrom, jFrom);
     for (std::size_t j = jFrom; j <= jTo; ++j) {
         for (std::size_t i = iFrom; i <= iTo; ++i) {
@@ -104,6 +182,56 @@ double TerrainGrid::highestOver(double xMin, double yMin, double xMax, double yM
         }
     }
     return highest;
+}
+
+TerrainGrid::Source TerrainGrid::source(double x, double y) const {
+    const Axis xs = xAxis(m_grid, m_extent);
+    const Axis ys = yAxis(m_grid, m_extent);
+    // A height stands for half a cell around its node.
+    const double half = 0.5 * m_grid.dx;
+    const std::array<bool, 4> beyond{x<xs.first() - half, x> xs.last() + half, y<ys.first() - half, y> ys.last() + half};
+    Source source = Source::Raster;
+    for (std::size_t side = 0; side < beyond.size(); ++side) {
+        if (beyond[side]) {
+            if (m_extent.unread[side] == 0) {
+                return Source::Ended;
+            }
+            source = Source::Unread;
+        }
+    }
+    if (m_extent.missing.empty() || source == Source::Unread) {
+        return source;
+    }
+    const Along u = along(x, xs);
+    const Along v = along(y, ys);
+    const std::size_t i = u.cell + (u.share > 0.5 ? 1 : 0);
+    const std::size_t j = v.cell + (v.share > 0.5 ? 1 : 0);
+    return m_extent.missing[j * m_grid.nx + i] != 0 ? Source::Ended : Source::Raster;
+}
+
+GridSides roomAround(std::size_t columns, std::size_t rows, const GridSides& there, double nodesMax,
+                     const std::function<double(std::size_t, std::size_t)>& nodes) {
+    const auto taken = [&](std::size_t most) {
+        GridSides sides = there;
+        for (std::size_t& side : sides) {
+            side = std::min(side, most);
+        }
+        return sides;
+    };
+    const auto fits = [&](std::size_t most) {
+        const GridSides sides = taken(most);
+        return nodes(columns + sides[0] + sides[1], rows + sides[2] + sides[3]) <= nodesMax;
+    };
+    std::size_t fitting = 0;
+    std::size_t most = *std::max_element(there.begin(), there.end());
+    if (fits(most)) {
+        return there;
+    }
+    while (most - fitting > 1) {
+        const std::size_t middle = fitting + (most - fitting) / 2;
+        (fits(middle) ? fitting : most) = middle;
+    }
+    return taken(fitting);
 }
 
 }  // namespace rubble

@@ -1,23 +1,46 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/base/geometry.h"
 #include "core/base/hash.h"
+#include "core/fe/height_grid.h"
 
 namespace rubble {
+
+/// One number for each side of a rectangle: west, east, south, north.
+using GridSides = std::array<std::size_t, 4>;
+
+/// What a terrain knows of itself beside its heights.
+struct TerrainExtent {
+    /// Node of the grid at which the window about the structure begins, and the nodes of that window; none: it is the whole grid.
+    std::size_t column = 0;
+    std::size_t row = 0;
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    /// m, place of that node. Places are counted from it, so that what is read around the window changes no bit within.
+    double x0 = 0.0;
+    double y0 = 0.0;
+    GridSides unread{};                 ///< rows and columns of the raster beyond each edge for which there was no room
+    std::vector<std::uint8_t> missing;  ///< [ny * nx] 1 where the raster has ended and the height is a guess; empty: nowhere
+};
 
 /// Heights on a regular grid in the local frame: a continuous surface of two triangles a cell, split along the diagonal from the
 /// south-west to the north-east corner (that of the lowest x and y to that of the highest). Beyond its edges the surface goes on
 /// level from the nearest edge point. Immutable; any number of threads may ask.
 class TerrainGrid {
 public:
-    /// @param x0, y0  m, place of the first node
-    /// @param cell    m, distance of nodes along both axes; positive
-    /// @param heights [ny * nx] m, row by row from the lowest y; all finite
-    /// Throws UsageError if the counts do not match or are below 2, the cell is not positive, or a number is not finite; says
+    /// @param grid  square cells, all heights finite
+    /// Throws UsageError if the counts do not match or are below 2, the cells are not square, or a number is not finite; says
     /// where.
+    explicit TerrainGrid(HeightGrid grid, TerrainExtent extent = {});
+    /// @param x0, y0  m, place of the first node
+    /// @param cell    m, distance of nodes along both axes
+    /// @param heights [ny * nx] m, row by row from the lowest y
     TerrainGrid(double x0, double y0, double cell, std::size_t nx, std::size_t ny, std::vector<double> heights);
 
     /// Height of the surface at a place, m; not a number where the place is none.
@@ -30,22 +53,44 @@ public:
     double lowest() const { return m_lowest; }
     double highest() const { return m_highest; }
 
-    double x0() const { return m_x0; }
-    double y0() const { return m_y0; }
-    double cell() const { return m_cell; }
-    std::size_t nx() const { return m_nx; }
-    std::size_t ny() const { return m_ny; }
+    /// Where the height at a place comes from.
+    enum class Source {
+        Raster,
+        Ended,   ///< the raster has no heights there
+        Unread,  ///< the raster goes on there, but there was no room for it
+    };
+    Source source(double x, double y) const;
+    /// The window about the structure with its heights, m: what is decided before anything falls is decided by this part.
+    const Aabb& window() const { return m_window; }
+    const TerrainExtent& extent() const { return m_extent; }
+    const HeightGrid& grid() const { return m_grid; }
+
+    double x0() const { return m_grid.x0; }
+    double y0() const { return m_grid.y0; }
+    double cell() const { return m_grid.dx; }
+    std::size_t nx() const { return m_grid.nx; }
+    std::size_t ny() const { return m_grid.ny; }
     /// Height of the node i to the east and j to the north of the first, m.
-    double node(std::size_t i, std::size_t j) const { return m_heights[j * m_nx + i]; }
+    double node(std::size_t i, std::size_t j) const { return m_grid.heights[j * m_grid.nx + i]; }
     /// Names the content: equal for equal terrains.
     const Digest& digest() const { return m_digest; }
 
 private:
-    double m_x0, m_y0, m_cell;
-    std::size_t m_nx, m_ny;
-    std::vector<double> m_heights;
+    void check() const;
+    void takeExtent();
+
+    HeightGrid m_grid;
+    TerrainExtent m_extent;
+    Aabb m_window;
     double m_lowest = 0.0, m_highest = 0.0;
     Digest m_digest;
 };
+
+/// How many of the nodes around a window can be taken: on all sides as many as there are, or alike, so that the grid holds no more
+/// than a limit. None if the window alone holds as many.
+/// @param there  nodes beyond each side
+/// @param nodes  how many nodes so many columns and rows make
+GridSides roomAround(std::size_t columns, std::size_t rows, const GridSides& there, double nodesMax,
+                     const std::function<double(std::size_t, std::size_t)>& nodes);
 
 }  // namespace rubble

@@ -35,11 +35,27 @@ void checkTerrain(const std::string& path) {
     }
 }
 
+/// Marks of the nodes of a raster at the nearest nodes of another.
+std::vector<std::uint8_t> nearestOf(const std::vector<std::uint8_t>& marks, const HeightGrid& from, const HeightGrid& to) {
+    const auto nearest = [](double place, double first, double step, std::size_t count) {
+        return static_cast<std::size_t>(std::clamp(std::round((place - first) / step), 0.0, static_cast<double>(count - 1)));
+    };
+    std::vector<std::uint8_t> taken;
+    taken.reserve(to.nx * to.ny);
+    for (std::size_t j = 0; j < to.ny; ++j) {
+        const std::size_t row = nearest(to.y0 + to.dy * static_cast<double>(j), from.y0, from.dy, from.ny);
+        for (std::size_t i = 0; i < to.nx; ++i) {
+            taken.push_back(marks[row * from.nx + nearest(to.x0 + to.dx * static_cast<double>(i), from.x0, from.dx, from.nx)]);
+        }
+    }
+    return taken;
+}
+
 /// Turns the heights of one file into a terrain.
 class TerrainReading {
 public:
     TerrainReading(const std::string& path, const Aabb& around, HeightReading heights)
-        : m_path(path), m_around(around), m_raster(std::move(heights.raster)) {
+        : m_path(path), m_around(around), m_raster(std::move(heights.raster)), m_wider(std::move(heights.wider)) {
         m_result.crs = std::move(heights.crs);
         m_result.verticalDatum = std::move(heights.verticalDatum);
         m_result.findings = std::move(heights.findings);
@@ -54,6 +70,8 @@ public:
 private:
     void takeOutSpikes();
     void closeGaps();
+    void closeWiderGaps();
+    std::shared_ptr<const TerrainGrid> withSurroundings(HeightGrid window);
     void checkSite(const TerrainGrid& grid);
     void find(std::string id, std::string_view pattern, std::vector<Argument> arguments, std::string_view remedy,
               std::int64_t count = 1) {
@@ -63,6 +81,8 @@ private:
     const std::string& m_path;
     const Aabb& m_around;
     HeightGrid m_raster;
+    WiderHeights m_wider;
+    std::vector<std::uint8_t> m_ended;  ///< [nodes of the wider raster, or of the window if there is none] outerGaps()
     TerrainInput m_result;
 };
 
@@ -98,6 +118,72 @@ void TerrainReading::closeGaps() {
     }
 }
 
+/// As for the window, but told in one: what lies out here matters to few.
+void TerrainReading::closeWiderGaps() {
+    HeightGrid& wider = m_wider.raster;
+    removeSpikes(wider);
+    m_ended = outerGaps(wider);
+    std::int64_t mended = 0;
+    for (std::size_t k = 0; k < wider.heights.size(); ++k) {
+        const std::size_t i = k % wider.nx;
+        const std::size_t j = k / wider.nx;
+        const bool inWindow =
+            i >= m_wider.column && i < m_wider.column + m_raster.nx && j >= m_wider.row && j < m_wider.row + m_raster.ny;
+        mended += !inWindow && std::isnan(wider.heights[k]) && (m_ended.empty() || m_ended[k] == 0);
+    }
+    if (mended > 0) {
+        find("terrain.wider_filled",
+             "{0} places beyond the window about the structure had no height, or one that stands out, and were filled from their "
+             "neighbours",
+             {mended}, "look at the terrain if debris runs there", mended);
+    }
+    fillGaps(wider);
+}
+
+/// The window, and around it what else was read of the raster, on nodes that go on from those of the window.
+std::shared_ptr<const TerrainGrid> TerrainReading::withSurroundings(HeightGrid window) {
+    TerrainExtent extent;
+    extent.x0 = window.x0;
+    extent.y0 = window.y0;
+    extent.columns = window.nx;
+    extent.rows = window.ny;
+    extent.unread = m_wider.unread;
+    const HeightGrid& wider = m_wider.raster;
+    if (wider.heights.empty()) {
+        if (m_ended.size() == window.heights.size()) {
+            extent.missing = std::move(m_ended);
+        }
+        return std::make_shared<const TerrainGrid>(std::move(window), std::move(extent));
+    }
+    const double cell = window.dx;
+    const auto nodes = [cell](double metres) { return static_cast<std::size_t>(std::max(0.0, std::floor(metres / cell + 1e-6))); };
+    const auto end = [](double first, double step, std::size_t n) { return first + step * static_cast<double>(n - 1); };
+    extent.column = nodes(window.x0 - wider.x0);
+    extent.row = nodes(window.y0 - wider.y0);
+    HeightGrid all{window.x0 - cell * static_cast<double>(extent.column),
+                   window.y0 - cell * static_cast<double>(extent.row),
+                   cell,
+                   cell,
+                   0,
+                   0,
+                   {}};
+    all.nx = extent.column + window.nx + nodes(end(wider.x0, wider.dx, wider.nx) - end(window.x0, cell, window.nx));
+    all.ny = extent.row + window.ny + nodes(end(wider.y0, wider.dy, wider.ny) - end(window.y0, cell, window.ny));
+    if (all.nx == wider.nx && all.ny == wider.ny && squareCells(wider)) {
+        all.heights = wider.heights;
+        extent.missing = std::move(m_ended);
+    } else {
+        sampleAt(all, wider);
+        if (!m_ended.empty()) {
+            extent.missing = nearestOf(m_ended, wider, all);
+        }
+    }
+    for (std::size_t j = 0; j < window.ny; ++j) {
+        std::copy_n(&window.heights[j * window.nx], window.nx, &all.heights[(j + extent.row) * all.nx + extent.column]);
+    }
+    return std::make_shared<const TerrainGrid>(std::move(all), std::move(extent));
+}
+
 void TerrainReading::checkSite(const TerrainGrid& grid) {
     if (m_around.isEmpty()) {
         return;
@@ -125,6 +211,12 @@ void TerrainReading::checkSite(const TerrainGrid& grid) {
 
 TerrainInput TerrainReading::read() {
     takeOutSpikes();
+    if (m_wider.raster.heights.empty()) {
+        m_ended = outerGaps(m_raster);
+    } else {
+        closeWiderGaps();
+    }
+    const HeightGrid before{m_raster.x0, m_raster.y0, m_raster.dx, m_raster.dy, m_raster.nx, m_raster.ny, {}};
     closeGaps();
     const double dx = m_raster.dx;
     const double dy = m_raster.dy;
@@ -133,8 +225,10 @@ TerrainInput TerrainReading::read() {
         find("terrain.not_square", "cells of {0} by {1} were resampled to {2}", {{dx, "m"}, {dy, "m"}, {raster.dx, "m"}},
              "none is needed; heights between nodes are interpolated");
     }
-    m_result.grid =
-        std::make_shared<const TerrainGrid>(raster.x0, raster.y0, raster.dx, raster.nx, raster.ny, std::move(raster.heights));
+    if (m_wider.raster.heights.empty() && !m_ended.empty() && m_ended.size() != raster.heights.size()) {
+        m_ended = nearestOf(m_ended, before, raster);
+    }
+    m_result.grid = withSurroundings(std::move(raster));
     checkSite(*m_result.grid);
     m_result.path = m_path;
     m_result.sha256 = sha256OfFile(m_path);
@@ -159,7 +253,7 @@ TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb
                          const Site& site) {
     checkTerrain(path);
     execution.check();
-    HeightReading heights = readHeights(path, frame, site, around, execution);
+    HeightReading heights = readHeights(path, frame, site, around, execution, {}, HeightReach::Whole);
     if (heights.debrisMap) {
         throw ParseError(
             {"terrain.debris_map", "{0} is a debris map: its heights are above the ground, not those of a ground", {path}},

@@ -39,10 +39,11 @@ struct TerrainInput {
 };
 
 /// Reads a raster of heights (one band; GeoTIFF, ESRI ASCII grid and other single-file formats) into the local frame of a case:
-/// easting, northing and height become x, y and z in metres, less the origin of the frame, or by its control points. Only a window
-/// around the structure is read: ten times its height or its own length to each side, whichever is more. Another projection,
-/// degrees and turned rasters are resampled, too many heights averaged, spikes and gaps filled from their rims; every such liberty
-/// is a counted finding.
+/// easting, northing and height become x, y and z in metres, less the origin of the frame, or by its control points. A window about
+/// the structure is read first, ten times its height or its own length to each side, whichever is more. It decides the cells:
+/// another projection, degrees and turned rasters are resampled, too many heights averaged, spikes and gaps filled from their rims;
+/// every such liberty is a counted finding. Around it all of the raster is read on the same nodes, as much as a terrain may have;
+/// that changes no height within the window.
 /// @param around  m, local, of the structure at rest; empty: the whole raster is read
 /// Throws WorldError (cannot be read), ParseError (no terrain, too few heights, elsewhere than the structure, degrees in a case
 /// without a coordinate system), UsageError (control points in one place), Cancelled; each names file, place and remedy.

@@ -21,8 +21,8 @@ double nodesFor(double step, double cell, std::size_t n) {
 }
 
 double between(const HeightGrid& raster, double column, double row) {
-    const double u = std::min(column, static_cast<double>(raster.nx - 1));
-    const double v = std::min(row, static_cast<double>(raster.ny - 1));
+    const double u = std::clamp(column, 0.0, static_cast<double>(raster.nx - 1));
+    const double v = std::clamp(row, 0.0, static_cast<double>(raster.ny - 1));
     const std::size_t i = std::min(static_cast<std::size_t>(u), raster.nx - 2);
     const std::size_t j = std::min(static_cast<std::size_t>(v), raster.ny - 2);
     const double s = u - static_cast<double>(i);
@@ -112,6 +112,7 @@ bool standsOut(double height, std::vector<double>& around, double cell) {
 std::vector<HeightSpike> removeSpikes(HeightGrid& raster) {
     std::vector<HeightSpike> spikes;
     std::vector<double> around;
+    around.reserve(8);
     for (std::size_t j = 0; j < raster.ny; ++j) {
         for (std::size_t i = 0; i < raster.nx; ++i) {
             around.clear();
@@ -134,6 +135,37 @@ std::vector<HeightSpike> removeSpikes(HeightGrid& raster) {
         raster.heights[spike.node] = std::numeric_limits<double>::quiet_NaN();
     }
     return spikes;
+}
+
+std::vector<std::uint8_t> outerGaps(const HeightGrid& raster) {
+    std::vector<std::uint8_t> outer;
+    std::vector<std::size_t> open;
+    const auto visit = [&](std::size_t k) {
+        if (std::isnan(raster.heights[k]) && (outer.empty() || outer[k] == 0)) {
+            outer.resize(raster.heights.size(), 0);
+            outer[k] = 1;
+            open.push_back(k);
+        }
+    };
+    for (std::size_t i = 0; i < raster.nx; ++i) {
+        visit(i);
+        visit((raster.ny - 1) * raster.nx + i);
+    }
+    for (std::size_t j = 0; j < raster.ny; ++j) {
+        visit(j * raster.nx);
+        visit(j * raster.nx + raster.nx - 1);
+    }
+    while (!open.empty()) {
+        const std::size_t i = open.back() % raster.nx;
+        const std::size_t j = open.back() / raster.nx;
+        open.pop_back();
+        for (std::size_t row = j > 0 ? j - 1 : 0; row <= std::min(j + 1, raster.ny - 1); ++row) {
+            for (std::size_t column = i > 0 ? i - 1 : 0; column <= std::min(i + 1, raster.nx - 1); ++column) {
+                visit(row * raster.nx + column);
+            }
+        }
+    }
+    return outer;
 }
 
 void flipRows(HeightGrid& raster) {
@@ -167,8 +199,25 @@ double squareNodeCount(double dx, double dy, std::size_t nx, std::size_t ny) {
     return nodesFor(dx, cell, nx) * nodesFor(dy, cell, ny);
 }
 
+bool squareCells(const HeightGrid& raster) {
+    return square(raster.dx, raster.dy, raster.nx, raster.ny);
+}
+
+void sampleAt(HeightGrid& nodes, const HeightGrid& raster) {
+    nodes.heights.clear();
+    nodes.heights.reserve(nodes.nx * nodes.ny);
+    const double column = (nodes.x0 - raster.x0) / raster.dx;
+    const double row = (nodes.y0 - raster.y0) / raster.dy;
+    for (std::size_t j = 0; j < nodes.ny; ++j) {
+        for (std::size_t i = 0; i < nodes.nx; ++i) {
+            nodes.heights.push_back(between(raster, column + static_cast<double>(i) * nodes.dx / raster.dx,
+                                            row + static_cast<double>(j) * nodes.dy / raster.dy));
+        }
+    }
+}
+
 HeightGrid withSquareCells(HeightGrid raster) {
-    if (square(raster.dx, raster.dy, raster.nx, raster.ny)) {
+    if (squareCells(raster)) {
         raster.dy = raster.dx;
         return raster;
     }
@@ -178,13 +227,7 @@ HeightGrid withSquareCells(HeightGrid raster) {
     even.dx = even.dy = std::min(raster.dx, raster.dy);
     even.nx = static_cast<std::size_t>(nodesFor(raster.dx, even.dx, raster.nx));
     even.ny = static_cast<std::size_t>(nodesFor(raster.dy, even.dy, raster.ny));
-    even.heights.reserve(even.nx * even.ny);
-    for (std::size_t j = 0; j < even.ny; ++j) {
-        for (std::size_t i = 0; i < even.nx; ++i) {
-            even.heights.push_back(
-                between(raster, static_cast<double>(i) * even.dx / raster.dx, static_cast<double>(j) * even.dy / raster.dy));
-        }
-    }
+    sampleAt(even, raster);
     return even;
 }
 

@@ -14,6 +14,10 @@ void flipColumns(HeightGrid& raster);
 
 std::int64_t countGaps(const HeightGrid& raster);
 
+/// 1 for each node without a height that hangs together with the edge of the raster: there the raster has ended, as beyond the
+/// edge. Empty if there is none.
+std::vector<std::uint8_t> outerGaps(const HeightGrid& raster);
+
 /// Gives every node without a height the mean of those of its eight neighbours that have one, from the rim of each gap inwards.
 /// The raster has at least one height.
 void fillGaps(HeightGrid& raster);
@@ -31,6 +35,13 @@ std::vector<HeightSpike> removeSpikes(HeightGrid& raster);
 /// The same surface on square cells as wide as the shorter side of the raster's own, between nodes by bilinear interpolation. A
 /// raster that is square to a thousandth of a cell over its whole length stays as it is.
 HeightGrid withSquareCells(HeightGrid raster);
+
+/// The surface of a raster at the nodes of a grid with square cells, whose heights are taken; beyond its edges that of the nearest
+/// edge point.
+void sampleAt(HeightGrid& nodes, const HeightGrid& raster);
+
+/// Cells are square to a thousandth of a cell over the whole length.
+bool squareCells(const HeightGrid& raster);
 
 /// Nodes that withSquareCells() would give.
 double squareNodeCount(double dx, double dy, std::size_t nx, std::size_t ny);

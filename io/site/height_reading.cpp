@@ -49,6 +49,17 @@ struct Axis {
         }
         return {first, end - first + 1};
     }
+    /// Groups of pixels put together around a range of them: below and above it in the local frame.
+    std::pair<std::size_t, std::size_t> groupsAround(const Range& range, std::size_t factor) const {
+        const std::size_t before = range.first / factor;
+        const std::size_t after = (pixels - range.first - range.count) / factor;
+        return step > 0.0 ? std::pair(before, after) : std::pair(after, before);
+    }
+    /// A range with so many groups more below and above it.
+    Range widened(const Range& range, std::size_t below, std::size_t above, std::size_t factor) const {
+        const std::size_t before = step > 0.0 ? below : above;
+        return {range.first - before * factor, range.count + (below + above) * factor};
+    }
     /// Place of the lowest of pixels put together.
     double lowest(const Range& range, std::size_t factor) const {
         const auto half = 0.5 * static_cast<double>(factor - 1);
@@ -58,11 +69,17 @@ struct Axis {
     }
 };
 
+void addWiderUnread(Findings& findings, const std::string& path, const std::string& why) {
+    addFinding(findings, path,
+               {"terrain.wider_unread", "what lies beyond the window about the structure cannot be read: {0}", {why}},
+               "copy the raster again from where it came; debris that runs there falls on a level guess");
+}
+
 /// Turns one file into heights.
 class Reading {
 public:
     Reading(const std::string& path, const Frame& frame, const Site& site, const Aabb& around, const HeightMeaning& meaning,
-            const Execution& execution)
+            HeightReach reach, const Execution& execution)
         : m_path(path),
           m_frame(frame),
           m_site(site),
@@ -70,6 +87,7 @@ public:
           m_around(around),
           m_withFallen(meaning.withFallen),
           m_aboveGround(meaning.aboveGround),
+          m_reach(reach),
           m_execution(execution),
           m_file(path) {}
 
@@ -83,7 +101,12 @@ private:
     void checkOverlap(const Eigen::Vector2d& low, const Eigen::Vector2d& high);
     void readUpright();
     void readResampled();
-    void toMetres();
+    void readWider();
+    void turn(HeightGrid& raster) const;
+    HeightGrid widerUpright(const GridSides& sides) const;
+    GridSides aroundUpright() const;
+    GridSides aroundResampled() const;
+    void toMetres(HeightGrid& raster, bool tell);
     std::size_t factorFor(double nodes, double cell);
     void find(std::string id, std::string_view pattern, std::vector<Argument> arguments, std::string_view remedy,
               std::int64_t count = 1) {
@@ -101,9 +124,13 @@ private:
     const Aabb& m_around;
     bool m_withFallen;
     bool m_aboveGround;
+    HeightReach m_reach;
     const Execution& m_execution;
     RasterFile m_file;
     bool m_upright = true;
+    Axis m_x{}, m_y{};         ///< of an upright raster
+    Range m_columns, m_rows;   ///< of it that the window takes
+    std::size_t m_factor = 1;  ///< pixels that are put together
     HeightReading m_result;
 };
 
@@ -234,7 +261,7 @@ void Reading::readUpright() {
     raster.dy = std::abs(y.step);
     const double nodes = std::max(squareNodeCount(raster.dx, raster.dy, columns.count, rows.count),
                                   static_cast<double>(columns.count) * static_cast<double>(rows.count));
-    const std::size_t factor = factorFor(nodes, std::min(raster.dx, raster.dy));
+    const std::size_t factor = m_factor = factorFor(nodes, std::min(raster.dx, raster.dy));
     columns.count -= columns.count % factor;
     rows.count -= rows.count % factor;
     const std::size_t least = m_aboveGround ? factor : 2 * factor;
@@ -242,6 +269,10 @@ void Reading::readUpright() {
         refuse("terrain.strip", "{0} is too long and narrow around the structure to be made coarser", {},
                "Resample it to square cells with gdalwarp.");
     }
+    m_x = x;
+    m_y = y;
+    m_columns = columns;
+    m_rows = rows;
     const RasterWindow window{columns.first, rows.first, columns.count, rows.count, factor};
     raster.nx = window.width();
     raster.ny = window.height();
@@ -250,10 +281,15 @@ void Reading::readUpright() {
     raster.heights = m_file.values(window, m_execution);
     raster.x0 = x.lowest(columns, factor);
     raster.y0 = y.lowest(rows, factor);
-    if (x.step < 0.0) {
+    turn(raster);
+}
+
+/// Columns to the east and rows to the north.
+void Reading::turn(HeightGrid& raster) const {
+    if (m_x.step < 0.0) {
         flipColumns(raster);
     }
-    if (y.step < 0.0) {
+    if (m_y.step < 0.0) {
         flipRows(raster);
     }
 }
@@ -273,7 +309,7 @@ void Reading::readResampled() {
     double cell = sampling.pixelSize(0.5 * (low + high));
     const Eigen::Vector2d size = high - low;
     const double nodes = (size.x() / cell + 1.0) * (size.y() / cell + 1.0);
-    const std::size_t factor = factorFor(nodes, cell);
+    const std::size_t factor = m_factor = factorFor(nodes, cell);
     cell *= static_cast<double>(factor);
     HeightGrid& raster = m_result.raster;
     raster.dx = raster.dy = cell;
@@ -291,12 +327,12 @@ void Reading::readResampled() {
     raster.heights = sampling.heights(raster, factor, pick, m_execution);
 }
 
-void Reading::toMetres() {
+void Reading::toMetres(HeightGrid& raster, bool tell) {
     const double unit = m_file.metresPerHeightUnit() > 0.0 ? m_file.metresPerHeightUnit() : 1.0;
     const double offset = m_aboveGround ? 0.0 : m_place.toLocal(Vec3::Zero()).z() + m_site.heightShift;
     std::int64_t unmarked = 0;
     double example = 0.0;
-    for (double& height : m_result.raster.heights) {
+    for (double& height : raster.heights) {
         height *= unit;
         if (std::abs(height) > heightMax) {
             example = unmarked == 0 ? height : example;
@@ -305,10 +341,77 @@ void Reading::toMetres() {
         }
         height += offset;
     }
-    if (unmarked > 0) {
+    if (tell && unmarked > 0) {
         find("terrain.no_land", "{0} heights such as {1} cannot be heights of land and were taken as gaps",
              {unmarked, {example, "m"}}, "name the value for no data with gdal_translate -a_nodata", unmarked);
     }
+}
+
+/// Nodes that the file has around the window.
+GridSides Reading::aroundUpright() const {
+    const auto [west, east] = m_x.groupsAround(m_columns, m_factor);
+    const auto [south, north] = m_y.groupsAround(m_rows, m_factor);
+    return {west, east, south, north};
+}
+
+GridSides Reading::aroundResampled() const {
+    const HeightGrid& raster = m_result.raster;
+    const auto [least, most] = RasterSampling(m_file, m_frame.crs, m_place).bounds();
+    const auto nodes = [&](double metres) {
+        return metres > 0.0 ? static_cast<std::size_t>(std::min(metres / raster.dx, terrainNodesMax)) : std::size_t{0};
+    };
+    return {nodes(raster.x0 - least.x()), nodes(most.x() - raster.x0 - raster.dx * static_cast<double>(raster.nx - 1)),
+            nodes(raster.y0 - least.y()), nodes(most.y() - raster.y0 - raster.dy * static_cast<double>(raster.ny - 1))};
+}
+
+HeightGrid Reading::widerUpright(const GridSides& sides) const {
+    const Range columns = m_x.widened(m_columns, sides[0], sides[1], m_factor);
+    const Range rows = m_y.widened(m_rows, sides[2], sides[3], m_factor);
+    const RasterWindow window{columns.first, rows.first, columns.count, rows.count, m_factor};
+    HeightGrid wider{
+        0.0, 0.0, m_result.raster.dx, m_result.raster.dy, window.width(), window.height(), m_file.values(window, m_execution)};
+    turn(wider);
+    return wider;
+}
+
+void Reading::readWider() {
+    const HeightGrid& raster = m_result.raster;
+    const GridSides there = m_upright ? aroundUpright() : aroundResampled();
+    const auto nodes = [&](std::size_t columns, std::size_t rows) {
+        return std::max(squareNodeCount(raster.dx, raster.dy, columns, rows),
+                        static_cast<double>(columns) * static_cast<double>(rows));
+    };
+    const GridSides sides = roomAround(raster.nx, raster.ny, there, terrainNodesMax, nodes);
+    WiderHeights& wider = m_result.wider;
+    wider.unread = there;
+    if (std::all_of(sides.begin(), sides.end(), [](std::size_t side) { return side == 0; })) {
+        return;
+    }
+    try {
+        if (m_upright) {
+            wider.raster = widerUpright(sides);
+        } else {
+            wider.raster.dx = wider.raster.dy = raster.dx;
+            wider.raster.nx = raster.nx + sides[0] + sides[1];
+            wider.raster.ny = raster.ny + sides[2] + sides[3];
+        }
+        wider.raster.x0 = raster.x0 - raster.dx * static_cast<double>(sides[0]);
+        wider.raster.y0 = raster.y0 - raster.dy * static_cast<double>(sides[2]);
+        if (!m_upright) {
+            const RasterSampling sampling(m_file, m_frame.crs, m_place);
+            wider.raster.heights = sampling.heights(wider.raster, m_factor, RasterSampling::Pick::Between, m_execution);
+        }
+    } catch (const ParseError& error) {
+        wider.raster = {};
+        addWiderUnread(m_result.findings, m_path, englishText(error.message()));
+        return;
+    }
+    wider.column = sides[0];
+    wider.row = sides[2];
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+        wider.unread[side] -= sides[side];
+    }
+    toMetres(wider.raster, false);
 }
 
 HeightReading Reading::read() {
@@ -319,23 +422,40 @@ HeightReading Reading::read() {
     }
     checkUnit();
     m_upright ? readUpright() : readResampled();
-    toMetres();
+    toMetres(m_result.raster, true);
+    if (m_reach == HeightReach::Whole && !m_aboveGround && !m_around.isEmpty()) {
+        readWider();
+    }
     return std::move(m_result);
 }
 
 }  // namespace
 
 HeightReading readHeights(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
-                          const Execution& execution, const HeightMeaning& meaning) {
+                          const Execution& execution, const HeightMeaning& meaning, HeightReach reach) {
+    bool alive = false;
+    bool windowOnly = false;
     {
         const std::scoped_lock lock(nativeLibraries());
-        const auto readAll = [&] { Reading(path, frame, site, around, meaning, Execution{}).read(); };
-        if (!survivesTrial(readAll)) {
-            throw ParseError({"terrain.crash", "{0} is damaged so that the library that reads rasters fails on it", {path}},
-                             {"terrain.empty.remedy", "Copy it again from where it came.", {}});
+        const auto survives = [&](HeightReach tried) {
+            return survivesTrial([&] { Reading(path, frame, site, around, meaning, tried, Execution{}).read(); });
+        };
+        alive = survives(reach);
+        if (!alive && reach == HeightReach::Whole) {
+            alive = survives(HeightReach::Window);
+            windowOnly = alive;
         }
     }
-    return Reading(path, frame, site, around, meaning, execution).read();
+    if (!alive) {
+        throw ParseError({"terrain.crash", "{0} is damaged so that the library that reads rasters fails on it", {path}},
+                         {"terrain.empty.remedy", "Copy it again from where it came.", {}});
+    }
+    if (!windowOnly) {
+        return Reading(path, frame, site, around, meaning, reach, execution).read();
+    }
+    HeightReading heights = Reading(path, frame, site, around, meaning, HeightReach::Window, execution).read();
+    addWiderUnread(heights.findings, path, "the library that reads rasters fails on it");
+    return heights;
 }
 
 }  // namespace rubble::io

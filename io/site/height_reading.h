@@ -5,6 +5,7 @@
 
 #include "core/base/execution.h"
 #include "core/base/finding.h"
+#include "core/fe/terrain_grid.h"
 #include "io/site/height_raster.h"
 #include "io/site/site_place.h"
 
@@ -21,6 +22,20 @@ struct HeightMeaning {
     bool withFallen = false;   ///< of a map of our own also the heights of fallen live structure, where they are greater
 };
 
+/// What a file holds around the window about the structure.
+struct WiderHeights {
+    HeightGrid raster;       ///< m, with gaps; its nodes are those of the window and more of them. Empty: nothing more was read
+    std::size_t column = 0;  ///< of the window's first node in it
+    std::size_t row = 0;
+    GridSides unread{};  ///< rows and columns of the file beyond each side for which there was no room
+};
+
+/// How much of a file is read.
+enum class HeightReach {
+    Window,
+    Whole,  ///< and what lies around it, as much as a terrain may have
+};
+
 /// Heights of a file in the local frame, with gaps.
 struct HeightReading {
     HeightGrid raster;  ///< m; rows and columns along x and y
@@ -30,6 +45,7 @@ struct HeightReading {
     /// it has none lies nothing.
     bool debrisMap = false;
     double missing = 0.0;  ///< m, by which the file ends short of the outline of the structure
+    WiderHeights wider;    ///< with HeightReach::Whole
     Findings findings;
 };
 
@@ -38,9 +54,10 @@ struct HeightReading {
 /// along x and y by bilinear interpolation; one with more heights than a terrain may have is made coarser by averaging. What cannot
 /// be a height of land is a gap. Every such liberty is a finding. Of heights above the ground each node takes the nearest.
 /// A map of our own without heights is refused. All is read in a child process first, for GDAL may crash on a damaged file.
+/// What lies around the window changes nothing within it; where it cannot be read, that is a finding.
 /// @param around  m, local, of the structure at rest; empty: the whole raster is read
 /// Throws as openTerrain().
 HeightReading readHeights(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
-                          const Execution& execution, const HeightMeaning& meaning = {});
+                          const Execution& execution, const HeightMeaning& meaning = {}, HeightReach reach = HeightReach::Window);
 
 }  // namespace rubble::io

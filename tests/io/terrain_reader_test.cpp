@@ -118,7 +118,7 @@ TEST_F(TerrainReader, TheOriginAndTheUpAxisOfTheFrameAreTakenOff) {
     EXPECT_NEAR(read().grid->height(1.25, -0.75), plane(1.25, -0.75), 1e-9);
 }
 
-TEST_F(TerrainReader, ReadsOnlyAWindowAroundTheStructure) {
+TEST_F(TerrainReader, ReadsAllOfARasterAroundTheWindowAboutTheStructure) {
     AsciiGrid grid = planeGrid();
     grid.columns = 900;
     grid.rows = 700;
@@ -126,12 +126,17 @@ TEST_F(TerrainReader, ReadsOnlyAWindowAroundTheStructure) {
     grid.south = -350.0;
     grid.write(path);
     const TerrainInput terrain = read();
+    EXPECT_EQ(terrain.grid->nx(), 900u);
+    EXPECT_EQ(terrain.grid->ny(), 700u);
+    EXPECT_NEAR(terrain.grid->height(-431.0, 320.0), plane(-431.0, 320.0), 1e-12);
     // Ten times 3 m to each side of 4 m by 2 m, and one node beyond where none lies on the edge.
-    EXPECT_NEAR(static_cast<double>(terrain.grid->nx()), 65.0, 1.0);
-    EXPECT_NEAR(static_cast<double>(terrain.grid->ny()), 63.0, 1.0);
-    EXPECT_LE(terrain.grid->x0(), -32.0);
-    EXPECT_GT(terrain.grid->x0(), -34.0);
-    EXPECT_NEAR(terrain.grid->height(-31.0, 20.0), plane(-31.0, 20.0), 1e-12);
+    const Aabb& window = terrain.grid->window();
+    EXPECT_NEAR(window.sizes().x(), 64.0, 1.0);
+    EXPECT_NEAR(window.sizes().y(), 62.0, 1.0);
+    EXPECT_LE(window.min().x(), -32.0);
+    EXPECT_GT(window.min().x(), -34.0);
+    EXPECT_EQ(terrain.grid->source(-450.0, 0.0), TerrainGrid::Source::Raster);
+    EXPECT_EQ(terrain.grid->source(-450.6, 0.0), TerrainGrid::Source::Ended);
 }
 
 TEST_F(TerrainReader, GapsAreFilledFromTheirRimsAndCounted) {

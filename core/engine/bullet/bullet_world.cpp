@@ -87,7 +87,14 @@ void BulletWorld::insert(BulletCollider& collider, int group, int partners) {
 void BulletWorld::addGround() {
     const double span = m_settings.reach.isEmpty() ? 0.0 : m_settings.reach.sizes().maxCoeff();
     const Vec3 centre = m_settings.reach.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(m_settings.reach.center());
-    const double reach = std::max(groundMargin + span, 10.0 * span);
+    double reach = std::max(groundMargin + span, 10.0 * span);
+    if (m_settings.terrain) {
+        const TerrainGrid& terrain = *m_settings.terrain;
+        const double width = terrain.cell() * static_cast<double>(terrain.nx() - 1);
+        const double depth = terrain.cell() * static_cast<double>(terrain.ny() - 1);
+        reach = span + std::max({reach - span, centre.x() - terrain.x0(), terrain.x0() + width - centre.x(),
+                                 centre.y() - terrain.y0(), terrain.y0() + depth - centre.y()});
+    }
     m_ground = std::make_unique<BulletCollider>();
     BulletCollider& ground = *m_ground;
     ground.kind = ColliderKind::Ground;

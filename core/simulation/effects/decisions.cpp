@@ -88,7 +88,7 @@ FallLimits Decider::limits() const {
     limits.gravity = s.gravity;
     limits.end = m_scene.fe.times().back() + s.settleTime;
     if (m_terrainOn) {
-        limits.surface = m_scene.terrain->lowest();
+        limits.surface = m_scene.terrain->window().min().z();
     } else if (m_groundOn) {
         limits.surface = s.groundHeight;
     }
@@ -160,10 +160,11 @@ Verdict Decider::terrain() const {
     if (terrain == nullptr) {
         return impossible({"effect.terrain.none", "the case has no terrain", {}});
     }
+    const double lowest = terrain->window().min().z();
+    const double highest = terrain->window().max().z();
     FallLimits limits = this->limits();
-    limits.surface = asked(EffectKind::Ground, EffectSwitch::Off)
-                         ? terrain->lowest()
-                         : std::min(terrain->lowest(), m_scene.scenario.simulation.groundHeight);
+    limits.surface =
+        asked(EffectKind::Ground, EffectSwitch::Off) ? lowest : std::min(lowest, m_scene.scenario.simulation.groundHeight);
     Aabb site = liveReach(m_scene, surface(), limits).site;
     for (const Reach& reach : reaches(m_scene, limits)) {
         site.extend(reach.box);
@@ -171,27 +172,24 @@ Verdict Decider::terrain() const {
     if (site.isEmpty()) {
         return {false, {"effect.terrain.nothing", "nothing falls on it", {}}};
     }
-    const double width = static_cast<double>(terrain->nx() - 1) * terrain->cell(),
-                 depth = static_cast<double>(terrain->ny() - 1) * terrain->cell();
     // Only what lies beside or above the debris is out of reach: the terrain is solid below its surface.
-    const Aabb below(Vec3(terrain->x0(), terrain->y0(), std::min(site.min().z(), terrain->lowest())),
-                     Vec3(terrain->x0() + width, terrain->y0() + depth, terrain->highest()));
+    Aabb below = terrain->window();
+    below.min().z() = std::min(site.min().z(), lowest);
     Aabb column = site;
     column.extend(Vec3(site.center().x(), site.center().y(), below.min().z()));
     const double aside = gapBetween(below, column);
     if (aside > 0.0) {
         return {false, {"effect.terrain.aside", "the terrain ends {0} beside all that falls", {{aside, "m"}}}, aside, 0.0};
     }
-    const double above = terrain->lowest() - site.max().z();
+    const double above = lowest - site.max().z();
     if (above > 0.0) {
         return {false, {"effect.terrain.above", "the terrain lies {0} above all that falls", {{above, "m"}}}, above, 0.0};
     }
-    return {true,
-            {"effect.terrain.on",
-             "debris can fall on the terrain, which lies between {0} and {1}",
-             {{terrain->lowest(), "m"}, {terrain->highest(), "m"}}},
-            std::max(aside, above),
-            0.0};
+    return {
+        true,
+        {"effect.terrain.on", "debris can fall on the terrain, which lies between {0} and {1}", {{lowest, "m"}, {highest, "m"}}},
+        std::max(aside, above),
+        0.0};
 }
 
 /// Every element that a piece can hold: its box at rest with that of the last state it is active at.

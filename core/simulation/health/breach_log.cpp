@@ -48,7 +48,7 @@ Message whatOf(const HealthObservation& o) {
                     {bodyText(o), Argument(o.measured, "m"), o.bodies}};
         case HealthCheck::OutsideSite:
             return {"health.outside_site",
-                    "{0} was {1} from the structure, beyond 10 building heights, {2} ({3} bodies)",
+                    "{0} was {1} from the structure; 10 times its height and the drop of the terrain are {2} ({3} bodies)",
                     {bodyText(o), Argument(o.measured, "m"), Argument(o.limit, "m"), o.bodies}};
         case HealthCheck::NotANumber:
             return {"health.not_a_number",

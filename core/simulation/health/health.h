@@ -19,7 +19,7 @@ enum class HealthCheck : std::uint8_t {
     Penetration,  ///< sustained overlap of bodies
     Speed,        ///< faster than birth and fall allow
     BelowGround,  ///< centre below the ground
-    OutsideSite,  ///< 10 building heights away
+    OutsideSite,  ///< 10 building heights away, and ten times the drop of the terrain to there
     NotANumber,   ///< place or velocity is no number
     AsleepShare,  ///< falls after it had reached 95 %
     Bulking       ///< pile below 1.15 or above 2 times its material
@@ -38,7 +38,7 @@ struct HealthLimits {
     double crowd = 0.01;             ///< share of the bodies
     double sustained = 0.5;          ///< s, that a penetration must last to count
     double speed = 1.05;             ///< of sqrt(v_birth^2 + 2 g h)
-    double siteHeights = 10.0;       ///< building heights beyond the structure
+    double siteHeights = 10.0;       ///< building heights beyond the structure; on a terrain also of its drop to there
     double bornBelowGrace = 1.0;     ///< s, in which a body born below ground may come up
     double asleep = 0.95;            ///< share of the bodies; it must not fall again once it has been reached
     double asleepSlack = 0.01;       ///< share that may wake all the same

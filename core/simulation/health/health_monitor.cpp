@@ -79,7 +79,9 @@ void HealthMonitor::stepped(const RigidWorld& world, std::span<const TrackedBody
     m_report.contactsPeak = std::max(m_report.contactsPeak, world.contacts().pairs);
     note(HealthCheck::Speed, m_fast, m_limits.speed, bodies, step.time);
     note(HealthCheck::BelowGround, m_below, 0.0, bodies, step.time);
-    note(HealthCheck::OutsideSite, m_outside, m_reach, bodies, step.time);
+    if (m_outside.bodies > 0) {
+        note(HealthCheck::OutsideSite, m_outside, reachAt(bodies[m_outside.body].latest.pose.position), bodies, step.time);
+    }
     notePenetration(bodies, step.time);
     noteEnergy(step, bodies);
     noteSleep(step.time, step.stirred || entered);
@@ -150,8 +152,19 @@ void HealthMonitor::watchPlace(Watched& watched, const Vec3& place, double time)
     if (squared > m_report.farthest * m_report.farthest) {
         m_report.farthest = std::sqrt(squared);
     }
-    watched.outside = squared > m_reach * m_reach ? std::sqrt(squared) : 0.0;
+    watched.outside = 0.0;
+    if (squared > m_reach * m_reach && squared > std::pow(reachAt(place), 2)) {
+        watched.outside = std::sqrt(squared);
+    }
     watched.everOutside = watched.everOutside || watched.outside > 0.0;
+}
+
+double HealthMonitor::reachAt(const Vec3& place) const {
+    if (!m_site.surface.terrain) {
+        return m_reach;
+    }
+    const double drop = m_site.structure.min().z() - m_site.surface.height(place.x(), place.y());
+    return m_reach + m_limits.siteHeights * std::max(0.0, drop);
 }
 
 void HealthMonitor::note(HealthCheck check, const Tally& tally, double limit, std::span<const TrackedBody> bodies, double time) {
@@ -294,7 +307,7 @@ constexpr std::array<FindingText, healthCheckCount> findingTexts{
      {"simulation.penetration", "{0} bodies lay inside others for over 0.5 s"},
      {"simulation.too_fast", "{0} bodies were faster than gravity and their birth allow"},
      {"simulation.below_ground", "{0} bodies were below the ground"},
-     {"simulation.outside_site", "{0} bodies went further than 10 building heights from the structure"},
+     {"simulation.outside_site", "{0} bodies went further from the structure than 10 times its height and the drop of the terrain"},
      {"simulation.not_a_number", "{0} bodies became no number and were taken out"},
      {"simulation.pile_woke", "a pile at rest woke again, {0} times"},
      {"simulation.bulking", "the pile has not the volume that rubble has"}}};

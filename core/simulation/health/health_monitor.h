@@ -105,6 +105,8 @@ private:
     void watchPenetration(Watched& watched, double depth, double time) const;
     void watchSpeed(const RigidWorld& world, std::size_t index, const TrackedBody& body);
     void watchPlace(Watched& watched, const Vec3& place, double time);
+    /// m, from the structure to a place that debris can get to: down a slope farther than on the level.
+    double reachAt(const Vec3& place) const;
     double allowedSpeedSquared(const TrackedBody& body, double lifted) const;
     void note(HealthCheck check, const Tally& tally, double limit, std::span<const TrackedBody> bodies, double time);
     void notePenetration(std::span<const TrackedBody> bodies, double time);
@@ -113,7 +115,7 @@ private:
 
     HealthSite m_site;
     HealthLimits m_limits;
-    double m_reach = never;  ///< m, beyond which a body is outside
+    double m_reach = never;  ///< m, beyond which a body is outside on level ground
     std::vector<Watched> m_bodies;
     BreachLog m_log;
     HealthReport m_report;

@@ -8,6 +8,7 @@
 #include "core/fragments/birth_windows.h"
 #include "core/simulation/effects/stopwatch.h"
 #include "core/simulation/run/step_rate.h"
+#include "core/simulation/run/terrain_ends.h"
 
 namespace rubble {
 
@@ -392,9 +393,33 @@ PileMeasure Collapse::pile() const {
     return measurePile(debris, structure, m_surface);
 }
 
+void Collapse::warnOfTerrain() {
+    if (!m_surface.terrain) {
+        return;
+    }
+    std::vector<Vec3> places;
+    for (const FragmentOutcome& fragment : m_result.fragments) {
+        places.push_back(fragment.finalPosition);
+    }
+    for (const BodyRecord& record : m_records) {
+        if (record.isIsland()) {
+            places.push_back(m_outcomes.bodies()[at(record.body)].latest.pose.position);
+        }
+    }
+    const auto nameOf = [this](std::size_t piece) -> std::string {
+        const auto& fragments = m_description.fragments->list;
+        if (piece >= fragments.size()) {
+            return "loose structure";
+        }
+        return "element " + englishInteger(m_description.fe->mesh().elementIds[at(fragments[piece].element)]);
+    };
+    addTerrainEnds(*m_surface.terrain, places, nameOf, m_result.findings);
+}
+
 void Collapse::warn() {
     m_result.findings.append(m_result.checkpoints.findings);
     m_health.addFindings(m_result.findings);
+    warnOfTerrain();
     const std::int64_t held = m_effects.heldTogether();
     if (held > 0) {
         m_result.findings.add(

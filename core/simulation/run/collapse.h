@@ -79,6 +79,8 @@ private:
     void reportCosts();
     void finish();
     void warn();
+    /// Of debris that lies where the terrain has no heights.
+    void warnOfTerrain();
     bool keep(Archive& archive);
     void keepCheckpoint();
     double secondsSoFar() const;

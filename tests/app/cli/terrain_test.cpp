@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "io/base/files.h"
 #include "io/case/case_file.h"
@@ -16,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A raster of one height around the small collapse.
 std::string writeLevel(const std::string& path, double height) {
@@ -25,6 +27,35 @@ std::string writeLevel(const std::string& path, double height) {
         out << height << (i % 40 == 39 ? '\n' : ' ');
     }
     return path;
+}
+
+/// A slope of 3 in 5 to the east, so many metres long.
+std::string writeSlope(const std::string& path, int length) {
+    std::ofstream out(path);
+    out << "ncols " << length << "\nnrows 200\nxllcorner -20\nyllcorner -100\ncellsize 1\n";
+    for (int j = 0; j < 200; ++j) {
+        for (int i = 0; i < length; ++i) {
+            out << -1.0 - 0.6 * (-19.5 + i) << (i + 1 == length ? '\n' : ' ');
+        }
+    }
+    return path;
+}
+
+/// Columns final_x_m and final_z_m of a table of fragments.
+std::vector<std::pair<double, double>> finalPlaces(const std::string& path) {
+    std::ifstream in(path);
+    std::string line;
+    std::getline(in, line);
+    std::vector<std::pair<double, double>> places;
+    while (std::getline(in, line)) {
+        std::vector<std::string> cells;
+        std::stringstream row(line);
+        for (std::string cell; std::getline(row, cell, ',');) {
+            cells.push_back(cell);
+        }
+        places.emplace_back(std::stod(cells.at(8)), std::stod(cells.at(10)));
+    }
+    return places;
 }
 
 class Terrain : public SmallRun {
@@ -77,6 +108,41 @@ TEST_F(Terrain, ACaseBringsItsOwn) {
     const Outcome missing = cli({"run", casePath});
     EXPECT_EQ(missing.exitCode, 1);
     EXPECT_THAT(missing.err, HasSubstr("level.asc"));
+}
+
+// The structure is 3 m high: ten heights are 30 m.
+TEST_F(Terrain, DebrisSlidesDownALongSlopeAsFarAsTheRasterGoes) {
+    const std::vector<std::string> smooth{"--set", "friction=0", "--set", "restitution=0", "--terrain"};
+    const auto slide = [&](const std::string& terrain, std::vector<std::string> more = {}) {
+        more.insert(more.end(), smooth.begin(), smooth.end());
+        more.push_back(terrain);
+        more.insert(more.end(), {"--export", "fragments=" + (m_folder / "f.csv")});
+        return SmallRun::run(std::move(more), "7");
+    };
+    const nlohmann::json far = slide(writeSlope(m_folder / "far.asc", 400));
+    EXPECT_EQ(far["terrain"]["columns"], 400);
+    for (const auto& [x, z] : finalPlaces(m_folder / "f.csv")) {
+        EXPECT_GT(x, 60.0);
+        // Its centre lies no more than a few sizes of it above the slope.
+        EXPECT_GT(z, -1.0 - 0.6 * x);
+        EXPECT_LT(z, -1.0 - 0.6 * x + 4.0);
+    }
+    EXPECT_THAT(far["warnings"].dump(), Not(HasSubstr("terrain_ended")));
+    EXPECT_THAT(far["warnings"].dump(), Not(HasSubstr("outside_site")));
+    EXPECT_EQ(cli({"verify", m_out}).exitCode, 0);
+    EXPECT_EQ(slide(m_folder / "far.asc")["trajectory_hash"], far["trajectory_hash"]);
+
+    // The same slope ends after 60 m: there it goes on level, and the run says what it takes.
+    const nlohmann::json ended = slide(writeSlope(m_folder / "short.asc", 80));
+    EXPECT_NE(ended["trajectory_hash"], far["trajectory_hash"]);
+    for (const nlohmann::json& finding : ended["warnings"]) {
+        if (finding["id"] == "simulation.terrain_ended") {
+            EXPECT_GE(finding["count"], smallDead);
+            EXPECT_THAT(finding["remedy"].dump(), HasSubstr("give a larger raster, beyond x = "));
+            return;
+        }
+    }
+    FAIL() << ended["warnings"];
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -154,6 +155,74 @@ TEST(TerrainGrid, WhatIsNoPlaceAsksForNoMemoryOutside) {
     EXPECT_TRUE(std::isnan(terrain.height(none, y0)));
     EXPECT_EQ(terrain.highestOver(none, none, none, none), terrain.highest());
     EXPECT_EQ(terrain.highestOver(1.0, 1.0, -1.0, -1.0), terrain.highest());
+}
+
+/// The rough terrain with more of it around: `more` nodes to each side, which go on from its edges.
+TerrainGrid widened(const TerrainGrid& window, std::size_t more, TerrainExtent extent = {}) {
+    extent.column = extent.row = more;
+    extent.columns = window.nx();
+    extent.rows = window.ny();
+    extent.x0 = window.x0();
+    extent.y0 = window.y0();
+    HeightGrid grid;
+    grid.dx = grid.dy = window.cell();
+    grid.x0 = window.x0() - grid.dx * static_cast<double>(more);
+    grid.y0 = window.y0() - grid.dy * static_cast<double>(more);
+    grid.nx = window.nx() + 2 * more;
+    grid.ny = window.ny() + 2 * more;
+    for (std::size_t j = 0; j < grid.ny; ++j) {
+        for (std::size_t i = 0; i < grid.nx; ++i) {
+            const auto inside = [more](std::size_t n, std::size_t count) {
+                return std::clamp(static_cast<std::ptrdiff_t>(n) - static_cast<std::ptrdiff_t>(more), std::ptrdiff_t{0},
+                                  static_cast<std::ptrdiff_t>(count) - 1);
+            };
+            grid.heights.push_back(
+                window.node(static_cast<std::size_t>(inside(i, window.nx())), static_cast<std::size_t>(inside(j, window.ny()))));
+        }
+    }
+    return TerrainGrid(std::move(grid), std::move(extent));
+}
+
+TEST(TerrainGrid, WhatLiesAroundTheWindowChangesNoBitWithin) {
+    const TerrainGrid window = rough();
+    const TerrainGrid wide = widened(window, 1000);
+    for (const auto& [x, y] : places(5000)) {
+        if (x > x0 && x < east && y > y0 && y < north) {
+            EXPECT_EQ(wide.height(x, y), window.height(x, y)) << x << " " << y;
+            EXPECT_EQ(wide.normal(x, y), window.normal(x, y)) << x << " " << y;
+        }
+    }
+    EXPECT_EQ(wide.window().min(), window.window().min());
+    EXPECT_EQ(wide.window().max(), window.window().max());
+    EXPECT_NE(wide.digest(), window.digest()) << "the ground of a run says how far it went";
+}
+
+TEST(TerrainGrid, SaysWhereTheRasterHasNoHeights) {
+    using Source = TerrainGrid::Source;
+    const double step = spacing;
+    const TerrainGrid plain = rough();
+    EXPECT_EQ(plain.source(x0, y0), Source::Raster);
+    EXPECT_EQ(plain.source(x0 - 0.4 * step, y0), Source::Raster) << "a height stands for its cell";
+    EXPECT_EQ(plain.source(x0 - 0.6 * step, y0), Source::Ended);
+    EXPECT_EQ(plain.source(x0, north + 0.6 * step), Source::Ended);
+    TerrainExtent extent;
+    extent.unread = {5, 0, 0, 0};
+    extent.missing.assign((pointsEast + 4) * (pointsNorth + 4), 0);
+    extent.missing.back() = 1;
+    const TerrainGrid cut = widened(plain, 2, extent);
+    EXPECT_EQ(cut.source(x0 - 1.9 * step, y0), Source::Raster);
+    EXPECT_EQ(cut.source(x0 - 9.0 * step, y0), Source::Unread);
+    EXPECT_EQ(cut.source(x0 - 9.0 * step, y0 - 9.0 * step), Source::Ended) << "to the south there is no more";
+    EXPECT_EQ(cut.source(east + 2.0 * step, north + 2.0 * step), Source::Ended) << "no data";
+    EXPECT_EQ(cut.source(east + 1.0 * step, north + 2.0 * step), Source::Raster);
+}
+
+TEST(TerrainGrid, RoomAroundAWindowIsSharedByItsSides) {
+    const auto count = [](std::size_t columns, std::size_t rows) { return static_cast<double>(columns * rows); };
+    EXPECT_EQ(roomAround(10, 10, {5, 6, 7, 8}, 1000.0, count), (GridSides{5, 6, 7, 8}));
+    EXPECT_EQ(roomAround(10, 10, {500, 2, 0, 900}, 600.0, count), (GridSides{13, 2, 0, 13}));
+    EXPECT_EQ(roomAround(10, 10, {5, 5, 5, 5}, 100.0, count), (GridSides{}));
+    EXPECT_EQ(roomAround(10, 10, {}, 10.0, count), (GridSides{}));
 }
 
 TEST(TerrainGrid, RefusesWhatIsNoTerrain) {

@@ -303,6 +303,21 @@ TEST_F(HealthMonitorTest, TenBuildingHeightsAwayIsOutside) {
     EXPECT_EQ(finding("simulation.outside_site"), 1);
 }
 
+TEST_F(HealthMonitorTest, DownASlopeOfTheTerrainBodiesMayGoFarther) {
+    // 1 in 2 to the east: 201 m from the structure the ground is 100 m lower, and ten times as much is allowed.
+    site.surface.terrain =
+        std::make_shared<const TerrainGrid>(-1000.0, -1000.0, 2000.0, 2, 2, std::vector<double>{500.0, -500.0, 500.0, -500.0});
+    TrackedBody& body = add(Vec3(10 + 201, 5, 0.5));
+    run(step);
+    EXPECT_TRUE(breaches().empty());
+    // To the west it rises.
+    body.latest.pose.position = Vec3(-10 - 201, 5, 200.0);
+    run(step);
+    ASSERT_EQ(breaches().size(), 1u);
+    EXPECT_EQ(breaches()[0].check, HealthCheck::OutsideSite);
+    EXPECT_EQ(breaches()[0].limit, 200.0);
+}
+
 TEST_F(HealthMonitorTest, APileThatWakesByItselfIsABreach) {
     for (int i = 0; i < 100; ++i) {
         add();

@@ -18,29 +18,62 @@ constexpr std::array<double, 5> beyond{0.08, 0.2, 0.4, 0.7, 1.0};
 const Vec3 light = Vec3(-0.35, 0.35, 0.87).normalized();
 constexpr double slopeShade = 0.65;
 
+/// Rows or columns of a terrain: those of its window about the structure, and how far it goes on around them.
+struct TerrainLines {
+    double first;  ///< m, of the window
+    double cell;
+    std::size_t nodes;
+    double low;  ///< m, of the whole terrain
+    double high;
+};
+
+/// Lines from the edge of the window to that of the terrain, ever farther apart, nearest first; none beyond `reach`.
+std::vector<double> linesOutwards(double from, double to, double spacing, double centre, double reach) {
+    constexpr double growth = 1.1;
+    const double sign = to < from ? -1.0 : 1.0;
+    const double last = sign * std::min(sign * to, sign * centre + reach);
+    std::vector<double> lines;
+    double x = from + sign * spacing;
+    for (double step = spacing; sign * x < sign * last; x += sign * step) {
+        lines.push_back(x);
+        step *= growth;
+    }
+    if (sign * last > sign * from) {
+        lines.push_back(last);
+    }
+    return lines;
+}
+
 /// Coordinates of the rows or columns, ascending.
-std::vector<double> linesAlong(double first, double cell, std::size_t nodes, double low, double high, double margin, double centre,
-                               double reach) {
-    const double last = first + cell * static_cast<double>(nodes - 1);
+std::vector<double> linesAlong(const TerrainLines& along, double low, double high, double margin, double centre, double reach) {
+    const double first = along.first;
+    const double cell = along.cell;
+    const double last = first + cell * static_cast<double>(along.nodes - 1);
     const auto stride = [cell](double span, double lines) { return std::max(1.0, std::ceil(span / cell / lines)); };
     const double nearLow = low - margin;
     const double nearHigh = high + margin;
     const double fine = stride(nearHigh - nearLow, linesNear);
     const double coarse = std::max(fine, stride(std::max(0.0, nearLow - first) + std::max(0.0, last - nearHigh), linesFar));
+    const std::vector<double> before = linesOutwards(first, along.low, coarse * cell, centre, reach);
+    const std::vector<double> after = linesOutwards(last, along.high, coarse * cell, centre, reach);
+    const double begin = before.empty() ? first : before.back();
+    const double end = after.empty() ? last : after.back();
     std::vector<double> lines;
     for (auto share = beyond.rbegin(); share != beyond.rend(); ++share) {
-        lines.push_back(first - *share * std::max(0.0, reach - (centre - first)));
+        lines.push_back(begin - *share * std::max(0.0, reach - (centre - begin)));
     }
+    lines.insert(lines.end(), before.rbegin(), before.rend());
     double i = 0.0;
-    while (i < static_cast<double>(nodes - 1)) {
+    while (i < static_cast<double>(along.nodes - 1)) {
         const double x = first + cell * i;
         lines.push_back(x);
         const bool isNear = x + coarse * cell > nearLow && x < nearHigh;
         i += isNear ? fine : coarse;
     }
     lines.push_back(last);
+    lines.insert(lines.end(), after.begin(), after.end());
     for (const double share : beyond) {
-        lines.push_back(last + share * std::max(0.0, reach - (last - centre)));
+        lines.push_back(end + share * std::max(0.0, reach - (end - centre)));
     }
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
     return lines;
@@ -60,10 +93,13 @@ double shadeAt(const std::vector<Vec3>& points, std::size_t columns, std::size_t
 Relief reliefOf(const TerrainGrid& terrain, const Aabb& bounds, double reach) {
     const Vec3 centre = bounds.center();
     const double margin = nearShare * bounds.sizes().norm();
-    const std::vector<double> xs =
-        linesAlong(terrain.x0(), terrain.cell(), terrain.nx(), bounds.min().x(), bounds.max().x(), margin, centre.x(), reach);
-    const std::vector<double> ys =
-        linesAlong(terrain.y0(), terrain.cell(), terrain.ny(), bounds.min().y(), bounds.max().y(), margin, centre.y(), reach);
+    const TerrainExtent& window = terrain.extent();
+    const double east = terrain.x0() + terrain.cell() * static_cast<double>(terrain.nx() - 1);
+    const double north = terrain.y0() + terrain.cell() * static_cast<double>(terrain.ny() - 1);
+    const std::vector<double> xs = linesAlong({window.x0, terrain.cell(), window.columns, terrain.x0(), east}, bounds.min().x(),
+                                              bounds.max().x(), margin, centre.x(), reach);
+    const std::vector<double> ys = linesAlong({window.y0, terrain.cell(), window.rows, terrain.y0(), north}, bounds.min().y(),
+                                              bounds.max().y(), margin, centre.y(), reach);
     Relief relief;
     relief.points.reserve(xs.size() * ys.size());
     for (const double y : ys) {

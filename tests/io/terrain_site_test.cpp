@@ -200,7 +200,8 @@ TEST_F(TerrainSite, AnOrthophotoLiesInTheFrame) {
         return band == 1 ? (x > 0.0 ? 200 : 10) : band == 2 ? (y > 0.0 ? 220 : 20) : 30;
     };
     raster.write(path);
-    const auto picture = readOrthophoto(path, frame, site, Aabb(), Execution());
+    Findings findings;
+    const auto picture = readOrthophoto(path, frame, site, Aabb(), Execution(), findings);
     ASSERT_EQ(picture->rgba.size(), 4u * static_cast<std::size_t>(picture->width * picture->height));
     const auto at = [&](double x, double y) {
         const int column = static_cast<int>((x - picture->x0) / picture->pixel);
@@ -215,7 +216,7 @@ TEST_F(TerrainSite, AnOrthophotoLiesInTheFrame) {
     raster.bands = 1;
     raster.type = GDT_Float64;
     raster.write(path);
-    EXPECT_THROW(readOrthophoto(path, frame, site, Aabb(), Execution()), ParseError);
+    EXPECT_THROW(readOrthophoto(path, frame, site, Aabb(), Execution(), findings), ParseError);
 }
 
 constexpr const char* objText = "v 0 0 5\nv 4 0 5\nv 4 3 5\nv 0 3 5\nf 1 2 3 4\n";
@@ -234,7 +235,7 @@ TEST_F(TerrainSite, MeshesOfEveryFormatAreRead) {
     for (const auto& [name, text] : {std::pair("a.obj", objText), std::pair("a.ply", plyText), std::pair("a.gltf", gltfText)}) {
         const std::string mesh = folder / name;
         std::ofstream(mesh) << text;
-        const SiteMesh read = readSiteMesh(mesh, frame, site, Execution());
+        const SiteMesh read = readSiteMesh(mesh, frame, site, Execution()).mesh;
         EXPECT_GE(read.triangles.size(), 1u) << name;
         Aabb box;
         for (const Vec3& p : read.points) {
@@ -281,9 +282,8 @@ TEST_F(TerrainSite, SurroundingsRaiseTheTerrainWhenAsked) {
     RunOrigin origin;
     recordSite(origin, raised, theCase.site);
     ASSERT_EQ(origin.surroundings.size(), 1u);
-    const std::vector<std::string> meshes{origin.surroundings.front().path};
     const TerrainInput again = openTerrain(path, frame, around, Execution(), origin.site);
-    EXPECT_EQ(raisedTerrain(*again.grid, meshes, frame, origin.site, Execution())->digest(), raised.grid->digest());
+    EXPECT_EQ(raisedTerrain(*again.grid, origin.surroundings, frame, origin.site, Execution())->digest(), raised.grid->digest());
     theCase.inputs.erase(theCase.inputs.begin());
     EXPECT_EQ(openSiteOfCase(theCase, casePath, fe, Execution()).findings.count("surroundings.no_terrain"), 1);
 }

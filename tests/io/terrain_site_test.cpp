@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <vector>
@@ -288,6 +289,34 @@ TEST_F(TerrainSite, SurroundingsRaiseTheTerrainWhenAsked) {
     EXPECT_EQ(openSiteOfCase(theCase, casePath, fe, Execution()).findings.count("surroundings.no_terrain"), 1);
 }
 
+TEST_F(TerrainSite, ARunKeepsTheOffsetsOfItsMeshes) {
+    raster.write(path);
+    std::ofstream(folder / "house.obj") << "v 5000 0 -95\nv 5004 0 -95\nv 5004 3 -95\nv 5000 3 -95\nf 1 2 3 4\n";
+    std::ofstream(folder / "house_offset.xyz") << "-5000 0 100\n";
+    Mesh fe;
+    fe.nodes = {around.min(), around.max()};
+    Case theCase;
+    theCase.site.collide = true;
+    theCase.inputs = {{"terrain-1", InputRole::Terrain, "terrain.tif", ""},
+                      {"surroundings-1", InputRole::Surroundings, "house.obj", ""}};
+    const TerrainInput raised = openSiteOfCase(theCase, folder / "a.rubble", fe, Execution());
+    EXPECT_NEAR(raised.grid->height(2.0, 1.5), 5.0, 1e-6);
+    EXPECT_EQ(raised.findings.count("surroundings.offset_file"), 1);
+    RunOrigin origin;
+    recordSite(origin, raised, theCase.site);
+    ASSERT_EQ(origin.surroundings.size(), 1u);
+    EXPECT_EQ(origin.surroundings.front().offset, Vec3(-5000, 0, 100));
+    // The run does not lean on the file beside the mesh.
+    std::filesystem::remove(folder / "house_offset.xyz");
+    const TerrainInput again = openTerrain(path, frame, around, Execution(), origin.site);
+    EXPECT_EQ(raisedTerrain(*again.grid, origin.surroundings, frame, origin.site, Execution())->digest(), raised.grid->digest());
+    EXPECT_THROW(openSiteOfCase(theCase, folder / "a.rubble", fe, Execution()), ParseError) << "the house is 5 km away now";
+    theCase.site.collide = false;
+    EXPECT_EQ(openSiteOfCase(theCase, folder / "a.rubble", fe, Execution()).findings.count("surroundings.elsewhere"), 1);
+    theCase.inputs[1].offset = Vec3(-5000, 0, 100);
+    EXPECT_TRUE(openSiteOfCase(theCase, folder / "a.rubble", fe, Execution()).surroundings);
+}
+
 TEST_F(TerrainSite, WhatIsOnlyShownDoesNotKeepACaseFromOpening) {
     raster.write(path);
     Mesh fe;
@@ -309,7 +338,10 @@ TEST(CaseSite, IsKeptInTheCaseFile) {
     theCase.site.heightShift = -0.375;
     theCase.site.collide = true;
     theCase.inputs = {{"o", InputRole::Orthophoto, "o.tif", ""}, {"m", InputRole::Surroundings, "m.obj", ""}};
-    EXPECT_EQ(caseFromText(caseText(theCase), "a.rubble"), theCase);
+    theCase.inputs[1].offset = Vec3(451000.5, 5311000.0, -3.25);
+    const Case again = caseFromText(caseText(theCase), "a.rubble");
+    EXPECT_EQ(again, theCase);
+    EXPECT_EQ(again.inputs[1].offset, theCase.inputs[1].offset);
     theCase.site = Site();
     EXPECT_EQ(caseText(theCase).find("\"site\""), std::string::npos);
 }

@@ -7202,10 +7202,6 @@
         <translation>请将网格重新导出为 glTF 2.0、OBJ 或 PLY。</translation>
     </message>
     <message>
-        <source>Export the mesh anew with its scene.</source>
-        <translation>请连同场景重新导出网格。</translation>
-    </message>
-    <message>
         <source>Export the mesh anew, as PLY.</source>
         <translation>请重新导出为 PLY。</translation>
     </message>
@@ -7600,10 +7596,6 @@
     <message>
         <source>{0} has no mesh of surroundings that an offset could move.</source>
         <translation>{0} 没有可供偏移的周围环境网格。</translation>
-    </message>
-    <message>
-        <source>{0} has no scene</source>
-        <translation>{0} 没有场景</translation>
     </message>
     <message>
         <source>{0} holds no faces, only {1} points</source>

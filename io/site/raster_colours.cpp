@@ -61,11 +61,18 @@ void assignByPlace(GDALDataset& file, ColourBands& bands, int count, const std::
     }
 }
 
+/// Bits that a band says its numbers have; 0: it does not say.
+int bitsStated(GDALRasterBand& band) {
+    const char* text = band.GetMetadataItem("NBITS", "IMAGE_STRUCTURE");
+    return text != nullptr ? std::clamp(std::atoi(text), 0, 16) : 0;
+}
+
 void addMasks(GDALDataset& file, ColourBands& bands) {
     if (GDALRasterBand* opacity = opacityBand(file)) {
         bands.masks = {opacity};
-        const bool wide = opacity->GetRasterDataType() == GDT_UInt16;
-        bands.maskScale = wide ? 1.0F / 257.0F : 1.0F;
+        const int stated = bitsStated(*opacity);
+        const int bits = opacity->GetRasterDataType() == GDT_UInt16 && stated == 0 ? 16 : stated;
+        bands.maskScale = bits > 0 ? 255.0F / static_cast<float>((1 << bits) - 1) : 1.0F;
         return;
     }
     for (GDALRasterBand* band : bands.colours) {
@@ -78,12 +85,6 @@ void addMasks(GDALDataset& file, ColourBands& bands) {
             bands.masks.push_back(band->GetMaskBand());
         }
     }
-}
-
-/// Bits that a band says its numbers have; 0: it does not say.
-int bitsStated(GDALRasterBand& band) {
-    const char* text = band.GetMetadataItem("NBITS", "IMAGE_STRUCTURE");
-    return text != nullptr ? std::atoi(text) : 0;
 }
 
 }  // namespace

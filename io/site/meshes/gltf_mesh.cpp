@@ -71,14 +71,33 @@ public:
     }
 
 private:
-    std::vector<JsonCursor> roots() const {
+    /// The nodes that stand by themselves: of the scene that is shown, or of a file without scenes all that hang on no other.
+    std::vector<JsonCursor> roots() {
         const JsonCursor top = m_file.top();
         if (top.has("scenes")) {
-            const nlohmann::json first = 0;
-            const JsonCursor shown = m_file.entry("scenes", top.has("scene") ? top["scene"] : JsonCursor(first, m_path, "/scene"));
+            m_numbers.assign(1, 0);
+            const JsonCursor first(m_numbers.front(), m_path, "/scene");
+            const JsonCursor shown = m_file.entry("scenes", top.has("scene") ? top["scene"] : first);
             return shown.has("nodes") ? shown["nodes"].elements() : std::vector<JsonCursor>();
         }
-        refuseContent({"surroundings.gltf_no_scene", "{0} has no scene", {m_path}}, "Export the mesh anew with its scene.");
+        const std::vector<JsonCursor> nodes = top.has("nodes") ? top["nodes"].elements() : std::vector<JsonCursor>();
+        std::vector<bool> hangs(nodes.size(), false);
+        for (const JsonCursor& node : nodes) {
+            for (const JsonCursor& child : node.has("children") ? node["children"].elements() : std::vector<JsonCursor>()) {
+                m_file.entry("nodes", child);
+                hangs[static_cast<std::size_t>(child.integer())] = true;
+            }
+        }
+        for (std::size_t n = 0; n < nodes.size(); ++n) {
+            if (!hangs[n]) {
+                m_numbers.emplace_back(n);
+            }
+        }
+        std::vector<JsonCursor> list;
+        for (const nlohmann::json& number : m_numbers) {
+            list.emplace_back(number, m_path, "/nodes");
+        }
+        return list;
     }
 
     /// The extensions of a list of the document that may change the shape, in one text.
@@ -209,6 +228,7 @@ private:
     GltfFile m_file;
     MeshGathering m_gathering;
     Findings m_findings;
+    std::vector<nlohmann::json> m_numbers;  ///< of nodes that no scene names
     std::vector<bool> m_seen;
     int m_depth = 0;
 };

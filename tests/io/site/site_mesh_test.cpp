@@ -249,6 +249,10 @@ TEST_F(SiteMeshFile, GltfIsPlacedByItsNodesInDoublePrecision) {
 TEST_F(SiteMeshFile, GltfThatOthersReadIsRead) {
     const std::string texture = R"(,"images":[{"uri":"not_there.png"}],"textures":[{"source":0}])";
     EXPECT_EQ(read("a.gltf", gltf("", texture)).mesh.triangles.size(), 2u);
+    std::string sceneless = gltf("", "");
+    const std::string scene = R"("scene":0,"scenes":[{"nodes":[0]}],)";
+    sceneless.erase(sceneless.find(scene), scene.size());
+    EXPECT_EQ(read("s.gltf", sceneless).mesh.triangles.size(), 2u);
     const std::string quantised =
         R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[0.01,0.01,0.01]}],)"
         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":5}]}],)"

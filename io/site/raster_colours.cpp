@@ -14,8 +14,8 @@ namespace rubble::io {
 
 namespace {
 
-constexpr std::array<GDALColorInterp, 3> meanings{GCI_RedBand, GCI_GreenBand, GCI_BlueBand};
-constexpr std::array<std::string_view, 3> names{"red", "green", "blue"};
+constexpr std::array<GDALColorInterp, 3> colourMeanings{GCI_RedBand, GCI_GreenBand, GCI_BlueBand};
+constexpr std::array<std::string_view, 3> colourNames{"red", "green", "blue"};
 
 /// The band that says to hold a colour, by its meaning or else by its name; null: none does.
 GDALRasterBand* bandOf(GDALDataset& file, std::size_t colour) {
@@ -25,7 +25,7 @@ GDALRasterBand* bandOf(GDALDataset& file, std::size_t colour) {
             std::string name = band->GetDescription();
             std::transform(name.begin(), name.end(), name.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-            if (byName ? name == names[colour] : band->GetColorInterpretation() == meanings[colour]) {
+            if (byName ? name == colourNames[colour] : band->GetColorInterpretation() == colourMeanings[colour]) {
                 return band;
             }
         }

@@ -15,7 +15,7 @@
 namespace rubble::io {
 namespace {
 
-double areaOf(const std::vector<Vec3>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+double meshArea(const std::vector<Vec3>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
     double sum = 0.0;
     for (const auto& t : triangles) {
         sum += 0.5 * (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
@@ -40,7 +40,7 @@ protected:
     }
     double area(const std::string& name, const std::string& text) const {
         const SiteMeshReading reading = read(name, text);
-        return areaOf(reading.mesh.points, reading.mesh.triangles);
+        return meshArea(reading.mesh.points, reading.mesh.triangles);
     }
     /// The id of the error that a mesh is refused with; "read" if it is not.
     std::string refusal(const std::string& name, const std::string& text) const {
@@ -55,13 +55,13 @@ protected:
     mutable std::string said;
 };
 
-constexpr const char* square = "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 0 0 5\n";
+constexpr const char* objPoints = "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 0 0 5\n";
 
 TEST_F(SiteMeshFile, AWallWithAWindowKeepsItsArea) {
-    const std::string window = std::string(square) + "v 2 2 0\nv 2 8 0\nv 8 8 0\nv 8 2 0\n";
+    const std::string window = std::string(objPoints) + "v 2 2 0\nv 2 8 0\nv 8 8 0\nv 8 2 0\n";
     // The wall as one polygon with a slit to its window, and a triangle.
     const SiteMeshReading reading = read("a.obj", window + "f 1 2 3 4 1 6 7 8 9 6\nf 1 2 5\n");
-    EXPECT_NEAR(areaOf(reading.mesh.points, reading.mesh.triangles), 64.0 + 25.0, 1e-9);
+    EXPECT_NEAR(meshArea(reading.mesh.points, reading.mesh.triangles), 64.0 + 25.0, 1e-9);
     EXPECT_TRUE(reading.findings.empty());
     EXPECT_NEAR(area("b.obj", window + "f 9 8 7 6 1 4 3 2 1 6\n"), 64.0, 1e-9) << "the other way round";
 }
@@ -94,7 +94,7 @@ TEST(PolygonCut, AnySimpleOutlineKeepsItsArea) {
         EXPECT_TRUE(cutPolygon(points, outline, triangles)) << trial;
         EXPECT_LE(triangles.size(), static_cast<std::size_t>(corners - 2));
         // Coordinates of millions of metres keep a nanometre.
-        EXPECT_NEAR(areaOf(points, triangles), 0.5 * twice, 1e-6 * twice + 1e-6) << trial << ", " << corners << " corners";
+        EXPECT_NEAR(meshArea(points, triangles), 0.5 * twice, 1e-6 * twice + 1e-6) << trial << ", " << corners << " corners";
     }
 }
 
@@ -104,7 +104,7 @@ TEST(PolygonCut, TwoHolesOneOutlineAndRepeatedCorners) {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     const std::vector<std::uint32_t> outline{0, 0, 1, 11, 8, 9, 10, 11, 1, 2, 3, 0, 4, 5, 6, 7, 4, 0};
     EXPECT_TRUE(cutPolygon(points, outline, triangles));
-    EXPECT_NEAR(areaOf(points, triangles), 200.0 - 2.0 * 36.0, 1e-9);
+    EXPECT_NEAR(meshArea(points, triangles), 200.0 - 2.0 * 36.0, 1e-9);
     triangles.clear();
     const std::vector<std::uint32_t> line{0, 1, 0, 1};
     EXPECT_TRUE(cutPolygon(points, line, triangles));
@@ -115,10 +115,10 @@ TEST(PolygonCut, TwoHolesOneOutlineAndRepeatedCorners) {
 }
 
 TEST_F(SiteMeshFile, FacesThatNameMissingPointsAreCounted) {
-    const SiteMeshReading obj = read("a.obj", std::string(square) + "f 1 2 3\nf 1 3 9\nf 0 1 2\nf -9 1 2\n");
+    const SiteMeshReading obj = read("a.obj", std::string(objPoints) + "f 1 2 3\nf 1 3 9\nf 0 1 2\nf -9 1 2\n");
     EXPECT_EQ(obj.mesh.triangles.size(), 1u);
     EXPECT_EQ(obj.findings.count("surroundings.missing_corners_in_line"), 3);
-    const SiteMeshReading crossing = read("b.obj", std::string(square) + "f 1 2 3\nf 1 2 4 3\nl 1 2\np 1\n");
+    const SiteMeshReading crossing = read("b.obj", std::string(objPoints) + "f 1 2 3\nf 1 2 4 3\nl 1 2\np 1\n");
     EXPECT_EQ(crossing.findings.count("surroundings.crossing"), 1);
     EXPECT_EQ(crossing.findings.count("surroundings.other_shapes"), 2);
 }
@@ -127,19 +127,19 @@ TEST_F(SiteMeshFile, EveryWayToWriteAnObjIsRead) {
     for (const char* faces :
          {"usemtl\nf 1 2 3\nf 1 3 4\n", "usemtl \nf 1 2 3 4\n", "f 1// 2// 3// 4//\n", "f 1/1/ 2/1/ 3/1/ 4/1/", "f -5 -4 -3 -2\n",
           "f 1 2 \\\n 3 4\r\n", "mtllib none.mtl\no a\ng b c\ns off\nf\t1\t2\t3\t4\n", "f 1/1/1 2/2/2 3/3/3 4/4/4\n# end"}) {
-        EXPECT_NEAR(area("a.obj", std::string(square) + faces), 100.0, 1e-9) << faces;
+        EXPECT_NEAR(area("a.obj", std::string(objPoints) + faces), 100.0, 1e-9) << faces;
     }
     EXPECT_NEAR(area("colours.obj", "v 0 0 0 1 0 0\nv 4 0 0 1 0 0\nv 4 3 0 0.5 0.5 0.5\nf 1 2 3\n"), 6.0, 1e-12);
     EXPECT_NEAR(area("later.obj", "f 1 2 3\nv 0 0 0\nv +4 0 0\nv 4 3e0 0\n"), 6.0, 1e-12) << "points after faces";
     EXPECT_EQ(refusal("a.obj", "v 1,5 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"), "surroundings.no_number");
     EXPECT_NE(said.find("line 1: \"1,5\""), std::string::npos) << said;
     EXPECT_EQ(refusal("a.obj", "v nan 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"), "surroundings.no_number");
-    EXPECT_EQ(refusal("a.obj", std::string(square) + "f a b c\n"), "surroundings.no_corner");
-    EXPECT_EQ(refusal("a.obj", square), "surroundings.no_faces");
+    EXPECT_EQ(refusal("a.obj", std::string(objPoints) + "f a b c\n"), "surroundings.no_corner");
+    EXPECT_EQ(refusal("a.obj", objPoints), "surroundings.no_faces");
     EXPECT_EQ(refusal("a.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3 1\n"), "surroundings.no_area");
     EXPECT_EQ(refusal("a.obj", ""), "surroundings.empty");
     EXPECT_EQ(refusal("a.obj", std::string(3 << 20, 'v')), "surroundings.long_line");
-    EXPECT_EQ(read("b.obj", std::string(square) + "f 1 2 3\ncurv 0 1 1 2\n").findings.count("surroundings.curved"), 1);
+    EXPECT_EQ(read("b.obj", std::string(objPoints) + "f 1 2 3\ncurv 0 1 1 2\n").findings.count("surroundings.curved"), 1);
 }
 
 std::string plyHead(const std::string& format, const std::string& number, const std::string& faces) {
@@ -148,7 +148,7 @@ std::string plyHead(const std::string& format, const std::string& number, const 
 }
 
 template <class T>
-void put(std::string& bytes, T value, bool big) {
+void putBytes(std::string& bytes, T value, bool big) {
     std::array<char, sizeof(T)> raw{};
     std::memcpy(raw.data(), &value, sizeof(T));
     if (big) {
@@ -178,17 +178,17 @@ TEST_F(SiteMeshFile, EveryWayToWriteAPlyIsRead) {
                     "property uchar red\nelement face 1\nproperty uchar flags\nproperty list uchar uint vertex_indices\n");
         for (const auto& [x, y] : {std::pair(0.25, 0.0), {10.25, 0.0}, {10.25, 10.0}, {0.25, 10.0}}) {
             for (const double value : {356500.0 + x, 5699500.75 + y, 100.5}) {
-                put(bytes, value, big);
+                putBytes(bytes, value, big);
             }
-            put(bytes, std::uint8_t{7}, big);
+            putBytes(bytes, std::uint8_t{7}, big);
         }
         bytes += std::string("\1\4", 2);
         for (const std::uint32_t corner : {0u, 1u, 2u, 3u}) {
-            put(bytes, corner, big);
+            putBytes(bytes, corner, big);
         }
         const SiteMeshReading reading = read("e.ply", bytes);
         EXPECT_EQ(reading.mesh.points[0], Vec3(356500.25, 5699500.75, 100.5)) << "not rounded to single precision";
-        EXPECT_NEAR(areaOf(reading.mesh.points, reading.mesh.triangles), 100.0, 1e-6);
+        EXPECT_NEAR(meshArea(reading.mesh.points, reading.mesh.triangles), 100.0, 1e-6);
         EXPECT_TRUE(reading.findings.empty());
         EXPECT_EQ(refusal("f.ply", bytes.substr(0, bytes.size() - 2)), "surroundings.cut");
     }
@@ -204,12 +204,12 @@ TEST_F(SiteMeshFile, CoordinatesThatTheFileKeepsCoarselyAreSaid) {
     std::string bytes = plyHead("binary_little_endian", "float", "element face 1\nproperty list uchar int vertex_indices\n");
     for (const auto& [x, y] : {std::pair(0.0F, 0.0F), {10.0F, 0.0F}, {10.0F, 10.0F}, {0.0F, 10.0F}}) {
         for (const float value : {356500.0F + x, 5699500.0F + y, 100.5F}) {
-            put(bytes, value, false);
+            putBytes(bytes, value, false);
         }
     }
     bytes += '\4';
     for (const std::int32_t corner : {0, 1, 2, 3}) {
-        put(bytes, corner, false);
+        putBytes(bytes, corner, false);
     }
     EXPECT_EQ(read("a.ply", bytes).findings.count("surroundings.coarse"), 1);
     const std::string few = "v 3.565e+05 5.6995e+06 100\nv 3.566e+05 5.6995e+06 100\nv 3.566e+05 5.6996e+06 100\nf 1 2 3\n";
@@ -219,7 +219,7 @@ TEST_F(SiteMeshFile, CoordinatesThatTheFileKeepsCoarselyAreSaid) {
 }
 
 // Two triangles (0, 0, 0), (4, 0, 0), (4, 0, -3) and so on, y up.
-std::string gltf(const std::string& node, const std::string& more, const std::string& sparse = "") {
+std::string sceneText(const std::string& node, const std::string& more, const std::string& sparse = "") {
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0)" + node +
            R"(}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":4,"indices":1}]}],)"
            R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3")" +
@@ -233,23 +233,23 @@ std::string gltf(const std::string& node, const std::string& more, const std::st
 }
 
 TEST_F(SiteMeshFile, GltfIsPlacedByItsNodesInDoublePrecision) {
-    const SiteMeshReading plain = read("a.gltf", gltf("", ""));
+    const SiteMeshReading plain = read("a.gltf", sceneText("", ""));
     EXPECT_EQ(plain.mesh.triangles.size(), 2u);
     EXPECT_TRUE(plain.findings.empty());
     EXPECT_NEAR((plain.mesh.points[1] - Vec3(4.0, 0.0, 0.0)).norm(), 0.0, 1e-12);
-    const SiteMeshReading moved = read("b.gltf", gltf(R"(,"translation":[356500.25,100.5,-5699500.75],"scale":[2,2,2])", ""));
+    const SiteMeshReading moved = read("b.gltf", sceneText(R"(,"translation":[356500.25,100.5,-5699500.75],"scale":[2,2,2])", ""));
     EXPECT_NEAR((moved.mesh.points[1] - Vec3(356508.25, 5699500.75, 100.5)).norm(), 0.0, 1e-9);
     EXPECT_TRUE(moved.findings.empty()) << "single precision about a near origin is fine enough";
-    const SiteMeshReading turned = read("c.gltf", gltf(R"(,"rotation":[0,0.7071067811865476,0,0.7071067811865476])", ""));
+    const SiteMeshReading turned = read("c.gltf", sceneText(R"(,"rotation":[0,0.7071067811865476,0,0.7071067811865476])", ""));
     EXPECT_NEAR((turned.mesh.points[1] - Vec3(0.0, 4.0, 0.0)).norm(), 0.0, 1e-12);
-    const SiteMeshReading same = read("d.gltf", gltf(R"(,"matrix":[0,0,-1,0,0,1,0,0,1,0,0,0,0,0,0,1])", ""));
+    const SiteMeshReading same = read("d.gltf", sceneText(R"(,"matrix":[0,0,-1,0,0,1,0,0,1,0,0,0,0,0,0,1])", ""));
     EXPECT_NEAR((same.mesh.points[1] - turned.mesh.points[1]).norm(), 0.0, 1e-12);
 }
 
 TEST_F(SiteMeshFile, GltfThatOthersReadIsRead) {
     const std::string texture = R"(,"images":[{"uri":"not_there.png"}],"textures":[{"source":0}])";
-    EXPECT_EQ(read("a.gltf", gltf("", texture)).mesh.triangles.size(), 2u);
-    std::string sceneless = gltf("", "");
+    EXPECT_EQ(read("a.gltf", sceneText("", texture)).mesh.triangles.size(), 2u);
+    std::string sceneless = sceneText("", "");
     const std::string scene = R"("scene":0,"scenes":[{"nodes":[0]}],)";
     sceneless.erase(sceneless.find(scene), scene.size());
     EXPECT_EQ(read("s.gltf", sceneless).mesh.triangles.size(), 2u);
@@ -264,7 +264,7 @@ TEST_F(SiteMeshFile, GltfThatOthersReadIsRead) {
     EXPECT_EQ(strip.mesh.triangles.size(), 2u);
     EXPECT_NEAR(strip.mesh.points[1].x(), 4.0, 1e-12);
     std::string sparse =
-        gltf("", "", R"(,"sparse":{"count":1,"indices":{"bufferView":2,"componentType":5123},"values":{"bufferView":3}})");
+        sceneText("", "", R"(,"sparse":{"count":1,"indices":{"bufferView":2,"componentType":5123},"values":{"bufferView":3}})");
     const auto replace = [&](const std::string& what, const std::string& by) {
         sparse.replace(sparse.find(what), what.size(), by);
     };
@@ -278,21 +278,21 @@ TEST_F(SiteMeshFile, GltfThatOthersReadIsRead) {
 }
 
 TEST_F(SiteMeshFile, ExtensionsThatAreRequiredAreObeyed) {
-    EXPECT_EQ(refusal("a.gltf", gltf("", R"(,"extensionsRequired":["CESIUM_RTC","EXT_meshopt_compression"])")),
+    EXPECT_EQ(refusal("a.gltf", sceneText("", R"(,"extensionsRequired":["CESIUM_RTC","EXT_meshopt_compression"])")),
               "surroundings.gltf_extension");
     EXPECT_NE(said.find("CESIUM_RTC, EXT_meshopt_compression"), std::string::npos) << said;
-    EXPECT_EQ(refusal("a.gltf", gltf("", R"(,"extensionsRequired":["KHR_materials_unlit","KHR_texture_transform"])")), "read");
-    EXPECT_EQ(
-        read("a.gltf", gltf("", R"(,"extensionsUsed":["EXT_mesh_gpu_instancing"])")).findings.count("surroundings.gltf_left_out"),
-        1);
-    EXPECT_TRUE(read("a.gltf", gltf("", R"(,"extensionsUsed":["KHR_materials_unlit"])")).findings.empty());
-    std::string old = gltf("", "");
+    EXPECT_EQ(refusal("a.gltf", sceneText("", R"(,"extensionsRequired":["KHR_materials_unlit","KHR_texture_transform"])")), "read");
+    EXPECT_EQ(read("a.gltf", sceneText("", R"(,"extensionsUsed":["EXT_mesh_gpu_instancing"])"))
+                  .findings.count("surroundings.gltf_left_out"),
+              1);
+    EXPECT_TRUE(read("a.gltf", sceneText("", R"(,"extensionsUsed":["KHR_materials_unlit"])")).findings.empty());
+    std::string old = sceneText("", "");
     old.replace(old.find("\"2.0\""), 5, "\"1.0\"");
     EXPECT_EQ(refusal("a.gltf", old), "surroundings.gltf_version");
 }
 
 TEST_F(SiteMeshFile, DamagedGltfIsRefusedByItsPlace) {
-    const std::string whole = gltf("", "");
+    const std::string whole = sceneText("", "");
     const std::vector<std::pair<std::string, std::string>> damages{{"\"byteLength\":48", "\"byteLength\":480"},
                                                                    {"\"count\":4", "\"count\":400"},
                                                                    {"\"nodes\":[0]", "\"nodes\":[7]"},

@@ -13,7 +13,7 @@
 namespace rubble::io {
 namespace {
 
-SystemWay between(const std::string& from, const std::string& to, const Eigen::Vector2d& degrees) {
+SystemWay wayBetween(const std::string& from, const std::string& to, const Eigen::Vector2d& degrees) {
     OGRSpatialReference a;
     OGRSpatialReference b;
     EXPECT_TRUE(setFromText(a, from));
@@ -22,14 +22,14 @@ SystemWay between(const std::string& from, const std::string& to, const Eigen::V
 }
 
 TEST(SystemWay, ProjIsAskedForItsAccuracy) {
-    EXPECT_FALSE(between("EPSG:25832", "EPSG:25833", {9.0, 51.0}).changes) << "one datum";
-    EXPECT_FALSE(between("EPSG:4258", "EPSG:25832", {7.0, 51.0}).changes);
-    EXPECT_FALSE(between("EPSG:25832", "EPSG:25832", {7.0, 51.0}).changes);
-    const SystemWay metre = between("EPSG:4326", "EPSG:25832", {7.0, 51.0});
+    EXPECT_FALSE(wayBetween("EPSG:25832", "EPSG:25833", {9.0, 51.0}).changes) << "one datum";
+    EXPECT_FALSE(wayBetween("EPSG:4258", "EPSG:25832", {7.0, 51.0}).changes);
+    EXPECT_FALSE(wayBetween("EPSG:25832", "EPSG:25832", {7.0, 51.0}).changes);
+    const SystemWay metre = wayBetween("EPSG:4326", "EPSG:25832", {7.0, 51.0});
     EXPECT_TRUE(metre.changes);
     EXPECT_NEAR(metre.accuracy, 1.0, 0.01) << metre.operation;
     // The grid of Great Britain is no part of PROJ itself; where somebody installed it, places are exact.
-    const SystemWay britain = between("EPSG:4326", "EPSG:27700", {1.716, 52.658});
+    const SystemWay britain = wayBetween("EPSG:4326", "EPSG:27700", {1.716, 52.658});
     if (britain.missingGrids.empty()) {
         EXPECT_LE(britain.accuracy, 1.1);
     } else {

@@ -5822,10 +5822,6 @@
         <translation>请提供单元更细或覆盖更多场地的栅格。</translation>
     </message>
     <message>
-        <source>Give an OBJ, PLY or glTF file of triangles, exported anew.</source>
-        <translation>请重新导出三角形的 OBJ、PLY 或 glTF 文件。</translation>
-    </message>
-    <message>
         <source>Give an orthophoto: three bands, or one of bytes.</source>
         <translation>请提供正射影像：三个波段，或一个字节型波段。</translation>
     </message>
@@ -6202,10 +6198,6 @@
         <translation>在读取时变短了</translation>
     </message>
     <message>
-        <source>coordinates as large as {0} are kept to {1} only</source>
-        <translation>大至 {0} 的坐标仅保留到 {1}</translation>
-    </message>
-    <message>
         <source>corners of cells</source>
         <translation>单元角点数</translation>
     </message>
@@ -6216,10 +6208,6 @@
     <message>
         <source>debris cannot fall on the surroundings: the case has no terrain that they could be part of</source>
         <translation>残骸无法落在周边上：案例没有可纳入它们的地形</translation>
-    </message>
-    <message>
-        <source>export the mesh about an origin near the site, with that of the case</source>
-        <translation>请以场地附近的原点导出网格，并与案例一致</translation>
     </message>
     <message>
         <source>fe, terrain, photograph, survey, orthophoto or surroundings</source>
@@ -6528,10 +6516,6 @@
     <message>
         <source>{0} is damaged so that the library that reads rasters fails on it</source>
         <translation>{0} 已损坏，读取栅格的库无法处理它</translation>
-    </message>
-    <message>
-        <source>{0} is no mesh that can be read</source>
-        <translation>{0} 不是可读取的网格</translation>
     </message>
     <message>
         <source>{0} is no orthophoto that can be read: {1}</source>
@@ -7240,6 +7224,494 @@
     <message>
         <source>looking for loose structure</source>
         <translation>正在查找松脱的结构</translation>
+    </message>
+    <message>
+        <source>../metadata.xml</source>
+        <translation>../metadata.xml</translation>
+    </message>
+    <message>
+        <source>Check that the file is what its name says, and export the mesh anew.</source>
+        <translation>请检查文件是否名实相符，并重新导出网格。</translation>
+    </message>
+    <message>
+        <source>Cut large faces into triangles before the mesh is exported.</source>
+        <translation>请在导出网格之前将大的面剖分为三角形。</translation>
+    </message>
+    <message>
+        <source>Export the mesh anew as glTF 2.0, OBJ or PLY.</source>
+        <translation>请将网格重新导出为 glTF 2.0、OBJ 或 PLY。</translation>
+    </message>
+    <message>
+        <source>Export the mesh anew, as PLY.</source>
+        <translation>请重新导出为 PLY。</translation>
+    </message>
+    <message>
+        <source>Export the mesh anew, or put the line right.</source>
+        <translation>请重新导出网格，或改正该行。</translation>
+    </message>
+    <message>
+        <source>Export the mesh anew, with a point as decimal sign.</source>
+        <translation>请以点作为小数点重新导出网格。</translation>
+    </message>
+    <message>
+        <source>Export the mesh anew.</source>
+        <translation>请重新导出网格。</translation>
+    </message>
+    <message>
+        <source>Export the mesh anew; each coordinate must be a number in metres.</source>
+        <translation>请重新导出网格；每个坐标都必须是以米为单位的数值。</translation>
+    </message>
+    <message>
+        <source>Export the mesh anew; its faces must have corners apart from each other.</source>
+        <translation>请重新导出网格；面的角点必须彼此分开。</translation>
+    </message>
+    <message>
+        <source>Export the mesh without them, for example uncompressed and without instances.</source>
+        <translation>请不用这些扩展导出网格，例如不压缩、不用实例。</translation>
+    </message>
+    <message>
+        <source>Give a mesh with faces; a cloud of points has no surface.</source>
+        <translation>请给出带面的网格；点云没有表面。</translation>
+    </message>
+    <message>
+        <source>Give the offset that was taken off its coordinates (Site… in the Case menu, or --mesh-offset), put the offset file beside it, or check system and control points of the case.</source>
+        <translation>请给出从其坐标中减去的偏移（“案例”菜单中的“场地…”，或 --mesh-offset），将偏移文件放在其旁，或检查案例的坐标系和控制点。</translation>
+    </message>
+    <message>
+        <source>Leave the offset out, or add the mesh to the case.</source>
+        <translation>请不给偏移，或将网格加入案例。</translation>
+    </message>
+    <message>
+        <source>Put the file beside the glTF, or export it as one .glb.</source>
+        <translation>请将该文件放在 glTF 旁，或导出为单个 .glb。</translation>
+    </message>
+    <message>
+        <source>SHIFT.txt</source>
+        <translation>SHIFT.txt</translation>
+    </message>
+    <message>
+        <source>Scale it to bytes with gdal_translate -ot Byte -scale.</source>
+        <translation>请用 gdal_translate -ot Byte -scale 将其缩放为字节。</translation>
+    </message>
+    <message>
+        <source>The numbers of the glTF, {0}, cannot be read</source>
+        <translation>无法读取 glTF 的数值 {0}</translation>
+    </message>
+    <message>
+        <source>a mesh follows a skeleton, which was left out</source>
+        <translation>有一个网格跟随骨架，骨架已略去</translation>
+    </message>
+    <message>
+        <source>a mesh has morph targets, which were left out</source>
+        <translation>有一个网格带变形目标，已略去</translation>
+    </message>
+    <message>
+        <source>a number from 0 on</source>
+        <translation>从 0 起的数</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 6</source>
+        <translation>0 至 6 的数</translation>
+    </message>
+    <message>
+        <source>a quaternion of length 1</source>
+        <translation>长度为 1 的四元数</translation>
+    </message>
+    <message>
+        <source>apply the pose of the skeleton before the mesh is exported</source>
+        <translation>请在导出网格之前应用骨架的姿态</translation>
+    </message>
+    <message>
+        <source>apply them before the mesh is exported</source>
+        <translation>请在导出网格之前应用它们</translation>
+    </message>
+    <message>
+        <source>bring the file to the system of the case with a program that knows the way between the two</source>
+        <translation>请用知道两者间转换的程序将文件转到案例的坐标系</translation>
+    </message>
+    <message>
+        <source>by the control points the model is {0} times as large as it should be there: a point is wrong, or the two sides have different units</source>
+        <translation>按控制点，模型在该处为应有大小的 {0} 倍：有点错误，或两侧单位不同</translation>
+    </message>
+    <message>
+        <source>change easting and northing of the control points for each other</source>
+        <translation>请互换控制点的东向和北向</translation>
+    </message>
+    <message>
+        <source>check system and control points of the case</source>
+        <translation>请检查案例的坐标系和控制点</translation>
+    </message>
+    <message>
+        <source>check the heights of the mesh, its offset and the height shift of the site</source>
+        <translation>请检查网格的高程、偏移和场地的高程偏移</translation>
+    </message>
+    <message>
+        <source>choose a system made for the site, such as its UTM zone, or tie the model to this one by control points</source>
+        <translation>请选用适合场地的坐标系，如其 UTM 分带，或用控制点将模型与此坐标系联系</translation>
+    </message>
+    <message>
+        <source>cut these faces into triangles before the mesh is exported</source>
+        <translation>请在导出网格之前将这些面剖分为三角形</translation>
+    </message>
+    <message>
+        <source>easting {2}, northing {3} of the site is no place on Earth in &quot;{0}&quot; ({1})</source>
+        <translation>在“{0}”（{1}）中，场地的东向 {2}、北向 {3} 不是地球上的位置</translation>
+    </message>
+    <message>
+        <source>export the mesh anew; something of it is missing</source>
+        <translation>请重新导出网格；其中有缺失</translation>
+    </message>
+    <message>
+        <source>fetch the grid with projsync --file NAME (package proj-bin), then open the case again</source>
+        <translation>请用 projsync --file NAME（软件包 proj-bin）获取网格，然后重新打开案例</translation>
+    </message>
+    <message>
+        <source>give all coordinates in metres, also in a system that counts in feet; else leave points out one by one and look at the residuals</source>
+        <translation>请以米给出所有坐标，坐标系以英尺为单位时也如此；否则逐个去掉控制点并查看残差</translation>
+    </message>
+    <message>
+        <source>give easting and northing of the case in metres; what is written for others is in the unit of the system</source>
+        <translation>请以米给出案例的东向和北向；写给其他程序的结果用坐标系的单位</translation>
+    </message>
+    <message>
+        <source>give the case a projected system, such as the UTM zone of the site</source>
+        <translation>请为案例给出投影坐标系，如场地的 UTM 分带</translation>
+    </message>
+    <message>
+        <source>give the case an EPSG code, EPSG:25832 for example, or none</source>
+        <translation>请为案例给出 EPSG 代码，如 EPSG:25832，或不给</translation>
+    </message>
+    <message>
+        <source>give the file in the system of the case if that is too coarse</source>
+        <translation>若太粗，请以案例的坐标系给出文件</translation>
+    </message>
+    <message>
+        <source>heights of the raster count from &quot;{0}&quot;, and the case names no vertical datum; they were not converted</source>
+        <translation>栅格的高程从“{0}”起算，案例未写明高程基准；未作转换</translation>
+    </message>
+    <message>
+        <source>how well places in &quot;{0}&quot; are known in &quot;{1}&quot; is not known to PROJ; they may be metres or more off</source>
+        <translation>PROJ 不知道“{0}”中的位置在“{1}”中有多准；可能偏差数米或更多</translation>
+    </message>
+    <message>
+        <source>it has more numbers than can be read</source>
+        <translation>其数值多于可读取的数目</translation>
+    </message>
+    <message>
+        <source>it holds fewer numbers than are asked of it</source>
+        <translation>其所含数值少于所需</translation>
+    </message>
+    <message>
+        <source>it is no list of numbers or places</source>
+        <translation>不是数值或位置的列表</translation>
+    </message>
+    <message>
+        <source>it names a number that the accessor does not have</source>
+        <translation>引用了访问器没有的数值</translation>
+    </message>
+    <message>
+        <source>it reaches beyond the end of its buffer</source>
+        <translation>超出其缓冲区的末尾</translation>
+    </message>
+    <message>
+        <source>its unit</source>
+        <translation>其单位</translation>
+    </message>
+    <message>
+        <source>lengths in &quot;{0}&quot; are {1} times those on the ground at the site, and the model is laid into it as it is</source>
+        <translation>在场地处“{0}”中的长度为地面长度的 {1} 倍，而模型按原样放入</translation>
+    </message>
+    <message>
+        <source>look at its coordinates, or leave it out and look at the residuals of the others</source>
+        <translation>请查看其坐标，或去掉该点并查看其余点的残差</translation>
+    </message>
+    <message>
+        <source>look at its heights, or leave it out and look at the residuals of the others</source>
+        <translation>请查看其高程，或去掉该点并查看其余点的残差</translation>
+    </message>
+    <message>
+        <source>look for x and y, or easting and northing, that were changed for each other, or an axis against its sign</source>
+        <translation>请查找互换的 x 和 y、东向和北向，或符号相反的坐标轴</translation>
+    </message>
+    <message>
+        <source>make sure that all heights of the case count from it, or set the height shift of the site</source>
+        <translation>请确认案例的所有高程都从其起算，或设置场地的高程偏移</translation>
+    </message>
+    <message>
+        <source>make sure that shape and place are right without them, or export the mesh anew without them</source>
+        <translation>请确认没有这些扩展时形状和位置正确，或不用它们重新导出网格</translation>
+    </message>
+    <message>
+        <source>name the colours of the bands with gdal_translate -colorinterp if that is not right</source>
+        <translation>若不正确，请用 gdal_translate -colorinterp 写明各波段的颜色</translation>
+    </message>
+    <message>
+        <source>name the coordinate system of the case; or check that its coordinates are those of the file</source>
+        <translation>请写明案例的坐标系；或检查其坐标与文件的是否一致</translation>
+    </message>
+    <message>
+        <source>no more than the accessor has</source>
+        <translation>不多于访问器所有</translation>
+    </message>
+    <message>
+        <source>nodes hang too deep below each other</source>
+        <translation>节点的层次太深</translation>
+    </message>
+    <message>
+        <source>none is needed if it is of this mesh and of the system of the case; else state the offset in the case</source>
+        <translation>若其属于此网格和案例的坐标系则无需处理；否则请在案例中给出偏移</translation>
+    </message>
+    <message>
+        <source>none is needed if it looks right</source>
+        <translation>若看起来正确则无需处理</translation>
+    </message>
+    <message>
+        <source>none is needed if they are marks; else export them as faces</source>
+        <translation>若只是标记则无需处理；否则请导出为面</translation>
+    </message>
+    <message>
+        <source>not named</source>
+        <translation>未写明</translation>
+    </message>
+    <message>
+        <source>numbers in base64</source>
+        <translation>base64 编码的数值</translation>
+    </message>
+    <message>
+        <source>one control point is used, which says nothing: the origin of the frame places everything</source>
+        <translation>只采用一个控制点，不起作用：一切按坐标框架的原点定位</translation>
+    </message>
+    <message>
+        <source>places are good to {0} only: so accurate is the way from &quot;{1}&quot; to &quot;{2}&quot;, {3}</source>
+        <translation>位置只准到 {0}：从“{1}”到“{2}”的转换（{3}）即为此精度</translation>
+    </message>
+    <message>
+        <source>positions of three numbers</source>
+        <translation>由三个数组成的位置</translation>
+    </message>
+    <message>
+        <source>scale it to bytes with gdal_translate -ot Byte -scale if it looks too dark or too bright</source>
+        <translation>若太暗或太亮，请用 gdal_translate -ot Byte -scale 将其缩放为字节</translation>
+    </message>
+    <message>
+        <source>state the offset of the mesh in the case if it is to be added</source>
+        <translation>如需加上，请在案例中给出网格的偏移</translation>
+    </message>
+    <message>
+        <source>state the offset of the mesh in the case, or remove the file</source>
+        <translation>请在案例中给出网格的偏移，或移走该文件</translation>
+    </message>
+    <message>
+        <source>the case names the coordinate system &quot;{0}&quot;, but nothing says where in it the model stands</source>
+        <translation>案例写明坐标系“{0}”，但没有说明模型在其中何处</translation>
+    </message>
+    <message>
+        <source>the colours of the picture are fractions from 0 to 1</source>
+        <translation>影像的颜色为 0 至 1 的小数</translation>
+    </message>
+    <message>
+        <source>the colours of the picture have {0} bits and were scaled to 8</source>
+        <translation>影像的颜色为 {0} 位，已缩放为 8 位</translation>
+    </message>
+    <message>
+        <source>the control point &quot;{0}&quot; is {1} off in height, where the points are {2} apart; heights of terrain and surveys are off by as much</source>
+        <translation>控制点“{0}”高程偏差 {1}，点间距离 {2}；地形和测量的高程也偏差这么多</translation>
+    </message>
+    <message>
+        <source>the control point &quot;{0}&quot; is {1} off in plan, where the points are {2} apart; maps are off by as much</source>
+        <translation>控制点“{0}”平面偏差 {1}，点间距离 {2}；地图也偏差这么多</translation>
+    </message>
+    <message>
+        <source>the control points fit only a mirrored frame: they are {0} off in plan (RMS), where they are {1} apart</source>
+        <translation>控制点只与镜像的坐标框架相符：平面偏差 {0}（均方根），点间距离 {1}</translation>
+    </message>
+    <message>
+        <source>the coordinate system &quot;{0}&quot; of the case has no eastings and northings</source>
+        <translation>案例的坐标系“{0}”没有东向和北向坐标</translation>
+    </message>
+    <message>
+        <source>the coordinate system &quot;{0}&quot; of the case is not known</source>
+        <translation>案例的坐标系“{0}”未知</translation>
+    </message>
+    <message>
+        <source>the file keeps coordinates to {0} only</source>
+        <translation>文件所存坐标只精确到 {0}</translation>
+    </message>
+    <message>
+        <source>the file lies in &quot;{0}&quot;, and the case names no coordinate system; that of the file is taken for it</source>
+        <translation>文件的坐标系为“{0}”，而案例未写明坐标系；视为文件的坐标系</translation>
+    </message>
+    <message>
+        <source>the grid {0} is not here, and without it no way from &quot;{1}&quot; to &quot;{2}&quot; is known well; places may be metres or more off</source>
+        <translation>没有网格 {0}，缺少它时从“{1}”到“{2}”没有准确的转换；位置可能偏差数米或更多</translation>
+    </message>
+    <message>
+        <source>the grid {0} is not here, so places are good to {1} only: the way from &quot;{2}&quot; to &quot;{3}&quot; is {4}</source>
+        <translation>没有网格 {0}，因此位置只准到 {1}：从“{2}”到“{3}”的转换为 {4}</translation>
+    </message>
+    <message>
+        <source>the mesh lies {0} {1} the whole structure</source>
+        <translation>网格位于整个结构{1} {0} 处</translation>
+    </message>
+    <message>
+        <source>the mesh uses extensions of glTF that are not known and were left out: {0}</source>
+        <translation>网格使用了未知的 glTF 扩展，已略去：{0}</translation>
+    </message>
+    <message>
+        <source>the offset in {0} was not added, for the mesh lies at the site without it</source>
+        <translation>未加 {0} 中的偏移，因为网格不加偏移即位于场地</translation>
+    </message>
+    <message>
+        <source>the picture does not say how many bits its colours have; {0} were taken and scaled to 8, for its greatest value is {1}</source>
+        <translation>影像未写明颜色的位数；因其最大值为 {1}，取 {0} 位并缩放为 8 位</translation>
+    </message>
+    <message>
+        <source>the picture has two bands, and none says what it holds; the first is taken as grey</source>
+        <translation>影像有两个波段，均未说明内容；第一个作为灰度</translation>
+    </message>
+    <message>
+        <source>the site lies outside the area of use of &quot;{0}&quot; ({1}) at easting {2}, northing {3}: latitude {4}, longitude {5}</source>
+        <translation>场地位于“{0}”的适用范围（{1}）之外：东向 {2}，北向 {3}，即纬度 {4}，经度 {5}</translation>
+    </message>
+    <message>
+        <source>the site lies outside the area of use of &quot;{0}&quot; ({1}) at easting {2}, northing {3}; changed for each other they lie in it</source>
+        <translation>场地位于“{0}”的适用范围（{1}）之外：东向 {2}，北向 {3}；两者互换后位于其内</translation>
+    </message>
+    <message>
+        <source>the site lies outside the area of use of &quot;{0}&quot; ({1}) at easting {2}, northing {3}; in {4} they lie in it</source>
+        <translation>场地位于“{0}”的适用范围（{1}）之外：东向 {2}，北向 {3}；以 {4} 计则位于其内</translation>
+    </message>
+    <message>
+        <source>the {0} bands of the picture do not say their colours; the first three are taken as red, green and blue</source>
+        <translation>影像的 {0} 个波段未写明颜色；前三个作为红、绿、蓝</translation>
+    </message>
+    <message>
+        <source>this node hangs in two places</source>
+        <translation>此节点挂在两处</translation>
+    </message>
+    <message>
+        <source>tie the model to it by two control points or more (Site… in the Case menu), or leave the system out</source>
+        <translation>请用两个或更多控制点将模型与其联系（“案例”菜单中的“场地…”），或不写坐标系</translation>
+    </message>
+    <message>
+        <source>turn curves and free-form surfaces into polygons before the mesh is exported</source>
+        <translation>请在导出网格之前将曲线和自由曲面转为多边形</translation>
+    </message>
+    <message>
+        <source>use two control points or more, or none</source>
+        <translation>请采用两个或更多控制点，或都不采用</translation>
+    </message>
+    <message>
+        <source>write it in double precision, or about an origin near the site with that origin as its offset</source>
+        <translation>请以双精度写出，或以场地附近的原点写出并以该原点为偏移</translation>
+    </message>
+    <message>
+        <source>{0} curved shapes of the mesh were left out; only polygons are read</source>
+        <translation>网格的 {0} 个曲线或曲面已略去；只读取多边形</translation>
+    </message>
+    <message>
+        <source>{0} does not begin as a PLY does</source>
+        <translation>{0} 的开头不是 PLY</translation>
+    </message>
+    <message>
+        <source>{0} ends before what it promises</source>
+        <translation>{0} 在其声明的内容之前结束</translation>
+    </message>
+    <message>
+        <source>{0} faces of the mesh cross themselves, the first is face {1}; their triangles may not cover what was meant</source>
+        <translation>网格有 {0} 个面自相交，首个为第 {1} 个面；其三角形可能并未覆盖本意的区域</translation>
+    </message>
+    <message>
+        <source>{0} faces of the mesh name points that are not there, the first in line {1}; they were left out</source>
+        <translation>网格有 {0} 个面引用了不存在的点，首个在第 {1} 行；这些面已略去</translation>
+    </message>
+    <message>
+        <source>{0} faces of the mesh name points that are not there, the first is face {1}; they were left out</source>
+        <translation>网格有 {0} 个面引用了不存在的点，首个为第 {1} 个面；这些面已略去</translation>
+    </message>
+    <message>
+        <source>{0} has more than {1} points</source>
+        <translation>{0} 的点多于 {1} 个</translation>
+    </message>
+    <message>
+        <source>{0} has no mesh of surroundings that an offset could move.</source>
+        <translation>{0} 没有可供偏移的周围环境网格。</translation>
+    </message>
+    <message>
+        <source>{0} holds no faces, only {1} points</source>
+        <translation>{0} 没有面，只有 {1} 个点</translation>
+    </message>
+    <message>
+        <source>{0} holds values as large as {1}, which are no colours</source>
+        <translation>{0} 的数值大至 {1}，不是颜色</translation>
+    </message>
+    <message>
+        <source>{0} is glTF {1}; version 2.0 is read</source>
+        <translation>{0} 为 glTF {1}；可读取 2.0 版</translation>
+    </message>
+    <message>
+        <source>{0} lies at x = {1} to {2}, y = {3} to {4} of the local frame; the structure stands at x = {5} to {6}, y = {7} to {8}</source>
+        <translation>{0} 位于局部坐标框架的 x = {1} 至 {2}、y = {3} 至 {4}；结构位于 x = {5} 至 {6}、y = {7} 至 {8}</translation>
+    </message>
+    <message>
+        <source>{0} looks like the offset of the mesh, but cannot be read as one</source>
+        <translation>{0} 像是网格的偏移，但无法读取</translation>
+    </message>
+    <message>
+        <source>{0} points and lines of the mesh were left out; they have no surface</source>
+        <translation>网格的 {0} 个点和线已略去；它们没有表面</translation>
+    </message>
+    <message>
+        <source>{0} promises more numbers than it holds</source>
+        <translation>{0} 声明的数值多于其所含</translation>
+    </message>
+    <message>
+        <source>{0} requires extensions of glTF that are not known: {1}</source>
+        <translation>{0} 要求未知的 glTF 扩展：{1}</translation>
+    </message>
+    <message>
+        <source>{0}, line {1} is longer than any line of a mesh</source>
+        <translation>{0} 第 {1} 行比网格的任何一行都长</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: &quot;{2}&quot; is no line of the head of a PLY</source>
+        <translation>{0} 第 {1} 行：“{2}”不是 PLY 文件头的一行</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: &quot;{2}&quot; names no corner of a face</source>
+        <translation>{0} 第 {1} 行：“{2}”不是面的角点</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: &quot;{2}&quot; stands where a number should</source>
+        <translation>{0} 第 {1} 行：应为数值之处是“{2}”</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: a coordinate is no number of metres</source>
+        <translation>{0} 第 {1} 行：坐标不是以米为单位的数值</translation>
+    </message>
+    <message>
+        <source>{0}, {1}, {2} was added to the coordinates of the mesh, the offset in {3} (its system: {4})</source>
+        <translation>网格的坐标已加上 {0}、{1}、{2}，即 {3} 中的偏移（其坐标系：{4}）</translation>
+    </message>
+    <message>
+        <source>{0}: a buffer promises {1} bytes and holds {2}</source>
+        <translation>{0}：一个缓冲区声明 {1} 字节，实有 {2} 字节</translation>
+    </message>
+    <message>
+        <source>{0}: a coordinate of point {1} is no number of metres</source>
+        <translation>{0}：第 {1} 个点的坐标不是以米为单位的数值</translation>
+    </message>
+    <message>
+        <source>{0}: face {1} has {2} corners; at most {3} are read</source>
+        <translation>{0}：第 {1} 个面有 {2} 个角点；至多读取 {3} 个</translation>
+    </message>
+    <message>
+        <source>{0}: none of its {1} faces has an area</source>
+        <translation>{0}：其 {1} 个面均无面积</translation>
+    </message>
+    <message>
+        <source>{0}: the head of the PLY does not end, or names no format</source>
+        <translation>{0}：PLY 的文件头没有结束，或没有写明格式</translation>
     </message>
 </context>
 <context>
@@ -16424,16 +16896,40 @@ Program: %3</source>
         <translation>%1 个点的最小二乘：转角 %2°，比例 %3，残差平面 %4 m、高程 %5 m（均方根）。</translation>
     </message>
     <message>
-        <source>The scale is far from 1: a point is wrong, or the two sides have different units.</source>
-        <translation>比例与 1 相差甚远：有一个点是错的，或两侧单位不同。</translation>
-    </message>
-    <message>
-        <source>Leave points out one by one and look at the residuals.</source>
-        <translation>逐个不采用各点并观察残差。</translation>
-    </message>
-    <message>
         <source>Two points always fit in plan: a third shows whether they are right.</source>
         <translation>两个点在平面上总能拟合：第三个点才能显示其是否正确。</translation>
+    </message>
+    <message>
+        <source>mesh of the surroundings</source>
+        <translation>周围环境网格</translation>
+    </message>
+    <message>
+        <source>offset east, m</source>
+        <translation>东向偏移，m</translation>
+    </message>
+    <message>
+        <source>offset north, m</source>
+        <translation>北向偏移，m</translation>
+    </message>
+    <message>
+        <source>offset height, m</source>
+        <translation>高程偏移量，m</translation>
+    </message>
+    <message>
+        <source>Offsets of the surroundings</source>
+        <translation>周围环境的偏移</translation>
+    </message>
+    <message>
+        <source>Added to the coordinates of a mesh that was written about an origin near the site. Leave the three fields empty where a file beside the mesh names its offset, or where it has none</source>
+        <translation>加到以场地附近原点写出的网格的坐标上。网格旁的文件写有偏移，或网格没有偏移时，三项均留空</translation>
+    </message>
+    <message>
+        <source>That is no offset in metres.</source>
+        <translation>这不是以米为单位的偏移。</translation>
+    </message>
+    <message>
+        <source>The mesh stays as it was.</source>
+        <translation>网格保持原样。</translation>
     </message>
 </context>
 <context>

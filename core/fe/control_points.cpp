@@ -100,4 +100,112 @@ SiteFit fitControlPoints(const std::vector<ControlPoint>& points) {
     return fit;
 }
 
+namespace {
+
+constexpr double scaleExpected = 0.005;     ///< share by which a scale may depart
+constexpr double residualExpected = 0.005;  ///< share of the distance between points
+constexpr double leastInPlan = 0.1;         ///< m
+constexpr double leastInHeight = 0.25;      ///< m
+
+double farthestApart(const std::vector<ControlPoint>& points) {
+    double most = 0.0;
+    for (const ControlPoint& a : points) {
+        for (const ControlPoint& b : points) {
+            if (a.used && b.used) {
+                most = std::max(most, (a.world - b.world).head<2>().norm());
+            }
+        }
+    }
+    return most;
+}
+
+/// Whether the points fit well once one axis of the frame is turned against itself.
+bool mirrored(std::vector<ControlPoint> points, const SiteFit& fit) {
+    for (ControlPoint& point : points) {
+        point.local.y() = -point.local.y();
+    }
+    return fitControlPoints(points).rmsPlan < 0.2 * fit.rmsPlan;
+}
+
+/// The used point that is farthest off.
+template <class Off>
+std::size_t worstOf(const std::vector<ControlPoint>& points, Off off) {
+    std::size_t worst = 0;
+    double most = -1.0;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        if (points[p].used && off(p) > most) {
+            most = off(p);
+            worst = p;
+        }
+    }
+    return worst;
+}
+
+void checkPlan(Findings& findings, const std::vector<ControlPoint>& points, const SiteFit& fit, double apart, double scale) {
+    const auto off = [&](std::size_t p) { return fit.residuals[p].head<2>().norm(); };
+    const std::size_t worst = worstOf(points, off);
+    const bool far = off(worst) > std::max(leastInPlan, residualExpected * apart);
+    if (far && fit.used > 2 && mirrored(points, fit)) {
+        findings.add({"site.mirrored",
+                      "the control points fit only a mirrored frame: they are {0} off in plan (RMS), where they are {1} apart",
+                      {{fit.rmsPlan, "m"}, {apart, "m"}}},
+                     {"site.mirrored.remedy",
+                      "look for x and y, or easting and northing, that were changed for each other, or an axis against its sign",
+                      {}},
+                     points[worst].name);
+        return;
+    }
+    if (std::abs(fit.scale / scale - 1.0) > scaleExpected) {
+        findings.add(
+            {"site.scale",
+             "by the control points the model is {0} times as large as it should be there: a point is wrong, or the two sides "
+             "have different units",
+             {fit.scale / scale}},
+            {"site.scale.remedy",
+             "give all coordinates in metres, also in a system that counts in feet; else leave points out one by one and look at "
+             "the residuals",
+             {}},
+            points[worst].name);
+    }
+    if (far) {
+        findings.add(
+            {"site.residual",
+             "the control point \"{0}\" is {1} off in plan, where the points are {2} apart; maps are off by as much",
+             {points[worst].name, {off(worst), "m"}, {apart, "m"}}},
+            {"site.residual.remedy", "look at its coordinates, or leave it out and look at the residuals of the others", {}},
+            points[worst].name);
+    }
+}
+
+}  // namespace
+
+Findings checkControlPoints(const std::vector<ControlPoint>& points, double scale) {
+    Findings findings;
+    const std::size_t used = usedPoints(points);
+    if (used == 1) {
+        findings.add(
+            {"site.one_point", "one control point is used, which says nothing: the origin of the frame places everything", {}},
+            {"site.one_point.remedy", "use two control points or more, or none", {}});
+    }
+    if (used < 2) {
+        return findings;
+    }
+    const SiteFit fit = fitControlPoints(points);
+    const double apart = farthestApart(points);
+    checkPlan(findings, points, fit, apart, scale);
+    const auto off = [&](std::size_t p) { return std::abs(fit.residuals[p].z()); };
+    const std::size_t worst = worstOf(points, off);
+    if (off(worst) > std::max(leastInHeight, residualExpected * apart)) {
+        findings.add(
+            {"site.height_residual",
+             "the control point \"{0}\" is {1} off in height, where the points are {2} apart; heights of terrain and surveys are "
+             "off "
+             "by as much",
+             {points[worst].name, {off(worst), "m"}, {apart, "m"}}},
+            {"site.height_residual.remedy", "look at its heights, or leave it out and look at the residuals of the others", {}},
+            points[worst].name);
+    }
+    return findings;
+}
+
 }  // namespace rubble

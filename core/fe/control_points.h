@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/finding.h"
 #include "core/base/geometry.h"
 
 namespace rubble {
@@ -35,6 +36,12 @@ struct SiteFit {
 /// The similarity of least squares in plan (Umeyama 1991 in two dimensions, without reflection) and the mean difference of heights.
 /// Throws UsageError for fewer than two points that are used, numbers that are none, or points that lie in one place.
 SiteFit fitControlPoints(const std::vector<ControlPoint>& points);
+
+/// What speaks against control points, as findings: one that is used alone, a scale far from that of the system, a mirrored frame,
+/// and residuals larger than half a percent of the greatest distance between points (10 cm at least, 25 cm in height).
+/// Throws as fitControlPoints() where two or more are used.
+/// @param scale  lengths in the world's system by lengths on the ground, there
+Findings checkControlPoints(const std::vector<ControlPoint>& points, double scale = 1.0);
 
 /// Points that take part.
 std::size_t usedPoints(const std::vector<ControlPoint>& points);

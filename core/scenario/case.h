@@ -22,6 +22,8 @@ struct CaseInput {
     std::string sha256;  ///< hex; empty until first read
     /// Of a survey: whether it shows live structure that fell; unset: not known.
     std::optional<bool> showsFallen = std::nullopt;
+    /// Of a mesh of the surroundings: m, added to its coordinates, as easting, northing and height; unset: as its own files say.
+    std::optional<Vec3> offset = std::nullopt;
     friend bool operator==(const CaseInput&, const CaseInput&) = default;
 };
 

@@ -121,6 +121,9 @@ json caseJson(const Case& theCase) {
         if (input.showsFallen) {
             inputs.back()["shows_fallen"] = *input.showsFallen;
         }
+        if (input.offset) {
+            inputs.back()["offset_m"] = jsonVector(*input.offset);
+        }
     }
     json scenarios = json::array();
     for (const CaseScenario& scenario : theCase.scenarios) {
@@ -159,11 +162,14 @@ Case caseFromJson(const JsonCursor& top) {
     theCase.title = top["title"].text();
     theCase.frame = frameFromJson(top["frame"]);
     for (const JsonCursor& input : top["inputs"].elements()) {
-        input.allowOnly({"id", "role", "path", "sha256", "shows_fallen"});
+        input.allowOnly({"id", "role", "path", "sha256", "shows_fallen", "offset_m"});
         CaseInput& read = theCase.inputs.emplace_back(
             CaseInput{input["id"].text(), roleFrom(input["role"]), input["path"].text(), input["sha256"].text()});
         if (input.has("shows_fallen")) {
             read.showsFallen = input["shows_fallen"].flag();
+        }
+        if (input.has("offset_m")) {
+            read.offset = input["offset_m"].vector();
         }
     }
     for (const JsonCursor& entry : top["scenarios"].elements()) {

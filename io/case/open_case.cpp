@@ -101,7 +101,22 @@ private:
             m_opened.base = absolutePlace(path) + ".rubble";
             m_opened.theCase = caseForFe(path, m_opened.base);
         }
+        takeMeshOffset();
         m_opened.inputs.frame = m_opened.theCase.frame;
+    }
+
+    void takeMeshOffset() {
+        bool any = false;
+        for (CaseInput& input : m_opened.theCase.inputs) {
+            if (m_request.meshOffset && input.role == InputRole::Surroundings) {
+                input.offset = m_request.meshOffset;
+                any = true;
+            }
+        }
+        if (m_request.meshOffset && !any) {
+            throw UsageError({"case.no_mesh", "{0} has no mesh of surroundings that an offset could move.", {m_request.path}},
+                             {"case.no_mesh.remedy", "Leave the offset out, or add the mesh to the case.", {}});
+        }
     }
 
     void takeScenario() {

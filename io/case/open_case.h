@@ -31,6 +31,7 @@ struct CaseRequest {
     /// Keys and texts as setParameterText() takes them, applied to the scenario in this order.
     std::vector<std::pair<std::string, std::string>> settings;
     std::optional<std::string> terrain;     ///< file in place of the terrain of the case; surroundings stay
+    std::optional<Vec3> meshOffset;         ///< m, in place of the offsets of all surroundings of the case
     bool cached = false;                    ///< FE results through compressed copies in the cache folder
     std::optional<std::size_t> stateBytes;  ///< bytes of FE states kept in memory at most; unset: as usual
     OpenResult open;

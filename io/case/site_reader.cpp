@@ -1,15 +1,14 @@
 #include "io/case/site_reader.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/case/case_file.h"
 #include "io/site/height_reading.h"
 #include "io/site/orthophoto_file.h"
+#include "io/site/place_check.h"
 #include "io/site/site_mesh_file.h"
-#include "io/site/site_place.h"
 
 namespace rubble::io {
 
@@ -31,8 +30,9 @@ public:
                 continue;
             }
             attempt(site, input, [&](const std::string& path) {
-                site.orthophoto = readOrthophoto(path, m_case.frame, m_case.site, m_bounds, m_execution);
+                site.orthophoto = readOrthophoto(path, m_case.frame, m_case.site, m_bounds, m_execution, site.findings);
                 site.orthophotoInput = input.id;
+                return Vec3(Vec3::Zero());
             });
         }
         if (count > 1) {
@@ -48,13 +48,15 @@ public:
                 continue;
             }
             const auto read = [&](const std::string& path) {
-                meshes->push_back(readSiteMesh(path, m_case.frame, m_case.site, m_execution));
-                checkPrecision(site, meshes->back(), path);
+                SiteMeshReading reading = readSiteMesh(path, m_case.frame, m_case.site, m_execution, {input.offset, m_bounds});
+                site.findings.append(reading.findings);
+                meshes->push_back(std::move(reading.mesh));
+                return reading.offset;
             };
             if (m_case.site.collide) {
                 const std::string path = inputPath(m_casePath, input);
-                read(path);
-                note(site, input, path);
+                const Vec3 offset = read(path);
+                note(site, input, path, offset);
             } else {
                 attempt(site, input, read);
             }
@@ -82,32 +84,21 @@ private:
     void attempt(TerrainInput& site, const CaseInput& input, Read read) const {
         const std::string path = inputPath(m_casePath, input);
         try {
-            read(path);
-            note(site, input, path);
+            const Vec3 offset = read(path);
+            note(site, input, path, offset);
         } catch (const Cancelled&) {
             throw;
         } catch (const Error& error) {
             site.findings.add(error.message(), error.remedy(), path);
         }
     }
-    void note(TerrainInput& site, const CaseInput& input, const std::string& path) const {
+    void note(TerrainInput& site, const CaseInput& input, const std::string& path, const Vec3& offset) const {
         const std::string sha256 = sha256OfFile(path);
-        site.files.push_back({input.id, path, sha256});
+        site.files.push_back({input.id, path, sha256, offset});
         if (!input.sha256.empty() && sha256 != input.sha256) {
             site.findings.add({"case.site_changed", "the file is not the one the case was saved with", {}},
                               {"case.site_changed.remedy", "find the file with the SHA-256 of the case, or accept it as it is", {}},
                               path);
-        }
-    }
-    /// Meshes are read in single precision.
-    void checkPrecision(TerrainInput& site, const SiteMesh& mesh, const std::string& path) const {
-        const SitePlace place(m_case.frame, m_case.site);
-        const double far = place.toWorld(mesh.points.front()).cwiseAbs().maxCoeff();
-        const double step = far * std::ldexp(1.0, -24);
-        if (step > 0.01) {
-            site.findings.add(
-                {"surroundings.far", "coordinates as large as {0} are kept to {1} only", {{far, "m"}, {step, "m"}}},
-                {"surroundings.far.remedy", "export the mesh about an origin near the site, with that of the case", {}}, path);
         }
     }
 
@@ -121,6 +112,9 @@ private:
 
 TerrainInput openSiteOfCase(const Case& theCase, const std::string& casePath, const Mesh& fe, const Execution& execution) {
     TerrainInput site = openTerrainOfCase(theCase, casePath, fe, execution);
+    Findings findings = checkPlace(theCase.frame, theCase.site);
+    findings.append(site.findings);
+    site.findings = std::move(findings);
     const SiteReading reading(theCase, casePath, fe, execution);
     reading.addOrthophoto(site);
     reading.addSurroundings(site);
@@ -140,11 +134,11 @@ TerrainInput openSurroundingsOfCase(Case theCase, const std::string& casePath, c
     return around;
 }
 
-std::shared_ptr<const TerrainGrid> raisedTerrain(const TerrainGrid& terrain, std::span<const std::string> meshes,
+std::shared_ptr<const TerrainGrid> raisedTerrain(const TerrainGrid& terrain, std::span<const RecordedInput> meshes,
                                                  const Frame& frame, const Site& site, const Execution& execution) {
     std::vector<SiteMesh> read;
-    for (const std::string& path : meshes) {
-        read.push_back(readSiteMesh(path, frame, site, execution));
+    for (const RecordedInput& mesh : meshes) {
+        read.push_back(readSiteMesh(mesh.path, frame, site, execution, {mesh.offset, {}}).mesh);
     }
     return terrainUnder(terrain, read, raisedCell, terrainNodesMax, execution);
 }
@@ -155,7 +149,7 @@ void recordSite(RunOrigin& origin, const TerrainInput& input, const Site& site) 
     origin.surroundings.clear();
     for (const SiteFile& file : input.files) {
         if (input.collided && file.input != input.orthophotoInput) {
-            origin.surroundings.push_back({file.path, file.sha256});
+            origin.surroundings.push_back({file.path, file.sha256, file.offset});
         }
     }
 }

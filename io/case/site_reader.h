@@ -8,10 +8,10 @@
 
 namespace rubble::io {
 
-/// All that stands around the structure of a case: its terrain as openTerrainOfCase(), its orthophotos (the first is used) and its
-/// meshes of surroundings. Where the case says so these raise the terrain; then one that cannot be read is an error. Any other
-/// that cannot be read is a finding, for nothing rests on it.
-/// Throws as openTerrain(), and as readSiteMesh() where debris is to fall on them.
+/// All that stands around the structure of a case, with what checkPlace() finds: its terrain as openTerrainOfCase(), its
+/// orthophotos (the first is used) and its meshes of surroundings. Where the case says so these raise the terrain; then one that
+/// cannot be read is an error. Any other that cannot be read is a finding, for nothing rests on it. Throws as openTerrain(), and as
+/// readSiteMesh() where debris is to fall on them.
 TerrainInput openSiteOfCase(const Case& theCase, const std::string& casePath, const Mesh& fe, const Execution& execution);
 
 /// Only what is drawn around the structure: orthophoto and meshes, without terrain. What cannot be read is a finding.
@@ -19,8 +19,8 @@ TerrainInput openSiteOfCase(const Case& theCase, const std::string& casePath, co
 TerrainInput openSurroundingsOfCase(Case theCase, const std::string& casePath, const Mesh& fe, const Frame& frame, const Site& site,
                                     const Execution& execution);
 
-/// A terrain raised by meshes as a run had it. Throws as readSiteMesh().
-std::shared_ptr<const TerrainGrid> raisedTerrain(const TerrainGrid& terrain, std::span<const std::string> meshes,
+/// A terrain raised by meshes as a run had it, with the offsets it put down. Throws as readSiteMesh().
+std::shared_ptr<const TerrainGrid> raisedTerrain(const TerrainGrid& terrain, std::span<const RecordedInput> meshes,
                                                  const Frame& frame, const Site& site, const Execution& execution);
 
 /// Puts down in a run how its local frame lies in the world, and the meshes that debris falls on.

@@ -20,6 +20,7 @@ struct SiteFile {
     std::string input;  ///< id in the case
     std::string path;
     std::string sha256;
+    Vec3 offset = Vec3::Zero();  ///< m, added to the coordinates of a mesh
 };
 
 /// A terrain as it was read, where it came from, and what stands on it.

@@ -37,6 +37,9 @@ std::string provenanceText(const RunOrigin& origin, const RunReader* run) {
     }
     for (const RecordedInput& mesh : origin.surroundings) {
         text["inputs"].push_back({{"role", "surroundings"}, {"path", mesh.path}, {"sha256", mesh.sha256}});
+        if (mesh.offset != Vec3::Zero()) {
+            text["inputs"].back()["offset_m"] = {mesh.offset.x(), mesh.offset.y(), mesh.offset.z()};
+        }
     }
     text["coordinates"] = std::string(SitePlace(origin.frame, origin.site).words());
     if (run != nullptr) {

@@ -13,6 +13,7 @@ namespace rubble::io {
 struct RecordedInput {
     std::string path;  ///< absolute
     std::string sha256;
+    Vec3 offset = Vec3::Zero();  ///< m, added to the coordinates of a mesh
 };
 
 /// Where a run came from, kept inside the run file so that it can be verified and exported later.

@@ -226,6 +226,9 @@ json originJson(const RunOrigin& origin) {
     }
     for (const RecordedInput& mesh : origin.surroundings) {
         object["surroundings"].push_back({{"path", mesh.path}, {"sha256", mesh.sha256}});
+        if (mesh.offset != Vec3::Zero()) {
+            object["surroundings"].back()["offset_m"] = jsonVector(mesh.offset);
+        }
     }
     object["frame"] = frameJson(origin.frame);
     object["scenario_name"] = origin.scenarioName;
@@ -249,6 +252,9 @@ RunOrigin originFromJson(const JsonCursor& object) {
     if (object.has("surroundings")) {
         for (const JsonCursor& mesh : object["surroundings"].elements()) {
             origin.surroundings.push_back({mesh["path"].text(), mesh["sha256"].text()});
+            if (mesh.has("offset_m")) {
+                origin.surroundings.back().offset = mesh["offset_m"].vector();
+            }
         }
     }
     origin.frame = frameFromJson(object["frame"]);

@@ -161,6 +161,8 @@ void Reading::checkCrs() {
         refuse("terrain.degrees", "{0} lies in degrees ({1}), and the case does not say where on Earth it is", {m_file.crsName()},
                "Give the case the coordinate system of its site, such as EPSG:25832: the raster is then projected to it.");
     }
+    const Vec3 middle = m_around.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(m_around.center());
+    m_file.checkWay(m_frame.crs, m_place.planToWorld(middle.head<2>()), m_result.findings);
     const RasterFile::SameCrs same = m_file.sameCrs(m_frame.crs);
     m_upright = m_place.upright() && !m_file.turned() && same != RasterFile::SameCrs::No;
     if (same == RasterFile::SameCrs::Unknown && m_file.geographic()) {
@@ -189,6 +191,10 @@ void Reading::checkDatum() {
         find("terrain.other_datum",
              "heights of the raster count from \"{0}\", those of the case from \"{1}\"; they were not converted",
              {m_result.verticalDatum, ofCase}, "set the height shift of the site to the difference there");
+    } else if (!m_result.verticalDatum.empty() && ofCase.empty() && !m_frame.crs.empty() && m_site.heightShift == 0.0) {
+        find("terrain.datum_kept",
+             "heights of the raster count from \"{0}\", and the case names no vertical datum; they were not converted",
+             {m_result.verticalDatum}, "make sure that all heights of the case count from it, or set the height shift of the site");
     }
 }
 

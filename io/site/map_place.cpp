@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "io/site/gdal_session.h"
+#include "io/site/system_way.h"
 
 namespace rubble::io {
 
@@ -17,8 +18,7 @@ MapPlace::MapPlace(const Frame& frame, const Site& site) : m_site(frame, site), 
         m_system->SetLinearUnits(SRS_UL_METER, 1.0);
         return;
     }
-    const auto limits = OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get();
-    if (m_system->SetFromUserInput(frame.crs.c_str(), limits) != OGRERR_NONE) {
+    if (!setFromText(*m_system, frame.crs)) {
         throw UsageError({"map.unknown_crs", "The coordinate system \"{0}\" of the case is not known.", {frame.crs}},
                          {"map.unknown_crs.remedy", "Give the case an EPSG code, EPSG:25832 for example, or none.", {}});
     }

@@ -17,7 +17,7 @@ constexpr double sideMax = 2048.0;  ///< px
 }  // namespace
 
 std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
-                                                 const Execution& execution) {
+                                                 const Execution& execution, Findings& findings) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) {
         throw WorldError({"orthophoto.missing", "There is no orthophoto {0}", {path}},
@@ -50,7 +50,8 @@ std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const 
     picture->width = std::max(1, static_cast<int>(size.x() / picture->pixel));
     picture->height = std::max(1, static_cast<int>(size.y() / picture->pixel));
     const auto factor = static_cast<std::size_t>(std::max(1.0, std::floor(picture->pixel / fine + 1e-9)));
-    sampling.colour(*picture, factor, execution);
+    sampling.colour(*picture, factor, execution, findings);
+    file.checkWay(frame.crs, place.planToWorld(0.5 * (low + high)), findings);
     return picture;
 }
 

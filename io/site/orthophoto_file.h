@@ -13,9 +13,10 @@ namespace rubble::io {
 
 /// Reads an orthophoto around a structure into the local frame, rows along x; at most 2,048 pixels on a side, coarser ones put
 /// together by their mean. What the file does not cover, or masks, is transparent.
-/// @param around  m, local, of the structure at rest; empty: all of it
+/// @param around    m, local, of the structure at rest; empty: all of it
+/// @param findings  what is assumed of its colours and its place is added
 /// Throws WorldError, ParseError (no picture, elsewhere, degrees in a case without a coordinate system), UsageError, Cancelled.
 std::shared_ptr<const Orthophoto> readOrthophoto(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
-                                                 const Execution& execution);
+                                                 const Execution& execution, Findings& findings);
 
 }  // namespace rubble::io

@@ -6,12 +6,14 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
 #include "io/site/file_words.h"
 #include "io/site/gdal_session.h"
 #include "io/site/site_place.h"
+#include "io/site/system_way.h"
 
 namespace rubble::io {
 
@@ -22,6 +24,7 @@ constexpr std::array<const char*, 6> outlineFormats{"GPKG", "GeoJSON", "ESRI Sha
 constexpr std::size_t cornersMax = 2'000'000;
 /// m. No site reaches as far from the zero of its frame.
 constexpr double reachMax = 1e8;
+const Eigen::Vector2d unknownPlace = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
 
 /// Reads the polygons of one file.
 class PolygonReading {
@@ -80,10 +83,14 @@ private:
             return;
         }
         m_result.crs = system->GetName() != nullptr ? system->GetName() : "unnamed";
+        if (!system->IsGeographic() || !m_crs.empty()) {
+            OGREnvelope box;
+            const bool known = layer.GetExtent(&box) == OGRERR_NONE;
+            const Eigen::Vector2d middle(0.5 * (box.MinX + box.MaxX), 0.5 * (box.MinY + box.MaxY));
+            addWayFindings(m_result.findings, m_path, system, m_crs, degreesOf(*system, known ? middle : unknownPlace));
+        }
         OGRSpatialReference other;
-        const bool known =
-            !m_crs.empty() &&
-            other.SetFromUserInput(m_crs.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) == OGRERR_NONE;
+        const bool known = setFromText(other, m_crs);
         if (!known || system->IsLocal()) {
             m_degrees = system->IsGeographic();
             m_unplaced = m_unplaced || system->IsLocal();

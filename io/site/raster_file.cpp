@@ -12,6 +12,8 @@
 #include "core/base/error.h"
 #include "io/site/file_words.h"
 #include "io/site/gdal_session.h"
+#include "io/site/raster_colours.h"
+#include "io/site/system_way.h"
 
 namespace rubble::io {
 
@@ -138,7 +140,7 @@ void RasterFile::checkKind(Holds what) const {
     if (what == Holds::Heights && (meaning == GCI_RedBand || meaning == GCI_PaletteIndex || complex)) {
         refusePicture(m_path);
     }
-    if (what == Holds::Colours && (complex || (m_handles->band->GetRasterDataType() != GDT_Byte && m_bands < 3))) {
+    if (what == Holds::Colours && !holdsColours(*m_handles->dataset, m_bands)) {
         refuseContent({"terrain.no_picture", "{0} holds no colours", {m_path}},
                       "Give an orthophoto: three bands, or one of bytes.");
     }
@@ -193,8 +195,7 @@ RasterFile::SameCrs RasterFile::sameCrs(const std::string& text) const {
     const GdalSession session;
     const OGRSpatialReference* own = m_handles->dataset->GetSpatialRef();
     OGRSpatialReference other;
-    if (own == nullptr || own->IsEmpty() || text.empty() ||
-        other.SetFromUserInput(text.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) != OGRERR_NONE) {
+    if (own == nullptr || own->IsEmpty() || !setFromText(other, text)) {
         return SameCrs::Unknown;
     }
     OGRSpatialReference plain(*own);
@@ -232,19 +233,21 @@ void RasterFile::take(const std::vector<int>& bands) {
 std::string RasterFile::verticalDatum() const {
     const GdalSession session;
     const OGRSpatialReference* own = m_handles->dataset->GetSpatialRef();
-    const char* name = own != nullptr ? own->GetAttrValue("VERT_CS") : nullptr;
-    return name != nullptr ? name : "";
+    return own != nullptr && !own->IsEmpty() ? heightSystemOf(*own) : "";
 }
 
 std::string RasterFile::verticalDatum(const std::string& crs) {
     const GdalSession session;
     OGRSpatialReference system;
-    if (crs.empty() ||
-        system.SetFromUserInput(crs.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) != OGRERR_NONE) {
-        return {};
-    }
-    const char* name = system.GetAttrValue("VERT_CS");
-    return name != nullptr ? name : "";
+    return setFromText(system, crs) ? heightSystemOf(system) : "";
+}
+
+void RasterFile::checkWay(const std::string& crs, const Eigen::Vector2d& place, Findings& findings) const {
+    const GdalSession session;
+    const OGRSpatialReference* own = m_handles->dataset->GetSpatialRef();
+    OGRSpatialReference of;
+    const Eigen::Vector2d unknown = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+    addWayFindings(findings, m_path, own, crs, setFromText(of, crs) ? degreesOf(of, place / of.GetLinearUnits()) : unknown);
 }
 
 void RasterFile::change(const std::string& crs, bool toFile, std::vector<Eigen::Vector2d>& places) const {
@@ -258,9 +261,7 @@ void RasterFile::change(const std::string& crs, bool toFile, std::vector<Eigen::
     }
     OGRSpatialReference file(*own);
     OGRSpatialReference other;
-    const bool known =
-        other.SetFromUserInput(crs.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) == OGRERR_NONE &&
-        !other.IsGeographic();
+    const bool known = setFromText(other, crs) && !other.IsGeographic();
     file.StripVertical();
     other.StripVertical();
     file.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -316,13 +317,22 @@ bool readRows(GDALRasterBand& band, const RasterWindow& window, std::size_t from
               GDALDataType type) {
     GDALRasterIOExtraArg extra;
     INIT_RASTERIO_EXTRA_ARG(extra);
-    extra.eResampleAlg = window.factor > 1 ? GRIORA_Average : GRIORA_NearestNeighbour;
+    // The mean of two numbers of a palette is another colour.
+    const bool mean = window.factor > 1 && band.GetColorInterpretation() != GCI_PaletteIndex;
+    extra.eResampleAlg = mean ? GRIORA_Average : GRIORA_NearestNeighbour;
     const auto whole = [](std::size_t n) { return static_cast<int>(n); };
     return band.RasterIO(GF_Read, whole(window.column), whole(window.row + from * window.factor), whole(window.columns),
                          whole(count * window.factor), target, whole(window.width()), whole(count), type, 0, 0, &extra) == CE_None;
 }
 
 }  // namespace
+
+void RasterFile::refuseRows(std::size_t first) const {
+    refuseContent({"terrain.unreadable_rows",
+                   "{0} cannot be read from row {1} of {2} on: {3}",
+                   {m_path, first, m_place.rows, GdalSession::reason()}},
+                  "The file may be cut short: copy it again from where it came.");
+}
 
 std::vector<double> RasterFile::values(const RasterWindow& window, const Execution& execution) const {
     std::vector<double> all(window.width() * window.height(), std::numeric_limits<double>::quiet_NaN());
@@ -350,10 +360,7 @@ void RasterFile::readGreater(GDALRasterBand& band, const RasterWindow& window, s
         const int least = !known && window.factor > 1 ? 255 : 1;
         if (!readRows(band, window, from, count, values.data(), GDT_Float64) ||
             (masking != nullptr && !readRows(*masking, window, from, count, mask.data(), GDT_Byte))) {
-            refuseContent({"terrain.unreadable_rows",
-                           "{0} cannot be read from row {1} of {2} on: {3}",
-                           {m_path, window.row + from * window.factor + 1, m_place.rows, GdalSession::reason()}},
-                          "The file may be cut short: copy it again from where it came.");
+            refuseRows(window.row + from * window.factor + 1);
         }
         const double scale = band.GetScale();
         const double offset = band.GetOffset();
@@ -366,41 +373,48 @@ void RasterFile::readGreater(GDALRasterBand& band, const RasterWindow& window, s
     }
 }
 
-std::vector<std::uint8_t> RasterFile::colours(const RasterWindow& window, const Execution& execution) const {
-    const std::size_t pixels = window.width() * window.height();
-    std::vector<std::uint8_t> all(4 * pixels, 255);
-    std::vector<std::uint8_t> plane(pixels);
+std::vector<float> RasterFile::plane(GDALRasterBand& band, const RasterWindow& window, const Execution& execution) const {
+    std::vector<float> plane(window.width() * window.height());
     const std::size_t atOnce = std::max<std::size_t>(1, rowsAtOnce / window.factor);
-    const auto read = [&](GDALRasterBand& band, std::size_t channel) {
-        for (std::size_t from = 0; from < window.height(); from += atOnce) {
-            execution.check();
-            const GdalSession session;
-            const std::size_t count = std::min(atOnce, window.height() - from);
-            if (!readRows(band, window, from, count, &plane[from * window.width()], GDT_Byte)) {
-                refuseContent({"terrain.unreadable_rows",
-                               "{0} cannot be read from row {1} of {2} on: {3}",
-                               {m_path, window.row + from * window.factor + 1, m_place.rows, GdalSession::reason()}},
-                              "The file may be cut short: copy it again from where it came.");
-            }
+    for (std::size_t from = 0; from < window.height(); from += atOnce) {
+        execution.check();
+        const GdalSession session;
+        const std::size_t count = std::min(atOnce, window.height() - from);
+        if (!readRows(band, window, from, count, &plane[from * window.width()], GDT_Float32)) {
+            refuseRows(window.row + from * window.factor + 1);
         }
-        for (std::size_t k = 0; k < pixels; ++k) {
-            all[4 * k + channel] = plane[k];
+    }
+    return plane;
+}
+
+std::vector<std::uint8_t> RasterFile::colours(const RasterWindow& window, const Execution& execution, Findings& findings) const {
+    const ColourBands bands = colourBands(*m_handles->dataset, m_path, findings);
+    std::vector<std::uint8_t> all(4 * window.width() * window.height(), 255);
+    for (std::size_t m = 0; m < bands.masks.size(); ++m) {
+        const std::vector<float> there = plane(*bands.masks[m], window, execution);
+        for (std::size_t k = 0; k < there.size(); ++k) {
+            // A pixel is there if any of its colours is: the mark for nothing may be a value of another one.
+            const auto opacity = static_cast<std::uint8_t>(std::clamp(there[k] * bands.maskScale, 0.0F, 255.0F));
+            all[4 * k + 3] = m == 0 ? opacity : std::max(all[4 * k + 3], opacity);
         }
-    };
-    GDALDataset& file = *m_handles->dataset;
-    for (int channel = 0; channel < 3; ++channel) {
-        read(*file.GetRasterBand(m_bands >= 3 ? channel + 1 : 1), static_cast<std::size_t>(channel));
     }
-    if ((m_handles->band->GetMaskFlags() & GMF_ALL_VALID) == 0) {
-        read(*m_handles->band->GetMaskBand(), 3);
+    std::array<std::vector<float>, 3> values;
+    float most = 0.0F;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const bool again = channel > 0 && bands.colours[channel] == bands.colours[channel - 1];
+        values[channel] = again ? values[channel - 1] : plane(*bands.colours[channel], window, execution);
+        for (std::size_t k = 0; k < values[channel].size(); ++k) {
+            most = all[4 * k + 3] > 0 ? std::fmax(most, values[channel][k]) : most;
+        }
     }
-    const GDALColorTable* palette = m_handles->band->GetColorTable();
-    for (std::size_t k = 0; palette != nullptr && m_bands < 3 && k < pixels; ++k) {
-        GDALColorEntry entry{};
-        palette->GetColorEntryAsRGB(all[4 * k], &entry);
-        all[4 * k] = static_cast<std::uint8_t>(entry.c1);
-        all[4 * k + 1] = static_cast<std::uint8_t>(entry.c2);
-        all[4 * k + 2] = static_cast<std::uint8_t>(entry.c3);
+    const ColourScale scale = colourScale(*bands.colours.front(), bands.palette != nullptr, most, m_path, findings);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        for (std::size_t k = 0; k < values[channel].size(); ++k) {
+            all[4 * k + channel] = scale(values[channel][k]);
+        }
+    }
+    if (bands.palette != nullptr) {
+        applyPalette(*bands.palette, all);
     }
     return all;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/execution.h"
+#include "core/base/finding.h"
 #include "core/base/geometry.h"
 
 class GDALRasterBand;
@@ -67,7 +68,7 @@ public:
     const std::string& heightUnit() const { return m_heightUnit; }
     /// Metres in it; 0 if the file states no unit or one that is not known.
     double metresPerHeightUnit() const { return m_metresPerHeightUnit; }
-    /// Name of the vertical datum that a system states, empty if it states none.
+    /// Name of the vertical datum that a system states, or of the ellipsoid in one of three dimensions; empty if it states none.
     std::string verticalDatum() const;
     static std::string verticalDatum(const std::string& crs);
     /// Takes places in metres of a system (its coordinates times its unit; empty: the file's own) to fractional pixels, the middle
@@ -75,6 +76,10 @@ public:
     /// Throws UsageError if the system is not known or PROJ finds no way between the two.
     void toPixels(const std::string& crs, std::vector<Eigen::Vector2d>& places) const;
     void fromPixels(const std::string& crs, std::vector<Eigen::Vector2d>& places) const;
+    /// Says how well places of its system are known in that of a case: which operation of PROJ leads there, how accurate it is, and
+    /// which grids are missing. A file whose system, or a case that names none, is said as well.
+    /// @param place  easting and northing of the site in metres of the case's system
+    void checkWay(const std::string& crs, const Eigen::Vector2d& place, Findings& findings) const;
     /// Whether the system of the file is the one that a text (EPSG code, WKT, PROJ) names, heights apart.
     enum class SameCrs { Yes, No, Unknown };
     SameCrs sameCrs(const std::string& text) const;
@@ -83,12 +88,15 @@ public:
     /// Of pixels put together the mean of those that have a value.
     /// Throws ParseError naming the row that cannot be read, Cancelled.
     std::vector<double> values(const RasterWindow& window, const Execution& execution) const;
-    /// Red, green, blue and opacity of a window, row by row. Throws as values().
-    std::vector<std::uint8_t> colours(const RasterWindow& window, const Execution& execution) const;
+    /// Red, green, blue and opacity of a window, row by row, each of a byte. What is assumed of bands and depth is a finding.
+    /// Throws as values(), and ParseError where values are no colours.
+    std::vector<std::uint8_t> colours(const RasterWindow& window, const Execution& execution, Findings& findings) const;
 
 private:
     struct Handles;
     void readGreater(GDALRasterBand& band, const RasterWindow& window, std::vector<double>& all, const Execution& execution) const;
+    std::vector<float> plane(GDALRasterBand& band, const RasterWindow& window, const Execution& execution) const;
+    [[noreturn]] void refuseRows(std::size_t first) const;
     void checkLength() const;
     void checkKind(Holds what) const;
     void readPlace();

@@ -180,7 +180,7 @@ std::vector<double> RasterSampling::heights(const HeightGrid& nodes, std::size_t
     return all;
 }
 
-void RasterSampling::colour(Orthophoto& picture, std::size_t factor, const Execution& execution) const {
+void RasterSampling::colour(Orthophoto& picture, std::size_t factor, const Execution& execution, Findings& findings) const {
     const Eigen::Vector2d first(picture.x0 + 0.5 * picture.pixel, picture.y0 + 0.5 * picture.pixel);
     const std::vector<Eigen::Vector2d> pixels = pixelsOf(
         Nodes{first, picture.pixel, static_cast<std::size_t>(picture.width), static_cast<std::size_t>(picture.height)}, execution);
@@ -189,7 +189,7 @@ void RasterSampling::colour(Orthophoto& picture, std::size_t factor, const Execu
     if (window.width() < 1 || window.height() < 1) {
         return;
     }
-    const std::vector<std::uint8_t> colours = m_file.colours(window, execution);
+    const std::vector<std::uint8_t> colours = m_file.colours(window, execution, findings);
     for (std::size_t k = 0; k < pixels.size(); ++k) {
         const Eigen::Vector2d at = within(pixels[k], window).array().round();
         if (at.x() >= 0.0 && at.y() >= 0.0 && at.x() < static_cast<double>(window.width()) &&

@@ -29,7 +29,7 @@ public:
     /// @param factor  pixels of the file that are put together before
     std::vector<double> heights(const HeightGrid& nodes, std::size_t factor, Pick pick, const Execution& execution) const;
     /// Colours at the middles of the pixels of a picture, whose place and size are given.
-    void colour(Orthophoto& picture, std::size_t factor, const Execution& execution) const;
+    void colour(Orthophoto& picture, std::size_t factor, const Execution& execution, Findings& findings) const;
 
 private:
     struct Nodes;

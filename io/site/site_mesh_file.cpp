@@ -1,25 +1,17 @@
 #include "io/site/site_mesh_file.h"
 
-#include <vtkCellArray.h>
-#include <vtkCommand.h>
-#include <vtkCompositeDataIterator.h>
-#include <vtkGLTFReader.h>
-#include <vtkMultiBlockDataSet.h>
-#include <vtkNew.h>
-#include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-#include <vtkTriangleFilter.h>
-
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
-#include "core/base/error.h"
-#include "io/fe/exodus/library_lock.h"
-#include "io/fe/exodus/trial.h"
+#include "io/base/files.h"
+#include "io/site/file_words.h"
+#include "io/site/height_reading.h"
+#include "io/site/meshes/gltf_mesh.h"
+#include "io/site/meshes/mesh_offset.h"
+#include "io/site/meshes/obj_mesh.h"
+#include "io/site/meshes/ply_mesh.h"
 #include "io/site/site_place.h"
 
 namespace rubble::io {
@@ -28,124 +20,185 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t trianglesMax = 5'000'000;
 constexpr std::uintmax_t meshBytesMax = std::uintmax_t{2} << 30;
+/// m. Coordinates that are kept less finely are a finding.
+constexpr double coarseStep = 0.01;
 
-std::string endingOf(const std::string& path) {
-    std::string ending = fs::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
-}
-
-[[noreturn]] void refuse(const std::string& path) {
-    throw ParseError({"surroundings.unreadable", "{0} is no mesh that can be read", {path}},
-                     {"surroundings.unreadable.remedy", "Give an OBJ, PLY or glTF file of triangles, exported anew.", {}});
-}
-
-void checkMesh(const std::string& path) {
+void checkMeshFile(const std::string& path) {
     std::error_code error;
     if (!fs::is_regular_file(path, error) || !std::ifstream(path, std::ios::binary)) {
         throw WorldError({"surroundings.missing", "There is no mesh of surroundings {0} that may be read", {path}},
                          {"surroundings.missing.remedy", "Check the path, or leave the mesh out.", {}});
     }
-    if (fs::file_size(path, error) > meshBytesMax) {
-        throw ParseError({"surroundings.too_large", "{0} is too large for a mesh of surroundings", {path}},
-                         {"surroundings.too_large.remedy", "Make it simpler, to 5,000,000 triangles or fewer.", {}});
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (size == 0) {
+        refuseContent({"surroundings.empty", "{0} is empty", {path}}, "Copy it again from where it came.");
+    }
+    if (size > meshBytesMax) {
+        refuseContent({"surroundings.too_large", "{0} is too large for a mesh of surroundings", {path}},
+                      "Make it simpler, to 5,000,000 triangles or fewer.");
     }
 }
 
-/// Adds the triangles of a polydata; glTF has y up.
-void add(SiteMesh& mesh, vtkPolyData& part, bool yUp, const std::string& path) {
-    vtkNew<vtkTriangleFilter> triangles;
-    triangles->SetInputData(&part);
-    triangles->PassLinesOff();
-    triangles->PassVertsOff();
-    triangles->Update();
-    vtkPolyData& data = *triangles->GetOutput();
-    const auto first = static_cast<std::uint32_t>(mesh.points.size());
-    const vtkIdType points = data.GetNumberOfPoints();
-    if (static_cast<std::size_t>(data.GetNumberOfPolys()) + mesh.triangles.size() > trianglesMax) {
-        throw ParseError({"surroundings.too_many", "{0} has more than {1} triangles", {path, trianglesMax}},
-                         {"surroundings.too_many.remedy", "Make the mesh simpler, or cut it to the site.", {}});
+RawMesh readRawMesh(const std::string& path, const Execution& execution) {
+    if (hasEnding(path, ".obj")) {
+        return readObjMesh(path, execution);
     }
-    for (vtkIdType p = 0; p < points; ++p) {
-        const double* at = data.GetPoint(p);
-        mesh.points.push_back(yUp ? Vec3(at[0], -at[2], at[1]) : Vec3(at[0], at[1], at[2]));
+    if (hasEnding(path, ".ply")) {
+        return readPlyMesh(path, execution);
     }
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    vtkCellArray& polys = *data.GetPolys();
-    for (polys.InitTraversal(); polys.GetNextCell(count, ids) != 0;) {
-        if (count == 3 && std::all_of(ids, ids + 3, [&](vtkIdType id) { return id >= 0 && id < points; })) {
-            mesh.triangles.push_back({first + static_cast<std::uint32_t>(ids[0]), first + static_cast<std::uint32_t>(ids[1]),
-                                      first + static_cast<std::uint32_t>(ids[2])});
+    if (hasEnding(path, ".gltf") || hasEnding(path, ".glb")) {
+        return readGltfMesh(path, execution);
+    }
+    refuseContent({"surroundings.ending", "{0} does not end in .obj, .ply, .gltf or .glb", {path}},
+                  "Give a mesh in one of these formats.");
+}
+
+/// Brings a mesh to the local frame, with the offset that puts it at the site.
+class MeshPlacing {
+public:
+    MeshPlacing(const std::string& path, const Frame& frame, const Site& site, const Aabb& around, RawMesh raw)
+        : m_path(path), m_place(frame, site), m_shift(site.heightShift), m_around(around), m_raw(std::move(raw)) {
+        m_result.findings = std::move(m_raw.findings);
+    }
+
+    SiteMeshReading place(const std::optional<Vec3>& typed) {
+        if (m_raw.step > coarseStep) {
+            find({"surroundings.coarse", "the file keeps coordinates to {0} only", {{m_raw.step, "m"}}},
+                 "write it in double precision, or about an origin near the site with that origin as its offset");
+        }
+        m_result.offset = typed ? *typed : offsetFromFile();
+        m_result.mesh.name = fs::path(m_path).filename().string();
+        m_result.mesh.points.reserve(m_raw.points.size());
+        for (const Vec3& point : m_raw.points) {
+            m_result.mesh.points.push_back(local(point, m_result.offset));
+        }
+        checkPlace();
+        m_result.mesh.triangles = std::move(m_raw.triangles);
+        return std::move(m_result);
+    }
+
+private:
+    Vec3 local(const Vec3& point, const Vec3& offset) const { return m_place.toLocal(point + offset) + Vec3(0.0, 0.0, m_shift); }
+
+    /// How far from the structure the surroundings of a site may lie, as its terrain.
+    double margin() const {
+        const Vec3 size = m_around.sizes();
+        return std::max({windowHeights * size.z(), size.x(), size.y(), 1.0});
+    }
+
+    Aabb boxOf(const std::array<std::uint32_t, 3>& triangle, const Vec3& offset) const {
+        Aabb box;
+        for (const std::uint32_t corner : triangle) {
+            box.extend(local(m_raw.points[corner], offset));
+        }
+        return box;
+    }
+
+    /// Box around all triangles that lie near the structure in plan; empty: none does.
+    Aabb nearby(const Vec3& offset) const {
+        Aabb all;
+        const double far = margin();
+        for (const std::array<std::uint32_t, 3>& triangle : m_raw.triangles) {
+            const Aabb box = boxOf(triangle, offset);
+            const bool close = (box.max() - m_around.min()).head<2>().minCoeff() >= -far &&
+                               (m_around.max() - box.min()).head<2>().minCoeff() >= -far;
+            if (close) {
+                all.extend(box);
+            }
+        }
+        return all;
+    }
+
+    Vec3 offsetFromFile() {
+        const OffsetSearch search = offsetBeside(m_path);
+        if (!search.unread.empty()) {
+            find(
+                {"surroundings.offset_unread", "{0} looks like the offset of the mesh, but cannot be read as one", {search.unread}},
+                "state the offset of the mesh in the case, or remove the file");
+        }
+        if (!search.offset) {
+            return Vec3::Zero();
+        }
+        const MeshOffset& found = *search.offset;
+        const bool needed = m_around.isEmpty() || nearby(Vec3::Zero()).isEmpty();
+        if (!needed) {
+            find({"surroundings.offset_left",
+                  "the offset in {0} was not added, for the mesh lies at the site without it",
+                  {found.file}},
+                 "state the offset of the mesh in the case if it is to be added");
+            return Vec3::Zero();
+        }
+        find({"surroundings.offset_file",
+              "{0}, {1}, {2} was added to the coordinates of the mesh, the offset in {3} (its system: {4})",
+              {{found.by.x(), "m"},
+               {found.by.y(), "m"},
+               {found.by.z(), "m"},
+               found.file,
+               found.system.empty() ? "not named" : found.system}},
+             "none is needed if it is of this mesh and of the system of the case; else state the offset in the case");
+        return found.by;
+    }
+
+    void checkPlace() {
+        if (m_around.isEmpty()) {
+            return;
+        }
+        const Aabb close = nearby(m_result.offset);
+        if (close.isEmpty()) {
+            refuseElsewhere();
+        }
+        const double apart = std::max(close.min().z() - m_around.max().z(), m_around.min().z() - close.max().z());
+        if (apart > margin()) {
+            find({"surroundings.far_off",
+                  "the mesh lies {0} {1} the whole structure",
+                  {{apart, "m"}, close.min().z() > m_around.max().z() ? "above" : "below"}},
+                 "check the heights of the mesh, its offset and the height shift of the site");
         }
     }
-}
 
-template <class Reader>
-SiteMesh readFlat(const std::string& path) {
-    vtkNew<Reader> reader;
-    reader->SetFileName(path.c_str());
-    reader->Update();
-    SiteMesh mesh;
-    if (reader->GetOutput() != nullptr) {
-        add(mesh, *reader->GetOutput(), false, path);
-    }
-    return mesh;
-}
-
-SiteMesh readGltf(const std::string& path) {
-    vtkNew<vtkGLTFReader> reader;
-    reader->SetFileName(path.c_str());
-    reader->ApplyDeformationsToGeometryOn();
-    reader->Update();
-    SiteMesh mesh;
-    auto* scene = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-    if (scene == nullptr) {
-        return mesh;
-    }
-    const auto parts = vtkSmartPointer<vtkCompositeDataIterator>::Take(scene->NewIterator());
-    for (parts->InitTraversal(); !parts->IsDoneWithTraversal(); parts->GoToNextItem()) {
-        if (auto* part = vtkPolyData::SafeDownCast(parts->GetCurrentDataObject()); part != nullptr) {
-            add(mesh, *part, true, path);
+    [[noreturn]] void refuseElsewhere() const {
+        Aabb all;
+        for (const std::array<std::uint32_t, 3>& triangle : m_raw.triangles) {
+            all.extend(boxOf(triangle, m_result.offset));
         }
+        const Vec3 low = m_around.min();
+        const Vec3 high = m_around.max();
+        refuseContent(
+            {"surroundings.elsewhere",
+             "{0} lies at x = {1} to {2}, y = {3} to {4} of the local frame; the structure stands at x = {5} to {6}, y = {7} to "
+             "{8}",
+             {m_path,
+              all.min().x(),
+              {all.max().x(), "m"},
+              all.min().y(),
+              {all.max().y(), "m"},
+              low.x(),
+              {high.x(), "m"},
+              low.y(),
+              {high.y(), "m"}}},
+            "Give the offset that was taken off its coordinates (Site… in the Case menu, or --mesh-offset), put the offset "
+            "file beside it, or check system and control points of the case.");
     }
-    return mesh;
-}
 
-SiteMesh readAny(const std::string& path) {
-    const std::string ending = endingOf(path);
-    SiteMesh mesh = ending == ".obj"   ? readFlat<vtkOBJReader>(path)
-                    : ending == ".ply" ? readFlat<vtkPLYReader>(path)
-                    : ending == ".gltf" || ending == ".glb"
-                        ? readGltf(path)
-                        : throw ParseError({"surroundings.ending", "{0} does not end in .obj, .ply, .gltf or .glb", {path}},
-                                           {"surroundings.ending.remedy", "Give a mesh in one of these formats.", {}});
-    if (mesh.triangles.empty() ||
-        !std::all_of(mesh.points.begin(), mesh.points.end(), [](const Vec3& p) { return p.allFinite(); })) {
-        refuse(path);
-    }
-    return mesh;
-}
+    void find(Message what, std::string_view remedy) { addFinding(m_result.findings, m_path, std::move(what), remedy); }
+
+    const std::string& m_path;
+    SitePlace m_place;
+    double m_shift;
+    const Aabb& m_around;
+    RawMesh m_raw;
+    SiteMeshReading m_result;
+};
 
 }  // namespace
 
-SiteMesh readSiteMesh(const std::string& path, const Frame& frame, const Site& site, const Execution& execution) {
-    checkMesh(path);
+SiteMeshReading readSiteMesh(const std::string& path, const Frame& frame, const Site& site, const Execution& execution,
+                             const SiteMeshRequest& request) {
+    checkMeshFile(path);
     execution.check();
-    const SitePlace place(frame, site);
-    const LibraryLock lock;
-    if (!survivesTrial([&] { readAny(path); })) {
-        refuse(path);
-    }
-    SiteMesh mesh = readAny(path);
-    mesh.name = fs::path(path).filename().string();
-    for (Vec3& point : mesh.points) {
-        point = place.toLocal(point) + Vec3(0.0, 0.0, site.heightShift);
-    }
-    return mesh;
+    MeshPlacing placing(path, frame, site, request.around, readRawMesh(path, execution));
+    return placing.place(request.offset);
 }
 
 }  // namespace rubble::io

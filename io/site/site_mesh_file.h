@@ -1,17 +1,35 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/execution.h"
+#include "core/base/finding.h"
 #include "core/fe/frame.h"
 #include "core/fe/site_mesh.h"
 #include "core/scenario/site.h"
 
 namespace rubble::io {
 
-/// Reads a mesh of the surroundings: OBJ, PLY, glTF (.gltf, .glb). Its coordinates are easting, northing and height in metres,
-/// brought to the local frame as a terrain is; glTF has y up by its definition. Materials are left out. Damaged files are tried in
-/// a child process first. Throws WorldError, ParseError (no mesh, too many triangles), UsageError, Cancelled.
-SiteMesh readSiteMesh(const std::string& path, const Frame& frame, const Site& site, const Execution& execution);
+/// How a mesh of the surroundings is to be taken.
+struct SiteMeshRequest {
+    /// m, added to its coordinates: easting, northing and height; unset: what a file beside it says, where the mesh needs it.
+    std::optional<Vec3> offset;
+    Aabb around;  ///< m, local, of the structure at rest; empty: the mesh may lie anywhere
+};
+
+/// A mesh of the surroundings as it was read.
+struct SiteMeshReading {
+    SiteMesh mesh;
+    Vec3 offset = Vec3::Zero();  ///< m, that was added
+    Findings findings;
+};
+
+/// Reads a mesh of the surroundings: OBJ, PLY, glTF (.gltf, .glb), in double precision. Its coordinates are easting, northing and
+/// height in metres, after its offset is added, brought to the local frame as a terrain is; glTF has y up by its definition.
+/// Materials are left out. What is left out of its shape, an offset from a file and coarse coordinates are findings.
+/// Throws WorldError, ParseError (no mesh, too many triangles, nothing of it near the structure), UsageError, Cancelled.
+SiteMeshReading readSiteMesh(const std::string& path, const Frame& frame, const Site& site, const Execution& execution,
+                             const SiteMeshRequest& request = {});
 
 }  // namespace rubble::io

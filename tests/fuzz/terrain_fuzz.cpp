@@ -185,7 +185,9 @@ std::vector<double> RasterFile::values(const RasterWindow& window, const Executi
     return values;
 }
 
-std::vector<std::uint8_t> RasterFile::colours(const RasterWindow& window, const Execution&) const {
+void RasterFile::checkWay(const std::string&, const Eigen::Vector2d&, Findings&) const {}
+
+std::vector<std::uint8_t> RasterFile::colours(const RasterWindow& window, const Execution&, Findings&) const {
     return std::vector<std::uint8_t>(4 * window.width() * window.height(), 255);
 }
 

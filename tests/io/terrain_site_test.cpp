@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <vector>
@@ -200,7 +201,8 @@ TEST_F(TerrainSite, AnOrthophotoLiesInTheFrame) {
         return band == 1 ? (x > 0.0 ? 200 : 10) : band == 2 ? (y > 0.0 ? 220 : 20) : 30;
     };
     raster.write(path);
-    const auto picture = readOrthophoto(path, frame, site, Aabb(), Execution());
+    Findings findings;
+    const auto picture = readOrthophoto(path, frame, site, Aabb(), Execution(), findings);
     ASSERT_EQ(picture->rgba.size(), 4u * static_cast<std::size_t>(picture->width * picture->height));
     const auto at = [&](double x, double y) {
         const int column = static_cast<int>((x - picture->x0) / picture->pixel);
@@ -215,7 +217,7 @@ TEST_F(TerrainSite, AnOrthophotoLiesInTheFrame) {
     raster.bands = 1;
     raster.type = GDT_Float64;
     raster.write(path);
-    EXPECT_THROW(readOrthophoto(path, frame, site, Aabb(), Execution()), ParseError);
+    EXPECT_THROW(readOrthophoto(path, frame, site, Aabb(), Execution(), findings), ParseError);
 }
 
 constexpr const char* objText = "v 0 0 5\nv 4 0 5\nv 4 3 5\nv 0 3 5\nf 1 2 3 4\n";
@@ -234,7 +236,7 @@ TEST_F(TerrainSite, MeshesOfEveryFormatAreRead) {
     for (const auto& [name, text] : {std::pair("a.obj", objText), std::pair("a.ply", plyText), std::pair("a.gltf", gltfText)}) {
         const std::string mesh = folder / name;
         std::ofstream(mesh) << text;
-        const SiteMesh read = readSiteMesh(mesh, frame, site, Execution());
+        const SiteMesh read = readSiteMesh(mesh, frame, site, Execution()).mesh;
         EXPECT_GE(read.triangles.size(), 1u) << name;
         Aabb box;
         for (const Vec3& p : read.points) {
@@ -281,11 +283,38 @@ TEST_F(TerrainSite, SurroundingsRaiseTheTerrainWhenAsked) {
     RunOrigin origin;
     recordSite(origin, raised, theCase.site);
     ASSERT_EQ(origin.surroundings.size(), 1u);
-    const std::vector<std::string> meshes{origin.surroundings.front().path};
     const TerrainInput again = openTerrain(path, frame, around, Execution(), origin.site);
-    EXPECT_EQ(raisedTerrain(*again.grid, meshes, frame, origin.site, Execution())->digest(), raised.grid->digest());
+    EXPECT_EQ(raisedTerrain(*again.grid, origin.surroundings, frame, origin.site, Execution())->digest(), raised.grid->digest());
     theCase.inputs.erase(theCase.inputs.begin());
     EXPECT_EQ(openSiteOfCase(theCase, casePath, fe, Execution()).findings.count("surroundings.no_terrain"), 1);
+}
+
+TEST_F(TerrainSite, ARunKeepsTheOffsetsOfItsMeshes) {
+    raster.write(path);
+    std::ofstream(folder / "house.obj") << "v 5000 0 -95\nv 5004 0 -95\nv 5004 3 -95\nv 5000 3 -95\nf 1 2 3 4\n";
+    std::ofstream(folder / "house_offset.xyz") << "-5000 0 100\n";
+    Mesh fe;
+    fe.nodes = {around.min(), around.max()};
+    Case theCase;
+    theCase.site.collide = true;
+    theCase.inputs = {{"terrain-1", InputRole::Terrain, "terrain.tif", ""},
+                      {"surroundings-1", InputRole::Surroundings, "house.obj", ""}};
+    const TerrainInput raised = openSiteOfCase(theCase, folder / "a.rubble", fe, Execution());
+    EXPECT_NEAR(raised.grid->height(2.0, 1.5), 5.0, 1e-6);
+    EXPECT_EQ(raised.findings.count("surroundings.offset_file"), 1);
+    RunOrigin origin;
+    recordSite(origin, raised, theCase.site);
+    ASSERT_EQ(origin.surroundings.size(), 1u);
+    EXPECT_EQ(origin.surroundings.front().offset, Vec3(-5000, 0, 100));
+    // The run does not lean on the file beside the mesh.
+    std::filesystem::remove(folder / "house_offset.xyz");
+    const TerrainInput again = openTerrain(path, frame, around, Execution(), origin.site);
+    EXPECT_EQ(raisedTerrain(*again.grid, origin.surroundings, frame, origin.site, Execution())->digest(), raised.grid->digest());
+    EXPECT_THROW(openSiteOfCase(theCase, folder / "a.rubble", fe, Execution()), ParseError) << "the house is 5 km away now";
+    theCase.site.collide = false;
+    EXPECT_EQ(openSiteOfCase(theCase, folder / "a.rubble", fe, Execution()).findings.count("surroundings.elsewhere"), 1);
+    theCase.inputs[1].offset = Vec3(-5000, 0, 100);
+    EXPECT_TRUE(openSiteOfCase(theCase, folder / "a.rubble", fe, Execution()).surroundings);
 }
 
 TEST_F(TerrainSite, WhatIsOnlyShownDoesNotKeepACaseFromOpening) {
@@ -309,7 +338,10 @@ TEST(CaseSite, IsKeptInTheCaseFile) {
     theCase.site.heightShift = -0.375;
     theCase.site.collide = true;
     theCase.inputs = {{"o", InputRole::Orthophoto, "o.tif", ""}, {"m", InputRole::Surroundings, "m.obj", ""}};
-    EXPECT_EQ(caseFromText(caseText(theCase), "a.rubble"), theCase);
+    theCase.inputs[1].offset = Vec3(451000.5, 5311000.0, -3.25);
+    const Case again = caseFromText(caseText(theCase), "a.rubble");
+    EXPECT_EQ(again, theCase);
+    EXPECT_EQ(again.inputs[1].offset, theCase.inputs[1].offset);
     theCase.site = Site();
     EXPECT_EQ(caseText(theCase).find("\"site\""), std::string::npos);
 }

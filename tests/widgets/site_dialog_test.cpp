@@ -86,7 +86,7 @@ protected:
 };
 
 TEST_F(SiteForm, PointsAreTypedAndTheirResidualsStandBesideThem) {
-    dialog.setContent(Site(), QStringLiteral("EPSG:25832"), 0);
+    dialog.setContent(Site(), QStringLiteral("EPSG:25832"));
     EXPECT_TRUE(says(QStringLiteral("The origin of the frame")));
     fillIn(4);
     ASSERT_EQ(dialog.site().controlPoints.size(), 4u);
@@ -107,7 +107,7 @@ TEST_F(SiteForm, PointsAreTypedAndTheirResidualsStandBesideThem) {
 }
 
 TEST_F(SiteForm, WhatIsNoCoordinateIsRefusedInPlace) {
-    dialog.setContent(Site(), {}, 0);
+    dialog.setContent(Site(), {});
     fillIn(2);
     EXPECT_TRUE(says(QStringLiteral("Two points always fit")));
     for (const char* wrong : {"here", "1e99", "nan"}) {
@@ -128,11 +128,11 @@ TEST_F(SiteForm, WhatIsNoCoordinateIsRefusedInPlace) {
 }
 
 TEST_F(SiteForm, SurroundingsAreFallenOnOnlyWhereThereAreSome) {
-    dialog.setContent(Site(), {}, 0);
+    dialog.setContent(Site(), {});
     auto* collide = dialog.findChild<QCheckBox*>();
     ASSERT_NE(collide, nullptr);
     EXPECT_FALSE(collide->isEnabled());
-    dialog.setContent(Site(), {}, 2);
+    dialog.setContent(Site(), {}, {{QStringLiteral("house.obj"), {}}, {QStringLiteral("wall.ply"), {}}});
     EXPECT_TRUE(collide->isEnabled());
     collide->setFocus();
     QTest::keyClick(collide, Qt::Key_Space);
@@ -145,8 +145,47 @@ TEST_F(SiteForm, SurroundingsAreFallenOnOnlyWhereThereAreSome) {
     EXPECT_DOUBLE_EQ(dialog.site().heightShift, -43.7);
 }
 
+TEST_F(SiteForm, OffsetsOfMeshesAreTypedAndTakenBack) {
+    dialog.setContent(Site(), {}, {{QStringLiteral("house.obj"), {}}, {QStringLiteral("wall.ply"), Vec3(1.0, 2.0, 3.0)}});
+    QTableWidget* offsets = dialog.findChildren<QTableWidget*>().back();
+    ASSERT_NE(offsets, table);
+    ASSERT_EQ(offsets->rowCount(), 2);
+    EXPECT_TRUE(offsets->item(0, 1)->text().isEmpty()) << "as a file beside it says";
+    offsets->item(0, 1)->setText(QStringLiteral("356500"));
+    offsets->item(0, 2)->setText(QStringLiteral("5699500.5"));
+    EXPECT_EQ(dialog.surroundings()[0].offset, Vec3(356500.0, 5699500.5, 0.0));
+    offsets->item(0, 3)->setText(QStringLiteral("high"));
+    EXPECT_TRUE(says(QStringLiteral("no offset in metres")));
+    EXPECT_EQ(dialog.surroundings()[0].offset, Vec3(356500.0, 5699500.5, 0.0));
+    for (const int c : {1, 2, 3}) {
+        offsets->item(1, c)->setText({});
+    }
+    EXPECT_FALSE(dialog.surroundings()[1].offset);
+    dialog.setContent(Site(), {});
+    EXPECT_FALSE(offsets->isVisible());
+}
+
+TEST_F(SiteForm, WhatSpeaksAgainstAPlaceIsShown) {
+    dialog.setContent(Site(), {});
+    std::string asked;
+    dialog.setCheck([&](const Site&, const std::string& crs) {
+        asked = crs;
+        Findings findings;
+        findings.add({"site.swapped", "the place is odd", {}}, {"site.swapped.remedy", "look at it", {}});
+        return findings;
+    });
+    EXPECT_TRUE(says(QStringLiteral("the place is odd")));
+    auto* crs = dialog.findChild<QLineEdit*>();
+    crs->setFocus();
+    crs->selectAll();
+    QTest::keyClicks(crs, QStringLiteral("EPSG:2263"));
+    // As when the field is left; a window that is not active has no focus to lose.
+    emit crs->editingFinished();
+    EXPECT_EQ(asked, "EPSG:2263");
+}
+
 TEST_F(SiteForm, EnterTakesWhatWasTypedAndEscapeNothing) {
-    dialog.setContent(Site(), {}, 0);
+    dialog.setContent(Site(), {});
     press(QStringLiteral("Add control point"));
     auto* shift = dialog.findChild<NumberField*>();
     shift->setFocus();

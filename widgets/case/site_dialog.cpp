@@ -24,11 +24,21 @@ namespace rubble::widgets {
 namespace {
 
 enum Column { Used, Name, X, Y, Z, Easting, Northing, Height, PlanResidual, HeightResidual, ColumnCount };
-constexpr double farthest = 1e8;         // m
-constexpr double scaleExpected = 0.005;  // share by which a scale may depart from 1
+enum OffsetColumn { Mesh, OffsetEast, OffsetNorth, OffsetHeight, OffsetColumnCount };
+constexpr double farthest = 1e8;  // m
 
 QString metres(double value) {
     return QLocale().toString(value, 'f', 3);
+}
+
+/// The number of metres that somebody typed; unset: it is none, or none on Earth.
+std::optional<double> metresIn(const QString& text) {
+    bool good = false;
+    double value = QLocale().toDouble(text, &good);
+    if (!good) {
+        value = text.toDouble(&good);
+    }
+    return good && std::abs(value) <= farthest ? std::optional(value) : std::nullopt;
 }
 
 /// The coordinate behind a column of numbers.
@@ -44,6 +54,7 @@ SiteDialog::SiteDialog(QWidget* parent)
       m_shift(new NumberField(tr("Height shift"))),
       m_collide(new QCheckBox(tr("Debris falls on the surroundings too"))),
       m_table(new QTableWidget(0, ColumnCount)),
+      m_offsets(new QTableWidget(0, OffsetColumnCount)),
       m_add(new QPushButton(tr("Add control point"))),
       m_remove(new QPushButton(tr("Delete"))),
       m_fit(new QLabel),
@@ -68,7 +79,7 @@ SiteDialog::SiteDialog(QWidget* parent)
     form->addRow(QString(), m_collide);
     column->addLayout(form);
     buildTable();
-    column->addWidget(m_table, 1);
+    column->addWidget(m_table, 2);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_add);
     buttons->addWidget(m_remove);
@@ -78,6 +89,8 @@ SiteDialog::SiteDialog(QWidget* parent)
     m_fit->setTextInteractionFlags(Qt::TextSelectableByMouse);
     column->addWidget(m_fit);
     column->addWidget(m_notice);
+    buildOffsets();
+    column->addWidget(m_offsets, 1);
     auto* box = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     box->button(QDialogButtonBox::Ok)->setDefault(true);
     m_add->setAutoDefault(false);
@@ -88,6 +101,8 @@ SiteDialog::SiteDialog(QWidget* parent)
     connect(m_add, &QPushButton::clicked, this, &SiteDialog::addPoint);
     connect(m_remove, &QPushButton::clicked, this, &SiteDialog::removePoint);
     connect(m_table, &QTableWidget::cellChanged, this, &SiteDialog::take);
+    connect(m_offsets, &QTableWidget::cellChanged, this, &SiteDialog::takeOffset);
+    connect(m_crs, &QLineEdit::editingFinished, this, &SiteDialog::showFit);
     connect(m_shift, &NumberField::edited, this, [this](std::optional<double> value) { m_site.heightShift = value.value_or(0.0); });
     connect(m_collide, &QCheckBox::toggled, this, [this](bool on) { m_site.collide = on; });
     resize(880, 460);
@@ -110,12 +125,68 @@ void SiteDialog::buildTable() {
     m_add->setToolTip(tr("Add a control point to be typed"));
 }
 
-void SiteDialog::setContent(const Site& site, const QString& crs, int surroundings) {
+void SiteDialog::buildOffsets() {
+    m_offsets->setHorizontalHeaderLabels(
+        {tr("mesh of the surroundings"), tr("offset east, m"), tr("offset north, m"), tr("offset height, m")});
+    m_offsets->setAccessibleName(tr("Offsets of the surroundings"));
+    m_offsets->setToolTip(
+        tr("Added to the coordinates of a mesh that was written about an origin near the site. Leave the three fields empty "
+           "where a file beside the mesh names its offset, or where it has none"));
+    m_offsets->verticalHeader()->hide();
+    m_offsets->setShowGrid(false);
+    m_offsets->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_offsets->horizontalHeader()->setSectionResizeMode(Mesh, QHeaderView::Stretch);
+    m_offsets->setTabKeyNavigation(false);
+}
+
+void SiteDialog::fillOffsets() {
+    m_filling = true;
+    m_offsets->setRowCount(static_cast<int>(m_meshes.size()));
+    for (int row = 0; row < m_offsets->rowCount(); ++row) {
+        const SiteMeshOffset& mesh = m_meshes[static_cast<std::size_t>(row)];
+        auto* name = new QTableWidgetItem(mesh.mesh);
+        name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+        m_offsets->setItem(row, Mesh, name);
+        for (int c = OffsetEast; c < OffsetColumnCount; ++c) {
+            auto* item = new QTableWidgetItem(mesh.offset ? metres((*mesh.offset)[c - OffsetEast]) : QString());
+            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            m_offsets->setItem(row, c, item);
+        }
+    }
+    m_filling = false;
+}
+
+void SiteDialog::takeOffset(int row, int column) {
+    if (m_filling || row >= static_cast<int>(m_meshes.size()) || column < OffsetEast) {
+        return;
+    }
+    SiteMeshOffset& mesh = m_meshes[static_cast<std::size_t>(row)];
+    const QString text = m_offsets->item(row, column)->text().trimmed();
+    const std::optional<double> value = text.isEmpty() ? std::optional(0.0) : metresIn(text);
+    if (value) {
+        Vec3 offset = mesh.offset.value_or(Vec3::Zero());
+        offset[column - OffsetEast] = *value;
+        mesh.offset = text.isEmpty() && offset.isZero() ? std::nullopt : std::optional(offset);
+    } else {
+        m_notice->set(Notice::Kind::Error, tr("That is no offset in metres."), tr("The mesh stays as it was."));
+    }
+    fillOffsets();
+}
+
+void SiteDialog::setCheck(std::function<Findings(const Site&, const std::string&)> check) {
+    m_check = std::move(check);
+    showFit();
+}
+
+void SiteDialog::setContent(const Site& site, const QString& crs, const std::vector<SiteMeshOffset>& surroundings) {
     m_site = site;
+    m_meshes = surroundings;
     m_crs->setText(crs);
     m_shift->setNumber(site.heightShift);
     m_collide->setChecked(site.collide);
-    m_collide->setEnabled(surroundings > 0 || site.collide);
+    m_collide->setEnabled(!surroundings.empty() || site.collide);
+    m_offsets->setVisible(!surroundings.empty());
+    fillOffsets();
     fill();
 }
 
@@ -178,13 +249,8 @@ void SiteDialog::take(int row, int column) {
     } else if (column == Name) {
         point.name = item->text().toStdString();
     } else if (column <= Height) {
-        bool good = false;
-        double value = QLocale().toDouble(item->text(), &good);
-        if (!good) {
-            value = item->text().toDouble(&good);
-        }
-        if (good && std::abs(value) <= farthest) {
-            coordinate(point, column) = value;
+        if (const std::optional<double> value = metresIn(item->text())) {
+            coordinate(point, column) = *value;
         } else {
             m_filling = true;
             m_table->item(row, column)->setText(metres(coordinate(point, column)));
@@ -211,6 +277,7 @@ void SiteDialog::showFit() {
         m_fit->setText(used == 0 ? tr("The origin of the frame says where the site lies.")
                                  : tr("One control point says nothing yet: use two or more."));
         m_filling = false;
+        showFindings(used);
         return;
     }
     try {
@@ -223,18 +290,29 @@ void SiteDialog::showFit() {
                            .arg(used)
                            .arg(QLocale().toString(fit.angle * 180.0 / std::numbers::pi, 'f', 3),
                                 QLocale().toString(fit.scale, 'f', 5), metres(fit.rmsPlan), metres(fit.rmsHeight)));
-        if (std::abs(fit.scale - 1.0) > scaleExpected) {
-            m_notice->set(Notice::Kind::Finding,
-                          tr("The scale is far from 1: a point is wrong, or the two sides have different units."),
-                          tr("Leave points out one by one and look at the residuals."));
-        } else if (used == 2) {
-            m_notice->set(Notice::Kind::Note, tr("Two points always fit in plan: a third shows whether they are right."));
-        }
     } catch (const Error& error) {
         m_fit->clear();
         m_notice->set(Notice::Kind::Error, worded(error.message()), worded(error.remedy()));
+        m_filling = false;
+        return;
     }
     m_filling = false;
+    showFindings(used);
+}
+
+void SiteDialog::showFindings(std::size_t used) {
+    const Findings found = m_check    ? m_check(m_site, crs().toStdString())
+                           : used < 2 ? Findings()
+                                      : checkControlPoints(m_site.controlPoints);
+    if (!found.empty()) {
+        QStringList lines;
+        for (const Finding& finding : found.list()) {
+            lines << worded(finding.what);
+        }
+        m_notice->set(Notice::Kind::Finding, lines.join(QLatin1Char('\n')), worded(found.list().front().remedy));
+    } else if (used == 2) {
+        m_notice->set(Notice::Kind::Note, tr("Two points always fit in plan: a third shows whether they are right."));
+    }
 }
 
 }  // namespace rubble::widgets

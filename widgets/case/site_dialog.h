@@ -2,7 +2,12 @@
 
 #include <QDialog>
 #include <QString>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "core/base/finding.h"
 #include "core/scenario/site.h"
 
 class QCheckBox;
@@ -16,8 +21,14 @@ namespace rubble::widgets {
 class NumberField;
 class Notice;
 
-/// How the case lies in the world: its coordinate system, control points with their residuals, the shift of heights, and whether
-/// debris falls on the surroundings. Nothing changes before it is accepted.
+/// A mesh of the surroundings, and what is added to its coordinates.
+struct SiteMeshOffset {
+    QString mesh;                ///< for people
+    std::optional<Vec3> offset;  ///< m; unset: as a file beside it says
+};
+
+/// How the case lies in the world: its coordinate system, control points with their residuals, the shift of heights, and the
+/// offsets of the surroundings and whether debris falls on them. Nothing changes before it is accepted.
 class SiteDialog : public QDialog {
     Q_OBJECT
 
@@ -25,13 +36,20 @@ public:
     explicit SiteDialog(QWidget* parent = nullptr);
 
     /// @param surroundings  meshes that the case has
-    void setContent(const Site& site, const QString& crs, int surroundings);
+    void setContent(const Site& site, const QString& crs, const std::vector<SiteMeshOffset>& surroundings = {});
+    /// What finds out whether a place in a coordinate system can be right; without it only the control points are looked at.
+    void setCheck(std::function<Findings(const Site&, const std::string&)> check);
     /// What the fields say.
     Site site() const { return m_site; }
     QString crs() const;
+    const std::vector<SiteMeshOffset>& surroundings() const { return m_meshes; }
 
 private:
     void buildTable();
+    void buildOffsets();
+    void fillOffsets();
+    void takeOffset(int row, int column);
+    void showFindings(std::size_t used);
     void addPoint();
     void removePoint();
     void fill();
@@ -39,11 +57,14 @@ private:
     void showFit();
 
     Site m_site;
+    std::vector<SiteMeshOffset> m_meshes;
+    std::function<Findings(const Site&, const std::string&)> m_check;
     bool m_filling = false;
     QLineEdit* m_crs;
     NumberField* m_shift;
     QCheckBox* m_collide;
     QTableWidget* m_table;
+    QTableWidget* m_offsets;
     QPushButton* m_add;
     QPushButton* m_remove;
     QLabel* m_fit;

@@ -4,8 +4,10 @@
 #include "app/cli/frame/json_output.h"
 #include "app/cli/frame/output_file.h"
 #include "app/cli/frame/run_inputs.h"
+#include "app/cli/frame/text_output.h"
 #include "app/cli/frame/text_table.h"
 #include "core/base/error.h"
+#include "io/site/place_check.h"
 
 namespace rubble::cli {
 
@@ -64,6 +66,8 @@ ExitCode exportRun(const Arguments& arguments, Session& session) {
     if (exports.needsFe()) {
         of = openInputsOfRun(run->origin(), arguments, session);
         around = surroundingsOfRun(run->origin(), of, arguments, session);
+    } else {
+        printNotes(session, io::checkPlace(run->origin().frame, run->origin().site));
     }
     exports.perform(run, of, around, session);
     reportFiles(arguments, session, *run, exports.paths());

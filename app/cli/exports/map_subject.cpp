@@ -43,7 +43,7 @@ MapSubject openMapSubject(const Arguments& arguments, Session& session) {
     subject.run = runAt(arguments.operand());
     if (subject.run) {
         refuseSettingsOfRun(arguments);
-        subject.inputs = openInputsOfRun(subject.run->origin(), arguments, session);
+        subject.inputs = openInputsOfRun(arguments.operand(), subject.run->origin(), arguments, session, &subject.findings);
         return subject;
     }
     const io::OpenedCase opened = openSubject(arguments, session);

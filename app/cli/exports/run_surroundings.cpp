@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
 #include "io/case/case_file.h"
 #include "io/case/site_reader.h"
@@ -34,12 +35,7 @@ RunSurroundings surroundingsOfRun(const Case& theCase, const std::string& casePa
                                   const Inputs& inputs, Session& session) {
     RunSurroundings around{
         casePath, io::openSurroundingsOfCase(theCase, casePath, inputs.fe->mesh(), inputs.frame, origin.site, session.execution())};
-    for (const Finding& finding : around.shown.findings.list()) {
-        const std::string what = englishText(finding.what);
-        const bool named = finding.example.empty() || what.find(finding.example) != std::string::npos;
-        session.err() << "rubble-cli: note: " << (named ? "" : finding.example + ": ") << what << "\n  "
-                      << englishText(finding.remedy) << '\n';
-    }
+    printNotes(session, around.shown.findings);
     return around;
 }
 

@@ -53,6 +53,22 @@ double parseLength(const Arguments& arguments, std::string_view option, double o
     return metres;
 }
 
+std::optional<Vec3> parsePlace(const Arguments& arguments, std::string_view option) {
+    const auto text = arguments.value(option);
+    if (!text) {
+        return std::nullopt;
+    }
+    const std::vector<std::string> parts = splitAtCommas(*text);
+    Vec3 place = Vec3::Zero();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        double& metres = place[static_cast<Eigen::Index>(axis)];
+        if (parts.size() != 3 || !parseNumber(parts[axis], metres) || !std::isfinite(metres)) {
+            throw wrongValue(option, *text, "easting, northing and height in metres, as 451000,5311000,0");
+        }
+    }
+    return place;
+}
+
 bool parseOnOff(const Arguments& arguments, std::string_view option, bool otherwise) {
     const auto text = arguments.value(option);
     if (text && *text != "on" && *text != "off") {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <charconv>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -8,6 +9,7 @@
 
 #include "app/cli/frame/arguments.h"
 #include "core/base/error.h"
+#include "core/base/geometry.h"
 
 namespace rubble::cli {
 
@@ -35,6 +37,9 @@ std::vector<double> parsePositives(const Arguments& arguments, std::string_view 
 
 /// Metres, above zero unless zero is allowed; what otherwise holds if the option was not given.
 double parseLength(const Arguments& arguments, std::string_view option, double otherwise, bool zeroToo = false);
+
+/// Three finite numbers at commas, m; unset if the option was not given.
+std::optional<Vec3> parsePlace(const Arguments& arguments, std::string_view option);
 
 /// Whether an option was given as on or as off; what otherwise holds if it was not given.
 bool parseOnOff(const Arguments& arguments, std::string_view option, bool otherwise);

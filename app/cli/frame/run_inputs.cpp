@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <vector>
 
+#include "app/cli/frame/text_output.h"
 #include "core/base/error.h"
 #include "io/base/files.h"
 #include "io/case/site_reader.h"
 #include "io/fe/fe_reader.h"
+#include "io/site/place_check.h"
 
 namespace rubble::cli {
 
@@ -108,6 +110,12 @@ Inputs openInputsOfRun(const std::string& runPath, const io::RunOrigin& origin, 
     inputs.fe = io::openFe(findFeOfRun(runPath, origin, arguments.value("--fe")), origin.scenario.import, origin.frame,
                            session.execution());
     inputs.frame = inputs.fe->contents().frame;
+    const Findings place = io::checkPlace(inputs.frame, origin.site);
+    if (site != nullptr) {
+        site->append(place);
+    } else {
+        printNotes(session, place);
+    }
     if (!origin.terrainPath.empty()) {
         const std::string terrain =
             find(runPath, {"terrain", "--terrain", origin.terrainPath, origin.terrainSha256, arguments.value("--terrain")});
@@ -117,9 +125,9 @@ Inputs openInputsOfRun(const std::string& runPath, const io::RunOrigin& origin, 
         if (site != nullptr) {
             site->append(read.findings);
         }
-        std::vector<std::string> meshes;
-        for (const io::RecordedInput& mesh : origin.surroundings) {
-            meshes.push_back(find(runPath, {"surroundings", "", mesh.path, mesh.sha256, std::nullopt}));
+        std::vector<io::RecordedInput> meshes = origin.surroundings;
+        for (io::RecordedInput& mesh : meshes) {
+            mesh.path = find(runPath, {"surroundings", "", mesh.path, mesh.sha256, std::nullopt});
         }
         if (!meshes.empty()) {
             inputs.terrain = io::raisedTerrain(*inputs.terrain, meshes, inputs.frame, origin.site, session.execution());

@@ -17,9 +17,9 @@ namespace rubble::cli {
 std::string findFeOfRun(const std::string& runPath, const io::RunOrigin& origin, const std::optional<std::string>& given);
 
 /// FE result and terrain of the run that the operand names, opened with its settings; found as above, or where --fe and --terrain
-/// say.
+/// say. What speaks against the place of the run is printed as notes.
 Inputs openInputsOfRun(const io::RunOrigin& origin, const Arguments& arguments, Session& session);
-/// The same for a run that is not the operand. @param site  gets what reading the terrain found; null: nobody asks
+/// The same for a run that is not the operand. @param site  gets that, and what reading the terrain found; null: as above
 Inputs openInputsOfRun(const std::string& runPath, const io::RunOrigin& origin, const Arguments& arguments, Session& session,
                        Findings* site = nullptr);
 

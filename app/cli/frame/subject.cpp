@@ -1,5 +1,7 @@
 #include "app/cli/frame/subject.h"
 
+#include "app/cli/frame/option_value.h"
+
 namespace rubble::cli {
 
 io::CaseRequest caseRequest(const Arguments& arguments, const std::string& path) {
@@ -10,6 +12,7 @@ io::CaseRequest caseRequest(const Arguments& arguments, const std::string& path)
         request.settings.push_back(splitAssignment("--set", setting));
     }
     request.terrain = arguments.value("--terrain");
+    request.meshOffset = parsePlace(arguments, "--mesh-offset");
     request.cached = arguments.has("--cached");
     return request;
 }

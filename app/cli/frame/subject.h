@@ -8,8 +8,8 @@
 
 namespace rubble::cli {
 
-/// How a case or FE file is to be opened: --scenario, --set in the order given, --terrain and --cached.
-/// Throws UsageError for a setting without "=".
+/// How a case or FE file is to be opened: --scenario, --set in the order given, --terrain, --mesh-offset and --cached.
+/// Throws UsageError for a setting without "=" and an offset that is none.
 io::CaseRequest caseRequest(const Arguments& arguments, const std::string& path);
 
 /// Opens the operand of a command. Throws as caseRequest() and io::openCase().

@@ -22,6 +22,15 @@ void FactList::print(std::ostream& out) const {
     }
 }
 
+void printNotes(Session& session, const Findings& findings) {
+    for (const Finding& finding : findings.list()) {
+        const std::string what = englishText(finding.what);
+        const bool named = finding.example.empty() || what.find(finding.example) != std::string::npos;
+        session.err() << "rubble-cli: note: " << (named ? "" : finding.example + ": ") << what << "\n  "
+                      << englishText(finding.remedy) << '\n';
+    }
+}
+
 void printFindings(std::ostream& out, const Findings& findings) {
     if (findings.empty()) {
         out << "\nNo findings.\n";

@@ -3,6 +3,7 @@
 #include <ostream>
 #include <string>
 
+#include "app/cli/frame/session.h"
 #include "app/cli/frame/text_table.h"
 #include "core/base/finding.h"
 #include "core/pipeline/pipeline.h"
@@ -21,6 +22,9 @@ public:
 private:
     std::vector<std::pair<std::string, std::string>> m_rows;
 };
+
+/// Findings of what a command stands on but does not list, as notes on the stream of errors.
+void printNotes(Session& session, const Findings& findings);
 
 /// Every finding with its count, example and remedy; says so if there is none.
 void printFindings(std::ostream& out, const Findings& findings);

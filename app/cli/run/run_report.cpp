@@ -284,7 +284,11 @@ Json terrainJson(const io::TerrainInput& terrain) {
     object["surroundings"] = Json::array();
     for (const io::SiteFile& file : terrain.files) {
         if (terrain.collided && file.input != terrain.orthophotoInput) {
-            object["surroundings"].push_back({{"path", file.path}, {"sha256", file.sha256}});
+            Json mesh{{"path", file.path}, {"sha256", file.sha256}};
+            if (file.offset != Vec3::Zero()) {
+                mesh["offset_m"] = {file.offset.x(), file.offset.y(), file.offset.z()};
+            }
+            object["surroundings"].push_back(std::move(mesh));
         }
     }
     return object;

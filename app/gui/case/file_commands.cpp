@@ -20,6 +20,7 @@
 #include "io/case/case_file.h"
 #include "io/exports/exports.h"
 #include "io/run/acknowledgements.h"
+#include "io/site/place_check.h"
 #include "widgets/basics/file_chart.h"
 #include "widgets/case/site_dialog.h"
 #include "widgets/figures/figure_file.h"
@@ -161,12 +162,25 @@ void FileCommands::dropSurroundings() {
 void FileCommands::editSite() {
     const Case& theCase = m_document.theCase();
     widgets::SiteDialog dialog(&m_window);
-    dialog.setContent(theCase.site, QString::fromStdString(theCase.frame.crs),
-                      static_cast<int>(std::count_if(theCase.inputs.begin(), theCase.inputs.end(), [](const CaseInput& input) {
-                          return input.role == InputRole::Surroundings;
-                      })));
+    std::vector<widgets::SiteMeshOffset> meshes;
+    for (const CaseInput& input : theCase.inputs) {
+        if (input.role == InputRole::Surroundings) {
+            meshes.push_back({QFileInfo(QString::fromStdString(input.path)).fileName(), input.offset});
+        }
+    }
+    dialog.setContent(theCase.site, QString::fromStdString(theCase.frame.crs), meshes);
+    const Frame frame = m_computation.inputs().fe != nullptr ? m_computation.inputs().frame : theCase.frame;
+    dialog.setCheck([frame](const Site& site, const std::string& crs) {
+        Frame placed = frame;
+        placed.crs = crs;
+        return io::checkPlace(placed, site);
+    });
     if (dialog.exec() == QDialog::Accepted) {
-        m_document.setSite(dialog.site(), dialog.crs().toStdString(), [] { return tr("site"); });
+        std::vector<std::optional<Vec3>> offsets;
+        for (const widgets::SiteMeshOffset& mesh : dialog.surroundings()) {
+            offsets.push_back(mesh.offset);
+        }
+        m_document.setSite(dialog.site(), dialog.crs().toStdString(), offsets, [] { return tr("site"); });
     }
 }
 

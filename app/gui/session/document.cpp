@@ -2,6 +2,7 @@
 
 #include <QUndoCommand>
 #include <algorithm>
+#include <map>
 
 #include "app/gui/session/moved_inputs.h"
 #include "app/gui/session/named_command.h"
@@ -121,18 +122,33 @@ void Document::setSurveys(std::vector<CaseInput> inputs, const widgets::Wording&
     m_undo.push(new StepCommand(what, way(std::move(inputs)), way(m_case.inputs)));
 }
 
-void Document::setSite(const Site& site, const std::string& crs, const widgets::Wording& what) {
-    if (empty() || (site == m_case.site && crs == m_case.frame.crs)) {
+void Document::setSite(const Site& site, const std::string& crs, const std::vector<std::optional<Vec3>>& offsets,
+                       const widgets::Wording& what) {
+    using Offsets = std::map<std::string, std::optional<Vec3>>;
+    Offsets before;
+    Offsets after;
+    for (const CaseInput& input : m_case.inputs) {
+        if (input.role == InputRole::Surroundings) {
+            after[input.id] = after.size() < offsets.size() ? offsets[after.size()] : input.offset;
+            before[input.id] = input.offset;
+        }
+    }
+    if (empty() || (site == m_case.site && crs == m_case.frame.crs && before == after)) {
         return;
     }
-    const auto way = [this](const Site& to, const std::string& system) {
-        return [this, to, system] {
+    const auto way = [this](const Site& to, const std::string& system, const Offsets& moved) {
+        return [this, to, system, moved] {
             m_case.site = to;
             m_case.frame.crs = system;
+            for (CaseInput& input : m_case.inputs) {
+                if (const auto offset = moved.find(input.id); offset != moved.end()) {
+                    input.offset = offset->second;
+                }
+            }
             emit inputsChanged();
         };
     };
-    m_undo.push(new StepCommand(what, way(site, crs), way(m_case.site, m_case.frame.crs)));
+    m_undo.push(new StepCommand(what, way(site, crs, after), way(m_case.site, m_case.frame.crs, before)));
 }
 
 void Document::putInputs(const std::vector<CaseInput>& inputs, const QString& base) {

@@ -3,6 +3,8 @@
 #include <QObject>
 #include <QUndoStack>
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "core/scenario/case.h"
 #include "core/scenario/parameters.h"
@@ -50,7 +52,9 @@ public:
     /// Other surveys among the input files as one undoable command; no result depends on them.
     void setSurveys(std::vector<CaseInput> inputs, const widgets::Wording& what);
     /// How the case lies in the world as one undoable command: terrain and surroundings are read anew.
-    void setSite(const Site& site, const std::string& crs, const widgets::Wording& what);
+    /// @param offsets  of the meshes of surroundings, in the order of the inputs
+    void setSite(const Site& site, const std::string& crs, const std::vector<std::optional<Vec3>>& offsets,
+                 const widgets::Wording& what);
     /// A copy of a scenario under another name becomes the one that is worked on.
     void duplicateScenario(const std::string& id);
     void renameScenario(const std::string& id, const QString& name);

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "io/base/base64.h"
 #include "io/base/trimmed.h"
 
 namespace rubble::io {
@@ -21,44 +22,6 @@ constexpr std::string_view appendedClose = "</AppendedData>";
 // What the best of each can make of a byte; more is asked for by damage.
 constexpr std::uint64_t bestZlib = 1100, bestLz4 = 260, bestLzma = 16000;
 constexpr std::uint64_t lzmaMemory = std::uint64_t{128} << 20;
-
-constexpr int noDigit = -1;
-
-constexpr std::array<int, 256> base64Digits = [] {
-    std::array<int, 256> digits{};
-    digits.fill(noDigit);
-    constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (std::size_t i = 0; i < alphabet.size(); ++i) {
-        digits[static_cast<unsigned char>(alphabet[i])] = static_cast<int>(i);
-    }
-    return digits;
-}();
-
-std::uint64_t base64Length(std::uint64_t bytes) {
-    return (bytes + 2) / 3 * 4;
-}
-
-// Groups of four; the last may be filled up with '='. @return false where a character is none of them
-bool decodeBase64(std::string_view text, std::string& bytes) {
-    bytes.clear();
-    bytes.reserve(text.size() / 4 * 3);
-    for (std::size_t i = 0; i + 4 <= text.size(); i += 4) {
-        unsigned group = 0;
-        int digits = 0;
-        for (std::size_t d = 0; d < 4; ++d) {
-            const int digit = base64Digits[static_cast<unsigned char>(text[i + d])];
-            if (digit == noDigit && (text[i + d] != '=' || d < 2)) {
-                return false;
-            }
-            digits += digit == noDigit ? 0 : 1;
-            group = group << 6 | static_cast<unsigned>(std::max(digit, 0));
-        }
-        for (int b = 0; b < digits - 1; ++b) {
-            bytes.push_back(static_cast<char>(group >> (16 - 8 * b) & 0xffu));
-        }
-    }
-    return true;
-}
 
 }  // namespace
 

@@ -151,6 +151,27 @@ TEST_F(Map, LiesWhereControlPointsPutTheCase) {
     EXPECT_EQ(said["site"]["control_points"].size(), 3u);
 }
 
+TEST_F(Map, APlaceThatCannotBeRightIsToldByEveryDoor) {
+    // Easting and northing are changed for each other.
+    Case theCase = io::caseForFe(m_path, m_folder / "odd.rubble");
+    theCase.frame.crs = "EPSG:25832";
+    theCase.site.controlPoints = {{"P", Vec3(0, 0, 0), Vec3(5600000, 600000, 0), true},
+                                  {"Q", Vec3(10, 0, 0), Vec3(5600000, 600010, 0), true}};
+    io::saveCase(m_folder / "odd.rubble", theCase);
+    const std::string placed = m_folder / "odd.run.h5";
+    const Outcome made = cli({"run", m_folder / "odd.rubble", "--out", placed, "--set", "settle_time=1", "--json"});
+    ASSERT_EQ(made.exitCode, 0) << made.err;
+    EXPECT_THAT(made.out, HasSubstr("site.swapped"));
+    EXPECT_THAT(cli({"map", placed, "--json"}).out, HasSubstr("site.swapped"));
+    EXPECT_THAT(cli({"inspect", m_folder / "odd.rubble", "--json"}).out, HasSubstr("site.swapped"));
+    const Outcome written = cli({"export", placed, "--export", "fragments=" + (m_folder / "odd.csv")});
+    EXPECT_THAT(written.err, HasSubstr("changed for each other"));
+    const Outcome moved = cli({"run", m_folder / "odd.rubble", "--mesh-offset", "1,2,3"});
+    EXPECT_NE(moved.exitCode, 0);
+    EXPECT_THAT(moved.err, HasSubstr("no mesh of surroundings"));
+    EXPECT_NE(cli({"run", m_folder / "odd.rubble", "--mesh-offset", "1,2"}).exitCode, 0);
+}
+
 TEST_F(Map, FollowsTheTimeAndTheSwitch) {
     run({"--set", "birth_window=0"}, "1");
     EXPECT_EQ(mapJson({"--time", "0"})["fragments"], 0);

@@ -385,7 +385,7 @@ TEST_F(Project, NoCaseTakesThePlaceOfOneThatADialogAsksAbout) {
         window->actions()[ActionId::Site].trigger();
     };
     inDialog([](QDialog& dialog) {
-        dynamic_cast<widgets::SiteDialog&>(dialog).setContent({}, QStringLiteral("EPSG:25832"), 0);
+        dynamic_cast<widgets::SiteDialog&>(dialog).setContent({}, QStringLiteral("EPSG:25832"));
         dialog.accept();
     });
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));

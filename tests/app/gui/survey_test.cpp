@@ -152,7 +152,7 @@ TEST_F(SiteAndSurvey, TheSiteIsAskedForAndReadAnew) {
         ASSERT_NE(site, nullptr);
         Site content = site->site();
         content.heightShift = -7.0;
-        site->setContent(content, QStringLiteral("EPSG:25832"), 0);
+        site->setContent(content, QStringLiteral("EPSG:25832"));
         QTest::keyClick(site, Qt::Key_Return);
     });
     window->actions()[ActionId::Site].trigger();

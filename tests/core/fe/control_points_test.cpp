@@ -19,6 +19,27 @@ std::vector<ControlPoint> turned(double scale, double angle) {
     return points;
 }
 
+TEST(ControlPoints, WhatSpeaksAgainstThemIsTold) {
+    EXPECT_TRUE(checkControlPoints(turned(0.9996, 0.7)).empty());
+    EXPECT_EQ(checkControlPoints(turned(3.2808, 0.7)).count("site.scale"), 1);
+    EXPECT_TRUE(checkControlPoints(turned(1.6, 0.7), 1.6).empty()) << "the system stretches as much";
+    std::vector<ControlPoint> points = turned(1.0, 0.7);
+    for (ControlPoint& point : points) {
+        point.local.x() = -point.local.x();
+    }
+    const Findings mirrored = checkControlPoints(points);
+    EXPECT_EQ(mirrored.count("site.mirrored"), 1);
+    EXPECT_EQ(mirrored.list().size(), 1u) << "scale and residuals only follow from it";
+    points = turned(1.0, 0.7);
+    points[2].world.x() += 2.0;
+    EXPECT_EQ(checkControlPoints(points).count("site.residual"), 1);
+    points[2].used = false;
+    EXPECT_TRUE(checkControlPoints(points).empty()) << "a point that is left out says nothing";
+    points[1].used = points[0].used = false;
+    EXPECT_EQ(checkControlPoints(points).count("site.one_point"), 1);
+    EXPECT_TRUE(checkControlPoints({}).empty());
+}
+
 TEST(ControlPoints, ASimilarityIsFoundExactly) {
     const SiteFit fit = fitControlPoints(turned(0.9996, 0.7));
     EXPECT_NEAR(fit.scale, 0.9996, 1e-9);

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/fe/vtk/stored_numbers.h"
+#include "io/site/meshes/mesh_lines.h"
+
+namespace rubble::io {
+
+/// A property of an element of a PLY: a number, or a list with its length before it.
+struct PlyProperty {
+    std::string name;
+    NumberType type;  ///< of the number, or of those of the list
+    bool list = false;
+    NumberType length;  ///< of a list
+};
+
+struct PlyElement {
+    std::string name;
+    std::uint64_t count = 0;
+    std::vector<PlyProperty> properties;
+};
+
+/// What the head of a PLY says of the numbers behind it.
+struct PlyHeader {
+    bool text = false;
+    bool bigEndian = false;
+    std::vector<PlyElement> elements;
+};
+
+/// Reads the head of a PLY, so that the lines stand behind it. Throws ParseError naming the line that cannot be read.
+PlyHeader readPlyHeader(MeshLines& lines, const std::string& path);
+
+}  // namespace rubble::io

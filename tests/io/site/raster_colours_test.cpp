@@ -1,0 +1,143 @@
+#include <gdal_priv.h>
+#include <gtest/gtest.h>
+#include <ogr_spatialref.h>
+
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "core/base/error.h"
+#include "io/site/orthophoto_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rubble::io {
+namespace {
+
+/// A picture of four by four pixels of a metre, each of one colour.
+class Picture : public testing::Test {
+protected:
+    struct Band {
+        double value = 0.0;
+        GDALColorInterp meaning = GCI_Undefined;
+        std::string name = {};
+    };
+    TemporaryFolder folder;
+    std::string path = folder / "picture.tif";
+    Findings findings;
+    const char* bits = nullptr;
+    const char* interpretation = "PHOTOMETRIC=MINISBLACK";
+    std::optional<double> nothing;             ///< mark for no data
+    std::function<void(GDALDataset&)> finish;  ///< changes to the file before it is closed
+
+    void write(GDALDataType type, const std::vector<Band>& bands) const {
+        GDALAllRegister();
+        const char* options[] = {interpretation, bits, nullptr};
+        GDALDatasetUniquePtr file(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+            path.c_str(), 4, 4, static_cast<int>(bands.size()), type, const_cast<char**>(options)));
+        std::array<double, 6> place{0.0, 1.0, 0.0, 4.0, 0.0, -1.0};
+        file->SetGeoTransform(place.data());
+        for (std::size_t b = 0; b < bands.size(); ++b) {
+            GDALRasterBand* band = file->GetRasterBand(static_cast<int>(b) + 1);
+            if (bands[b].meaning != GCI_Undefined) {
+                band->SetColorInterpretation(bands[b].meaning);
+            }
+            band->SetDescription(bands[b].name.c_str());
+            if (nothing) {
+                band->SetNoDataValue(*nothing);
+            }
+            std::vector<double> values(16, bands[b].value);
+            ASSERT_EQ(band->RasterIO(GF_Write, 0, 0, 4, 4, values.data(), 4, 4, GDT_Float64, 0, 0, nullptr), CE_None);
+        }
+        if (finish) {
+            finish(*file);
+        }
+    }
+    /// Colour and opacity of the pixel in the middle.
+    std::array<int, 4> read() {
+        findings = Findings();
+        const auto picture = readOrthophoto(path, Frame(), Site(), Aabb(), Execution(), findings);
+        const std::uint8_t* at = &picture->rgba[4 * static_cast<std::size_t>(2 * picture->width + 2)];
+        return {at[0], at[1], at[2], at[3]};
+    }
+    using Colour = std::array<int, 4>;
+};
+
+TEST_F(Picture, SixteenBitsAreTheUpperByte) {
+    const std::vector<Band> bands{
+        {200 * 256.0, GCI_RedBand, {}}, {100 * 256.0, GCI_GreenBand, {}}, {50 * 256.0 + 255, GCI_BlueBand, {}}};
+    write(GDT_UInt16, bands);
+    EXPECT_EQ(read(), (Colour{200, 100, 50, 255}));
+    EXPECT_EQ(findings.count("orthophoto.depth_assumed"), 1);
+    bits = "NBITS=12";
+    write(GDT_UInt16, {{4095, GCI_RedBand, {}}, {2048, GCI_GreenBand, {}}, {16, GCI_BlueBand, {}}});
+    EXPECT_EQ(read(), (Colour{255, 128, 1, 255}));
+    EXPECT_EQ(findings.count("orthophoto.depth"), 1);
+    bits = nullptr;
+    write(GDT_UInt16, {{4000, GCI_RedBand, {}}, {2048, GCI_GreenBand, {}}, {16, GCI_BlueBand, {}}});
+    EXPECT_EQ(read(), (Colour{250, 128, 1, 255})) << "12 bits that do not say so";
+    write(GDT_UInt16, {{250, GCI_RedBand, {}}, {128, GCI_GreenBand, {}}, {1, GCI_BlueBand, {}}});
+    EXPECT_EQ(read(), (Colour{250, 128, 1, 255})) << "bytes in wider numbers";
+    nothing = 65535;
+    finish = [](GDALDataset& file) {
+        std::vector<double> none(4, 65535.0);
+        for (int b = 1; b <= 3; ++b) {
+            ASSERT_EQ(file.GetRasterBand(b)->RasterIO(GF_Write, 0, 0, 4, 1, none.data(), 4, 1, GDT_Float64, 0, 0, nullptr),
+                      CE_None);
+        }
+    };
+    write(GDT_UInt16, {{4000, GCI_RedBand, {}}, {2048, GCI_GreenBand, {}}, {16, GCI_BlueBand, {}}});
+    EXPECT_EQ(read(), (Colour{250, 128, 1, 255})) << "the mark for no data is no colour";
+}
+
+TEST_F(Picture, BandsAreTakenByWhatTheyMean) {
+    write(GDT_Byte, {{10, GCI_BlueBand, {}}, {20, GCI_GreenBand, {}}, {30, GCI_RedBand, {}}});
+    EXPECT_EQ(read(), (Colour{30, 20, 10, 255}));
+    EXPECT_TRUE(findings.empty());
+    write(GDT_Byte,
+          {{10, GCI_Undefined, "Blue"}, {20, GCI_Undefined, "Green"}, {30, GCI_Undefined, "Red"}, {40, GCI_Undefined, "nir"}});
+    EXPECT_EQ(read(), (Colour{30, 20, 10, 255})) << "by their names";
+    write(GDT_Byte, {{10}, {20}, {30}, {40}});
+    EXPECT_EQ(read(), (Colour{10, 20, 30, 255}));
+    EXPECT_EQ(findings.count("orthophoto.bands_assumed"), 1);
+    write(GDT_Byte, {{77}});
+    EXPECT_EQ(read(), (Colour{77, 77, 77, 255}));
+    EXPECT_TRUE(findings.empty());
+    write(GDT_UInt16, {{77 * 256.0}});
+    EXPECT_EQ(read(), (Colour{77, 77, 77, 255}));
+    interpretation = "PHOTOMETRIC=RGB";
+    write(GDT_Byte, {{10, GCI_RedBand, {}}, {20, GCI_GreenBand, {}}, {30, GCI_BlueBand, {}}, {40}, {128, GCI_AlphaBand, {}}});
+    EXPECT_EQ(read(), (Colour{10, 20, 30, 128})) << "an opacity behind more than colours";
+    write(GDT_UInt16, {{2560, GCI_RedBand, {}}, {5120, GCI_GreenBand, {}}, {65280, GCI_BlueBand, {}}, {32896, GCI_AlphaBand, {}}});
+    EXPECT_EQ(read(), (Colour{10, 20, 255, 128}));
+}
+
+TEST_F(Picture, APaletteIsLookedUpAndNothingIsTransparent) {
+    finish = [](GDALDataset& file) {
+        GDALColorTable palette;
+        const GDALColorEntry red{200, 30, 20, 255};
+        palette.SetColorEntry(5, &red);
+        file.GetRasterBand(1)->SetColorTable(&palette);
+    };
+    interpretation = nullptr;
+    write(GDT_Byte, {{5}});
+    EXPECT_EQ(read(), (Colour{200, 30, 20, 255}));
+    finish = nullptr;
+    nothing = 0;
+    write(GDT_Byte, {{0, GCI_RedBand, {}}, {255, GCI_GreenBand, {}}, {0, GCI_BlueBand, {}}});
+    EXPECT_EQ(read(), (Colour{0, 255, 0, 255})) << "pure green is a colour, although two of its bands are none";
+    write(GDT_Byte, {{0, GCI_RedBand, {}}, {0, GCI_GreenBand, {}}, {0, GCI_BlueBand, {}}});
+    EXPECT_EQ(read()[3], 0);
+}
+
+TEST_F(Picture, WhatIsNoColourIsRefusedOrSaid) {
+    write(GDT_Float32, {{0.5, GCI_RedBand, {}}, {1.0, GCI_GreenBand, {}}, {0.0, GCI_BlueBand, {}}});
+    EXPECT_EQ(read(), (Colour{128, 255, 0, 255}));
+    EXPECT_EQ(findings.count("orthophoto.fractions"), 1);
+    write(GDT_Float32, {{1e6, GCI_RedBand, {}}, {1.0, GCI_GreenBand, {}}, {0.0, GCI_BlueBand, {}}});
+    EXPECT_THROW(read(), ParseError);
+    write(GDT_Float32, {{120.0}});
+    EXPECT_THROW(read(), ParseError) << "heights";
+}
+
+}  // namespace
+}  // namespace rubble::io

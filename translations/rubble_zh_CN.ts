@@ -3002,6 +3002,74 @@
         <translation>这些点对不能确定相机：其他相机所见相同。</translation>
     </message>
     <message>
+        <source>The points do not fit the focal length given, {0}: with {1} they would fit, and the camera would stand {2} from where it was found.</source>
+        <translation>各点与给定的焦距 {0} 不吻合：取 {1} 则吻合，相机将距求得的位置 {2}。</translation>
+    </message>
+    <message>
+        <source>Let the focal length be found. What a file notes is rounded, and holds for the whole picture only.</source>
+        <translation>请求解焦距。文件所记的焦距经过取整，且只对整张照片成立。</translation>
+    </message>
+    <message>
+        <source>The points do not fit a lens whose axis meets the picture where it was said: it seems to be {0} off, and the camera {1} from where it was found.</source>
+        <translation>各点与光轴位于所述主点的镜头不吻合：主点似乎偏离 {0}，相机距求得的位置 {1}。</translation>
+    </message>
+    <message>
+        <source>Let the principal point be found, and look whether the photograph was cropped.</source>
+        <translation>请求解主点，并查看照片是否被裁剪。</translation>
+    </message>
+    <message>
+        <source>The residuals go with the distance from the middle of the picture: the lens bends lines otherwise than was said. With its distortion found the camera would stand {0} from where it was found.</source>
+        <translation>残差随到照片中央的距离变化：镜头的畸变与所述不同。若求解畸变，相机将距求得的位置 {0}。</translation>
+    </message>
+    <message>
+        <source>Let the distortion be found automatically.</source>
+        <translation>请自动求解畸变。</translation>
+    </message>
+    <message>
+        <source>The residuals go with the distance from the middle of the picture: two radial terms do not describe this lens. A third would move the camera by {0}.</source>
+        <translation>残差随到照片中央的距离变化：两项径向畸变不足以描述该镜头。第三项会使相机移动 {0}。</translation>
+    </message>
+    <message>
+        <source>Take points nearer to the middle, or a picture whose distortion was taken out.</source>
+        <translation>请取更靠近中央的点，或使用已消除畸变的照片。</translation>
+    </message>
+    <message>
+        <source>The points hardly tell the distortion of the lens from its focal length: they lie {0} to {1} % of the way from the middle of the picture to its corners. The regions allow for that; the corners may lie {2} % nearer or farther.</source>
+        <translation>各点几乎不能区分镜头的畸变与焦距：它们位于照片中央到四角距离的 {0} 至 {1} %。区域已计及此点；四角可能近或远 {2} %。</translation>
+    </message>
+    <message>
+        <source>Add points near the middle and near the corners, or say that there is no distortion if it was taken out.</source>
+        <translation>请添加靠近中央和四角的点；若畸变已被消除，请说明没有畸变。</translation>
+    </message>
+    <message>
+        <source>Give a JPEG, PNG, TIFF or HEIC file, copied anew from where it came.</source>
+        <translation>请给出 JPEG、PNG、TIFF 或 HEIC 文件，从来源重新复制。</translation>
+    </message>
+    <message>
+        <source>What the photograph says of its camera, time and place is not read from this kind of file.</source>
+        <translation>照片关于相机、时间和地点的记录不能从这种文件读取。</translation>
+    </message>
+    <message>
+        <source>The focal length is found from the point pairs; set the time by hand, or give the photograph as it came from the camera.</source>
+        <translation>焦距由点对求得；时间请手工设置，或给出相机直接生成的照片。</translation>
+    </message>
+    <message>
+        <source>What the photograph says of its camera, time and place is damaged and cannot be read.</source>
+        <translation>照片关于相机、时间和地点的记录已损坏，不能读取。</translation>
+    </message>
+    <message>
+        <source>Copy the photograph anew from where it came; else set the time by hand.</source>
+        <translation>请从来源重新复制照片；否则手工设置时间。</translation>
+    </message>
+    <message>
+        <source>EXIF says that the photograph lies on a side, the boxes of its HEIF file do not; these count.</source>
+        <translation>EXIF 说照片侧放，其 HEIF 文件的盒则不然；以后者为准。</translation>
+    </message>
+    <message>
+        <source>If it lies on its side, turn it in a program for photographs and add it anew.</source>
+        <translation>若照片侧放，请用照片程序转正后重新添加。</translation>
+    </message>
+    <message>
         <source>They move with the mean of the others; ask the solver for velocities or for more states.</source>
         <translation>它们取其余的平均运动；请让求解器输出速度或更多状态。</translation>
     </message>
@@ -5522,10 +5590,6 @@
         <translation>请减少画为遮挡或已移动的部分，或检查轮廓。</translation>
     </message>
     <message>
-        <source>Give a JPEG, PNG or TIFF file, copied anew from where it came.</source>
-        <translation>请给出从来源处重新复制的 JPEG、PNG 或 TIFF 文件。</translation>
-    </message>
-    <message>
         <source>Give a picture of 16 to 100,000 pixels on each side.</source>
         <translation>请给出每边 16 至 100,000 像素的图片。</translation>
     </message>
@@ -7710,6 +7774,14 @@
         <translation>{0}：其 {1} 个面均无面积</translation>
     </message>
     <message>
+        <source>no pixels</source>
+        <translation>没有像素</translation>
+    </message>
+    <message>
+        <source>unknown error</source>
+        <translation>未知错误</translation>
+    </message>
+    <message>
         <source>{0}: the head of the PLY does not end, or names no format</source>
         <translation>{0}：PLY 的文件头没有结束，或没有写明格式</translation>
     </message>
@@ -8903,8 +8975,8 @@
         <translation>添加照片</translation>
     </message>
     <message>
-        <source>Photographs (*.jpg *.jpeg *.png *.tif *.tiff *.JPG *.JPEG *.PNG *.TIF *.TIFF);;All files (*)</source>
-        <translation>照片 (*.jpg *.jpeg *.png *.tif *.tiff *.JPG *.JPEG *.PNG *.TIF *.TIFF);;所有文件 (*)</translation>
+        <source>Photographs (*.jpg *.jpeg *.png *.tif *.tiff *.heic *.heif *.JPG *.JPEG *.PNG *.TIF *.TIFF *.HEIC *.HEIF);;All files (*)</source>
+        <translation>照片 (*.jpg *.jpeg *.png *.tif *.tiff *.heic *.heif *.JPG *.JPEG *.PNG *.TIF *.TIFF *.HEIC *.HEIF);;所有文件 (*)</translation>
     </message>
     <message>
         <source>%1: among the photographs already</source>
@@ -13643,8 +13715,8 @@ What the file fits: %2.</source>
         <translation>显示的照片</translation>
     </message>
     <message>
-        <source>Add photographs to the case: JPEG, PNG or TIFF. Their files are only read, never changed</source>
-        <translation>向案例添加照片：JPEG、PNG 或 TIFF。文件只读取，从不更改</translation>
+        <source>Add photographs to the case: JPEG, PNG, TIFF or HEIC. Their files are only read, never changed</source>
+        <translation>向案例添加照片：JPEG、PNG、TIFF 或 HEIC。文件只读取，从不更改</translation>
     </message>
     <message>
         <source>Take the photograph out of the case, with its points and masks; the file stays</source>
@@ -13747,6 +13819,10 @@ What the file fits: %2.</source>
         <translation>无</translation>
     </message>
     <message>
+        <source>automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
         <source>one term</source>
         <translation>一项</translation>
     </message>
@@ -13763,8 +13839,8 @@ What the file fits: %2.</source>
         <translation>畸变项数</translation>
     </message>
     <message>
-        <source>Terms of radial distortion that are found from the points, 0 to 2</source>
-        <translation>由点求得的径向畸变项数，0 至 2</translation>
+        <source>Terms of radial distortion that are found from the points. Automatic: as far as these tell them; what they leave open is that of real lenses. None: of a picture whose distortion was taken out</source>
+        <translation>由点求得的径向畸变项数。自动：按各点所能说明的程度；未能说明的部分取自实有的镜头。无：畸变已被消除的照片</translation>
     </message>
     <message>
         <source>position</source>

@@ -26,8 +26,8 @@ struct CameraKnowledge {
     std::optional<double> focal;               ///< px; unset: to be found
     std::optional<Eigen::Vector2d> principal;  ///< px; unset: the middle of the picture
     bool freePrincipal = false;                ///< it is to be found, from there
-    int radialTerms = 0;                       ///< to be found, 0 to 2
-    Eigen::Vector2d radial{0.0, 0.0};          ///< known terms, or where the search begins
+    std::optional<int> radialTerms;    ///< to be found, 0 to 2; unset: both, as far as the points tell them from real lenses
+    Eigen::Vector2d radial{0.0, 0.0};  ///< known terms, or where the search begins
     friend bool operator==(const CameraKnowledge&, const CameraKnowledge&) = default;
 };
 

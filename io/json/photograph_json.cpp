@@ -85,7 +85,7 @@ json cameraJson(const CameraKnowledge& camera) {
     return {{"focal_px", optionalJson(camera.focal)},
             {"principal_px", camera.principal ? pointJson(*camera.principal) : json()},
             {"principal_free", camera.freePrincipal},
-            {"radial_terms", camera.radialTerms},
+            {"radial_terms", camera.radialTerms ? json(*camera.radialTerms) : json()},
             {"radial", pointJson(camera.radial)}};
 }
 
@@ -102,7 +102,9 @@ CameraKnowledge cameraFrom(const JsonCursor& cursor, const PhotoFacts& facts) {
         camera.principal = pointFrom(principal);
     }
     camera.freePrincipal = cursor["principal_free"].flag();
-    camera.radialTerms = intFrom(cursor["radial_terms"], 0, 2);
+    if (const JsonCursor terms = cursor["radial_terms"]; !terms.value().is_null()) {
+        camera.radialTerms = intFrom(terms, 0, 2);
+    }
     camera.radial = pointFrom(cursor["radial"]);
     return camera;
 }

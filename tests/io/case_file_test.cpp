@@ -105,7 +105,9 @@ Photograph randomPhotograph(std::mt19937& engine) {
         photograph.timeUncertainty = 0.1;
     }
     photograph.facts.taken = "2026-03-14 17:05:12";
-    photograph.camera.radialTerms = static_cast<int>(engine() % 3);
+    if (const auto terms = static_cast<int>(engine() % 4); terms < 3) {
+        photograph.camera.radialTerms = terms;
+    }
     for (std::size_t i = engine() % 5; i > 0; --i) {
         photograph.pairs.push_back(
             {"pier " + std::to_string(i), {100.0 * normal(engine), normal(engine)}, {normal(engine), 1e-9 * normal(engine), 3.0}});

@@ -105,6 +105,7 @@ EvidencePanel::EvidencePanel(QWidget* parent)
       m_principal(new QComboBox),
       m_radial(new QComboBox),
       m_verdict(new Notice),
+      m_doubts(new FindingList),
       m_masks(new QListWidget),
       m_removeMask(new QPushButton(tr("Delete"))),
       m_withFallen(new QCheckBox(tr("Fallen structure counts as debris"))),
@@ -129,7 +130,7 @@ void EvidencePanel::buildList() {
     m_photographs->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     addWide(m_photographs);
     m_add->setObjectName(QStringLiteral("addPhotographs"));
-    m_add->setToolTip(tr("Add photographs to the case: JPEG, PNG or TIFF. Their files are only read, never changed"));
+    m_add->setToolTip(tr("Add photographs to the case: JPEG, PNG, TIFF or HEIC. Their files are only read, never changed"));
     m_remove->setToolTip(tr("Take the photograph out of the case, with its points and masks; the file stays"));
     addWide(buttonRow({m_add, m_remove}));
     m_facts->setObjectName(QStringLiteral("muted"));
@@ -205,10 +206,13 @@ void EvidencePanel::buildCamera() {
     m_principal->setAccessibleName(tr("Principal point"));
     group->addField(tr("principal point"), m_principal, {},
                     tr("Where the axis of the lens meets the picture: the middle unless the photograph was cropped, px"));
-    m_radial->addItems({tr("none"), tr("one term"), tr("two terms")});
+    m_radial->addItems({tr("automatic"), tr("none"), tr("one term"), tr("two terms")});
     m_radial->setAccessibleName(tr("Distortion"));
-    group->addField(tr("distortion"), m_radial, {}, tr("Terms of radial distortion that are found from the points, 0 to 2"));
+    group->addField(tr("distortion"), m_radial, {},
+                    tr("Terms of radial distortion that are found from the points. Automatic: as far as these tell them; what they "
+                       "leave open is that of real lenses. None: of a picture whose distortion was taken out"));
     group->addWide(m_verdict);
+    group->addWide(m_doubts);
     m_place = group->addValue(tr("position"), tr("m"), tr("Where the camera stood: x, y, z in the frame of the case"));
     m_placeSpread =
         group->addValue(tr("within (95 %)"), tr("m"), tr("With 95 % confidence the camera stood within this of the position"));
@@ -223,8 +227,9 @@ void EvidencePanel::buildCamera() {
     connect(m_principal, &QComboBox::activated, this, [this](int choice) {
         edit([] { return tr("principal point of the camera"); }, [&](Photograph& p) { p.camera.freePrincipal = choice == Found; });
     });
-    connect(m_radial, &QComboBox::activated, this, [this](int terms) {
-        edit([] { return tr("distortion of the camera"); }, [&](Photograph& p) { p.camera.radialTerms = terms; });
+    connect(m_radial, &QComboBox::activated, this, [this](int choice) {
+        edit([] { return tr("distortion of the camera"); },
+             [&](Photograph& p) { p.camera.radialTerms = choice == 0 ? std::nullopt : std::optional(choice - 1); });
     });
 }
 
@@ -361,8 +366,9 @@ void EvidencePanel::showCamera() {
     const auto noted = focalFrom(m_content.photograph.facts);
     m_focalNoted->setText(noted ? QLocale().toString(*noted, 'f', 0) : QStringLiteral("–"));
     m_principal->setCurrentIndex(known.freePrincipal ? Found : Middle);
-    m_radial->setCurrentIndex(known.radialTerms);
+    m_radial->setCurrentIndex(known.radialTerms ? *known.radialTerms + 1 : 0);
     const bool matched = m_content.match.has_value();
+    m_doubts->set(matched ? m_content.match->findings : Findings());
     for (QLabel* value : {m_place, m_placeSpread, m_turnSpread, m_focalFound, m_fit}) {
         value->setText(QStringLiteral("–"));
     }

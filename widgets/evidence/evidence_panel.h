@@ -104,6 +104,7 @@ private:
     QLabel* m_focalFound = nullptr;
     QLabel* m_fit = nullptr;
     Notice* m_verdict;
+    FindingList* m_doubts;
     QListWidget* m_masks;
     QPushButton* m_removeMask;
     QCheckBox* m_withFallen;

@@ -43,11 +43,11 @@ CameraKnowledge parseKnowledge(const Arguments& arguments) {
             known.principal = Eigen::Vector2d(parseFinite("--principal", parts[0]), parseFinite("--principal", parts[1]));
         }
     }
-    if (const auto radial = arguments.value("--radial")) {
+    if (const auto radial = arguments.value("--radial"); radial && *radial != "auto") {
         if (*radial != "0" && *radial != "1" && *radial != "2") {
-            throw wrongValue("--radial", *radial, "0, 1 or 2: how many terms are to be found");
+            throw wrongValue("--radial", *radial, "auto, or 0, 1 or 2: how many terms are to be found");
         }
-        known.radialTerms = *radial == "0" ? 0 : *radial == "1" ? 1 : 2;
+        known.radialTerms = radial->front() - '0';
     }
     return known;
 }
@@ -59,10 +59,13 @@ ExitCode camera(const Arguments& arguments, Session& session) {
     const CameraMatch match = matchCamera(pairs, known, session.execution());
     writeCsv(arguments, residualTable(match, pairs));
     if (arguments.json()) {
-        printJson(session, matchJson(match, pairs));
+        Json object = matchJson(match, pairs);
+        object["warnings"] = findingsJson(match.findings);
+        printJson(session, object);
     } else {
         printHeading(session.out(), "Camera");
         printMatch(session.out(), match, pairs);
+        printFindings(session.out(), match.findings);
     }
     return ExitCode::Ok;
 }
@@ -79,7 +82,8 @@ Command cameraCommand() {
             {{"--size", "WxH", false, "pixels of the picture; needed"},
              {"--focal", "PX", false, "focal length in pixels, if it is known (default: found)"},
              {"--principal", "X,Y|free", false, "principal point in pixels, or free to be found (default: the middle)"},
-             {"--radial", "0|1|2", false, "terms of radial distortion to be found (default: 0)"},
+             {"--radial", "auto|0|1|2", false,
+              "terms of radial distortion to be found; auto: as far as the points tell it from real lenses (default: auto)"},
              csvOption("write the residuals, one row for each pair")},
             camera};
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/cli/evidence/camera_output.h"
+#include "app/cli/evidence/photo_files.h"
 #include "app/cli/frame/commands.h"
 #include "app/cli/frame/health_output.h"
 #include "app/cli/frame/json_output.h"
@@ -59,7 +60,9 @@ std::vector<const Photograph*> choose(const Case& theCase, const Arguments& argu
     }
     if (theCase.photographs.empty()) {
         throw UsageError({"cli.no_photographs", "{0} has no photographs.", {arguments.operand()}},
-                         {"cli.no_photographs.remedy", "Add them in the window, under Evidence, and save the case.", {}});
+                         {"cli.no_photographs.remedy",
+                          "Add them with rubble-cli photo add {0} PHOTO, or in the window under Evidence.",
+                          {arguments.operand()}});
     }
     if (chosen.empty()) {
         throw UsageError({"cli.no_photograph", "{0} has no photograph {1}.", {arguments.operand(), *wanted}},
@@ -96,6 +99,9 @@ Seen look(const Case& theCase, const Photograph& photograph, const std::string& 
     }
     try {
         seen.match = matchCamera(photograph.pairs, photograph.camera, execution);
+        for (const Finding& finding : seen.match->findings.list()) {
+            findings.add(finding.what, finding.remedy, input.path, finding.count);
+        }
         if (run != nullptr) {
             seen.comparison = compareRunWithPhoto(run->mapped(), photograph, *seen.match, settings, execution);
         }
@@ -107,24 +113,6 @@ Seen look(const Case& theCase, const Photograph& photograph, const std::string& 
 
 Json spreadJson(const SpreadNumber& number) {
     return {{"best", number.best}, {"mean", number.mean}, {"spread", number.spread}};
-}
-
-Json optionalJson(const std::optional<double>& number) {
-    return number ? Json(*number) : Json();
-}
-
-Json factsJson(const PhotoFacts& facts) {
-    Json object;
-    object["width_px"] = facts.width;
-    object["height_px"] = facts.height;
-    object["orientation"] = facts.orientation;
-    object["focal_length_mm"] = optionalJson(facts.focalLength);
-    object["focal_px"] = optionalJson(focalFrom(facts));
-    object["camera"] = facts.camera;
-    const std::string taken = clockTime(facts.taken);
-    object["taken"] = taken.empty() ? Json() : Json(taken);
-    object["position_deg"] = facts.position ? Json{(*facts.position)[0], (*facts.position)[1]} : Json();
-    return object;
 }
 
 Json comparisonJson(const PhotoComparison& made) {
@@ -148,8 +136,8 @@ Json seenJson(const Seen& seen) {
     object["photograph"] = photograph.input;
     object["file"] = seen.path;
     object["unchanged"] = seen.unchanged;
-    object["facts"] = factsJson(photograph.facts);
-    object["time_s"] = optionalJson(photograph.time);
+    object["facts"] = photoFactsJson(photograph.facts);
+    object["time_s"] = photograph.time ? Json(*photograph.time) : Json();
     object["time_uncertainty_s"] = photograph.timeUncertainty;
     object["masks"] = photograph.masks.size();
     object["match"] = seen.match ? matchJson(*seen.match, photograph.pairs) : Json();
@@ -213,6 +201,19 @@ TextTable scoreTable(const std::vector<Seen>& list) {
 
 ExitCode photo(const Arguments& arguments, Session& session) {
     const std::string& path = arguments.operand();
+    if (path == "add") {
+        return addPhotos(arguments, session);
+    }
+    if (path == "facts") {
+        return tellPhotoFacts(arguments, session);
+    }
+    if (!arguments.operand(1).empty()) {
+        throw UsageError(
+            {"cli.photo_one_case",
+             "rubble-cli photo compares the photographs of one case, not \"{0}\" besides.",
+             {arguments.operand(1)}},
+            {"cli.photo_one_case.remedy", "Write photo add CASE PHOTO to add a photograph, photo facts PHOTO to look at one.", {}});
+    }
     const ComparisonSettings settings = comparisonSettingsFrom(arguments);
     checkCsvPath(arguments, std::vector<std::string>{path});
     const Case theCase = io::loadCase(path);
@@ -255,20 +256,22 @@ ExitCode photo(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command photoCommand() {
-    return {
-        "photo",
-        "CASE",
-        "photographs of a case: cameras, and how far the simulated debris agrees",
-        "Matches the camera of every photograph of a case. With --run, the silhouette of the simulated debris is held against the "
-        "outline drawn on it; what the camera leaves open is carried into the score.",
-        {{"--photograph", "ID", false, "only this one, by its id or file (default: all)"},
-         {"--run", "FILE", false, "the run whose debris is compared"},
-         {"--live", "on|off", false, "fallen live structure counts as debris (default: on)"},
-         {"--cameras", "N", false, "cameras drawn from the uncertainty of the match (default: 64)"},
-         feOption(),
-         runTerrainOption(),
-         csvOption("write the scores, one row for each photograph")},
-        photo};
+    return {"photo",
+            "[add|facts] CASE|PHOTO...",
+            "photographs of a case: cameras, and how far the simulated debris agrees; adding them, and what a file says",
+            "With add CASE PHOTO... photographs are added to the case file, as in the window; with facts PHOTO... it is told what "
+            "files say "
+            "of camera, time and place. Else it matches the camera of every photograph of a case. With --run, the silhouette of "
+            "the simulated debris is held against the "
+            "outline drawn on it; what the camera leaves open is carried into the score.",
+            {{"--photograph", "ID", false, "only this one, by its id or file (default: all)"},
+             {"--run", "FILE", false, "the run whose debris is compared"},
+             {"--live", "on|off", false, "fallen live structure counts as debris (default: on)"},
+             {"--cameras", "N", false, "cameras drawn from the uncertainty of the match (default: 64)"},
+             feOption(),
+             runTerrainOption(),
+             csvOption("write the scores, one row for each photograph")},
+            photo};
 }
 
 }  // namespace rubble::cli

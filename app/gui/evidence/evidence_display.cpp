@@ -25,8 +25,8 @@ namespace rubble {
 
 namespace {
 
-const QStringList suffixes{QStringLiteral("jpg"), QStringLiteral("jpeg"), QStringLiteral("png"), QStringLiteral("tif"),
-                           QStringLiteral("tiff")};
+const QStringList suffixes{QStringLiteral("jpg"),  QStringLiteral("jpeg"), QStringLiteral("png"), QStringLiteral("tif"),
+                           QStringLiteral("tiff"), QStringLiteral("heic"), QStringLiteral("heif")};
 
 }  // namespace
 
@@ -226,9 +226,10 @@ bool EvidenceDisplay::takes(const QStringList& paths) const {
 }
 
 void EvidenceDisplay::chooseFiles() {
-    const QStringList paths = QFileDialog::getOpenFileNames(
-        m_page.window(), tr("Add photographs"), QFileInfo(m_document.base()).absolutePath(),
-        tr("Photographs (*.jpg *.jpeg *.png *.tif *.tiff *.JPG *.JPEG *.PNG *.TIF *.TIFF);;All files (*)"));
+    const QStringList paths =
+        QFileDialog::getOpenFileNames(m_page.window(), tr("Add photographs"), QFileInfo(m_document.base()).absolutePath(),
+                                      tr("Photographs (*.jpg *.jpeg *.png *.tif *.tiff *.heic *.heif *.JPG *.JPEG *.PNG *.TIF "
+                                         "*.TIFF *.HEIC *.HEIF);;All files (*)"));
     if (!paths.isEmpty()) {
         add(paths);
     }
@@ -567,8 +568,9 @@ void EvidenceDisplay::showRail() {
     const auto& list = m_document.theCase().photographs;
     const bool stale = comparison() != nullptr && comparisonStale();
     const widgets::StageState state = answerState(m_work.comparing(), !list.empty() && m_kept.match, stale);
-    const std::int64_t found = static_cast<std::int64_t>(m_kept.photo.findings.list().size()) +
-                               (m_kept.match ? static_cast<std::int64_t>(m_kept.match->wrong().size()) : 0);
+    const std::int64_t found =
+        static_cast<std::int64_t>(m_kept.photo.findings.list().size()) +
+        (m_kept.match ? static_cast<std::int64_t>(m_kept.match->wrong().size() + m_kept.match->findings.list().size()) : 0);
     m_deck.rail().setState(PanelDeck::Evidence, state, found);
 }
 

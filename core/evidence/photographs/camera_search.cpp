@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t triplesMax = 300;
 /// Focal lengths tried, over the longer side of the picture: from 120 to 12 degrees across, each 1.3 times the one before.
 constexpr std::array<double, 12> focalSteps{0.29, 0.38, 0.49, 0.64, 0.83, 1.08, 1.4, 1.82, 2.37, 3.08, 4.0, 5.2};
+/// Bends of a lens tried, at the corners of the picture over their distance from its middle.
+constexpr std::array<double, 3> bendSteps{0.0, -0.12, 0.08};
 
 using Triple = std::array<std::size_t, 3>;
 
@@ -62,8 +64,9 @@ void keep(std::vector<CameraGuess>& guesses, const CameraGuess& guess, double sc
     guesses.resize(std::min(guesses.size(), most));
 }
 
-double sumOfSquares(const CameraModel& camera, const std::vector<PointPair>& pairs, const std::vector<double>& weights) {
-    double sum = 0.0;
+double sumOfSquares(const CameraModel& camera, const std::vector<PointPair>& pairs, const std::vector<double>& weights,
+                    const LensPull& pull) {
+    double sum = pull.cost(camera);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         if (weights[k] > 0.0) {
             const auto place = camera.project(pairs[k].model);
@@ -86,8 +89,10 @@ CameraGuess judged(const CameraModel& camera, const std::vector<PointPair>& pair
     return guess;
 }
 
-std::vector<CameraGuess> cameraGuesses(const std::vector<PointPair>& pairs, const CameraKnowledge& known, double tolerance,
-                                       std::size_t most, const Execution& execution) {
+namespace {
+
+/// Cameras without place and direction that a search begins from.
+std::vector<CameraModel> lensesToTry(const CameraKnowledge& known, std::size_t pairs) {
     std::vector<double> focals;
     if (known.focal) {
         focals.push_back(*known.focal);
@@ -96,14 +101,28 @@ std::vector<CameraGuess> cameraGuesses(const std::vector<PointPair>& pairs, cons
             focals.push_back(step * std::max(known.width, known.height));
         }
     }
+    const auto bends = std::span(bendSteps).first(lensSearched(known, pairs) ? bendSteps.size() : 1);
+    std::vector<CameraModel> lenses;
+    for (const double focal : focals) {
+        for (const double bend : bends) {
+            CameraModel& lens = lenses.emplace_back();
+            lens.focal = focal;
+            lens.principal = known.principal.value_or(Eigen::Vector2d(0.5 * known.width, 0.5 * known.height));
+            lens.radial = known.radial;
+            lens.radial[0] += bend / cornerShare(lens, known)[0];
+        }
+    }
+    return lenses;
+}
+
+}  // namespace
+
+std::vector<CameraGuess> cameraGuesses(const std::vector<PointPair>& pairs, const CameraKnowledge& known, double tolerance,
+                                       std::size_t most, const Execution& execution) {
     std::vector<CameraGuess> guesses;
     const std::vector<Triple> triples = triplesOf(pairs.size());
-    for (const double focal : focals) {
+    for (CameraModel camera : lensesToTry(known, pairs.size())) {
         execution.check();
-        CameraModel camera;
-        camera.focal = focal;
-        camera.principal = known.principal.value_or(Eigen::Vector2d(0.5 * known.width, 0.5 * known.height));
-        camera.radial = known.radial;
         std::vector<Vec3> rays;
         for (const PointPair& pair : pairs) {
             rays.push_back(rayOf(camera, pair.picture));
@@ -124,10 +143,10 @@ std::vector<CameraGuess> cameraGuesses(const std::vector<PointPair>& pairs, cons
 }
 
 bool refine(CameraModel& camera, const std::vector<PointPair>& pairs, const std::vector<double>& weights,
-            std::span<const int> found) {
+            std::span<const int> found, const LensPull& pull) {
     constexpr int roundsMax = 100;
     const auto count = static_cast<Eigen::Index>(found.size());
-    double sum = sumOfSquares(camera, pairs, weights);
+    double sum = sumOfSquares(camera, pairs, weights, pull);
     double damping = 1e-3;
     for (int round = 0; round < roundsMax && std::isfinite(sum); ++round) {
         Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
@@ -143,6 +162,12 @@ bool refine(CameraModel& camera, const std::vector<PointPair>& pairs, const std:
                 slope += weights[k] * jacobian.transpose() * (pairs[k].picture - *camera.project(pairs[k].model));
             }
         }
+        for (Eigen::Index c = 0; c < count; ++c) {
+            if (const int term = found[static_cast<std::size_t>(c)] - 9; term >= 0) {
+                normal(c, c) += pull.weight[term];
+                slope[c] -= pull.weight[term] * (camera.radial[term] - pull.towards[term]);
+            }
+        }
         bool better = false;
         double gain = 0.0;
         for (; !better && damping < 1e12; damping *= better ? 0.1 : 10.0) {
@@ -154,7 +179,8 @@ bool refine(CameraModel& camera, const std::vector<PointPair>& pairs, const std:
                 step[found[static_cast<std::size_t>(c)]] = change[c];
             }
             const CameraModel next = stepped(camera, step);
-            const double nextSum = step.allFinite() ? sumOfSquares(next, pairs, weights) : std::numeric_limits<double>::infinity();
+            const double nextSum =
+                step.allFinite() ? sumOfSquares(next, pairs, weights, pull) : std::numeric_limits<double>::infinity();
             better = nextSum <= sum;
             if (better) {
                 gain = sum - nextSum;

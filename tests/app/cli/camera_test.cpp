@@ -43,8 +43,9 @@ TEST_F(Camera, IsFoundWithItsUncertaintyAndTheWrongPair) {
         EXPECT_NEAR(object["place_m"][static_cast<std::size_t>(axis)].get<double>(), scene.camera.place[axis], 2.0 * radius);
     }
     EXPECT_EQ(object["verdict"], "good");
-    EXPECT_EQ(object["found"].size(), 6u);
-    EXPECT_EQ(object["covariance"].size(), 6u);
+    EXPECT_EQ(object["found"].size(), 8u) << "the lens is found as far as the points tell it";
+    EXPECT_EQ(object["covariance"].size(), 8u);
+    EXPECT_TRUE(object["warnings"].empty());
     EXPECT_FALSE(object["pairs"][5]["used"].get<bool>());
     EXPECT_EQ(object["pairs"].size(), 14u);
     const std::string csv = m_folder / "residuals.csv";
@@ -53,6 +54,25 @@ TEST_F(Camera, IsFoundWithItsUncertaintyAndTheWrongPair) {
     EXPECT_THAT(text.out, HasSubstr("The pair P6 looks wrong"));
     EXPECT_THAT(text.out, HasSubstr("focal_px"));
     EXPECT_THAT(textOf(csv), testing::StartsWith("name,residual_x_px,residual_y_px,length_px,used\nP1,"));
+}
+
+// 20 clicks of 1 px with the lens of a phone: the region holds the place by itself, and what is said to be no lens is doubted.
+TEST_F(Camera, TheLensOfAPhoneStaysWithinTheRegion) {
+    CameraScene scene(12, 20, 0.0);
+    scene.camera.radial = {0.0885, -0.2324};
+    scene.retake(1.0);
+    const std::string path = write(scene);
+    const std::string focal = std::to_string(scene.camera.focal);
+    for (const std::vector<std::string>& more : {std::vector<std::string>{"--focal", focal}, {}}) {
+        std::vector<std::string> words{"camera", path, "--size", "4000x3000", "--json"};
+        words.insert(words.end(), more.begin(), more.end());
+        const nlohmann::json object = cli(words).json();
+        const auto place = object["place_m"].get<std::vector<double>>();
+        EXPECT_LT((Vec3(place[0], place[1], place[2]) - scene.camera.place).norm(), object["place_radius_95_m"].get<double>());
+    }
+    const nlohmann::json none = cli({"camera", path, "--size", "4000x3000", "--focal", focal, "--radial", "0", "--json"}).json();
+    EXPECT_EQ(none["warnings"][0]["id"], "camera.lens_doubted");
+    EXPECT_NE(none["verdict"], "good");
 }
 
 TEST_F(Camera, DegenerateSetsAndWrongWordsAreRefusedWithAReason) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "io/base/files.h"
+#include "io/case/case_file.h"
 #include "tests/support/photographed_case.h"
 
 namespace rubble::cli {
@@ -55,6 +57,53 @@ TEST_F(PhotoOfCase, AChangedFileIsPointedOut) {
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_THAT(outcome.out, HasSubstr("is another file than the case names"));
     EXPECT_EQ(cli({"verify", path}).exitCode, 1);
+}
+
+TEST_F(PhotoOfCase, PhotographsAreAddedWithTheirFactsAndAnEntryOfTheJournal) {
+    m_case.photographs.clear();
+    std::erase_if(m_case.inputs, [](const CaseInput& input) { return input.role == InputRole::Photograph; });
+    const std::string path = save();
+    const std::size_t entries = io::loadCase(path).journal.entries.size();
+    const std::string second = m_folder / "second.tif";
+    writeGreyTiff(second, 640, 480);
+    const Outcome outcome = cli({"photo", "add", path, m_folder / "site.tif", second, "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(outcome.json()["photographs"][1]["photograph"], "photograph-2");
+    EXPECT_EQ(outcome.json()["photographs"][0]["facts"]["width_px"], 800);
+    EXPECT_EQ(outcome.json()["warnings"][0]["id"], "photo.no_exif");
+    const Case added = io::loadCase(path);
+    ASSERT_EQ(added.photographs.size(), 2u);
+    EXPECT_EQ(added.photographs[1].camera.width, 640);
+    EXPECT_FALSE(added.photographs[1].camera.radialTerms) << "the lens is found as far as its points tell";
+    EXPECT_EQ(added.inputs.back().path, "second.tif");
+    EXPECT_EQ(added.inputs.back().sha256, io::sha256OfFile(second));
+    EXPECT_EQ(added.journal.entries.size(), entries + 1);
+    EXPECT_EQ(cli({"verify", path}).exitCode, 0);
+
+    EXPECT_THAT(cli({"photo", "add", path, second}).out, HasSubstr("among the photographs already"));
+    EXPECT_EQ(io::loadCase(path).photographs.size(), 2u);
+    // One that cannot be read leaves the case as it is.
+    const std::string before = textOf(path);
+    std::ofstream(m_folder / "none.heic") << "no photograph";
+    writeGreyTiff(m_folder / "third.tif", 320, 240);
+    EXPECT_EQ(cli({"photo", "add", path, m_folder / "third.tif", m_folder / "none.heic"}).exitCode, 1);
+    EXPECT_EQ(textOf(path), before);
+    EXPECT_EQ(cli({"photo", "add", path}).exitCode, 2);
+    EXPECT_EQ(cli({"photo", path, second}).exitCode, 2);
+}
+
+TEST_F(PhotoOfCase, TheFactsOfAFileNeedNoCase) {
+    const std::string path = m_folder / "site.tif";
+    const nlohmann::json told = cli({"photo", "facts", path, "--json"}).json()["photographs"][0];
+    EXPECT_EQ(told["file"], path);
+    EXPECT_EQ(told["sha256"], io::sha256OfFile(path));
+    EXPECT_EQ(told["facts"]["height_px"], 600);
+    EXPECT_TRUE(told["facts"]["altitude_m"].is_null());
+    EXPECT_EQ(told["warnings"][0]["id"], "photo.no_exif");
+    EXPECT_THAT(cli({"photo", "facts", path}).out, HasSubstr("800 x 600 px"));
+    EXPECT_EQ(cli({"photo", "facts", m_folder / "nowhere.jpg"}).exitCode, 1);
+    EXPECT_EQ(cli({"photo", "facts"}).exitCode, 2);
+    EXPECT_EQ(cli({"photo", "facts", path, "--cameras", "8"}).exitCode, 2);
 }
 
 TEST_F(PhotoOfCase, ATimeBeyondTheRunIsRefusedWithItsSpan) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -69,16 +70,25 @@ std::uint64_t trialCount() {
 /// What the 95 % region and the stated spread are worth.
 struct Trials {
     int inside = 0;
+    int inBall = 0;  ///< within the radius that is stated
     int done = 0;
+    std::vector<double> radii;   ///< m
     Vec3 square = Vec3::Zero();  ///< m2, sum of the squared errors of the place, camera axes
     Vec3 stated = Vec3::Zero();  ///< m2, sum of the stated variances
 
     void add(const CameraScene& scene) {
         const CameraMatch match = scene.match();
         ++done;
+        inBall += (match.camera.place - scene.camera.place).norm() <= match.placeRadius;
+        radii.push_back(match.placeRadius);
         inside += match.holds(scene.camera);
         square += (match.camera.place - scene.camera.place).cwiseAbs2();
         stated += match.covariance.diagonal().head<3>();
+    }
+    double middleRadius() const {
+        std::vector<double> sorted = radii;
+        std::sort(sorted.begin(), sorted.end());
+        return sorted[sorted.size() / 2];
     }
     void expectHonest() const {
         // Of 1,000 trials at 95 % the share inside has a standard deviation of 0.7 %, of 200 of 1.5 %: three of them are allowed.
@@ -114,6 +124,113 @@ TEST(CameraMatch, StatesItWithAFreeFocalLengthDistortionAndWrongPairsToo) {
         trials.add(scene);
     }
     trials.expectHonest();
+}
+
+/// Lenses that there are: none, a phone, barrel and cushion.
+const std::vector<Eigen::Vector2d>& lenses() {
+    static const std::vector<Eigen::Vector2d> list{{0.0, 0.0}, {0.0885, -0.2324}, {-0.25, 0.08}, {0.15, 0.0}};
+    return list;
+}
+
+Trials lensTrials(const Eigen::Vector2d& lens, std::size_t points, bool known, std::uint64_t count) {
+    Trials trials;
+    for (std::uint64_t seed = 1; seed <= count; ++seed) {
+        CameraScene scene(seed, points, 1.0);
+        scene.camera.radial = lens;
+        scene.retake(1.0);
+        if (!known) {
+            scene.known.focal.reset();
+        }
+        try {
+            trials.add(scene);
+        } catch (const UsageError&) {
+            EXPECT_LT(points, 8u) << "few points may leave two cameras";
+        }
+    }
+    return trials;
+}
+
+TEST(CameraMatch, AnUnknownLensWidensTheRegionAsFarAsItMust) {
+    const auto count = sizedTo<std::uint64_t>(24, 1000);
+    const std::vector<std::size_t> sizes = wholeTests() ? std::vector<std::size_t>{6, 8, 20, 40} : std::vector<std::size_t>{6, 20};
+    for (const Eigen::Vector2d& lens : lenses()) {
+        for (const std::size_t points : sizes) {
+            for (const bool known : {true, false}) {
+                const Trials trials = lensTrials(lens, points, known, count);
+                EXPECT_GE(trials.done, 0.85 * static_cast<double>(count));
+                // At 95 % three standard deviations below: 82 % of 24, 93 % of 1,000. A ball about an ellipsoid holds more.
+                EXPECT_GE(trials.inBall, 0.95 * trials.done - 3.0 * std::sqrt(0.95 * 0.05 * trials.done))
+                    << lens.transpose() << ", points " << points << ", focal length known " << known;
+            }
+        }
+    }
+}
+
+TEST(CameraMatch, ALensWithoutDistortionCostsLittle) {
+    const auto count = sizedTo<std::uint64_t>(40, 1000);
+    const Trials trials = lensTrials({0.0, 0.0}, 20, true, count);
+    Trials told;
+    for (std::uint64_t seed = 1; seed <= count; ++seed) {
+        CameraScene scene(seed, 20, 1.0);
+        scene.known.radialTerms = 0;
+        told.add(scene);
+    }
+    EXPECT_LT(trials.middleRadius(), 3.0 * told.middleRadius());
+    EXPECT_GT(trials.middleRadius(), told.middleRadius());
+}
+
+TEST(CameraMatch, ALensOtherThanWasSaidTakesTheVerdict) {
+    int told = 0;
+    constexpr int count = 40;
+    for (std::uint64_t seed = 1; seed <= count; ++seed) {
+        CameraScene scene(seed, 20, 0.0);
+        scene.known.radialTerms = 0;
+        scene.camera.radial = {-0.2, 0.0};
+        scene.retake(1.0);
+        const CameraMatch match = scene.match();
+        const bool said = match.findings.count("camera.lens_doubted") > 0;
+        told += said;
+        EXPECT_FALSE(said && match.verdict == MatchVerdict::Good) << seed;
+    }
+    EXPECT_GE(told, count * 9 / 10);
+    int alarms = 0;
+    for (std::uint64_t seed = 1; seed <= count; ++seed) {
+        CameraScene scene(seed, 20, 1.0);
+        scene.known.radialTerms = 0;
+        alarms += !scene.match().findings.empty();
+    }
+    EXPECT_LE(alarms, 3) << "one in a hundred";
+}
+
+TEST(CameraMatch, AFocalLengthOtherThanWasSaidTakesTheVerdict) {
+    int told = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        CameraScene scene(seed, 20, 1.0);
+        scene.known.focal = 1.1 * scene.camera.focal;
+        const CameraMatch match = scene.match();
+        told += match.findings.count("camera.focal_doubted") > 0;
+        EXPECT_TRUE(match.findings.empty() || match.verdict != MatchVerdict::Good);
+    }
+    EXPECT_GE(told, 18);
+}
+
+TEST(CameraMatch, SaysThatPointsInARingOrInTheMiddleDoNotTellTheLens) {
+    const auto taken = [](double nearest, double farthest, std::size_t points) {
+        CameraScene scene(21, 600, 0.0);
+        scene.camera.radial = {-0.1, 0.0};
+        scene.retake(0.5);
+        std::erase_if(scene.pairs, [&](const PointPair& pair) {
+            const double share = (pair.picture - scene.camera.principal).norm() / 2500.0;
+            return share < nearest || share > farthest;
+        });
+        scene.pairs.resize(std::min(scene.pairs.size(), points));
+        scene.known.focal.reset();
+        return scene.match();
+    };
+    const CameraMatch ring = taken(0.4, 0.47, 15);
+    EXPECT_EQ(ring.findings.count("camera.lens_untold"), 1);
+    EXPECT_EQ(taken(0.0, 0.25, 15).findings.count("camera.lens_untold"), 1);
+    EXPECT_EQ(taken(0.0, 1.0, 60).findings.count("camera.lens_untold"), 0);
 }
 
 TEST(CameraMatch, PointsOutWrongPairs) {

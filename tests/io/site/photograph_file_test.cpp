@@ -3,7 +3,9 @@
 #include <gdal_priv.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <libheif/heif.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -54,7 +56,8 @@ public:
     };
     std::vector<Entry> first, exif, gps;
 
-    Bytes segment() const {
+    /// The block itself: a TIFF without a picture.
+    Bytes block() const {
         Bytes tiff{'M', 'M', 0, 42, 0, 0, 0, 8};
         std::vector<Entry> top = first;
         // Where the others begin is known once the length of those before is.
@@ -65,6 +68,11 @@ public:
         append(tiff, top);
         append(tiff, exif);
         append(tiff, gps);
+        return tiff;
+    }
+    /// As a JPEG has it.
+    Bytes segment() const {
+        const Bytes tiff = block();
         Bytes made{0xff, 0xe1};
         put(made, static_cast<std::uint32_t>(tiff.size() + 8), 2);
         for (const char c : std::string("Exif")) {
@@ -74,8 +82,47 @@ public:
         made.insert(made.end(), tiff.begin(), tiff.end());
         return made;
     }
+    /// As a chunk of a PNG.
+    Bytes chunk() const {
+        const Bytes tiff = block();
+        Bytes made;
+        put(made, static_cast<std::uint32_t>(tiff.size()), 4);
+        made.insert(made.end(), {'e', 'X', 'I', 'f'});
+        made.insert(made.end(), tiff.begin(), tiff.end());
+        put(made, crcOf(made.data() + 4, made.size() - 4), 4);
+        return made;
+    }
+    /// As a TIFF with a grey picture behind it, 0 at its left and 200 at its right.
+    Bytes tiffFile(std::uint32_t width, std::uint32_t height) const {
+        const auto with = [&](std::uint32_t at) {
+            ExifBlock whole = *this;
+            const std::vector<std::pair<int, std::uint32_t>> tags{{256, width}, {257, height}, {258, 8},
+                                                                  {259, 1},     {262, 1},      {273, at},
+                                                                  {277, 1},     {278, height}, {279, width * height}};
+            for (const auto& [tag, value] : tags) {
+                whole.first.push_back({tag, 4, {{value, 1}}, {}});
+            }
+            std::sort(whole.first.begin(), whole.first.end(), [](const Entry& a, const Entry& b) { return a.tag < b.tag; });
+            return whole.block();
+        };
+        Bytes made = with(static_cast<std::uint32_t>(with(0).size()));
+        for (std::uint32_t k = 0; k < width * height; ++k) {
+            made.push_back(k % width < width / 2 ? 0 : 200);
+        }
+        return made;
+    }
 
 private:
+    static std::uint32_t crcOf(const std::uint8_t* bytes, std::size_t count) {
+        std::uint32_t crc = 0xffffffffu;
+        for (std::size_t k = 0; k < count; ++k) {
+            crc ^= bytes[k];
+            for (int bit = 0; bit < 8; ++bit) {
+                crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0u);
+            }
+        }
+        return ~crc;
+    }
     static void put(Bytes& bytes, std::uint32_t value, int count) {
         for (int k = count - 1; k >= 0; --k) {
             bytes.push_back(static_cast<std::uint8_t>(value >> (8 * k)));
@@ -173,6 +220,51 @@ ExifBlock fullBlock(int orientation) {
     return block;
 }
 
+/// Writes a picture as HEVC by the encoder of libheif, turned by the boxes of the file as an orientation says, with an EXIF block.
+/// False if this machine has no encoder.
+bool writeHeic(const std::string& path, int width, int height, int turn, const Bytes& exif, int bits = 8) {
+    heif_context* context = heif_context_alloc();
+    heif_encoder* encoder = nullptr;
+    if (heif_context_get_encoder_for_format(context, heif_compression_HEVC, &encoder).code != heif_error_Ok) {
+        heif_context_free(context);
+        return false;
+    }
+    heif_image* image = nullptr;
+    heif_image_create(width, height, heif_colorspace_RGB,
+                      bits > 8 ? heif_chroma_interleaved_RRGGBB_LE : heif_chroma_interleaved_RGB, &image);
+    heif_image_add_plane(image, heif_channel_interleaved, width, height, bits);
+    int stride = 0;
+    std::uint8_t* plane = heif_image_get_plane(image, heif_channel_interleaved, &stride);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const std::array<int, 3> colour = corners(x, y, width, height);
+            for (int c = 0; c < 3; ++c) {
+                const int value = colour[static_cast<std::size_t>(c)] == 0 ? 0 : (1 << bits) - 1;
+                std::uint8_t* at = plane + static_cast<std::ptrdiff_t>(y) * stride + (3 * x + c) * (bits > 8 ? 2 : 1);
+                at[0] = static_cast<std::uint8_t>(value & 255);
+                if (bits > 8) {
+                    at[1] = static_cast<std::uint8_t>(value >> 8);
+                }
+            }
+        }
+    }
+    heif_encoding_options* options = heif_encoding_options_alloc();
+    options->image_orientation = static_cast<heif_orientation>(turn);
+    heif_image_handle* handle = nullptr;
+    const heif_error encoded = heif_context_encode_image(context, image, encoder, options, &handle);
+    EXPECT_EQ(encoded.code, heif_error_Ok) << encoded.message;
+    if (!exif.empty()) {
+        heif_context_add_exif_metadata(context, handle, exif.data(), static_cast<int>(exif.size()));
+    }
+    EXPECT_EQ(heif_context_write_to_file(context, path.c_str()).code, heif_error_Ok);
+    heif_image_handle_release(handle);
+    heif_encoding_options_free(options);
+    heif_image_release(image);
+    heif_encoder_release(encoder);
+    heif_context_free(context);
+    return true;
+}
+
 class Photo : public testing::Test {
 protected:
     std::string write(int orientation) {
@@ -231,6 +323,138 @@ TEST_F(Photo, IsTurnedUprightInAllEightWays) {
         const std::array shown{pixel(picture, 10, 10), pixel(picture, r, 10), pixel(picture, 10, b), pixel(picture, r, b)};
         EXPECT_EQ(shown, expected[static_cast<std::size_t>(orientation - 1)]) << orientation;
     }
+}
+
+// One EXIF block in all containers says the same.
+TEST_F(Photo, TiffAndPngSayWhatAJpegSays) {
+    const PhotoFacts jpeg = readPhotograph(write(6)).facts;
+    const std::string png = m_folder / "photo.png";
+    writePicture(png, "PNG", 120, 80, [](int x, int y) { return corners(x, y, 120, 80); });
+    Bytes bytes = bytesOf(png);
+    const Bytes chunk = fullBlock(6).chunk();
+    constexpr std::ptrdiff_t behindHeader = 8 + 25;
+    bytes.insert(bytes.begin() + behindHeader, chunk.begin(), chunk.end());
+    writeBytes(png, bytes);
+    EXPECT_EQ(readPhotograph(png).facts, jpeg);
+    EXPECT_TRUE(readPhotograph(png).findings.empty());
+    const PhotoPicture picture = readPicture(png, 1000, Execution());
+    EXPECT_EQ(picture.width, 80);
+    EXPECT_EQ(pixel(picture, 5, 5), (std::array{0, 0, 255})) << "lower left as stored";
+
+    const std::string tiff = m_folder / "photo.tif";
+    writeBytes(tiff, fullBlock(6).tiffFile(120, 80));
+    EXPECT_EQ(readPhotograph(tiff).facts, jpeg);
+    const PhotoPicture turned = readPicture(tiff, 1000, Execution());
+    EXPECT_EQ(turned.height, 120);
+    EXPECT_EQ(pixel(turned, 40, 10), (std::array{0, 0, 0}));
+    EXPECT_EQ(pixel(turned, 40, 110), (std::array{255, 255, 255}));
+}
+
+TEST_F(Photo, BelowTheSeaIsBelowIt) {
+    const std::string path = m_folder / "deep.tif";
+    ExifBlock block = fullBlock(1);
+    block.gps[4].values = {{1, 1}};
+    block.gps[4].type = 3;
+    writeBytes(path, block.tiffFile(120, 80));
+    EXPECT_NEAR(*readPhotograph(path).facts.altitude, -12.34, 1e-9);
+    // The reference is one byte, which stands at the left of its place.
+    Bytes bytes = fullBlock(1).tiffFile(120, 80);
+    const Bytes entry{0, 5, 0, 1, 0, 0, 0, 1, 0};
+    const auto at = std::search(bytes.begin(), bytes.end(), entry.begin(), entry.end());
+    ASSERT_NE(at, bytes.end());
+    *(at + 8) = 1;
+    writeBytes(path, bytes);
+    EXPECT_NEAR(*readPhotograph(path).facts.altitude, -12.34, 1e-9);
+}
+
+TEST_F(Photo, WhatIsNotReadOrDamagedIsNotSaidToBeMissing) {
+    const std::string png = m_folder / "old.png";
+    writePicture(png, "PNG", 64, 48, [](int x, int y) { return corners(x, y, 64, 48); });
+    Bytes bytes = bytesOf(png);
+    const std::string text = "Raw profile type exif";
+    Bytes chunk{0, 0, 0, static_cast<std::uint8_t>(text.size() + 3), 't', 'E', 'X', 't'};
+    chunk.insert(chunk.end(), text.begin(), text.end());
+    chunk.insert(chunk.end(), {0, '4', '9', 0, 0, 0, 0});
+    bytes.insert(bytes.begin() + 8 + 25, chunk.begin(), chunk.end());
+    writeBytes(png, bytes);
+    const Findings findings = readPhotograph(png).findings;
+    EXPECT_EQ(findings.count("photo.exif_not_read"), 1);
+    EXPECT_EQ(findings.count("photo.no_exif"), 0);
+
+    const std::string path = write(1);
+    bytes = bytesOf(path);
+    bytes[2 + 4 + 6] = 'X';  // the mark of the TIFF
+    writeBytes(path, bytes);
+    EXPECT_EQ(readPhotograph(path).findings.count("photo.exif_damaged"), 1);
+}
+
+// A depth of 12 bits in 16, of 4 in 8, and a picture whose zero is white.
+TEST_F(Photo, ShadesAreThoseOfTheDepth) {
+    const auto shade = [&](const char* name, GDALDataType type, std::vector<const char*> options, int value) {
+        const std::string path = m_folder / name;
+        GDALAllRegister();
+        GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+        options.push_back(nullptr);
+        GDALDataset* file = driver->Create(path.c_str(), 64, 48, 1, type, const_cast<char**>(options.data()));
+        const std::vector<std::uint16_t> values(64 * 48, static_cast<std::uint16_t>(value));
+        EXPECT_EQ(file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 64, 48, const_cast<std::uint16_t*>(values.data()), 64, 48,
+                                                   GDT_UInt16, 0, 0),
+                  CE_None);
+        GDALClose(file);
+        return static_cast<int>(readPicture(path, 64, Execution()).rgb[0]);
+    };
+    EXPECT_EQ(shade("twelve.tif", GDT_UInt16, {"NBITS=12"}, 4095), 255);
+    EXPECT_EQ(shade("half.tif", GDT_UInt16, {"NBITS=12"}, 2048), 128);
+    EXPECT_EQ(shade("sixteen.tif", GDT_UInt16, {}, 65535), 255);
+    EXPECT_EQ(shade("four.tif", GDT_Byte, {"NBITS=4"}, 15), 255);
+    EXPECT_EQ(shade("white.tif", GDT_Byte, {"PHOTOMETRIC=MINISWHITE"}, 0), 255);
+    EXPECT_THROW(shade("numbers.tif", GDT_Float32, {}, 1), ParseError);
+}
+
+TEST_F(Photo, HeicIsReadWithItsExifAndTurnedOnce) {
+    const std::string path = m_folder / "photo.heic";
+    const Bytes exif = fullBlock(6).block();
+    ASSERT_TRUE(writeHeic(path, 120, 80, 6, exif)) << "libheif has no encoder of HEVC";
+    const PhotographFile file = readPhotograph(path);
+    PhotoFacts expected = readPhotograph(write(6)).facts;
+    expected.orientation = 1;
+    EXPECT_EQ(file.facts, expected) << "turned by the file's own boxes, not by EXIF once more";
+    EXPECT_TRUE(file.findings.empty());
+    EXPECT_EQ(file.sha256, sha256OfFile(path));
+    const PhotoPicture picture = readPicture(path, 1000, Execution());
+    EXPECT_EQ(picture.width, 80);
+    EXPECT_EQ(picture.height, 120);
+    EXPECT_EQ(pixel(picture, 10, 10), (std::array{0, 0, 255}));
+    EXPECT_EQ(pixel(picture, 70, 10), (std::array{255, 0, 0}));
+    EXPECT_EQ(pixel(picture, 10, 110), (std::array{255, 255, 255}));
+    EXPECT_EQ(readPicture(path, 60, Execution()).height, 60);
+
+    writeHeic(path, 120, 80, 1, {});
+    EXPECT_EQ(readPhotograph(path).findings.count("photo.no_exif"), 1);
+    writeHeic(path, 120, 80, 1, exif);
+    EXPECT_EQ(readPhotograph(path).findings.count("photo.heif_turn"), 1);
+    EXPECT_EQ(readPhotograph(path).facts.width, 120);
+    writeHeic(path, 120, 80, 1, exif, 10);
+    EXPECT_EQ(pixel(readPicture(path, 120, Execution()), 100, 70), (std::array{255, 255, 255}));
+}
+
+TEST_F(Photo, ADamagedHeicIsRefusedWithAReason) {
+    const std::string path = m_folder / "photo.heic";
+    ASSERT_TRUE(writeHeic(path, 120, 80, 1, {})) << "libheif has no encoder of HEVC";
+    const Bytes whole = bytesOf(path);
+    for (const double share : {0.02, 0.2, 0.5, 0.9}) {
+        writeBytes(path,
+                   Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(whole.size()))));
+        try {
+            readPhotograph(path);
+            readPicture(path, 120, Execution());
+            ADD_FAILURE() << share;
+        } catch (const ParseError& error) {
+            EXPECT_FALSE(error.remedy().empty());
+        }
+    }
+    writeBytes(path, {0, 0, 0, 24, 'f', 't', 'y', 'p', 'm', 'p', '4', '2', 0, 0, 0, 0, 'm', 'p', '4', '2', 'i', 's', 'o', 'm'});
+    EXPECT_THROW(readPhotograph(path), ParseError);
 }
 
 TEST_F(Photo, WithoutExifOrCroppedIsPointedOut) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -66,6 +67,43 @@ TEST(Relief, LevelGroundIsInFullLightAndSlopesAreNot) {
         darkest = std::min(darkest, shade);
     }
     EXPECT_LT(darkest, 0.6);
+}
+
+TEST(Relief, GoesOnAroundTheWindowAboutTheStructureEverCoarser) {
+    const TerrainGrid all = hills(2001);
+    TerrainExtent extent;
+    extent.column = extent.row = 900;
+    extent.columns = extent.rows = 201;
+    extent.x0 = extent.y0 = -100.0;
+    const TerrainGrid wide(all.grid(), extent);
+    const Aabb bounds(Vec3(-20, -10, 0), Vec3(20, 10, 10));
+    const Relief relief = reliefOf(wide, bounds, 5000.0);
+    EXPECT_LT(relief.points.size(), 300u * 300u);
+    double before = -1e300;
+    double widest = 0.0;
+    for (const Vec3& p : relief.points) {
+        EXPECT_EQ(p.z(), wide.height(p.x(), p.y()));
+        if (p.y() == relief.points.front().y()) {
+            EXPECT_GT(p.x(), before) << "rows go east";
+            if (std::abs(p.x()) <= 1000.0 && before >= -1000.0) {
+                widest = std::max(widest, p.x() - before);
+            }
+            before = p.x();
+        }
+    }
+    EXPECT_LT(widest, 110.0) << "a tenth of the way there";
+    const auto edge = [&](double x) {
+        return std::any_of(relief.points.begin(), relief.points.end(), [x](const Vec3& p) { return p.x() == x; });
+    };
+    EXPECT_TRUE(edge(-1000.0));
+    EXPECT_TRUE(edge(1000.0));
+    // Within the window it is drawn as if nothing lay around it.
+    const std::vector<Vec3> alone = reliefOf(hills(), bounds, 100.0).points;
+    for (const Vec3& p : alone) {
+        EXPECT_TRUE(std::any_of(relief.points.begin(), relief.points.end(), [&p](const Vec3& q) {
+            return q.head<2>() == p.head<2>();
+        })) << p.transpose();
+    }
 }
 
 TEST(MeetTerrain, ARayMeetsTheSurfaceWhereItFirstGoesBelow) {

@@ -1890,10 +1890,6 @@
         <translation>请用 --force 覆盖，或改用其他名称。</translation>
     </message>
     <message>
-        <source>Give a .pvd or .series file with the times, or files with TimeValue.</source>
-        <translation>请给出带时间的 .pvd 或 .series 文件，或含 TimeValue 的文件。</translation>
-    </message>
-    <message>
         <source>Give a distance above zero.</source>
         <translation>请给出大于零的距离。</translation>
     </message>
@@ -2486,20 +2482,12 @@
         <translation>正在读取状态</translation>
     </message>
     <message>
-        <source>Remove files that an earlier run left behind.</source>
-        <translation>请删除先前分析遗留的文件。</translation>
-    </message>
-    <message>
         <source>Remove it, or correct it to one of: </source>
         <translation>请删除，或更正为以下之一：</translation>
     </message>
     <message>
         <source>Remove one of the two.</source>
         <translation>请删除其中之一。</translation>
-    </message>
-    <message>
-        <source>Remove states that a restart wrote twice.</source>
-        <translation>请删除重启动重复写出的状态。</translation>
     </message>
     <message>
         <source>Remove the include.</source>
@@ -2640,22 +2628,6 @@
     <message>
         <source>Start again: what is done is kept.</source>
         <translation>请重新启动：已完成的内容保留。</translation>
-    </message>
-    <message>
-        <source>States at the time of the state before were left out</source>
-        <translation>与前一状态时刻相同的状态已略去</translation>
-    </message>
-    <message>
-        <source>States that a later file of the sequence has again were taken from there</source>
-        <translation>序列中后来文件再次给出的状态取自后者</translation>
-    </message>
-    <message>
-        <source>States that do not come after the state before were left out</source>
-        <translation>不晚于前一状态的状态已略去</translation>
-    </message>
-    <message>
-        <source>States that go back in time were left out</source>
-        <translation>时间倒退的状态已略去</translation>
     </message>
     <message>
         <source>States within the series are cut off and were left out</source>
@@ -3128,10 +3100,6 @@
     <message>
         <source>Whole components may move as one body; lower the grid for accuracy</source>
         <translation>整个构件可能作为一个刚体运动；减小网格可提高精度</translation>
-    </message>
-    <message>
-        <source>Write a line /COM,TIME=T into each file.</source>
-        <translation>请在每个文件中写入一行 /COM,TIME=T。</translation>
     </message>
     <message>
         <source>Write it again, or give one of the series&apos; own files.</source>
@@ -5324,10 +5292,6 @@
     <message>
         <source>{0}: number {1} of the {2} (after {3}) uses {4} {5} of {6}</source>
         <translation>{0}：{2}（{3} 之后）的第 {1} 个使用 {4} {5}（共 {6}）</translation>
-    </message>
-    <message>
-        <source>{0}: state {1} at {2} does not come after state {3} at {4}</source>
-        <translation>{0}：{2} 的状态 {1} 不在 {4} 的状态 {3} 之后</translation>
     </message>
     <message>
         <source>{0}: state {1} has the time {2}; times must be finite and grow</source>
@@ -7785,6 +7749,202 @@
         <source>{0}: the head of the PLY does not end, or names no format</source>
         <translation>{0}：PLY 的文件头没有结束，或没有写明格式</translation>
     </message>
+    <message>
+        <source>Elements have other numbers than before: they were told apart by their nodes</source>
+        <translation>单元编号与之前不同：已按其节点区分</translation>
+    </message>
+    <message>
+        <source>Nodes have other numbers than before: they were told apart by their places</source>
+        <translation>节点编号与之前不同：已按其位置区分</translation>
+    </message>
+    <message>
+        <source>Let the analysis keep its numbers (libMesh, MOOSE: allow_renumbering = false).</source>
+        <translation>让分析保持编号不变（libMesh、MOOSE：allow_renumbering = false）。</translation>
+    </message>
+    <message>
+        <source>Node numbers stand for several places at once: they were not used</source>
+        <translation>同一节点编号同时对应多个位置：未使用这些编号</translation>
+    </message>
+    <message>
+        <source>Let each processor write the numbers of the whole model.</source>
+        <translation>让每个处理器写出整个模型的编号。</translation>
+    </message>
+    <message>
+        <source>Elements keep their numbers where nodes are split: they keep their first nodes</source>
+        <translation>节点分裂处单元编号不变：这些单元保留其最初的节点</translation>
+    </message>
+    <message>
+        <source>Nothing to do: the gap that opens is not shown.</source>
+        <translation>无需处理：裂开的缝隙不显示。</translation>
+    </message>
+    <message>
+        <source>Numbers of elements stand for elements at other nodes: these count as new</source>
+        <translation>单元编号对应其他节点上的单元：这些单元按新单元计</translation>
+    </message>
+    <message>
+        <source>{0}: at state {1}, {2} of {3} elements have other nodes than the elements of their numbers had before</source>
+        <translation>{0}：在状态 {1}，{3} 个单元中有 {2} 个的节点与先前同编号单元的节点不同</translation>
+    </message>
+    <message>
+        <source>Let the analysis keep the numbers of nodes and elements (libMesh, MOOSE: allow_renumbering = false), or write the points at rest with a displacement.</source>
+        <translation>让分析保持节点和单元的编号不变（libMesh、MOOSE：allow_renumbering = false），或写出静止时的点及位移。</translation>
+    </message>
+    <message>
+        <source>{0}: state {1} has {2} nodes instead of {3}, and neither numbers nor times that make it a later state</source>
+        <translation>{0}：状态 {1} 有 {2} 个节点而不是 {3} 个，既无编号也无时间表明它是后来的状态</translation>
+    </message>
+    <message>
+        <source>Set only_this_file=true, or give a .pvd or .series file with the times.</source>
+        <translation>设 only_this_file=on，或给出带时间的 .pvd 或 .series 文件。</translation>
+    </message>
+    <message>
+        <source>Exact times of death were left out: numbers do not stay with their elements</source>
+        <translation>未采用精确的失效时刻：编号并不始终属于同一单元</translation>
+    </message>
+    <message>
+        <source>States were written twice at one time: the later one counts</source>
+        <translation>同一时刻的状态写了两次：以后写的为准</translation>
+    </message>
+    <message>
+        <source>The analysis went back in time: the states that a restart abandoned were left out</source>
+        <translation>分析在时间上退回：重启所放弃的状态已略去</translation>
+    </message>
+    <message>
+        <source>Nothing to do if the later states count; if an earlier run left them behind, move its files away.</source>
+        <translation>若以后来的状态为准，无需处理；若是先前计算的遗留，请移走其文件。</translation>
+    </message>
+    <message>
+        <source>Elements are marked as copies of another piece that does not hold them: they were kept</source>
+        <translation>单元标为另一分块的副本，而该分块中没有它们：已保留</translation>
+    </message>
+    <message>
+        <source>Check that all pieces of the result are there.</source>
+        <translation>检查结果的所有分块是否齐全。</translation>
+    </message>
+    <message>
+        <source>Elements that several pieces hold were taken once</source>
+        <translation>多个分块都含有的单元只取一次</translation>
+    </message>
+    <message>
+        <source>Nothing to do: pieces overlap by a layer of copies (ghosts).</source>
+        <translation>无需处理：各分块以一层副本（ghost）相重叠。</translation>
+    </message>
+    <message>
+        <source>Points lie where others lie and are nodes of their own: what they belong to is not connected</source>
+        <translation>有些点与其他点位置相同却各为节点：它们所属的部分并不相连</translation>
+    </message>
+    <message>
+        <source>Nothing to do for surfaces in contact and cracks; else write the grid without repeated points.</source>
+        <translation>若是接触面或裂缝，无需处理；否则请写出不含重复点的网格。</translation>
+    </message>
+    <message>
+        <source>Looking for repeated points</source>
+        <translation>正在查找重复的点</translation>
+    </message>
+    <message>
+        <source>Points at one place part at a later state: they stay nodes of their own</source>
+        <translation>同一位置的点在以后的状态分开：它们仍各为节点</translation>
+    </message>
+    <message>
+        <source>Nothing to do for surfaces in contact and cracks.</source>
+        <translation>若是接触面或裂缝，无需处理。</translation>
+    </message>
+    <message>
+        <source>Points that pieces or cells repeat at every state were taken for one node</source>
+        <translation>分块或单元在每个状态都重复的点已视为同一节点</translation>
+    </message>
+    <message>
+        <source>Nothing to do; surfaces in contact stay apart where nodes have numbers (NODE_ID).</source>
+        <translation>无需处理；节点有编号（NODE_ID）时，接触面保持分开。</translation>
+    </message>
+    <message>
+        <source>{0} has the time {1} at state {2}, where {3} has {4}: they are no pieces of one result</source>
+        <translation>{0} 在状态 {2} 的时间是 {1}，而 {3} 是 {4}：它们不是同一结果的分块</translation>
+    </message>
+    <message>
+        <source>Copy all pieces of one analysis anew.</source>
+        <translation>重新复制同一分析的所有分块。</translation>
+    </message>
+    <message>
+        <source>Cells are marked as copies ({0}) from the first state on: the mark was not taken for death</source>
+        <translation>单元从第一个状态起就标为副本（{0}）：该标记未当作失效</translation>
+    </message>
+    <message>
+        <source>Open all pieces of the result; if the mark tells death, set status_variable={0}.</source>
+        <translation>打开结果的所有分块；若该标记表示失效，请设 status_variable={0}。</translation>
+    </message>
+    <message>
+        <source>Blocks that are no unstructured grid were left out</source>
+        <translation>不是非结构网格的块已略去</translation>
+    </message>
+    <message>
+        <source>Write them as unstructured grids if the structure is made of them.</source>
+        <translation>若结构由它们组成，请写成非结构网格。</translation>
+    </message>
+    <message>
+        <source>Give a .pvd or .series file with the times, or files with TimeValue; if the files are no states of one analysis, set only_this_file=true.</source>
+        <translation>给出带时间的 .pvd 或 .series 文件，或带 TimeValue 的文件；若这些文件不是同一分析的状态，请设 only_this_file=on。</translation>
+    </message>
+    <message>
+        <source>Write a line /COM,TIME=T into each file; if the files are no states of one analysis, set only_this_file=true.</source>
+        <translation>在每个文件中写一行 /COM,TIME=T；若这些文件不是同一分析的状态，请设 only_this_file=on。</translation>
+    </message>
+    <message>
+        <source>The file holds a piece of each state: the whole result was opened</source>
+        <translation>该文件含每个状态的一个分块：已打开整个结果</translation>
+    </message>
+    <message>
+        <source>Nothing to do; only_this_file=true opens the piece by itself.</source>
+        <translation>无需处理；only_this_file=on 只打开该分块。</translation>
+    </message>
+    <message>
+        <source>Files that differ in a number have other meshes and no times: they were not taken for states</source>
+        <translation>只差编号的文件网格不同且无时间：未当作状态</translation>
+    </message>
+    <message>
+        <source>Give a .pvd or .series file with the times if they are states of one analysis.</source>
+        <translation>若它们是同一分析的状态，请给出带时间的 .pvd 或 .series 文件。</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} of {2} elements: it is what one of {3} processors wrote</source>
+        <translation>{0} 含 {2} 个单元中的 {1} 个：它由 {3} 个处理器之一写出</translation>
+    </message>
+    <message>
+        <source>Put the files of all processors beside it, named NAME.{0}.0 to NAME.{0}.{1}, or join them by epu.</source>
+        <translation>把所有处理器的文件放在一起，名为 NAME.{0}.0 至 NAME.{0}.{1}，或用 epu 合并。</translation>
+    </message>
+    <message>
+        <source>{0} is a piece of a result that {1} processors wrote; not there: {2}</source>
+        <translation>{0} 是 {1} 个处理器所写结果的一个分块；缺少：{2}</translation>
+    </message>
+    <message>
+        <source>Put all pieces beside each other, or join them by epu.</source>
+        <translation>把所有分块放在一起，或用 epu 合并。</translation>
+    </message>
+    <message>
+        <source>{0} is a piece of a distributed analysis: {1} files hold {2} of {3} nodes; not there: {4}</source>
+        <translation>{0} 是分布式分析的一个分块：{1} 个文件含 {3} 个节点中的 {2} 个；缺少：{4}</translation>
+    </message>
+    <message>
+        <source>Put the files of all processes (NAME0.rst, NAME1.rst, ...) beside each other, or let Ansys combine them (COMBINE).</source>
+        <translation>把所有进程的文件（NAME0.rst、NAME1.rst……）放在一起，或让 Ansys 合并它们（COMBINE）。</translation>
+    </message>
+    <message>
+        <source>indices name each other</source>
+        <translation>索引相互引用</translation>
+    </message>
+    <message>
+        <source>its header</source>
+        <translation>其文件头</translation>
+    </message>
+    <message>
+        <source>the files behind the last number</source>
+        <translation>最后编号之后的文件</translation>
+    </message>
+    <message>
+        <source>the time of a state</source>
+        <translation>状态的时间</translation>
+    </message>
 </context>
 <context>
     <name>options</name>
@@ -8522,6 +8682,14 @@
     <message>
         <source>How long a body is taken to move: bodies at rest cost next to nothing, so those born this long ago leave their place among the bodies allowed. Shorter: more and smaller clusters where a collapse lasts long.</source>
         <translation>刚体被视为在运动的时间：静止的刚体几乎不耗时，因此产生已超过此时间的刚体让出其在允许刚体数中的名额。越短：倒塌历时长时聚类越多、越小。</translation>
+    </message>
+    <message>
+        <source>Only this file</source>
+        <translation>仅此文件</translation>
+    </message>
+    <message>
+        <source>Open the file by itself: others whose names differ only in a number are not taken for its states, as with variants of a design.</source>
+        <translation>单独打开该文件：名称只差编号的其他文件不当作它的状态，例如同一设计的变体。</translation>
     </message>
 </context>
 <context>

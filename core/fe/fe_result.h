@@ -46,6 +46,7 @@ public:
         std::string format;                 ///< "Exodus II"
         std::string path;                   ///< as opened; of a series the first file
         std::vector<std::string> files;     ///< all that were read, in their order; several for a series
+        bool alone = false;                 ///< opened without other files that differ in a number
         std::uint64_t bytes = 0;            ///< of all files
         double indexSeconds = 0.0;          ///< wall time it took to read mesh, times and activity
         std::string sha256;                 ///< of the file, hex; of a series, of the list of its files (io::sha256OfFe)

@@ -23,7 +23,11 @@ std::vector<Parameter> importRows() {
         .choice(
             "up_axis", upAxisChoices(), RUBBLE_AT(import.upAxis), "Up axis of the file",
             "Axis of the file that points up. frame: as the frame of the case says. auto: against the free fall that is seen in "
-            "the file.");
+            "the file.")
+        .toggle("only_this_file", RUBBLE_AT(import.onlyThisFile), "Only this file",
+                "Open the file by itself: others whose names differ only in a number are not taken for its states, as with "
+                "variants of a "
+                "design.");
     return std::move(table.rows);
 }
 

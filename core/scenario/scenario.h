@@ -36,6 +36,7 @@ struct ImportSettings {
     std::string displacement;        ///< prefix of the displacement components; "none": nodes do not move
     std::size_t units = 0;           ///< of the file, in the order of unitChoices()
     std::size_t upAxis = 0;          ///< of the file, in the order of upAxisChoices()
+    bool onlyThisFile = false;       ///< files whose names differ in a number alone are no states
     friend bool operator==(const ImportSettings&, const ImportSettings&) = default;
 };
 

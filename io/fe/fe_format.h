@@ -37,6 +37,11 @@ struct FeFormat {
     /// `sha256` and `fingerprint` of what it gives are filled in by openFe(). @param path  the first of the members.
     /// Throws as openFe().
     FeResult::Contents (*read)(const std::string& path, const ImportSettings& settings, const Execution& execution);
+    /// Whether a file holds a piece of each state, by its name or an index near it; nothing for formats without pieces. Must not
+    /// throw.
+    bool (*holdsPiece)(const std::string& path) = nullptr;
+    /// The files that a file takes to be opened without the others of its series; nothing: itself. Must not throw.
+    std::vector<std::string> (*alone)(const std::string& path) = nullptr;
 };
 
 /// All formats that can be read. The order is that of recognition, and of preference where a folder holds several.

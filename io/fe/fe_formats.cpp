@@ -87,17 +87,18 @@ constexpr std::array formats{
     FeFormat{"OpenRadioss animation converted to VTK", "RUN_001.vtk, ...", 1, recognisesConvertedAnim, convertedAnimMembers,
              readConvertedAnim},
     FeFormat{"LS-DYNA d3plot", "d3plot, d3plot01, ...", 1, recognisesD3plot, d3plotFiles, readD3plot},
-    FeFormat{"VTK XML", ".vtu, .pvtu, .pvd, .vtu.series", 1, recognisesVtkXml, vtkMembers, readVtk},
-    FeFormat{"VTK legacy", ".vtk, .vtk.series", 1, recognisesVtkLegacy, vtkMembers, readVtk},
+    FeFormat{"VTK XML", ".vtu, .pvtu, .vtm, .pvd, .vtu.series", 1, recognisesVtkXml, vtkMembers, readVtk, isVtkPiece,
+             vtkFilesAlone},
+    FeFormat{"VTK legacy", ".vtk, .vtk.series", 1, recognisesVtkLegacy, vtkMembers, readVtk, isVtkPiece, vtkFilesAlone},
     FeFormat{"Abaqus results file", ".fil with its .inp", 1, recognisesFil, filMembers, readFil},
     FeFormat{"CalculiX results", ".frd with its .inp", 1, recognisesFrd, frdMembers, readFrd},
     FeFormat{"MSC Marc post file", ".t19", 1, recognisesMarc, aloneWithDeathList, readMarc},
     FeFormat{"Ansys coded database", ".cdb, with its .mac", 1, recognisesCdb, cdbMembers, readCdbs},
-    FeFormat{"Ansys results", ".rst with a list of deaths", 1, recognisesRst, aloneWithDeathList, readRst},
+    FeFormat{"Ansys results", ".rst with a list of deaths", 1, recognisesRst, rstMembers, readRst, isRstPiece},
     FeFormat{"XDMF", ".xdmf, .xmf", 1, recognisesXdmf, xdmfMembers, readXdmf},
     FeFormat{"Rubble copy", ".h5, made by rubble-cli convert", 1, recognisesFeCopy, standsAlone, readFeCopy},
     FeFormat{"VTKHDF", ".vtkhdf, .hdf", 1, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},
-    FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 1, recognisesExodus, exodusMembers, readExodus},
+    FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 1, recognisesExodus, exodusMembers, readExodus, isExodusPiece},
 };
 
 constexpr std::array outOfScope{

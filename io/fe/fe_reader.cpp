@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "io/fe/fe_search.h"
 #include "io/fe/result_frame.h"
+#include "io/fe/series/numbered_files.h"
 #include "io/fe/series_digest.h"
 
 namespace rubble::io {
@@ -45,20 +46,50 @@ FeResult::Contents readFound(const FoundFe& found, const ImportSettings& setting
                      {"fe.memory.remedy", "The file is damaged, or too large for this machine.", {}});
 }
 
+// Files whose names differ in a number, whose meshes differ and of which nobody says when they are, are no states of one analysis.
+FeResult::Contents readOrAlone(FoundFe& found, const std::string& path, const ImportSettings& settings, const Frame& frame,
+                               const Execution& execution) {
+    try {
+        return readFound(found, settings, frame, execution);
+    } catch (const ParseError& error) {
+        std::error_code ignored;
+        if (error.message().id != "fe.other_points" || settings.onlyThisFile || fs::is_directory(path, ignored)) {
+            throw;
+        }
+    }
+    const std::vector<std::string> all = found.files;
+    found = onlyFile(found, path);
+    ImportSettings alone = settings;
+    alone.onlyThisFile = true;
+    FeResult::Contents contents = readFound(found, alone, frame, execution);
+    contents.alone = true;
+    contents.findings.add(
+        {"fe.variants", "Files that differ in a number have other meshes and no times: they were not taken for states", {}},
+        {"fe.variants.remedy", "Give a .pvd or .series file with the times if they are states of one analysis.", {}},
+        takenForStates(all), static_cast<std::int64_t>(all.size()) - 1);
+    return contents;
+}
+
 }  // namespace
 
 std::shared_ptr<const FeResult> openFe(const std::string& path, const ImportSettings& settings, const Frame& frame,
                                        const Execution& execution) {
-    const FoundFe found = findFe(path);
+    FoundFe found = findFe(path, settings.onlyThisFile);
     const auto begun = std::chrono::steady_clock::now();
-    FeResult::Contents contents = readFound(found, settings, frame, execution);
+    FeResult::Contents contents = readOrAlone(found, path, settings, frame, execution);
+    notePiece(found, path, contents.findings);
     contents.indexSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     contents.format = found.format->name;
     contents.path = found.files.front();
+    contents.alone = contents.alone || settings.onlyThisFile;
     contents.files = found.files;
     contents.bytes = bytesOf(found.files);
     contents.sha256 = sha256OfSeries(found.files, execution);
     contents.fingerprint = feFingerprint(*found.format, contents.sha256, settings, contents.frame, contents.units);
+    if (contents.alone) {
+        // What is recorded of a result is the digest of all that lies there under its name.
+        contents.sha256 = sha256OfSeries(feFiles(path), execution);
+    }
     for (const std::string& other : found.others) {
         contents.findings.add({"fe.folder_others", "The folder holds further results, which were not read", {}},
                               {"fe.folder_others.remedy", "Give the file of the one that you want.", {}}, other);
@@ -66,12 +97,15 @@ std::shared_ptr<const FeResult> openFe(const std::string& path, const ImportSett
     return std::make_shared<const FeResult>(std::move(contents));
 }
 
-std::vector<std::string> feFiles(const std::string& path) {
+std::vector<std::string> feFiles(const std::string& path, bool alone) {
     std::error_code error;
     if (fs::is_directory(path, error)) {
-        return findFe(path).files;
+        return findFe(path, false).files;
     }
     FoundFe found = findFeAt(path, readHead(path));
+    if (found.format && alone) {
+        return onlyFile(found, path).files;
+    }
     return found.format ? found.files : std::vector<std::string>{path};
 }
 
@@ -80,7 +114,7 @@ bool hasGrown(const FeResult& fe) {
     if (!fs::exists(fe.contents().path, error)) {
         return false;
     }
-    const std::vector<std::string> files = feFiles(fe.contents().path);
+    const std::vector<std::string> files = feFiles(fe.contents().path, fe.contents().alone);
     return files != fe.contents().files || bytesOf(files) != fe.contents().bytes;
 }
 

@@ -24,7 +24,8 @@ std::shared_ptr<const FeResult> openFe(const std::string& path, const ImportSett
                                        const Execution& execution);
 
 /// The files that openFe() would read for a path, in their order; the path itself where it is no FE result. Throws WorldError.
-std::vector<std::string> feFiles(const std::string& path);
+/// @param alone  without the others of its series (ImportSettings::onlyThisFile)
+std::vector<std::string> feFiles(const std::string& path, bool alone = false);
 
 /// Whether files of a result have come or changed their size since it was opened: opening it again would show more, as of a
 /// series that is still being written. Throws WorldError.

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/nearest_names.h"
+#include "io/fe/series/series_result.h"
 
 namespace rubble::io {
 
@@ -169,21 +170,39 @@ FoundFe findFeAt(const std::string& path, const FileHead& head) {
     return {};
 }
 
-FoundFe findFe(const std::string& path) {
+FoundFe findFe(const std::string& path, bool alone) {
     std::error_code error;
     if (fs::is_directory(path, error)) {
         return findIn(path);
     }
     const FileHead head = readHead(path);
-    if (head.bytes.empty()) {
+    FoundFe found = findFeAt(path, head);
+    if (!found.format && head.bytes.empty()) {
         throw ParseError({"fe.empty", "{0} is empty", {path}},
                          {"fe.empty.remedy", "Wait until the analysis has written it, or copy it again.", {}});
     }
-    FoundFe found = findFeAt(path, head);
     if (!found.format) {
         failUnknown(head);
     }
+    return alone ? onlyFile(found, path) : found;
+}
+
+FoundFe onlyFile(FoundFe found, const std::string& path) {
+    const std::string file = found.format->recognises(readHead(path)) ? path : found.files.front();
+    found.files = found.format->alone != nullptr ? found.format->alone(file) : withDeathList({file});
     return found;
+}
+
+void notePiece(const FoundFe& found, const std::string& path, Findings& findings) {
+    std::error_code ignored;
+    const bool given = !fs::is_directory(path, ignored) && found.files.size() > 1 && found.format->holdsPiece != nullptr &&
+                       found.format->holdsPiece(path);
+    if (given) {
+        findings.add({"fe.piece", "The file holds a piece of each state: the whole result was opened", {}},
+                     {"fe.piece.remedy", "Nothing to do; only_this_file=true opens the piece by itself.", {}},
+                     fs::path(path).filename().string() + ", one of " +
+                         englishInteger(static_cast<std::int64_t>(found.files.size())) + " files");
+    }
 }
 
 std::uint64_t bytesOf(const std::vector<std::string>& files) {
@@ -200,6 +219,9 @@ Digest feFingerprint(const FeFormat& format, const std::string& sha256, const Im
                      const FileUnits& units) {
     Hasher hasher;
     hasher.text(format.name).value(format.version).text(sha256);
+    if (settings.onlyThisFile) {
+        hasher.text("only_this_file");
+    }
     hasher.text(settings.statusVariable).value(settings.activeValue.value_or(-1)).text(settings.displacement);
     for (const std::int64_t origin : frame.origin) {
         hasher.value(origin);

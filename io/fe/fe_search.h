@@ -17,10 +17,16 @@ struct FoundFe {
 
 /// The result that a path means: a file, any file of a series, or a folder that holds one. Throws WorldError (cannot be read, a
 /// folder with none or several), ParseError (no FE result).
-FoundFe findFe(const std::string& path);
+/// @param alone  a file by itself, without the others of its series
+FoundFe findFe(const std::string& path, bool alone);
+/// The same result with one file of its series.
+FoundFe onlyFile(FoundFe found, const std::string& path);
 /// The result that a file belongs to: by its own content, else as a member of a series whose first file is recognised. Without
 /// format where it belongs to none.
 FoundFe findFeAt(const std::string& path, const FileHead& head);
+
+/// Counts that the file which was given is a piece of the result that was found.
+void notePiece(const FoundFe& found, const std::string& path, Findings& findings);
 
 /// Bytes of all files.
 std::uint64_t bytesOf(const std::vector<std::string>& files);

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     io::canonicalIndex(member);
     io::canonicalIndex(path);
     try {
-        io::indexGrids(path);
+        io::indexGrids(path, false);
     } catch (const Error&) {
     }
     return 0;

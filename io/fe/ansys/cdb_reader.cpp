@@ -50,14 +50,17 @@ public:
             m_facts.times.push_back(model->time.value_or(0.0));
         }
         m_files.resize(m_facts.times.size());
-        if (!timed || !std::is_sorted(m_facts.times.begin(), m_facts.times.end())) {
+        if (!timed) {
+            m_facts.timed = false;
             for (std::size_t k = 0; k < m_facts.times.size(); ++k) {
                 m_facts.times[k] = static_cast<double>(k);
             }
             m_facts.findings.add(
                 {"vtk.no_times", "The series does not say when its states are: they were taken one second apart", {}},
-                {"cdb.no_times.remedy", "Write a line /COM,TIME=T into each file.", {}}, m_files.front(),
-                static_cast<std::int64_t>(m_facts.times.size()));
+                {"cdb.no_times.remedy",
+                 "Write a line /COM,TIME=T into each file; if the files are no states of one analysis, set only_this_file=true.",
+                 {}},
+                takenForStates(m_files), static_cast<std::int64_t>(m_facts.times.size()));
         }
         m_facts.flag.name = "birth/death field";
     }
@@ -80,7 +83,10 @@ private:
     // The last state of a series may still be being written.
     std::optional<CdbModel> readUnlessUnfinished(std::size_t k) {
         try {
-            return readCdb(m_files[k]);
+            CdbModel model = readCdb(m_files[k]);
+            if (model.mesh.nodeCount() > 0 || k == 0 || k + 1 < m_files.size()) {
+                return model;
+            }
         } catch (const ParseError&) {
             if (k == 0 || k + 1 < m_files.size()) {
                 throw;
@@ -166,7 +172,7 @@ std::vector<std::string> cdbMembers(const std::string& path) {
 }
 
 FeResult::Contents readCdbs(const std::string& path, const ImportSettings& settings, const Execution& execution) {
-    std::vector<std::string> files = numberedSiblings(path);
+    std::vector<std::string> files = settings.onlyThisFile ? std::vector<std::string>{path} : numberedSiblings(path);
     std::shared_ptr<MeshSeries> series;
     if (files.size() > 1) {
         series = std::make_shared<CdbSeries>(std::move(files));

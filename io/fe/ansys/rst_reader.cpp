@@ -4,15 +4,19 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "core/base/error.h"
 #include "io/fe/ansys/ansys_elements.h"
 #include "io/fe/ansys/rst_records.h"
+#include "io/fe/pieces/stacked_series.h"
+#include "io/fe/series/numbered_files.h"
 #include "io/fe/series/series_result.h"
 
 namespace rubble::io {
@@ -41,6 +45,8 @@ public:
             m_nodes.emplace(m_mesh.nodeIds[n], n);
         }
     }
+
+    const std::vector<std::int64_t>& nodeNumbers() const { return m_mesh.nodeIds; }
 
     SeriesStep step(std::size_t k) override {
         SeriesStep step;
@@ -232,7 +238,86 @@ private:
     std::vector<std::uint64_t> m_sets;
 };
 
+constexpr std::size_t nodesWord = 2, modelNodesWord = 48;
+
+// Nodes of the whole model, where the file holds those of one process alone; 0 for a whole result. Never throws.
+std::int64_t modelNodes(const std::string& path) {
+    try {
+        RstRecords records(path);
+        const std::vector<std::int64_t> header = records.integers(headerWord, mostHeader);
+        return header.size() > modelNodesWord && header[modelNodesWord] > header[nodesWord] ? header[modelNodesWord] : 0;
+    } catch (const Error&) {
+        return 0;
+    }
+}
+
+bool isRst(const std::string& path) {
+    try {
+        return recognisesRst(readHead(path));
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+// NAME0.rst, NAME1.rst, ... of a distributed analysis; none where the file is no such piece.
+std::vector<std::string> processFiles(const std::string& path) {
+    const std::int64_t nodes = modelNodes(path);
+    std::vector<std::string> files;
+    if (nodes == 0) {
+        return files;
+    }
+    for (const std::string& sibling : numberedSiblings(path)) {
+        if (sibling == path || (isRst(sibling) && modelNodes(sibling) == nodes)) {
+            files.push_back(sibling);
+        }
+    }
+    return files;
+}
+
+void requireAllPieces(const std::string& path, const std::vector<std::string>& files, const std::vector<SeriesPiece>& pieces,
+                      const std::unordered_set<std::int64_t>& nodes) {
+    std::string missing;
+    for (std::size_t i = 0; i < files.size() && missing.empty(); ++i) {
+        const std::string digits = std::to_string(i);
+        const std::string stem = std::filesystem::path(files[i]).stem().string();
+        if (!stem.ends_with(digits)) {
+            missing = stem.substr(0, stem.find_last_not_of("0123456789") + 1) + digits + ".rst";
+        }
+    }
+    const std::int64_t all = modelNodes(path);
+    if (!missing.empty() || static_cast<std::int64_t>(nodes.size()) < all) {
+        throw ParseError({"rst.piece_missing",
+                          "{0} is a piece of a distributed analysis: {1} files hold {2} of {3} nodes; not there: {4}",
+                          {path, pieces.size(), nodes.size(), all, missing.empty() ? "the files behind the last number" : missing}},
+                         {"rst.piece_missing.remedy",
+                          "Put the files of all processes (NAME0.rst, NAME1.rst, ...) beside each other, or let Ansys combine them "
+                          "(COMBINE).",
+                          {}});
+    }
+}
+
+std::shared_ptr<MeshSeries> stackedProcesses(const std::string& path, const std::vector<std::string>& files) {
+    std::vector<SeriesPiece> pieces;
+    std::unordered_set<std::int64_t> nodes;
+    for (const std::string& file : files) {
+        const auto series = std::make_shared<RstSeries>(file);
+        nodes.insert(series->nodeNumbers().begin(), series->nodeNumbers().end());
+        pieces.push_back({file, series});
+    }
+    requireAllPieces(path, files, pieces, nodes);
+    return std::make_shared<StackedSeries>(std::move(pieces));
+}
+
 }  // namespace
+
+std::vector<std::string> rstMembers(const std::string& path) {
+    const std::vector<std::string> files = processFiles(path);
+    return withDeathList(files.empty() ? std::vector<std::string>{path} : files);
+}
+
+bool isRstPiece(const std::string& path) {
+    return modelNodes(path) > 0;
+}
 
 bool recognisesRst(const FileHead& head) {
     std::array<std::uint32_t, 3> words{};
@@ -245,6 +330,10 @@ bool recognisesRst(const FileHead& head) {
 }
 
 FeResult::Contents readRst(const std::string& path, const ImportSettings& settings, const Execution& execution) {
+    const std::vector<std::string> files = settings.onlyThisFile ? std::vector<std::string>{} : processFiles(path);
+    if (!files.empty()) {
+        return readSeries(path, stackedProcesses(path, files), settings, execution);
+    }
     return readSeries(path, std::make_shared<RstSeries>(path), settings, execution);
 }
 

@@ -63,7 +63,7 @@ FrdFile::FrdFile(const std::string& path) : m_path(path), m_window(path) {
             readNodes(line);
         } else if (line.starts_with("    3C")) {
             readElements(line);
-        } else if (line.starts_with("  100C") && !readResult(line)) {
+        } else if (line.starts_with("  100C") && (m_window.place() >= m_window.size() || !readResult(line))) {
             m_findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
                            {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, path);
             break;
@@ -253,6 +253,9 @@ bool FrdFile::skipBlock(const FrdState& state) {
     for (std::string line; m_window.line(line);) {
         if (line.starts_with(" -3")) {
             return true;
+        }
+        if (m_window.place() >= m_window.size()) {
+            return false;
         }
         if (!line.starts_with(" -1") && !line.starts_with(" -2")) {
             fail("a block of results goes on with \"" + line.substr(0, 40) + "\"");

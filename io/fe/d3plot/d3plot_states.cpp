@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "io/fe/series/later_branch.h"
 
 namespace rubble::io {
 
@@ -71,6 +72,7 @@ public:
             step();
         }
         m_execution.report(stage, 1.0);
+        keepLaterBranch();
         return std::move(m_states);
     }
 
@@ -188,25 +190,23 @@ private:
         return std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; });
     }
 
+    void keepLaterBranch() {
+        const std::vector<std::size_t> kept = laterBranch(m_states.times, m_states.findings);
+        for (std::size_t k = 0; k < kept.size(); ++k) {
+            m_states.begin[k] = m_states.begin[kept[k]];
+            m_states.times[k] = m_states.times[kept[k]];
+        }
+        m_states.begin.resize(kept.size());
+        m_states.times.resize(kept.size());
+    }
+
     void take(double time) {
         const std::int64_t begin = m_word;
         m_word += m_layout.words;
-        const std::string place = m_family.placeOf(begin) + ", time " + englishNumber(time);
         if (!std::isfinite(time)) {
             throw ParseError(
                 {"d3plot.bad_time", "{0}: the time of state {1} is {2}", {m_family.placeOf(begin), m_states.times.size(), time}},
                 {"d3plot.bad_word.remedy", "The file is damaged, or no d3plot: copy it again.", {}});
-        }
-        if (!m_states.times.empty() && time <= m_states.times.back()) {
-            if (time == m_states.times.back()) {
-                m_states.findings.add({"d3plot.same_time", "States at the time of the state before were left out", {}},
-                                      {"d3plot.same_time.remedy", "Nothing to do: a restart writes its first state again.", {}},
-                                      place);
-                return;
-            }
-            m_states.findings.add({"d3plot.earlier", "States that go back in time were left out", {}},
-                                  {"d3plot.earlier.remedy", "Remove files that an earlier run left behind.", {}}, place);
-            return;
         }
         m_states.begin.push_back(begin);
         m_states.times.push_back(time);

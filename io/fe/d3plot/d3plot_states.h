@@ -25,7 +25,7 @@ D3plotStateLayout layoutOfStates(const D3plotFamily& family, const D3plotHeader&
 struct D3plotStates {
     std::vector<std::int64_t> begin;  ///< first word of each
     std::vector<double> times;        ///< as in the file, growing
-    Findings findings;                ///< states cut off, repeated or left over
+    Findings findings;                ///< states cut off, written twice, abandoned or left over
 };
 
 /// Finds the states by their times alone; reads a few words of each. A state that is not complete ends the series.

@@ -178,11 +178,24 @@ ClassicExtent extentOf(const std::vector<Variable>& variables, std::int64_t reco
             extent.bytes = end;
             extent.lastVariable = variable.name;
         }
+        std::int64_t& reach = variable.record ? extent.firstBytes : extent.fixedBytes;
+        reach = std::max(reach, end - before);
+        extent.stateBytes = variable.record ? step : extent.stateBytes;
     }
     return extent;
 }
 
 }  // namespace
+
+std::optional<std::int64_t> ClassicExtent::wholeStates(std::int64_t size) const {
+    if (!wholeHeader || size < fixedBytes) {
+        return std::nullopt;
+    }
+    if (recordCount == 0 || size < firstBytes) {
+        return 0;
+    }
+    return stateBytes > 0 ? std::min(recordCount, (size - firstBytes) / stateBytes + 1) : recordCount;
+}
 
 std::optional<ClassicExtent> classicExtent(const std::string& path) {
     std::ifstream file(path, std::ios::binary);

@@ -11,6 +11,7 @@
 #include "io/fe/exodus/exodus_layout.h"
 #include "io/fe/exodus/exodus_names.h"
 #include "io/fe/exodus/library_lock.h"
+#include "io/fe/series/later_branch.h"
 
 namespace rubble::io {
 
@@ -47,7 +48,7 @@ private:
 }  // namespace
 
 ExodusFile::ExodusFile(const std::string& path) : m_path(path) {
-    checkExodusLayout(path);
+    m_unfinished = checkExodusLayout(path);
     const LibraryLock lock;
     ex_opts(0);
     int memoryWord = sizeof(double), fileWord = 0;
@@ -63,6 +64,7 @@ ExodusFile::ExodusFile(const std::string& path) : m_path(path) {
         readVariables();
         readTimes();
         readParts();
+        readDecomposition();
     } catch (...) {
         ex_close(m_id);
         throw;
@@ -153,10 +155,33 @@ void ExodusFile::readVariables() {
 void ExodusFile::readTimes() {
     const std::int64_t count = ex_inquire_int(m_id, EX_INQ_TIME);
     require(static_cast<int>(std::min<std::int64_t>(count, 0)), "the number of states");
-    m_times.resize(static_cast<std::size_t>(count));
-    if (count > 0) {
-        require(ex_get_all_times(m_id, m_times.data()), "the times of the states");
+    std::vector<double> times(static_cast<std::size_t>(count) - std::min(m_unfinished, static_cast<std::size_t>(count)));
+    for (std::size_t k = 0; k < times.size() && m_unfinished > 0; ++k) {
+        require(ex_get_time(m_id, static_cast<int>(k) + 1, &times[k]), "the time of a state");
     }
+    if (!times.empty() && m_unfinished == 0) {
+        require(ex_get_all_times(m_id, times.data()), "the times of the states");
+    }
+    if (m_unfinished > 0) {
+        m_findings.add({"fe.unfinished", "The last state is not whole and was left out", {}},
+                       {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, m_path,
+                       static_cast<std::int64_t>(m_unfinished));
+    }
+    m_written = laterBranch(times, m_findings);
+    for (const std::size_t written : m_written) {
+        m_times.push_back(times[written]);
+    }
+}
+
+void ExodusFile::readDecomposition() {
+    const auto dimension = [&](const char* name, std::int64_t otherwise) {
+        int id = -1;
+        std::size_t length = 0;
+        const bool there = nc_inq_dimid(m_id, name, &id) == NC_NOERR && nc_inq_dimlen(m_id, id, &length) == NC_NOERR;
+        return there ? static_cast<std::int64_t>(length) : otherwise;
+    };
+    m_processors = dimension("num_processors", 1);
+    m_elementsOfAll = dimension("num_elems_global", static_cast<std::int64_t>(m_elements));
 }
 
 void ExodusFile::readParts() {
@@ -224,9 +249,9 @@ void ExodusFile::readNodal(std::size_t state, int variable, std::span<double> va
         return;
     }
     const LibraryLock lock;
-    require(
-        ex_get_var(m_id, static_cast<int>(state) + 1, EX_NODAL, variable + 1, 1, static_cast<std::int64_t>(m_nodes), values.data()),
-        m_nodeVariables[static_cast<std::size_t>(variable)] + stateText(state));
+    require(ex_get_var(m_id, static_cast<int>(m_written[state]) + 1, EX_NODAL, variable + 1, 1, static_cast<std::int64_t>(m_nodes),
+                       values.data()),
+            m_nodeVariables[static_cast<std::size_t>(variable)] + stateText(state));
 }
 
 void ExodusFile::readElement(std::size_t state, int variable, std::size_t block, std::span<double> values) const {
@@ -236,7 +261,7 @@ void ExodusFile::readElement(std::size_t state, int variable, std::size_t block,
         return;
     }
     const LibraryLock lock;
-    require(ex_get_var(m_id, static_cast<int>(state) + 1, EX_ELEM_BLOCK, variable + 1, b.id, b.elements, values.data()),
+    require(ex_get_var(m_id, static_cast<int>(m_written[state]) + 1, EX_ELEM_BLOCK, variable + 1, b.id, b.elements, values.data()),
             m_elementVariables[static_cast<std::size_t>(variable)] + " of block " + std::to_string(b.id) + stateText(state));
 }
 

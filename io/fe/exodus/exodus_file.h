@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/finding.h"
+
 namespace rubble::io {
 
 /// One element block as the file has it. Its elements follow those of the blocks before it.
@@ -34,7 +36,14 @@ public:
     int dimensions() const { return m_dimensions; }
     std::size_t nodeCount() const { return m_nodes; }
     std::size_t elementCount() const { return m_elements; }
-    const std::vector<double>& times() const { return m_times; }  ///< s, as in the file
+    /// Times of the states that count, s, as in the file: without those that are not whole, written twice or abandoned by a
+    /// restart.
+    const std::vector<double>& times() const { return m_times; }
+    const Findings& findings() const { return m_findings; }  ///< states that were left out
+    /// Processors that the result was written by, each in a file of its own; 1 where it is whole.
+    std::int64_t processors() const { return m_processors; }
+    /// Elements in the files of all processors.
+    std::int64_t elementsOfAll() const { return m_elementsOfAll; }
     const std::vector<ExodusBlock>& blocks() const { return m_blocks; }
     const std::vector<std::string>& variables(ExodusEntity entity) const {
         return entity == ExodusEntity::Node ? m_nodeVariables : m_elementVariables;
@@ -62,6 +71,7 @@ private:
     void readVariables();
     void readTimes();
     void readParts();
+    void readDecomposition();
     /// Throws ParseError for a library status that is an error. @param what  "the coordinates"
     void require(int status, const std::string& what) const;
 
@@ -70,7 +80,11 @@ private:
     int m_dimensions = 0;
     std::size_t m_nodes = 0;
     std::size_t m_elements = 0;
+    std::size_t m_unfinished = 0;  ///< states at the end that are not whole
     std::vector<double> m_times;
+    std::vector<std::size_t> m_written;  ///< place in the file of each state
+    Findings m_findings;
+    std::int64_t m_processors = 1, m_elementsOfAll = 0;
     std::vector<ExodusBlock> m_blocks;
     std::vector<std::string> m_nodeVariables;
     std::vector<std::string> m_elementVariables;

@@ -44,7 +44,8 @@ constexpr std::size_t topologyLength = 33;  // the library's buffer, with the en
          {}});
 }
 
-void requireWholeClassic(const std::string& path, std::int64_t size) {
+// @return  the states at its end that are not whole
+std::int64_t requireWholeClassic(const std::string& path, std::int64_t size) {
     const auto extent = classicExtent(path);
     if (!extent) {
         failDamaged({"exodus.header", "{0}: the header of the netCDF file makes no sense", {path}});
@@ -52,10 +53,12 @@ void requireWholeClassic(const std::string& path, std::int64_t size) {
     if (!extent->wholeHeader) {
         failCutOff(path, size, "inside its header");
     }
-    if (extent->bytes > size) {
+    const std::int64_t whole = extent->wholeStates(size).value_or(0);
+    if (extent->bytes > size && whole == 0) {
         failCutOff(path, size,
                    "of " + englishInteger(extent->bytes) + "; the end of " + shownName(extent->lastVariable) + " is missing");
     }
+    return extent->bytes > size ? extent->recordCount - whole : 0;
 }
 
 /// A netCDF file that closes itself.
@@ -293,11 +296,14 @@ private:
 
 }  // namespace
 
-void checkExodusLayout(const std::string& path) {
+std::size_t checkExodusLayout(const std::string& path) {
     std::error_code error;
     const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path, error));
     std::ifstream file(path, std::ios::binary);
     const int first = file.get();
+    if (!error && size == 0) {
+        failCutOff(path, 0, "inside its header");
+    }
     if (error || !file) {
         throw WorldError({"io.file.unreadable", "Cannot read {0}", {path}},
                          {"io.file.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
@@ -305,14 +311,15 @@ void checkExodusLayout(const std::string& path) {
     const LibraryLock lock;
     const auto check = [&] { LayoutCheck(path, size).run(); };
     if (first == 'C') {
-        requireWholeClassic(path, size);
+        const std::int64_t unfinished = requireWholeClassic(path, size);
         check();
-        return;
+        return static_cast<std::size_t>(unfinished);
     }
     requireWholeHdf5(path);
     if (!survivesTrial(check)) {
         failDamaged({"exodus.crash", "{0} is damaged so that the HDF5 library fails on it", {path}});
     }
+    return 0;
 }
 
 }  // namespace rubble::io

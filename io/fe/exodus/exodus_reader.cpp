@@ -1,14 +1,18 @@
 #include "io/fe/exodus/exodus_reader.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/nearest_names.h"
 #include "io/fe/exodus/exodus_activity.h"
 #include "io/fe/exodus/exodus_displacement.h"
+#include "io/fe/exodus/exodus_files.h"
 #include "io/fe/exodus/exodus_mesh.h"
 #include "io/fe/exodus/exodus_names.h"
 #include "io/fe/exodus/exodus_sequence.h"
 #include "io/fe/exodus/exodus_source.h"
+#include "io/fe/pieces/stacked_series.h"
 #include "io/fe/series/series_result.h"
 
 namespace rubble::io {
@@ -26,13 +30,56 @@ void requireTimes(const ExodusFile& file) {
             throw ParseError({"exodus.bad_time", "{0}: the time of state {1} is {2}", {file.path(), k, times[k]}},
                              {"exodus.bad_time.remedy", "Let the analysis write the file again.", {}});
         }
-        if (k > 0 && times[k] <= times[k - 1]) {
-            throw ParseError({"exodus.time_order",
-                              "{0}: state {1} at {2} does not come after state {3} at {4}",
-                              {file.path(), k, {times[k], "s"}, k - 1, {times[k - 1], "s"}}},
-                             {"exodus.time_order.remedy", "Remove states that a restart wrote twice.", {}});
+    }
+}
+
+// What one processor wrote must not pass for the structure.
+[[noreturn]] void failPiece(const ExodusFile& file) {
+    const std::string name = std::filesystem::path(file.path()).filename().string();
+    throw ParseError({"exodus.piece_alone",
+                      "{0} holds {1} of {2} elements: it is what one of {3} processors wrote",
+                      {file.path(), file.elementCount(), file.elementsOfAll(), file.processors()}},
+                     {"exodus.piece_alone.remedy",
+                      "Put the files of all processors beside it, named NAME.{0}.0 to NAME.{0}.{1}, or join them by epu.",
+                      {file.processors(), file.processors() - 1}});
+}
+
+/// Files of all processors where a name tells of them; a result of one processor otherwise.
+std::vector<std::vector<std::string>> piecesOf(const std::string& path, const ImportSettings& settings) {
+    std::vector<std::vector<std::string>> pieces =
+        isExodusPiece(path) ? exodusPieces(path) : std::vector<std::vector<std::string>>{};
+    if (pieces.empty() || settings.onlyThisFile) {
+        return {};
+    }
+    std::vector<std::string> missing;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        if (pieces[p].empty()) {
+            missing.push_back(exodusPieceName(path, static_cast<int>(p)));
         }
     }
+    if (!missing.empty()) {
+        throw ParseError({"exodus.piece_missing",
+                          "{0} is a piece of a result that {1} processors wrote; not there: {2}",
+                          {path, pieces.size(), quotedList(missing, 10)}},
+                         {"exodus.piece_missing.remedy", "Put all pieces beside each other, or join them by epu.", {}});
+    }
+    return pieces;
+}
+
+std::shared_ptr<MeshSeries> stackedPieces(std::vector<std::vector<std::string>> pieces, const ImportSettings& settings) {
+    std::vector<SeriesPiece> stack;
+    for (std::vector<std::string>& files : pieces) {
+        const std::string name = files.front();
+        auto sequence = std::make_shared<ExodusSequence>(std::move(files), settings);
+        if (!sequence->empty()) {
+            stack.push_back({name, std::move(sequence)});
+        }
+    }
+    if (stack.empty()) {
+        throw ParseError({"fe.no_elements", "{0} has no solids, shells or beams", {pieces.front().front()}},
+                         {"fe.no_elements.remedy", "Give an analysis whose structure is made of such elements.", {}});
+    }
+    return std::make_shared<StackedSeries>(std::move(stack));
 }
 
 }  // namespace
@@ -45,17 +92,43 @@ bool recognisesExodus(const FileHead& head) {
 }
 
 std::vector<std::string> exodusMembers(const std::string& path) {
-    return exodusSequence(path);
+    std::vector<std::string> files;
+    for (const std::vector<std::string>& piece :
+         isExodusPiece(path) ? exodusPieces(path) : std::vector<std::vector<std::string>>{}) {
+        files.insert(files.end(), piece.begin(), piece.end());
+    }
+    return files.empty() ? exodusSequence(path) : files;
+}
+
+bool isExodusPiece(const std::string& path) {
+    const int processors = exodusName(path).processors;
+    std::error_code ignored;
+    if (processors < 2 || !std::filesystem::is_regular_file(path, ignored)) {
+        return false;
+    }
+    try {
+        // Two numbers may be those of a version.
+        return ExodusFile(path).processors() == processors;
+    } catch (const Error&) {
+        return true;
+    }
 }
 
 FeResult::Contents readExodus(const std::string& path, const ImportSettings& settings, const Execution& execution) {
-    if (std::vector<std::string> files = exodusSequence(path); files.size() > 1) {
+    if (std::vector<std::vector<std::string>> pieces = piecesOf(path, settings); !pieces.empty()) {
+        return readSeries(path, stackedPieces(std::move(pieces), settings), settings, execution);
+    }
+    if (std::vector<std::string> files = exodusSequence(path); files.size() > 1 && !settings.onlyThisFile) {
         return readSeries(path, std::make_shared<ExodusSequence>(std::move(files), settings), settings, execution);
     }
     const Message stage{"exodus.open", "Reading the mesh", {}};
     execution.report(stage, 0.0);
     const auto file = std::make_shared<const ExodusFile>(path);
     requireThreeDimensions(*file);
+    if (file->processors() > 1 && file->elementsOfAll() > static_cast<std::int64_t>(file->elementCount()) &&
+        !settings.onlyThisFile) {
+        failPiece(*file);
+    }
     requireTimes(*file);
     const auto displacement = chooseDisplacement(*file, settings);
     const auto velocity = findVelocity(file->variables(ExodusEntity::Node));
@@ -72,6 +145,7 @@ FeResult::Contents readExodus(const std::string& path, const ImportSettings& set
     contents.activityFrom = std::move(activity.from);
     contents.deathTime = std::move(activity.deathTime);
     contents.findings = std::move(mesh.findings);
+    contents.findings.append(file->findings());
     contents.findings.append(activity.findings);
     return contents;
 }

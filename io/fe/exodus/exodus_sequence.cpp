@@ -1,33 +1,16 @@
 #include "io/fe/exodus/exodus_sequence.h"
 
 #include <algorithm>
-#include <charconv>
-#include <filesystem>
-#include <map>
 
 #include "core/base/error.h"
 #include "io/fe/exodus/exodus_displacement.h"
-#include "io/fe/series/numbered_files.h"
+#include "io/fe/exodus/exodus_files.h"
 
 namespace rubble::io {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t mostOpen = 16;
-
-/// "out.e-s0003" is number 3 behind "out.e"; 1 for a name without such an ending.
-std::pair<std::string, int> cutNumber(const std::string& name) {
-    const std::size_t mark = name.rfind("-s");
-    int number = 0;
-    if (mark == std::string::npos || mark == 0) {
-        return {name, 1};
-    }
-    const auto [end, error] = std::from_chars(name.data() + mark + 2, name.data() + name.size(), number);
-    const bool whole = error == std::errc{} && end == name.data() + name.size() && number > 1;
-    return whole ? std::pair(name.substr(0, mark), number) : std::pair(name, 1);
-}
 
 void addInto(std::vector<Vec3>& vectors, const ExodusFile& file, const VectorVariable& variable, std::size_t state) {
     std::vector<double> values(vectors.size());
@@ -41,30 +24,12 @@ void addInto(std::vector<Vec3>& vectors, const ExodusFile& file, const VectorVar
 
 }  // namespace
 
-std::vector<std::string> exodusSequence(const std::string& path) {
-    const fs::path file(path);
-    const std::string base = cutNumber(file.filename().string()).first;
-    std::map<int, std::string> byNumber;
-    for (const std::string& other : filesBeside(path)) {
-        const auto [stem, number] = cutNumber(fs::path(other).filename().string());
-        if (stem == base) {
-            byNumber.emplace(number, other);
-        }
-    }
-    std::vector<std::string> files;
-    for (auto& [number, name] : byNumber) {
-        files.push_back(std::move(name));
-    }
-    const bool known = std::find(files.begin(), files.end(), path) != files.end();
-    return known ? files : std::vector<std::string>{path};
-}
-
 ExodusSequence::ExodusSequence(std::vector<std::string> files, const ImportSettings& settings)
     : m_files(std::move(files)), m_settings(settings) {
     dropUnfinished();
     for (std::size_t f = 0; f < m_files.size(); ++f) {
         addStates(f, *file(f));
-        if (f > 0 && cutNumber(m_files[f]).second != cutNumber(m_files[f - 1]).second + 1) {
+        if (f > 0 && exodusName(m_files[f]).number != exodusName(m_files[f - 1]).number + 1) {
             m_facts.findings.add(
                 {"exodus.sequence_gap", "Files of the sequence are missing: states between them are not known", {}},
                 {"exodus.sequence_gap.remedy", "Copy the whole sequence.", {}}, m_files[f]);
@@ -98,20 +63,18 @@ void ExodusSequence::dropUnfinished() {
     }
 }
 
-// Some codes write the last state before a change again as the first of the next file: the newer one counts.
+// Codes that write the last state before a change again as the first of the next file write it twice.
 void ExodusSequence::addStates(std::size_t f, const ExodusFile& file) {
     requireThreeDimensions(file);
-    while (!m_facts.times.empty() && !file.times().empty() && m_facts.times.back() >= file.times().front()) {
-        m_facts.findings.add(
-            {"exodus.sequence_overlap", "States that a later file of the sequence has again were taken from there", {}},
-            {"exodus.sequence_overlap.remedy", "Nothing to do.", {}}, file.path());
-        m_facts.times.pop_back();
-        m_states.pop_back();
-    }
+    m_facts.findings.append(file.findings());
     for (std::size_t k = 0; k < file.times().size(); ++k) {
         m_facts.times.push_back(file.times()[k]);
         m_states.push_back({f, k});
     }
+}
+
+bool ExodusSequence::empty() const {
+    return file(0)->elementCount() == 0;
 }
 
 std::shared_ptr<const ExodusFile> ExodusSequence::file(std::size_t f) const {

@@ -14,16 +14,14 @@
 
 namespace rubble::io {
 
-/// All files of a sequence written at changes of topology (out.e, out.e-s0002, ...), in order; the first is out.e where it is
-/// there. A file that belongs to no sequence stands alone. Never throws.
-std::vector<std::string> exodusSequence(const std::string& path);
-
 /// A sequence of Exodus files as one series: elements that a file leaves out are dead, and those that its flag calls dead.
 class ExodusSequence : public MeshSeries {
 public:
     /// Opens every file once. Throws as ExodusFile does.
     ExodusSequence(std::vector<std::string> files, const ImportSettings& settings);
 
+    /// True where the first file has no elements, as that of a processor that had nothing to do.
+    bool empty() const;
     SeriesStep step(std::size_t k) override;
     SeriesFields fields(std::size_t k) const override;
 

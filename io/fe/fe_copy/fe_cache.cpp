@@ -125,6 +125,7 @@ public:
           m_begun(std::chrono::steady_clock::now()) {}
 
     std::shared_ptr<const FeResult> open(const std::string& path) {
+        notePiece(m_found, path, m_given);
         if (auto kept = fromCopy()) {
             return kept;
         }
@@ -137,7 +138,10 @@ public:
         }
         const std::vector<FileTrace> before = tracesOf(m_found.files);
         const auto fe = openFe(path, m_settings, m_frame, m_execution);
-        keep(*fe, before);
+        // A file that was opened without the others of its series, or as a piece, is not what the copy stands for.
+        if (fe->contents().files == m_found.files && m_given.empty()) {
+            keep(*fe, before);
+        }
         if (m_findings.empty()) {
             return fe;
         }
@@ -207,6 +211,7 @@ private:
         contents.unitsFrom = copy.about.unitsFrom;
         contents.fingerprint = feFingerprint(*m_found.format, contents.sha256, m_settings, contents.frame, contents.units);
         contents.findings.append(m_findings);
+        contents.findings.append(m_given);
         contents.source =
             std::make_shared<const CachedSource>(contents.source, m_place, m_found, contents.sha256, m_settings, m_frame);
         contents.indexSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_begun).count();
@@ -238,6 +243,7 @@ private:
     const CachePlace m_place;
     const std::chrono::steady_clock::time_point m_begun;
     Findings m_findings;
+    Findings m_given;  // what is said of the file that was given
 };
 
 // Of all files in a folder and below.
@@ -280,8 +286,8 @@ std::vector<CacheEntry> copiesIn(const fs::path& folder) {
 
 std::shared_ptr<const FeResult> openFeCached(const std::string& path, const ImportSettings& settings, const Frame& frame,
                                              const Execution& execution, const std::string& folder) {
-    const FoundFe found = findFe(path);
-    if (found.format->recognises == recognisesFeCopy) {
+    const FoundFe found = findFe(path, settings.onlyThisFile);
+    if (found.format->recognises == recognisesFeCopy || settings.onlyThisFile) {
         return openFe(path, settings, frame, execution);
     }
     return CachedOpening(found, settings, frame, execution, folder).open(path);

@@ -55,8 +55,10 @@ std::vector<std::string> animMembers(const std::string& path) {
     return withDeck(animStates(path), deckOf(path, "A", ""));
 }
 
-FeResult::Contents readAnim(const std::string& path, const ImportSettings&, const Execution& execution) {
-    return readRadiossRun({animStates(path), readAnimFile, deckOf(path, "A", ""), "status byte, 0 is deleted"}, execution);
+FeResult::Contents readAnim(const std::string& path, const ImportSettings& settings, const Execution& execution) {
+    return readRadiossRun({settings.onlyThisFile ? std::vector<std::string>{path} : animStates(path), readAnimFile,
+                           deckOf(path, "A", ""), "status byte, 0 is deleted"},
+                          execution);
 }
 
 bool recognisesConvertedAnim(const FileHead& head) {
@@ -69,9 +71,11 @@ std::vector<std::string> convertedAnimMembers(const std::string& path) {
     return withDeck(convertedStates(path), deckOf(path, "A_", afterNumber));
 }
 
-FeResult::Contents readConvertedAnim(const std::string& path, const ImportSettings&, const Execution& execution) {
-    FeResult::Contents contents = readRadiossRun(
-        {convertedStates(path), readConvertedFile, deckOf(path, "A_", afterNumber), "EROSION_STATUS, 1 is active"}, execution);
+FeResult::Contents readConvertedAnim(const std::string& path, const ImportSettings& settings, const Execution& execution) {
+    FeResult::Contents contents =
+        readRadiossRun({settings.onlyThisFile ? std::vector<std::string>{path} : convertedStates(path), readConvertedFile,
+                        deckOf(path, "A_", afterNumber), "EROSION_STATUS, 1 is active"},
+                       execution);
     std::int64_t never = 0;
     std::string example;
     for (std::size_t e = 0; e < contents.mesh->elementCount(); ++e) {

@@ -44,6 +44,9 @@ public:
                              {"fe.unreadable.remedy", "Check the path and that you may read the file.", {}});
         }
         m_text = std::move(text).str();
+        if (m_text.empty()) {
+            failCut("its header");
+        }
     }
 
     const std::string& path() const { return m_path; }

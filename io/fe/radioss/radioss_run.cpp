@@ -9,6 +9,7 @@
 #include "core/base/unknown.h"
 #include "io/fe/node_fields.h"
 #include "io/fe/radioss/radioss_mesh.h"
+#include "io/fe/series/later_branch.h"
 
 namespace rubble::io {
 
@@ -66,6 +67,7 @@ public:
             readStatus(i, first);
         }
         m_execution.report(stage, 1.0);
+        keepLaterBranch();
         return finish(first);
     }
 
@@ -91,16 +93,25 @@ private:
         }
         requireTime(path, state.time);
         requireSameMesh(path, state, first);
-        if (!m_times.empty() && state.time <= m_times.back()) {
-            m_findings.add({"anim.earlier", "States that do not come after the state before were left out", {}},
-                           {"anim.earlier.remedy", "Remove files that an earlier run left behind.", {}},
-                           fs::path(path).filename().string() + ", time " + englishNumber(state.time));
-            return;
-        }
         m_files.push_back(path);
         m_times.push_back(state.time);
         m_rows.push_back(rowOf(state));
         keepDeletion(state);
+    }
+
+    void keepLaterBranch() {
+        const std::vector<std::size_t> kept = laterBranch(m_times, m_findings);
+        for (std::size_t k = 0; k < kept.size(); ++k) {
+            m_files[k] = m_files[kept[k]];
+            m_times[k] = m_times[kept[k]];
+            m_rows[k] = m_rows[kept[k]];
+            m_deletions[k] = m_deletions[kept[k]];
+        }
+        m_files.resize(kept.size());
+        m_times.resize(kept.size());
+        m_rows.resize(kept.size());
+        m_deletions.resize(kept.size());
+        settleDeletions();
     }
 
     void noteCut(const std::string& path, bool last) {
@@ -145,12 +156,22 @@ private:
     }
 
     void keepDeletion(const AnimState& state) {
-        m_deletion.resize(m_mesh.places.size(), unknown);
+        std::vector<std::pair<std::size_t, double>>& times = m_deletions.emplace_back();
         for (std::size_t e = 0; e < m_mesh.places.size(); ++e) {
             const auto& [kind, place] = m_mesh.places[e];
             const std::vector<double>& deletion = state.of(kind).deletion;
             if (place < deletion.size() && deletion[place] > 0.0 && std::isfinite(deletion[place])) {
-                m_deletion[e] = deletion[place];
+                times.emplace_back(e, deletion[place]);
+            }
+        }
+    }
+
+    // The newest state knows best.
+    void settleDeletions() {
+        m_deletion.assign(m_mesh.places.size(), unknown);
+        for (const auto& times : m_deletions) {
+            for (const auto& [e, time] : times) {
+                m_deletion[e] = time;
             }
         }
     }
@@ -262,6 +283,7 @@ private:
     std::vector<double> m_times;
     std::vector<std::vector<bool>> m_rows;
     std::int64_t m_rigid = 0;
+    std::vector<std::vector<std::pair<std::size_t, double>>> m_deletions;  // element and time, of each state
     std::vector<double> m_deletion;
     std::optional<FileUnits> m_declared;
     Findings m_findings;

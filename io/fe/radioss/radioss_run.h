@@ -22,9 +22,9 @@ struct RadiossRun {
     std::string activeFrom;  ///< how the file says which elements are active, for people
 };
 
-/// Reads a run: mesh from the first file, status and exact times of death from all. Files that are cut off or repeat a time are
-/// left out and counted. Links of rigid bodies (beams without a number) are no elements; rigid elements are active. Throws as
-/// FeFormat::read.
+/// Reads a run: mesh from the first file, status and exact times of death from all. Files that are cut off, repeat a
+/// time or belong to an abandoned branch are left out and counted. Links of rigid bodies (beams without a number) are no elements;
+/// rigid elements are active. Throws as FeFormat::read.
 FeResult::Contents readRadiossRun(const RadiossRun& run, const Execution& execution);
 
 }  // namespace rubble::io

@@ -10,12 +10,22 @@
 
 namespace rubble::io {
 
+/// Where one of several pieces of a mesh ends: points and elements of it and of all before it.
+struct MeshPiece {
+    std::size_t nodes = 0;
+    std::size_t elements = 0;
+};
+
 /// What a series says about the elements of one state, before any meaning is given to it.
 struct SeriesStep {
     /// Nodes and elements in the file's own units and axes; nothing: those of the state before, in the same order.
     /// nodeIds or elementIds may be empty where the file numbers none; density and section may be empty where it has none.
     std::optional<Mesh> mesh;
     std::vector<double> flags;  ///< value of the active flag [elements]; empty: what is there is active
+    /// Of a mesh that is written in pieces, one a processor or block; empty: it is one piece.
+    std::vector<MeshPiece> pieces;
+    /// Which elements the file marks as copies of those of another piece [elements]; empty: none. Comes with the mesh.
+    std::vector<bool> ghosts;
 };
 
 /// Nodal values of one state in the file's own units and axes [nodes of that state's mesh].
@@ -37,6 +47,7 @@ struct SeriesFacts {
     std::vector<double> times;  ///< s
     SeriesFlag flag;
     bool hasVelocity = false;
+    bool timed = true;  ///< false: nobody says when the states are, they were counted
     Findings findings;  ///< what the series had to work around; steps add to it
 };
 
@@ -49,6 +60,7 @@ public:
     const std::vector<double>& times() const { return m_facts.times; }
     const SeriesFlag& flag() const { return m_facts.flag; }
     bool hasVelocity() const { return m_facts.hasVelocity; }
+    bool timed() const { return m_facts.timed; }
     const Findings& findings() const { return m_facts.findings; }
     /// Reads the elements of state k. Called once for every state, in order, by one thread.
     virtual SeriesStep step(std::size_t k) = 0;

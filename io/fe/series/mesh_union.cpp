@@ -26,22 +26,58 @@ bool countsUp(const std::vector<std::uint32_t>& positions) {
     return true;
 }
 
+std::uint32_t pieceOf(const std::vector<MeshPiece>& pieces, std::size_t node) {
+    const auto piece = std::find_if(pieces.begin(), pieces.end(), [node](const MeshPiece& end) { return node < end.nodes; });
+    return static_cast<std::uint32_t>(piece - pieces.begin());
+}
+
 }  // namespace
 
-void MeshUnion::add(const Mesh& mesh, std::size_t state) {
+void MeshUnion::add(const Mesh& mesh, const std::vector<MeshPiece>& pieces, std::size_t state) {
+    const bool first = m_epochs.empty();
+    if (first) {
+        decideNumbers(mesh, pieces);
+        m_mesh.offsets.push_back(0);
+    }
     MeshEpoch epoch;
     epoch.nodeCount = mesh.nodeCount();
     epoch.elementCount = mesh.elementCount();
-    if (m_epochs.empty()) {
-        decideKey(mesh);
-        m_mesh.offsets.push_back(0);
+    epoch.nodes = nodesByHint(mesh);
+    std::vector<std::uint32_t> elements(mesh.elementCount(), none);
+    const bool byPlaces = !first && hintsRefuted(mesh, epoch.nodes, state);
+    if (byPlaces) {
+        matchByPlaces(mesh, epoch, elements);
     }
-    addNodes(mesh, state, epoch);
-    addElements(mesh, state, epoch);
+    const std::size_t nodesBefore = m_mesh.nodeCount();
+    const bool numbered = m_nodesNumbered && !mesh.nodeIds.empty();
+    for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
+        if (epoch.nodes[n] == none && numbered && !byPlaces) {
+            // Pieces share nodes by their numbers.
+            const auto known = m_nodes.find(mesh.nodeIds[n]);
+            epoch.nodes[n] = known == m_nodes.end() ? none : known->second;
+        }
+        if (epoch.nodes[n] == none) {
+            epoch.nodes[n] = addNode(mesh, n, pieces);
+        }
+        if (numbered) {
+            m_nodes[mesh.nodeIds[n]] = epoch.nodes[n];
+        }
+    }
+    if (!first && !byPlaces) {
+        matchByNodes(mesh, state, nodesBefore, epoch, elements);
+    }
+    addElements(mesh, epoch, elements);
+    epoch.elements = std::move(elements);
+    if (countsUp(epoch.elements)) {
+        epoch.elements = {};
+    }
+    if (countsUp(epoch.nodes)) {
+        epoch.nodes = {};
+    }
     m_epochs.push_back(std::move(epoch));
 }
 
-void MeshUnion::decideKey(const Mesh& mesh) {
+void MeshUnion::decideNumbers(const Mesh& mesh, const std::vector<MeshPiece>& pieces) {
     std::array<std::unordered_set<std::int64_t>, 3> seen;
     m_byNumber = !mesh.elementIds.empty();
     for (std::size_t e = 0; m_byNumber && e < mesh.elementCount(); ++e) {
@@ -51,39 +87,35 @@ void MeshUnion::decideKey(const Mesh& mesh) {
         m_findings.add({"fe.number_twice", "Elements share a number; they were told apart by their nodes", {}},
                        {"fe.number_twice.remedy", "Let the analysis number its elements uniquely.", {}}, m_path);
     }
-}
-
-void MeshUnion::addNodes(const Mesh& mesh, std::size_t state, MeshEpoch& epoch) {
-    const bool numbered = !mesh.nodeIds.empty();
-    if (!numbered && !m_epochs.empty() && mesh.nodeCount() != m_mesh.nodeCount()) {
-        throw ParseError({"fe.unnumbered_nodes",
-                          "{0}: state {1} has {2} nodes instead of {3}, and no numbers that say which",
-                          {m_path, state, mesh.nodeCount(), m_mesh.nodeCount()}},
-                         {"fe.unnumbered_nodes.remedy",
-                          "Write the series with node numbers (point data NODE_ID or GlobalNodeId), or keep all points.",
-                          {}});
-    }
-    epoch.nodes.resize(mesh.nodeCount());
-    for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
-        const auto next = static_cast<std::uint32_t>(m_mesh.nodes.size());
-        if (!numbered) {
-            epoch.nodes[n] = static_cast<std::uint32_t>(n);
-        } else {
-            epoch.nodes[n] = m_nodes.try_emplace(mesh.nodeIds[n], next).first->second;
+    m_nodesNumbered = !mesh.nodeIds.empty();
+    const double tolerance = placeTolerance(mesh.nodes);
+    std::unordered_map<std::int64_t, std::size_t> firstOf;
+    for (std::size_t n = 0; m_nodesNumbered && n < mesh.nodeIds.size(); ++n) {
+        const auto [known, isNew] = firstOf.try_emplace(mesh.nodeIds[n], n);
+        if (isNew) {
+            continue;
         }
-        if (epoch.nodes[n] == next) {
-            m_mesh.nodes.push_back(mesh.nodes[n]);
-            if (numbered) {
-                m_mesh.nodeIds.push_back(mesh.nodeIds[n]);
-            }
+        m_sharesNodes = m_sharesNodes || pieceOf(pieces, known->second) != pieceOf(pieces, n);
+        if ((mesh.nodes[known->second] - mesh.nodes[n]).cwiseAbs().maxCoeff() > tolerance) {
+            m_nodesNumbered = false;
+            m_sharesNodes = false;
+            m_findings.add({"fe.node_number_twice", "Node numbers stand for several places at once: they were not used", {}},
+                           {"fe.node_number_twice.remedy", "Let each processor write the numbers of the whole model.", {}},
+                           "node " + englishInteger(mesh.nodeIds[n]));
         }
-    }
-    if (countsUp(epoch.nodes)) {
-        epoch.nodes = {};
     }
 }
 
-MeshUnion::Tuple MeshUnion::cornersInUnion(const Mesh& mesh, std::size_t e, const MeshEpoch& epoch) const {
+std::uint32_t MeshUnion::addNode(const Mesh& mesh, std::size_t n, const std::vector<MeshPiece>& pieces) {
+    m_mesh.nodes.push_back(mesh.nodes[n]);
+    if (m_nodesNumbered && !mesh.nodeIds.empty()) {
+        m_mesh.nodeIds.push_back(mesh.nodeIds[n]);
+    }
+    m_pieceOfNode.push_back(pieces.empty() ? 0 : pieceOf(pieces, n));
+    return static_cast<std::uint32_t>(m_mesh.nodes.size() - 1);
+}
+
+MeshUnion::Tuple MeshUnion::cornersIn(const Mesh& mesh, std::size_t e, const MeshEpoch& epoch) const {
     Tuple corners;
     for (const std::uint32_t corner : mesh.cornersOf(idAt<ElementIndex>(e))) {
         corners.push_back(static_cast<std::uint32_t>(epoch.node(corner)));
@@ -91,37 +123,54 @@ MeshUnion::Tuple MeshUnion::cornersInUnion(const Mesh& mesh, std::size_t e, cons
     return corners;
 }
 
-void MeshUnion::addElements(const Mesh& mesh, std::size_t state, MeshEpoch& epoch) {
-    epoch.elements.resize(mesh.elementCount());
-    std::vector<bool> here(m_mesh.elementCount() + mesh.elementCount(), false);
-    for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
-        const Tuple corners = cornersInUnion(mesh, e, epoch);
-        const auto next = static_cast<std::uint32_t>(m_mesh.elementCount());
-        std::uint32_t position = next;
+void MeshUnion::addElements(const Mesh& mesh, const MeshEpoch& epoch, std::vector<std::uint32_t>& elements) {
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        if (elements[e] == none) {
+            elements[e] = addElement(mesh, e, cornersIn(mesh, e, epoch));
+        }
         if (m_byNumber && !mesh.elementIds.empty()) {
-            position = m_elements[kindOf(mesh.shapes[e])].try_emplace(mesh.elementIds[e], next).first->second;
-        } else {
-            Tuple key = corners;
-            std::sort(key.begin(), key.end());
-            position = m_tuples.try_emplace(std::move(key), next).first->second;
+            m_elements[kindOf(mesh.shapes[e])][mesh.elementIds[e]] = elements[e];
         }
-        if (here[position] && !m_epochs.empty()) {
-            throw ParseError(
-                {"fe.element_twice", "{0}: two elements of state {1} cannot be told apart (entry {2})", {m_path, state, e}},
-                {"fe.element_twice.remedy", "Write the series with a unique number for every element.", {}});
-        }
-        if (here[position]) {
-            position =
-                next;  // in the first mesh twins may stay: the same order tells them apart as long as the mesh does not change
-        }
-        here[position] = true;
-        if (position == next) {
-            addElement(mesh, e, corners);
-        }
-        epoch.elements[e] = position;
     }
-    if (countsUp(epoch.elements)) {
-        epoch.elements = {};
+}
+
+std::uint32_t MeshUnion::elementByNumber(const Mesh& mesh, std::size_t e) const {
+    if (!m_byNumber || mesh.elementIds.empty()) {
+        return none;
+    }
+    const auto& table = m_elements[kindOf(mesh.shapes[e])];
+    const auto found = table.find(mesh.elementIds[e]);
+    return found == table.end() ? none : found->second;
+}
+
+void MeshUnion::joinNodes(const std::vector<std::uint32_t>& standsFor) {
+    std::vector<std::uint32_t> place(standsFor.size(), 0);
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < standsFor.size(); ++n) {
+        if (standsFor[n] != n) {
+            place[n] = place[standsFor[n]];
+            continue;
+        }
+        place[n] = static_cast<std::uint32_t>(kept);
+        m_mesh.nodes[kept] = m_mesh.nodes[n];
+        m_pieceOfNode[kept] = m_pieceOfNode[n];
+        if (n < m_mesh.nodeIds.size()) {
+            m_mesh.nodeIds[kept] = m_mesh.nodeIds[n];
+        }
+        ++kept;
+    }
+    m_mesh.nodes.resize(kept);
+    m_pieceOfNode.resize(kept);
+    m_mesh.nodeIds.resize(std::min(kept, m_mesh.nodeIds.size()));
+    for (std::uint32_t& corner : m_mesh.corners) {
+        corner = place[corner];
+    }
+    for (MeshEpoch& epoch : m_epochs) {
+        std::vector<std::uint32_t> nodes(epoch.nodeCount);
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            nodes[i] = place[epoch.node(i)];
+        }
+        epoch.nodes = std::move(nodes);
     }
 }
 

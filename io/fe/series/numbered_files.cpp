@@ -98,6 +98,16 @@ void noteNumberGaps(const std::vector<std::string>& siblings, Findings& findings
     }
 }
 
+std::string takenForStates(const std::vector<std::string>& files) {
+    constexpr std::size_t shown = 3;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(files.size(), shown); ++i) {
+        names += (i == 0 ? "" : ", ") + Path(files[i]).filename().string();
+    }
+    const auto count = static_cast<std::int64_t>(files.size());
+    return files.size() > shown ? names + ", ... (" + englishInteger(count) + " files)" : names;
+}
+
 std::vector<std::string> filesBeside(const std::string& path) {
     const Path parent = Path(path).parent_path();
     std::vector<std::string> files;

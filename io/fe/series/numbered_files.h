@@ -24,6 +24,9 @@ std::vector<NumberGap> numberGaps(const std::vector<std::string>& siblings);
 /// Adds a finding for each.
 void noteNumberGaps(const std::vector<std::string>& siblings, Findings& findings);
 
+/// The names of files for people, the first three and how many there are: "s0.vtu, s1.vtu, s2.vtu, ... (12 files)".
+std::string takenForStates(const std::vector<std::string>& files);
+
 /// The regular files of the folder that a path lies in, each as it would be given beside that path, sorted. Never throws.
 std::vector<std::string> filesBeside(const std::string& path);
 

@@ -10,8 +10,11 @@
 #include "core/base/nearest_names.h"
 #include "core/base/unknown.h"
 #include "io/fe/node_fields.h"
+#include "io/fe/pieces/doubled_points.h"
+#include "io/fe/pieces/duplicate_cells.h"
 #include "io/fe/series/death_list.h"
 #include "io/fe/series/flag_meaning.h"
+#include "io/fe/series/later_branch.h"
 #include "io/fe/series/mesh_union.h"
 
 namespace rubble::io {
@@ -21,17 +24,26 @@ namespace {
 /// How the states of a series stand in the union of their meshes.
 struct SeriesEpochs {
     std::vector<MeshEpoch> list;
-    std::vector<std::uint32_t> ofState;  // [states]
+    std::vector<std::uint32_t> ofState;  // [states that count]
+    std::vector<std::size_t> written;    // which of the states that were written each is
 };
+
+NodeFields fieldsOf(const MeshSeries& series, const SeriesEpochs& epochs, std::size_t nodes, const std::string& path,
+                    std::size_t k);
 
 /// Reads the steps of a series into one mesh and its activity.
 class SeriesJoin {
 public:
     SeriesJoin(const std::string& path, MeshSeries& series, const ImportSettings& settings, const Execution& execution)
-        : m_path(path), m_series(series), m_settings(settings), m_execution(execution), m_union(path) {}
+        : m_path(path), m_series(series), m_settings(settings), m_execution(execution), m_union(path, series.timed()) {}
 
     void run() {
+        m_epochs.written = laterBranch(m_series.times(), m_findings);
+        for (const std::size_t written : m_epochs.written) {
+            times.push_back(m_series.times()[written]);
+        }
         readSteps();
+        joinPoints();
         m_epochs.list = m_union.epochs();
         m_findings.append(m_series.findings());
         mesh = std::make_shared<const Mesh>(m_union.finish(m_findings));
@@ -44,31 +56,57 @@ public:
     Findings takeFindings() { return std::move(m_findings); }
 
     std::shared_ptr<const Mesh> mesh;
+    std::vector<double> times;  // of the states that count
     Activity activity;
     std::string activityFrom;
     std::vector<double> deathTime;
 
 private:
+    // Every step is read, since one may have the mesh of the one before; those of an abandoned branch are not kept.
     void readSteps() {
         const Message stage{"fe.steps", "Reading active elements", {}};
-        const std::size_t states = m_series.times().size();
-        for (std::size_t k = 0; k < states; ++k) {
-            m_execution.report(stage, static_cast<double>(k) / static_cast<double>(states));
-            SeriesStep step = m_series.step(k);
+        std::optional<SeriesStep> withMesh;
+        for (std::size_t written = 0; written < m_series.times().size(); ++written) {
+            m_execution.report(stage, static_cast<double>(written) / static_cast<double>(m_series.times().size()));
+            SeriesStep step = m_series.step(written);
+            m_duplicates.leaveOut(step, m_findings);
+            const std::size_t k = m_steps.size();
+            std::vector<double> flags = std::move(step.flags);
             if (step.mesh) {
-                m_union.add(*step.mesh, k);
+                withMesh = std::move(step);
+            }
+            if (k >= m_epochs.written.size() || m_epochs.written[k] != written) {
+                continue;
+            }
+            if (withMesh) {
+                m_union.add(*withMesh->mesh, withMesh->pieces, k);
+                withMesh.reset();
             }
             const auto epoch = static_cast<std::uint32_t>(m_union.epochs().size() - 1);
             m_epochs.ofState.push_back(epoch);
-            if (!step.flags.empty() && step.flags.size() != m_union.epochs()[epoch].elementCount) {
+            if (!flags.empty() && flags.size() != m_union.epochs()[epoch].elementCount) {
                 throw ParseError({"fe.flag_count",
                                   "{0}: {1} at state {2} has {3} values for {4} elements",
-                                  {m_path, m_series.flag().name, k, step.flags.size(), m_union.epochs()[epoch].elementCount}},
+                                  {m_path, m_series.flag().name, k, flags.size(), m_union.epochs()[epoch].elementCount}},
                                  {"fe.flag_count.remedy", "The file is damaged: copy it again or write it again.", {}});
             }
-            readFlags(k, step.flags);
+            readFlags(k, flags);
         }
         m_execution.report(stage, 1.0);
+    }
+
+    void joinPoints() {
+        m_epochs.list = m_union.epochs();
+        const WrittenPoints points{
+            m_union.mesh(),
+            m_union.pieceOfNode(),
+            m_union.numbersNodes(),
+            m_union.sharesNodes(),
+            m_epochs.written.size(),
+            [this](std::size_t k) { return fieldsOf(m_series, m_epochs, m_union.mesh().nodeCount(), m_path, k).positions; }};
+        if (const std::vector<std::uint32_t> standsFor = doubledPoints(points, m_execution, m_findings); !standsFor.empty()) {
+            m_union.joinNodes(standsFor);
+        }
     }
 
     // One bit an element and state: what is there and active.
@@ -202,7 +240,7 @@ private:
 
     void applyEntry(const DeathEntry& entry, std::uint32_t e) {
         for (std::size_t k = 0; k < m_steps.size(); ++k) {
-            if (m_series.times()[k] >= entry.time) {
+            if (times[k] >= entry.time) {
                 activity.set(k, idAt<ElementIndex>(e), entry.active);
             }
         }
@@ -248,6 +286,13 @@ private:
         if (known.empty()) {
             return;
         }
+        if (m_union.renumbered()) {
+            m_findings.add(
+                {"fe.renumbered_times", "Exact times of death were left out: numbers do not stay with their elements", {}},
+                {"fe.renumbered_times.remedy", "Nothing to do: these deaths are known by their states.", {}}, m_path,
+                static_cast<std::int64_t>(known.size()));
+            return;
+        }
         const std::unordered_map<std::int64_t, double> byNumber{known.begin(), known.end()};
         deathTime.assign(mesh->elementCount(), unknown);
         for (std::size_t e = 0; e < mesh->elementCount(); ++e) {
@@ -262,6 +307,7 @@ private:
     const ImportSettings& m_settings;
     const Execution& m_execution;
     MeshUnion m_union;
+    DuplicateCells m_duplicates;
     SeriesEpochs m_epochs;
     Findings m_findings;
     std::optional<FlagMeaning> m_meaning;
@@ -271,7 +317,7 @@ private:
 
 NodeFields fieldsOf(const MeshSeries& series, const SeriesEpochs& epochs, std::size_t nodes, const std::string& path,
                     std::size_t k) {
-    const SeriesFields fields = series.fields(k);
+    const SeriesFields fields = series.fields(epochs.written[k]);
     const MeshEpoch& epoch = epochs.list[epochs.ofState[k]];
     if (fields.positions.size() != epoch.nodeCount || (!fields.velocities.empty() && fields.velocities.size() != epoch.nodeCount)) {
         throw ParseError({"fe.state_changed",
@@ -307,7 +353,7 @@ FeResult::Contents readSeries(const std::string& path, std::shared_ptr<MeshSerie
     join.run();
     FeResult::Contents contents;
     contents.mesh = join.mesh;
-    contents.times = series->times();
+    contents.times = join.times;
     contents.hasVelocity = series->hasVelocity();
     contents.activity = join.activity;
     contents.activityFrom = join.activityFrom;
@@ -316,7 +362,7 @@ FeResult::Contents readSeries(const std::string& path, std::shared_ptr<MeshSerie
     const auto read = [series, epochs = join.takeEpochs(), nodes = join.mesh->nodeCount(), path](std::size_t k) {
         return fieldsOf(*series, epochs, nodes, path, k);
     };
-    contents.source = std::make_shared<const FieldSource>(path, join.mesh, join.activity, series->times(), read);
+    contents.source = std::make_shared<const FieldSource>(path, join.mesh, join.activity, contents.times, read);
     return contents;
 }
 

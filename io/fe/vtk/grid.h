@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "io/fe/series/mesh_series.h"
 
 namespace rubble::io {
 
@@ -30,6 +31,9 @@ struct Grid {
     std::vector<GridArray> cellData;
     std::vector<std::string> componentNames;  ///< of the field component_names; the cell array component indexes them
     std::optional<double> time;               ///< s, where the grid itself says it
+    std::vector<MeshPiece> pieces;            ///< where each of several pieces ends (cells for elements); empty: it is one
+    std::size_t storedCells = 0;              ///< in the file, whether or not cells were read
+    bool vacant = false;                      ///< a piece without points and cells: a processor that had nothing
 
     std::size_t cellCount() const { return types.size(); }
 };
@@ -49,7 +53,8 @@ struct GridSelection {
 /// The array of this name, nullptr if there is none.
 const GridArray* findArray(const std::vector<GridArray>& arrays, const std::string& name);
 
-/// Adds a grid behind another: its points get their own positions. Arrays that only one of them has are dropped.
+/// Adds a grid behind another as a piece of its own: its points get their own positions. Point arrays that only one of them has are
+/// dropped; cell arrays have no number where one lacks them. A vacant grid adds nothing.
 void appendGrid(Grid& grid, const Grid& more);
 
 /// A series of grids, one a state. Implementations throw ParseError or WorldError naming the file.

@@ -1,17 +1,14 @@
 #include "io/fe/vtk/grid_index.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <array>
 #include <filesystem>
-#include <fstream>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <pugixml.hpp>
-#include <sstream>
 
 #include "core/base/error.h"
 #include "io/fe/series/numbered_files.h"
+#include "io/fe/vtk/index_text.h"
+#include "io/fe/vtk/piece_index.h"
+#include "io/fe/vtk/time_index.h"
 
 namespace rubble::io {
 
@@ -19,143 +16,112 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr std::uintmax_t longestIndex = std::uintmax_t{64} << 20;
+constexpr int foldersAbove = 2;
 
-[[noreturn]] void failIndex(const std::string& path, const std::string& why) {
-    throw ParseError({"vtk.index", "{0} is no index of a VTK series: {1}", {path, why}},
-                     {"vtk.index.remedy", "Write it again, or give one of the series' own files.", {}});
+bool isTimeIndex(const std::string& head) {
+    return head.find("\"file-series-version\"") != std::string::npos || vtkTypeOf(head) == "Collection";
 }
 
-std::string textOf(const std::string& path) {
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (!error && size > longestIndex) {
-        failIndex(path, "it is larger than an index can be");
-    }
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-// An entry names a file beside the index or below.
-std::string besides(const std::string& index, const std::string& name) {
-    if (name.empty()) {
-        failIndex(index, "an entry names no file");
-    }
-    return (Path(index).parent_path() / name).string();
-}
-
-void requireMember(const std::string& index, const std::string& path) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) {
-        throw WorldError({"vtk.member", "{0} names the file {1}, which is not there", {index, path}},
-                         {"vtk.member.remedy", "Copy the whole series, or remove the entry.", {}});
-    }
-}
-
-pugi::xml_document xmlOf(const std::string& path) {
-    pugi::xml_document document;
-    const std::string text = textOf(path);
-    const auto result = document.load_buffer(text.data(), text.size());
-    if (!result) {
-        failIndex(path, std::string(result.description()) + " at byte " + std::to_string(result.offset));
-    }
-    return document;
-}
-
-std::vector<GridEntry> fromPvd(const std::string& path) {
-    const pugi::xml_document document = xmlOf(path);
-    std::map<double, GridEntry> byTime;
-    for (const pugi::xml_node node : document.child("VTKFile").child("Collection").children("DataSet")) {
-        const std::string text = node.attribute("timestep").as_string("0");
-        double time = 0.0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), time);
-        if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(time)) {
-            failIndex(path, "the timestep \"" + text.substr(0, 40) + "\" is no number");
-        }
-        GridEntry& entry = byTime[time];
-        entry.time = time;
-        entry.files.push_back(besides(path, node.attribute("file").as_string()));
-    }
-    std::vector<GridEntry> entries;
-    for (auto& [time, entry] : byTime) {
-        entries.push_back(std::move(entry));
-    }
-    return entries;
-}
-
-std::vector<GridEntry> fromPieces(const std::string& path) {
-    const pugi::xml_document document = xmlOf(path);
-    GridEntry entry;
-    for (const pugi::xml_node node : document.child("VTKFile").child("PUnstructuredGrid").children("Piece")) {
-        entry.files.push_back(besides(path, node.attribute("Source").as_string()));
-        requireMember(path, entry.files.back());
-    }
-    return {entry};
-}
-
-std::vector<GridEntry> fromSeries(const std::string& path) {
-    std::vector<GridEntry> entries;
-    try {
-        const nlohmann::json json = nlohmann::json::parse(textOf(path));
-        for (const nlohmann::json& file : json.at("files")) {
-            entries.push_back({file.at("time").get<double>(), {besides(path, file.at("name").get<std::string>())}});
-        }
-    } catch (const nlohmann::json::exception& error) {
-        failIndex(path, error.what());
-    }
-    std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return *a.time < *b.time; });
-    return entries;
-}
-
-std::string headOf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string head(4096, '\0');
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(file.gcount()));
-    return head;
-}
-
-bool isSeries(const std::string& head) {
-    return head.find("\"file-series-version\"") != std::string::npos;
-}
-
-bool isCollection(const std::string& head) {
-    return head.find("<VTKFile") != std::string::npos && head.find("type=\"Collection\"") != std::string::npos;
-}
-
-bool isIndex(const std::string& head) {
-    return isSeries(head) || isCollection(head);
-}
-
-std::vector<GridEntry> entriesOf(const std::string& index, const std::string& head) {
-    return isSeries(head) ? fromSeries(index) : fromPvd(index);
+std::vector<ListedFile> listedBy(const std::string& index, const std::string& head) {
+    return vtkTypeOf(head) == "Collection" ? listedByPvd(index) : listedBySeries(index);
 }
 
 // Whether or not they are there.
-std::vector<std::string> listed(const std::string& index, const std::string& head) {
+std::vector<std::string> namesListed(const std::string& index, const std::string& head) {
     std::vector<std::string> files;
-    for (const GridEntry& entry : entriesOf(index, head)) {
-        files.insert(files.end(), entry.files.begin(), entry.files.end());
+    for (const ListedFile& entry : listedBy(index, head)) {
+        files.push_back(entry.file);
     }
     return files;
 }
 
+void addPieces(const std::string& index, const std::string& file, GridEntry& entry) {
+    requireMember(index, file);
+    const StatePieces pieces = piecesOfState(file);
+    entry.files.insert(entry.files.end(), pieces.grids.begin(), pieces.grids.end());
+    entry.indices.insert(entry.indices.end(), pieces.indices.begin(), pieces.indices.end());
+    entry.left.insert(entry.left.end(), pieces.left.begin(), pieces.left.end());
+}
+
+bool sameFile(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    return Path(a).filename() == Path(b).filename() &&
+           std::filesystem::absolute(a, ignored).lexically_normal() == std::filesystem::absolute(b, ignored).lexically_normal();
+}
+
+bool endsAsIndex(const std::string& name) {
+    constexpr std::array<const char*, 8> endings{".pvd", ".series", ".pvtu", ".vtm", ".vtmb", ".vth", ".vtpc", ".vtpd"};
+    return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return name.ends_with(ending); });
+}
+
+// Files that may name this one: in its folder and in those above.
+std::vector<std::string> indicesNear(const std::string& path) {
+    std::vector<std::string> near;
+    std::string beside = path;
+    for (int above = 0; above <= foldersAbove; ++above) {
+        for (const std::string& other : filesBeside(beside)) {
+            if (endsAsIndex(other) && !sameFile(other, path)) {
+                near.push_back(other);
+            }
+        }
+        const Path folder = Path(beside).parent_path();
+        if (folder.empty() || folder == folder.root_path()) {
+            break;
+        }
+        beside = folder.string();
+    }
+    return near;
+}
+
+// An index of times that lists the file, else an index of pieces that names it; empty: there is none.
+std::string indexNaming(const std::string& path, bool timesToo) {
+    std::string pieces;
+    for (const std::string& candidate : indicesNear(path)) {
+        try {
+            const std::string head = headOfFile(candidate);
+            const bool times = isTimeIndex(head);
+            if ((times && !timesToo) || (!times && !isPieceIndex(vtkTypeOf(head)))) {
+                continue;
+            }
+            const std::vector<std::string> files = times ? namesListed(candidate, head) : namedPieces(candidate);
+            const bool names = std::any_of(files.begin(), files.end(), [&](const auto& file) { return sameFile(file, path); });
+            if (names && times) {
+                return candidate;
+            }
+            if (names && pieces.empty()) {
+                pieces = candidate;
+            }
+        } catch (const std::exception&) {
+            // What cannot be read as an index names nothing; opening it says why.
+        }
+    }
+    return pieces;
+}
+
 }  // namespace
 
-std::vector<GridEntry> indexGrids(const std::string& path) {
-    const std::string head = headOf(path);
+std::vector<GridEntry> indexGrids(const std::string& path, bool alone) {
+    const std::string head = headOfFile(path);
     std::vector<GridEntry> entries;
-    if (isIndex(head)) {
-        entries = entriesOf(path, head);
-    } else if (head.find("type=\"PUnstructuredGrid\"") != std::string::npos) {
-        for (const std::string& sibling : numberedSiblings(path)) {
-            entries.push_back(fromPieces(sibling).front());
+    if (isTimeIndex(head)) {
+        for (const ListedState& state : statesListed(listedBy(path, head))) {
+            entries.push_back({state.time, {}, {}, {}});
+            for (const std::string& file : state.files) {
+                addPieces(path, file, entries.back());
+            }
         }
-    } else if (head.starts_with("# vtk DataFile") || head.find("type=\"UnstructuredGrid\"") != std::string::npos) {
-        for (const std::string& sibling : numberedSiblings(path)) {
-            entries.push_back({std::nullopt, {sibling}});
+    } else if (head.starts_with("# vtk DataFile") || vtkTypeOf(head) == "UnstructuredGrid" || isPieceIndex(vtkTypeOf(head))) {
+        const std::vector<std::string> siblings = alone ? std::vector<std::string>{path} : numberedSiblings(path);
+        for (const std::string& sibling : siblings) {
+            try {
+                addPieces(path, sibling, entries.emplace_back());
+            } catch (const ParseError&) {
+                // The last index may still be being written: its grid is not whole either.
+                if (siblings.size() == 1 || sibling != siblings.back()) {
+                    throw;
+                }
+                entries.back() = {std::nullopt, {sibling}, {}, {}};
+            }
         }
     } else {
         throw ParseError({"vtk.kind", "{0} is a VTK file, but no unstructured grid", {path}},
@@ -164,43 +130,38 @@ std::vector<GridEntry> indexGrids(const std::string& path) {
     if (entries.empty() || entries.front().files.empty()) {
         failIndex(path, "it names no files");
     }
-    for (const GridEntry& entry : entries) {
-        for (const std::string& file : entry.files) {
-            requireMember(path, file);
-        }
-    }
     return entries;
 }
 
 std::vector<std::string> numberedGrids(const std::string& path) {
-    return isIndex(headOf(path)) ? std::vector<std::string>{} : numberedSiblings(path);
+    return isTimeIndex(headOfFile(path)) ? std::vector<std::string>{} : numberedSiblings(path);
+}
+
+std::string wholeOfPiece(const std::string& path) {
+    return indexNaming(path, false);
 }
 
 std::string canonicalIndex(const std::string& path) {
+    std::string current = path;
+    for (int depth = 0; depth < 8 && !isTimeIndex(headOfFile(current)); ++depth) {
+        const std::string index = indexNaming(current, true);
+        if (index.empty()) {
+            return current;
+        }
+        current = index;
+    }
     try {
-        const std::string head = headOf(path);
-        const std::vector<std::string> own = isIndex(head) ? listed(path, head) : std::vector<std::string>{path};
-        if (own.empty()) {
-            return path;
-        }
-        std::vector<std::string> candidates;
-        for (const std::string& other : filesBeside(path)) {
-            if (other.ends_with(".pvd") || other.ends_with(".series")) {
-                candidates.push_back(other);
-            }
-        }
-        for (const std::string& candidate : candidates) {
-            const std::string first = headOf(candidate);
-            const std::vector<std::string> files = isIndex(first) ? listed(candidate, first) : std::vector<std::string>{};
-            const bool lists = std::find(files.begin(), files.end(), own.front()) != files.end();
-            if (isIndex(head) ? files == own : lists) {
+        const std::vector<std::string> own = namesListed(current, headOfFile(current));
+        for (const std::string& candidate : filesBeside(current)) {
+            const std::string head = endsAsIndex(candidate) ? headOfFile(candidate) : std::string();
+            if (!own.empty() && isTimeIndex(head) && namesListed(candidate, head) == own) {
                 return candidate;
             }
         }
     } catch (const std::exception&) {
         // What cannot be read as an index stands for itself; opening it says why.
     }
-    return path;
+    return current;
 }
 
 }  // namespace rubble::io

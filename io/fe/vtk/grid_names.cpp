@@ -44,6 +44,8 @@ void chooseFlag(const std::vector<std::string>& scalars, const ImportSettings& s
         names.flag.activeByName = names.flag.name.empty() ? std::nullopt : std::optional(0);
     }
     names.ghostFlag = findAny({names.flag.name}, {"vtkghosttype"}) == 0;
+    names.ghostNamed = names.ghostFlag && !settings.statusVariable.empty();
+    names.ghost = choose(scalars, {"vtkghosttype", "vtkghostlevels", "ghostrank"});
     if (names.ghostFlag) {
         names.flag.activeByName = 0;
     }

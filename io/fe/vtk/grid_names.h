@@ -12,9 +12,11 @@ namespace rubble::io {
 /// Which arrays of a grid mean what; empty where there is none.
 struct GridNames {
     SeriesFlag flag;
-    bool ghostFlag = false;  ///< the flag is vtkGhostType, whose bits are looked at
-    std::string component;   ///< index into the names of components that the grid has
-    std::string atRest;      ///< places of the nodes at rest
+    bool ghostFlag = false;   ///< the flag is vtkGhostType, whose bits are looked at
+    bool ghostNamed = false;  ///< because the settings say so
+    std::string ghost;        ///< marks cells that are copies of another piece's
+    std::string component;    ///< index into the names of components that the grid has
+    std::string atRest;       ///< places of the nodes at rest
     std::string element, node, part, density, thickness, area, displacement, velocity;
     std::string deathTime;
 };

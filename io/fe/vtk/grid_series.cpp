@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "io/fe/exodus/exodus_names.h"
 #include "io/fe/series/cell_shapes.h"
 #include "io/fe/series/numbered_files.h"
 
@@ -14,8 +15,8 @@ namespace rubble::io {
 
 namespace {
 
-// Bits of vtkGhostType on cells: duplicate (vtkLSDynaReader sets it on the dead) and hidden.
-constexpr unsigned ghostDead = 1u | 32u;
+// Bits of vtkGhostType on cells; vtkLSDynaReader marks the dead as duplicates.
+constexpr unsigned duplicateCell = 1u, hiddenCell = 32u;
 // Some writers say "never" by a very large time.
 constexpr double latestTime = 1e15;
 
@@ -91,6 +92,7 @@ GridSeries::GridSeries(std::string path, std::unique_ptr<const GridSource> sourc
     const Grid first = m_source->read(0, all);
     m_names = chooseGridNames(first, settings, m_path);
     m_facts.times = m_source->times();
+    dropUnfinished(all);
     m_facts.flag = m_names.flag;
     m_facts.hasVelocity = !m_names.velocity.empty();
     m_componentNames = first.componentNames;
@@ -100,10 +102,14 @@ GridSeries::GridSeries(std::string path, std::unique_ptr<const GridSource> sourc
     }
 }
 
-void GridSeries::noteMissingTimes() {
+void GridSeries::noteMissingTimes(const std::vector<std::string>& files) {
+    m_facts.timed = false;
     m_facts.findings.add({"vtk.no_times", "The series does not say when its states are: they were taken one second apart", {}},
-                         {"vtk.no_times.remedy", "Give a .pvd or .series file with the times, or files with TimeValue.", {}},
-                         m_path, static_cast<std::int64_t>(times().size()));
+                         {"vtk.no_times.remedy",
+                          "Give a .pvd or .series file with the times, or files with TimeValue; if the files are no states of one "
+                          "analysis, set only_this_file=true.",
+                          {}},
+                         takenForStates(files), static_cast<std::int64_t>(times().size()));
 }
 
 void GridSeries::noteUnfinished(const std::string& file) {
@@ -111,8 +117,26 @@ void GridSeries::noteUnfinished(const std::string& file) {
                          {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, file);
 }
 
+void GridSeries::noteLeftBlock(const std::string& file) {
+    m_facts.findings.add({"vtk.left_block", "Blocks that are no unstructured grid were left out", {}},
+                         {"vtk.left_block.remedy", "Write them as unstructured grids if the structure is made of them.", {}}, file);
+}
+
 void GridSeries::noteGaps(const std::vector<std::string>& numbered) {
     noteNumberGaps(numbered, m_facts.findings);
+}
+
+// The last state of a file may have a time before its tables are written.
+void GridSeries::dropUnfinished(const GridSelection& all) {
+    const std::size_t last = m_facts.times.size() - 1;
+    try {
+        if (last > 0) {
+            requireLengths(m_source->read(last, all), m_path, last);
+        }
+    } catch (const Error&) {
+        m_facts.times.pop_back();
+        noteUnfinished(m_path + ", state " + englishInteger(static_cast<std::int64_t>(last)));
+    }
 }
 
 void GridSeries::decideDisplacement(const Grid& first) {
@@ -137,6 +161,7 @@ SeriesStep GridSeries::step(std::size_t k) {
     selection.points = !same;
     selection.cellArrays = {m_names.flag.name};
     if (!same) {
+        selection.cellArrays.push_back(m_names.ghost);
         selection.cellArrays.insert(selection.cellArrays.end(), tell.begin(), tell.end());
         selection.pointArrays = {m_names.node, m_names.atRest};
     }
@@ -157,9 +182,11 @@ SeriesStep GridSeries::step(std::size_t k) {
         feed(grid.cellData, m_names.part);
         feed(grid.cellData, m_names.component);
         feed(grid.pointData, m_names.node);
+        feed(grid.cellData, m_names.ghost == m_names.flag.name ? std::string() : m_names.ghost);
         const Digest cells = hasher.finish();
         if (k == 0 || !(cells == m_cells)) {
             step.mesh = meshOf(grid, k);
+            findGhosts(grid, k, step);
             m_cells = cells;
         }
     }
@@ -170,12 +197,52 @@ SeriesStep GridSeries::step(std::size_t k) {
                              "{0}: {1} at state {2} has {3} values and ends before cell {4}",
                              {m_path, m_names.flag.name, k, flags->values.size(), cell}});
             }
-            const double value = flags->values[cell];
-            const bool ghost = m_names.ghostFlag && value >= 0.0 && value < 256.0;
-            step.flags.push_back(ghost ? ((static_cast<unsigned>(value) & ghostDead) != 0 ? 1.0 : 0.0) : value);
+            step.flags.push_back(m_names.ghostFlag ? flagOf(flags->values[cell]) : flags->values[cell]);
         }
     }
     return step;
+}
+
+// By the name of the mark: bits of vtkGhostType, layers of vtkGhostLevels, the rank of the owner.
+bool GridSeries::isGhost(double value) const {
+    if (findAny({m_names.ghost}, {"vtkghosttype"}) == 0) {
+        return value >= 0.0 && value < 256.0 && (static_cast<unsigned>(value) & duplicateCell) != 0;
+    }
+    return findAny({m_names.ghost}, {"vtkghostlevels"}) == 0 ? value > 0.0 : value >= 0.0;
+}
+
+// Copies of another piece are not dead: the mark tells death only in one piece, and where nothing bears it from the first.
+double GridSeries::flagOf(double value) const {
+    const bool copies = m_inPieces || (m_copiesAtFirst && !m_names.ghostNamed);
+    const unsigned dead = copies ? hiddenCell : duplicateCell | hiddenCell;
+    return value >= 0.0 && value < 256.0 ? ((static_cast<unsigned>(value) & dead) != 0 ? 1.0 : 0.0) : value;
+}
+
+void GridSeries::findGhosts(const Grid& grid, std::size_t k, SeriesStep& step) {
+    m_inPieces = grid.pieces.size() > 1;
+    const GridArray* marks = m_names.ghost.empty() ? nullptr : findArray(grid.cellData, m_names.ghost);
+    std::int64_t count = 0;
+    for (const std::size_t cell : m_kept) {
+        const bool ghost = marks && cell < marks->values.size() && isGhost(marks->values[cell]);
+        count += ghost ? 1 : 0;
+        if (m_inPieces) {
+            step.ghosts.push_back(ghost);
+        }
+    }
+    for (const MeshPiece& piece : grid.pieces) {
+        const auto end = std::lower_bound(m_kept.begin(), m_kept.end(), piece.elements);
+        step.pieces.push_back({piece.nodes, static_cast<std::size_t>(end - m_kept.begin())});
+    }
+    if (k == 0 && count > 0 && !m_inPieces && m_names.ghostFlag && !m_names.ghostNamed) {
+        m_copiesAtFirst = true;
+        m_facts.findings.add({"vtk.copies",
+                              "Cells are marked as copies ({0}) from the first state on: the mark was not taken for death",
+                              {m_names.ghost}},
+                             {"vtk.copies.remedy",
+                              "Open all pieces of the result; if the mark tells death, set status_variable={0}.",
+                              {m_names.ghost}},
+                             m_path, count);
+    }
 }
 
 bool GridSeries::left(const Grid& grid, std::size_t cell) {

@@ -23,17 +23,24 @@ public:
     SeriesFields fields(std::size_t k) const override;
     std::vector<std::pair<std::int64_t, double>> deathTimes() const override;
     /// Counts that nobody says when the states are, so that they were counted.
-    void noteMissingTimes();
+    /// @param files  that were taken for states
+    void noteMissingTimes(const std::vector<std::string>& files);
     /// Counts a last state that was left out because it is not whole.
     void noteUnfinished(const std::string& file);
+    /// Counts a block of a state that is no unstructured grid.
+    void noteLeftBlock(const std::string& file);
     /// Counts numbers that are missing between files that are states by their numbers.
     void noteGaps(const std::vector<std::string>& numbered);
 
 private:
+    void dropUnfinished(const GridSelection& all);
     void decideDisplacement(const Grid& first);
     Mesh meshOf(const Grid& grid, std::size_t k);
     void addCell(const Grid& grid, std::size_t cell, std::size_t k, Mesh& mesh);
     std::uint32_t partOf(std::int64_t id, ElementShape shape, Mesh& mesh) const;
+    bool isGhost(double value) const;
+    double flagOf(double value) const;
+    void findGhosts(const Grid& grid, std::size_t k, SeriesStep& step);
     std::uint32_t componentOf(std::int64_t index, std::int64_t id, Mesh& mesh) const;
     bool left(const Grid& grid, std::size_t cell);
 
@@ -44,6 +51,8 @@ private:
     bool m_moves = false;             ///< points stay, the displacement moves
     Digest m_cells;                   ///< of the newest step
     std::vector<std::size_t> m_kept;  ///< cells of the newest step that are elements
+    bool m_inPieces = false;          ///< the newest mesh is
+    bool m_copiesAtFirst = false;     ///< cells are marked as copies at the first state: then the mark tells no death
 };
 
 }  // namespace rubble::io

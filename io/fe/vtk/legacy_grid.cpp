@@ -36,6 +36,8 @@ public:
             readSection(upper(word));
         }
         finish();
+        m_grid.storedCells = static_cast<std::size_t>(m_cells);
+        m_grid.vacant = m_points == 0 && m_cells == 0;
         return std::move(m_grid);
     }
 

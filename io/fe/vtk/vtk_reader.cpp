@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "core/base/error.h"
 #include "io/fe/series/series_result.h"
@@ -13,18 +14,33 @@ namespace rubble::io {
 
 namespace {
 
+bool isEmpty(const std::string& file) {
+    std::error_code error;
+    return std::filesystem::file_size(file, error) == 0 && !error;
+}
+
 /// Grids in files of their own.
 class FileGrids : public GridSource {
 public:
-    explicit FileGrids(const std::string& path) : m_entries(indexGrids(path)) {
+    FileGrids(const std::string& path, bool alone) : m_entries(indexGrids(path, alone)) {
         dropUnfinished();
         readTimes();
     }
 
     const std::vector<double>& times() const override { return m_times; }
     bool timed() const { return m_timed; }
-    /// The last file of the series, if it was not whole and left out.
-    const std::string& unfinished() const { return m_unfinished; }
+    /// The last files of the series, if they were not whole and left out.
+    const std::vector<std::string>& unfinished() const { return m_unfinished; }
+    /// Blocks of the first state that are no unstructured grid.
+    const std::vector<std::string>& left() const { return m_entries.front().left; }
+    /// The first file of each state.
+    std::vector<std::string> firstFiles() const {
+        std::vector<std::string> files;
+        for (const GridEntry& entry : m_entries) {
+            files.push_back(entry.indices.empty() ? entry.files.front() : entry.indices.front());
+        }
+        return files;
+    }
 
     Grid read(std::size_t k, const GridSelection& selection) const override {
         const std::vector<std::string>& parts = m_entries[k].files;
@@ -40,15 +56,23 @@ public:
     }
 
 private:
-    // The last state of a series may still be being written.
+    // The last states of a series may still be being written.
     void dropUnfinished() {
-        if (m_entries.size() > 1) {
-            try {
-                requireWholeGrids(m_entries.back().files);
-            } catch (const ParseError&) {
-                m_unfinished = m_entries.back().files.front();
-                m_entries.pop_back();
-            }
+        while (m_entries.size() > 1 && !isWhole(m_entries.back().files)) {
+            m_unfinished.push_back(m_entries.back().files.empty() ? std::string() : m_entries.back().files.front());
+            m_entries.pop_back();
+        }
+    }
+
+    static bool isWhole(const std::vector<std::string>& files) {
+        if (files.empty() || std::any_of(files.begin(), files.end(), isEmpty)) {
+            return false;
+        }
+        try {
+            requireWholeGrids(files);
+            return true;
+        } catch (const ParseError&) {
+            return false;
         }
     }
 
@@ -65,20 +89,15 @@ private:
             }
             m_timed &= entry.time.has_value();
         }
-        if (m_timed && !std::is_sorted(m_entries.begin(), m_entries.end(), before)) {
-            std::stable_sort(m_entries.begin(), m_entries.end(), before);
-        }
         for (std::size_t k = 0; k < m_entries.size(); ++k) {
             m_times.push_back(m_timed ? *m_entries[k].time : static_cast<double>(k));
         }
     }
 
-    static bool before(const GridEntry& a, const GridEntry& b) { return *a.time < *b.time; }
-
     std::vector<GridEntry> m_entries;
     std::vector<double> m_times;
     bool m_timed = true;
-    std::string m_unfinished;
+    std::vector<std::string> m_unfinished;
 };
 
 bool listsLegacy(const FileHead& head) {
@@ -98,10 +117,14 @@ bool recognisesVtkLegacy(const FileHead& head) {
 }
 
 std::vector<std::string> vtkMembers(const std::string& path) {
-    const std::string index = canonicalIndex(path);
+    std::string index = canonicalIndex(path);
+    if (const std::vector<std::string> numbered = numberedGrids(index); !numbered.empty() && (index != path || isEmpty(path))) {
+        // Whichever piece was given, or a file that is still empty: the first of the series stands for all.
+        index = numbered.front();
+    }
     std::vector<std::string> files;
     try {
-        for (const GridEntry& entry : indexGrids(index)) {
+        for (const GridEntry& entry : indexGrids(index, false)) {
             files.insert(files.end(), entry.files.begin(), entry.files.end());
         }
     } catch (const std::exception&) {
@@ -114,18 +137,41 @@ std::vector<std::string> vtkMembers(const std::string& path) {
     return withDeathList(std::move(files));
 }
 
+std::vector<std::string> vtkFilesAlone(const std::string& path) {
+    std::vector<std::string> files{path};
+    try {
+        for (const GridEntry& entry : indexGrids(path, true)) {
+            std::copy_if(entry.files.begin(), entry.files.end(), std::back_inserter(files),
+                         [&](const std::string& file) { return file != path; });
+        }
+    } catch (const std::exception&) {
+        // Opening it says why.
+    }
+    return withDeathList(std::move(files));
+}
+
+bool isVtkPiece(const std::string& path) {
+    return !wholeOfPiece(path).empty();
+}
+
 FeResult::Contents readVtk(const std::string& path, const ImportSettings& settings, const Execution& execution) {
-    auto source = std::make_unique<const FileGrids>(path);
-    const bool timed = source->timed();
-    const std::string unfinished = source->unfinished();
+    auto source = std::make_unique<const FileGrids>(path, settings.onlyThisFile);
+    const FileGrids& grids = *source;
+    const bool timed = grids.timed();
+    const std::vector<std::string> unfinished = grids.unfinished(), left = grids.left(), states = grids.firstFiles();
     const auto series = std::make_shared<GridSeries>(path, std::move(source), settings);
     if (!timed) {
-        series->noteMissingTimes();
+        series->noteMissingTimes(states);
     }
-    if (!unfinished.empty()) {
-        series->noteUnfinished(unfinished);
+    for (const std::string& file : unfinished) {
+        series->noteUnfinished(file);
     }
-    series->noteGaps(numberedGrids(path));
+    for (const std::string& block : left) {
+        series->noteLeftBlock(block);
+    }
+    if (!settings.onlyThisFile) {
+        series->noteGaps(numberedGrids(path));
+    }
     return readSeries(path, series, settings, execution);
 }
 

@@ -160,6 +160,8 @@ private:
                    const GridSelection& selection) const {
         Grid grid;
         const auto points = static_cast<std::uint64_t>(m_points[part]), cells = static_cast<std::uint64_t>(m_cells[part]);
+        grid.storedCells = cells;
+        grid.vacant = points == 0 && cells == 0;
         if (selection.points || selection.everything) {
             readPoints(sum(step.point, before.point), points, grid);
         }

@@ -64,6 +64,8 @@ private:
         Grid grid;
         m_points = count(piece, "NumberOfPoints");
         m_cells = count(piece, "NumberOfCells");
+        grid.storedCells = static_cast<std::size_t>(m_cells);
+        grid.vacant = m_points == 0 && m_cells == 0;
         if (m_selection.points || m_selection.everything) {
             readPoints(piece, grid);
         }

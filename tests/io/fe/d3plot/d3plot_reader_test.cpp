@@ -296,14 +296,14 @@ TEST_F(D3plotReader, AFamilyBeingWrittenOpensUpToItsLastCompleteState) {
     EXPECT_THROW(after->state(3), ParseError);
 }
 
-TEST_F(D3plotReader, ForeignMembersAndRestartsAreLeftOut) {
+TEST_F(D3plotReader, ForeignMembersAndAbandonedStatesAreLeftOut) {
     D3plotBuilder builder;
     builder.statesPerFile = 1;
     builder.times = {0, 1, 1, 2, 1.5, 3};
     const auto fe = open(builder);
-    EXPECT_EQ(fe->times(), (std::vector<double>{0, 1, 2, 3}));
-    EXPECT_EQ(fe->contents().findings.count("d3plot.same_time"), 1);
-    EXPECT_EQ(fe->contents().findings.count("d3plot.earlier"), 1);
+    EXPECT_EQ(fe->times(), (std::vector<double>{0, 1, 1.5, 3}));
+    EXPECT_EQ(fe->contents().findings.count("fe.written_twice"), 1);
+    EXPECT_EQ(fe->contents().findings.count("fe.abandoned"), 1);
     // A member of another analysis in the middle, whose states are shorter.
     builder.times = {0, 1, 2, 3};
     builder.write(m_folder / "d3plot");

@@ -158,6 +158,19 @@ TEST_F(CutTables, XdmfIsRefusedAtEveryByteOfItsText) {
     expectRefusalAtEveryByte(m_folder / "small.xdmf", m_folder / "small.xdmf", readXdmf);
 }
 
+// The text may name a state before its tables are written.
+TEST_F(CutTables, ALastStateWithoutItsTablesIsLeftOut) {
+    writeTables(m_folder / "small.h5");
+    std::ofstream(m_folder / "small.xdmf") << xdmf("small.h5");
+    {
+        const Hdf5Handle file(H5Fopen((m_folder / "small.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+        ASSERT_GE(H5Ldelete(file.get(), "/status1", H5P_DEFAULT), 0);
+    }
+    const auto fe = openFe(m_folder / "small.xdmf", {}, {}, Execution{});
+    EXPECT_EQ(fe->times(), std::vector<double>{0.0});
+    EXPECT_EQ(fe->contents().findings.count("fe.unfinished"), 1);
+}
+
 TEST_F(CutTables, XdmfIsRefusedAtEveryByteOfItsTables) {
     writeTables(m_folder / "small.h5");
     std::ofstream(m_folder / "small.xdmf") << xdmf("small.h5");

@@ -1,0 +1,182 @@
+#include "io/fe/vtk/time_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "io/fe/pieces/place_index.h"
+#include "io/fe/series/byte_window.h"
+#include "io/fe/vtk/grid_file.h"
+#include "io/fe/vtk/index_text.h"
+#include "io/fe/vtk/piece_index.h"
+
+namespace rubble::io {
+
+namespace {
+
+/// A state while its index is read.
+struct OpenState {
+    double time = 0.0;
+    std::vector<std::pair<std::string, std::string>> parts;  // part and file
+
+    bool names(const std::string& file) const {
+        return std::any_of(parts.begin(), parts.end(), [&](const auto& part) { return part.second == file; });
+    }
+    const std::string* fileOf(const std::string& part) const {
+        const auto found = std::find_if(parts.begin(), parts.end(), [&](const auto& known) { return known.first == part; });
+        return found == parts.end() ? nullptr : &found->second;
+    }
+};
+
+std::vector<Vec3> pointsOf(const std::string& file) {
+    GridSelection selection;
+    selection.cells = false;
+    std::vector<Vec3> points;
+    for (const std::string& grid : piecesOfState(file).grids) {
+        const std::vector<Vec3> more = readGridFile(grid, selection).points;
+        points.insert(points.end(), more.begin(), more.end());
+    }
+    return points;
+}
+
+// Some writers give all pieces of a time the part 0. Pieces of one state share an interface at most; the state written again lies
+// where it lay before.
+bool liesElsewhere(const std::string& file, const std::string& known) {
+    try {
+        const std::vector<Vec3> before = pointsOf(known), points = pointsOf(file);
+        PlaceIndex places(placeTolerance(before));
+        Aabb was, is;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            places.put(before[i], static_cast<std::uint32_t>(i));
+            was.extend(before[i]);
+        }
+        std::size_t same = 0;
+        for (const Vec3& point : points) {
+            same += places.find(point) != PlaceIndex::nowhere ? 1 : 0;
+            is.extend(point);
+        }
+        if (points.empty() || before.empty() || 2 * same > points.size()) {
+            return false;
+        }
+        // A state that has moved since covers much of the same room.
+        const Vec3 size = was.sizes().cwiseMin(is.sizes());
+        const Vec3 overlap = was.max().cwiseMin(is.max()) - was.min().cwiseMax(is.min());
+        return points.size() != before.size() || (overlap.array() < 0.5 * size.array()).any();
+    } catch (const std::exception&) {
+        // Opening it says why.
+        return false;
+    }
+}
+
+// "step 9" before "step 10".
+bool naturallyBefore(const std::string& a, const std::string& b) {
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    std::size_t i = 0, j = 0;
+    while (i < a.size() && j < b.size()) {
+        if (!isDigit(a[i]) || !isDigit(b[j])) {
+            if (a[i] != b[j]) {
+                return a[i] < b[j];
+            }
+            ++i;
+            ++j;
+            continue;
+        }
+        i = std::min(a.find_first_not_of('0', i), a.size());
+        j = std::min(b.find_first_not_of('0', j), b.size());
+        std::size_t p = i, q = j;
+        for (; p < a.size() && isDigit(a[p]); ++p) {
+        }
+        for (; q < b.size() && isDigit(b[q]); ++q) {
+        }
+        if (p - i != q - j) {
+            return p - i < q - j;
+        }
+        const int order = a.compare(i, p - i, b, j, q - j);
+        if (order != 0) {
+            return order < 0;
+        }
+        i = p;
+        j = q;
+    }
+    return a.size() - i < b.size() - j;
+}
+
+// Times grow with the names of the files: the list is in disorder, no branch was abandoned.
+bool disordered(const std::vector<OpenState>& states) {
+    const auto before = [](const OpenState& a, const OpenState& b) { return a.time < b.time; };
+    if (std::is_sorted(states.begin(), states.end(), before)) {
+        return false;
+    }
+    std::vector<OpenState> byName = states;
+    std::stable_sort(byName.begin(), byName.end(), [](const OpenState& a, const OpenState& b) {
+        return naturallyBefore(a.parts.front().second, b.parts.front().second);
+    });
+    return std::adjacent_find(byName.begin(), byName.end(),
+                              [](const OpenState& a, const OpenState& b) { return a.time >= b.time; }) == byName.end();
+}
+
+}  // namespace
+
+std::vector<ListedFile> listedByPvd(const std::string& path) {
+    std::vector<ListedFile> list;
+    const pugi::xml_document document = indexXml(path);
+    for (const pugi::xml_node node : document.child("VTKFile").child("Collection").children("DataSet")) {
+        const std::string text = node.attribute("timestep").as_string("0");
+        ListedFile entry;
+        if (!toReal(column(text, 0, text.size()), entry.time) || !std::isfinite(entry.time)) {
+            failIndex(path, "the timestep \"" + text.substr(0, 40) + "\" is no number");
+        }
+        entry.part = std::string(node.attribute("group").as_string()) + "/" + node.attribute("part").as_string("0");
+        entry.file = namedByIndex(path, node.attribute("file").as_string());
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+std::vector<ListedFile> listedBySeries(const std::string& path) {
+    std::vector<ListedFile> list;
+    try {
+        const nlohmann::json json = nlohmann::json::parse(indexText(path));
+        for (const nlohmann::json& file : json.at("files")) {
+            list.push_back({file.at("time").get<double>(), {}, namedByIndex(path, file.at("name").get<std::string>())});
+        }
+    } catch (const nlohmann::json::exception& error) {
+        failIndex(path, error.what());
+    }
+    return list;
+}
+
+std::vector<ListedState> statesListed(const std::vector<ListedFile>& list) {
+    std::vector<OpenState> open;
+    std::map<double, std::size_t> newest;  // state of each time
+    for (const ListedFile& entry : list) {
+        const auto found = newest.find(entry.time);
+        OpenState* const state = found == newest.end() ? nullptr : &open[found->second];
+        if (state && state->names(entry.file)) {
+            continue;
+        }
+        const std::string* const known = state ? state->fileOf(entry.part) : nullptr;
+        if (state && (!known || liesElsewhere(entry.file, *known))) {
+            state->parts.emplace_back(entry.part, entry.file);
+            continue;
+        }
+        newest[entry.time] = open.size();
+        open.push_back({entry.time, {{entry.part, entry.file}}});
+    }
+    if (disordered(open)) {
+        std::stable_sort(open.begin(), open.end(), [](const OpenState& a, const OpenState& b) { return a.time < b.time; });
+    }
+    std::vector<ListedState> states;
+    for (const OpenState& state : open) {
+        ListedState& listed = states.emplace_back(ListedState{state.time, {}});
+        for (const auto& [part, file] : state.parts) {
+            listed.files.push_back(file);
+        }
+    }
+    return states;
+}
+
+}  // namespace rubble::io

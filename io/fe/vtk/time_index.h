@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rubble::io {
+
+/// One line of an index of times.
+struct ListedFile {
+    double time = 0.0;  ///< s
+    std::string part;   ///< as written; empty where the index knows no parts
+    std::string file;
+};
+
+/// Lines of a .pvd, in their order. Times are read as loosely as other programs do. Throws ParseError.
+std::vector<ListedFile> listedByPvd(const std::string& path);
+/// Lines of a .series. Throws ParseError.
+std::vector<ListedFile> listedBySeries(const std::string& path);
+
+/// A state of an index: the files of all its parts.
+struct ListedState {
+    double time = 0.0;
+    std::vector<std::string> files;
+};
+/// The states in the order in which they were written: different parts of one time are pieces of one state; another file of the
+/// same part is the state written again, unless the two lie at different places. An index that only is in disorder, as one sorted
+/// by names, is put into the order of its times.
+std::vector<ListedState> statesListed(const std::vector<ListedFile>& list);
+
+}  // namespace rubble::io

@@ -9,6 +9,7 @@
 #include "io/fe/exodus/exodus_names.h"
 #include "io/fe/exodus/exodus_sequence.h"
 #include "io/fe/exodus/exodus_source.h"
+#include "io/fe/series/death_list.h"
 #include "io/fe/series/series_result.h"
 
 namespace rubble::io {
@@ -45,7 +46,7 @@ bool recognisesExodus(const FileHead& head) {
 }
 
 std::vector<std::string> exodusMembers(const std::string& path) {
-    return exodusSequence(path);
+    return withDeathList(exodusSequence(path));
 }
 
 FeResult::Contents readExodus(const std::string& path, const ImportSettings& settings, const Execution& execution) {
@@ -58,6 +59,9 @@ FeResult::Contents readExodus(const std::string& path, const ImportSettings& set
     requireThreeDimensions(*file);
     requireTimes(*file);
     const auto displacement = chooseDisplacement(*file, settings);
+    if (settings.statusVariable.empty() && !findStatus(file->variables(ExodusEntity::Element), "")) {
+        return readSeries(path, std::make_shared<ExodusSequence>(std::vector<std::string>{path}, settings), settings, execution);
+    }
     const auto velocity = findVelocity(file->variables(ExodusEntity::Node));
     ExodusMesh mesh = readExodusMesh(*file);
     execution.report(stage, 1.0);
@@ -73,6 +77,9 @@ FeResult::Contents readExodus(const std::string& path, const ImportSettings& set
     contents.deathTime = std::move(activity.deathTime);
     contents.findings = std::move(mesh.findings);
     contents.findings.append(activity.findings);
+    if (const std::string list = deathListBeside(path); !list.empty()) {
+        noteUnusedDeathList(list, contents.findings);
+    }
     return contents;
 }
 

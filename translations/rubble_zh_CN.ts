@@ -2138,10 +2138,6 @@
         <translation>请让分析程序重新写出文件。</translation>
     </message>
     <message>
-        <source>Let the analysis write the status of its elements (STATUS, death_status, elem_status).</source>
-        <translation>请让分析程序写出单元状态（STATUS、death_status、elem_status）。</translation>
-    </message>
-    <message>
         <source>Let the name end in .exo (Exodus II), .pvd (a series of VTU files) or .h5 (a copy that opens at once).</source>
         <translation>名称须以 .exo（Exodus II）、.pvd（VTU 文件序列）或 .h5（可立即打开的副本）结尾。</translation>
     </message>
@@ -2180,10 +2176,6 @@
     <message>
         <source>Lower minimum_thickness_ratio or minimum_half_extent if stability allows it.</source>
         <translation>若稳定性允许，请减小 minimum_thickness_ratio 或 minimum_half_extent。</translation>
-    </message>
-    <message>
-        <source>MED is out of scope: it has no status of elements. Convert the result to VTU with the dead cells left out or flagged.</source>
-        <translation>不支持 MED：其中没有单元状态。请转换为 VTU，略去失效单元或加以标记。</translation>
     </message>
     <message>
         <source>MODEL CHANGE of the input deck</source>
@@ -2424,10 +2416,6 @@
     <message>
         <source>OpenRadioss animation converted to VTK</source>
         <translation>转换为 VTK 的 OpenRadioss 动画</translation>
-    </message>
-    <message>
-        <source>OpenSees recorders other than pvd are out of scope: record the analysis with &quot;recorder pvd&quot; and give the .pvd file.</source>
-        <translation>不支持 pvd 以外的 OpenSees 记录器：请用“recorder pvd”记录分析并给出 .pvd 文件。</translation>
     </message>
     <message>
         <source>Other programs worked on this machine while it was measured: nothing is predicted from this.</source>
@@ -3174,10 +3162,6 @@
         <translation>JSON 文本，可能是案例</translation>
     </message>
     <message>
-        <source>a MED file (Code_Aster, Salome)</source>
-        <translation>MED 文件（Code_Aster、Salome）</translation>
-    </message>
-    <message>
         <source>a SHA-256 has 64 lower-case hexadecimal digits</source>
         <translation>SHA-256 为 64 位小写十六进制数字</translation>
     </message>
@@ -3312,10 +3296,6 @@
     <message>
         <source>adapted elements</source>
         <translation>自适应单元</translation>
-    </message>
-    <message>
-        <source>an OpenSees mpco file</source>
-        <translation>OpenSees 的 mpco 文件</translation>
     </message>
     <message>
         <source>an XML text</source>
@@ -4822,24 +4802,12 @@
         <translation>{0} 覆盖局部坐标框架的 x = {1} 至 {2}，y = {3} 至 {4}；结构位于 x = {5} 至 {6}，y = {7} 至 {8}</translation>
     </message>
     <message>
-        <source>{0} does not say by a known name which elements are active</source>
-        <translation>{0} 未以已知名称说明哪些单元激活</translation>
-    </message>
-    <message>
         <source>{0} does not say what to convert to</source>
         <translation>{0} 未说明转换为何种格式</translation>
     </message>
     <message>
         <source>{0} does not say where its pixels lie</source>
         <translation>{0} 未说明其像素的位置</translation>
-    </message>
-    <message>
-        <source>{0} does not say which elements are active: it has no element variables</source>
-        <translation>{0} 未说明哪些单元激活：没有单元变量</translation>
-    </message>
-    <message>
-        <source>{0} does not say which elements are active: no flag under a known name, and no element is ever missing</source>
-        <translation>{0} 未说明哪些单元激活：没有已知名称的标志，也没有单元被略去</translation>
     </message>
     <message>
         <source>{0} earlier points scatter too much: it may be anything from {1} to {2}</source>
@@ -7944,6 +7912,244 @@
     <message>
         <source>the time of a state</source>
         <translation>状态的时间</translation>
+        <source>.med, .rmed of Salome and code_aster</source>
+        <translation>Salome 和 code_aster 的 .med、.rmed</translation>
+    </message>
+    <message>
+        <source>Copy all pieces of the analysis into one folder.</source>
+        <translation>请将分析的所有部分复制到同一文件夹。</translation>
+    </message>
+    <message>
+        <source>Copy the file again, and all pieces of a parallel analysis with it.</source>
+        <translation>请重新复制该文件，并一并复制并行分析的所有部分。</translation>
+    </message>
+    <message>
+        <source>Elements at nodes that the displacement never reaches were left out</source>
+        <translation>略去了节点从无位移的单元</translation>
+    </message>
+    <message>
+        <source>Elements that are no structure were left out: springs, contacts, loads, links</source>
+        <translation>略去了不属于结构的单元：弹簧、接触、荷载、连接</translation>
+    </message>
+    <message>
+        <source>Elements that were removed before the clock was set back are not in the result</source>
+        <translation>时钟拨回之前移除的单元不在结果中</translation>
+    </message>
+    <message>
+        <source>Faces and edges of other elements that carry no results were left out</source>
+        <translation>略去了没有结果的其他单元的面和边</translation>
+    </message>
+    <message>
+        <source>Fields on elements: {0}</source>
+        <translation>单元上的场：{0}</translation>
+    </message>
+    <message>
+        <source>Frames in a plane mostly have y up: --set up_axis=y.</source>
+        <translation>平面框架多以 y 为向上：--set up_axis=y。</translation>
+    </message>
+    <message>
+        <source>If elements died, put a list of deaths beside the FE result or name its active flag (status_variable).</source>
+        <translation>若有单元失效，请在有限元结果旁放置失效清单，或指定其激活标志（status_variable）。</translation>
+    </message>
+    <message>
+        <source>If the model of the analysis did not change there, put a list of deaths (element,time) beside it.</source>
+        <translation>若分析的模型在该处没有改变，请在旁边放置失效清单（单元，时刻）。</translation>
+    </message>
+    <message>
+        <source>If they are shells or bars of the structure, let the analysis write a field on them (SIEF_ELGA).</source>
+        <translation>若它们是结构的壳或杆，请让分析为其写出一个场（SIEF_ELGA）。</translation>
+    </message>
+    <message>
+        <source>It says which elements were removed and when, but has no mesh: record the analysis with &quot;recorder mpco&quot;, &quot;recorder vtkhdf&quot; or &quot;recorder pvd&quot; as well and give that file.</source>
+        <translation>它说明哪些单元在何时移除，但没有网格：请再用“recorder mpco”“recorder vtkhdf”或“recorder pvd”记录分析并给出该文件。</translation>
+    </message>
+    <message>
+        <source>Let the analysis go on without setting the clock back (loadConst without -time).</source>
+        <translation>请让分析继续而不拨回时钟（loadConst 不带 -time）。</translation>
+    </message>
+    <message>
+        <source>Let the analysis write mesh and fields into one file.</source>
+        <translation>请让分析将网格和场写入同一文件。</translation>
+    </message>
+    <message>
+        <source>Name it: --set displacement=NAME; displacement=none if the nodes do not move. Fields in the file: {0}</source>
+        <translation>请指定：--set displacement=NAME；若节点不移动则为 displacement=none。文件中的场：{0}</translation>
+    </message>
+    <message>
+        <source>Name the displacement of the one that you want: --set displacement=NAME.</source>
+        <translation>请指定所需结果的位移：--set displacement=NAME。</translation>
+    </message>
+    <message>
+        <source>No element dies in this result: there is no debris to map.</source>
+        <translation>此结果中没有单元失效：没有可制图的堆积物。</translation>
+    </message>
+    <message>
+        <source>Nothing to do if the analysis was gone on with from an earlier time.</source>
+        <translation>若分析是从较早的时刻继续的，则无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do if the model does not have them.</source>
+        <translation>若模型不含它们，则无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do if they are masses, springs or points.</source>
+        <translation>若它们是质量、弹簧或点，则无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do if they are none.</source>
+        <translation>若它们确非结构，则无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do if they only applied the loads, such as gravity.</source>
+        <translation>若它们只用于施加荷载（如重力），则无需处理。</translation>
+    </message>
+    <message>
+        <source>One piece of a parallel analysis was read as the whole</source>
+        <translation>并行分析的一个部分被当作整体读取</translation>
+    </message>
+    <message>
+        <source>Open the result again once all processes have written them.</source>
+        <translation>请在所有进程写完后再次打开结果。</translation>
+    </message>
+    <message>
+        <source>OpenSees MPCO</source>
+        <translation>OpenSees MPCO</translation>
+    </message>
+    <message>
+        <source>Record it: recorder mpco FILE -N displacement velocity. Nodal results in the file: {0}. With displacement=none its stages are the states and nothing moves.</source>
+        <translation>请记录位移：recorder mpco FILE -N displacement velocity。文件中的节点结果：{0}。用 displacement=none 时以其阶段为状态，且没有移动。</translation>
+    </message>
+    <message>
+        <source>States at times that a later state has or has passed again were dropped</source>
+        <translation>略去了时刻与后来状态相同或又被越过的状态</translation>
+    </message>
+    <message>
+        <source>States that not all pieces hold were left out</source>
+        <translation>略去了并非所有部分都有的状态</translation>
+    </message>
+    <message>
+        <source>The clock of the analysis was set back: earlier states at the same times were dropped</source>
+        <translation>分析的时钟曾被拨回：略去了之前相同时刻的状态</translation>
+    </message>
+    <message>
+        <source>The file does not say which elements are dead: those that a state leaves out of its fields were taken</source>
+        <translation>文件没有说明哪些单元失效：取了某状态的场所略去的单元</translation>
+    </message>
+    <message>
+        <source>The file holds further results, which were not read</source>
+        <translation>文件中还有其他结果，未予读取</translation>
+    </message>
+    <message>
+        <source>The mesh itself has several steps: the first was taken for all states</source>
+        <translation>网格本身有多个步：所有状态都取了第一步</translation>
+    </message>
+    <message>
+        <source>The model is plane: the third coordinate of its nodes was taken as zero</source>
+        <translation>模型是平面的：其节点的第三个坐标取为零</translation>
+    </message>
+    <message>
+        <source>Write it as an unstructured mesh.</source>
+        <translation>请写成非结构网格。</translation>
+    </message>
+    <message>
+        <source>Write the elements that are dead into a field, or a list of deaths.</source>
+        <translation>请将失效的单元写入一个场或失效清单。</translation>
+    </message>
+    <message>
+        <source>a table of results</source>
+        <translation>结果表</translation>
+    </message>
+    <message>
+        <source>components of fields</source>
+        <translation>场的分量</translation>
+    </message>
+    <message>
+        <source>coordinates of nodes</source>
+        <translation>节点坐标</translation>
+    </message>
+    <message>
+        <source>no group</source>
+        <translation>无组</translation>
+    </message>
+    <message>
+        <source>the library does not open it</source>
+        <translation>库无法打开它</translation>
+    </message>
+    <message>
+        <source>values on elements</source>
+        <translation>单元上的值</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read as MED: {1}</source>
+        <translation>{0} 无法作为 MED 读取：{1}</translation>
+    </message>
+    <message>
+        <source>{0} has no displacement of the nodes under a known name</source>
+        <translation>{0} 没有已知名称的节点位移</translation>
+    </message>
+    <message>
+        <source>{0} has no field &quot;{1}&quot; of vectors on nodes</source>
+        <translation>{0} 没有节点上的矢量场“{1}”</translation>
+    </message>
+    <message>
+        <source>{0} has no field &quot;{1}&quot; on elements</source>
+        <translation>{0} 没有单元上的场“{1}”</translation>
+    </message>
+    <message>
+        <source>{0} has no mesh &quot;{1}&quot;</source>
+        <translation>{0} 没有网格“{1}”</translation>
+    </message>
+    <message>
+        <source>{0} has no states with displacements of the nodes</source>
+        <translation>{0} 没有含节点位移的状态</translation>
+    </message>
+    <message>
+        <source>{0} has no states with the nodal result &quot;{1}&quot;</source>
+        <translation>{0} 没有含节点结果“{1}”的状态</translation>
+    </message>
+    <message>
+        <source>{0} is a piece of a parallel analysis; beside it is missing {1}</source>
+        <translation>{0} 是并行分析的一个部分；旁边缺少 {1}</translation>
+    </message>
+    <message>
+        <source>{0} is damaged so that the MED library fails on it</source>
+        <translation>{0} 已损坏，MED 库在其上失败</translation>
+    </message>
+    <message>
+        <source>{0} is no MPCO file that can be read: {1}</source>
+        <translation>{0} 不是可读取的 MPCO 文件：{1}</translation>
+    </message>
+    <message>
+        <source>{0}: element {1} uses node {2} of {3}</source>
+        <translation>{0}：单元 {1} 使用节点 {2}，共 {3} 个</translation>
+    </message>
+    <message>
+        <source>{0}: the mesh {1} is no unstructured one in Cartesian coordinates</source>
+        <translation>{0}：网格 {1} 不是笛卡尔坐标的非结构网格</translation>
+    </message>
+    <message>
+        <source>{0}: {1} uses the node {2}, which is not there</source>
+        <translation>{0}：{1} 使用不存在的节点 {2}</translation>
+    </message>
+    <message>
+        <source>it is of a version of MED that the library does not know</source>
+        <translation>它属于库所不知的 MED 版本</translation>
+    </message>
+    <message>
+        <source>its fields</source>
+        <translation>其场</translation>
+    </message>
+    <message>
+        <source>its meshes</source>
+        <translation>其网格</translation>
+    </message>
+    <message>
+        <source>steps of its mesh</source>
+        <translation>其网格的步</translation>
+    </message>
+    <message>
+        <source>the library complains of it</source>
+        <translation>库对其报错</translation>
     </message>
 </context>
 <context>

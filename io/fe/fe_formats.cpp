@@ -10,6 +10,8 @@
 #include "io/fe/fe_copy/copy_reader.h"
 #include "io/fe/fe_format.h"
 #include "io/fe/marc/marc_reader.h"
+#include "io/fe/med/med_reader.h"
+#include "io/fe/opensees/mpco_reader.h"
 #include "io/fe/radioss/anim_reader.h"
 #include "io/fe/series/byte_window.h"
 #include "io/fe/vtk/vtk_reader.h"
@@ -19,28 +21,6 @@
 namespace rubble::io {
 
 namespace {
-
-bool holds(const FileHead& head, std::string_view name) {
-    for (const std::string& known : head.hdf5Names) {
-        if (known == name) {
-            return true;
-        }
-    }
-    return false;
-}
-
-bool recognisesMed(const FileHead& head) {
-    return holds(head, "INFOS_GENERALES");
-}
-
-bool recognisesMpco(const FileHead& head) {
-    for (const std::string& name : head.hdf5Names) {
-        if (name.starts_with("MODEL_STAGE[")) {
-            return true;
-        }
-    }
-    return false;
-}
 
 // The collapse recorder writes lines "<time> Elem <tag>" and "<time> Node <tag>".
 bool recognisesCollapseLog(const FileHead& head) {
@@ -98,16 +78,12 @@ constexpr std::array formats{
     FeFormat{"XDMF", ".xdmf, .xmf", 1, recognisesXdmf, xdmfMembers, readXdmf},
     FeFormat{"Rubble copy", ".h5, made by rubble-cli convert", 1, recognisesFeCopy, standsAlone, readFeCopy},
     FeFormat{"VTKHDF", ".vtkhdf, .hdf", 1, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},
+    FeFormat{"MED", ".med, .rmed of Salome and code_aster", 1, recognisesMed, aloneWithDeathList, readMed},
+    FeFormat{"OpenSees MPCO", ".mpco, .part-0.mpco, ...", 1, recognisesMpco, mpcoMembers, readMpco},
     FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 1, recognisesExodus, exodusMembers, readExodus, isExodusPiece},
 };
 
 constexpr std::array outOfScope{
-    ForeignFormat{
-        "a MED file (Code_Aster, Salome)", recognisesMed,
-        "MED is out of scope: it has no status of elements. Convert the result to VTU with the dead cells left out or flagged."},
-    ForeignFormat{
-        "an OpenSees mpco file", recognisesMpco,
-        "OpenSees recorders other than pvd are out of scope: record the analysis with \"recorder pvd\" and give the .pvd file."},
     ForeignFormat{"an input deck", recognisesDeck,
                   "Give the result that the analysis has written from it; a deck that lies beside the result is read with it."},
     ForeignFormat{"a time history of OpenRadioss", recognisesTimeHistory,
@@ -118,7 +94,8 @@ constexpr std::array outOfScope{
                   "Give the .cdb with the mesh; a macro of the same name beside it is read with it."},
     ForeignFormat{
         "a collapse log of OpenSees", recognisesCollapseLog,
-        "OpenSees recorders other than pvd are out of scope: record the analysis with \"recorder pvd\" and give the .pvd file."},
+        "It says which elements were removed and when, but has no mesh: record the analysis with \"recorder mpco\", \"recorder "
+        "vtkhdf\" or \"recorder pvd\" as well and give that file."},
 };
 
 }  // namespace

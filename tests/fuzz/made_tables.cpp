@@ -3,6 +3,7 @@
 #include <array>
 #include <cstring>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,17 @@ namespace {
 
 namespace table = io::copy_table;
 
-constexpr std::array groups{"/", "/VTKHDF", "/VTKHDF/Steps"};
-constexpr std::array attributes{"Type", "Version", "NSteps", "version", "format"};
+// New ones go to the end here as well.
+constexpr std::array groups{"/",
+                            "/VTKHDF",
+                            "/VTKHDF/Steps",
+                            "/MODEL_STAGE[1]",
+                            "/MODEL_STAGE[2]",
+                            "/MODEL_STAGE[1]/MODEL/ELEMENTS/56-Brick[400:0]",
+                            "/MODEL_STAGE[1]/RESULTS/ON_NODES/DISPLACEMENT/DATA/STEP_0",
+                            "/MODEL_STAGE[1]/RESULTS/ON_NODES/DISPLACEMENT/DATA/STEP_1",
+                            "/MODEL_STAGE[2]/RESULTS/ON_NODES/DISPLACEMENT/DATA/STEP_2"};
+constexpr std::array attributes{"Type", "Version", "NSteps", "version", "format", "STEP", "TIME", "GEOMETRY"};
 constexpr std::array texts{"UnstructuredGrid", "PolyData", "rubble-fe", ""};
 // New names go to the end: the corpus knows them by their place.
 constexpr std::array names{"/VTKHDF/NumberOfPoints",
@@ -60,7 +70,22 @@ constexpr std::array names{"/VTKHDF/NumberOfPoints",
                            table::digests,
                            "/a",
                            "/b",
-                           "/c"};
+                           "/c",
+                           "/MODEL_STAGE[1]/MODEL/NODES/ID",
+                           "/MODEL_STAGE[1]/MODEL/NODES/COORDINATES",
+                           "/MODEL_STAGE[1]/MODEL/ELEMENTS/56-Brick[400:0]",
+                           "/MODEL_STAGE[1]/MODEL/ELEMENTS/5-ElasticBeam3d[1:0]",
+                           "/MODEL_STAGE[1]/MODEL/SECTION_ASSIGNMENTS/SECTION_1[Fiber]/ASSIGNMENT",
+                           "/MODEL_STAGE[1]/MODEL/SECTION_ASSIGNMENTS/SECTION_1[Fiber]/FIBER_DATA",
+                           "/MODEL_STAGE[1]/RESULTS/ON_NODES/DISPLACEMENT/ID",
+                           "/MODEL_STAGE[1]/RESULTS/ON_NODES/DISPLACEMENT/DATA/STEP_0",
+                           "/MODEL_STAGE[1]/RESULTS/ON_NODES/DISPLACEMENT/DATA/STEP_1",
+                           "/MODEL_STAGE[1]/RESULTS/ON_NODES/VELOCITY/DATA/STEP_1",
+                           "/MODEL_STAGE[2]/MODEL/NODES/ID",
+                           "/MODEL_STAGE[2]/MODEL/NODES/COORDINATES",
+                           "/MODEL_STAGE[2]/MODEL/ELEMENTS/56-Brick[400:0]",
+                           "/MODEL_STAGE[2]/RESULTS/ON_NODES/DISPLACEMENT/ID",
+                           "/MODEL_STAGE[2]/RESULTS/ON_NODES/DISPLACEMENT/DATA/STEP_2"};
 
 struct MadeTable {
     std::uint64_t columns = 1;
@@ -109,7 +134,7 @@ private:
 void makeTable(Bytes& bytes, std::uint8_t kind) {
     MadeTable& made_table = made().tables[names[bytes.take<std::uint8_t>() % names.size()]];
     made_table = {};
-    made_table.columns = 1 + bytes.take<std::uint8_t>() % 4;
+    made_table.columns = 1 + bytes.take<std::uint8_t>() % 10;
     const std::uint64_t values = made_table.columns * bytes.take<std::uint16_t>();
     const bool wide = (kind & 4) != 0;
     for (std::uint64_t i = 0; i < values && bytes.left() > 0; ++i) {
@@ -219,6 +244,24 @@ std::vector<std::string> Hdf5Table::tablesIn(const std::string& group) const {
         }
     }
     return list;
+}
+
+// The first step of every name below the group.
+std::vector<std::string> Hdf5Table::groupsIn(const std::string& group) const {
+    const std::string front = group == "/" ? "/" : group + "/";
+    std::set<std::string> found;
+    for (const auto& [name, table] : made().tables) {
+        const std::size_t end = name.starts_with(front) ? name.find('/', front.size()) : std::string::npos;
+        if (end != std::string::npos) {
+            found.insert(name.substr(front.size(), end - front.size()));
+        }
+    }
+    return {found.begin(), found.end()};
+}
+
+std::optional<double> Hdf5Table::real(const std::string& group, const std::string& attribute) const {
+    const std::optional<std::int64_t> whole = number(group, attribute);
+    return whole ? std::optional(static_cast<double>(*whole)) : std::nullopt;
 }
 
 std::optional<std::string> Hdf5Table::text(const std::string& group, const std::string& attribute) const {

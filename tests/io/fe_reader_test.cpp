@@ -97,16 +97,9 @@ TEST(FeReader, AListOfFilesIsNoCase) {
 
 TEST(FeReader, WhatIsOutOfScopeIsSaid) {
     const TemporaryFolder folder;
-    const auto hdf5With = [&](const char* name, const char* group) {
-        const hid_t file = H5Fcreate((folder / name).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-        H5Gclose(H5Gcreate2(file, group, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
-        H5Fclose(file);
-        return openErrorOf(folder / name);
-    };
-    EXPECT_THAT(hdf5With("result.med", "INFOS_GENERALES"), AllOf(HasSubstr("MED"), HasSubstr("out of scope")));
-    EXPECT_THAT(hdf5With("result.mpco", "MODEL_STAGE[1]"), AllOf(HasSubstr("OpenSees"), HasSubstr("out of scope")));
     std::ofstream(folder / "collapse.out") << "0.25 Elem 17\n0.25 Node 3\n";
-    EXPECT_THAT(openErrorOf(folder / "collapse.out"), AllOf(HasSubstr("OpenSees"), HasSubstr("out of scope"), HasSubstr("pvd")));
+    EXPECT_THAT(openErrorOf(folder / "collapse.out"),
+                AllOf(HasSubstr("OpenSees"), HasSubstr("recorder mpco"), HasSubstr("vtkhdf"), HasSubstr("pvd")));
     for (const char* deck :
          {"*Heading\n wall\n*NODE\n", "** wall\n*HEADING\n", "*KEYWORD\n", "#RADIOSS STARTER\n", "/VERS/2022\n"}) {
         std::ofstream(folder / "wall.inp") << deck;
@@ -124,7 +117,7 @@ TEST(FeReader, WhatIsOutOfScopeIsSaid) {
     std::ofstream(folder / "wall.mac") << "! step 2\nekill,1\n";
     EXPECT_THAT(openErrorOf(folder / "wall.mac"), AllOf(HasSubstr("a macro of Ansys"), HasSubstr(".cdb")));
     std::ofstream(folder / "text") << "12.5 elephants\n";
-    EXPECT_THAT(openErrorOf(folder / "text"), AllOf(HasSubstr("a text"), ::testing::Not(HasSubstr("OpenSees"))));
+    EXPECT_THAT(openErrorOf(folder / "text"), AllOf(HasSubstr("a text"), ::testing::Not(HasSubstr("a collapse log"))));
 }
 
 }  // namespace

@@ -320,7 +320,8 @@ void ParameterEditor::commitText() {
 }
 
 void ParameterEditor::offer(const QStringList& words) {
-    if (m_field != nullptr) {
+    if (m_field != nullptr && words != m_offered) {
+        m_offered = words;
         auto* completer = new QCompleter(words, m_field);
         completer->setCaseSensitivity(Qt::CaseInsensitive);
         completer->setCompletionMode(QCompleter::UnfilteredPopupCompletion);

@@ -71,6 +71,7 @@ private:
     QCheckBox* m_switch = nullptr;
     QComboBox* m_choice = nullptr;
     QButtonGroup* m_segments = nullptr;
+    QStringList m_offered;  ///< words of the newest offer
     QLineEdit* m_field = nullptr;
     QToolButton* m_auto = nullptr;
     QLabel* m_complaint = nullptr;

@@ -177,6 +177,7 @@ void PanelDeck::showResults() {
     m_case->setSurroundings(terrain.orthophoto != nullptr, terrain.surroundings ? terrain.surroundings->size() : 0,
                             terrain.collided);
     m_case->setContent(fe, results.components);
+    offerFlags(fe.get());
     m_fragments->setContent(results.fragments, fe.get());
     // While the slider is held, counts for its place are shown.
     if (!m_grid->dragging()) {
@@ -184,6 +185,19 @@ void PanelDeck::showResults() {
             {results.sizing, results.clustering, results.fragments, results.components, fe != nullptr ? &fe->mesh() : nullptr});
     }
     showEffects(true);
+}
+
+// A result that does not say what is dead opens all the same: what could be its flag is there to choose.
+void PanelDeck::offerFlags(const FeResult* fe) {
+    auto* const editor = m_case->editor(QStringLiteral("status_variable"));
+    if (fe == nullptr || editor == nullptr) {
+        return;
+    }
+    for (const Finding& finding : fe->contents().findings.list()) {
+        if (finding.remedy.id == "fe.no_deaths.choices") {
+            editor->offer(offeredNames(widgets::worded(finding.remedy)));
+        }
+    }
 }
 
 void PanelDeck::showEffects(bool anew) {
@@ -270,7 +284,7 @@ void PanelDeck::showFailure(const Failure& failure) {
         where = m_run;
         entry = Run;
     }
-    if (id == "exodus.no_status" || id == "exodus.unknown_status") {
+    if (id.ends_with(".unknown_status")) {
         if (auto* editor = m_case->editor(QStringLiteral("status_variable"))) {
             editor->offer(offeredNames(failure.remedy()));
         }

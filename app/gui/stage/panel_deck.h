@@ -91,6 +91,7 @@ private:
     void regroup(const RegroupStep& step);
     void clearRegrouping();
     void showRail();
+    void offerFlags(const FeResult* fe);
     static std::vector<widgets::RailEntry> entries();
 
     Kept& m_kept;

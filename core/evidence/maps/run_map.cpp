@@ -63,6 +63,13 @@ RunMap mapOfRun(const MappedRun& run, std::optional<double> time, const MapSetti
                 const Execution& execution) {
     const MapSpan span = mapSpan(run);
     if (!run.fragments || run.trajectory->frameCount() == 0) {
+        if (run.fe->activity().activeCount(run.fe->stateCount() - 1) == run.fe->mesh().elementCount()) {
+            throw UsageError(
+                {"map.nothing_died", "No element dies in this result: there is no debris to map.", {}},
+                {"map.nothing_died.remedy",
+                 "If elements died, put a list of deaths beside the FE result or name its active flag (status_variable).",
+                 {}});
+        }
         throw UsageError(
             {"map.nothing_simulated", "The run was stopped before anything was simulated: there is nothing to map.", {}},
             {"map.nothing_simulated.remedy", "Run the case again to the end.", {}});

@@ -15,28 +15,17 @@ namespace {
 // Some writers say "never" by a very large time.
 constexpr double latestTime = 1e15;
 
+// A file without a flag under a known name is read as a sequence of one: what it leaves out is dead.
 StatusVariable chooseStatus(const ExodusFile& file, const ImportSettings& settings) {
     const std::vector<std::string>& names = file.variables(ExodusEntity::Element);
     if (const auto found = findStatus(names, settings.statusVariable)) {
         return *found;
     }
-    const Message remedy{
-        "exodus.no_status.remedy",
-        "Say which variable tells active from dead elements: --set status_variable=NAME (and active_value=0 or 1). "
-        "Element variables in the file: {0}",
-        {quotedList(names, 100)}};
-    if (!settings.statusVariable.empty()) {
-        throw UsageError({"exodus.unknown_status", "{0} has no element variable \"{1}\"", {file.path(), settings.statusVariable}},
-                         remedy);
-    }
-    if (names.empty()) {
-        throw ParseError(
-            {"exodus.no_status", "{0} does not say which elements are active: it has no element variables", {file.path()}},
-            {"exodus.no_status_at_all.remedy",
-             "Let the analysis write the status of its elements (STATUS, death_status, elem_status).",
-             {}});
-    }
-    throw ParseError({"exodus.no_status", "{0} does not say by a known name which elements are active", {file.path()}}, remedy);
+    throw UsageError({"exodus.unknown_status", "{0} has no element variable \"{1}\"", {file.path(), settings.statusVariable}},
+                     {"exodus.no_status.remedy",
+                      "Say which variable tells active from dead elements: --set status_variable=NAME (and active_value=0 or 1). "
+                      "Element variables in the file: {0}",
+                      {quotedList(names, 100)}});
 }
 
 /// Reads the flag of all parts that have it, state by state.

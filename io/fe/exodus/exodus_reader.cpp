@@ -13,6 +13,7 @@
 #include "io/fe/exodus/exodus_sequence.h"
 #include "io/fe/exodus/exodus_source.h"
 #include "io/fe/pieces/stacked_series.h"
+#include "io/fe/series/death_list.h"
 #include "io/fe/series/series_result.h"
 
 namespace rubble::io {
@@ -97,7 +98,10 @@ std::vector<std::string> exodusMembers(const std::string& path) {
          isExodusPiece(path) ? exodusPieces(path) : std::vector<std::vector<std::string>>{}) {
         files.insert(files.end(), piece.begin(), piece.end());
     }
-    return files.empty() ? exodusSequence(path) : files;
+    if (files.empty()) {
+        files = exodusSequence(path);
+    }
+    return withDeathList(std::move(files));
 }
 
 bool isExodusPiece(const std::string& path) {
@@ -131,6 +135,9 @@ FeResult::Contents readExodus(const std::string& path, const ImportSettings& set
     }
     requireTimes(*file);
     const auto displacement = chooseDisplacement(*file, settings);
+    if (settings.statusVariable.empty() && !findStatus(file->variables(ExodusEntity::Element), "")) {
+        return readSeries(path, std::make_shared<ExodusSequence>(std::vector<std::string>{path}, settings), settings, execution);
+    }
     const auto velocity = findVelocity(file->variables(ExodusEntity::Node));
     ExodusMesh mesh = readExodusMesh(*file);
     execution.report(stage, 1.0);
@@ -147,6 +154,9 @@ FeResult::Contents readExodus(const std::string& path, const ImportSettings& set
     contents.findings = std::move(mesh.findings);
     contents.findings.append(file->findings());
     contents.findings.append(activity.findings);
+    if (const std::string list = deathListBeside(path); !list.empty()) {
+        noteUnusedDeathList(list, contents.findings);
+    }
     return contents;
 }
 

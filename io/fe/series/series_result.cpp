@@ -153,13 +153,10 @@ private:
             return;
         }
         if (!list.empty()) {
-            m_findings.add({"fe.death_list.unused",
-                            "A list of deaths lies beside a result that says itself what is dead: it was not used",
-                            {}},
-                           {"fe.death_list.unused.remedy", "Take it away, or check which of the two is right.", {}}, list);
+            noteUnusedDeathList(list, m_findings);
         }
         if (!flagged) {
-            requireSomethingMissing();
+            noteNothingMissing();
         }
         if (m_union.epochs().size() > 1 && flagged) {
             activityFrom += "; missing elements are dead";
@@ -252,32 +249,15 @@ private:
         }
     }
 
-    // Where there is something to choose from, the user is asked; where there is nothing, everything stands and the user is told.
-    void requireSomethingMissing() {
+    // A result in which nothing dies is a result; the user is told how to say what does.
+    void noteNothingMissing() {
         bool missing = false;
         for (std::size_t k = 0; k < m_steps.size(); ++k) {
             missing = missing || activity.activeCount(k) != mesh->elementCount();
         }
-        const std::vector<std::string>& choices = m_series.flag().choices;
-        const std::string list = m_path + ".deaths.csv";
         activityFrom = missing ? "missing elements are dead" : "nothing says which elements are dead";
-        if (!missing && !choices.empty()) {
-            throw ParseError(
-                {"fe.no_status",
-                 "{0} does not say which elements are active: no flag under a known name, and no element is ever missing",
-                 {m_path}},
-                {"fe.no_status.remedy",
-                 "Name the flag: --set status_variable=NAME (there are {0}), or put a list of deaths (element,time) beside it as "
-                 "{1}.",
-                 {quotedList(choices, 100), list}});
-        }
         if (!missing) {
-            m_findings.add(
-                {"fe.no_deaths", "Nothing says which elements are dead: all count as active", {}},
-                {"fe.no_deaths.remedy",
-                 "Put a list of deaths (element,time) beside it as {0}, or let the analysis write the status of its elements.",
-                 {list}},
-                m_path, static_cast<std::int64_t>(mesh->elementCount()));
+            noteNoDeaths(m_path, mesh->elementCount(), m_series.flag().choices, m_findings);
         }
     }
 
@@ -364,6 +344,27 @@ FeResult::Contents readSeries(const std::string& path, std::shared_ptr<MeshSerie
     };
     contents.source = std::make_shared<const FieldSource>(path, join.mesh, join.activity, contents.times, read);
     return contents;
+}
+
+void noteNoDeaths(const std::string& path, std::size_t elements, const std::vector<std::string>& choices, Findings& findings) {
+    const std::string list = path + ".deaths.csv";
+    const Message what{"fe.no_deaths", "Nothing says which elements are dead: all count as active", {}};
+    Message remedy{"fe.no_deaths.remedy",
+                   "Put a list of deaths (element,time) beside it as {0}, or let the analysis write the status of its elements.",
+                   {list}};
+    if (!choices.empty()) {
+        remedy = {"fe.no_deaths.choices",
+                  "Name the flag: --set status_variable=NAME (there are {0}), or put a list of deaths (element,time) beside it as "
+                  "{1}.",
+                  {quotedList(choices, 100), list}};
+    }
+    findings.add(what, remedy, path, static_cast<std::int64_t>(elements));
+}
+
+void noteUnusedDeathList(const std::string& list, Findings& findings) {
+    findings.add(
+        {"fe.death_list.unused", "A list of deaths lies beside a result that says itself what is dead: it was not used", {}},
+        {"fe.death_list.unused.remedy", "Take it away, or check which of the two is right.", {}}, list);
 }
 
 std::vector<std::string> withDeathList(std::vector<std::string> files) {

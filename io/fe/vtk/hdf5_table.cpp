@@ -15,6 +15,7 @@ namespace {
 // Deflate cannot do better: a table that needs more than this per byte of the file is damaged.
 constexpr std::uint64_t bestCompression = 1100;
 constexpr unsigned mostDimensions = 8;
+constexpr int deepest = 6;  // groups in groups
 // Values that the child reads to find out whether the library bears them.
 constexpr std::uint64_t mostTried = std::uint64_t{1} << 25;
 
@@ -120,7 +121,7 @@ Hdf5Table::Hdf5Table(const std::string& path, const std::function<void(const Hdf
     m_file = openFile(path);
 }
 
-// Every table as far as the budget goes, then the first row of each; a few groups deep.
+// Every table as far as the budget goes, then the first row of each; as deep as the readers look.
 void Hdf5Table::lookAtAll() const {
     std::uint64_t budget = mostTried;
     std::vector<std::pair<std::string, int>> open{{"/", 0}};
@@ -133,12 +134,15 @@ void Hdf5Table::lookAtAll() const {
         for (const std::string& name : namesIn(m_file.get(), group)) {
             const std::string full = (group == "/" ? "" : group) + "/" + name;
             if (has(full)) {
+                real(full, "TIME");
+                number(full, "STEP");
+                number(full, "GEOMETRY");
                 const Shape size = shape(full);
                 const std::uint64_t values = size.rows * size.columns;
                 const bool whole = values <= budget;
                 budget -= whole ? values : 0;
                 reals(full, 0, whole ? size.rows : std::min<std::uint64_t>(size.rows, 1));
-            } else if (depth < 4) {
+            } else if (depth < deepest) {
                 open.emplace_back(full, depth + 1);
             }
         }
@@ -224,6 +228,16 @@ std::vector<std::string> Hdf5Table::tablesIn(const std::string& group) const {
     return names;
 }
 
+std::vector<std::string> Hdf5Table::groupsIn(const std::string& group) const {
+    const Hdf5Session quiet;
+    std::vector<std::string> names = namesIn(m_file.get(), group);
+    std::erase_if(names, [&](const std::string& name) {
+        const Hdf5Handle object(H5Oopen(m_file.get(), ((group == "/" ? "" : group) + "/" + name).c_str(), H5P_DEFAULT), H5Oclose);
+        return !object.valid() || H5Iget_type(object.get()) != H5I_GROUP;
+    });
+    return names;
+}
+
 bool Hdf5Table::hasAttribute(const std::string& group, const std::string& attribute) const {
     if (!exists(m_file.get(), group)) {
         return false;
@@ -287,6 +301,25 @@ std::optional<std::int64_t> Hdf5Table::number(const std::string& group, const st
     }
     std::array<std::int64_t, 64> values{};
     return H5Aread(handle.get(), H5T_NATIVE_INT64, values.data()) < 0 ? std::nullopt : std::optional(values[0]);
+}
+
+std::optional<double> Hdf5Table::real(const std::string& group, const std::string& attribute) const {
+    const Hdf5Session quiet;
+    if (!hasAttribute(group, attribute)) {
+        return std::nullopt;
+    }
+    const Hdf5Handle handle(H5Aopen_by_name(m_file.get(), group.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    const Hdf5Handle type(handle.valid() ? H5Aget_type(handle.get()) : H5I_INVALID_HID, H5Tclose);
+    const Hdf5Handle space(handle.valid() ? H5Aget_space(handle.get()) : H5I_INVALID_HID, H5Sclose);
+    if (!type.valid() || !space.valid()) {
+        failTable(m_path, group + ":" + attribute, "it is damaged");
+    }
+    const H5T_class_t kind = H5Tget_class(type.get());
+    if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || H5Sget_simple_extent_npoints(space.get()) != 1) {
+        return std::nullopt;
+    }
+    double value = 0.0;
+    return H5Aread(handle.get(), H5T_NATIVE_DOUBLE, &value) < 0 ? std::nullopt : std::optional(value);
 }
 
 }  // namespace rubble::io

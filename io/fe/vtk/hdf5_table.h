@@ -35,10 +35,14 @@ public:
     std::vector<std::int64_t> integers(const std::string& name, std::uint64_t first, std::uint64_t rows) const;
     /// Names of the tables in a group, sorted; none where there is no such group.
     std::vector<std::string> tablesIn(const std::string& group) const;
-    /// A text attribute of a group; nothing if there is none.
+    /// Names of the groups in a group, sorted; none where there is no such group.
+    std::vector<std::string> groupsIn(const std::string& group) const;
+    /// A text attribute of a group or a table; nothing if there is none.
     std::optional<std::string> text(const std::string& group, const std::string& attribute) const;
-    /// A whole-number attribute of a group (the first where it is a list); nothing if there is none.
+    /// A whole-number attribute of a group or a table (the first where it is a list); nothing if there is none.
     std::optional<std::int64_t> number(const std::string& group, const std::string& attribute) const;
+    /// An attribute of one real number, of a group or a table; nothing if there is none.
+    std::optional<double> real(const std::string& group, const std::string& attribute) const;
 
 private:
     template <class T>

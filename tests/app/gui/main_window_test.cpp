@@ -4,8 +4,11 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QCompleter>
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QTemporaryDir>
 #include <QTest>
@@ -20,6 +23,8 @@
 #include "app/gui/views/inspection.h"
 #include "io/case/case_file.h"
 #include "tests/app/gui/workbench.h"
+#include "tests/support/small_collapse.h"
+#include "widgets/basics/parameter_editor.h"
 #include "widgets/case/case_panel.h"
 #include "widgets/views/status_line.h"
 #include "widgets/views/timeline.h"
@@ -195,6 +200,52 @@ TEST_F(Workbench, AnActiveFlagThatIsNotThereIsAnErrorInPlaceAndCostsNothing) {
     session->document().setParameter(QStringLiteral("status_variable"), std::string("STATUS"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
     EXPECT_EQ(rail(PanelDeck::Fragments), widgets::StageState::UpToDate);
+}
+
+// A result whose flag goes by a name that nobody knows.
+QString writeUnflagged(const QTemporaryDir& folder) {
+    io::ExodusBuilder builder = cli::smallCollapse();
+    builder.element.front().first = "GONE_OR_NOT";
+    builder.element.emplace_back("PRESSURE", [](std::size_t, std::size_t) { return 3.5; });
+    const QString path = folder.filePath(QStringLiteral("unknown.exo"));
+    builder.write(path.toStdString());
+    return path;
+}
+
+TEST_F(Workbench, AResultInWhichNothingDiesOpensAndSaysWhyThereIsNothingToSimulate) {
+    const QTemporaryDir folder;
+    window->open(writeUnflagged(folder));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    const auto fe = session->computation().inputs().fe;
+    EXPECT_EQ(session->computation().findings().count("fe.no_deaths"), static_cast<std::int64_t>(fe->mesh().elementCount()));
+    EXPECT_EQ(rail(PanelDeck::Fragments), widgets::StageState::UpToDate);
+    EXPECT_FALSE(window->actions()[ActionId::Simulate].isEnabled());
+    const QList<QLabel*> labels = window->findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->text().contains(QStringLiteral("No element dies in this result"));
+    }));
+    QTest::keyClick(window, Qt::Key_End);
+    EXPECT_DOUBLE_EQ(window->rooms().playback->clock().time(), fe->times().back());
+    for (const Qt::Key layout : {Qt::Key_4, Qt::Key_5, Qt::Key_6}) {
+        QTest::keyClick(window, layout);
+        EXPECT_FALSE(pictureOf(*window).isNull());
+    }
+}
+
+TEST_F(Workbench, WhatCouldBeTheFlagIsOfferedAndTakesItsPlace) {
+    const QTemporaryDir folder;
+    window->open(writeUnflagged(folder));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return prepared(); }, patience));
+    const auto* panel = window->findChild<widgets::CasePanel*>();
+    ASSERT_NE(panel, nullptr);
+    const auto* field = panel->editor(QStringLiteral("status_variable"))->findChild<QLineEdit*>();
+    ASSERT_NE(field, nullptr);
+    ASSERT_NE(field->completer(), nullptr);
+    EXPECT_EQ(field->completer()->model()->rowCount(), 2);
+    session->document().setParameter(QStringLiteral("status_variable"), std::string("GONE_OR_NOT"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->actions()[ActionId::Simulate].isEnabled(); }, patience));
+    EXPECT_EQ(session->computation().findings().count("fe.no_deaths"), 0);
+    EXPECT_FALSE(session->computation().results().fragments->list.empty());
 }
 
 TEST_F(Workbench, ADroppedFileOpens) {

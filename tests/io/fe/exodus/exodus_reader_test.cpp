@@ -178,13 +178,23 @@ TEST_F(ExodusReaderTest, BlocksWithoutTheFlagAreAlwaysActive) {
     }
 }
 
-TEST_F(ExodusReaderTest, WithoutAFlagTheVariablesThatExistAreOffered) {
+// It opens all the same: a finding says how to tell what is dead.
+TEST_F(ExodusReaderTest, WithoutAFlagAllIsActiveAndTheVariablesThatExistAreOffered) {
     ExodusBuilder builder = ExodusBuilder::threeCubes();
-    EXPECT_THAT(errorOf<ParseError>(builder), HasSubstr("no element variables"));
+    const auto fe = open(builder);
+    EXPECT_THAT(activity(*fe), ::testing::Each(std::string("111")));
+    EXPECT_EQ(fe->contents().findings.count("fe.no_deaths"), 3);
+    EXPECT_THAT(englishText(fe->contents().findings.list().back().remedy), HasSubstr(".deaths.csv"));
     builder.element.emplace_back("Damage", [](std::size_t, std::size_t) { return 0.0; });
     builder.element.emplace_back("EQPS", [](std::size_t, std::size_t) { return 0.0; });
-    EXPECT_THAT(errorOf<ParseError>(builder),
+    const auto named = open(builder);
+    EXPECT_THAT(activity(*named), ::testing::Each(std::string("111")));
+    EXPECT_THAT(englishText(named->contents().findings.list().back().remedy),
                 ::testing::AllOf(HasSubstr("--set status_variable=NAME"), HasSubstr("\"Damage\", \"EQPS\"")));
+    EXPECT_EQ(named->state(1)->positions, open(builder, {.statusVariable = "Damage", .activeValue = 0, .displacement = ""})
+                                              ->state(1)
+                                              ->positions)
+        << "the way it is read makes no difference";
 }
 
 TEST_F(ExodusReaderTest, WithoutDisplacementTheVariablesThatExistAreOffered) {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/fe/fe_format.h"
+
+namespace rubble::io {
+
+/// Files of the recorder mpco of OpenSees, in HDF5.
+bool recognisesMpco(const FileHead& head);
+/// The file, or all pieces of a parallel analysis (NAME.part-0.mpco, ...), and a list of deaths. Never throws.
+std::vector<std::string> mpcoMembers(const std::string& path);
+/// Reads one; pieces are joined by the numbers of their nodes and elements. Throws as openFe().
+FeResult::Contents readMpco(const std::string& path, const ImportSettings& settings, const Execution& execution);
+
+}  // namespace rubble::io

@@ -1322,6 +1322,10 @@
         <translation>32 位小写十六进制数字</translation>
     </message>
     <message>
+        <source>@(#)ADF Database</source>
+        <translation>@(#)ADF Database</translation>
+    </message>
+    <message>
         <source>A density lies outside {0} to {1}</source>
         <translation>密度超出 {0} 至 {1}</translation>
     </message>
@@ -1448,6 +1452,10 @@
     <message>
         <source>Along {0} the mean distance of the fragments, {1}, exceeds the smallest structural component, &quot;{2}&quot; with {3}; the largest fragment is element {4} of &quot;{5}&quot; with {6}</source>
         <translation>沿 {0}，碎块平均间距 {1} 超过最小结构构件“{2}”（{3}）；最大碎块为“{5}”的单元 {4}（{6}）</translation>
+    </message>
+    <message>
+        <source>Altair Binary</source>
+        <translation>Altair Binary</translation>
     </message>
     <message>
         <source>An acknowledgement needs a {0}.</source>
@@ -1582,6 +1590,10 @@
         <translation>不生成碎块的单元类型已略去</translation>
     </message>
     <message>
+        <source>Cells were taken apart into solids, shells or beams, which die together</source>
+        <translation>一些网格单元被拆分为实体、壳或梁，它们一起失效</translation>
+    </message>
+    <message>
         <source>Check free space and rights of the folder, or choose another place.</source>
         <translation>请检查剩余空间和文件夹权限，或选择其他位置。</translation>
     </message>
@@ -1706,8 +1718,16 @@
         <translation>请将失效情况与分析对照。</translation>
     </message>
     <message>
+        <source>Compare the masses with the analysis, or write quadratic elements.</source>
+        <translation>请与分析比较质量，或写出二次单元。</translation>
+    </message>
+    <message>
         <source>Contours cannot be drawn every {0} up to a height of {1}.</source>
         <translation>无法按 {0} 间隔绘制高至 {1} 的等值线。</translation>
+    </message>
+    <message>
+        <source>Convert it to .vtu files with a .pvd, or to Exodus II, with the dead cells left out or flagged.</source>
+        <translation>请转换为带 .pvd 的 .vtu 文件或 Exodus II，略去失效单元或加以标记。</translation>
     </message>
     <message>
         <source>Coordinates must be finite: let the analysis write the file again.</source>
@@ -1778,6 +1798,18 @@
         <translation>请在文件中更正该值，或采用上一份完好的副本。</translation>
     </message>
     <message>
+        <source>Curved beams were taken straight, which changes their length by {0} %</source>
+        <translation>弯曲的梁按直线处理，其长度因此改变 {0} %</translation>
+    </message>
+    <message>
+        <source>Curved edges of shells were taken straight, which changes their area by {0} %</source>
+        <translation>壳的弯曲边按直线处理，其面积因此改变 {0} %</translation>
+    </message>
+    <message>
+        <source>Curved edges of solids were taken straight, which changes their volume by {0} %</source>
+        <translation>实体的弯曲边按直线处理，其体积因此改变 {0} %</translation>
+    </message>
+    <message>
         <source>Debris of {0} fragments cannot be compared with debris of {1}: they are of different collapses, or were measured in different ways.</source>
         <translation>{0} 个碎块的堆积物不能与 {1} 个碎块的堆积物比较：它们属于不同的倒塌，或测量方式不同。</translation>
     </message>
@@ -1818,6 +1850,10 @@
         <translation>某些单元在所有状态均未激活：可能是刚性的，这些文件不作说明</translation>
     </message>
     <message>
+        <source>Elements change their part from state to state</source>
+        <translation>单元在不同状态间改变所属部件</translation>
+    </message>
+    <message>
         <source>Elements of a type that makes no fragment were left out</source>
         <translation>不生成碎块的单元类型已略去</translation>
     </message>
@@ -1842,6 +1878,10 @@
         <translation>其节点全部属于存活单元的失效单元会被遗漏：请将含 MODEL CHANGE 的输入卡（.inp）放在旁边。</translation>
     </message>
     <message>
+        <source>Elements whose type the file does not say were left out</source>
+        <translation>文件未说明类型的单元已略去</translation>
+    </message>
+    <message>
         <source>Entries of the deletion table are negative or no number; these elements count as dead</source>
         <translation>删除表中有负值或非数值；这些单元视为失效</translation>
     </message>
@@ -1852,6 +1892,14 @@
     <message>
         <source>FE result</source>
         <translation>有限元结果</translation>
+    </message>
+    <message>
+        <source>Fetch the file: git annex get.</source>
+        <translation>请获取该文件：git annex get。</translation>
+    </message>
+    <message>
+        <source>Fetch the file: git lfs pull.</source>
+        <translation>请获取该文件：git lfs pull。</translation>
     </message>
     <message>
         <source>Files of the sequence are missing: states between them are not known</source>
@@ -1878,6 +1926,10 @@
         <translation>可读取的格式：{0}。</translation>
     </message>
     <message>
+        <source>Fortran Binary</source>
+        <translation>Fortran Binary</translation>
+    </message>
+    <message>
         <source>Fragments wider than the grid mostly stand alone; raise it for fewer bodies</source>
         <translation>宽于网格的碎块大多单独成类；增大网格可减少刚体</translation>
     </message>
@@ -1892,6 +1944,10 @@
     <message>
         <source>Give a distance above zero.</source>
         <translation>请给出大于零的距离。</translation>
+    </message>
+    <message>
+        <source>Give a file or a folder; pipes and devices hold no result.</source>
+        <translation>请给出文件或文件夹；管道和设备中没有结果。</translation>
     </message>
     <message>
         <source>Give a name that is not empty and that no other component has.</source>
@@ -1948,6 +2004,10 @@
     <message>
         <source>Give a spacing above zero that makes a thousand lines at most, 0.5 m for example.</source>
         <translation>请给出大于零且最多产生一千条线的间距，例如 0.5 m。</translation>
+    </message>
+    <message>
+        <source>Give a table of at most {0} bytes.</source>
+        <translation>请给出不超过 {0} 字节的表格。</translation>
     </message>
     <message>
         <source>Give a text.</source>
@@ -2042,16 +2102,28 @@
         <translation>请给出结果文件。可读取的格式：{0}。</translation>
     </message>
     <message>
-        <source>Give the results of the collapse, not of its vibration modes.</source>
-        <translation>请给出倒塌的结果，而不是振型。</translation>
+        <source>Give the result of an FE analysis; surroundings are added to the case as meshes.</source>
+        <translation>请给出有限元分析的结果；周围环境作为网格加入案例。</translation>
+    </message>
+    <message>
+        <source>Give the result of the analysis as .vtu, Exodus II or another format that is read.</source>
+        <translation>请以 .vtu、Exodus II 或其他可读取的格式给出分析结果。</translation>
+    </message>
+    <message>
+        <source>Give the result of the analysis; Gmsh writes results as .vtk or .med.</source>
+        <translation>请给出分析结果；Gmsh 可将结果写为 .vtk 或 .med。</translation>
+    </message>
+    <message>
+        <source>Give the result of the solver itself: d3plot, the animation files of OpenRadioss, or the .odb as .fil.</source>
+        <translation>请给出求解器自身的结果：d3plot、OpenRadioss 动画文件，或转换为 .fil 的 .odb。</translation>
+    </message>
+    <message>
+        <source>Give the results of the collapse: a static or a transient analysis.</source>
+        <translation>请给出倒塌的结果：静力或瞬态分析。</translation>
     </message>
     <message>
         <source>Give the size of the picture, a focal length above zero or none, and up to two radial terms.</source>
         <translation>请给出照片尺寸、大于零的焦距（或不给出），以及至多两个径向畸变项。</translation>
-    </message>
-    <message>
-        <source>Give the table of pairs, with a few dozen lines.</source>
-        <translation>请给出点对表，几十行即可。</translation>
     </message>
     <message>
         <source>Give the whole family (d3plot, d3plot01, ...), or wait until the analysis has gone on.</source>
@@ -2084,6 +2156,10 @@
     <message>
         <source>If the flag is the other way round: --set active_value={0}.</source>
         <translation>若标志方向相反：--set active_value={0}。</translation>
+    </message>
+    <message>
+        <source>If they die so, name the parts of the dead: --set dead_parts=NAME. Their first part counts otherwise.</source>
+        <translation>若单元由此失效，请指定失效单元所在的部件：--set dead_parts=NAME。否则以其最初的部件为准。</translation>
     </message>
     <message>
         <source>Impact energy</source>
@@ -2126,8 +2202,20 @@
         <translation>请不要给出名称：序列文件略去的单元即为失效。</translation>
     </message>
     <message>
+        <source>Let Abaqus write it as a results file: abaqus python odb_to_fil.py JOB.odb (resources/abaqus), then give JOB-rubble.fil.</source>
+        <translation>请让 Abaqus 将其写为结果文件：abaqus python odb_to_fil.py JOB.odb（resources/abaqus），然后给出 JOB-rubble.fil。</translation>
+    </message>
+    <message>
+        <source>Let CDWRITE write the whole database (CDWRITE,DB).</source>
+        <translation>请用 CDWRITE 写出整个数据库（CDWRITE,DB）。</translation>
+    </message>
+    <message>
         <source>Let the analysis number its elements uniquely.</source>
         <translation>请让分析程序给单元唯一编号。</translation>
+    </message>
+    <message>
+        <source>Let the analysis write all nodes: *NODE FILE without NSET.</source>
+        <translation>请让分析写出所有节点：*NODE FILE 不带 NSET。</translation>
     </message>
     <message>
         <source>Let the analysis write it without compression (/FCOMP,RST,0).</source>
@@ -2136,6 +2224,10 @@
     <message>
         <source>Let the analysis write the file again.</source>
         <translation>请让分析程序重新写出文件。</translation>
+    </message>
+    <message>
+        <source>Let the analysis write the status of its elements (STATUS, death_status, elem_status), or put a list of deaths (element,time) beside it as {0}.</source>
+        <translation>请让分析写出单元状态（STATUS、death_status、elem_status），或在旁边放置失效清单（单元，时刻）{0}。</translation>
     </message>
     <message>
         <source>Let the name end in .exo (Exodus II), .pvd (a series of VTU files) or .h5 (a copy that opens at once).</source>
@@ -2176,6 +2268,14 @@
     <message>
         <source>Lower minimum_thickness_ratio or minimum_half_extent if stability allows it.</source>
         <translation>若稳定性允许，请减小 minimum_thickness_ratio 或 minimum_half_extent。</translation>
+    </message>
+    <message>
+        <source>MED is out of scope: it has no status of elements. Convert the result to VTU with the dead cells left out or flagged.</source>
+        <translation>不支持 MED：其中没有单元状态。请转换为 VTU，略去失效单元或加以标记。</translation>
+    </message>
+    <message>
+        <source>MODEL CHANGE names sets of elements that the deck does not have</source>
+        <translation>MODEL CHANGE 指定了输入文件中没有的单元集</translation>
     </message>
     <message>
         <source>MODEL CHANGE of the input deck</source>
@@ -2250,6 +2350,14 @@
         <translation>请指定其他文件夹，或检查其权限。</translation>
     </message>
     <message>
+        <source>Name every column in the heading, and write numbers with points, or part the fields by semicolons.</source>
+        <translation>请在标题行中命名每一列，并用小数点书写数字，或用分号分隔各项。</translation>
+    </message>
+    <message>
+        <source>Name one of these in dead_parts: {0}.</source>
+        <translation>请在 dead_parts 中指定其中之一：{0}。</translation>
+    </message>
+    <message>
         <source>Name one of these: {0}; displacement=none if the points are where the nodes are.</source>
         <translation>请指定其中之一：{0}；若点即为节点所在位置，则 displacement=none。</translation>
     </message>
@@ -2298,8 +2406,16 @@
         <translation>激活单元的节点需要有限值：请让分析程序重新写出该状态，或在其之前截断结果。</translation>
     </message>
     <message>
+        <source>Nodes of elements have displacements at no state: they were left where they are at rest</source>
+        <translation>一些单元节点在任何状态都没有位移：它们留在初始位置</translation>
+    </message>
+    <message>
         <source>Nodes of no element have no finite place</source>
         <translation>不属于任何单元的节点没有有限位置</translation>
+    </message>
+    <message>
+        <source>Nodes on the edges of elements of higher order were left out: their edges are taken straight</source>
+        <translation>高阶单元边上的节点已略去：其边按直线处理</translation>
     </message>
     <message>
         <source>Nothing can be drawn here: only the physics was measured.</source>
@@ -2328,6 +2444,10 @@
     <message>
         <source>Nothing to do if these blocks cannot fail.</source>
         <translation>若这些单元块不会破坏，则无需处理。</translation>
+    </message>
+    <message>
+        <source>Nothing to do if they are gravel or debris beside the structure.</source>
+        <translation>若它们是结构旁的碎石或堆积物，则无需处理。</translation>
     </message>
     <message>
         <source>Nothing to do if they are masses, contacts or particles.</source>
@@ -2362,8 +2482,16 @@
         <translation>无需处理：它们未被使用。</translation>
     </message>
     <message>
+        <source>Nothing to do: they fill the same volume.</source>
+        <translation>无需处理：它们占据相同的体积。</translation>
+    </message>
+    <message>
         <source>Nothing to merge into &quot;{0}&quot;</source>
         <translation>没有可并入“{0}”的内容</translation>
+    </message>
+    <message>
+        <source>Number the elements of all kinds in one row if one alone is meant.</source>
+        <translation>若仅指其中一个，请将各类单元统一编号。</translation>
     </message>
     <message>
         <source>Numbers are missing in the series; deaths are known less exactly there</source>
@@ -2518,6 +2646,10 @@
         <translation>计算 (*.run.h5)</translation>
     </message>
     <message>
+        <source>Save the table as CSV in UTF-8.</source>
+        <translation>请将表格存为 UTF-8 编码的 CSV。</translation>
+    </message>
+    <message>
         <source>Save the view again, or mend the file there.</source>
         <translation>请重新保存视图，或在该处修正文件。</translation>
     </message>
@@ -2530,8 +2662,8 @@
         <translation>请说明其分量的前缀：--set displacement=PREFIX；若节点不移动，则 displacement=none。文件中的节点变量：{0}</translation>
     </message>
     <message>
-        <source>Say which variable tells active from dead elements: --set status_variable=NAME (and active_value=0 or 1). Element variables in the file: {0}</source>
-        <translation>请说明哪个变量区分激活与失效单元：--set status_variable=NAME（以及 active_value=0 或 1）。文件中的单元变量：{0}</translation>
+        <source>Say which variable tells active from dead elements: --set status_variable=NAME (and active_value=0 or 1), or put a list of deaths (element,time) beside it as {1}. Element variables in the file: {0}</source>
+        <translation>请说明哪个变量区分激活与失效单元：--set status_variable=NAME（以及 active_value=0 或 1），或在旁边放置失效清单（单元，时刻）{1}。文件中的单元变量：{0}</translation>
     </message>
     <message>
         <source>Say who has looked at the breaches, and why the run may be used.</source>
@@ -2552,6 +2684,10 @@
     <message>
         <source>Set birth_time = state to treat all elements alike.</source>
         <translation>请设置 birth_time = state 以同样处理所有单元。</translation>
+    </message>
+    <message>
+        <source>Set component[NAME].density to {0} times its value to keep the mass, or mesh finer.</source>
+        <translation>将 component[NAME].density 设为原值的 {0} 倍以保持质量，或细化网格。</translation>
     </message>
     <message>
         <source>Set component[NAME].density.</source>
@@ -2686,12 +2822,20 @@
         <translation>单元 {0}（{1}）的密度为 {2}</translation>
     </message>
     <message>
+        <source>The download was not the file: log in or follow the link to the file itself.</source>
+        <translation>下载到的不是该文件：请登录，或打开文件本身的链接。</translation>
+    </message>
+    <message>
         <source>The file does not say which elements are dead: those whose stress falls to exactly zero for good were taken</source>
         <translation>文件未说明哪些单元失效：取应力永久降为零的单元</translation>
     </message>
     <message>
         <source>The file does not say which elements are dead: those with a node that a state leaves out were taken</source>
         <translation>文件未说明哪些单元失效：取有节点在某状态被略去的单元</translation>
+    </message>
+    <message>
+        <source>The file has discrete elements (spheres), which are not read</source>
+        <translation>文件含有离散单元（球体），这些单元不被读取</translation>
     </message>
     <message>
         <source>The file has no deletion table; elements whose stresses have become 0 are taken for dead</source>
@@ -2792,6 +2936,10 @@
     <message>
         <source>The list of deaths names elements that the mesh does not have</source>
         <translation>失效清单列有网格中不存在的单元</translation>
+    </message>
+    <message>
+        <source>The list of deaths names numbers that several elements share: all of them die</source>
+        <translation>失效清单中有多个单元共用的编号：它们全部失效</translation>
     </message>
     <message>
         <source>The map has no layer &quot;{0}&quot;</source>
@@ -2930,6 +3078,10 @@
         <translation>释放的孤立部分中 {0} 个单元的速度未知</translation>
     </message>
     <message>
+        <source>Their elements keep what they were: copy the files that the deck includes beside it.</source>
+        <translation>其单元保持原状：请将输入文件所包含的文件复制到旁边。</translation>
+    </message>
+    <message>
         <source>There is no component &quot;{0}&quot; among {1}</source>
         <translation>{1} 中没有构件“{0}”</translation>
     </message>
@@ -3054,8 +3206,16 @@
         <translation>删除时刻不在单元失效的区间内；已略去</translation>
     </message>
     <message>
+        <source>Times that only some of the collections have were left out</source>
+        <translation>仅部分集合具有的时刻已略去</translation>
+    </message>
+    <message>
         <source>Two cameras see these points alike: one {0} from the other.</source>
         <translation>两个相机所见各点相同：两者相距 {0}。</translation>
+    </message>
+    <message>
+        <source>Unpack it, then give the result in it.</source>
+        <translation>请解压，然后给出其中的结果。</translation>
     </message>
     <message>
         <source>Use a newer version of Rubble, or make the copy again.</source>
@@ -3088,6 +3248,18 @@
     <message>
         <source>Whole components may move as one body; lower the grid for accuracy</source>
         <translation>整个构件可能作为一个刚体运动；减小网格可提高精度</translation>
+    </message>
+    <message>
+        <source>Write a line /COM,TIME=T into each file.</source>
+        <translation>请在每个文件中写入一行 /COM,TIME=T。</translation>
+    </message>
+    <message>
+        <source>Write all functions at the same times.</source>
+        <translation>请在相同的时刻写出所有函数。</translation>
+    </message>
+    <message>
+        <source>Write all numbers with one decimal sign and without marks of thousands.</source>
+        <translation>请用同一种小数符号书写所有数字，且不用千位分隔符。</translation>
     </message>
     <message>
         <source>Write it again, or give one of the series&apos; own files.</source>
@@ -3126,8 +3298,8 @@
         <translation>请带节点几何写出 d3plot。</translation>
     </message>
     <message>
-        <source>Write the element&apos;s number and the time of its death on each line.</source>
-        <translation>请在每行写出单元编号及其失效时刻。</translation>
+        <source>Write the element&apos;s number and the time of its death on each line, and 0 (dead) or 1 (active) if there is a status.</source>
+        <translation>每行写单元编号及其失效时刻；若有状态，写 0（失效）或 1（激活）。</translation>
     </message>
     <message>
         <source>Write the result as .vtu files with a .pvd, or with its values in HDF5.</source>
@@ -3226,12 +3398,20 @@
         <translation>32 位十六进制摘要</translation>
     </message>
     <message>
+        <source>a file of Tecplot</source>
+        <translation>Tecplot 文件</translation>
+    </message>
+    <message>
         <source>a fragment names a component that does not exist</source>
         <translation>某碎块所指的构件不存在</translation>
     </message>
     <message>
         <source>a grid has no topology or no geometry</source>
         <translation>某网格没有拓扑或几何</translation>
+    </message>
+    <message>
+        <source>a harmonic analysis</source>
+        <translation>谐响应分析</translation>
     </message>
     <message>
         <source>a line of 80 columns</source>
@@ -3250,6 +3430,14 @@
         <translation>更长的一个</translation>
     </message>
     <message>
+        <source>a mesh of Gmsh (.msh)</source>
+        <translation>Gmsh 网格（.msh）</translation>
+    </message>
+    <message>
+        <source>a modal analysis</source>
+        <translation>模态分析</translation>
+    </message>
+    <message>
         <source>a number above zero</source>
         <translation>大于零的数值</translation>
     </message>
@@ -3262,8 +3450,20 @@
         <translation>静止的堆积体又被唤醒 {0} 次</translation>
     </message>
     <message>
+        <source>a pointer of Git LFS, not the file itself</source>
+        <translation>Git LFS 指针，而非文件本身</translation>
+    </message>
+    <message>
+        <source>a pointer of git-annex, not the file itself</source>
+        <translation>git-annex 指针，而非文件本身</translation>
+    </message>
+    <message>
         <source>a positive length in metres</source>
         <translation>以米为单位的正长度</translation>
+    </message>
+    <message>
+        <source>a punch file of Nastran</source>
+        <translation>Nastran 穿孔文件</translation>
     </message>
     <message>
         <source>a real of 22 columns</source>
@@ -3274,8 +3474,40 @@
         <translation>2 个或更多字的记录</translation>
     </message>
     <message>
+        <source>a result in CGNS</source>
+        <translation>CGNS 结果</translation>
+    </message>
+    <message>
+        <source>a result in EnSight format</source>
+        <translation>EnSight 格式的结果</translation>
+    </message>
+    <message>
+        <source>a result of GiD</source>
+        <translation>GiD 结果</translation>
+    </message>
+    <message>
+        <source>a result of HyperView (.h3d)</source>
+        <translation>HyperView 结果（.h3d）</translation>
+    </message>
+    <message>
+        <source>a result of Nastran (.op2)</source>
+        <translation>Nastran 结果（.op2）</translation>
+    </message>
+    <message>
         <source>a solid does not have the corners of its shape</source>
         <translation>某实体单元的角点数与其形状不符</translation>
+    </message>
+    <message>
+        <source>a spectrum analysis</source>
+        <translation>谱分析</translation>
+    </message>
+    <message>
+        <source>a substructure analysis</source>
+        <translation>子结构分析</translation>
+    </message>
+    <message>
+        <source>a surface mesh</source>
+        <translation>表面网格</translation>
     </message>
     <message>
         <source>a surface of the rigid road</source>
@@ -3286,8 +3518,16 @@
         <translation>至多 4096 字节的文本</translation>
     </message>
     <message>
+        <source>a universal file (.unv)</source>
+        <translation>通用格式文件（.unv）</translation>
+    </message>
+    <message>
         <source>a vector of nodes</source>
         <translation>节点向量</translation>
+    </message>
+    <message>
+        <source>a web page</source>
+        <translation>网页</translation>
     </message>
     <message>
         <source>a whole number</source>
@@ -3304,6 +3544,14 @@
     <message>
         <source>an angle between 0 and 180 degrees</source>
         <translation>0 至 180 度之间的角度</translation>
+    </message>
+    <message>
+        <source>an archive or a compressed file</source>
+        <translation>压缩包或压缩文件</translation>
+    </message>
+    <message>
+        <source>an eigenvalue buckling analysis</source>
+        <translation>特征值屈曲分析</translation>
     </message>
     <message>
         <source>an element is short</source>
@@ -3326,6 +3574,10 @@
         <translation>某增量步未说明其时间</translation>
     </message>
     <message>
+        <source>an input deck of Nastran</source>
+        <translation>Nastran 输入文件</translation>
+    </message>
+    <message>
         <source>an input needs a path</source>
         <translation>输入需要路径</translation>
     </message>
@@ -3340,6 +3592,10 @@
     <message>
         <source>an object</source>
         <translation>对象</translation>
+    </message>
+    <message>
+        <source>an output database of Abaqus (.odb)</source>
+        <translation>Abaqus 输出数据库（.odb）</translation>
     </message>
     <message>
         <source>api version</source>
@@ -3360,6 +3616,22 @@
     <message>
         <source>below the ground</source>
         <translation>位于地面以下</translation>
+    </message>
+    <message>
+        <source>biquadratic quadratic hexahedron</source>
+        <translation>双二次-二次六面体</translation>
+    </message>
+    <message>
+        <source>biquadratic quadratic wedge</source>
+        <translation>双二次-二次楔形体</translation>
+    </message>
+    <message>
+        <source>biquadratic quadrilateral</source>
+        <translation>双二次四边形</translation>
+    </message>
+    <message>
+        <source>biquadratic triangle</source>
+        <translation>双二次三角形</translation>
     </message>
     <message>
         <source>birth/death field</source>
@@ -3418,8 +3690,16 @@
         <translation>若不是请先换算</translation>
     </message>
     <message>
+        <source>convex set of points</source>
+        <translation>凸点集</translation>
+    </message>
+    <message>
         <source>corners of a cell</source>
         <translation>单元格的角点</translation>
+    </message>
+    <message>
+        <source>cubic line</source>
+        <translation>三次线</translation>
     </message>
     <message>
         <source>d3plot, d3plot01, ...</source>
@@ -3452,6 +3732,10 @@
     <message>
         <source>elements are not written in the solid format (EBLOCK,19,SOLID)</source>
         <translation>单元未以实体格式写出（EBLOCK,19,SOLID）</translation>
+    </message>
+    <message>
+        <source>empty cell</source>
+        <translation>空单元</translation>
     </message>
     <message>
         <source>ends inside its values</source>
@@ -3548,6 +3832,10 @@
     <message>
         <source>held by most elements at the first state</source>
         <translation>初始状态多数单元的取值</translation>
+    </message>
+    <message>
+        <source>hexagonal prism</source>
+        <translation>六棱柱</translation>
     </message>
     <message>
         <source>how many fragments reach into the cell</source>
@@ -3656,6 +3944,10 @@
     <message>
         <source>its tables do not go together</source>
         <translation>其各表不一致</translation>
+    </message>
+    <message>
+        <source>its temporal collections have no time in common</source>
+        <translation>其时间集合没有共同的时刻</translation>
     </message>
     <message>
         <source>keep one, or merge them into one raster</source>
@@ -3934,12 +4226,56 @@
         <translation>粒子及其数值</translation>
     </message>
     <message>
+        <source>pentagonal prism</source>
+        <translation>五棱柱</translation>
+    </message>
+    <message>
         <source>pieces = none leaves the structure without collision shapes</source>
         <translation>pieces = none 使结构没有碰撞形状</translation>
     </message>
     <message>
         <source>place or velocity of {0} was no number: it was taken out ({1} bodies)</source>
         <translation>{0} 的位置或速度不是数值：已移出（{1} 个刚体）</translation>
+    </message>
+    <message>
+        <source>quadratic edge</source>
+        <translation>二次边</translation>
+    </message>
+    <message>
+        <source>quadratic hexahedron</source>
+        <translation>二次六面体</translation>
+    </message>
+    <message>
+        <source>quadratic linear quadrilateral</source>
+        <translation>二次-线性四边形</translation>
+    </message>
+    <message>
+        <source>quadratic linear wedge</source>
+        <translation>二次-线性楔形体</translation>
+    </message>
+    <message>
+        <source>quadratic polygon</source>
+        <translation>二次多边形</translation>
+    </message>
+    <message>
+        <source>quadratic pyramid</source>
+        <translation>二次棱锥</translation>
+    </message>
+    <message>
+        <source>quadratic quadrilateral</source>
+        <translation>二次四边形</translation>
+    </message>
+    <message>
+        <source>quadratic tetrahedron</source>
+        <translation>二次四面体</translation>
+    </message>
+    <message>
+        <source>quadratic triangle</source>
+        <translation>二次三角形</translation>
+    </message>
+    <message>
+        <source>quadratic wedge</source>
+        <translation>二次楔形体</translation>
     </message>
     <message>
         <source>raise bodies_max, or read the debris there as coarser than it is</source>
@@ -4224,6 +4560,10 @@
     <message>
         <source>the mixed topology ends inside a cell</source>
         <translation>混合拓扑在单元格内部结束</translation>
+    </message>
+    <message>
+        <source>the mixed topology ends inside a polyhedron</source>
+        <translation>混合拓扑在一个多面体中间结束</translation>
     </message>
     <message>
         <source>the name of a part</source>
@@ -4518,6 +4858,10 @@
         <translation>时间</translation>
     </message>
     <message>
+        <source>the times of a collection are no numbers</source>
+        <translation>一个集合的时刻不是数字</translation>
+    </message>
+    <message>
         <source>the times of the states</source>
         <translation>各状态的时刻</translation>
     </message>
@@ -4532,6 +4876,10 @@
     <message>
         <source>the type of a cell</source>
         <translation>单元格类型</translation>
+    </message>
+    <message>
+        <source>the types of elements have no end</source>
+        <translation>单元类型没有结尾</translation>
     </message>
     <message>
         <source>the unit must be a number above zero</source>
@@ -4630,6 +4978,18 @@
         <translation>吨、毫米、秒（应力 MPa）</translation>
     </message>
     <message>
+        <source>triangle strip</source>
+        <translation>三角形条带</translation>
+    </message>
+    <message>
+        <source>triquadratic hexahedron</source>
+        <translation>三二次六面体</translation>
+    </message>
+    <message>
+        <source>triquadratic pyramid</source>
+        <translation>三二次棱锥</translation>
+    </message>
+    <message>
         <source>true or false</source>
         <translation>true 或 false</translation>
     </message>
@@ -4660,6 +5020,10 @@
     <message>
         <source>values of points</source>
         <translation>点的数值</translation>
+    </message>
+    <message>
+        <source>version https://git-lfs</source>
+        <translation>version https://git-lfs</translation>
     </message>
     <message>
         <source>volume from mass and density</source>
@@ -4802,6 +5166,14 @@
         <translation>{0} 覆盖局部坐标框架的 x = {1} 至 {2}，y = {3} 至 {4}；结构位于 x = {5} 至 {6}，y = {7} 至 {8}</translation>
     </message>
     <message>
+        <source>{0} does not say by a known name which elements are active</source>
+        <translation>{0} 未以已知名称说明哪些单元激活</translation>
+    </message>
+    <message>
+        <source>{0} does not say of which types its {1} elements are</source>
+        <translation>{0} 未说明其 {1} 个单元的类型</translation>
+    </message>
+    <message>
         <source>{0} does not say what to convert to</source>
         <translation>{0} 未说明转换为何种格式</translation>
     </message>
@@ -4868,6 +5240,10 @@
     <message>
         <source>{0} has no nodes</source>
         <translation>{0} 没有节点</translation>
+    </message>
+    <message>
+        <source>{0} has no part &quot;{1}&quot;</source>
+        <translation>{0} 中没有部件“{1}”</translation>
     </message>
     <message>
         <source>{0} has no point array &quot;{1}&quot; with three components</source>
@@ -5018,16 +5394,16 @@
         <translation>{0} 打开后已被更改</translation>
     </message>
     <message>
+        <source>{0} is no regular file</source>
+        <translation>{0} 不是普通文件</translation>
+    </message>
+    <message>
         <source>{0} is no sound XML: {1} at byte {2}</source>
         <translation>{0} 不是正确的 XML：字节 {2} 处 {1}</translation>
     </message>
     <message>
         <source>{0} is no sound record of a simulated world: at byte {1} {2} were expected.</source>
         <translation>{0} 不是完好的模拟计算记录：字节 {1} 处应为 {2}。</translation>
-    </message>
-    <message>
-        <source>{0} is no static or transient analysis of Ansys</source>
-        <translation>{0} 不是 Ansys 的静力或瞬态分析</translation>
     </message>
     <message>
         <source>{0} is no tolerance for the accuracy rate.</source>
@@ -5058,8 +5434,12 @@
         <translation>{0} 作为案例过大</translation>
     </message>
     <message>
-        <source>{0} is too large for a table of point pairs</source>
-        <translation>{0} 作为点对表过大</translation>
+        <source>{0} is too large for such a table</source>
+        <translation>{0} 对这种表格来说过大</translation>
+    </message>
+    <message>
+        <source>{0} is {1} of Ansys, whose sets are no states of a course of time</source>
+        <translation>{0} 是 Ansys 的{1}，其各组不是随时间变化的状态</translation>
     </message>
     <message>
         <source>{0} islands of live structure are released at the end of the FE result and can fall on what stands (by {1})</source>
@@ -5246,12 +5626,20 @@
         <translation>{0}：{2} 的第 {1} 帧已损坏</translation>
     </message>
     <message>
+        <source>{0}: line {1} has {2} fields, but the heading names {3}</source>
+        <translation>{0}：第 {1} 行有 {2} 项，而标题行有 {3} 项</translation>
+    </message>
+    <message>
         <source>{0}: line {1} includes files in a circle</source>
         <translation>{0}：第 {1} 行循环包含文件</translation>
     </message>
     <message>
-        <source>{0}: line {1} is not &quot;element,time&quot;: {2}</source>
-        <translation>{0}：第 {1} 行不是“单元，时刻”：{2}</translation>
+        <source>{0}: line {1} is no text</source>
+        <translation>{0}：第 {1} 行不是文本</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} is not &quot;element,time&quot; or &quot;element,time,status&quot;: {2}</source>
+        <translation>{0}：第 {1} 行不是“单元，时刻”或“单元，时刻，状态”：{2}</translation>
     </message>
     <message>
         <source>{0}: not a view in JSON, at character {1}: {2}</source>
@@ -5260,6 +5648,14 @@
     <message>
         <source>{0}: number {1} of the {2} (after {3}) uses {4} {5} of {6}</source>
         <translation>{0}：{2}（{3} 之后）的第 {1} 个使用 {4} {5}（共 {6}）</translation>
+    </message>
+    <message>
+        <source>{0}: numbers have commas and, in line {1}, points</source>
+        <translation>{0}：数字使用逗号，而第 {1} 行使用小数点</translation>
+    </message>
+    <message>
+        <source>{0}: state {1} at {2} does not come after state {3} at {4}</source>
+        <translation>{0}：{2} 的状态 {1} 不在 {4} 的状态 {3} 之后</translation>
     </message>
     <message>
         <source>{0}: state {1} has the time {2}; times must be finite and grow</source>
@@ -8630,12 +9026,20 @@
         <translation>重叠消除速度</translation>
     </message>
     <message>
+        <source>Parts (blocks, materials) whose elements are dead while they belong to them, by name or number, with semicolons between. Empty: recognised by name where elements move into them.</source>
+        <translation>单元属于其中时即为失效的部件（块、材料），按名称或编号，以分号分隔。留空：单元移入时按名称识别。</translation>
+    </message>
+    <message>
         <source>Parts alive at the end of the FE result without a path to a support. released: they go on as rigid bodies. held: they stay where they are.</source>
         <translation>有限元结果结束时仍存活但没有路径通向支座的部分。released（释放）：作为刚体继续运动。held（固定）：停在原处。</translation>
     </message>
     <message>
         <source>Parts in which the soft-step solver takes a step, contacts found once for all. It takes more by itself where thin bodies would sink into each other under their load.</source>
         <translation>软步法求解器将一步分成的份数，接触只查找一次。当薄刚体会在荷载下相互陷入时，它会自动取更多份。</translation>
+    </message>
+    <message>
+        <source>Parts of the dead</source>
+        <translation>失效单元的部件</translation>
     </message>
     <message>
         <source>Prefix of the nodal displacement variables. Empty: recognised by name. none: the nodes do not move.</source>

@@ -26,8 +26,10 @@ std::vector<Parameter> importRows() {
             "the file.")
         .toggle("only_this_file", RUBBLE_AT(import.onlyThisFile), "Only this file",
                 "Open the file by itself: others whose names differ only in a number are not taken for its states, as with "
-                "variants of a "
-                "design.");
+                "variants of a design.")
+        .text("dead_parts", RUBBLE_AT(import.deadParts), "Parts of the dead",
+              "Parts (blocks, materials) whose elements are dead while they belong to them, by name or number, with semicolons "
+              "between. Empty: recognised by name where elements move into them.");
     return std::move(table.rows);
 }
 

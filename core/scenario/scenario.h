@@ -37,6 +37,7 @@ struct ImportSettings {
     std::size_t units = 0;           ///< of the file, in the order of unitChoices()
     std::size_t upAxis = 0;          ///< of the file, in the order of upAxisChoices()
     bool onlyThisFile = false;       ///< files whose names differ in a number alone are no states
+    std::string deadParts;           ///< parts whose elements are dead, by name or number, between semicolons
     friend bool operator==(const ImportSettings&, const ImportSettings&) = default;
 };
 

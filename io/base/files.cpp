@@ -117,6 +117,16 @@ struct RemoveUnlessKept {
     }
 };
 
+// Libraries do not say why a file cannot be made: the system does.
+void requireWritable(const std::string& path, const std::string& temporary) {
+    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.get() < 0) {
+        failWrite(path, errno);
+    }
+    file.close();
+    ::unlink(temporary.c_str());
+}
+
 void flushFolder(const std::string& file) {
     const fs::path folder = fs::path(file).parent_path();
     const Descriptor handle(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -234,6 +244,7 @@ void writeFileAtomically(const std::string& path, const std::function<void(const
         failWrite(path, EISDIR);
     }
     RemoveUnlessKept temporary{unfinishedName(target)};
+    requireWritable(path, temporary.path);
     write(temporary.path);
     Descriptor file(::open(temporary.path.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.get() < 0 || ::fsync(file.get()) != 0 || file.close() != 0 || ::rename(temporary.path.c_str(), target.c_str()) != 0) {

@@ -14,6 +14,7 @@
 #include "io/fe/opensees/mpco_reader.h"
 #include "io/fe/radioss/anim_reader.h"
 #include "io/fe/series/byte_window.h"
+#include "io/fe/unread_formats.h"
 #include "io/fe/vtk/vtk_reader.h"
 #include "io/fe/vtk/vtkhdf_reader.h"
 #include "io/fe/xdmf/xdmf_reader.h"
@@ -67,20 +68,20 @@ constexpr std::array formats{
     FeFormat{"OpenRadioss animation converted to VTK", "RUN_001.vtk, ...", 1, recognisesConvertedAnim, convertedAnimMembers,
              readConvertedAnim},
     FeFormat{"LS-DYNA d3plot", "d3plot, d3plot01, ...", 1, recognisesD3plot, d3plotFiles, readD3plot},
-    FeFormat{"VTK XML", ".vtu, .pvtu, .vtm, .pvd, .vtu.series", 1, recognisesVtkXml, vtkMembers, readVtk, isVtkPiece,
+    FeFormat{"VTK XML", ".vtu, .pvtu, .vtm, .pvd, .vtu.series", 2, recognisesVtkXml, vtkMembers, readVtk, isVtkPiece,
              vtkFilesAlone},
-    FeFormat{"VTK legacy", ".vtk, .vtk.series", 1, recognisesVtkLegacy, vtkMembers, readVtk, isVtkPiece, vtkFilesAlone},
-    FeFormat{"Abaqus results file", ".fil with its .inp", 1, recognisesFil, filMembers, readFil},
-    FeFormat{"CalculiX results", ".frd with its .inp", 1, recognisesFrd, frdMembers, readFrd},
+    FeFormat{"VTK legacy", ".vtk, .vtk.series", 2, recognisesVtkLegacy, vtkMembers, readVtk, isVtkPiece, vtkFilesAlone},
+    FeFormat{"Abaqus results file", ".fil with its .inp", 2, recognisesFil, filMembers, readFil},
+    FeFormat{"CalculiX results", ".frd with its .inp", 2, recognisesFrd, frdMembers, readFrd},
     FeFormat{"MSC Marc post file", ".t19", 1, recognisesMarc, aloneWithDeathList, readMarc},
-    FeFormat{"Ansys coded database", ".cdb, with its .mac", 1, recognisesCdb, cdbMembers, readCdbs},
+    FeFormat{"Ansys coded database", ".cdb, with its .mac", 2, recognisesCdb, cdbMembers, readCdbs},
     FeFormat{"Ansys results", ".rst with a list of deaths", 1, recognisesRst, rstMembers, readRst, isRstPiece},
-    FeFormat{"XDMF", ".xdmf, .xmf", 1, recognisesXdmf, xdmfMembers, readXdmf},
+    FeFormat{"XDMF", ".xdmf, .xmf", 2, recognisesXdmf, xdmfMembers, readXdmf},
     FeFormat{"Rubble copy", ".h5, made by rubble-cli convert", 1, recognisesFeCopy, standsAlone, readFeCopy},
-    FeFormat{"VTKHDF", ".vtkhdf, .hdf", 1, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},
+    FeFormat{"VTKHDF", ".vtkhdf, .hdf", 2, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},
     FeFormat{"MED", ".med, .rmed of Salome and code_aster", 1, recognisesMed, aloneWithDeathList, readMed},
     FeFormat{"OpenSees MPCO", ".mpco, .part-0.mpco, ...", 1, recognisesMpco, mpcoMembers, readMpco},
-    FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 1, recognisesExodus, exodusMembers, readExodus, isExodusPiece},
+    FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 2, recognisesExodus, exodusMembers, readExodus, isExodusPiece},
 };
 
 constexpr std::array outOfScope{
@@ -105,7 +106,12 @@ std::span<const FeFormat> feFormats() {
 }
 
 std::span<const ForeignFormat> foreignFormats() {
-    return outOfScope;
+    static const std::vector<ForeignFormat> all = [] {
+        std::vector<ForeignFormat> list(outOfScope.begin(), outOfScope.end());
+        list.insert(list.end(), unreadFormats().begin(), unreadFormats().end());
+        return list;
+    }();
+    return all;
 }
 
 std::vector<std::string> standsAlone(const std::string& path) {

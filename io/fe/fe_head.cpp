@@ -90,6 +90,11 @@ FileHead readHead(const std::string& path) {
     if (!std::filesystem::exists(path, error)) {
         throw WorldError({"fe.missing", "There is no file {0}", {path}}, remedy);
     }
+    // Opening a pipe would wait for somebody to write into it.
+    if (!std::filesystem::is_regular_file(path, error)) {
+        throw WorldError({"fe.no_file", "{0} is no regular file", {path}},
+                         {"fe.no_file.remedy", "Give a file or a folder; pipes and devices hold no result.", {}});
+    }
     FileHead head;
     head.path = path;
     std::ifstream file(path, std::ios::binary);

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "io/fe/fe_search.h"
 #include "io/fe/result_frame.h"
+#include "io/fe/series/death_list.h"
 #include "io/fe/series/numbered_files.h"
 #include "io/fe/series_digest.h"
 
@@ -89,6 +90,11 @@ std::shared_ptr<const FeResult> openFe(const std::string& path, const ImportSett
     if (contents.alone) {
         // What is recorded of a result is the digest of all that lies there under its name.
         contents.sha256 = sha256OfSeries(feFiles(path), execution);
+    }
+    // Formats that can use a list of deaths have it among their files.
+    if (const std::string list = deathListBeside(contents.path);
+        !list.empty() && std::find(found.files.begin(), found.files.end(), list) == found.files.end()) {
+        noteUnusedDeathList(list, contents.findings);
     }
     for (const std::string& other : found.others) {
         contents.findings.add({"fe.folder_others", "The folder holds further results, which were not read", {}},

@@ -223,6 +223,9 @@ Digest feFingerprint(const FeFormat& format, const std::string& sha256, const Im
         hasher.text("only_this_file");
     }
     hasher.text(settings.statusVariable).value(settings.activeValue.value_or(-1)).text(settings.displacement);
+    if (!settings.deadParts.empty()) {
+        hasher.text(settings.deadParts);
+    }
     for (const std::int64_t origin : frame.origin) {
         hasher.value(origin);
     }

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
+#include <optional>
+#include <string_view>
 
 #include "core/base/error.h"
+#include "io/base/delimited_table.h"
 
 namespace rubble::io {
 
@@ -16,25 +15,6 @@ namespace {
 constexpr std::size_t pairsMax = 10000;
 constexpr std::uintmax_t pairBytesMax = 10 << 20;
 constexpr std::array<std::string_view, 5> columnNames{"picture_x_px", "picture_y_px", "x_m", "y_m", "z_m"};
-
-/// One line of a table in its fields. Quotes may enclose separators, not ends of lines.
-std::vector<std::string> fieldsOfRow(const std::string& line) {
-    std::vector<std::string> fields(1);
-    bool inside = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char c = line[i];
-        if (c == '"' && inside && i + 1 < line.size() && line[i + 1] == '"') {
-            fields.back() += line[++i];
-        } else if (c == '"') {
-            inside = !inside;
-        } else if (c == ',' && !inside) {
-            fields.emplace_back();
-        } else if (c != '\r') {
-            fields.back() += c;
-        }
-    }
-    return fields;
-}
 
 /// Where each column stands.
 struct Columns {
@@ -56,54 +36,38 @@ struct Columns {
     }
 };
 
-double numberIn(const std::vector<std::string>& fields, std::size_t column, std::string_view name, const std::string& path,
-                std::size_t line) {
-    const std::string text = column < fields.size() ? fields[column] : std::string();
-    double number = 0.0;
-    const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (end.ec != std::errc{} || end.ptr != text.data() + text.size() || !std::isfinite(number)) {
-        throw ParseError({"pairs.no_number", "{0}, line {1}: {2} is \"{3}\", which is no number", {path, line, name, text}},
+double numberIn(const DelimitedTable& table, const DelimitedRow& row, std::size_t column, std::string_view name,
+                const std::string& path) {
+    const std::string text = column < row.fields.size() ? row.fields[column] : std::string();
+    const std::optional<double> number = table.numberIn(text);
+    if (!number) {
+        throw ParseError({"pairs.no_number", "{0}, line {1}: {2} is \"{3}\", which is no number", {path, row.line, name, text}},
                          {"pairs.no_number.remedy", "Write it with a point as decimal sign, or leave the line out.", {}});
     }
-    return number;
+    return *number;
 }
 
 }  // namespace
 
 std::vector<PointPair> readPointPairs(const std::string& path) {
-    std::error_code ignored;
-    std::ifstream in(path, std::ios::binary);
-    if (!in || std::filesystem::is_directory(path, ignored)) {
-        throw WorldError({"pairs.unreadable", "Cannot read {0}", {path}},
-                         {"pairs.unreadable.remedy", "Check that the file exists and that you may read it.", {}});
-    }
-    if (std::filesystem::file_size(path, ignored) > pairBytesMax && !ignored) {
-        throw ParseError({"pairs.too_large", "{0} is too large for a table of point pairs", {path}},
-                         {"pairs.too_large.remedy", "Give the table of pairs, with a few dozen lines.", {}});
-    }
-    std::string line;
-    std::getline(in, line);
-    if (line.starts_with("\xef\xbb\xbf")) {
-        line.erase(0, 3);
-    }
-    const Columns columns(fieldsOfRow(line), path);
+    const DelimitedTable table = readDelimitedTable(path, pairBytesMax);
+    const DelimitedRow heading = table.rows.empty() ? DelimitedRow{} : table.rows.front();
+    const Columns columns(heading.fields, path);
     std::vector<PointPair> pairs;
-    for (std::size_t number = 2; std::getline(in, line); ++number) {
-        if (line.find_first_not_of(" \t\r") == std::string::npos) {
-            continue;
-        }
+    for (std::size_t r = 1; r < table.rows.size(); ++r) {
+        const DelimitedRow& row = table.rows[r];
         if (pairs.size() == pairsMax) {
-            throw ParseError({"pairs.too_many", "{0}, line {1}: there are more than {2} pairs", {path, number, pairsMax}},
+            throw ParseError({"pairs.too_many", "{0}, line {1}: there are more than {2} pairs", {path, row.line, pairsMax}},
                              {"pairs.too_many.remedy", "A few dozen pairs are enough.", {}});
         }
-        const std::vector<std::string> fields = fieldsOfRow(line);
+        requireNoMoreFields(path, heading, row);
         std::array<double, 5> values{};
         for (std::size_t c = 0; c < values.size(); ++c) {
-            values[c] = numberIn(fields, columns.numbers[c], columnNames[c], path, number);
+            values[c] = numberIn(table, row, columns.numbers[c], columnNames[c], path);
         }
         PointPair& pair = pairs.emplace_back();
-        pair.name =
-            columns.name < fields.size() && !fields[columns.name].empty() ? fields[columns.name] : std::to_string(number - 1);
+        const bool named = columns.name < row.fields.size() && !row.fields[columns.name].empty();
+        pair.name = named ? row.fields[columns.name] : std::to_string(row.line - 1);
         pair.picture = {values[0], values[1]};
         pair.model = {values[2], values[3], values[4]};
     }

@@ -7,10 +7,11 @@
 
 namespace rubble::io {
 
-/// Reads pairs of a picture point and a point of the model from a table (CSV, RFC 4180, point as decimal sign): a heading row with
-/// the columns picture_x_px, picture_y_px, x_m, y_m, z_m and, if there is one, name, in any order; others are passed over. A pair
+/// Reads pairs of a picture point and a point of the model from a table (see DelimitedTable): a heading row with the
+/// columns picture_x_px, picture_y_px, x_m, y_m, z_m and, if there is one, name, in any order; others are passed over. A pair
 /// without a name gets the number of its row.
-/// Throws WorldError (cannot be read), ParseError (no such columns, a field that is no number, too many rows), with the line.
+/// Throws WorldError (cannot be read), ParseError (no such columns, a field that is no number, more fields than columns, too many
+/// rows), with the line.
 std::vector<PointPair> readPointPairs(const std::string& path);
 
 }  // namespace rubble::io

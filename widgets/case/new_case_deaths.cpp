@@ -69,7 +69,7 @@ NewCaseDeaths::NewCaseDeaths(QWidget* parent)
     m_anomalies->setContentsMargins(0, 0, 0, 0);
     odd->addWide(list);
     PanelGroup* flag = addGroup(tr("How the file says it"));
-    for (const char* key : {"status_variable", "active_value", "revival", "birth_time"}) {
+    for (const char* key : {"status_variable", "active_value", "dead_parts", "revival", "birth_time"}) {
         addParameter(flag, key);
     }
     setContent(nullptr);

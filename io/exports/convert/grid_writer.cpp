@@ -213,11 +213,12 @@ void writeIndex(const std::string& path, const std::vector<double>& times) {
 /// A folder that goes with all it holds unless it was moved to its place.
 class UnfinishedFolder {
 public:
-    explicit UnfinishedFolder(std::string path) : m_path(std::move(path)) {
+    /// @param folder  what it is to become
+    explicit UnfinishedFolder(const std::string& folder) : m_path(unfinishedName(folder)) {
         std::error_code error;
         fs::create_directory(m_path, error);
         if (error) {
-            fail(m_path, error);
+            fail(folder, error);
         }
     }
     ~UnfinishedFolder() {
@@ -282,7 +283,7 @@ void writeGridSeries(const std::string& path, const FeResult& fe, const Vec3& of
     if (replace) {
         requireOwnFolder(folder);
     }
-    const UnfinishedFolder made(unfinishedName(folder));
+    const UnfinishedFolder made(folder);
     GridWriter writer(fe, offset);
     const Message stage{"convert.state", "Writing the states", {}};
     const std::size_t states = fe.stateCount();

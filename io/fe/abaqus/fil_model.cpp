@@ -1,11 +1,13 @@
 #include "io/fe/abaqus/fil_model.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <unordered_map>
 
 #include "core/base/error.h"
 #include "io/fe/abaqus/abaqus_elements.h"
+#include "io/fe/straight_edges.h"
 
 namespace rubble::io {
 
@@ -43,6 +45,7 @@ private:
     struct Element {
         std::int64_t number;
         ElementShape shape;
+        bool quadratic;  // of beams: there is a node between the ends
         std::vector<std::int64_t> nodes;
     };
 
@@ -97,7 +100,8 @@ private:
                 "element " + englishInteger(record.integer(0)) + " of type " + type);
             return;
         }
-        Element& element = m_elements.emplace_back(Element{record.integer(0), *shape, {}});
+        const bool quadratic = type.starts_with("B32") || type.starts_with("T3D3") || type.starts_with("PIPE32");
+        Element& element = m_elements.emplace_back(Element{record.integer(0), *shape, quadratic, {}});
         for (std::size_t i = 2; i < record.size(); ++i) {
             element.nodes.push_back(record.integer(i));
         }
@@ -116,7 +120,11 @@ private:
             places.emplace(mesh.nodeIds[n], static_cast<std::uint32_t>(n));
         }
         mesh.offsets.push_back(0);
-        for (const Element& element : m_elements) {
+        StraightEdges straight;
+        for (Element& element : m_elements) {
+            orderBeam(element, places);
+            straight.add(element.shape, EdgeOrder::TopBeforeSides, placesOfNodes(element.nodes, places, mesh.nodes),
+                         "element " + englishInteger(element.number));
             const auto corners = static_cast<std::size_t>(cornerCount(element.shape));
             for (std::size_t c = 0; c < corners; ++c) {
                 const auto found = c < element.nodes.size() ? places.find(element.nodes[c]) : places.end();
@@ -133,8 +141,23 @@ private:
             mesh.shapes.push_back(element.shape);
             mesh.offsets.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
         }
+        straight.note(m_model.findings);
         for (NamedSet& set : m_model.sets) {
             nameSet(set);
+        }
+    }
+
+    // Quadratic beams and trusses have the node between the ends second; a further one gives a direction.
+    void orderBeam(Element& element, const std::unordered_map<std::int64_t, std::uint32_t>& places) const {
+        if (element.shape != ElementShape::Beam) {
+            return;
+        }
+        element.nodes.resize(std::min<std::size_t>(element.nodes.size(), element.quadratic ? 3 : 2));
+        const std::vector<Vec3> at = placesOfNodes(element.nodes, places, m_model.mesh.nodes);
+        if (at.size() == 3 && std::all_of(at.begin(), at.end(), [](const Vec3& place) { return place.allFinite(); })) {
+            std::array<std::int64_t, 3> nodes{element.nodes[0], element.nodes[1], element.nodes[2]};
+            putMiddleLast(nodes, {at[0], at[1], at[2]});
+            element.nodes.assign(nodes.begin(), nodes.end());
         }
     }
 

@@ -114,12 +114,13 @@ private:
         }
         m_keyword = keywordOf(line);
         m_line = 0;
+        m_inChange = false;
         if (m_keyword.name == "INCLUDE" && !m_keyword.file.empty()) {
             if (depth >= deepestInclude) {
                 throw ParseError({"deck.include", "{0}: line {1} includes files in a circle", {path, number}},
                                  {"deck.include.remedy", "Remove the include.", {}});
             }
-            const std::string included = (fs::path(path).parent_path() / m_keyword.file).string();
+            const std::string included = namedFile(path, m_keyword.file);
             std::error_code ignored;
             if (fs::is_regular_file(included, ignored)) {
                 read(included, depth + 1);
@@ -136,9 +137,19 @@ private:
         } else if (m_keyword.name == "MATERIAL") {
             m_material = m_keyword.option("NAME");
         } else if (m_keyword.name.ends_with(" SECTION") && m_keyword.has("ELSET")) {
-            m_deck.sections.push_back({m_keyword.option("ELSET"), m_keyword.option("MATERIAL"), {}, {}});
+            m_deck.sections.push_back({m_keyword.option("ELSET"), m_keyword.option("MATERIAL"), {}, {}, {}});
         } else if (m_keyword.name == "MODEL CHANGE") {
-            m_deck.changes.push_back({std::max(m_step, 1), !m_keyword.has("ADD"), {}});
+            beginChange();
+        }
+    }
+
+    // It changes elements unless it names another type. What neither adds nor removes, such as strains turned into residual
+    // ones, leaves all elements where they are.
+    void beginChange() {
+        const bool ofElements = !m_keyword.has("TYPE") || m_keyword.option("TYPE") == "ELEMENT";
+        m_inChange = ofElements && m_keyword.has("REMOVE") != m_keyword.has("ADD");
+        if (m_inChange) {
+            m_deck.changes.push_back({std::max(m_step, 1), m_keyword.has("REMOVE"), {}});
         }
     }
 
@@ -152,14 +163,31 @@ private:
             if (const auto density = realOf(fields.front()); density && !m_material.empty()) {
                 m_deck.densities[m_material] = *density;
             }
-        } else if (m_keyword.name == "SHELL SECTION" && m_line == 1 && m_keyword.has("ELSET")) {
-            m_deck.sections.back().thickness = realOf(fields.front());
+        } else if (m_keyword.name == "SHELL SECTION" && m_keyword.has("ELSET")) {
+            readShell(fields);
         } else if (m_keyword.name == "SOLID SECTION" && m_line == 1 && m_keyword.has("ELSET")) {
             m_deck.sections.back().area = realOf(fields.front());  // of trusses
         } else if (m_keyword.name == "BEAM SECTION" && m_line == 1 && m_keyword.has("ELSET")) {
             readBeam(fields);
-        } else if (m_keyword.name == "MODEL CHANGE" && m_keyword.option("TYPE") == "ELEMENT") {
+        } else if (m_inChange) {
             readChange(fields);
+        }
+    }
+
+    // A line for each layer: thickness, points, material. Thicknesses that stand at the nodes are not read.
+    void readShell(const std::vector<std::string>& fields) {
+        DeckSection& section = m_deck.sections.back();
+        const std::optional<double> thickness = realOf(fields.front());
+        if (m_keyword.has("NODAL THICKNESS")) {
+            return;
+        }
+        if (!m_keyword.has("COMPOSITE")) {
+            if (m_line == 1) {
+                section.thickness = thickness;
+            }
+        } else if (thickness) {
+            section.thickness = section.thickness.value_or(0.0) + *thickness;
+            section.layers.push_back({*thickness, fields.size() > 2 ? upperCase(fields[2]) : std::string()});
         }
     }
 
@@ -220,7 +248,18 @@ private:
         }
     }
 
-    void readChange(const std::vector<std::string>& fields) { addMembers(fields, m_deck.changes.back().elements); }
+    void readChange(const std::vector<std::string>& fields) {
+        addMembers(fields, m_deck.changes.back().elements);
+        for (const std::string& field : fields) {
+            if (!field.empty() && !integerOf(field) && !m_deck.elementSets.contains(upperCase(field))) {
+                m_deck.findings.add({"deck.change_unknown", "MODEL CHANGE names sets of elements that the deck does not have", {}},
+                                    {"deck.change_unknown.remedy",
+                                     "Their elements keep what they were: copy the files that the deck includes beside it.",
+                                     {}},
+                                    field);
+            }
+        }
+    }
 
     InputDeck m_deck;
     Keyword m_keyword;
@@ -228,6 +267,7 @@ private:
     int m_step = 0;
     std::int64_t m_line = 0;  // of data, under the keyword
     bool m_continued = false;
+    bool m_inChange = false;  // under a MODEL CHANGE that adds or removes elements
 };
 
 }  // namespace
@@ -259,8 +299,17 @@ const DeckSection* InputDeck::sectionOf(std::int64_t element) const {
 }
 
 std::optional<double> InputDeck::densityOf(const DeckSection& section) const {
-    const auto density = densities.find(section.material);
-    return density == densities.end() ? std::nullopt : std::optional(density->second);
+    const std::vector<DeckLayer> whole{{1.0, section.material}};
+    double thickness = 0.0, mass = 0.0;
+    for (const DeckLayer& layer : section.layers.empty() ? whole : section.layers) {
+        const auto density = densities.find(layer.material);
+        if (density == densities.end()) {
+            return std::nullopt;
+        }
+        thickness += layer.thickness;
+        mass += layer.thickness * density->second;
+    }
+    return thickness > 0.0 ? std::optional(mass / thickness) : std::nullopt;
 }
 
 InputDeck readInputDeck(const std::string& path) {

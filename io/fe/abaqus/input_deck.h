@@ -29,12 +29,19 @@ private:
     std::vector<Range> m_ranges;
 };
 
+/// A layer of a composite shell.
+struct DeckLayer {
+    double thickness = 0.0;
+    std::string material;  ///< upper case
+};
+
 /// A section of an input deck: which elements are of which material, and how thick.
 struct DeckSection {
     std::string set;       ///< upper case
-    std::string material;  ///< upper case
+    std::string material;  ///< upper case; empty where it has layers
     std::optional<double> thickness;
     std::optional<double> area;
+    std::vector<DeckLayer> layers;  ///< empty: one material all through
 };
 
 /// Elements that a step takes out or puts back.
@@ -57,7 +64,7 @@ struct InputDeck {
 
     /// The section of an element by number, nullptr if none has it; of several the last counts.
     const DeckSection* sectionOf(std::int64_t element) const;
-    /// Density of a section's material.
+    /// Density of a section's material, of layers the mean over the thickness; nothing where one is unknown.
     std::optional<double> densityOf(const DeckSection& section) const;
 };
 

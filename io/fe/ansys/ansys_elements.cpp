@@ -15,6 +15,7 @@ std::optional<ElementShape> shapeOfAnsys(std::int64_t routine, std::size_t nodes
         case 73:
         case 95:
         case 96:
+        case 164:
         case 185:
         case 186:
         case 190:
@@ -26,6 +27,7 @@ std::optional<ElementShape> shapeOfAnsys(std::int64_t routine, std::size_t nodes
         case 87:
         case 92:
         case 98:
+        case 168:
         case 187:
         case 227:
         case 285:
@@ -50,6 +52,8 @@ std::optional<ElementShape> shapeOfAnsys(std::int64_t routine, std::size_t nodes
         case 20:
         case 24:
         case 44:
+        case 160:
+        case 161:
         case 180:
         case 188:
         case 189:

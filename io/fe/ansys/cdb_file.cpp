@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <unordered_map>
 
 #include "core/base/error.h"
@@ -71,6 +72,8 @@ public:
                 readNodes(fieldsOf(line));
             } else if (key.starts_with("EBLOCK,")) {
                 readElements(fieldsOf(line));
+            } else if (key.starts_with("ETBLOCK,")) {
+                readTypes();
             } else if (key.starts_with("ET,")) {
                 readType(fieldsOf(line));
             } else if (key.starts_with("MP,") || key.starts_with("MPDATA,")) {
@@ -181,13 +184,31 @@ private:
         return values;
     }
 
-    void readType(const std::vector<std::string>& fields) {
-        std::int64_t number = 0, routine = 0;
-        if (fields.size() < 3 || !toInteger(fields[1], number)) {
-            return;
+    // What is written since 2023 instead of ET: a line for each type, with its number, its routine and its options.
+    void readTypes() {
+        const BlockFormat format = readFormat();
+        std::string line;
+        while (m_window.line(line)) {
+            const std::string number = column(line, 0, format.integerWidth);
+            if (number == "-1") {
+                return;
+            }
+            setType(number, column(line, format.integerWidth, format.integerWidth));
         }
-        const std::size_t digits = fields[2].find_first_of("0123456789");
-        if (digits != std::string::npos && toInteger(fields[2].substr(digits), routine)) {
+        fail("the types of elements have no end");
+    }
+
+    void readType(const std::vector<std::string>& fields) {
+        if (fields.size() >= 3) {
+            setType(fields[1], fields[2]);
+        }
+    }
+
+    // The routine stands alone or behind the name of the family: SOLID185.
+    void setType(const std::string& type, const std::string& element) {
+        std::int64_t number = 0, routine = 0;
+        const std::size_t digits = element.find_first_of("0123456789");
+        if (toInteger(type, number) && digits != std::string::npos && toInteger(element.substr(digits), routine)) {
             m_types[number] = routine;
         }
     }
@@ -218,11 +239,20 @@ private:
                 addElement(values, *shape, places);
                 continue;
             }
+            if (type == m_types.end()) {
+                m_model.findings.add({"cdb.no_type", "Elements whose type the file does not say were left out", {}},
+                                     {"cdb.no_type.remedy", "Let CDWRITE write the whole database (CDWRITE,DB).", {}},
+                                     "element " + englishInteger(values[10]) + " of type " + std::to_string(values[1]));
+                continue;
+            }
             m_model.findings.add(
                 {"fe.skipped", "Elements of a type that makes no fragment were left out", {}},
                 {"fe.skipped.remedy", "Nothing to do if they are masses, springs, contacts or rigid surfaces.", {}},
-                "element " + englishInteger(values[10]) + " of type " +
-                    (type == m_types.end() ? "(none)" : std::to_string(type->second)));
+                "element " + englishInteger(values[10]) + " of type " + std::to_string(type->second));
+        }
+        if (m_model.mesh.elementCount() == 0 && m_model.findings.count("cdb.no_type") > 0) {
+            throw ParseError({"cdb.no_types", "{0} does not say of which types its {1} elements are", {m_path, m_elements.size()}},
+                             {"cdb.no_type.remedy", "Let CDWRITE write the whole database (CDWRITE,DB).", {}});
         }
     }
 
@@ -235,6 +265,11 @@ private:
                 fail("element " + std::to_string(values[10]) + " uses a node that is not there");
             }
             mesh.corners.push_back(found->second);
+        }
+        if (shape != ElementShape::Beam) {
+            m_model.straight.add(shape, EdgeOrder::TopBeforeSides,
+                                 placesOfNodes(std::span(values).subspan(headerFields), places, mesh.nodes),
+                                 "element " + englishInteger(values[10]));
         }
         std::uint32_t part = 0;
         while (part < mesh.parts.size() && mesh.parts[part].fileId != values[0]) {
@@ -266,11 +301,15 @@ CdbModel readCdb(const std::string& path) {
     return CdbReader(path).read();
 }
 
+// Blank lines and other commands may stand before the blocks.
 bool beginsAsCdb(const std::string& head) {
     const std::string text = upperCase(head);
-    const bool command =
-        text.starts_with("/COM") || text.starts_with("/PREP7") || text.starts_with("!") || text.starts_with("/NOPR");
-    return command && (text.find("NBLOCK,") != std::string::npos || text.find("\n/PREP7") != std::string::npos);
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    const std::string commands = first == std::string::npos ? "" : '\n' + text.substr(first);
+    const auto has = [&commands](std::string_view command) { return commands.find(command) != std::string::npos; };
+    const bool known = commands.starts_with("\n/COM") || commands.starts_with("\n/PREP7") || commands.starts_with("\n!") ||
+                       commands.starts_with("\n/NOPR");
+    return has("\nNBLOCK,") || has("\nETBLOCK,") || (known && (has("NBLOCK,") || has("\n/PREP7")));
 }
 
 std::vector<KillEvent> readKills(const std::string& path, std::vector<double>& times, Findings& findings) {

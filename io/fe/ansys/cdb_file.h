@@ -9,6 +9,7 @@
 #include "core/base/finding.h"
 #include "core/fe/mesh.h"
 #include "io/fe/series/byte_window.h"
+#include "io/fe/straight_edges.h"
 
 namespace rubble::io {
 
@@ -18,6 +19,7 @@ struct CdbModel {
     std::vector<double> flags;   ///< birth/death field of each element
     std::optional<double> time;  ///< s, where a command or a comment says it
     Findings findings;
+    StraightEdges straight;  ///< what straight edges cost, not yet among the findings
 };
 
 /// Reads one. Layout after the MAPDL programmer's reference, "Coded database files". Throws WorldError, ParseError with the byte.

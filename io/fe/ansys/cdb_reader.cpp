@@ -46,6 +46,9 @@ public:
                 break;
             }
             m_facts.findings.append(model->findings);
+            if (k == 0) {
+                model->straight.note(m_facts.findings);
+            }
             timed = timed && model->time.has_value();
             m_facts.times.push_back(model->time.value_or(0.0));
         }
@@ -105,6 +108,7 @@ class KilledMesh : public MeshSeries {
 public:
     KilledMesh(const std::string& path, const std::string& macro) : m_model(readCdb(path)) {
         m_facts.findings = m_model.findings;
+        m_model.straight.note(m_facts.findings);
         if (!macro.empty()) {
             m_kills = readKills(macro, m_facts.times, m_facts.findings);
             m_facts.flag.name = "EKILL of " + fs::path(macro).filename().string();

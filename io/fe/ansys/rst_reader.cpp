@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -18,6 +19,7 @@
 #include "io/fe/pieces/stacked_series.h"
 #include "io/fe/series/numbered_files.h"
 #include "io/fe/series/series_result.h"
+#include "io/fe/straight_edges.h"
 
 namespace rubble::io {
 
@@ -26,16 +28,37 @@ namespace {
 constexpr std::uint64_t headerWord = 103;
 constexpr std::uint64_t mostHeader = 100'000;
 constexpr std::size_t elementHeader = 10;  // fields before the nodes
+constexpr std::size_t listedWord = 64;     // of the header of the geometry: element types stand in a table
 constexpr double undefined = 1e29;         // the file writes 2^100
-constexpr int modal = 2;
+constexpr std::size_t oldHeader = 40;      // words of the headers of results and geometry in old releases
+
+// Analyses whose sets are no states of a course of time, by the code of ANTYPE.
+const char* untimedAnalysis(std::int64_t code) {
+    switch (code) {
+        case 1:
+            return "an eigenvalue buckling analysis";
+        case 2:
+            return "a modal analysis";
+        case 3:
+            return "a harmonic analysis";
+        case 7:
+            return "a substructure analysis";
+        case 8:
+            return "a spectrum analysis";
+        default:
+            return nullptr;
+    }
+}
 
 class RstSeries : public MeshSeries {
 public:
     explicit RstSeries(const std::string& path) : m_path(path), m_records(path) {
         const std::vector<std::int64_t> header = m_records.integers(headerWord, mostHeader);
-        if (header.size() < 60 || header[7] == modal) {
-            throw ParseError({"rst.analysis", "{0} is no static or transient analysis of Ansys", {path}},
-                             {"rst.analysis.remedy", "Give the results of the collapse, not of its vibration modes.", {}});
+        require(header.size() >= oldHeader, "its header has " + std::to_string(header.size()) + " words");
+        if (const char* const analysis = untimedAnalysis(header[7])) {
+            throw ParseError(
+                {"rst.analysis", "{0} is {1} of Ansys, whose sets are no states of a course of time", {path, analysis}},
+                {"rst.analysis.remedy", "Give the results of the collapse: a static or a transient analysis.", {}});
         }
         readSets(header);
         const std::uint64_t geometry = pointer(header, 15, 46);
@@ -89,8 +112,10 @@ private:
         }
     }
 
+    // Headers of old releases end before the high halves.
     static std::uint64_t pointer(const std::vector<std::int64_t>& header, std::size_t low, std::size_t high) {
-        return static_cast<std::uint32_t>(header[low]) | static_cast<std::uint64_t>(static_cast<std::uint32_t>(header[high])) << 32;
+        const std::uint64_t upper = high < header.size() ? static_cast<std::uint32_t>(header[high]) : 0;
+        return static_cast<std::uint32_t>(header[low]) | upper << 32;
     }
 
     void readSets(const std::vector<std::int64_t>& header) {
@@ -116,7 +141,7 @@ private:
 
     void readMesh(std::uint64_t word) {
         const std::vector<std::int64_t> geometry = m_records.integers(word, mostHeader);
-        require(geometry.size() > 66, "the header of its geometry is short");
+        require(geometry.size() >= oldHeader, "the header of its geometry is short");
         const auto nodes = static_cast<std::uint64_t>(std::max<std::int64_t>(geometry[3], 0));
         const auto elements = static_cast<std::uint64_t>(std::max<std::int64_t>(geometry[4], 0));
         require(nodes < m_records.words() && elements < m_records.words(),
@@ -126,7 +151,7 @@ private:
                                         : pointer(geometry, low, low + 1);
         };
         readNodes(at(8, 26), nodes);
-        readTypes(at(6, 20), geometry[64] == 1);
+        readTypes(at(6, 20), geometry.size() > listedWord && geometry[listedWord] == 1);
         readElements(at(10, 28), elements);
     }
 
@@ -171,6 +196,7 @@ private:
             const std::uint64_t offset = wide ? pointer(index, 2 * e, 2 * e + 1) : static_cast<std::uint32_t>(index[e]);
             addElement(m_records.integers(word + offset, 1000), places);
         }
+        m_straight.note(m_facts.findings);
     }
 
     void addElement(const std::vector<std::int64_t>& values, const std::unordered_map<std::int64_t, std::uint32_t>& places) {
@@ -189,6 +215,11 @@ private:
             const auto found = elementHeader + c < values.size() ? places.find(values[elementHeader + c]) : places.end();
             require(found != places.end(), "element " + std::to_string(values[8]) + " uses a node that is not there");
             m_mesh.corners.push_back(found->second);
+        }
+        if (*shape != ElementShape::Beam) {
+            m_straight.add(*shape, EdgeOrder::TopBeforeSides,
+                           placesOfNodes(std::span(values).subspan(elementHeader), places, m_mesh.nodes),
+                           "element " + englishInteger(values[8]));
         }
         std::uint32_t part = 0;
         while (part < m_mesh.parts.size() && m_mesh.parts[part].fileId != values[0]) {
@@ -231,6 +262,7 @@ private:
     mutable std::mutex m_mutex;
     mutable RstRecords m_records;
     Mesh m_mesh;
+    StraightEdges m_straight;
     std::vector<Vec3> m_angles;                             // of the axes of the nodes, degrees
     std::map<std::int64_t, std::int64_t> m_types;           // routine by reference number
     std::vector<std::int64_t> m_order;                      // numbers of the nodes in the order of the values

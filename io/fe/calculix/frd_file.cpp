@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstring>
 #include <optional>
+#include <string_view>
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "io/fe/straight_edges.h"
 
 namespace rubble::io {
 
@@ -52,6 +55,52 @@ std::size_t realBytes(int format) {
 
 double realAt(const std::string& bytes, std::size_t at, int format) {
     return format == 3 ? valueAt<double>(bytes, at) : static_cast<double>(valueAt<float>(bytes, at));
+}
+
+constexpr std::string_view digits = "0123456789", signs = "+-", blanks = " \t";
+constexpr std::size_t valueWidth = 12;
+constexpr std::size_t valuesInLine = 6;
+constexpr std::size_t shortExponent = 3;  // digits of an exponent without its letter
+
+std::size_t behind(std::string_view text, std::size_t from, std::string_view characters, std::size_t most = std::string::npos) {
+    const std::size_t end = std::min(text.find_first_not_of(characters, from), text.size());
+    return std::min(end, most > text.size() - from ? text.size() : from + most);
+}
+
+// Where the number that begins a text ends. Digits before a point that follow an exponent begin the next number, with one digit.
+std::size_t endOfReal(std::string_view text) {
+    std::size_t end = behind(text, 0, signs, 1);
+    if (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end])) != 0) {
+        return std::min(text.find_first_of(" \t+-", end), text.size());
+    }
+    end = behind(text, behind(text, behind(text, end, digits), ".", 1), digits);
+    const std::size_t letter = behind(text, end, "EeDd", 1), exponent = behind(text, letter, signs, 1);
+    std::size_t last = behind(text, exponent, digits);
+    if (last < text.size() && text[last] == '.' && last > exponent) {
+        --last;
+    }
+    const bool isExponent = letter > end ? last > exponent : exponent > letter && last - exponent == shortExponent;
+    return isExponent ? last : end;
+}
+
+// The reals of a line from a place on: in columns of twelve where the line is as long as they are together. Writers of exponents
+// with three digits fill the columns or run over them, so their numbers part by sign and exponent alone.
+bool realsOf(const std::string& line, std::size_t from, std::size_t inLine, Vec3& value) {
+    std::string_view text(line);
+    text = text.substr(std::min(from, text.size()));
+    text = text.substr(0, text.find_last_not_of(blanks) + 1);
+    const bool columns = text.size() == inLine * valueWidth;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t first = columns ? axis * valueWidth : std::min(text.find_first_not_of(blanks), text.size());
+        const std::size_t width = columns ? valueWidth : endOfReal(text.substr(first));
+        if (!toReal(column(std::string(text), first, width), value[static_cast<Eigen::Index>(axis)])) {
+            return false;
+        }
+        if (!columns) {
+            text = text.substr(first + width);
+        }
+    }
+    return true;
 }
 
 }  // namespace
@@ -120,11 +169,8 @@ void FrdFile::readNodes(const std::string& head) {
             }
         } else {
             const std::size_t width = format == 0 ? 5 : 10;
-            bool right = m_window.line(text) && text.starts_with(" -1") && toInteger(column(text, 3, width), number);
-            for (std::size_t axis = 0; axis < 3 && right; ++axis) {
-                right = toReal(column(text, 3 + width + 12 * axis, 12), place[static_cast<Eigen::Index>(axis)]);
-            }
-            if (!right) {
+            if (!m_window.line(text) || !text.starts_with(" -1") || !toInteger(column(text, 3, width), number) ||
+                !realsOf(text, 3 + width, 3, place)) {
                 fail("a node should stand, but there is \"" + text.substr(0, 40) + "\"");
             }
         }
@@ -274,6 +320,7 @@ void FrdFile::finish() {
     for (std::size_t n = 0; n < m_mesh.nodeIds.size(); ++n) {
         places.emplace(m_mesh.nodeIds[n], static_cast<std::uint32_t>(n));
     }
+    StraightEdges straight;
     for (const Element& element : m_elements) {
         const ElementShape shape = *typeOf(element.type)->shape;
         for (std::size_t c = 0; c < static_cast<std::size_t>(cornerCount(shape)); ++c) {
@@ -287,8 +334,11 @@ void FrdFile::finish() {
             }
             m_mesh.corners.push_back(found->second);
         }
+        straight.add(shape, EdgeOrder::SidesBeforeTop, placesOfNodes(element.nodes, places, m_mesh.nodes),
+                     "element " + englishInteger(element.number));
         addElement(element);
     }
+    straight.note(m_findings);
     m_elements = {};
 }
 
@@ -328,10 +378,8 @@ FrdValues FrdFile::read(const FrdState& state) const {
             if (right && text.starts_with(" -2")) {
                 continue;
             }
-            right = right && text.starts_with(" -1") && toInteger(column(text, 3, width), number);
-            for (std::size_t axis = 0; right && axis < 3; ++axis) {
-                right = toReal(column(text, 3 + width + 12 * axis, 12), value[static_cast<Eigen::Index>(axis)]);
-            }
+            right = right && text.starts_with(" -1") && toInteger(column(text, 3, width), number) &&
+                    realsOf(text, 3 + width, std::min(state.components, valuesInLine), value);
         }
         if (!right) {
             fail("the displacements of " + std::to_string(state.nodes) + " nodes end after " + std::to_string(result.nodes.size()));

@@ -26,6 +26,7 @@ public:
         for (std::size_t n = 0; n < m_mesh.nodeIds.size(); ++n) {
             m_nodes.emplace(m_mesh.nodeIds[n], n);
         }
+        findGivenNodes(path);
         if (const std::string deck = inputDeckBeside(path); !deck.empty()) {
             m_deck = readInputDeck(deck);
             std::vector<NamedSet> materials;
@@ -40,7 +41,7 @@ public:
             assignParts(&*m_deck, materials, m_mesh, m_facts.findings);
         }
         m_facts.flag.activeByName = 1;
-        m_byDeck = m_deck && !m_deck->changes.empty();
+        m_byDeck = m_deck && deckChangesElements();
         m_facts.flag.name = m_byDeck ? "MODEL CHANGE of the input deck" : "nodes of elements";
         m_byNodes = !m_byDeck && deathListBeside(path).empty() && someNodesMissing();
         if (m_byNodes) {
@@ -72,6 +73,11 @@ public:
     SeriesFields fields(std::size_t k) const override {
         SeriesFields fields;
         fields.positions.assign(m_mesh.nodeCount(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+        for (std::size_t n = 0; n < m_mesh.nodeCount(); ++n) {
+            if (!m_given[n]) {
+                fields.positions[n] = m_mesh.nodes[n];
+            }
+        }
         const FrdValues values = m_file.read(m_file.states()[k]);
         for (std::size_t i = 0; i < values.nodes.size(); ++i) {
             if (const auto found = m_nodes.find(values.nodes[i]); found != m_nodes.end()) {
@@ -82,6 +88,45 @@ public:
     }
 
 private:
+    // Displacements may be written for a set of nodes alone: all states leave out the same, so nothing has gone.
+    void findGivenNodes(const std::string& path) {
+        const auto& states = m_file.states();
+        m_given.assign(m_mesh.nodeCount(), true);
+        const auto whole = [&](const FrdState& state) { return state.nodes >= m_mesh.nodeCount(); };
+        if (states.empty() || someNodesMissing() || std::any_of(states.begin(), states.end(), whole)) {
+            return;
+        }
+        m_given.assign(m_mesh.nodeCount(), false);
+        for (const FrdState& state : states) {
+            for (const std::int64_t number : m_file.read(state).nodes) {
+                if (const auto found = m_nodes.find(number); found != m_nodes.end()) {
+                    m_given[found->second] = true;
+                }
+            }
+        }
+        std::vector<bool> noted = m_given;
+        for (const std::uint32_t node : m_mesh.corners) {
+            if (noted[node]) {
+                continue;
+            }
+            noted[node] = true;
+            m_facts.findings.add(
+                {"frd.node_set", "Nodes of elements have displacements at no state: they were left where they are at rest", {}},
+                {"frd.node_set.remedy", "Let the analysis write all nodes: *NODE FILE without NSET.", {}},
+                "node " + englishInteger(m_mesh.nodeIds[node]) + "; the first state has " +
+                    englishInteger(static_cast<std::int64_t>(states.front().nodes)) + " of " +
+                    englishInteger(static_cast<std::int64_t>(m_mesh.nodeCount())) + " nodes (" + path + ")");
+        }
+    }
+
+    // A deck that changes contacts alone, or elements of another model, says nothing of deaths.
+    bool deckChangesElements() const {
+        return std::any_of(m_deck->changes.begin(), m_deck->changes.end(), [&](const DeckChange& change) {
+            return std::any_of(m_mesh.elementIds.begin(), m_mesh.elementIds.end(),
+                               [&](std::int64_t number) { return change.elements.contains(number); });
+        });
+    }
+
     bool someNodesMissing() const {
         const auto& states = m_file.states();
         return std::any_of(states.begin(), states.end(),
@@ -110,8 +155,9 @@ private:
         std::vector<double> flags;
         for (std::size_t e = 0; e < m_mesh.elementCount(); ++e) {
             const auto corners = m_mesh.cornersOf(idAt<ElementIndex>(e));
-            flags.push_back(std::all_of(corners.begin(), corners.end(), [&](std::uint32_t node) { return there[node]; }) ? 1.0
-                                                                                                                         : 0.0);
+            const bool whole =
+                std::all_of(corners.begin(), corners.end(), [&](std::uint32_t node) { return there[node] || !m_given[node]; });
+            flags.push_back(whole ? 1.0 : 0.0);
         }
         return flags;
     }
@@ -121,6 +167,7 @@ private:
     std::optional<InputDeck> m_deck;
     bool m_byDeck = false, m_byNodes = false;
     std::unordered_map<std::int64_t, std::size_t> m_nodes;  // by number
+    std::vector<bool> m_given;                              // by any state [nodes]
 };
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "io/fe/d3plot/d3plot_header.h"
 #include "io/fe/fe_format.h"
+#include "io/fe/series/numbered_files.h"
 
 namespace rubble::io {
 
@@ -250,11 +251,29 @@ std::vector<std::string> d3plotLeftBehind(const std::string& root, std::size_t m
             names.push_back(fs::path(file).filename().string());
         }
     }
-    std::error_code ignored;
-    if (fs::is_regular_file(root + "aa", ignored)) {
-        names.push_back(fs::path(root + "aa").filename().string());
-    }
     return names;
+}
+
+std::vector<std::string> d3plotRoots(const std::string& path) {
+    constexpr std::size_t letters = 2;
+    const auto isLater = [](const std::string& name, std::size_t from) {
+        return name.size() == from + letters && std::all_of(name.begin() + static_cast<std::ptrdiff_t>(from), name.end(),
+                                                            [](char c) { return c >= 'a' && c <= 'z'; });
+    };
+    std::string root = d3plotMembers(path).front();
+    const std::string own = fs::path(root).filename().string();
+    if (own.size() > letters && isLater(own, own.size() - letters) && isD3plotRoot(root.substr(0, root.size() - letters))) {
+        root.resize(root.size() - letters);
+    }
+    const std::string base = fs::path(root).filename().string();
+    std::vector<std::string> roots{root};
+    for (const std::string& other : filesBeside(root)) {
+        const std::string name = fs::path(other).filename().string();
+        if (name.starts_with(base) && isLater(name, base.size()) && isD3plotRoot(root) && isD3plotRoot(other)) {
+            roots.push_back(other);
+        }
+    }
+    return roots;
 }
 
 }  // namespace rubble::io

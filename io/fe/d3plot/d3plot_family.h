@@ -77,8 +77,11 @@ bool isD3plotRoot(const std::string& path);
 /// that is a root itself is nobody's member. See FeFormat::members.
 std::vector<std::string> d3plotMembers(const std::string& path);
 
-/// Numbered files that belong to a root but lie beyond a missing number, and roots of later meshes of an adaptive run
-/// (d3plotaa, d3plotab, ...): names without folder, sorted.
+/// Roots of an adaptive run that a file belongs to: d3plot, then those of its later meshes, d3plotaa, d3plotab, ...; of any other
+/// run its root alone.
+std::vector<std::string> d3plotRoots(const std::string& path);
+
+/// Numbered files that belong to a root but lie beyond a missing number: names without folder, sorted.
 std::vector<std::string> d3plotLeftBehind(const std::string& root, std::size_t members);
 
 }  // namespace rubble::io

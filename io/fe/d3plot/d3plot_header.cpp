@@ -67,6 +67,7 @@ enum Word : std::size_t {
 constexpr std::size_t controlWords = 64;
 constexpr std::size_t longestExtra = 4096;
 constexpr std::size_t knownWords = 82;
+constexpr std::int64_t airbagLimit = 10'000'000;
 
 // Kinds of the database by the last digits of the file type.
 const char* kindOf(std::int64_t type) {
@@ -232,7 +233,9 @@ private:
         header.idWords = count(NARBS, "the length of the numbers");
         header.fluidMaterials = count(IALEMAT, "the number of fluid materials");
         header.adapted = count(NADAPT, "the number of adapted elements");
-        header.airbags = count(NPEFG, "the word on airbags");
+        // The word on airbags says in its millions that there are discrete elements instead.
+        header.discreteSpheres = m_words[NPEFG] > airbagLimit;
+        header.airbags = header.discreteSpheres ? 0 : count(NPEFG, "the word on airbags");
         header.eightNodeShells = count(NEL48, "the number of shells of eight nodes");
         header.twentyNodeSolids = count(NEL20, "the number of solids of twenty nodes");
         header.parts = count(NMMAT, "the number of parts");

@@ -42,7 +42,8 @@ struct D3plotHeader {
     std::int64_t twentyNodeSolids = 0, solidThermal = 0;
     std::int64_t penetration = 0;
     bool contactEnergy = false, kineticEnergy = false;
-    bool wideIds = false;  ///< user's numbers of 8 bytes
+    bool discreteSpheres = false;  ///< there are discrete elements, which are not read
+    bool wideIds = false;          ///< user's numbers of 8 bytes
 
     bool hasMaterialTypes() const { return dimension == 5 || dimension == 7; }
     bool hasRoad() const { return dimension == 6 || dimension == 7; }

@@ -23,9 +23,9 @@ StatusVariable chooseStatus(const ExodusFile& file, const ImportSettings& settin
     }
     throw UsageError({"exodus.unknown_status", "{0} has no element variable \"{1}\"", {file.path(), settings.statusVariable}},
                      {"exodus.no_status.remedy",
-                      "Say which variable tells active from dead elements: --set status_variable=NAME (and active_value=0 or 1). "
-                      "Element variables in the file: {0}",
-                      {quotedList(names, 100)}});
+                      "Say which variable tells active from dead elements: --set status_variable=NAME (and active_value=0 or 1), "
+                      "or put a list of deaths (element,time) beside it as {1}. Element variables in the file: {0}",
+                      {quotedList(names, 100), file.path() + ".deaths.csv"}});
 }
 
 /// Reads the flag of all parts that have it, state by state.

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/unknown.h"
 #include "io/fe/exodus/exodus_material.h"
 #include "io/fe/exodus/exodus_names.h"
+#include "io/fe/straight_edges.h"
 
 namespace rubble::io {
 
@@ -29,6 +32,7 @@ public:
             readBlock(b);
         }
         m_result.first.push_back(m_builder.elementCount());
+        m_straight.note(m_result.findings);
         m_result.mesh = m_builder.finish(m_result.findings);
         return std::move(m_result);
     }
@@ -42,6 +46,7 @@ private:
                 nodes[n][axis] = values[n];
             }
         }
+        m_places = nodes;
         m_builder.setNodes(m_file.numbers(ExodusEntity::Node), std::move(nodes));
     }
 
@@ -81,14 +86,29 @@ private:
             for (std::size_t c = 0; c < corners; ++c) {
                 nodes[c] = std::max<std::int64_t>(connectivity[first + c], 0) - 1;
             }
-            m_builder.add(*shape, m_elementNumbers[static_cast<std::size_t>(block.first) + e], part, nodes,
-                          std::numeric_limits<double>::quiet_NaN());
+            const std::int64_t number = m_elementNumbers[static_cast<std::size_t>(block.first) + e];
+            m_builder.add(*shape, number, part, nodes, std::numeric_limits<double>::quiet_NaN());
+            if (corners < static_cast<std::size_t>(block.nodesPerElement)) {
+                const auto all = std::span(connectivity).subspan(first, static_cast<std::size_t>(block.nodesPerElement));
+                m_straight.add(*shape, EdgeOrder::SidesBeforeTop, placesOf(all), "element " + englishInteger(number));
+            }
         }
         readExodusMaterial(m_file, b, *shape, nameOf(block), m_result.first.back(), m_builder, m_result.findings);
     }
 
+    std::vector<Vec3> placesOf(std::span<const std::int64_t> nodes) const {
+        std::vector<Vec3> places;
+        for (const std::int64_t node : nodes) {
+            const bool there = node >= 1 && static_cast<std::size_t>(node) <= m_places.size();
+            places.push_back(there ? m_places[static_cast<std::size_t>(node) - 1] : Vec3(Vec3::Constant(unknown)));
+        }
+        return places;
+    }
+
     const ExodusFile& m_file;
     MeshBuilder m_builder;
+    StraightEdges m_straight;
+    std::vector<Vec3> m_places;  // of the nodes
     std::vector<std::int64_t> m_elementNumbers;
     std::map<std::int64_t, std::uint32_t> m_parts;  // by what the file says of its blocks
     ExodusMesh m_result;

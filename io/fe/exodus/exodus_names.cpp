@@ -84,10 +84,10 @@ std::optional<ElementShape> shapeOf(std::string_view topology, std::int64_t node
     const auto known = [&](ElementShape shape) -> std::optional<ElementShape> {
         return n >= cornerCount(shape) ? std::optional(shape) : std::nullopt;
     };
-    if (is("hex")) {
+    if (is("hex") || is("brick")) {
         return known(ElementShape::Hexahedron);
     }
-    if (is("wedge")) {
+    if (is("wedge") || is("prism") || is("penta")) {
         return known(ElementShape::Wedge);
     }
     if (is("pyr")) {
@@ -102,13 +102,12 @@ std::optional<ElementShape> shapeOf(std::string_view topology, std::int64_t node
     if (is("quad")) {
         return known(ElementShape::Quadrilateral);
     }
-    if (is("shell")) {
+    if (is("shell") || is("membrane")) {
         return n == 3 || n == 6 || n == 7 ? known(ElementShape::Triangle) : known(ElementShape::Quadrilateral);
     }
-    if (is("bar") || is("beam") || is("truss") || is("rod")) {
-        return known(ElementShape::Beam);
-    }
-    return std::nullopt;
+    // What libMesh and meshio call edges and lines are trusses, beams and rebars.
+    constexpr std::array<std::string_view, 9> lines{"bar", "beam", "truss", "rod", "edge", "line", "spring", "cable", "rebar"};
+    return std::any_of(lines.begin(), lines.end(), is) ? known(ElementShape::Beam) : std::nullopt;
 }
 
 std::optional<VectorVariable> findVector(const std::vector<std::string>& names, std::string_view prefix) {

@@ -14,6 +14,7 @@
 #include "io/fe/exodus/exodus_source.h"
 #include "io/fe/pieces/stacked_series.h"
 #include "io/fe/series/death_list.h"
+#include "io/fe/series/part_membership.h"
 #include "io/fe/series/series_result.h"
 
 namespace rubble::io {
@@ -150,6 +151,7 @@ FeResult::Contents readExodus(const std::string& path, const ImportSettings& set
     contents.source = std::make_shared<const ExodusSource>(file, contents.mesh, activity.activity, displacement, velocity);
     contents.activity = std::move(activity.activity);
     contents.activityFrom = std::move(activity.from);
+    killParts(settings.deadParts, *contents.mesh, contents.activity, contents.activityFrom, path);
     contents.deathTime = std::move(activity.deathTime);
     contents.findings = std::move(mesh.findings);
     contents.findings.append(file->findings());

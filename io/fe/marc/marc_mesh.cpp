@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "io/fe/abaqus/deck_parts.h"
 #include "io/fe/marc/marc_file.h"
+#include "io/fe/straight_edges.h"
 
 namespace rubble::io {
 
@@ -162,7 +163,12 @@ private:
             places.emplace(m_mesh.nodeIds[n], static_cast<std::uint32_t>(n));
         }
         m_mesh.offsets.push_back(0);
+        StraightEdges straight;
         for (const Element& element : m_list) {
+            if (element.shape != ElementShape::Beam) {
+                straight.add(element.shape, EdgeOrder::TopBeforeSides, placesOfNodes(element.nodes, places, m_mesh.nodes),
+                             "element " + englishInteger(element.number));
+            }
             for (std::size_t c = 0; c < static_cast<std::size_t>(cornerCount(element.shape)); ++c) {
                 const auto found = c < element.nodes.size() ? places.find(element.nodes[c]) : places.end();
                 if (found == places.end()) {
@@ -174,6 +180,7 @@ private:
             m_mesh.shapes.push_back(element.shape);
             m_mesh.offsets.push_back(static_cast<std::uint32_t>(m_mesh.corners.size()));
         }
+        straight.note(m_findings);
         assignParts(nullptr, m_sets, m_mesh, m_findings);
     }
 

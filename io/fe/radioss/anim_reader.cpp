@@ -5,6 +5,7 @@
 
 #include "io/fe/radioss/converted_file.h"
 #include "io/fe/radioss/radioss_run.h"
+#include "io/fe/series/part_membership.h"
 
 namespace rubble::io {
 
@@ -56,9 +57,11 @@ std::vector<std::string> animMembers(const std::string& path) {
 }
 
 FeResult::Contents readAnim(const std::string& path, const ImportSettings& settings, const Execution& execution) {
-    return readRadiossRun({settings.onlyThisFile ? std::vector<std::string>{path} : animStates(path), readAnimFile,
-                           deckOf(path, "A", ""), "status byte, 0 is deleted"},
-                          execution);
+    FeResult::Contents contents = readRadiossRun({settings.onlyThisFile ? std::vector<std::string>{path} : animStates(path),
+                                                  readAnimFile, deckOf(path, "A", ""), "status byte, 0 is deleted"},
+                                                 execution);
+    killParts(settings.deadParts, *contents.mesh, contents.activity, contents.activityFrom, path);
+    return contents;
 }
 
 bool recognisesConvertedAnim(const FileHead& head) {
@@ -92,6 +95,7 @@ FeResult::Contents readConvertedAnim(const std::string& path, const ImportSettin
             {"anim.never_active", "Elements are inactive in every state: they may be rigid, which these files do not tell", {}},
             {"anim.never_active.remedy", "Give the animation files (A001, ...) that they were made from.", {}}, example, never);
     }
+    killParts(settings.deadParts, *contents.mesh, contents.activity, contents.activityFrom, path);
     return contents;
 }
 

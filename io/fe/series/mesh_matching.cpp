@@ -49,10 +49,12 @@ void MeshUnion::indexPlaces() {
     }
 }
 
-// Without numbers only the places can say which points are left, and only where all keep theirs.
+// Without numbers only the places can say which points are left, and only where all keep theirs. Of a state without points
+// nothing is left.
 void MeshUnion::requirePlaces(const Mesh& mesh, std::size_t state) {
-    const bool kept = m_timed && std::all_of(mesh.nodes.begin(), mesh.nodes.end(),
-                                             [&](const Vec3& place) { return m_places->find(place) != none; });
+    const bool placed =
+        std::all_of(mesh.nodes.begin(), mesh.nodes.end(), [&](const Vec3& place) { return m_places->find(place) != none; });
+    const bool kept = placed && (m_timed || mesh.nodes.empty());
     if (!kept && !m_timed) {
         throw ParseError({"fe.other_points",
                           "{0}: state {1} has {2} nodes instead of {3}, and neither numbers nor times that make it a later state",

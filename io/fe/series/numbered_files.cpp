@@ -108,6 +108,20 @@ std::string takenForStates(const std::vector<std::string>& files) {
     return files.size() > shown ? names + ", ... (" + englishInteger(count) + " files)" : names;
 }
 
+std::string namedFile(const std::string& owner, const std::string& named) {
+    std::string slashed = named;
+    std::replace(slashed.begin(), slashed.end(), '\\', '/');
+    const Path folder = Path(owner).parent_path();
+    const Path there = folder / Path(named).lexically_normal();
+    for (const Path& place : {there, folder / Path(slashed).lexically_normal(), folder / Path(slashed).filename()}) {
+        std::error_code ignored;
+        if (std::filesystem::is_regular_file(place, ignored)) {
+            return place.string();
+        }
+    }
+    return there.string();
+}
+
 std::vector<std::string> filesBeside(const std::string& path) {
     const Path parent = Path(path).parent_path();
     std::vector<std::string> files;

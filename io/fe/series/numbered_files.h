@@ -26,6 +26,9 @@ void noteNumberGaps(const std::vector<std::string>& siblings, Findings& findings
 
 /// The names of files for people, the first three and how many there are: "s0.vtu, s1.vtu, s2.vtu, ... (12 files)".
 std::string takenForStates(const std::vector<std::string>& files);
+/// A file that another one names: where it says, else beside that one, since results are moved together. Folders may be parted as
+/// on Windows. What is in neither place is given where it should be.
+std::string namedFile(const std::string& owner, const std::string& named);
 
 /// The regular files of the folder that a path lies in, each as it would be given beside that path, sorted. Never throws.
 std::vector<std::string> filesBeside(const std::string& path);

@@ -16,6 +16,7 @@
 #include "io/fe/series/flag_meaning.h"
 #include "io/fe/series/later_branch.h"
 #include "io/fe/series/mesh_union.h"
+#include "io/fe/series/part_membership.h"
 
 namespace rubble::io {
 
@@ -35,7 +36,12 @@ NodeFields fieldsOf(const MeshSeries& series, const SeriesEpochs& epochs, std::s
 class SeriesJoin {
 public:
     SeriesJoin(const std::string& path, MeshSeries& series, const ImportSettings& settings, const Execution& execution)
-        : m_path(path), m_series(series), m_settings(settings), m_execution(execution), m_union(path, series.timed()) {}
+        : m_path(path),
+          m_series(series),
+          m_settings(settings),
+          m_execution(execution),
+          m_union(path, series.timed()),
+          m_parts(settings.deadParts) {}
 
     void run() {
         m_epochs.written = laterBranch(m_series.times(), m_findings);
@@ -80,6 +86,7 @@ private:
             }
             if (withMesh) {
                 m_union.add(*withMesh->mesh, withMesh->pieces, k);
+                m_parts.add(*withMesh->mesh, m_union, k);
                 withMesh.reset();
             }
             const auto epoch = static_cast<std::uint32_t>(m_union.epochs().size() - 1);
@@ -119,8 +126,10 @@ private:
         std::vector<bool>& bits = m_steps.emplace_back(epoch.elementCount);
         for (std::size_t i = 0; i < epoch.elementCount; ++i) {
             const std::size_t e = epoch.element(i);
-            bits[i] = flags.empty() ? m_last[e] : m_meaning->active(flags[i], m_last[e], m_union.elementNumber(e), k);
-            m_last[e] = bits[i];
+            if (!flags.empty()) {
+                m_last[e] = m_meaning->active(flags[i], m_last[e], m_union.elementNumber(e), k);
+            }
+            bits[i] = m_last[e] && !m_parts.dead(e);
         }
     }
 
@@ -143,13 +152,19 @@ private:
 
     void decide() {
         const std::string list = deathListBeside(m_path);
-        const bool flagged = m_meaning.has_value();
+        const std::string byParts = m_parts.decidedBy();
+        const bool flagged = m_meaning.has_value() || !byParts.empty();
+        m_parts.note(m_findings, m_path);
+        if (!byParts.empty()) {
+            activityFrom += (activityFrom.empty() ? "" : "; ") + byParts;
+        }
         markActive();
         if (flagged && m_series.flag().alwaysZeroIsRigid) {
             reviveRigid();
         }
         if (!flagged && !list.empty()) {
-            applyList(list);
+            activityFrom = applyDeathList(list, *mesh, times, activity, deathTime, m_findings);
+            describeFirst();
             return;
         }
         if (!list.empty()) {
@@ -212,43 +227,6 @@ private:
         }
     }
 
-    void applyList(const std::string& path) {
-        std::unordered_map<std::int64_t, std::vector<std::uint32_t>> elements;
-        for (std::size_t e = 0; e < mesh->elementCount(); ++e) {
-            elements[mesh->elementIds[e]].push_back(static_cast<std::uint32_t>(e));
-        }
-        const std::vector<DeathEntry> entries = readDeathList(path);
-        for (const DeathEntry& entry : entries) {
-            const auto found = elements.find(entry.element);
-            if (found == elements.end()) {
-                m_findings.add({"fe.death_list.unknown", "The list of deaths names elements that the mesh does not have", {}},
-                               {"fe.death_list.unknown.remedy", "Check that list and result belong together.", {}},
-                               "element " + englishInteger(entry.element));
-                continue;
-            }
-            for (const std::uint32_t e : found->second) {
-                applyEntry(entry, e);
-            }
-        }
-        activityFrom = std::filesystem::path(path).filename().string() + ", a list of " +
-                       englishInteger(static_cast<std::int64_t>(entries.size())) + " deaths";
-        describeFirst();
-    }
-
-    void applyEntry(const DeathEntry& entry, std::uint32_t e) {
-        for (std::size_t k = 0; k < m_steps.size(); ++k) {
-            if (times[k] >= entry.time) {
-                activity.set(k, idAt<ElementIndex>(e), entry.active);
-            }
-        }
-        if (!entry.active) {
-            if (deathTime.empty()) {
-                deathTime.assign(mesh->elementCount(), unknown);
-            }
-            deathTime[e] = entry.time;
-        }
-    }
-
     // A result in which nothing dies is a result; the user is told how to say what does.
     void noteNothingMissing() {
         bool missing = false;
@@ -290,6 +268,7 @@ private:
     DuplicateCells m_duplicates;
     SeriesEpochs m_epochs;
     Findings m_findings;
+    PartMembership m_parts;
     std::optional<FlagMeaning> m_meaning;
     std::vector<std::vector<bool>> m_steps;  // active or not, in the order of each state's mesh
     std::vector<bool> m_last;                // the newest known, in the order of the union
@@ -359,12 +338,6 @@ void noteNoDeaths(const std::string& path, std::size_t elements, const std::vect
                   {quotedList(choices, 100), list}};
     }
     findings.add(what, remedy, path, static_cast<std::int64_t>(elements));
-}
-
-void noteUnusedDeathList(const std::string& list, Findings& findings) {
-    findings.add(
-        {"fe.death_list.unused", "A list of deaths lies beside a result that says itself what is dead: it was not used", {}},
-        {"fe.death_list.unused.remedy", "Take it away, or check which of the two is right.", {}}, list);
 }
 
 std::vector<std::string> withDeathList(std::vector<std::string> files) {

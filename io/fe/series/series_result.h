@@ -22,9 +22,6 @@ FeResult::Contents readSeries(const std::string& path, std::shared_ptr<MeshSerie
 /// Counts that nothing says which elements of a result are dead. @param choices  variables that could be the active flag
 void noteNoDeaths(const std::string& path, std::size_t elements, const std::vector<std::string>& choices, Findings& findings);
 
-/// Counts a list of deaths that was not used, because the result says itself what is dead.
-void noteUnusedDeathList(const std::string& list, Findings& findings);
-
 /// The file and, where there is one, the list of deaths beside it: members of results whose deaths may stand in a list.
 std::vector<std::string> withDeathList(std::vector<std::string> files);
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 #include <unordered_map>
+#include <utility>
 
 #include "core/base/error.h"
 #include "io/fe/exodus/exodus_names.h"
@@ -19,6 +20,8 @@ namespace {
 constexpr unsigned duplicateCell = 1u, hiddenCell = 32u;
 // Some writers say "never" by a very large time.
 constexpr double latestTime = 1e15;
+// VTK cell types from here on have nodes on their edges.
+constexpr int firstCurvedType = 21;
 
 std::int64_t whole(double value) {
     return std::abs(value) < 9e15 ? static_cast<std::int64_t>(std::llround(value)) : -1;
@@ -87,12 +90,12 @@ GridSeries::GridSeries(std::string path, std::unique_ptr<const GridSource> sourc
         throw ParseError({"fe.no_states", "{0} has no states: it is a mesh without results", {m_path}},
                          {"fe.no_states.remedy", "Give the result file of the analysis, not its input mesh.", {}});
     }
+    m_facts.times = m_source->times();
     GridSelection all;
     all.everything = true;
     const Grid first = m_source->read(0, all);
-    m_names = chooseGridNames(first, settings, m_path);
-    m_facts.times = m_source->times();
     dropUnfinished(all);
+    m_names = namesOfSeries(first, settings);
     m_facts.flag = m_names.flag;
     m_facts.hasVelocity = !m_names.velocity.empty();
     m_componentNames = first.componentNames;
@@ -102,14 +105,58 @@ GridSeries::GridSeries(std::string path, std::unique_ptr<const GridSource> sourc
     }
 }
 
+// Some writers begin with the mesh alone: what the first state does not have is sought in the last.
+GridNames GridSeries::namesOfSeries(const Grid& first, const ImportSettings& settings) const {
+    GridSelection none;
+    none.points = false;
+    none.cells = false;
+    Grid all = first;
+    if (times().size() > 1) {
+        const Grid last = m_source->read(times().size() - 1, none);
+        for (const auto& [arrays, more] : {std::pair{&all.pointData, &last.pointData}, {&all.cellData, &last.cellData}}) {
+            for (const GridArray& array : *more) {
+                if (!findArray(*arrays, array.name)) {
+                    arrays->push_back({array.name, array.components, {}});
+                }
+            }
+        }
+    }
+    const GridNames ofAll = chooseGridNames(all, settings, m_path);
+    ImportSettings byNames = settings;
+    byNames.statusVariable = "";
+    byNames.displacement = settings.displacement == "none" ? settings.displacement : "";
+    GridNames names = chooseGridNames(first, byNames, m_path);
+    if (names.flag.name.empty() || !settings.statusVariable.empty()) {
+        names.flag = ofAll.flag;
+        names.ghostFlag = ofAll.ghostFlag;
+        names.ghostNamed = ofAll.ghostNamed;
+    }
+    if (names.displacement.empty() || !settings.displacement.empty()) {
+        names.displacement = ofAll.displacement;
+    }
+    for (std::string GridNames::* name : {&GridNames::velocity, &GridNames::deathTime, &GridNames::ghost}) {
+        if ((names.*name).empty()) {
+            names.*name = ofAll.*name;
+        }
+    }
+    return names;
+}
+
 void GridSeries::noteMissingTimes(const std::vector<std::string>& files) {
-    m_facts.timed = false;
+    // States of one file are states, whenever they are.
+    m_facts.timed = files.size() < 2;
     m_facts.findings.add({"vtk.no_times", "The series does not say when its states are: they were taken one second apart", {}},
                          {"vtk.no_times.remedy",
                           "Give a .pvd or .series file with the times, or files with TimeValue; if the files are no states of one "
                           "analysis, set only_this_file=true.",
                           {}},
                          takenForStates(files), static_cast<std::int64_t>(times().size()));
+}
+
+void GridSeries::noteDroppedTimes(std::size_t count) {
+    m_facts.findings.add({"xdmf.times_differ", "Times that only some of the collections have were left out", {}},
+                         {"xdmf.times_differ.remedy", "Write all functions at the same times.", {}}, m_path,
+                         static_cast<std::int64_t>(count));
 }
 
 void GridSeries::noteUnfinished(const std::string& file) {
@@ -245,20 +292,14 @@ void GridSeries::findGhosts(const Grid& grid, std::size_t k, SeriesStep& step) {
     }
 }
 
-bool GridSeries::left(const Grid& grid, std::size_t cell) {
-    // Converters write the links of rigid bodies as lines without a number.
-    if (grid.types[cell] == 3 && !m_names.element.empty() && valueOf(grid.cellData, m_names.element, cell, 1.0) == 0.0) {
-        m_facts.findings.add({"vtk.links", "Lines without an element number were left out: they are links of rigid bodies", {}},
-                             {"vtk.links.remedy", "Nothing to do.", {}}, "cell " + englishInteger(static_cast<std::int64_t>(cell)));
-        return true;
+// Converters write the links of rigid bodies as lines without a number.
+bool GridSeries::isLink(const Grid& grid, std::size_t cell) {
+    if (grid.types[cell] != 3 || m_names.element.empty() || valueOf(grid.cellData, m_names.element, cell, 1.0) != 0.0) {
+        return false;
     }
-    if (!shapeOfVtkCell(grid.types[cell])) {
-        m_facts.findings.add({"vtk.skipped_cell", "Cells of a type that makes no fragment were left out", {}},
-                             {"vtk.skipped_cell.remedy", "Nothing to do if they are masses, contacts or particles.", {}},
-                             "type " + std::to_string(grid.types[cell]));
-        return true;
-    }
-    return false;
+    m_facts.findings.add({"vtk.links", "Lines without an element number were left out: they are links of rigid bodies", {}},
+                         {"vtk.links.remedy", "Nothing to do.", {}}, "cell " + englishInteger(static_cast<std::int64_t>(cell)));
+    return true;
 }
 
 Mesh GridSeries::meshOf(const Grid& grid, std::size_t k) {
@@ -276,19 +317,57 @@ Mesh GridSeries::meshOf(const Grid& grid, std::size_t k) {
     mesh.offsets.push_back(0);
     m_kept.clear();
     for (std::size_t cell = 0; cell < grid.cellCount(); ++cell) {
-        if (!left(grid, cell)) {
+        if (!isLink(grid, cell)) {
             addCell(grid, cell, k, mesh);
-            m_kept.push_back(cell);
+            m_kept.resize(mesh.elementCount(), cell);
         }
+    }
+    if (k == 0) {
+        m_straight.note(m_facts.findings);
     }
     return mesh;
 }
 
 void GridSeries::addCell(const Grid& grid, std::size_t cell, std::size_t k, Mesh& mesh) {
-    const ElementShape shape = *shapeOfVtkCell(grid.types[cell]);
+    const int type = grid.types[cell];
+    const auto shape = shapeOfVtkCell(type);
+    if (!shape && !isTakenApart(type)) {
+        skipCell(grid, cell);
+        return;
+    }
+    std::vector<std::uint32_t> corners = pointsOf(grid, cell, k);
+    if (!shape) {
+        addPieces(grid, cell, corners, mesh);
+        return;
+    }
+    orderVtkCorners(type, corners);
+    // Some writers give triangles four points and repeat the last.
+    if (corners.size() < static_cast<std::size_t>(cornerCount(*shape))) {
+        failDamaged({"vtk.short_cell",
+                     "{0}: cell {1} at state {2} is a {3} of {4} points",
+                     {m_path, cell, k, shapeName(*shape), corners.size()}});
+    }
+    if (k == 0 && type >= firstCurvedType) {
+        std::vector<Vec3> places;
+        for (const std::uint32_t corner : corners) {
+            places.push_back(mesh.nodes[corner]);
+        }
+        m_straight.add(*shape, EdgeOrder::TopBeforeSides, places, "cell " + englishInteger(static_cast<std::int64_t>(cell)));
+    }
+    corners.resize(static_cast<std::size_t>(cornerCount(*shape)));
+    addElement(grid, cell, *shape, corners, mesh);
+}
+
+void GridSeries::skipCell(const Grid& grid, std::size_t cell) {
+    m_facts.findings.add({"vtk.skipped_cell", "Cells of a type that makes no fragment were left out", {}},
+                         {"vtk.skipped_cell.remedy", "Nothing to do if they are masses, contacts or particles.", {}},
+                         nameOfVtkCell(grid.types[cell]));
+}
+
+std::vector<std::uint32_t> GridSeries::pointsOf(const Grid& grid, std::size_t cell, std::size_t k) const {
     const std::int64_t begin = grid.offsets[cell], end = grid.offsets[cell + 1];
     const bool inside = begin >= 0 && end >= begin && static_cast<std::size_t>(end) <= grid.connectivity.size();
-    std::vector<std::uint32_t> corners;
+    std::vector<std::uint32_t> points;
     for (std::int64_t i = begin; inside && i < end; ++i) {
         const std::int64_t point = grid.connectivity[static_cast<std::size_t>(i)];
         if (point < 0 || static_cast<std::size_t>(point) >= grid.points.size()) {
@@ -296,16 +375,44 @@ void GridSeries::addCell(const Grid& grid, std::size_t cell, std::size_t k, Mesh
                          "{0}: cell {1} at state {2} uses point {3} of {4}",
                          {m_path, cell, k, point, grid.points.size()}});
         }
-        corners.push_back(static_cast<std::uint32_t>(point));
+        points.push_back(static_cast<std::uint32_t>(point));
     }
-    orderVtkCorners(grid.types[cell], corners);
-    // Some writers give triangles four points and repeat the last.
-    if (corners.size() < static_cast<std::size_t>(cornerCount(shape))) {
-        failDamaged({"vtk.short_cell",
-                     "{0}: cell {1} at state {2} is a {3} of {4} points",
-                     {m_path, cell, k, shapeName(shape), corners.size()}});
+    return points;
+}
+
+// A body keeps its pieces when its points have moved and its faces are no longer flat.
+void GridSeries::addPieces(const Grid& grid, std::size_t cell, const std::vector<std::uint32_t>& points, Mesh& mesh) {
+    std::vector<std::int64_t> key{grid.types[cell]};
+    std::vector<Vec3> places;
+    for (const std::uint32_t point : points) {
+        key.push_back(mesh.nodeIds.empty() ? static_cast<std::int64_t>(point) : mesh.nodeIds[point]);
+        places.push_back(mesh.nodes[point]);
     }
-    corners.resize(static_cast<std::size_t>(cornerCount(shape)));
+    const auto [known, isNew] = m_pieces.try_emplace(std::move(key));
+    if (isNew) {
+        known->second = piecesOfVtkCell(grid.types[cell], places);
+    }
+    if (known->second.empty()) {
+        skipCell(grid, cell);
+        return;
+    }
+    if (isNew && known->second.size() > 1) {
+        m_facts.findings.add(
+            {"vtk.taken_apart", "Cells were taken apart into solids, shells or beams, which die together", {}},
+            {"vtk.taken_apart.remedy", "Nothing to do: they fill the same volume.", {}},
+            nameOfVtkCell(grid.types[cell]) + " into " + englishInteger(static_cast<std::int64_t>(known->second.size())));
+    }
+    for (const CellPiece& piece : known->second) {
+        std::vector<std::uint32_t> corners;
+        for (const std::uint32_t corner : piece.corners) {
+            corners.push_back(points[corner]);
+        }
+        addElement(grid, cell, piece.shape, corners, mesh);
+    }
+}
+
+void GridSeries::addElement(const Grid& grid, std::size_t cell, ElementShape shape, const std::vector<std::uint32_t>& corners,
+                            Mesh& mesh) {
     mesh.shapes.push_back(shape);
     mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
     mesh.offsets.push_back(static_cast<std::uint32_t>(mesh.corners.size()));

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/hash.h"
 #include "core/scenario/scenario.h"
+#include "io/fe/series/cell_shapes.h"
 #include "io/fe/series/mesh_series.h"
+#include "io/fe/straight_edges.h"
 #include "io/fe/vtk/grid.h"
 #include "io/fe/vtk/grid_names.h"
 
@@ -25,6 +28,8 @@ public:
     /// Counts that nobody says when the states are, so that they were counted.
     /// @param files  that were taken for states
     void noteMissingTimes(const std::vector<std::string>& files);
+    /// Counts times that only some of the collections of a file have, so that they are no states.
+    void noteDroppedTimes(std::size_t count);
     /// Counts a last state that was left out because it is not whole.
     void noteUnfinished(const std::string& file);
     /// Counts a block of a state that is no unstructured grid.
@@ -36,13 +41,18 @@ private:
     void dropUnfinished(const GridSelection& all);
     void decideDisplacement(const Grid& first);
     Mesh meshOf(const Grid& grid, std::size_t k);
+    GridNames namesOfSeries(const Grid& first, const ImportSettings& settings) const;
+    bool isLink(const Grid& grid, std::size_t cell);
     void addCell(const Grid& grid, std::size_t cell, std::size_t k, Mesh& mesh);
+    void skipCell(const Grid& grid, std::size_t cell);
+    std::vector<std::uint32_t> pointsOf(const Grid& grid, std::size_t cell, std::size_t k) const;
+    void addPieces(const Grid& grid, std::size_t cell, const std::vector<std::uint32_t>& points, Mesh& mesh);
+    void addElement(const Grid& grid, std::size_t cell, ElementShape shape, const std::vector<std::uint32_t>& corners, Mesh& mesh);
     std::uint32_t partOf(std::int64_t id, ElementShape shape, Mesh& mesh) const;
     bool isGhost(double value) const;
     double flagOf(double value) const;
     void findGhosts(const Grid& grid, std::size_t k, SeriesStep& step);
     std::uint32_t componentOf(std::int64_t index, std::int64_t id, Mesh& mesh) const;
-    bool left(const Grid& grid, std::size_t cell);
 
     std::string m_path;
     std::unique_ptr<const GridSource> m_source;
@@ -50,9 +60,11 @@ private:
     std::vector<std::string> m_componentNames;
     bool m_moves = false;             ///< points stay, the displacement moves
     Digest m_cells;                   ///< of the newest step
-    std::vector<std::size_t> m_kept;  ///< cells of the newest step that are elements
+    std::vector<std::size_t> m_kept;  ///< the cell of each element of the newest step
     bool m_inPieces = false;          ///< the newest mesh is
     bool m_copiesAtFirst = false;     ///< cells are marked as copies at the first state: then the mark tells no death
+    std::map<std::vector<std::int64_t>, std::vector<CellPiece>> m_pieces;  ///< of bodies taken apart, by type and points
+    StraightEdges m_straight;
 };
 
 }  // namespace rubble::io

@@ -1,11 +1,11 @@
 #include "io/fe/vtk/index_text.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "core/base/error.h"
+#include "io/fe/series/numbered_files.h"
 
 namespace rubble::io {
 
@@ -85,20 +85,7 @@ std::string namedByIndex(const std::string& index, const std::string& name) {
     if (name.empty()) {
         failIndex(index, "an entry names no file");
     }
-    const Path folder = Path(index).parent_path();
-    const Path plain = folder / Path(name).lexically_normal();
-    if (isFile(plain)) {
-        return plain.string();
-    }
-    std::string slashed = name;
-    std::replace(slashed.begin(), slashed.end(), '\\', '/');
-    const Path other = folder / Path(slashed).lexically_normal();
-    if (isFile(other)) {
-        return other.string();
-    }
-    const bool elsewhere = Path(slashed).is_absolute() || (slashed.size() > 1 && slashed[1] == ':');
-    const Path alone = folder / Path(slashed).filename();
-    return (elsewhere && isFile(alone) ? alone : plain).string();
+    return namedFile(index, name);
 }
 
 }  // namespace rubble::io

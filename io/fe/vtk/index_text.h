@@ -14,8 +14,7 @@ std::string vtkTypeOf(std::string_view head);
 std::string indexText(const std::string& path);
 /// The same as XML. Throws ParseError naming the place.
 pugi::xml_document indexXml(const std::string& path);
-/// The file that an index names: beside it or below, whatever slashes were written; by its name alone beside the index where it was
-/// written with a folder of another machine. Throws ParseError for no name.
+/// The file that an index names, see namedFile(). Throws ParseError for no name.
 std::string namedByIndex(const std::string& index, const std::string& name);
 [[noreturn]] void failIndex(const std::string& path, const std::string& why);
 /// Throws WorldError that names index and file where a named file is not there.

@@ -1,6 +1,7 @@
 #include "io/fe/vtk/legacy_grid.h"
 
 #include <algorithm>
+#include <set>
 
 #include "io/fe/vtk/legacy_text.h"
 
@@ -283,6 +284,46 @@ private:
         if (wantsCells() && m_grid.offsets.empty()) {
             m_grid.offsets.push_back(0);
         }
+        constexpr std::uint8_t polyhedron = 42;
+        if (std::find(m_grid.types.begin(), m_grid.types.end(), polyhedron) != m_grid.types.end()) {
+            unfoldPolyhedra(polyhedron);
+        }
+    }
+
+    // Polyhedra stand as faces: how many, then each with its count of points. They become lists of their points.
+    void unfoldPolyhedra(std::uint8_t polyhedron) {
+        std::vector<std::int64_t> offsets{0}, connectivity;
+        for (std::size_t c = 0; c + 1 < m_grid.offsets.size() && c < m_grid.types.size(); ++c) {
+            const std::int64_t begin = std::max<std::int64_t>(m_grid.offsets[c], 0), end = m_grid.offsets[c + 1];
+            std::vector<std::int64_t> points;
+            for (std::int64_t i = begin; i < end && static_cast<std::size_t>(i) < m_grid.connectivity.size(); ++i) {
+                points.push_back(m_grid.connectivity[static_cast<std::size_t>(i)]);
+            }
+            if (m_grid.types[c] == polyhedron) {
+                points = pointsOfFaces(points);
+            }
+            connectivity.insert(connectivity.end(), points.begin(), points.end());
+            offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+        }
+        m_grid.offsets = std::move(offsets);
+        m_grid.connectivity = std::move(connectivity);
+    }
+
+    // What is no list of faces is one of points.
+    static std::vector<std::int64_t> pointsOfFaces(const std::vector<std::int64_t>& words) {
+        std::set<std::int64_t> points;
+        std::size_t at = 1;
+        const std::int64_t faces = words.empty() ? 0 : words.front();
+        for (std::int64_t f = 0; f < faces; ++f) {
+            const std::int64_t count = at < words.size() ? words[at] : -1;
+            if (count < 3 || static_cast<std::uint64_t>(count) >= words.size() - at) {
+                return words;
+            }
+            const auto first = words.begin() + static_cast<std::ptrdiff_t>(at) + 1;
+            points.insert(first, first + count);
+            at += static_cast<std::size_t>(count) + 1;
+        }
+        return at == words.size() ? std::vector<std::int64_t>(points.begin(), points.end()) : words;
     }
 
     // What overflows is more than any file holds.

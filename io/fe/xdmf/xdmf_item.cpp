@@ -13,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "io/base/trimmed.h"
+#include "io/fe/series/numbered_files.h"
 
 namespace rubble::io {
 
@@ -51,8 +52,8 @@ void XdmfItems::fail(const std::string& what) const {
                      {"xdmf.layout.remedy", "Write the result as .vtu files with a .pvd, or with its values in HDF5.", {}});
 }
 
-pugi::xml_node XdmfItems::itemOf(pugi::xml_node owner) const {
-    pugi::xml_node item = owner.child("DataItem");
+pugi::xml_node XdmfItems::resolved(pugi::xml_node node) const {
+    pugi::xml_node item = node;
     for (int hops = 0; item && item.attribute("Reference"); ++hops) {
         const std::string reference = item.attribute("Reference").as_string();
         const std::string path = reference == "XML" ? std::string(trimmed(item.child_value())) : reference;
@@ -66,6 +67,10 @@ pugi::xml_node XdmfItems::itemOf(pugi::xml_node owner) const {
         }
     }
     return item;
+}
+
+pugi::xml_node XdmfItems::itemOf(pugi::xml_node owner) const {
+    return resolved(resolved(owner).child("DataItem"));
 }
 
 std::vector<std::uint64_t> XdmfItems::dimensions(pugi::xml_node item) const {
@@ -97,11 +102,16 @@ std::pair<std::string, std::string> XdmfItems::placeOf(pugi::xml_node item) cons
         return {};
     }
     const std::string text(trimmed(item.child_value()));
-    const std::size_t colon = text.rfind(":/");
-    if (colon == std::string::npos) {
+    // The colon of a drive stands behind one letter.
+    std::size_t colon = text.rfind(":/");
+    if (colon == std::string::npos || colon <= 1) {
+        colon = text.rfind(':');
+    }
+    if (colon == std::string::npos || colon <= 1 || colon + 1 == text.size()) {
         fail("the place \"" + text.substr(0, 100) + "\" is not FILE:/TABLE");
     }
-    return {(std::filesystem::path(m_path).parent_path() / text.substr(0, colon)).string(), text.substr(colon + 1)};
+    const std::string table = text.substr(colon + 1);
+    return {namedFile(m_path, text.substr(0, colon)), table.starts_with('/') ? table : '/' + table};
 }
 
 const Hdf5Table& XdmfItems::file(const std::string& path) const {
@@ -135,7 +145,7 @@ std::vector<T> XdmfItems::fromText(const std::string& text, std::uint64_t count)
 
 template <class T>
 std::vector<T> XdmfItems::fromBinary(pugi::xml_node item, std::uint64_t count) const {
-    const std::string path = (std::filesystem::path(m_path).parent_path() / trimmed(item.child_value())).string();
+    const std::string path = namedFile(m_path, std::string(trimmed(item.child_value())));
     const std::string type = item.attribute("NumberType").as_string("Float");
     const auto bytes = static_cast<std::size_t>(item.attribute("Precision").as_int(4));
     const std::uint64_t seek = item.attribute("Seek").as_ullong(0);

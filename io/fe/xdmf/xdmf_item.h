@@ -23,6 +23,8 @@ public:
     std::vector<std::int64_t> integers(pugi::xml_node item) const;
     /// Dimensions of an item, as written; empty where it says none. Throws for numbers that make no sense.
     std::vector<std::uint64_t> dimensions(pugi::xml_node item) const;
+    /// The node that another one stands for by its attribute Reference; itself without one. Throws where it leads nowhere.
+    pugi::xml_node resolved(pugi::xml_node node) const;
     /// The item that a node holds, through Reference; an empty node if there is none.
     pugi::xml_node itemOf(pugi::xml_node owner) const;
     /// Where an item in HDF5 lies: file and table; both empty for other items.

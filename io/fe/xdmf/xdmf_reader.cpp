@@ -14,6 +14,7 @@
 #include "io/fe/series/series_result.h"
 #include "io/fe/vtk/grid_series.h"
 #include "io/fe/xdmf/xdmf_item.h"
+#include "io/fe/xdmf/xdmf_states.h"
 
 namespace rubble::io {
 
@@ -29,35 +30,30 @@ struct XdmfCell {
     std::uint8_t vtk;
 };
 
+constexpr int polyhedronCode = 16;
+
 // Xdmf model and format, topology types.
-constexpr std::array<XdmfCell, 17> cells{{{"polyvertex", 1, 0, 1},
+constexpr std::array<XdmfCell, 21> cells{{{"polyvertex", 1, 0, 1},
                                           {"polyline", 2, 0, 3},
+                                          {"polygon", 3, 0, 7},
                                           {"triangle", 4, 3, 5},
                                           {"quadrilateral", 5, 4, 9},
                                           {"tetrahedron", 6, 4, 10},
                                           {"pyramid", 7, 5, 14},
                                           {"wedge", 8, 6, 13},
                                           {"hexahedron", 9, 8, 12},
+                                          {"polyhedron", polyhedronCode, 0, 42},
                                           {"edge_3", 0x22, 3, 21},
                                           {"triangle_6", 0x24, 6, 22},
                                           {"quadrilateral_8", 0x25, 8, 23},
                                           {"tetrahedron_10", 0x26, 10, 24},
                                           {"pyramid_13", 0x27, 13, 27},
                                           {"wedge_15", 0x28, 15, 26},
+                                          {"wedge_18", 0x29, 18, 32},
                                           {"hexahedron_20", 0x30, 20, 25},
+                                          {"hexahedron_24", 0x31, 24, 33},
                                           {"hexahedron_27", 0x32, 27, 29},
                                           {"quadrilateral_9", 0x23, 9, 28}}};
-
-std::string lowerCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text;
-}
-
-std::string typeOf(pugi::xml_node node, const char* longName) {
-    const pugi::xml_attribute named = node.attribute(longName);
-    return lowerCase(named ? named.as_string() : node.attribute("Type").as_string());
-}
 
 pugi::xml_document documentOf(const std::string& path) {
     std::error_code error;
@@ -73,36 +69,28 @@ pugi::xml_document documentOf(const std::string& path) {
     return document;
 }
 
-/// One state: the grids it is made of.
-struct XdmfState {
-    double time = 0.0;
-    std::vector<pugi::xml_node> grids;
-};
-
 class XdmfGrids : public GridSource {
 public:
-    explicit XdmfGrids(const std::string& path) : m_document(documentOf(path)), m_items(path) {
-        const pugi::xml_node domain = m_document.child("Xdmf").child("Domain");
-        for (const pugi::xml_node grid : domain.children("Grid")) {
-            addGrid(grid);
-        }
-        std::stable_sort(m_states.begin(), m_states.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
-        for (const XdmfState& state : m_states) {
+    explicit XdmfGrids(const std::string& path)
+        : m_document(documentOf(path)), m_items(path), m_states(findXdmfStates(m_document, m_items)) {
+        for (const XdmfState& state : m_states.list) {
             m_times.push_back(state.time);
         }
     }
 
     const std::vector<double>& times() const override { return m_times; }
+    bool timed() const { return m_states.timed; }
+    std::size_t dropped() const { return m_states.dropped; }
 
     bool sameCells(std::size_t k, const std::vector<std::string>& cellArrays) const override {
-        if (k == 0 || m_states[k].grids.size() != m_states[k - 1].grids.size()) {
+        if (k == 0 || m_states.list[k].pieces.size() != m_states.list[k - 1].pieces.size()) {
             return false;
         }
-        for (std::size_t g = 0; g < m_states[k].grids.size(); ++g) {
-            const pugi::xml_node a = m_states[k - 1].grids[g], b = m_states[k].grids[g];
-            bool same = sameItem(part(a, "Topology"), part(b, "Topology"));
+        for (std::size_t p = 0; p < m_states.list[k].pieces.size(); ++p) {
+            const Grids &a = m_states.list[k - 1].pieces[p], &b = m_states.list[k].pieces[p];
+            bool same = sameXdmfItem(part(a.front(), "Topology"), part(b.front(), "Topology"), m_items);
             for (const std::string& name : cellArrays) {
-                same = same && sameItem(attribute(a, name), attribute(b, name));
+                same = same && sameXdmfItem(attribute(a, name), attribute(b, name), m_items);
             }
             if (!same) {
                 return false;
@@ -113,9 +101,10 @@ public:
 
     Grid read(std::size_t k, const GridSelection& selection) const override {
         Grid grid;
-        for (std::size_t g = 0; g < m_states[k].grids.size(); ++g) {
-            Grid piece = readGrid(m_states[k].grids[g], selection);
-            if (g == 0) {
+        const std::vector<Grids>& pieces = m_states.list[k].pieces;
+        for (std::size_t p = 0; p < pieces.size(); ++p) {
+            Grid piece = readPiece(pieces[p], selection);
+            if (p == 0) {
                 grid = std::move(piece);
             } else {
                 appendGrid(grid, piece);
@@ -126,70 +115,29 @@ public:
     }
 
 private:
-    void addGrid(pugi::xml_node grid) {
-        const std::string type = typeOf(grid, "GridType");
-        if (type == "collection" && lowerCase(grid.attribute("CollectionType").as_string("spatial")) == "temporal") {
-            for (const pugi::xml_node child : grid.children("Grid")) {
-                addState(child);
-            }
-        } else if (grid.child("Topology") || type == "collection") {
-            addState(grid);
-        }
-    }
+    using Grids = std::vector<pugi::xml_node>;
 
-    void addState(pugi::xml_node grid) {
-        XdmfState state;
-        const pugi::xml_attribute time = grid.child("Time").attribute("Value");
-        state.time = time ? time.as_double() : static_cast<double>(m_states.size());
-        if (!std::isfinite(state.time)) {
-            m_items.fail("the time \"" + std::string(time.as_string()).substr(0, 40) + "\" of a grid is no number");
-        }
-        if (typeOf(grid, "GridType") == "collection") {
-            for (const pugi::xml_node child : grid.children("Grid")) {
-                state.grids.push_back(child);
-            }
-        } else {
-            state.grids.push_back(grid);
-        }
-        if (!state.grids.empty()) {
-            m_states.push_back(std::move(state));
-        }
-    }
+    pugi::xml_node part(pugi::xml_node grid, const std::string& name) const { return xdmfPart(grid, name, m_items); }
 
-    // A child of a grid, its own or one taken in by xi:include.
-    pugi::xml_node part(pugi::xml_node grid, const std::string& name) const {
-        if (const pugi::xml_node own = grid.child(name.c_str())) {
-            return own;
-        }
-        for (const pugi::xml_node include : grid.children("xi:include")) {
-            std::string pointer = include.attribute("xpointer").as_string();
-            if (pointer.starts_with("xpointer(") && pointer.ends_with(")")) {
-                pointer = pointer.substr(9, pointer.size() - 10);
-            }
-            try {
-                for (const pugi::xpath_node& found : m_document.select_nodes(pointer.c_str())) {
-                    if (name == found.node().name()) {
-                        return found.node();
-                    }
-                }
-            } catch (const pugi::xpath_exception&) {
-                m_items.fail("the pointer \"" + pointer.substr(0, 100) + "\" cannot be followed");
+    static pugi::xml_node attribute(const Grids& grids, const std::string& name) {
+        for (const pugi::xml_node grid : grids) {
+            if (const pugi::xml_node found = grid.find_child_by_attribute("Attribute", "Name", name.c_str());
+                found && !name.empty()) {
+                return found;
             }
         }
         return {};
     }
 
-    static pugi::xml_node attribute(pugi::xml_node grid, const std::string& name) {
-        return name.empty() ? pugi::xml_node() : grid.find_child_by_attribute("Attribute", "Name", name.c_str());
-    }
-
-    bool sameItem(pugi::xml_node a, pugi::xml_node b) const {
-        if (a == b) {
-            return true;
+    // The mesh of the first grid and the arrays of all.
+    Grid readPiece(const Grids& grids, const GridSelection& selection) const {
+        Grid grid = readGrid(grids.front(), selection);
+        for (std::size_t g = 1; g < grids.size(); ++g) {
+            for (const pugi::xml_node array : grids[g].children("Attribute")) {
+                readArray(array, selection, grid);
+            }
         }
-        const pugi::xml_node left = a ? m_items.itemOf(a) : a, right = b ? m_items.itemOf(b) : b;
-        return left == right || (left && right && std::string(left.attribute("Format").as_string()) == "HDF" &&
-                                 std::string(left.child_value()) == right.child_value());
+        return grid;
     }
 
     Grid readGrid(pugi::xml_node node, const GridSelection& selection) const {
@@ -215,7 +163,7 @@ private:
     }
 
     void readPoints(pugi::xml_node geometry, Grid& grid) const {
-        const std::string type = typeOf(geometry, "GeometryType");
+        const std::string type = xdmfType(geometry, "GeometryType");
         const std::size_t axes = type == "xy" ? 2 : 3;
         if (!type.empty() && type != "xyz" && type != "xy") {
             m_items.fail("geometry of type " + type.substr(0, 40) + " is not read");
@@ -227,7 +175,7 @@ private:
     }
 
     void readCells(pugi::xml_node topology, Grid& grid) const {
-        const std::string type = typeOf(topology, "TopologyType");
+        const std::string type = xdmfType(topology, "TopologyType");
         const std::vector<std::int64_t> values = m_items.integers(m_items.itemOf(topology));
         grid.offsets.push_back(0);
         if (type == "mixed") {
@@ -246,7 +194,7 @@ private:
         const std::size_t own = topology.attribute("NodesPerElement").as_uint(2);
         const std::size_t nodes = std::max<std::size_t>(known->nodes > 0 ? known->nodes : own, 1);
         for (std::size_t i = 0; i + nodes <= values.size(); i += nodes) {
-            grid.types.push_back(known->vtk);
+            grid.types.push_back(typeOfCell(*known, nodes));
             grid.connectivity.insert(grid.connectivity.end(), values.begin() + static_cast<std::ptrdiff_t>(i),
                                      values.begin() + static_cast<std::ptrdiff_t>(i + nodes));
             grid.offsets.push_back(static_cast<std::int64_t>(grid.connectivity.size()));
@@ -262,6 +210,10 @@ private:
                              std::to_string(i));
             }
             ++i;
+            if (known->code == polyhedronCode) {
+                i = readPolyhedron(values, i, grid);
+                continue;
+            }
             std::int64_t nodes = static_cast<std::int64_t>(known->nodes);
             if (nodes == 0 && i < values.size()) {
                 nodes = values[i++];
@@ -269,7 +221,7 @@ private:
             if (nodes < 1 || static_cast<std::uint64_t>(nodes) > values.size() - i) {
                 m_items.fail("the mixed topology ends inside a cell");
             }
-            grid.types.push_back(known->vtk);
+            grid.types.push_back(typeOfCell(*known, static_cast<std::size_t>(nodes)));
             for (std::int64_t n = 0; n < nodes; ++n) {
                 grid.connectivity.push_back(values[i++]);
             }
@@ -277,13 +229,42 @@ private:
         }
     }
 
+    // A polyline of two nodes is a line.
+    static std::uint8_t typeOfCell(const XdmfCell& cell, std::size_t nodes) {
+        constexpr std::uint8_t line = 3, polyline = 4;
+        return cell.vtk == line && nodes > 2 ? polyline : cell.vtk;
+    }
+
+    // How many faces, then each with its count of nodes. Gives the place behind; the cell has each node once.
+    std::size_t readPolyhedron(const std::vector<std::int64_t>& values, std::size_t at, Grid& grid) const {
+        std::set<std::int64_t> nodes;
+        const auto next = [&] {
+            if (at >= values.size()) {
+                m_items.fail("the mixed topology ends inside a polyhedron");
+            }
+            return values[at++];
+        };
+        for (std::int64_t faces = next(); faces > 0; --faces) {
+            for (std::int64_t count = next(); count > 0; --count) {
+                nodes.insert(next());
+            }
+        }
+        grid.types.push_back(42);
+        grid.connectivity.insert(grid.connectivity.end(), nodes.begin(), nodes.end());
+        grid.offsets.push_back(static_cast<std::int64_t>(grid.connectivity.size()));
+        return at;
+    }
+
     void readArray(pugi::xml_node array, const GridSelection& selection, Grid& grid) const {
-        const std::string centre = lowerCase(array.attribute("Center").as_string("node"));
+        const std::string centre = xdmfLowerCase(array.attribute("Center").as_string("node"));
         const std::string name = array.attribute("Name").as_string();
         if (centre != "node" && centre != "cell") {
             return;
         }
         const bool node = centre == "node";
+        if (findArray(node ? grid.pointData : grid.cellData, name)) {
+            return;
+        }
         GridArray& result = (node ? grid.pointData : grid.cellData).emplace_back();
         result.name = name;
         const pugi::xml_node item = m_items.itemOf(array);
@@ -305,7 +286,7 @@ private:
         const Hdf5Table& file = m_items.file(path);
         const std::string group = table.substr(0, table.rfind('/'));
         for (const std::string& name : file.tablesIn(group.empty() ? "/" : group)) {
-            const std::string key = lowerCase(name);
+            const std::string key = xdmfLowerCase(name);
             const bool numbers =
                 key == "element_id" || key == "elementid" || key == "eid" || key == "element_ids" || key == "cell_ids";
             const Hdf5Table::Shape shape = numbers ? file.shape(group + "/" + name) : Hdf5Table::Shape();
@@ -322,7 +303,7 @@ private:
 
     pugi::xml_document m_document;
     XdmfItems m_items;
-    std::vector<XdmfState> m_states;
+    XdmfStates m_states;
     std::vector<double> m_times;
 };
 
@@ -399,7 +380,16 @@ std::vector<std::string> xdmfMembers(const std::string& path) {
 }
 
 FeResult::Contents readXdmf(const std::string& path, const ImportSettings& settings, const Execution& execution) {
-    const auto series = std::make_shared<GridSeries>(path, std::make_unique<const XdmfGrids>(path), settings);
+    auto source = std::make_unique<const XdmfGrids>(path);
+    const bool timed = source->timed();
+    const std::size_t dropped = source->dropped();
+    const auto series = std::make_shared<GridSeries>(path, std::move(source), settings);
+    if (!timed) {
+        series->noteMissingTimes({path});
+    }
+    if (dropped > 0) {
+        series->noteDroppedTimes(dropped);
+    }
     return readSeries(path, series, settings, execution);
 }
 

@@ -191,9 +191,8 @@ TEST_F(ExodusReaderTest, WithoutAFlagAllIsActiveAndTheVariablesThatExistAreOffer
     EXPECT_THAT(activity(*named), ::testing::Each(std::string("111")));
     EXPECT_THAT(englishText(named->contents().findings.list().back().remedy),
                 ::testing::AllOf(HasSubstr("--set status_variable=NAME"), HasSubstr("\"Damage\", \"EQPS\"")));
-    EXPECT_EQ(named->state(1)->positions, open(builder, {.statusVariable = "Damage", .activeValue = 0, .displacement = ""})
-                                              ->state(1)
-                                              ->positions)
+    EXPECT_EQ(named->state(1)->positions,
+              open(builder, {.statusVariable = "Damage", .activeValue = 0, .displacement = ""})->state(1)->positions)
         << "the way it is read makes no difference";
 }
 

@@ -12,6 +12,7 @@ set(RUBBLE_PUBLIC_HEADERS
     core/base/hash.h
     core/base/ids.h
     core/base/message.h
+    core/base/outline.h
     core/base/standard_gravity.h
     core/base/version.h
     core/clusters/basic_grid.h
@@ -49,6 +50,7 @@ set(RUBBLE_PUBLIC_HEADERS
     core/scenario/scenario.h
     core/scenario/site.h
     core/scenario/stage.h
+    core/scenario/survey_scope.h
     core/simulation/run/acknowledgement.h
     core/simulation/run/checkpoint.h
     core/simulation/effects/decisions.h

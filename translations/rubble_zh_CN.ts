@@ -8546,6 +8546,92 @@
     <message>
         <source>the library complains of it</source>
         <translation>库对其报错</translation>
+        <source>Check the area of interest and what is left out, their coordinate systems and that of the case.</source>
+        <translation>检查关注区域和略去的部分、它们的坐标系以及案例的坐标系。</translation>
+    </message>
+    <message>
+        <source>Check the coordinate systems of area, survey and case, the origin of the frame and the control points.</source>
+        <translation>检查区域、测量和案例的坐标系、坐标框架的原点以及控制点。</translation>
+    </message>
+    <message>
+        <source>None of the {0} cells that were surveyed is compared: the area of interest reaches from x = {1} to {2}, y = {3} to {4}</source>
+        <translation>{0} 个测量单元都不参与比较：关注区域范围为 x = {1} 至 {2}，y = {3} 至 {4}</translation>
+    </message>
+    <message>
+        <source>What is compared of {0} holds none of its {1} cells with debris</source>
+        <translation>{0} 的比较范围不含其 {1} 个有堆积物的单元中的任何一个</translation>
+    </message>
+    <message>
+        <source>What is left out holds all {0} cells that were surveyed</source>
+        <translation>略去的部分包含全部 {0} 个测量单元</translation>
+    </message>
+    <message>
+        <source>all that was surveyed</source>
+        <translation>测量的全部</translation>
+    </message>
+    <message>
+        <source>all {0} of simulated debris lie outside of what is compared</source>
+        <translation>全部 {0} 模拟堆积物都在比较范围之外</translation>
+    </message>
+    <message>
+        <source>an area of interest</source>
+        <translation>关注区域</translation>
+    </message>
+    <message>
+        <source>check place, time, unit and vertical datum of the survey, or register it to the ground</source>
+        <translation>检查测量的地点、时间、单位和高程基准，或将其配准到地面</translation>
+    </message>
+    <message>
+        <source>check the area of interest, its coordinate system and that of the case</source>
+        <translation>检查关注区域、其坐标系和案例的坐标系</translation>
+    </message>
+    <message>
+        <source>far from all simulated debris the survey lies {0} above the ground, in the median of {1} cells</source>
+        <translation>在远离所有模拟堆积物处，测量高于地面 {0}（{1} 个单元的中位数）</translation>
+    </message>
+    <message>
+        <source>far from all simulated debris the survey lies {0} below the ground, in the median of {1} cells</source>
+        <translation>在远离所有模拟堆积物处，测量低于地面 {0}（{1} 个单元的中位数）</translation>
+    </message>
+    <message>
+        <source>give a finer raster, or turn the local frame by control points so that its axes run along the rows, if that is too much</source>
+        <translation>若相差过大，请给出更细的栅格，或用控制点旋转局部坐标框架，使其轴沿栅格的行</translation>
+    </message>
+    <message>
+        <source>heights count from {0} on, the level of detection, and not from the least height of {1}: what lies lower may be noise</source>
+        <translation>高度从检测限 {0} 起计入，而不是从最小高度 {1} 起：更低者可能只是噪声</translation>
+    </message>
+    <message>
+        <source>if that is no debris (vehicles, trees, houses), give an area of interest or leave it out (--area, --leave-out, or beside the survey in the window)</source>
+        <translation>若那不是堆积物（车辆、树木、房屋），请给出关注区域或将其略去（--area、--leave-out，或在窗口中测量旁）</translation>
+    </message>
+    <message>
+        <source>metres, not below zero</source>
+        <translation>以米为单位且不小于零的数</translation>
+    </message>
+    <message>
+        <source>none is needed; what lies between two heights is not known better</source>
+        <translation>无需处理；两个高程之间的情况无从更好得知</translation>
+    </message>
+    <message>
+        <source>one ring or more</source>
+        <translation>一个或更多的环</translation>
+    </message>
+    <message>
+        <source>rows of the raster do not run along x and y: its heights are kept, and laid on the cells as they lie; neighbours differ by {0} at most, 95 % of them by less than {1}</source>
+        <translation>栅格的行不沿 x 和 y：其高程保持不变，按其所在位置放到单元上；相邻高程最多相差 {0}，其中 95 % 小于 {1}</translation>
+    </message>
+    <message>
+        <source>rows of the raster do not run along x and y: its heights were interpolated once, to cells of {0}; of {1} heights of the file that were looked at the surface then lies {2} off at most, 95 % are within {3}</source>
+        <translation>栅格的行不沿 x 和 y：其高程插值一次，成为 {0} 的单元；所查看的文件中 {1} 个高程与所得表面最多相差 {2}，其中 95 % 在 {3} 以内</translation>
+    </message>
+    <message>
+        <source>state the noise of survey and ground if it is less, or register the survey to the ground</source>
+        <translation>若测量和地面的噪声较小，请给定，或将测量配准到地面</translation>
+    </message>
+    <message>
+        <source>{0} of what was surveyed lie apart from all simulated debris, {1} to {2} away, in {3} places; the largest is around x = {4}, y = {5}</source>
+        <translation>测得的 {0} 远离所有模拟堆积物，相距 {1} 至 {2}，共 {3} 处；最大者在 x = {4}、y = {5} 附近</translation>
     </message>
 </context>
 <context>
@@ -10812,6 +10898,50 @@
         <source>what the survey shows</source>
         <translation>测量显示的内容</translation>
     </message>
+    <message>
+        <source>area of interest removed</source>
+        <translation>已移除关注区域</translation>
+    </message>
+    <message>
+        <source>left-out polygon removed</source>
+        <translation>已移除略去的多边形</translation>
+    </message>
+    <message>
+        <source>noise of the survey</source>
+        <translation>测量的噪声</translation>
+    </message>
+    <message>
+        <source>area of interest drawn</source>
+        <translation>已绘制关注区域</translation>
+    </message>
+    <message>
+        <source>left-out polygon drawn</source>
+        <translation>已绘制略去的多边形</translation>
+    </message>
+    <message>
+        <source>Compare once, then draw on the difference map.</source>
+        <translation>先比较一次，再在差异图上绘制。</translation>
+    </message>
+    <message>
+        <source>Area of interest</source>
+        <translation>关注区域</translation>
+    </message>
+    <message>
+        <source>What is left out</source>
+        <translation>略去的部分</translation>
+    </message>
+    <message>
+        <source>Polygons (*.gpkg *.geojson *.json *.shp *.fgb *.kml);;All files (*)</source>
+        <translation>多边形 (*.gpkg *.geojson *.json *.shp *.fgb *.kml);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>area of interest added</source>
+        <translation>已添加关注区域</translation>
+    </message>
+    <message>
+        <source>left-out polygons added</source>
+        <translation>已添加略去的多边形</translation>
+    </message>
 </context>
 <context>
     <name>rubble::TimelineDisplay</name>
@@ -12041,10 +12171,6 @@
         <translation>测量对照</translation>
     </message>
     <message>
-        <source>A survey is compared cell by cell where it was taken, without moving it; volumes lie between ground and top and hold the voids.</source>
-        <translation>测量在其所在位置逐单元比较，不作移动；体积为地面与顶面之间的体积，含空隙。</translation>
-    </message>
-    <message>
         <source>Surveys: surveyed debris against the simulated</source>
         <translation>测量：测得的堆积物与模拟的堆积物</translation>
     </message>
@@ -12188,6 +12314,50 @@
         <source>&lt;b&gt;This run is tainted: limits of health were passed (%1) and nobody has acknowledged it.&lt;/b&gt; Its figures should not be relied on (see section Health).</source>
         <translation>&lt;b&gt;本次计算存疑：超过了健康限值（%1 项），且无人确认。&lt;/b&gt;其数值不应作为依据(见“计算的健康”一节)。</translation>
     </message>
+    <message>
+        <source>A survey is compared cell by cell where it was taken, without moving it; volumes lie between ground and top and hold the voids. Steep edges make a surveyed area too large: measures of both sides surveyed alike are free of that.</source>
+        <translation>测量按单元在其所在位置比较，不作移动；体积位于地面与顶面之间，包含空隙。陡峭的边缘使测得的面积偏大：两侧以同样方式测量的数值不受此影响。</translation>
+    </message>
+    <message>
+        <source>area, both surveyed alike</source>
+        <translation>面积，两侧以同样方式测量</translation>
+    </message>
+    <message>
+        <source>IoU that a perfect simulation reaches on this grid</source>
+        <translation>完美模拟在此网格上达到的 IoU</translation>
+    </message>
+    <message>
+        <source>IoU, both surveyed alike</source>
+        <translation>IoU，两侧以同样方式测量</translation>
+    </message>
+    <message>
+        <source>surveyed fill</source>
+        <translation>测得填方</translation>
+    </message>
+    <message>
+        <source>surveyed cut</source>
+        <translation>测得挖方</translation>
+    </message>
+    <message>
+        <source>surveyed net volume</source>
+        <translation>测得净体积</translation>
+    </message>
+    <message>
+        <source>level of detection, stated</source>
+        <translation>检测限，给定</translation>
+    </message>
+    <message>
+        <source>level of detection, estimated</source>
+        <translation>检测限，估计</translation>
+    </message>
+    <message>
+        <source>surveyed debris that is not compared</source>
+        <translation>未比较的测得堆积物</translation>
+    </message>
+    <message>
+        <source>simulated debris that is not compared</source>
+        <translation>未比较的模拟堆积物</translation>
+    </message>
 </context>
 <context>
     <name>rubble::figures::Sheet</name>
@@ -12281,6 +12451,14 @@
     <message>
         <source>local coordinates in metres</source>
         <translation>以米为单位的局部坐标</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>未比较</translation>
+    </message>
+    <message>
+        <source>area of interest</source>
+        <translation>关注区域</translation>
     </message>
 </context>
 <context>
@@ -18096,6 +18274,118 @@ Program: %3</source>
         <source>Fallen structure in it</source>
         <translation>其中的坠落结构</translation>
     </message>
+    <message>
+        <source>Level of detection %1 m, by the noise that was stated.</source>
+        <translation>检测限 %1 m，按给定的噪声。</translation>
+    </message>
+    <message>
+        <source>Level of detection %1 m, estimated from %2 cells far from all debris.</source>
+        <translation>检测限 %1 m，由远离所有堆积物的 %2 个单元估计。</translation>
+    </message>
+    <message>
+        <source>The noise hangs together over %1 m.</source>
+        <translation>噪声在 %1 m 内相互关联。</translation>
+    </message>
+    <message>
+        <source>A map of another run has no noise.</source>
+        <translation>另一次计算的堆积物图没有噪声。</translation>
+    </message>
+    <message>
+        <source>The level of detection is not known: state the noise of survey and ground.</source>
+        <translation>检测限未知：请给定测量和地面的噪声。</translation>
+    </message>
+    <message>
+        <source>Noise of the survey</source>
+        <translation>测量的噪声</translation>
+    </message>
+    <message>
+        <source>Noise of the ground</source>
+        <translation>地面的噪声</translation>
+    </message>
+    <message>
+        <source>estimated</source>
+        <translation>估计</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the surveyed heights, m. Without both, the noise is estimated where nothing fell; heights below the level of detection do not count. Kept in the case</source>
+        <translation>测得高程的标准差，m。未同时给出两者时，在没有堆积物之处估计噪声；低于检测限的高度不计入。保存在案例中</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the heights of the terrain below, m; kept in the case</source>
+        <translation>其下地形高程的标准差，m；保存在案例中</translation>
+    </message>
+    <message>
+        <source>Noise, survey, m</source>
+        <translation>测量噪声，m</translation>
+    </message>
+    <message>
+        <source>Noise, ground, m</source>
+        <translation>地面噪声，m</translation>
+    </message>
+    <message>
+        <source>What is compared</source>
+        <translation>比较的范围</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Add an area of interest, or what is left out, such as vehicles and trees</source>
+        <translation>添加关注区域或略去的部分，例如车辆和树木</translation>
+    </message>
+    <message>
+        <source>Draw an area of interest</source>
+        <translation>绘制关注区域</translation>
+    </message>
+    <message>
+        <source>Draw what is left out</source>
+        <translation>绘制略去的部分</translation>
+    </message>
+    <message>
+        <source>Area of interest from a file…</source>
+        <translation>从文件添加关注区域…</translation>
+    </message>
+    <message>
+        <source>What is left out from a file…</source>
+        <translation>从文件添加略去的部分…</translation>
+    </message>
+    <message>
+        <source>Remove the chosen polygon</source>
+        <translation>移除所选的多边形</translation>
+    </message>
+    <message>
+        <source>Polygons that say what is compared</source>
+        <translation>说明比较范围的多边形</translation>
+    </message>
+    <message>
+        <source>Cells that are compared lie within an area of interest, if there is one, and in nothing that is left out</source>
+        <translation>参与比较的单元位于关注区域内（若有），且不在略去的部分中</translation>
+    </message>
+    <message>
+        <source>area of interest, corners: %1</source>
+        <translation>关注区域，角点：%1</translation>
+    </message>
+    <message>
+        <source>left out, corners: %1</source>
+        <translation>略去，角点：%1</translation>
+    </message>
+    <message>
+        <source>area surveyed alike, m²</source>
+        <translation>同样测量的面积，m²</translation>
+    </message>
+    <message>
+        <source>A perfect simulation reaches %1 on this grid; with both sides surveyed alike it is %2.</source>
+        <translation>完美模拟在此网格上达到 %1；两侧以同样方式测量时为 %2。</translation>
+    </message>
+    <message>
+        <source>Surveyed fill %1, cut %2, net %3 m³.</source>
+        <translation>测得填方 %1、挖方 %2、净值 %3 m³。</translation>
+    </message>
+    <message>
+        <source>Not compared: %1 m² of surveyed and %2 m² of simulated debris.</source>
+        <translation>未比较：测得堆积物 %1 m²，模拟堆积物 %2 m²。</translation>
+    </message>
 </context>
 <context>
     <name>rubble::widgets::SurveyView</name>
@@ -18106,6 +18396,14 @@ Program: %3</source>
     <message>
         <source>The difference map of a survey stands here: add a survey in the panel and compare.</source>
         <translation>测量差异图在此显示：请在面板中添加测量并比较。</translation>
+    </message>
+    <message>
+        <source>Click around what is compared; double-click or Enter closes, Backspace takes one back, Esc ends.</source>
+        <translation>沿比较的范围点击；双击或 Enter 闭合，Backspace 撤回一个，Esc 结束。</translation>
+    </message>
+    <message>
+        <source>Click around what is left out; double-click or Enter closes, Backspace takes one back, Esc ends.</source>
+        <translation>沿略去的部分点击；双击或 Enter 闭合，Backspace 撤回一个，Esc 结束。</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "core/scenario/photograph.h"
 #include "core/scenario/scenario.h"
 #include "core/scenario/site.h"
+#include "core/scenario/survey_scope.h"
 
 namespace rubble {
 
@@ -24,6 +25,10 @@ struct CaseInput {
     std::optional<bool> showsFallen = std::nullopt;
     /// Of a mesh of the surroundings: m, added to its coordinates, as easting, northing and height; unset: as its own files say.
     std::optional<Vec3> offset = std::nullopt;
+    SurveyScope scope = {};  ///< of a survey: what of it is compared
+    /// Of a survey: standard deviation of its heights and of those of the ground, m; unset: not stated.
+    std::optional<double> noise = std::nullopt;
+    std::optional<double> groundNoise = std::nullopt;
     friend bool operator==(const CaseInput&, const CaseInput&) = default;
 };
 

@@ -18,6 +18,7 @@
 #include "io/json/json_cursor.h"
 #include "io/json/photograph_json.h"
 #include "io/json/scenario_json.h"
+#include "io/json/scope_json.h"
 #include "io/json/site_json.h"
 
 namespace rubble::io {
@@ -114,16 +115,65 @@ Flaw flawOf(const Case& theCase) {
     return {};
 }
 
+json inputJson(const CaseInput& input) {
+    json object{{"id", input.id}, {"role", roleName(input.role)}, {"path", input.path}, {"sha256", input.sha256}};
+    if (input.showsFallen) {
+        object["shows_fallen"] = *input.showsFallen;
+    }
+    if (!input.scope.area.empty()) {
+        object["area_m"] = outlineJson(input.scope.area);
+    }
+    if (!input.scope.leftOut.empty()) {
+        object["left_out_m"] = outlineJson(input.scope.leftOut);
+    }
+    if (input.offset) {
+        object["offset_m"] = jsonVector(*input.offset);
+    }
+    if (input.noise) {
+        object["noise_m"] = jsonNumber(*input.noise);
+    }
+    if (input.groundNoise) {
+        object["ground_noise_m"] = jsonNumber(*input.groundNoise);
+    }
+    return object;
+}
+
+std::optional<double> noiseFrom(const JsonCursor& object, std::string_view key) {
+    if (!object.has(key)) {
+        return {};
+    }
+    const double noise = object[key].number();
+    if (noise < 0.0) {
+        object[key].fail("metres, not below zero");
+    }
+    return noise;
+}
+
+CaseInput inputFrom(const JsonCursor& object) {
+    object.allowOnly(
+        {"id", "role", "path", "sha256", "shows_fallen", "offset_m", "area_m", "left_out_m", "noise_m", "ground_noise_m"});
+    CaseInput input{object["id"].text(), roleFrom(object["role"]), object["path"].text(), object["sha256"].text()};
+    if (object.has("shows_fallen")) {
+        input.showsFallen = object["shows_fallen"].flag();
+    }
+    if (object.has("offset_m")) {
+        input.offset = object["offset_m"].vector();
+    }
+    if (object.has("area_m")) {
+        input.scope.area = outlineFromJson(object["area_m"]);
+    }
+    if (object.has("left_out_m")) {
+        input.scope.leftOut = outlineFromJson(object["left_out_m"]);
+    }
+    input.noise = noiseFrom(object, "noise_m");
+    input.groundNoise = noiseFrom(object, "ground_noise_m");
+    return input;
+}
+
 json caseJson(const Case& theCase) {
     json inputs = json::array();
     for (const CaseInput& input : theCase.inputs) {
-        inputs.push_back({{"id", input.id}, {"role", roleName(input.role)}, {"path", input.path}, {"sha256", input.sha256}});
-        if (input.showsFallen) {
-            inputs.back()["shows_fallen"] = *input.showsFallen;
-        }
-        if (input.offset) {
-            inputs.back()["offset_m"] = jsonVector(*input.offset);
-        }
+        inputs.push_back(inputJson(input));
     }
     json scenarios = json::array();
     for (const CaseScenario& scenario : theCase.scenarios) {
@@ -162,15 +212,7 @@ Case caseFromJson(const JsonCursor& top) {
     theCase.title = top["title"].text();
     theCase.frame = frameFromJson(top["frame"]);
     for (const JsonCursor& input : top["inputs"].elements()) {
-        input.allowOnly({"id", "role", "path", "sha256", "shows_fallen", "offset_m"});
-        CaseInput& read = theCase.inputs.emplace_back(
-            CaseInput{input["id"].text(), roleFrom(input["role"]), input["path"].text(), input["sha256"].text()});
-        if (input.has("shows_fallen")) {
-            read.showsFallen = input["shows_fallen"].flag();
-        }
-        if (input.has("offset_m")) {
-            read.offset = input["offset_m"].vector();
-        }
+        theCase.inputs.push_back(inputFrom(input));
     }
     for (const JsonCursor& entry : top["scenarios"].elements()) {
         entry.allowOnly({"id", "name", "note", "fe_input", "settings", "regrouping"});

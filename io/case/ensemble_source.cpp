@@ -62,4 +62,17 @@ EnsembleSource openEnsemble(const CaseRequest& request, const EnsembleSettings& 
     return source;
 }
 
+std::string evidenceGround(const EnsembleSource& source) {
+    std::string ground;
+    for (const EnsembleInput& input : source.inputs) {
+        if (input.role == "surroundings") {
+            return {};
+        }
+        if (input.role == "terrain") {
+            ground = input.path;
+        }
+    }
+    return ground;
+}
+
 }  // namespace rubble::io

@@ -35,4 +35,7 @@ std::vector<std::string> variedScenarios(const EnsembleSettings& settings);
 /// Throws as openCase().
 EnsembleSource openEnsemble(const CaseRequest& request, const EnsembleSettings& settings, const Execution& execution);
 
+/// The terrain that evidence is held above, for EvidenceSite::groundFile; empty if there is none or surroundings raise it.
+std::string evidenceGround(const EnsembleSource& source);
+
 }  // namespace rubble::io

@@ -68,7 +68,6 @@ public:
     TerrainInput read();
 
 private:
-    void takeOutSpikes();
     void closeGaps();
     void closeWiderGaps();
     std::shared_ptr<const TerrainGrid> withSurroundings(HeightGrid window);
@@ -85,20 +84,6 @@ private:
     std::vector<std::uint8_t> m_ended;  ///< [nodes of the wider raster, or of the window if there is none] outerGaps()
     TerrainInput m_result;
 };
-
-void TerrainReading::takeOutSpikes() {
-    const std::vector<HeightSpike> spikes = removeSpikes(m_raster);
-    if (!spikes.empty()) {
-        const HeightSpike& first = spikes.front();
-        const double x = m_raster.x0 + m_raster.dx * static_cast<double>(first.node % m_raster.nx);
-        const double y = m_raster.y0 + m_raster.dy * static_cast<double>(first.node / m_raster.nx);
-        find("terrain.spikes",
-             "{0} heights stand out from all around them, such as {1} at x = {2}, y = {3}, and were taken as gaps",
-             {spikes.size(), {first.height, "m"}, {x, "m"}, {y, "m"}},
-             "look at these places; make the raster without poles, birds and marks of no data",
-             static_cast<std::int64_t>(spikes.size()));
-    }
-}
 
 void TerrainReading::closeGaps() {
     const std::int64_t gaps = countGaps(m_raster);
@@ -210,7 +195,6 @@ void TerrainReading::checkSite(const TerrainGrid& grid) {
 }
 
 TerrainInput TerrainReading::read() {
-    takeOutSpikes();
     if (m_wider.raster.heights.empty()) {
         m_ended = outerGaps(m_raster);
     } else {
@@ -253,7 +237,7 @@ TerrainInput openTerrain(const std::string& path, const Frame& frame, const Aabb
                          const Site& site) {
     checkTerrain(path);
     execution.check();
-    HeightReading heights = readHeights(path, frame, site, around, execution, {}, HeightReach::Whole);
+    HeightReading heights = readHeights(path, frame, site, around, execution, {.alongAxes = true}, HeightReach::Whole);
     if (heights.debrisMap) {
         throw ParseError(
             {"terrain.debris_map", "{0} is a debris map: its heights are above the ground, not those of a ground", {path}},

@@ -16,6 +16,7 @@
 #include "io/base/machine.h"
 #include "io/case/case_file.h"
 #include "io/case/terrain_reader.h"
+#include "io/exports/survey_files.h"
 #include "io/fe/fe_reader.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/settled_files.h"
@@ -159,9 +160,14 @@ void addSurveys(ReportFacts& facts, const ReportRequest& request, const Executio
         ReportSurvey survey;
         survey.name = fs::path(input.path).filename().string();
         attempt(survey.problem, [&] {
-            const SurveyInput read =
-                readSurvey(input.path, request.inputs.frame, request.theCase->site, boundsAtRest(facts.fe->mesh()), execution);
+            SurveyRequest wanted;
+            wanted.ground = surveyGround(request.run->origin(), request.terrainPath);
+            const SurveyInput read = readSurvey(input.path, request.inputs.frame, request.theCase->site,
+                                                boundsAtRest(facts.fe->mesh()), execution, wanted);
             SurveySettings settings;
+            settings.scope = input.scope;
+            settings.noise = input.noise;
+            settings.groundNoise = input.groundNoise;
             settings.showsFallen = input.showsFallen;
             settings.turn = SitePlace(read.frame, read.site).transform().angle;
             survey.comparison = compareRunWithSurvey(mapped, std::nullopt, read.survey, settings, execution);

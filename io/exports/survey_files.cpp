@@ -6,10 +6,12 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 
 #include "core/base/csv_text.h"
 #include "io/base/files.h"
 #include "io/exports/exports.h"
+#include "io/json/scope_json.h"
 #include "io/run/acknowledgements.h"
 #include "io/run/run_json.h"
 #include "io/site/gdal_memory.h"
@@ -41,6 +43,14 @@ std::vector<double> northUp(const CellGrid& grid) {
 
 }  // namespace
 
+std::string surveyGround(const RunOrigin& origin, const std::string& given) {
+    const std::string path = given.empty() ? origin.terrainPath : given;
+    std::error_code ignored;
+    const bool same = !origin.terrainPath.empty() && origin.surroundings.empty() &&
+                      std::filesystem::is_regular_file(path, ignored) && sha256OfFile(path) == origin.terrainSha256;
+    return same ? path : std::string();
+}
+
 MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey) {
     const RunOrigin& from = run.origin();
     MapOrigin origin;
@@ -59,6 +69,9 @@ MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const
                                      {"survey_live_structure", surveyed},
                                      {"registration", fitName(made.settings.fit)},
                                      {"shift_m", {made.shift.by.x(), made.shift.by.y(), made.shift.by.z()}},
+                                     {"level_of_detection_m", jsonNumber(made.noise.detection())},
+                                     {"area_m", outlineJson(made.settings.scope.area)},
+                                     {"left_out_m", outlineJson(made.settings.scope.leftOut)},
                                      {"iou", jsonNumber(made.iou)},
                                      {"crs", crs}};
     origin.provenance = jsonText(document);
@@ -74,7 +87,8 @@ MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const
                     {"RUBBLE_TAINTED", taintOf(run).tainted() ? "yes" : "no"},
                     {"RUBBLE_LIVE_STRUCTURE", fallen},
                     {"RUBBLE_SURVEY_LIVE_STRUCTURE", surveyed},
-                    {"RUBBLE_REGISTRATION", std::string(fitName(made.settings.fit))}};
+                    {"RUBBLE_REGISTRATION", std::string(fitName(made.settings.fit))},
+                    {"RUBBLE_SCOPE", made.settings.scope.whole() ? "all that was surveyed" : "an area of interest"}};
     return origin;
 }
 

@@ -8,6 +8,10 @@
 
 namespace rubble::io {
 
+/// The terrain that a run fell on, for SurveyRequest::ground; empty if it had none, if surroundings raised it, or if the file is
+/// not that one any more. @param given  where the file is now; empty: where the run says
+std::string surveyGround(const RunOrigin& origin, const std::string& given = {});
+
 /// What a comparison with a survey was made from, as every file of it says.
 MapOrigin surveyOrigin(const RunReader& run, const SurveyComparison& made, const SurveyInput& survey);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "core/base/error.h"
 #include "io/site/evidence_surface.h"
@@ -13,8 +14,8 @@ std::string_view evidenceKeyword(EvidenceFile::Kind kind) {
     return names[static_cast<std::size_t>(kind)];
 }
 
-SurfaceEvidence readEvidence(const EvidenceFile& file, const Frame& frame, const Site& site, const SurfaceSettings& settings,
-                             const SiteSurface& ground, Findings& findings, const Execution& execution) {
+SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site, const SurveyScope& scope,
+                             const SurfaceSettings& settings, Findings& findings, const Execution& execution) {
     SurveyRequest request;
     request.holds = SurveyRequest::Holds::Heights;
     if (file.kind == EvidenceFile::Kind::Footprint) {
@@ -22,9 +23,21 @@ SurfaceEvidence readEvidence(const EvidenceFile& file, const Frame& frame, const
     }
     request.aboveGround = file.kind == EvidenceFile::Kind::Heights;
     request.withFallen = settings.withFallen;
-    const SurveyInput survey = readSurvey(file.path, frame, site, Aabb(), execution, request);
+    request.ground = site.groundFile;
+    const SurveyInput survey = readSurvey(file.path, site.frame, site.site, Aabb(), execution, request);
     findings.append(survey.findings);
-    return surfaceEvidence(survey, settings.cell, ground, execution);
+    return surfaceEvidence(survey, scope, settings.cell, site.ground, execution);
+}
+
+SurveyScope scopeOfFile(const Case& theCase, const std::string& casePath, const std::string& file) {
+    const std::filesystem::path folder = std::filesystem::absolute(casePath).parent_path();
+    for (const CaseInput& input : theCase.inputs) {
+        std::error_code ignored;
+        if (input.role == InputRole::Survey && std::filesystem::equivalent(folder / input.path, file, ignored)) {
+            return input.scope;
+        }
+    }
+    return {};
 }
 
 std::vector<PhotoEvidence> photographsAsEvidence(const Case& theCase, Findings& findings, const Execution& execution) {

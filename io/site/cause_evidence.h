@@ -24,10 +24,21 @@ struct EvidenceFile {
 /// "footprint", "height", "surface"
 std::string_view evidenceKeyword(EvidenceFile::Kind kind);
 
+/// The site that evidence is laid on.
+struct EvidenceSite {
+    Frame frame;
+    Site site;
+    SiteSurface ground;
+    std::string groundFile = {};  ///< that the ground was read from; empty: heights are taken above its nodes
+};
+
 /// Reads a file of evidence, as a survey is read, onto the cells of the ensembles. What is assumed or left out is added to the
 /// findings. Throws as readSurvey() and surfaceEvidence().
-SurfaceEvidence readEvidence(const EvidenceFile& file, const Frame& frame, const Site& site, const SurfaceSettings& settings,
-                             const SiteSurface& ground, Findings& findings, const Execution& execution);
+SurfaceEvidence readEvidence(const EvidenceFile& file, const EvidenceSite& site, const SurveyScope& scope,
+                             const SurfaceSettings& settings, Findings& findings, const Execution& execution);
+
+/// What the case compares of a file, if that is one of its surveys; else everything.
+SurveyScope scopeOfFile(const Case& theCase, const std::string& casePath, const std::string& file);
 
 /// The photographs of a case that say where debris lay at rest and whose camera is known, in their order; every other one is a
 /// finding. Throws Cancelled.

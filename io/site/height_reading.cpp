@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/base/error.h"
 #include "io/base/native_lock.h"
 #include "io/fe/exodus/trial.h"
 #include "io/site/file_words.h"
+#include "io/site/raster_axis.h"
 #include "io/site/raster_file.h"
 #include "io/site/raster_sampling.h"
 
@@ -20,59 +22,26 @@ constexpr double heightMax = 9000.0;
 /// Heights; more than any number counts.
 constexpr double nodesCounted = 1e18;
 
-/// Pixels along one axis.
-struct Range {
-    std::size_t first = 0;
-    std::size_t count = 0;
-};
-
-/// One axis of the raster in the local frame.
-struct Axis {
-    double origin;  ///< m, first pixel
-    double step;    ///< m, with its sign
-    std::size_t pixels;
-
-    double low() const { return std::min(origin, origin + step * static_cast<double>(pixels - 1)); }
-    double high() const { return std::max(origin, origin + step * static_cast<double>(pixels - 1)); }
-    /// Pixels that span an interval, one beyond each end where there is one, two at least if there are as many.
-    Range around(double from, double to) const {
-        if (pixels == 1) {
-            return {0, 1};
-        }
-        const double last = static_cast<double>(pixels - 1);
-        const double a = std::clamp((from - origin) / step, 0.0, last);
-        const double b = std::clamp((to - origin) / step, 0.0, last);
-        auto first = static_cast<std::size_t>(std::floor(std::min(a, b)));
-        auto end = static_cast<std::size_t>(std::ceil(std::max(a, b)));
-        if (first == end) {
-            first > 0 ? --first : ++end;
-        }
-        return {first, end - first + 1};
-    }
-    /// Groups of pixels put together around a range of them: below and above it in the local frame.
-    std::pair<std::size_t, std::size_t> groupsAround(const Range& range, std::size_t factor) const {
-        const std::size_t before = range.first / factor;
-        const std::size_t after = (pixels - range.first - range.count) / factor;
-        return step > 0.0 ? std::pair(before, after) : std::pair(after, before);
-    }
-    /// A range with so many groups more below and above it.
-    Range widened(const Range& range, std::size_t below, std::size_t above, std::size_t factor) const {
-        const std::size_t before = step > 0.0 ? below : above;
-        return {range.first - before * factor, range.count + (below + above) * factor};
-    }
-    /// Place of the lowest of pixels put together.
-    double lowest(const Range& range, std::size_t factor) const {
-        const auto half = 0.5 * static_cast<double>(factor - 1);
-        const std::size_t groups = range.count / factor;
-        const std::size_t first = step > 0.0 ? range.first : range.first + (groups - 1) * factor;
-        return origin + step * (static_cast<double>(first) + half);
-    }
-};
-
 void addWiderUnread(Findings& findings, const std::string& path, const std::string& why) {
     addFinding(findings, path,
                {"terrain.wider_unread", "what lies beyond the window about the structure cannot be read: {0}", {why}},
                "copy the raster again from where it came; debris that runs there falls on a level guess");
+}
+
+/// Height of the surface of two triangles a cell, as a terrain has it; not a number beside it and beside gaps.
+double heightOn(const HeightGrid& raster, const Eigen::Vector2d& place) {
+    const double u = (place.x() - raster.x0) / raster.dx;
+    const double v = (place.y() - raster.y0) / raster.dy;
+    if (!(u >= 0.0 && v >= 0.0 && u <= static_cast<double>(raster.nx - 1) && v <= static_cast<double>(raster.ny - 1))) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const std::size_t i = std::min(static_cast<std::size_t>(u), raster.nx - 2);
+    const std::size_t j = std::min(static_cast<std::size_t>(v), raster.ny - 2);
+    const double s = u - static_cast<double>(i);
+    const double t = v - static_cast<double>(j);
+    const double* low = &raster.heights[j * raster.nx + i];
+    const double* high = low + raster.nx;
+    return s >= t ? (1.0 - s) * low[0] + (s - t) * low[1] + t * high[1] : (1.0 - t) * low[0] + (t - s) * high[0] + s * high[1];
 }
 
 /// Turns one file into heights.
@@ -88,6 +57,7 @@ public:
           m_withFallen(meaning.withFallen),
           m_aboveGround(meaning.aboveGround),
           m_reach(reach),
+          m_alongAxes(meaning.alongAxes),
           m_execution(execution),
           m_file(path) {}
 
@@ -100,13 +70,23 @@ private:
     void checkUnit();
     void checkOverlap(const Eigen::Vector2d& low, const Eigen::Vector2d& high);
     void readUpright();
+    /// Rows that are turned or projected: as they are, with their lattice.
+    void readTurned();
+    /// The same, interpolated to nodes along x and y.
     void readResampled();
     void readWider();
     void turn(HeightGrid& raster) const;
     HeightGrid widerUpright(const GridSides& sides) const;
     GridSides aroundUpright() const;
     GridSides aroundResampled() const;
-    void toMetres(HeightGrid& raster, bool tell);
+    void toMetres(std::vector<double>& heights, bool tell = true);
+    std::pair<Eigen::Vector2d, Eigen::Vector2d> windowOf(Eigen::Vector2d low, Eigen::Vector2d high) const;
+    /// Makes gaps of spikes. @param raster  m; @param placeOf  m, local, of a node
+    void takeOutSpikes(HeightGrid& raster, const std::function<Eigen::Vector2d(std::size_t)>& placeOf);
+    void sayTurned();
+    void sayResampled(const RasterSampling& sampling, const RasterWindow& window, const std::vector<double>& values);
+    /// Makes gaps of what is no height in values of a window, before they are interpolated. @return  them in metres
+    std::vector<double> clean(const RasterSampling& sampling, const RasterWindow& window, std::vector<double>& values, bool tell);
     std::size_t factorFor(double nodes, double cell);
     void find(std::string id, std::string_view pattern, std::vector<Argument> arguments, std::string_view remedy,
               std::int64_t count = 1) {
@@ -125,12 +105,13 @@ private:
     bool m_withFallen;
     bool m_aboveGround;
     HeightReach m_reach;
+    bool m_alongAxes;
     const Execution& m_execution;
     RasterFile m_file;
     bool m_upright = true;
-    Axis m_x{}, m_y{};         ///< of an upright raster
-    Range m_columns, m_rows;   ///< of it that the window takes
-    std::size_t m_factor = 1;  ///< pixels that are put together
+    RasterAxis m_x{}, m_y{};       ///< of an upright raster
+    PixelRange m_columns, m_rows;  ///< of it that the window takes
+    std::size_t m_factor = 1;      ///< pixels that are put together
     HeightReading m_result;
 };
 
@@ -164,7 +145,8 @@ void Reading::checkCrs() {
     const Vec3 middle = m_around.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(m_around.center());
     m_file.checkWay(m_frame.crs, m_place.planToWorld(middle.head<2>()), m_result.findings);
     const RasterFile::SameCrs same = m_file.sameCrs(m_frame.crs);
-    m_upright = m_place.upright() && !m_file.turned() && same != RasterFile::SameCrs::No;
+    // Control points that only shift and scale leave rows along the axes.
+    m_upright = m_place.transform().angle == 0.0 && !m_file.turned() && same != RasterFile::SameCrs::No;
     if (same == RasterFile::SameCrs::Unknown && m_file.geographic()) {
         refuse("terrain.degrees_unknown", "{0} lies in degrees ({1}); \"{2}\" of the case is no system it could be projected to",
                {m_file.crsName(), m_frame.crs}, "Give the case a projected system in metres, such as EPSG:25832.");
@@ -251,11 +233,12 @@ std::size_t Reading::factorFor(double nodes, double cell) {
 void Reading::readUpright() {
     const RasterPlace& place = m_file.place();
     const double unit = m_file.metresPerUnit();
-    const Axis x{unit * place.x0 - m_place.transform().shift.x(), unit * place.dx, place.columns};
-    const Axis y{unit * place.y0 - m_place.transform().shift.y(), unit * place.dy, place.rows};
+    const SiteFit& site = m_place.transform();
+    const RasterAxis x{(unit * place.x0 - site.shift.x()) / site.scale, unit * place.dx / site.scale, place.columns};
+    const RasterAxis y{(unit * place.y0 - site.shift.y()) / site.scale, unit * place.dy / site.scale, place.rows};
     checkOverlap({x.low(), y.low()}, {x.high(), y.high()});
-    Range columns{0, x.pixels};
-    Range rows{0, y.pixels};
+    PixelRange columns{0, x.pixels};
+    PixelRange rows{0, y.pixels};
     if (!m_around.isEmpty()) {
         const Vec3 size = m_around.sizes();
         const double margin = std::max({windowHeights * size.z(), size.x(), size.y()});
@@ -288,6 +271,11 @@ void Reading::readUpright() {
     raster.x0 = x.lowest(columns, factor);
     raster.y0 = y.lowest(rows, factor);
     turn(raster);
+    toMetres(raster.heights);
+    takeOutSpikes(raster, [&](std::size_t node) {
+        return Eigen::Vector2d(raster.x0 + raster.dx * static_cast<double>(node % raster.nx),
+                               raster.y0 + raster.dy * static_cast<double>(node / raster.nx));
+    });
 }
 
 /// Columns to the east and rows to the north.
@@ -300,18 +288,90 @@ void Reading::turn(HeightGrid& raster) const {
     }
 }
 
-void Reading::readResampled() {
-    const RasterSampling sampling(m_file, m_frame.crs, m_place);
-    const auto [least, most] = sampling.bounds();
-    checkOverlap(least, most);
-    Eigen::Vector2d low = least;
-    Eigen::Vector2d high = most;
+std::pair<Eigen::Vector2d, Eigen::Vector2d> Reading::windowOf(Eigen::Vector2d low, Eigen::Vector2d high) const {
     if (!m_around.isEmpty()) {
         const Vec3 size = m_around.sizes();
         const double margin = std::max({windowHeights * size.z(), size.x(), size.y()});
         low = low.cwiseMax(Eigen::Vector2d(m_around.min().head<2>().array() - margin));
         high = high.cwiseMin(Eigen::Vector2d(m_around.max().head<2>().array() + margin));
     }
+    return {low, high};
+}
+
+void Reading::takeOutSpikes(HeightGrid& raster, const std::function<Eigen::Vector2d(std::size_t)>& placeOf) {
+    // A block that lies alone is no spike of a height above the ground.
+    const std::vector<HeightSpike> spikes = m_aboveGround ? std::vector<HeightSpike>() : removeSpikes(raster);
+    if (!spikes.empty()) {
+        const HeightSpike& first = spikes.front();
+        const Eigen::Vector2d place = placeOf(first.node);
+        find("terrain.spikes",
+             "{0} heights stand out from all around them, such as {1} at x = {2}, y = {3}, and were taken as gaps",
+             {spikes.size(), {first.height, "m"}, {place.x(), "m"}, {place.y(), "m"}},
+             "look at these places; make the raster without poles, birds and marks of no data",
+             static_cast<std::int64_t>(spikes.size()));
+    }
+}
+
+void Reading::sayTurned() {
+    std::vector<double> steps;
+    const HeightGrid& raster = m_result.raster;
+    for (std::size_t k = 0; k + 1 < raster.heights.size(); ++k) {
+        const double step = std::abs(raster.heights[k + 1] - raster.heights[k]);
+        if ((k + 1) % raster.nx != 0 && std::isfinite(step)) {
+            steps.push_back(step);
+        }
+    }
+    if (steps.empty()) {
+        return;
+    }
+    std::sort(steps.begin(), steps.end());
+    find("terrain.turned",
+         "rows of the raster do not run along x and y: its heights are kept, and laid on the cells as they lie; neighbours differ "
+         "by {0} "
+         "at most, 95 % of them by less than {1}",
+         {{steps.back(), "m"}, {steps[steps.size() - 1 - steps.size() / 20], "m"}},
+         "none is needed; what lies between two heights is not known better");
+}
+
+void Reading::readTurned() {
+    const RasterSampling sampling(m_file, m_frame.crs, m_place);
+    const auto [least, most] = sampling.bounds();
+    checkOverlap(least, most);
+    auto [low, high] = windowOf(least, most);
+    const double pixel = sampling.pixelSize(0.5 * (low + high));
+    const Eigen::Vector2d size = high - low;
+    const std::size_t factor = factorFor((size.x() / pixel + 1.0) * (size.y() / pixel + 1.0), pixel);
+    const double cell = pixel * static_cast<double>(factor);
+    // A pixel reaches half a side around its middle.
+    low.array() -= 0.5 * cell;
+    high.array() += 0.5 * cell;
+    RasterLattice lattice = sampling.lattice(low, high, cell);
+    const RasterWindow window = sampling.windowAround(lattice.pixels, factor);
+    if (!m_aboveGround && (window.width() < 2 || window.height() < 2)) {
+        refuse("terrain.coarse", "{0} has cells of {1}, larger than what it shares with the site", {{cell, "m"}},
+               "Give a raster with finer cells, or one that covers more of the site.");
+    }
+    HeightGrid& raster = m_result.raster;
+    raster.nx = window.width();
+    raster.ny = window.height();
+    raster.heights = window.width() > 0 && window.height() > 0 ? m_file.values(window, m_execution) : std::vector<double>();
+    toMetres(raster.heights);
+    // Spikes are told by the size of a pixel.
+    raster.dx = raster.dy = cell;
+    takeOutSpikes(raster, [&](std::size_t node) { return sampling.placesOf(window, {node}).front(); });
+    raster.dx = raster.dy = 1.0;
+    RasterSampling::countWithin(window, lattice);
+    m_result.lattice = std::move(lattice);
+    if (!m_aboveGround) {
+        sayTurned();
+    }
+}
+
+void Reading::readResampled() {
+    const RasterSampling sampling(m_file, m_frame.crs, m_place);
+    const auto [least, most] = sampling.bounds();
+    checkOverlap(least, most);
+    const auto [low, high] = windowOf(least, most);
     double cell = sampling.pixelSize(0.5 * (low + high));
     const Eigen::Vector2d size = high - low;
     const double nodes = (size.x() / cell + 1.0) * (size.y() / cell + 1.0);
@@ -321,24 +381,75 @@ void Reading::readResampled() {
     raster.dx = raster.dy = cell;
     raster.x0 = low.x();
     raster.y0 = low.y();
-    // Of a map in a turned frame the last cells lie on the edge, but for rounding.
-    const double rounding = m_aboveGround ? 1e-3 : 1e-9;
-    raster.nx = static_cast<std::size_t>(std::floor(size.x() / cell + rounding)) + 1;
-    raster.ny = static_cast<std::size_t>(std::floor(size.y() / cell + rounding)) + 1;
-    if (!m_aboveGround && (raster.nx < 2 || raster.ny < 2)) {
+    raster.nx = static_cast<std::size_t>(std::floor(size.x() / cell + 1e-9)) + 1;
+    raster.ny = static_cast<std::size_t>(std::floor(size.y() / cell + 1e-9)) + 1;
+    if (raster.nx < 2 || raster.ny < 2) {
         refuse("terrain.coarse", "{0} has cells of {1}, larger than what it shares with the site", {{cell, "m"}},
                "Give a raster with finer cells, or one that covers more of the site.");
     }
-    const auto pick = m_aboveGround ? RasterSampling::Pick::Nearest : RasterSampling::Pick::Between;
-    raster.heights = sampling.heights(raster, factor, pick, m_execution);
+    RasterWindow read;
+    std::vector<double> inMetres;
+    const auto look = [&](const RasterWindow& window, std::vector<double>& values) {
+        inMetres = clean(sampling, window, values, true);
+        read = window;
+    };
+    raster.heights = sampling.heights(raster, factor, look, m_execution);
+    toMetres(raster.heights);
+    sayResampled(sampling, read, inMetres);
 }
 
-void Reading::toMetres(HeightGrid& raster, bool tell) {
+std::vector<double> Reading::clean(const RasterSampling& sampling, const RasterWindow& window, std::vector<double>& values,
+                                   bool tell) {
+    const double cell = m_result.raster.dx;
+    HeightGrid own{0.0, 0.0, cell, cell, window.width(), window.height(), values};
+    toMetres(own.heights, tell);
+    if (tell) {
+        takeOutSpikes(own, [&](std::size_t node) { return sampling.placesOf(window, {node}).front(); });
+    } else {
+        removeSpikes(own);
+    }
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        values[k] = std::isnan(own.heights[k]) ? own.heights[k] : values[k];
+    }
+    return std::move(own.heights);
+}
+
+void Reading::sayResampled(const RasterSampling& sampling, const RasterWindow& window, const std::vector<double>& values) {
+    constexpr std::size_t looksMost = 50'000;
+    std::vector<std::size_t> which;
+    const std::size_t stride = values.size() / looksMost + 1;
+    for (std::size_t k = 0; k < values.size(); k += stride) {
+        if (std::isfinite(values[k])) {
+            which.push_back(k);
+        }
+    }
+    const std::vector<Eigen::Vector2d> places = sampling.placesOf(window, which);
+    const HeightGrid& raster = m_result.raster;
+    std::vector<double> off;
+    for (std::size_t k = 0; k < which.size(); ++k) {
+        const double height = heightOn(raster, places[k]);
+        if (std::isfinite(height)) {
+            off.push_back(std::abs(height - values[which[k]]));
+        }
+    }
+    if (off.empty()) {
+        return;
+    }
+    std::sort(off.begin(), off.end());
+    find("terrain.resampled",
+         "rows of the raster do not run along x and y: its heights were interpolated once, to cells of {0}; of {1} heights of the "
+         "file "
+         "that were looked at the surface then lies {2} off at most, 95 % are within {3}",
+         {{raster.dx, "m"}, off.size(), {off.back(), "m"}, {off[off.size() - 1 - off.size() / 20], "m"}},
+         "give a finer raster, or turn the local frame by control points so that its axes run along the rows, if that is too much");
+}
+
+void Reading::toMetres(std::vector<double>& heights, bool tell) {
     const double unit = m_file.metresPerHeightUnit() > 0.0 ? m_file.metresPerHeightUnit() : 1.0;
     const double offset = m_aboveGround ? 0.0 : m_place.toLocal(Vec3::Zero()).z() + m_site.heightShift;
     std::int64_t unmarked = 0;
     double example = 0.0;
-    for (double& height : raster.heights) {
+    for (double& height : heights) {
         height *= unit;
         if (std::abs(height) > heightMax) {
             example = unmarked == 0 ? height : example;
@@ -371,8 +482,8 @@ GridSides Reading::aroundResampled() const {
 }
 
 HeightGrid Reading::widerUpright(const GridSides& sides) const {
-    const Range columns = m_x.widened(m_columns, sides[0], sides[1], m_factor);
-    const Range rows = m_y.widened(m_rows, sides[2], sides[3], m_factor);
+    const PixelRange columns = m_x.widened(m_columns, sides[0], sides[1], m_factor);
+    const PixelRange rows = m_y.widened(m_rows, sides[2], sides[3], m_factor);
     const RasterWindow window{columns.first, rows.first, columns.count, rows.count, m_factor};
     HeightGrid wider{
         0.0, 0.0, m_result.raster.dx, m_result.raster.dy, window.width(), window.height(), m_file.values(window, m_execution)};
@@ -405,7 +516,10 @@ void Reading::readWider() {
         wider.raster.y0 = raster.y0 - raster.dy * static_cast<double>(sides[2]);
         if (!m_upright) {
             const RasterSampling sampling(m_file, m_frame.crs, m_place);
-            wider.raster.heights = sampling.heights(wider.raster, m_factor, RasterSampling::Pick::Between, m_execution);
+            wider.raster.heights = sampling.heights(
+                wider.raster, m_factor,
+                [&](const RasterWindow& window, std::vector<double>& values) { clean(sampling, window, values, false); },
+                m_execution);
         }
     } catch (const ParseError& error) {
         wider.raster = {};
@@ -417,7 +531,7 @@ void Reading::readWider() {
     for (std::size_t side = 0; side < sides.size(); ++side) {
         wider.unread[side] -= sides[side];
     }
-    toMetres(wider.raster, false);
+    toMetres(wider.raster.heights, false);
 }
 
 HeightReading Reading::read() {
@@ -427,8 +541,13 @@ HeightReading Reading::read() {
         checkDatum();
     }
     checkUnit();
-    m_upright ? readUpright() : readResampled();
-    toMetres(m_result.raster, true);
+    if (m_upright) {
+        readUpright();
+    } else if (m_alongAxes && !m_aboveGround) {
+        readResampled();
+    } else {
+        readTurned();
+    }
     if (m_reach == HeightReach::Whole && !m_aboveGround && !m_around.isEmpty()) {
         readWider();
     }

@@ -5,6 +5,7 @@
 
 #include "core/base/execution.h"
 #include "core/base/finding.h"
+#include "core/fe/raster_lattice.h"
 #include "core/fe/terrain_grid.h"
 #include "io/site/height_raster.h"
 #include "io/site/site_place.h"
@@ -20,6 +21,9 @@ inline constexpr double windowHeights = 10.0;
 struct HeightMeaning {
     bool aboveGround = false;  ///< they count from the ground and are means of cells: neither brought to the case nor interpolated
     bool withFallen = false;   ///< of a map of our own also the heights of fallen live structure, where they are greater
+    /// Nodes are wanted along x and y: a raster that is turned or projected is interpolated to such, once. Heights above the ground
+    /// never are.
+    bool alongAxes = false;
 };
 
 /// What a file holds around the window about the structure.
@@ -38,8 +42,10 @@ enum class HeightReach {
 
 /// Heights of a file in the local frame, with gaps.
 struct HeightReading {
-    HeightGrid raster;  ///< m; rows and columns along x and y
-    std::string crs;    ///< name of the file's system
+    HeightGrid raster;  ///< m; rows and columns along x and y, or those of the file where there is a lattice
+    /// Where the columns and rows of the file lie, if they do not run along x and y. The raster then begins at 0 with steps of 1.
+    std::optional<RasterLattice> lattice;
+    std::string crs;  ///< name of the file's system
     std::string verticalDatum;
     /// A debris map of our own, or the median of an ensemble: its heights are above the ground whatever was said of them, and where
     /// it has none lies nothing.
@@ -50,10 +56,11 @@ struct HeightReading {
 };
 
 /// Reads the heights of a file around a structure: a window ten times its height or its own length to each side, whichever is
-/// more. A raster in another system than the case's, in degrees, turned, or in a case with control points is brought to cells
-/// along x and y by bilinear interpolation; one with more heights than a terrain may have is made coarser by averaging. What cannot
-/// be a height of land is a gap. Every such liberty is a finding. Of heights above the ground each node takes the nearest.
-/// A map of our own without heights is refused. All is read in a child process first, for GDAL may crash on a damaged file.
+/// more. A raster whose rows run along x and y, shifted or scaled as it may be, keeps its heights. Of one in another system than
+/// the case's, in degrees or turned, they are kept with a lattice that places them, or interpolated to cells along x and y if asked
+/// for. One with more heights than a terrain may have is made coarser by averaging. What cannot be a height of land, and what
+/// stands out from all around it, is a gap, before anything is interpolated. Every such liberty is a finding with its size. A map
+/// of our own without heights is refused. All is read in a child process first, for GDAL may crash on a damaged file.
 /// What lies around the window changes nothing within it; where it cannot be read, that is a finding.
 /// @param around  m, local, of the structure at rest; empty: the whole raster is read
 /// Throws as openTerrain().

@@ -106,6 +106,26 @@ std::vector<Eigen::Vector2d> RasterSampling::pixelsOf(const Nodes& nodes, const 
     return fine;
 }
 
+RasterLattice RasterSampling::lattice(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double cell) const {
+    RasterLattice lattice;
+    lattice.x0 = low.x();
+    lattice.y0 = low.y();
+    lattice.pixel = cell;
+    lattice.step = static_cast<double>(stride) * cell;
+    const auto count = [&](double size) {
+        return std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(size / lattice.step)) + 1);
+    };
+    lattice.nx = count(high.x() - low.x());
+    lattice.ny = count(high.y() - low.y());
+    for (std::size_t j = 0; j < lattice.ny; ++j) {
+        for (std::size_t i = 0; i < lattice.nx; ++i) {
+            lattice.pixels.push_back(low + lattice.step * Eigen::Vector2d(static_cast<double>(i), static_cast<double>(j)));
+        }
+    }
+    lattice.pixels = pixelsOf(std::move(lattice.pixels));
+    return lattice;
+}
+
 RasterWindow RasterSampling::windowAround(const std::vector<Eigen::Vector2d>& pixels, std::size_t factor) const {
     const Eigen::Vector2d most(static_cast<double>(m_file.place().columns - 1), static_cast<double>(m_file.place().rows - 1));
     Eigen::Vector2d low = most;
@@ -149,32 +169,46 @@ double between(const std::vector<double>& values, const RasterWindow& window, co
     return part((1.0 - t) * (1.0 - s), low[0]) + part((1.0 - t) * s, low[1]) + part(t * (1.0 - s), high[0]) + part(t * s, high[1]);
 }
 
-double nearest(const std::vector<double>& values, const RasterWindow& window, const Eigen::Vector2d& at) {
-    const auto i = static_cast<std::size_t>(std::lround(at.x()));
-    const auto j = static_cast<std::size_t>(std::lround(at.y()));
-    return values[j * window.width() + i];
-}
-
 }  // namespace
 
-std::vector<double> RasterSampling::heights(const HeightGrid& nodes, std::size_t factor, Pick pick,
+void RasterSampling::countWithin(const RasterWindow& window, RasterLattice& lattice) {
+    for (Eigen::Vector2d& pixel : lattice.pixels) {
+        pixel = within(pixel, window);
+    }
+}
+
+std::vector<Eigen::Vector2d> RasterSampling::placesOf(const RasterWindow& window, const std::vector<std::size_t>& which) const {
+    const double half = 0.5 * static_cast<double>(window.factor - 1);
+    std::vector<Eigen::Vector2d> places;
+    for (const std::size_t k : which) {
+        const Eigen::Vector2d read(static_cast<double>(k % window.width()), static_cast<double>(k / window.width()));
+        const Eigen::Vector2d first(static_cast<double>(window.column) + half, static_cast<double>(window.row) + half);
+        places.emplace_back(first + static_cast<double>(window.factor) * read);
+    }
+    m_file.fromPixels(m_crs, places);
+    for (Eigen::Vector2d& place : places) {
+        place = m_place.planToLocal(place);
+    }
+    return places;
+}
+
+std::vector<double> RasterSampling::heights(const HeightGrid& nodes, std::size_t factor, const Look& look,
                                             const Execution& execution) const {
     const std::vector<Eigen::Vector2d> pixels = pixelsOf(Nodes{{nodes.x0, nodes.y0}, nodes.dx, nodes.nx, nodes.ny}, execution);
     const RasterWindow window = windowAround(pixels, factor);
     std::vector<double> all(pixels.size(), unknown);
-    const std::size_t least = pick == Pick::Between ? 2 : 1;
-    if (window.width() < least || window.height() < least) {
+    if (window.width() < 2 || window.height() < 2) {
         return all;
     }
-    const std::vector<double> values = m_file.values(window, execution);
+    std::vector<double> values = m_file.values(window, execution);
+    look(window, values);
     const Eigen::Vector2d last(static_cast<double>(window.width() - 1), static_cast<double>(window.height() - 1));
-    // The rim of the raster may be missed by rounding; a pixel reaches half a side around its middle.
-    const double beyond = pick == Pick::Between ? 1e-6 : 0.5;
+    constexpr double rounding = 1e-6;  // that the rim of the raster may be missed by
     for (std::size_t k = 0; k < pixels.size(); ++k) {
         const Eigen::Vector2d at = within(pixels[k], window);
         const Eigen::Vector2d inside = at.cwiseMax(0.0).cwiseMin(last);
-        if ((at - inside).cwiseAbs().maxCoeff() < beyond) {
-            all[k] = pick == Pick::Between ? between(values, window, inside) : nearest(values, window, inside);
+        if ((at - inside).cwiseAbs().maxCoeff() < rounding) {
+            all[k] = between(values, window, inside);
         }
     }
     return all;

@@ -28,6 +28,7 @@ void takeOutline(SurveyInput& input, OutlineReading outline, const SurveyRequest
 void takeHeights(SurveyInput& input, HeightReading heights, const SurveyRequest& request) {
     SurveyHeights& taken = input.survey.heights;
     static_cast<HeightGrid&>(taken) = std::move(heights.raster);
+    taken.lattice = std::move(heights.lattice);
     taken.aboveGround = request.aboveGround || heights.debrisMap;
     taken.everywhere = heights.debrisMap;
     input.crs = std::move(heights.crs);
@@ -50,6 +51,12 @@ void takeHeights(SurveyInput& input, HeightReading heights, const SurveyRequest&
 }
 
 }  // namespace
+
+Outline readScope(const std::string& path, const Frame& frame, const Site& site, Findings& findings, const Execution& execution) {
+    SurveyInput read = readSurvey(path, frame, site, Aabb(), execution, {SurveyRequest::Holds::Outline, false, true, {}});
+    findings.append(read.findings);
+    return std::move(read.survey.footprint);
+}
 
 SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
                        const Execution& execution, const SurveyRequest& request) {
@@ -75,6 +82,13 @@ SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& 
                          {"survey.no_outline.remedy", "Give a GeoPackage, GeoJSON, Shapefile, FlatGeobuf or KML.", {}});
     } else {
         takeHeights(input, readHeights(path, frame, site, around, execution, {request.aboveGround, request.withFallen}), request);
+        if (!request.ground.empty() && !input.survey.heights.aboveGround) {
+            // What it takes liberties with is told where the terrain is opened.
+            HeightReading ground = readHeights(request.ground, frame, site, around, execution);
+            SurveyHeights& own = input.survey.ground.emplace();
+            static_cast<HeightGrid&>(own) = std::move(ground.raster);
+            own.lattice = std::move(ground.lattice);
+        }
     }
     input.sha256 = sha256OfFile(path);
     return input;

@@ -27,6 +27,9 @@ struct SurveyRequest {
     Holds holds = Holds::Either;
     bool aboveGround = false;  ///< heights count from the ground, not from the zero of the case
     bool withFallen = false;   ///< of a map of our own: fallen live structure is debris
+    /// File of the terrain that debris fell on, which is then read as the survey is; empty: heights are taken above the nodes of
+    /// the terrain.
+    std::string ground = {};
 };
 
 /// Reads a surveyed height model (anything that openTerrain() reads, in the same way; gaps stay gaps) or the outline of the debris
@@ -37,5 +40,9 @@ struct SurveyRequest {
 /// system), UsageError, Cancelled.
 SurveyInput readSurvey(const std::string& path, const Frame& frame, const Site& site, const Aabb& around,
                        const Execution& execution, const SurveyRequest& request = {});
+
+/// What the polygons of a file cover, as an area of interest or to be left out, read as an outline of debris is.
+/// Throws as readSurvey().
+Outline readScope(const std::string& path, const Frame& frame, const Site& site, Findings& findings, const Execution& execution);
 
 }  // namespace rubble::io

@@ -460,5 +460,31 @@ TEST(SampleCase, MergesTheFailingStripsIntoTheirRings) {
     }
 }
 
+TEST(CaseFileOfASurvey, KeepsWhatIsComparedAndHowWellItIsKnown) {
+    Case theCase;
+    theCase.inputs.push_back({"fe-1", InputRole::Fe, "a.vtu", {}});
+    CaseInput survey{"survey-1", InputRole::Survey, "after.tif", {}};
+    survey.scope.area.polygons = {{{{0.0, 0.0}, {10.5, 0.0}, {10.5, 8.25}}, {{2.0, 1.0}, {3.0, 1.0}, {3.0, 2.0}}}};
+    survey.scope.leftOut.polygons = {{{{4.0, 1.0}, {5.0, 1.0}, {5.0, 2.0}}}, {{{6.0, 1.0}, {7.0, 1.0}, {7.0, 2.0}}}};
+    survey.noise = 0.05;
+    survey.groundNoise = 0.1;
+    theCase.inputs.push_back(survey);
+    const std::string text = caseText(theCase);
+    EXPECT_EQ(caseFromText(text, "a.rubble").inputs, theCase.inputs);
+    // A ring of two corners and noise below zero are refused with their place.
+    const auto refused = [&](const std::string& from, const std::string& to) {
+        std::string other = text;
+        other.replace(other.find(from), from.size(), to);
+        try {
+            caseFromText(other, "a.rubble");
+        } catch (const ParseError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_NE(refused("\"noise_m\": 0.05", "\"noise_m\": -0.05").find("/inputs/1/noise_m"), std::string::npos);
+    EXPECT_NE(refused("\"area_m\": [", "\"area_m\": [[[[0, 0], [1, 1]]],").find("/inputs/1/area_m/0/0"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace rubble::io

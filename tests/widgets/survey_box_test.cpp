@@ -6,10 +6,12 @@
 #include <QComboBox>
 #include <QImage>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTest>
+#include <QToolButton>
 #include <map>
 
 #include "widgets/basics/number_field.h"
@@ -88,7 +90,7 @@ TEST_F(SurveyForm, FieldsAreTheSettings) {
     box.setContent(content);
     QSignalSpy changed(&box, &SurveyBox::settingsChanged);
     const auto fields = box.findChildren<NumberField*>();
-    ASSERT_EQ(fields.size(), 2);
+    ASSERT_EQ(fields.size(), 4);
     const auto type = [&](int field, const QString& text) {
         fields[field]->setFocus();
         fields[field]->selectAll();
@@ -139,6 +141,87 @@ TEST_F(SurveyForm, WhatTheSurveyShowsIsAskedAndShown) {
     QTest::keyClick(shows, Qt::Key_Up);
     EXPECT_EQ(asked, std::nullopt);
     EXPECT_EQ(count, 2) << "setting the content asks for nothing";
+}
+
+TEST_F(SurveyForm, WhatIsComparedIsListedAndNoiseIsAskedFor) {
+    content.scope.area.polygons = {{{{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}}}};
+    content.scope.leftOut.polygons = {{{{1.0, 1.0}, {2.0, 1.0}, {2.0, 2.0}, {1.0, 2.0}}}};
+    content.noise = 0.05;
+    box.setContent(content);
+    auto* list = box.findChild<QListWidget*>();
+    ASSERT_EQ(list->count(), 2);
+    EXPECT_TRUE(list->item(0)->text().contains(QStringLiteral("area of interest")));
+    EXPECT_TRUE(list->item(1)->text().contains(QStringLiteral("left out, corners: 4")));
+    std::vector<std::pair<ScopePart, int>> removed;
+    QObject::connect(&box, &SurveyBox::scopeRemoved, &box,
+                     [&](ScopePart part, int polygon) { removed.emplace_back(part, polygon); });
+    list->setCurrentRow(1);
+    for (auto* each : box.findChildren<QToolButton*>()) {
+        if (each->text() == QStringLiteral("Remove")) {
+            QTest::mouseClick(each, Qt::LeftButton);
+        }
+    }
+    ASSERT_EQ(removed.size(), 1u);
+    EXPECT_EQ(removed.front(), std::pair(ScopePart::LeftOut, 0));
+    std::optional<double> ofSurvey;
+    std::optional<double> ofGround = 1.0;
+    QObject::connect(&box, &SurveyBox::noiseChosen, &box, [&](std::optional<double> survey, std::optional<double> ground) {
+        ofSurvey = survey;
+        ofGround = ground;
+    });
+    NumberField* noise = box.findChildren<NumberField*>()[2];
+    EXPECT_EQ(noise->number(), std::optional<double>(0.05));
+    noise->setFocus();
+    noise->selectAll();
+    QTest::keyClicks(noise, QStringLiteral("0.1"));
+    QTest::keyClick(noise, Qt::Key_Return);
+    EXPECT_EQ(ofSurvey, std::optional<double>(0.1));
+    EXPECT_EQ(ofGround, std::nullopt);
+}
+
+TEST_F(SurveyForm, PolygonsAreDrawnOnTheMapByMouseAndKeys) {
+    SurveyView view;
+    view.resize(600, 500);
+    view.draw(ScopePart::Area);
+    EXPECT_FALSE(view.drawing()) << "there is nothing to draw on";
+    view.setComparison(made());
+    view.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+    view.grab();
+    std::vector<std::pair<ScopePart, OutlineRing>> drawn;
+    QObject::connect(&view, &SurveyView::drawn, &view,
+                     [&](ScopePart part, const OutlineRing& ring) { drawn.emplace_back(part, ring); });
+    const std::vector<Eigen::Vector2d> corners{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
+    view.draw(ScopePart::LeftOut);
+    for (const Eigen::Vector2d& corner : corners) {
+        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, view.toWidget(corner).toPoint());
+    }
+    QTest::keyClick(&view, Qt::Key_Backspace);
+    QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, view.toWidget(corners.back()).toPoint());
+    QTest::keyClick(&view, Qt::Key_Return);
+    ASSERT_EQ(drawn.size(), 1u);
+    EXPECT_EQ(drawn.front().first, ScopePart::LeftOut);
+    ASSERT_EQ(drawn.front().second.size(), 4u);
+    for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_LT((drawn.front().second[k] - corners[k]).norm(), 0.05) << "a pixel is about 2 cm";
+    }
+    EXPECT_FALSE(view.drawing());
+    // Keys alone do the same.
+    view.draw(ScopePart::Area);
+    for (const int key : {Qt::Key_Space, Qt::Key_Right, Qt::Key_Space, Qt::Key_Down, Qt::Key_Space, Qt::Key_Enter}) {
+        QTest::keyClick(&view, static_cast<Qt::Key>(key), Qt::ShiftModifier);
+    }
+    ASSERT_EQ(drawn.size(), 2u);
+    EXPECT_EQ(drawn.back().second.size(), 3u);
+    view.draw(ScopePart::Area);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_FALSE(view.drawing());
+    // What is compared is seen on the map.
+    const QImage before = view.grab().toImage();
+    SurveyScope scope;
+    scope.leftOut.polygons = {{corners}};
+    view.setScope(scope);
+    EXPECT_NE(view.grab().toImage(), before);
 }
 
 TEST_F(SurveyForm, AComparisonStandsInTablesAndWords) {

@@ -29,6 +29,7 @@ public:
     explicit EvidencePage(QWidget* parent = nullptr);
 
     PhotoView& photo() { return *m_photo; }
+    SurveyView& survey() { return *m_survey; }
     ViewWidget& model() { return *m_model; }
     /// Whether the simulation can be seen from the camera; else why not.
     void setSeen(bool seen, const QString& why);

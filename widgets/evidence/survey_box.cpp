@@ -6,9 +6,12 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QListWidget>
 #include <QLocale>
+#include <QMenu>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -23,6 +26,27 @@ namespace {
 
 QString shown(double value, int decimals) {
     return std::isfinite(value) ? QLocale().toString(value, 'f', decimals) : QStringLiteral("–");
+}
+
+/// How well heights are known, and from where.
+QString noiseWords(const SurveyNoise& noise) {
+    switch (noise.source) {
+        case SurveyNoise::Source::Stated:
+            return SurveyBox::tr("Level of detection %1 m, by the noise that was stated.").arg(shown(noise.detection(), 2));
+        case SurveyNoise::Source::Estimated: {
+            const QString text = SurveyBox::tr("Level of detection %1 m, estimated from %2 cells far from all debris.")
+                                     .arg(shown(noise.detection(), 2), shown(static_cast<double>(noise.cells), 0));
+            return std::isfinite(noise.correlation)
+                       ? text + QLatin1Char(' ') +
+                             SurveyBox::tr("The noise hangs together over %1 m.").arg(shown(noise.correlation, 1))
+                       : text;
+        }
+        case SurveyNoise::Source::None:
+            return SurveyBox::tr("A map of another run has no noise.");
+        case SurveyNoise::Source::Unknown:
+            break;
+    }
+    return SurveyBox::tr("The level of detection is not known: state the noise of survey and ground.");
 }
 
 void prepare(QTableWidget& table, const QStringList& headings) {
@@ -73,6 +97,11 @@ SurveyBox::SurveyBox(QWidget* parent)
       m_fit(new QComboBox),
       m_showsFallen(new QComboBox),
       m_withFallen(new QCheckBox(tr("Fallen structure counts as debris"))),
+      m_noise(new NumberField(tr("Noise of the survey"))),
+      m_groundNoise(new NumberField(tr("Noise of the ground"))),
+      m_scope(new QListWidget),
+      m_addScope(new QToolButton),
+      m_removeScope(new QToolButton),
       m_compare(new QPushButton(tr("Compare with survey"))),
       m_cancel(new QPushButton(tr("Cancel"))),
       m_save(new QPushButton(tr("Save difference map…"))),
@@ -95,6 +124,7 @@ SurveyBox::SurveyBox(QWidget* parent)
     column->addWidget(m_add);
     column->addLayout(files);
     buildFields();
+    buildScope();
     buildResults();
     m_add->setToolTip(tr("Add a surveyed height model, or the outline of the real debris as polygons"));
     m_remove->setToolTip(tr("Take this survey out of the case; its file stays"));
@@ -149,6 +179,17 @@ void SurveyBox::buildFields() {
         tr("Whether live structure that moved farther than 1 m belongs to the simulated debris, as it does to the "
            "surveyed; said on the result"));
     form->addRow(m_withFallen);
+    for (NumberField* field : {m_noise, m_groundNoise}) {
+        field->setRange(0.0, 100.0);
+        field->setEmptyMeans(tr("estimated"));
+        connect(field, &NumberField::edited, this, [this] { emit noiseChosen(m_noise->number(), m_groundNoise->number()); });
+    }
+    m_noise->setToolTip(
+        tr("Standard deviation of the surveyed heights, m. Without both, the noise is estimated where nothing fell; heights below "
+           "the level of detection do not count. Kept in the case"));
+    m_groundNoise->setToolTip(tr("Standard deviation of the heights of the terrain below, m; kept in the case"));
+    form->addRow(tr("Noise, survey, m"), m_noise);
+    form->addRow(tr("Noise, ground, m"), m_groundNoise);
     static_cast<QVBoxLayout*>(layout())->addLayout(form);
     for (NumberField* field : {m_cell, m_least}) {
         connect(field, &NumberField::edited, this, &SurveyBox::settingsChanged);
@@ -160,6 +201,57 @@ void SurveyBox::buildFields() {
             emit showsFallenChosen(shows == 0 ? std::nullopt : std::optional<bool>(shows == 1));
         }
     });
+}
+
+void SurveyBox::buildScope() {
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    auto* heading = new QHBoxLayout;
+    heading->addWidget(new QLabel(tr("What is compared")), 1);
+    m_addScope->setText(tr("Add"));
+    m_addScope->setPopupMode(QToolButton::InstantPopup);
+    m_addScope->setToolTip(tr("Add an area of interest, or what is left out, such as vehicles and trees"));
+    auto* menu = new QMenu(m_addScope);
+    const auto add = [&](const QString& text, auto signal, ScopePart part) {
+        connect(menu->addAction(text), &QAction::triggered, this, [this, signal, part] { emit(this->*signal)(part); });
+    };
+    add(tr("Draw an area of interest"), &SurveyBox::scopeDrawRequested, ScopePart::Area);
+    add(tr("Draw what is left out"), &SurveyBox::scopeDrawRequested, ScopePart::LeftOut);
+    add(tr("Area of interest from a file…"), &SurveyBox::scopeFileRequested, ScopePart::Area);
+    add(tr("What is left out from a file…"), &SurveyBox::scopeFileRequested, ScopePart::LeftOut);
+    m_addScope->setMenu(menu);
+    m_removeScope->setText(tr("Remove"));
+    m_removeScope->setToolTip(tr("Remove the chosen polygon"));
+    heading->addWidget(m_addScope);
+    heading->addWidget(m_removeScope);
+    column->addLayout(heading);
+    m_scope->setAccessibleName(tr("Polygons that say what is compared"));
+    m_scope->setToolTip(
+        tr("Cells that are compared lie within an area of interest, if there is one, and in nothing that is left out"));
+    column->addWidget(m_scope);
+    connect(m_scope, &QListWidget::currentRowChanged, this, [this](int row) { m_removeScope->setEnabled(row >= 0); });
+    connect(m_removeScope, &QToolButton::clicked, this, [this] {
+        const int areas = static_cast<int>(m_content.scope.area.polygons.size());
+        const int row = m_scope->currentRow();
+        if (row >= 0) {
+            row < areas ? emit scopeRemoved(ScopePart::Area, row) : emit scopeRemoved(ScopePart::LeftOut, row - areas);
+        }
+    });
+}
+
+void SurveyBox::showScope() {
+    m_scope->clear();
+    for (const ScopePart part : {ScopePart::Area, ScopePart::LeftOut}) {
+        for (const OutlinePolygon& polygon : m_content.scope.part(part).polygons) {
+            const std::size_t corners = polygon.empty() ? 0 : polygon.front().size();
+            m_scope->addItem(
+                (part == ScopePart::Area ? tr("area of interest, corners: %1") : tr("left out, corners: %1")).arg(corners));
+        }
+    }
+    const int count = m_scope->count();
+    m_scope->setVisible(count > 0);
+    m_scope->setFixedHeight(std::clamp(count, 1, 4) * (m_scope->fontMetrics().height() + 6) + 4);
+    m_removeScope->setVisible(count > 0);
+    m_removeScope->setEnabled(false);
 }
 
 void SurveyBox::buildResults() {
@@ -214,11 +306,14 @@ void SurveyBox::setContent(const Content& content) {
     m_surveys->addItems(content.names);
     m_surveys->setCurrentIndex(content.chosen);
     m_showsFallen->setCurrentIndex(!content.showsFallen ? 0 : *content.showsFallen ? 1 : 2);
+    m_noise->setNumber(content.noise);
+    m_groundNoise->setNumber(content.groundNoise);
+    showScope();
     m_showing = false;
     const bool some = content.chosen >= 0;
     m_add->setEnabled(content.available);
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_surveys, m_remove, m_cell, m_least, m_fit, m_showsFallen, m_withFallen, m_compare}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_surveys, m_remove, m_cell, m_least, m_fit, m_showsFallen, m_withFallen,
+                                                           m_compare, m_noise, m_groundNoise, m_addScope}) {
         widget->setEnabled(some);
     }
     m_compare->setEnabled(some && content.noComparison.isEmpty() && !content.comparing);
@@ -250,6 +345,9 @@ void SurveyBox::showResults() {
     if (!made->isFootprint) {
         addRow(*m_figures, {tr("volume, m³"), shown(made->survey.volume, 0), shown(made->simulated.volume, 0)});
     }
+    if (made->seen) {
+        addRow(*m_figures, {tr("area surveyed alike, m²"), shown(made->survey.area, 0), shown(made->seen->area, 0)});
+    }
     addRow(*m_figures, {tr("centroid x, m"), shown(made->survey.centroid.x(), 2), shown(made->simulated.centroid.x(), 2)});
     addRow(*m_figures, {tr("centroid y, m"), shown(made->survey.centroid.y(), 2), shown(made->simulated.centroid.y(), 2)});
     fitHeight(*m_figures);
@@ -260,19 +358,34 @@ void SurveyBox::showResults() {
                            shown(made->simulated.runOut[at], 1)});
     }
     fitHeight(*m_runOut);
-    QStringList words{tr("Overlap of the footprints (IoU): %1.").arg(shown(made->iou, 3))};
-    if (!made->isFootprint) {
-        words << tr("Heights differ by %1 m RMS, by %2 m in the mean.").arg(shown(made->heightRms, 2), shown(made->heightMean, 2));
-        words << tr("Volumes hold the voids.");
+    m_words->setText(wordsOf(*made).join(QLatin1Char(' ')));
+}
+
+QStringList SurveyBox::wordsOf(const SurveyComparison& made) const {
+    QStringList words{tr("Overlap of the footprints (IoU): %1.").arg(shown(made.iou, 3))};
+    if (made.seen) {
+        words << tr("A perfect simulation reaches %1 on this grid; with both sides surveyed alike it is %2.")
+                     .arg(shown(made.seen->reachableIou, 3), shown(made.seen->alikeIou, 3));
     }
-    words << tr("Centroids lie %1 m apart.").arg(shown(made->centroidDistance, 2));
-    words << (made->settings.fit == SurveyFit::None
+    if (!made.isFootprint) {
+        words << tr("Heights differ by %1 m RMS, by %2 m in the mean.").arg(shown(made.heightRms, 2), shown(made.heightMean, 2));
+        words << tr("Volumes hold the voids.");
+        words << tr("Surveyed fill %1, cut %2, net %3 m³.")
+                     .arg(shown(made.volumes.fill, 0), shown(made.volumes.cut, 0), shown(made.volumes.net(), 0));
+        words << noiseWords(made.noise);
+    }
+    if (!made.settings.scope.whole()) {
+        words << tr("Not compared: %1 m² of surveyed and %2 m² of simulated debris.")
+                     .arg(shown(made.leftOut.surveyedArea, 0), shown(made.leftOut.simulatedArea, 0));
+    }
+    words << tr("Centroids lie %1 m apart.").arg(shown(made.centroidDistance, 2));
+    words << (made.settings.fit == SurveyFit::None
                   ? tr("The survey lies where it was surveyed.")
                   : tr("The survey was moved by %1, %2, %3 m; what was fitted went from %4 to %5 RMS.")
-                        .arg(shown(made->shift.by.x(), 2), shown(made->shift.by.y(), 2), shown(made->shift.by.z(), 2),
-                             shown(made->shift.before, 3), shown(made->shift.after, 3)));
-    words << worded(made->words);
-    m_words->setText(words.join(QLatin1Char(' ')));
+                        .arg(shown(made.shift.by.x(), 2), shown(made.shift.by.y(), 2), shown(made.shift.by.z(), 2),
+                             shown(made.shift.before, 3), shown(made.shift.after, 3)));
+    words << worded(made.words);
+    return words;
 }
 
 }  // namespace rubble::widgets

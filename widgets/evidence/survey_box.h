@@ -9,8 +9,10 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QListWidget;
 class QPushButton;
 class QTableWidget;
+class QToolButton;
 
 namespace rubble::widgets {
 
@@ -30,8 +32,11 @@ public:
         QStringList names;       ///< of all surveys
         int chosen = -1;
         std::optional<bool> showsFallen;  ///< whether the chosen survey shows live structure that fell; unset: not known
-        QString noComparison;             ///< why none can be made; empty: it can
-        QString complaint;                ///< what went wrong with the last one
+        SurveyScope scope;                ///< what of the chosen survey is compared
+        std::optional<double> noise;      ///< m, as stated
+        std::optional<double> groundNoise;
+        QString noComparison;  ///< why none can be made; empty: it can
+        QString complaint;     ///< what went wrong with the last one
         bool comparing = false;
         bool stale = false;  ///< the comparison is of another run or of other settings
         Findings findings;
@@ -50,10 +55,19 @@ signals:
     void cancelRequested();
     void settingsChanged();
     void showsFallenChosen(std::optional<bool> shows);
+    /// A polygon is to be drawn on the difference map, or taken from files.
+    void scopeDrawRequested(rubble::ScopePart part);
+    void scopeFileRequested(rubble::ScopePart part);
+    /// @param polygon  its number within the part
+    void scopeRemoved(rubble::ScopePart part, int polygon);
+    void noiseChosen(std::optional<double> survey, std::optional<double> ground);
     void saveRequested();
 
 private:
     void buildFields();
+    void buildScope();
+    void showScope();
+    QStringList wordsOf(const SurveyComparison& made) const;
     void buildResults();
     void showResults();
 
@@ -67,6 +81,11 @@ private:
     QComboBox* m_fit;
     QComboBox* m_showsFallen;
     QCheckBox* m_withFallen;
+    NumberField* m_noise;
+    NumberField* m_groundNoise;
+    QListWidget* m_scope;
+    QToolButton* m_addScope;
+    QToolButton* m_removeScope;
     QPushButton* m_compare;
     QPushButton* m_cancel;
     QPushButton* m_save;

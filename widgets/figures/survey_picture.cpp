@@ -22,6 +22,7 @@ namespace {
 constexpr double topShare = 0.98;
 const QColor lessColour(0x00, 0x72, 0xb2);
 const QColor moreColour(0xd5, 0x5e, 0x00);
+const QColor scopeColour(0x00, 0x9e, 0x73);
 
 QColor mixed(const QColor& a, const QColor& b, double share) {
     return QColor::fromRgbF(static_cast<float>(a.redF() + share * (b.redF() - a.redF())),
@@ -33,7 +34,8 @@ QColor mixed(const QColor& a, const QColor& b, double share) {
 struct Window {
     int left = 0, right = 0, bottom = 0, top = 0;
 
-    explicit Window(const CellGrid& grid) {
+    explicit Window(const SurveyComparison& made) {
+        const CellGrid& grid = made.difference;
         bool any = false;
         for (int row = 0; row < grid.rows; ++row) {
             for (int column = 0; column < grid.columns; ++column) {
@@ -52,11 +54,27 @@ struct Window {
             right = grid.columns - 1;
             top = grid.rows - 1;
         }
+        take(grid, made.settings.scope.area, any);
+        take(grid, made.settings.scope.leftOut, any);
         const int margin = 2 + std::max(right - left, top - bottom) / 40;
         left = std::max(0, left - margin);
         bottom = std::max(0, bottom - margin);
         right = std::min(grid.columns - 1, right + margin);
         top = std::min(grid.rows - 1, top + margin);
+    }
+    /// Polygons that say what is compared are shown too.
+    void take(const CellGrid& grid, const Outline& outline, bool any) {
+        if (outline.empty() || !any) {
+            return;
+        }
+        const auto [low, high] = outline.bounds();
+        const auto cell = [&](double place, int first, int count) {
+            return static_cast<int>(std::clamp(std::floor(place / grid.cell) - first, 0.0, count - 1.0));
+        };
+        left = std::min(left, cell(low.x(), grid.low.i, grid.columns));
+        right = std::max(right, cell(high.x(), grid.low.i, grid.columns));
+        bottom = std::min(bottom, cell(low.y(), grid.low.j, grid.rows));
+        top = std::max(top, cell(high.y(), grid.low.j, grid.rows));
     }
     int columns() const { return right - left + 1; }
     int rows() const { return top - bottom + 1; }
@@ -71,7 +89,7 @@ public:
           m_grid(made.difference),
           m_style(style),
           m_palette(palette(style.theme)),
-          m_window(made.difference),
+          m_window(made),
           m_image(style.pixels, QImage::Format_RGB32),
           m_text(style.textPixels),
           m_small(style.theme == render::Theme::Print ? 0.68 * style.textPixels : 0.85 * style.textPixels) {
@@ -89,12 +107,23 @@ public:
         painter.setRenderHint(QPainter::Antialiasing);
         drawCells(painter);
         drawOutlines(painter);
+        if (m_style.scope) {
+            painter.save();
+            painter.setClipRect(m_cells);
+            drawScope(painter, field(), m_made.settings.scope, 1.4 * edgeWidth());
+            painter.restore();
+        }
         drawCentre(painter);
         drawEdges(painter);
         drawLegend(painter);
         drawScaleBar(painter);
         drawFoot(painter);
         return m_image;
+    }
+
+    SurveyField field() const {
+        const Eigen::Vector2d low = m_grid.cell * Eigen::Vector2d(m_grid.low.i + m_window.left, m_grid.low.j + m_window.bottom);
+        return {m_cells, low, low + m_grid.cell * Eigen::Vector2d(m_window.columns(), m_window.rows())};
     }
 
 private:
@@ -167,6 +196,9 @@ private:
                 const QPoint at(column - m_window.left, m_window.top - row);
                 if (!std::isnan(m_grid.values[k])) {
                     cells.setPixelColor(at, colourAt(m_grid.values[k] / m_reach));
+                } else if (m_made.compared[k] == 0) {
+                    m_uncompared = true;
+                    cells.setPixelColor(at, mixed(m_paper, m_palette.muted, 0.5));
                 } else if (unsurveyed) {
                     m_unsurveyed = true;
                     cells.setPixelColor(at, mixed(m_paper, m_palette.muted, 0.25));
@@ -246,9 +278,8 @@ private:
         painter.drawRect(m_cells);
         const double metres = m_grid.cell / m_cellPixels;
         const double step = roundLength(metres, std::min({9.0 * m_text, 0.4 * m_cells.width(), 0.4 * m_cells.height()}));
-        const Eigen::Vector2d low = m_grid.cell * Eigen::Vector2d(m_grid.low.i + m_window.left, m_grid.low.j + m_window.bottom);
-        const Eigen::Vector2d high = low + m_grid.cell * Eigen::Vector2d(m_window.columns(), m_window.rows());
-        drawCoordinates(painter, {m_cells, low, high, stepAcross(step, metres, m_small), step}, m_style.place, m_small,
+        const SurveyField shown = field();
+        drawCoordinates(painter, {m_cells, shown.low, shown.high, stepAcross(step, metres, m_small), step}, m_style.place, m_small,
                         m_palette.muted, m_palette.text);
     }
 
@@ -301,6 +332,15 @@ private:
         drawKey(painter, y, simulationPen(), tr("edge of the simulation"));
         if (m_unsurveyed) {
             drawPatch(painter, y, mixed(m_paper, m_palette.muted, 0.25), tr("not surveyed"));
+        }
+        if (m_uncompared) {
+            drawPatch(painter, y, mixed(m_paper, m_palette.muted, 0.5), tr("not compared"));
+        }
+        if (m_style.scope && !m_made.settings.scope.area.empty()) {
+            drawKey(painter, y, QPen(scopeColour, 1.4 * edgeWidth()), tr("area of interest"));
+        }
+        if (m_style.scope && !m_made.settings.scope.leftOut.empty()) {
+            drawKey(painter, y, QPen(scopeColour, 1.4 * edgeWidth(), Qt::DotLine), tr("left out"));
         }
     }
 
@@ -362,6 +402,7 @@ private:
     double m_reach = 1.0;  ///< m, at the ends of the colours
     bool m_cut = false;
     bool m_unsurveyed = false;  ///< somewhere in what is shown
+    bool m_uncompared = false;
     QRectF m_legend;
     QRectF m_cells;
     QRectF m_foot;
@@ -369,6 +410,40 @@ private:
 };
 
 }  // namespace
+
+QPointF SurveyField::toPicture(const Eigen::Vector2d& place) const {
+    return {frame.left() + (place.x() - low.x()) / (high.x() - low.x()) * frame.width(),
+            frame.bottom() - (place.y() - low.y()) / (high.y() - low.y()) * frame.height()};
+}
+
+Eigen::Vector2d SurveyField::toPlace(const QPointF& point) const {
+    return {low.x() + (point.x() - frame.left()) / frame.width() * (high.x() - low.x()),
+            low.y() + (frame.bottom() - point.y()) / frame.height() * (high.y() - low.y())};
+}
+
+SurveyField surveyField(const SurveyComparison& made, const SurveyPictureStyle& style) {
+    return SurveySheet(made, style).field();
+}
+
+void drawScope(QPainter& painter, const SurveyField& field, const SurveyScope& scope, double lineWidth) {
+    for (const ScopePart part : {ScopePart::Area, ScopePart::LeftOut}) {
+        const bool area = part == ScopePart::Area;
+        painter.setPen(QPen(scopeColour, lineWidth, area ? Qt::SolidLine : Qt::DotLine));
+        painter.setBrush(area ? QBrush(Qt::NoBrush) : QBrush(scopeColour, Qt::BDiagPattern));
+        for (const OutlinePolygon& polygon : scope.part(part).polygons) {
+            QPainterPath path;
+            for (const OutlineRing& ring : polygon) {
+                QPolygonF corners;
+                for (const Eigen::Vector2d& corner : ring) {
+                    corners << field.toPicture(corner);
+                }
+                path.addPolygon(corners);
+                path.closeSubpath();
+            }
+            painter.drawPath(path);
+        }
+    }
+}
 
 QImage surveyPicture(const SurveyComparison& made, const SurveyPictureStyle& style) {
     constexpr int smallest = 100;

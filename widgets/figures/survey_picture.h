@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QImage>
+#include <QRectF>
 #include <QSize>
 
 #include <string>
@@ -10,7 +11,6 @@
 #include "widgets/render/basics/view.h"
 
 class QPainter;
-class QRectF;
 
 namespace rubble::figures {
 
@@ -23,11 +23,27 @@ struct SurveyPictureStyle {
     std::string system;      ///< coordinate system, for people; empty: local
     std::string provenance;  ///< one line at the foot, empty for none
     bool caption = true;
+    bool scope = true;  ///< the polygons of what is compared are drawn
 };
 
+/// Where the cells lie on a picture.
+struct SurveyField {
+    QRectF frame;                                    ///< px
+    Eigen::Vector2d low = Eigen::Vector2d::Zero();   ///< m, local, of its lower left corner
+    Eigen::Vector2d high = Eigen::Vector2d::Zero();  ///< m, local, of its upper right corner
+
+    QPointF toPicture(const Eigen::Vector2d& place) const;
+    Eigen::Vector2d toPlace(const QPointF& point) const;
+};
+/// Of the picture that surveyPicture() draws in this style.
+SurveyField surveyField(const SurveyComparison& made, const SurveyPictureStyle& style);
+
+/// Draws the polygons of what is compared: the area of interest in a full line, what is left out hatched.
+void drawScope(QPainter& painter, const SurveyField& field, const SurveyScope& scope, double lineWidth);
+
 /// Simulated less surveyed debris by cells: blue where less was simulated, orange where more; the outline of the surveyed debris is
-/// drawn in full, that of the simulated dashed, with coordinates, scale bar, the sectors' centre and a legend in metres. Colours
-/// end at the 98th percentile. Call ensureGuiApplication() first.
+/// drawn in full, that of the simulated dashed, what is compared green, with coordinates, scale bar, the sectors' centre and a
+/// legend in metres. Colours end at the 98th percentile. Call ensureGuiApplication() first.
 QImage surveyPicture(const SurveyComparison& made, const SurveyPictureStyle& style);
 
 }  // namespace rubble::figures

@@ -4,6 +4,7 @@
 
 #include "app/cli/accuracy/study_place.h"
 #include "app/cli/evidence/ensemble_output.h"
+#include "app/cli/evidence/scope_options.h"
 #include "app/cli/frame/commands.h"
 #include "app/cli/frame/ensemble_commands.h"
 #include "app/cli/frame/option_value.h"
@@ -103,10 +104,13 @@ CauseEvidence readEvidence(const Arguments& arguments, const EnsembleRequest& re
     CauseEvidence evidence;
     EnsembleSubject& first = causes.subjects.front();
     const EnsembleScene& scene = first.scenes.front();
-    const SiteSurface ground{true, scene.scenario.simulation.groundHeight, scene.inputs.terrain};
+    io::EvidenceSite site{first.frame, first.theCase.site, {true, scene.scenario.simulation.groundHeight, scene.inputs.terrain}};
+    site.groundFile = io::evidenceGround(first);
+    const SurveyScope given = scopeFrom(arguments, first.frame, first.theCase.site, findings, session.execution());
     for (const io::EvidenceFile& file : against.files) {
         evidence.surfaces.push_back(
-            io::readEvidence(file, first.frame, first.theCase.site, request.surface(), ground, findings, session.execution()));
+            io::readEvidence(file, site, given.whole() ? io::scopeOfFile(first.theCase, arguments.operand(), file.path) : given,
+                             request.surface(), findings, session.execution()));
         first.inputs.push_back({"evidence", file.path, io::sha256OfFile(file.path)});
     }
     if (against.photographs) {
@@ -398,6 +402,8 @@ Command compareCommand() {
         {"--against", "KIND=FILE", true,
          "evidence: footprint=POLYGONS, height=RASTER above the ground, surface=RASTER of the surface, or photographs of the first "
          "case"},
+        areaOption(),
+        leaveOutOption(),
         {"--blind", "", false, "let each member in turn be what was observed, and say how often its cause is found"},
     };
     for (const Option& option : EnsembleRequest::options()) {

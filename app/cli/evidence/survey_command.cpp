@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
+#include "app/cli/evidence/scope_options.h"
 #include "app/cli/exports/map_subject.h"
 #include "app/cli/frame/commands.h"
 #include "app/cli/frame/health_output.h"
@@ -38,6 +40,12 @@ SurveySettings surveySettingsFrom(const Arguments& arguments) {
     if (arguments.has("--survey-live")) {
         settings.showsFallen = parseOnOff(arguments, "--survey-live", true);
     }
+    if (arguments.has("--noise")) {
+        settings.noise = parseLength(arguments, "--noise", 0.0, true);
+    }
+    if (arguments.has("--ground-noise")) {
+        settings.groundNoise = parseLength(arguments, "--ground-noise", 0.0, true);
+    }
     if (const auto fit = arguments.value("--register")) {
         if (*fit != "none" && *fit != "ground" && *fit != "debris") {
             throw wrongValue("--register", *fit, "none, ground or debris");
@@ -67,21 +75,22 @@ std::optional<double> timeFrom(const Arguments& arguments) {
 /// The file of --survey, else the first survey of the case, and how it is brought to the local frame.
 struct SurveyFile {
     std::string path;
-    std::string sha256;  ///< that the case names; empty: none
     Site site;
-    std::optional<bool> showsFallen = std::nullopt;  ///< as the case states
+    CaseInput stated = {};  ///< what the case says of it; without a SHA-256 if it names no such survey
 };
 
 SurveyFile surveyFile(const Arguments& arguments, const io::RunReader& run) {
-    SurveyFile file{arguments.value("--survey").value_or(""), {}, run.origin().site};
+    SurveyFile file{arguments.value("--survey").value_or(""), run.origin().site};
     if (io::isCaseFile(arguments.operand())) {
         const Case theCase = io::loadCase(arguments.operand());
         file.site = theCase.site;
         for (const CaseInput& input : theCase.inputs) {
-            if (input.role == InputRole::Survey && file.path.empty()) {
-                file.path = io::inputPath(arguments.operand(), input);
-                file.sha256 = input.sha256;
-                file.showsFallen = input.showsFallen;
+            const std::string path = io::inputPath(arguments.operand(), input);
+            std::error_code ignored;
+            if (input.role == InputRole::Survey && file.stated.path.empty() &&
+                (file.path.empty() || std::filesystem::equivalent(path, file.path, ignored))) {
+                file.path = path;
+                file.stated = input;
             }
         }
     }
@@ -94,6 +103,20 @@ SurveyFile surveyFile(const Arguments& arguments, const io::RunReader& run) {
 
 std::string_view fitText(SurveyFit fit) {
     return fit == SurveyFit::None ? "none" : fit == SurveyFit::Ground ? "ground" : "debris";
+}
+
+std::string_view sourceText(SurveyNoise::Source source) {
+    switch (source) {
+        case SurveyNoise::Source::Stated:
+            return "stated";
+        case SurveyNoise::Source::Estimated:
+            return "estimated";
+        case SurveyNoise::Source::None:
+            return "none";
+        case SurveyNoise::Source::Unknown:
+            break;
+    }
+    return "unknown";
 }
 
 TextTable sectorTable(const SurveyComparison& made) {
@@ -119,6 +142,41 @@ Json sideJson(const SurveySide& side) {
     object["centroid_m"] = std::isfinite(side.centroid.x()) ? Json{side.centroid.x(), side.centroid.y()} : Json();
     object["run_out_m"] = side.runOut;
     return object;
+}
+
+/// What was measured beside the two sides: how well, and of what.
+void addMeasures(Json& object, const SurveyComparison& made) {
+    const SurveyNoise& noise = made.noise;
+    object["debris_from_m"] = made.least;
+    object["noise"] = {{"source", sourceText(noise.source)},        {"deviation_m", noise.deviation},
+                       {"level_of_detection_m", noise.detection()}, {"correlation_m", number(noise.correlation)},
+                       {"offset_m", number(noise.offset)},          {"cells", noise.cells}};
+    const SurveyVolumes& volumes = made.volumes;
+    object["volumes"] = made.isFootprint ? Json()
+                                         : Json{{"fill_m3", volumes.fill},
+                                                {"cut_m3", volumes.cut},
+                                                {"net_m3", volumes.net()},
+                                                {"not_detected_m3", volumes.undetected},
+                                                {"net_error_m3", number(volumes.error)}};
+    object["reachable"] = Json();
+    object["like_for_like"] = Json();
+    if (made.seen) {
+        object["reachable"] = {
+            {"iou", number(made.seen->reachableIou)}, {"area_m2", made.seen->area}, {"volume_m3", number(made.seen->volume)}};
+        object["like_for_like"] = {{"iou", number(made.seen->alikeIou)},
+                                   {"area_difference_m2", made.seen->area - made.survey.area},
+                                   {"volume_difference_m3", number(made.seen->volume - made.survey.volume)}};
+    }
+    const LeftOutDebris& left = made.leftOut;
+    object["compared"] = {{"whole", made.settings.scope.whole()},        {"area_m2", left.comparedArea},
+                          {"left_out_surveyed_m2", left.surveyedArea},   {"left_out_surveyed_m3", number(left.surveyedVolume)},
+                          {"left_out_simulated_m2", left.simulatedArea}, {"left_out_simulated_m3", left.simulatedVolume}};
+    const ApartDebris& apart = made.apart;
+    object["apart"] = {{"places", apart.patches},
+                       {"area_m2", apart.area},
+                       {"volume_m3", made.isFootprint ? Json() : Json(apart.volume)},
+                       {"nearest_m", apart.nearest},
+                       {"farthest_m", apart.farthest}};
 }
 
 Json surveyJson(const SurveyComparison& made, const io::SurveyInput& input) {
@@ -149,23 +207,72 @@ Json surveyJson(const SurveyComparison& made, const io::SurveyInput& input) {
         object["directions"].push_back(sectorName(s, made.settings.sectors));
     }
     object["not_surveyed"] = {{"area_m2", made.unsurveyedArea}, {"volume_m3", made.unsurveyedVolume}};
+    addMeasures(object, made);
     return object;
 }
 
+/// "133 surveyed, 120 simulated m2; surveyed likewise it would be 133 (0 %)"
+std::string bothSides(double real, double simulated, double seen, const std::string& unit) {
+    const double like = std::isfinite(seen) ? seen : simulated;
+    const double share = std::round(1000.0 * (like - real) / real) / 10.0;
+    const std::string compared =
+        std::isfinite(share) ? " (" + std::string(share > 0.0 ? "+" : "") + englishNumber(share) + " %)" : "";
+    const std::string text = englishNumber(real) + " surveyed, " + englishNumber(simulated) + " simulated " + unit;
+    return std::isfinite(seen) ? text + "; surveyed likewise that is " + englishNumber(seen) + compared : text + compared;
+}
+
+std::string iouText(const SurveyComparison& made) {
+    const std::string text = englishNumber(made.iou);
+    return made.seen ? text + "; a perfect simulation reaches " + englishNumber(made.seen->reachableIou) +
+                           " on this grid; both sides surveyed alike " + englishNumber(made.seen->alikeIou)
+                     : text;
+}
+
+std::string detectionText(const SurveyNoise& noise) {
+    if (noise.source == SurveyNoise::Source::Unknown) {
+        return "not known: too little was surveyed far from all debris; state --noise and --ground-noise";
+    }
+    if (noise.source == SurveyNoise::Source::None) {
+        return "0: a map of another run has no noise";
+    }
+    std::string text = englishNumber(noise.detection()) + " m, noise of both surfaces " + std::string(sourceText(noise.source)) +
+                       " as " + englishNumber(noise.deviation) + " m";
+    if (noise.source == SurveyNoise::Source::Estimated) {
+        text += " from " + englishInteger(static_cast<std::int64_t>(noise.cells)) + " cells far from all debris";
+    }
+    return std::isfinite(noise.correlation) ? text + "; it hangs together over " + englishNumber(noise.correlation) + " m" : text;
+}
+
+std::string volumesText(const SurveyVolumes& volumes) {
+    const std::string error = std::isfinite(volumes.error) ? " +- " + englishNumber(volumes.error) : "";
+    return "fill " + englishNumber(volumes.fill) + ", cut " + englishNumber(volumes.cut) + ", net " + englishNumber(volumes.net()) +
+           error + " m3; below the level of detection " + englishNumber(volumes.undetected) + " m3";
+}
+
+std::string scopeText(const SurveyComparison& made) {
+    const LeftOutDebris& left = made.leftOut;
+    if (made.settings.scope.whole()) {
+        return "all that was surveyed, " + englishNumber(left.comparedArea) + " m2";
+    }
+    return englishNumber(left.comparedArea) + " m2; left out " + englishNumber(left.surveyedArea) + " m2 surveyed, " +
+           englishNumber(left.simulatedArea) + " m2 simulated debris" +
+           (made.isFootprint ? ""
+                             : " (" + englishNumber(left.surveyedVolume) + " and " + englishNumber(left.simulatedVolume) + " m3)");
+}
+
 void print(std::ostream& out, const SurveyComparison& made, const io::SurveyInput& input) {
-    const auto both = [](double real, double simulated, const std::string& unit) {
-        const double share = 100.0 * (simulated - real) / real;
-        return englishNumber(real) + " surveyed, " + englishNumber(simulated) + " simulated " + unit +
-               (std::isfinite(share) ? " (" + std::string(share >= 0.0 ? "+" : "") + englishNumber(share) + " %)" : "");
-    };
     FactList facts;
     facts.add("survey", input.path + (made.isFootprint ? ", an outline" : ", heights"));
     facts.add("time", englishNumber(made.time) + " s");
-    facts.add("footprint IoU", englishNumber(made.iou));
-    facts.add("area", both(made.survey.area, made.simulated.area, "m2"));
+    facts.add("compared", scopeText(made));
+    facts.add("footprint IoU", iouText(made));
+    facts.add("area", bothSides(made.survey.area, made.simulated.area, made.seen ? made.seen->area : std::nan(""), "m2"));
     if (!made.isFootprint) {
-        facts.add("volume with voids", both(made.survey.volume, made.simulated.volume, "m3"));
+        facts.add("volume with voids",
+                  bothSides(made.survey.volume, made.simulated.volume, made.seen ? made.seen->volume : std::nan(""), "m3"));
         facts.add("height difference", englishNumber(made.heightRms) + " m RMS, " + englishNumber(made.heightMean) + " m mean");
+        facts.add("surveyed volumes", volumesText(made.volumes));
+        facts.add("level of detection", detectionText(made.noise));
     }
     facts.add("centroids apart", englishNumber(made.centroidDistance) + " m");
     facts.add("registration", made.settings.fit == SurveyFit::None
@@ -197,6 +304,19 @@ void writePicture(const std::string& path, const SurveyComparison& made, const i
     io::writeProvenance(path, io::surveyOrigin(run, made, input).provenance);
 }
 
+/// What the case says of a survey, where nothing else was asked for.
+void takeStated(SurveySettings& settings, const CaseInput& stated) {
+    const auto take = [](auto& asked, const auto& said) {
+        if (!asked) {
+            asked = said;
+        }
+    };
+    take(settings.showsFallen, stated.showsFallen);
+    take(settings.noise, stated.noise);
+    take(settings.groundNoise, stated.groundNoise);
+    settings.scope = stated.scope;
+}
+
 ExitCode survey(const Arguments& arguments, Session& session) {
     SurveySettings settings = surveySettingsFrom(arguments);
     const std::optional<double> time = timeFrom(arguments);
@@ -211,10 +331,15 @@ ExitCode survey(const Arguments& arguments, Session& session) {
     checkCsvPath(arguments, inputs);
     const MapSubject subject = openMapSubject(arguments, session);
     const SurveyFile file = surveyFile(arguments, *subject.run);
+    io::SurveyRequest wanted;
+    wanted.ground = io::surveyGround(subject.run->origin(), arguments.value("--terrain").value_or(""));
     const io::SurveyInput input = io::readSurvey(file.path, subject.inputs.frame, file.site,
-                                                 io::boundsAtRest(subject.inputs.fe->mesh()), session.execution());
-    if (!settings.showsFallen) {
-        settings.showsFallen = file.showsFallen;
+                                                 io::boundsAtRest(subject.inputs.fe->mesh()), session.execution(), wanted);
+    Findings findings = subject.findings;
+    findings.append(input.findings);
+    takeStated(settings, file.stated);
+    if (arguments.has("--area") || arguments.has("--leave-out")) {
+        settings.scope = scopeFrom(arguments, subject.inputs.frame, file.site, findings, session.execution());
     }
     settings.turn = io::SitePlace(input.frame, input.site).transform().angle;
     const MappedRun mapped{subject.inputs.fe.get(), subject.run.get(),      subject.run->fragments(),
@@ -228,10 +353,8 @@ ExitCode survey(const Arguments& arguments, Session& session) {
         }
     }
     writeCsv(arguments, sectorTable(made));
-    Findings findings = subject.findings;
-    findings.append(input.findings);
     findings.append(made.findings);
-    if (!file.sha256.empty() && file.sha256 != input.sha256) {
+    if (!file.stated.sha256.empty() && file.stated.sha256 != input.sha256) {
         findings.add({"survey.changed", "the survey is not the one the case was saved with", {}},
                      {"survey.changed.remedy", "find the file with the SHA-256 of the case, or accept it as it is", {}}, file.path);
     }
@@ -259,6 +382,10 @@ Command surveyCommand() {
              {"--survey-live", "on|off", false,
               "whether the survey shows fallen live structure (default: as the case or the file says, else not known)"},
              {"--live-threshold", "M", false, "live structure has fallen if it moved farther than this, m (default: 1)"},
+             areaOption(),
+             leaveOutOption(),
+             {"--noise", "M", false, "standard deviation of the surveyed heights, m (default: as the case says, else estimated)"},
+             {"--ground-noise", "M", false, "the same of the ground they are held above, m"},
              {"--register", "none|ground|debris", false, "what the survey is moved to before, by least squares (default: none)"},
              {"--shift-most", "M", false, "that it is moved in plan at most, m (default: 5)"},
              {"--sectors", "N", false, "directions in which run-out is measured, 1 to 360 (default: 8)"},

@@ -32,8 +32,20 @@ Case bare(Case of) {
     return of;
 }
 
+/// What of the surveys of a case is compared.
+std::vector<std::pair<std::string, SurveyScope>> scopesOf(const Case& theCase) {
+    std::vector<std::pair<std::string, SurveyScope>> scopes;
+    for (const CaseInput& input : theCase.inputs) {
+        if (input.role == InputRole::Survey && !input.scope.whole()) {
+            scopes.emplace_back(input.path, input.scope);
+        }
+    }
+    return scopes;
+}
+
 bool sameCauses(const CauseOrder& a, const CauseOrder& b) {
     return a.files == b.files && a.photographs == b.photographs && a.photographed.photographs == b.photographed.photographs &&
+           scopesOf(a.photographed) == scopesOf(b.photographed) &&
            std::equal(
                a.causes.begin(), a.causes.end(), b.causes.begin(), b.causes.end(), [](const StudyCase& x, const StudyCase& y) {
                    return x.name == y.name && x.base == y.base && x.scenario == y.scenario && bare(x.theCase) == bare(y.theCase);
@@ -100,8 +112,8 @@ CausesDisplay::CausesDisplay(Session& session, EnsembleDisplay& ensemble, widget
         }
         refresh();
     });
-    for (const auto signal :
-         {&Document::ensembleChanged, &Document::scenarioChanged, &Document::scenariosChanged, &Document::photographsChanged}) {
+    for (const auto signal : {&Document::ensembleChanged, &Document::scenarioChanged, &Document::scenariosChanged,
+                              &Document::photographsChanged, &Document::surveysChanged}) {
         connect(&m_document, signal, this, &CausesDisplay::refresh);
     }
     connect(&m_computation, &Computation::prepared, this, &CausesDisplay::refresh);
@@ -292,6 +304,7 @@ CauseOrder CausesDisplay::causeOrder() const {
         }
     }
     order.photographed = m_document.theCase();
+    order.base = m_document.base().toStdString();
     for (const Photograph& photograph : order.photographed.photographs) {
         if (whyLeftOut(photograph).isEmpty() && !m_kept.unticked.contains("photograph " + photograph.input)) {
             order.photographs.push_back(photograph.input);

@@ -15,9 +15,11 @@
 #include "io/exports/provenance.h"
 #include "io/exports/survey_files.h"
 #include "io/site/site_place.h"
+#include "widgets/basics/wording.h"
 #include "widgets/evidence/evidence_page.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/survey_box.h"
+#include "widgets/evidence/survey_view.h"
 #include "widgets/figures/figure_file.h"
 #include "widgets/figures/survey_picture.h"
 
@@ -41,15 +43,19 @@ SurveyWork::SurveyWork(Session& session) {
 void SurveyWork::start(const Compared& order, const EvidenceRun& run, const Case& theCase, const Frame& frame,
                        const std::string& path) {
     answer.ask(order);
+    const io::RunOrigin ground = order.origin;
     m_making = std::make_shared<Made>();
-    m_worker.start(
-        {Worker::Kind::Study,
-         [made = m_making, path, run, frame, site = theCase.site, settings = order.settings](const Execution& execution) mutable {
-             made->input = io::readSurvey(path, frame, site, io::boundsAtRest(run.fe->mesh()), execution);
-             settings.turn = io::SitePlace(frame, site).transform().angle;
-             made->comparison = compareRunWithSurvey(run.mapped(), std::nullopt, made->input.survey, settings, execution);
-         },
-         [this, made = m_making](const std::exception_ptr& thrown) { take(made, thrown); }});
+    m_worker.start({Worker::Kind::Study,
+                    [made = m_making, path, run, frame, ground, site = theCase.site,
+                     settings = order.settings](const Execution& execution) mutable {
+                        io::SurveyRequest wanted;
+                        wanted.ground = io::surveyGround(ground);
+                        made->input = io::readSurvey(path, frame, site, io::boundsAtRest(run.fe->mesh()), execution, wanted);
+                        settings.turn = io::SitePlace(frame, site).transform().angle;
+                        made->comparison =
+                            compareRunWithSurvey(run.mapped(), std::nullopt, made->input.survey, settings, execution);
+                    },
+                    [this, made = m_making](const std::exception_ptr& thrown) { take(made, thrown); }});
     emit changed();
 }
 
@@ -102,6 +108,30 @@ SurveyDisplay::SurveyDisplay(Session& session, PanelDeck& deck, widgets::Evidenc
     connect(&box, &widgets::SurveyBox::chosen, this, [this](int survey) {
         m_work.chosen = survey;
         refresh();
+    });
+    connect(&box, &widgets::SurveyBox::scopeDrawRequested, this, &SurveyDisplay::drawScope);
+    connect(&box, &widgets::SurveyBox::scopeFileRequested, this, &SurveyDisplay::chooseScope);
+    connect(&box, &widgets::SurveyBox::scopeRemoved, this, [this](ScopePart part, int polygon) {
+        edit(
+            [&](CaseInput& input) {
+                std::vector<OutlinePolygon>& polygons = input.scope.part(part).polygons;
+                if (polygon >= 0 && polygon < static_cast<int>(polygons.size())) {
+                    polygons.erase(polygons.begin() + polygon);
+                }
+            },
+            [part] { return part == ScopePart::Area ? tr("area of interest removed") : tr("left-out polygon removed"); });
+    });
+    connect(&box, &widgets::SurveyBox::noiseChosen, this, [this](std::optional<double> survey, std::optional<double> ground) {
+        edit(
+            [&](CaseInput& input) {
+                input.noise = survey;
+                input.groundNoise = ground;
+            },
+            [] { return tr("noise of the survey"); });
+    });
+    connect(&page.survey(), &widgets::SurveyView::drawn, this, [this](ScopePart part, const OutlineRing& ring) {
+        edit([&](CaseInput& input) { input.scope.part(part).polygons.push_back({ring}); },
+             [part] { return part == ScopePart::Area ? tr("area of interest drawn") : tr("left-out polygon drawn"); });
     });
     connect(&m_work, &SurveyWork::changed, this, &SurveyDisplay::refresh);
     connect(&m_work, &SurveyWork::compared, this, [this] { m_page.showSurvey(true); });
@@ -179,15 +209,57 @@ void SurveyDisplay::remove() {
     }
 }
 
-void SurveyDisplay::setShowsFallen(std::optional<bool> shows) {
-    if (const CaseInput* survey = current(); survey != nullptr && survey->showsFallen != shows) {
+void SurveyDisplay::edit(const std::function<void(CaseInput&)>& change, const widgets::Wording& what) {
+    if (const CaseInput* survey = current(); survey != nullptr) {
         std::vector<CaseInput> inputs = m_document.theCase().inputs;
         for (CaseInput& input : inputs) {
             if (input.id == survey->id) {
-                input.showsFallen = shows;
+                change(input);
             }
         }
-        m_document.setSurveys(std::move(inputs), [] { return tr("what the survey shows"); });
+        m_document.setSurveys(std::move(inputs), what);
+    }
+}
+
+void SurveyDisplay::setShowsFallen(std::optional<bool> shows) {
+    edit([&](CaseInput& input) { input.showsFallen = shows; }, [] { return tr("what the survey shows"); });
+}
+
+void SurveyDisplay::drawScope(ScopePart part) {
+    if (comparison() == nullptr) {
+        m_session.tell(tr("Compare once, then draw on the difference map."));
+        return;
+    }
+    m_page.showSurvey(true);
+    m_page.survey().draw(part);
+}
+
+void SurveyDisplay::chooseScope(ScopePart part) {
+    const QString path = QFileDialog::getOpenFileName(
+        m_page.window(), part == ScopePart::Area ? tr("Area of interest") : tr("What is left out"),
+        QFileInfo(m_document.base()).absolutePath(), tr("Polygons (*.gpkg *.geojson *.json *.shp *.fgb *.kml);;All files (*)"));
+    if (!path.isEmpty()) {
+        addScope(part, path);
+    }
+}
+
+void SurveyDisplay::addScope(ScopePart part, const QString& path) {
+    try {
+        Findings said;
+        const Outline read =
+            io::readScope(path.toStdString(), m_document.theCase().frame, m_document.theCase().site, said, Execution());
+        edit(
+            [&](CaseInput& input) {
+                std::vector<OutlinePolygon>& polygons = input.scope.part(part).polygons;
+                polygons.insert(polygons.end(), read.polygons.begin(), read.polygons.end());
+            },
+            [part] { return part == ScopePart::Area ? tr("area of interest added") : tr("left-out polygons added"); });
+        if (!said.empty()) {
+            m_session.tell(widgets::worded(said.list().front().what));
+        }
+    } catch (...) {
+        const auto failure = failureOf(std::current_exception());
+        m_session.tell(failure->inOneLine());
     }
 }
 
@@ -199,6 +271,10 @@ std::shared_ptr<const SurveyComparison> SurveyDisplay::comparison() const {
 SurveyWork::Compared SurveyDisplay::comparedNow(const CaseInput& survey, const RunRecord& record) const {
     SurveyWork::Compared now{survey, record.reader.get(), m_deck.evidence().survey().settings()};
     now.settings.showsFallen = survey.showsFallen;
+    now.settings.scope = survey.scope;
+    now.settings.noise = survey.noise;
+    now.settings.groundNoise = survey.groundNoise;
+    now.origin = record.reader != nullptr ? record.reader->origin() : io::RunOrigin();
     return now;
 }
 
@@ -267,7 +343,12 @@ void SurveyDisplay::refresh() {
     }
     m_work.chosen = std::clamp(m_work.chosen, 0, std::max(0, static_cast<int>(all.size()) - 1));
     content.chosen = all.empty() ? -1 : m_work.chosen;
-    content.showsFallen = all.empty() ? std::nullopt : all[static_cast<std::size_t>(m_work.chosen)]->showsFallen;
+    if (const CaseInput* survey = current(); survey != nullptr) {
+        content.showsFallen = survey->showsFallen;
+        content.scope = survey->scope;
+        content.noise = survey->noise;
+        content.groundNoise = survey->groundNoise;
+    }
     content.noComparison = EvidenceWork::whyNoDebris(m_computation.currentRun());
     content.complaint = m_work.answer.failure() ? m_work.answer.failure()->inOneLine() : QString();
     content.comparing = busy();
@@ -286,6 +367,7 @@ void SurveyDisplay::refresh() {
     }
     m_deck.evidence().survey().setContent(content);
     m_page.setSurvey(content.comparison);
+    m_page.survey().setScope(content.scope);
 }
 
 }  // namespace rubble

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -11,7 +12,9 @@
 #include "app/gui/studies/answer.h"
 #include "core/evidence/surveys/survey_comparison.h"
 #include "core/scenario/case.h"
+#include "io/run/run_file.h"
 #include "io/site/survey_file.h"
+#include "widgets/basics/wording.h"
 
 namespace rubble {
 
@@ -34,6 +37,7 @@ public:
         CaseInput survey;
         const void* run = nullptr;
         SurveySettings settings;
+        io::RunOrigin origin = {};  ///< of the run
         /// What can be chosen is the same.
         bool operator==(const Compared& other) const;
     };
@@ -77,6 +81,8 @@ public:
 
     void chooseFile();
     void add(const QString& path);
+    /// Takes polygons of a file into what is compared of the current survey.
+    void addScope(ScopePart part, const QString& path);
     void compare();
     void cancel();
     bool busy() const { return m_work.answer.running(); }
@@ -93,6 +99,10 @@ private:
     bool stale() const;
     void remove();
     void setShowsFallen(std::optional<bool> shows);
+    void drawScope(ScopePart part);
+    void chooseScope(ScopePart part);
+    /// Changes what the case says of the current survey, as one undoable command.
+    void edit(const std::function<void(CaseInput&)>& change, const widgets::Wording& what);
     void save();
 
     Session& m_session;

@@ -56,11 +56,12 @@ CauseEvidence readAll(const CauseOrder& causes, const StudyOrder& order, const i
                       const Execution& execution) {
     CauseEvidence evidence;
     const EnsembleScene& scene = first.scenes.front();
-    const SiteSurface ground{true, scene.scenario.simulation.groundHeight, scene.inputs.terrain};
+    io::EvidenceSite site{first.frame, first.theCase.site, {true, scene.scenario.simulation.groundHeight, scene.inputs.terrain}};
+    site.groundFile = io::evidenceGround(first);
     for (const io::EvidenceFile& file : causes.files) {
         execution.check();
-        evidence.surfaces.push_back(
-            io::readEvidence(file, first.frame, first.theCase.site, order.surface, ground, made.findings, execution));
+        evidence.surfaces.push_back(io::readEvidence(file, site, io::scopeOfFile(causes.photographed, causes.base, file.path),
+                                                     order.surface, made.findings, execution));
         made.inputs.push_back({"evidence", file.path, io::sha256OfFile(file.path)});
     }
     Case chosen = causes.photographed;

@@ -49,7 +49,8 @@ struct CauseOrder {
     std::vector<StudyCase> causes;
     std::vector<io::EvidenceFile> files;
     std::vector<std::string> photographs;  ///< ids of inputs of the first case that are to be used
-    Case photographed;                     ///< the case that has them
+    Case photographed;                     ///< the case that has them, and says what of its surveys is compared
+    std::string base;                      ///< file that its inputs are relative to
     bool blind = false;
 };
 

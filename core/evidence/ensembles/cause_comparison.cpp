@@ -29,6 +29,9 @@ public:
     explicit Looked(const SurfaceEvidence& evidence) : m_evidence(evidence) {}
 
     bool at(const MapCell& cell) {
+        if (std::binary_search(m_evidence.leftOut.begin(), m_evidence.leftOut.end(), cell)) {
+            return false;
+        }
         if (m_evidence.everywhere) {
             return true;
         }
@@ -97,6 +100,7 @@ FigureSpread amongMembers(const Hypothesis& hypothesis, const SurfaceEvidence& e
         SurfaceEvidence own = asEvidence(*seen->surface, evidence.kind);
         own.everywhere = evidence.everywhere;
         own.looked = evidence.looked;
+        own.leftOut = evidence.leftOut;
         std::vector<double> departures;
         for (const EnsembleMember* other : members) {
             if (other != seen) {

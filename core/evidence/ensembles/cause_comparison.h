@@ -22,6 +22,7 @@ struct SurfaceEvidence {
     MemberSurface seen;                           ///< cells with debris; of a footprint the heights are 1
     bool everywhere = true;                       ///< what is not among `seen` holds no debris
     std::vector<MapCell> looked;                  ///< else the cells that were looked at, ascending; no others count
+    std::vector<MapCell> leftOut = {};            ///< cells that do not count in any case, ascending
 };
 
 /// A photograph with an outline of the debris and the camera that took it.

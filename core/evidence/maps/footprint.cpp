@@ -179,21 +179,6 @@ double signedArea(const FootprintRing& ring) {
     return 0.5 * twice;
 }
 
-std::pair<Eigen::Vector2d, Eigen::Vector2d> Outline::bounds() const {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    Eigen::Vector2d low(infinite, infinite);
-    Eigen::Vector2d high(-infinite, -infinite);
-    for (const OutlinePolygon& polygon : polygons) {
-        for (const OutlineRing& ring : polygon) {
-            for (const Eigen::Vector2d& corner : ring) {
-                low = low.cwiseMin(corner);
-                high = high.cwiseMax(corner);
-            }
-        }
-    }
-    return {low, high};
-}
-
 void addCrossings(const OutlineRing& ring, double y, std::vector<double>& crossings) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
         const Eigen::Vector2d& a = ring[k];

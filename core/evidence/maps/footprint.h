@@ -6,6 +6,7 @@
 
 #include "core/analysis/debris/cell_map.h"
 #include "core/base/geometry.h"
+#include "core/base/outline.h"
 
 namespace rubble {
 
@@ -27,19 +28,6 @@ std::vector<FootprintPolygon> footprintOf(std::span<const MapCell> cells);
 
 /// Area of a ring, in cells: negative for a hole.
 double signedArea(const FootprintRing& ring);
-
-/// A closed line in a plane; the last corner is joined to the first.
-using OutlineRing = std::vector<Eigen::Vector2d>;
-/// A place within an odd number of the rings lies in the polygon.
-using OutlinePolygon = std::vector<OutlineRing>;
-
-/// What polygons cover, each for itself: where they overlap they cover no less.
-struct Outline {
-    std::vector<OutlinePolygon> polygons;  ///< m, in the local frame
-
-    /// Least and greatest corner; inverted and infinite without any.
-    std::pair<Eigen::Vector2d, Eigen::Vector2d> bounds() const;
-};
 
 /// Adds where the level line through y crosses a ring, in the order of its edges.
 void addCrossings(const OutlineRing& ring, double y, std::vector<double>& crossings);

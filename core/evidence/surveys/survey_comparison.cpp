@@ -7,6 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/unknown.h"
+#include "core/evidence/maps/mark_distances.h"
+#include "core/evidence/surveys/survey_measures.h"
 #include "core/evidence/surveys/survey_registration.h"
 
 namespace rubble {
@@ -18,7 +20,7 @@ constexpr double reachShare = 0.95;  // of the covered area in a sector, within 
 void check(const SurveySettings& settings) {
     const auto size = [](double value) { return std::isfinite(value) && value >= 0.0; };
     if (!size(settings.leastHeight) || !size(settings.shiftMost) || !size(settings.liveThreshold) || settings.sectors < 1 ||
-        settings.sectors > 360) {
+        settings.sectors > 360 || !size(settings.noise.value_or(0.0)) || !size(settings.groundNoise.value_or(0.0))) {
         throw UsageError({"survey.settings", "A setting of the survey comparison is no size", {}},
                          {"survey.settings.remedy", "Give lengths in metres, not below zero, and 1 to 360 sectors.", {}});
     }
@@ -89,6 +91,9 @@ void compareCells(SurveyComparison& made) {
         for (int column = 0; column < debris.columns; ++column) {
             const std::size_t k = debris.index(column, row);
             const bool there = simulatedDebris(made, k);
+            if (made.compared[k] == 0) {
+                continue;
+            }
             if (std::isnan(surveyed.values[k])) {
                 made.unsurveyedArea += there ? area : 0.0;
                 made.unsurveyedVolume += there ? debris.values[k] * area : 0.0;
@@ -121,12 +126,40 @@ void compareCells(SurveyComparison& made) {
     made.centroidDistance = (made.simulated.centroid - made.survey.centroid).norm();
 }
 
-void findFlaws(SurveyComparison& made, std::size_t surveyedCells) {
-    if (surveyedCells == 0) {
+/// Refuses a comparison of nothing.
+void checkCells(const SurveyComparison& made, const CellGrid& surveyed) {
+    const auto known = [](double value) { return !std::isnan(value); };
+    if (std::none_of(surveyed.values.begin(), surveyed.values.end(), known)) {
         throw UsageError({"survey.elsewhere", "The survey covers no cell of the site", {}},
                          {"survey.elsewhere.remedy",
                           "Check the coordinate systems of survey and case, the origin of the frame and the control points.",
                           {}});
+    }
+    if (!made.settings.scope.whole() && made.leftOut.comparedArea == 0.0) {
+        const auto [low, high] = made.settings.scope.area.bounds();
+        const auto covers = [&](std::size_t k) { return !std::isnan(surveyed.values[k]); };
+        std::size_t cells = 0;
+        for (std::size_t k = 0; k < surveyed.values.size(); ++k) {
+            cells += covers(k) ? 1 : 0;
+        }
+        throw UsageError({"survey.area_elsewhere",
+                          made.settings.scope.area.empty() ? "What is left out holds all {0} cells that were surveyed"
+                                                           : "None of the {0} cells that were surveyed is compared: the area of "
+                                                             "interest reaches from x = {1} to {2}, y = {3} to {4}",
+                          {cells, low.x(), {high.x(), "m"}, low.y(), {high.y(), "m"}}},
+                         {"survey.area_elsewhere.remedy",
+                          "Check the coordinate systems of area, survey and case, the origin of the frame and the control points.",
+                          {}});
+    }
+}
+
+void findFlaws(SurveyComparison& made) {
+    if (!made.settings.scope.whole() && made.simulated.area == 0.0 && made.leftOut.simulatedArea > 0.0) {
+        made.findings.add(
+            {"survey.area_misses",
+             "all {0} of simulated debris lie outside of what is compared",
+             {{made.leftOut.simulatedArea, "m2"}}},
+            {"survey.area_misses.remedy", "check the area of interest, its coordinate system and that of the case", {}});
     }
     if (made.unsurveyedArea > 0.01 * (made.simulated.area + made.unsurveyedArea)) {
         made.findings.add({"survey.beyond",
@@ -206,10 +239,31 @@ void compareFallen(SurveyComparison& made, const std::string& survey) {
     }
 }
 
+/// Of each cell to the nearest simulated debris, in cells.
+std::vector<double> distancesFromDebris(const SurveyComparison& made) {
+    std::vector<std::uint8_t> marked(made.compared.size());
+    for (std::size_t k = 0; k < marked.size(); ++k) {
+        marked[k] = static_cast<std::uint8_t>(simulatedDebris(made, k));
+    }
+    return distancesTo(marked, made.difference.columns, made.difference.rows);
+}
+
+/// Says how well heights are known, and from where on they count.
+void takeNoise(SurveyComparison& made, const Survey& survey, const std::vector<double>& distances) {
+    if (survey.isFootprint || survey.heights.everywhere) {
+        made.noise.source = survey.isFootprint ? SurveyNoise::Source::Unknown : SurveyNoise::Source::None;
+        made.noise.offset = made.noise.correlation = unknown;
+        return;
+    }
+    made.noise = noiseOf(made.surveyedCells, distances, made.settings.noise, made.settings.groundNoise);
+    made.least = std::max(made.least, made.noise.detection());
+}
+
 }  // namespace
 
 SurveyComparison compareWithSurvey(const PieceRaster& debris, const Survey& survey, const SiteSurface& ground,
-                                   const Eigen::Vector2d& centre, const SurveySettings& settings, const Execution& execution) {
+                                   const Eigen::Vector2d& centre, const SurveySettings& settings, const Execution& execution,
+                                   const FineDebris* fine) {
     check(settings);
     SurveyComparison made;
     made.isFootprint = survey.isFootprint;
@@ -217,15 +271,31 @@ SurveyComparison compareWithSurvey(const PieceRaster& debris, const Survey& surv
     made.surveyShowsFallen = settings.showsFallen ? settings.showsFallen : survey.showsFallen;
     made.centre = centre;
     const CellGrid grid = gridAround(survey, debris, settings.cell, 2);
-    const CellGrid laid = laidOn(grid, debris);
     made.difference = grid;
-    made.shift = registered(laid, survey, ground, settings, execution);
-    const CellGrid surveyed = surveyedOn(grid, survey, ground, made.shift.by, execution);
-    const auto known = std::count_if(surveyed.values.begin(), surveyed.values.end(), [](double v) { return !std::isnan(v); });
-    made.surveyedCells = surveyed;
-    made.simulatedCells = laid;
+    made.simulatedCells = laidOn(grid, debris);
+    made.compared = comparedOn(grid, settings.scope, execution);
+    made.shift = registered(made.simulatedCells, made.compared, survey, ground, settings, execution);
+    made.surveyedCells = surveyedOn(grid, survey, ground, made.shift.by, execution);
+    made.least = std::max(settings.leastHeight, 1e-9);
+    const std::vector<double> distances = distancesFromDebris(made);
+    takeNoise(made, survey, distances);
+    made.leftOut = leftOutOf(made, made.surveyedCells);
+    checkCells(made, made.surveyedCells);
+    for (std::size_t k = 0; k < made.compared.size(); ++k) {
+        if (made.compared[k] == 0) {
+            made.surveyedCells.values[k] = unknown;
+        }
+    }
     compareCells(made);
-    findFlaws(made, static_cast<std::size_t>(known));
+    if (!survey.isFootprint) {
+        made.volumes = volumesOf(made);
+    }
+    made.apart = apartDebris(made, distances);
+    if (fine != nullptr) {
+        made.seen = seenMeasures(made, seenOn(grid, survey, *fine, settings.leastHeight, made.shift.by, execution));
+    }
+    findFlaws(made);
+    findInMeasures(made, survey.name);
     made.words = wordsOf(made);
     return made;
 }
@@ -248,8 +318,12 @@ SurveyComparison compareRunWithSurvey(const MappedRun& run, std::optional<double
             plan.extend(node);
         }
     }
-    SurveyComparison compared = compareWithSurvey(rasterOf(pieces, settings.cell, ground, execution), survey, ground,
-                                                  plan.center().head<2>(), settings, execution);
+    const PieceRaster debris = rasterOf(pieces, settings.cell, ground, execution);
+    const double area = static_cast<double>(debris.cells.size()) * settings.cell * settings.cell;
+    FineDebris fine;
+    fine.cell = fineCellFor(survey, settings.cell, area);
+    fine.raster = rasterOf(pieces, fine.cell, ground, execution);
+    SurveyComparison compared = compareWithSurvey(debris, survey, ground, plan.center().head<2>(), settings, execution, &fine);
     compared.time = made.map.time;
     compared.shown = made.shown;
     compared.fallen = {static_cast<std::int64_t>(made.live->pieces.size()), made.live->volume,
@@ -259,12 +333,11 @@ SurveyComparison compareRunWithSurvey(const MappedRun& run, std::optional<double
 }
 
 bool surveyedDebris(const SurveyComparison& made, std::size_t cell) {
-    const double least = made.isFootprint ? 0.5 : std::max(made.settings.leastHeight, 1e-9);
-    return made.surveyedCells.values[cell] >= least;
+    return made.surveyedCells.values[cell] >= (made.isFootprint ? 0.5 : made.least);
 }
 
 bool simulatedDebris(const SurveyComparison& made, std::size_t cell) {
-    return made.simulatedCells.values[cell] >= std::max(made.settings.leastHeight, 1e-9);
+    return made.simulatedCells.values[cell] >= made.least;
 }
 
 std::string sectorName(int sector, int sectors) {

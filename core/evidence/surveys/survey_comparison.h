@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "core/evidence/maps/run_map.h"
+#include "core/evidence/surveys/seen_debris.h"
 #include "core/evidence/surveys/survey_grid.h"
+#include "core/evidence/surveys/survey_noise.h"
 
 namespace rubble {
 
@@ -18,6 +20,10 @@ struct SurveySettings {
     double shiftMost = 5.0;  ///< m, that the survey is moved in plan at most
     int sectors = 8;         ///< directions in which run-out is measured
     double turn = 0.0;       ///< rad, counter-clockwise from east to local x
+    SurveyScope scope = {};  ///< what is compared
+    /// m, standard deviations of the surveyed heights and of those of the ground; unset: not stated.
+    std::optional<double> noise = std::nullopt;
+    std::optional<double> groundNoise = std::nullopt;
 };
 
 /// How the survey was moved.
@@ -38,6 +44,45 @@ struct SurveySide {
     std::vector<double> runOut;                          ///< m, [sectors]; 0 where nothing lies in the sector
 };
 
+/// Debris that does not belong to the comparison, and what does.
+struct LeftOutDebris {
+    double comparedArea = 0.0;    ///< m2, surveyed and compared
+    double surveyedArea = 0.0;    ///< m2
+    double surveyedVolume = 0.0;  ///< m3; NaN of a footprint
+    double simulatedArea = 0.0;
+    double simulatedVolume = 0.0;
+};
+
+/// Volumes between the surveyed surface and the ground, of heights from the level of detection on.
+struct SurveyVolumes {
+    double fill = 0.0;        ///< m3, above the ground
+    double cut = 0.0;         ///< m3, below it
+    double undetected = 0.0;  ///< m3, of heights below the level of detection, above or below the ground: not counted
+    /// m3, what noise may do to the net volume (95 %), correlation taken into account but no offset; NaN: noise is not known.
+    double error = 0.0;
+
+    double net() const { return fill - cut; }
+};
+
+/// Surveyed debris in patches that come nowhere near the simulated debris.
+struct ApartDebris {
+    std::int64_t patches = 0;
+    double area = 0.0;                                  ///< m2
+    double volume = 0.0;                                ///< m3, of a footprint m2
+    double nearest = 0.0;                               ///< m, from the simulated debris
+    double farthest = 0.0;                              ///< m
+    Eigen::Vector2d largest = Eigen::Vector2d::Zero();  ///< m, middle of the largest
+};
+
+/// The simulated debris, surveyed as the real one was: what a simulation that is right in every place would reach, and both sides
+/// by one measure. Steep edges weigh the same in both.
+struct SeenDebris {
+    double area = 0.0;          ///< m2, that the survey would show of it
+    double volume = 0.0;        ///< m3; NaN of a footprint
+    double reachableIou = 0.0;  ///< of the simulated debris with itself as it would be surveyed
+    double alikeIou = 0.0;      ///< of the surveyed debris with the simulated as it would be surveyed
+};
+
 /// Live structure of a run that fell, whether it is counted or not.
 struct FallenStructure {
     std::int64_t elements = 0;  ///< that moved farther than the threshold
@@ -55,6 +100,12 @@ struct SurveyComparison {
     FallenStructure fallen;                 ///< of the simulated side
     SurveyShift shift;
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< m, of the structure's plan at rest: run-out counts from here
+    double least = 0.0;  ///< m, from which heights are debris: the least height, or the level of detection if that is more
+    SurveyNoise noise;
+    SurveyVolumes volumes;  ///< of the survey; 0 of a footprint
+    LeftOutDebris leftOut;
+    ApartDebris apart;
+    std::optional<SeenDebris> seen;  ///< unset: not asked for
     SurveySide survey;
     SurveySide simulated;
     double iou = 0.0;               ///< of the footprints
@@ -67,15 +118,18 @@ struct SurveyComparison {
                                     ///< Not a number where neither has debris or nothing was surveyed
     CellGrid surveyedCells;         ///< m above the ground, of a footprint shares of cells; not a number where nothing was surveyed
     CellGrid simulatedCells;        ///< m above the ground
+    std::vector<std::uint8_t> compared;  ///< [cells] 1: belongs to the comparison; where it is 0 nothing counts as surveyed
     Findings findings;
     Message words;  ///< what the comparison rests on, in a sentence
 };
 
 /// Compares heights of debris by cell with a survey.
 /// @param centre  m, run-out counts from here; the bearing of a cell's middle decides its sector, the first one around east
-/// Throws UsageError (no cells in common, settings that are no sizes), Cancelled.
+/// @param fine    the debris on fine cells, for `seen`; null: leaves it out
+/// Throws UsageError (no cells in common, an area of interest without any, settings that are no sizes), Cancelled.
 SurveyComparison compareWithSurvey(const PieceRaster& debris, const Survey& survey, const SiteSurface& ground,
-                                   const Eigen::Vector2d& centre, const SurveySettings& settings, const Execution& execution);
+                                   const Eigen::Vector2d& centre, const SurveySettings& settings, const Execution& execution,
+                                   const FineDebris* fine = nullptr);
 
 /// The same for a run at a time within its span; unset means its end. Throws as above and as mapOfRun().
 SurveyComparison compareRunWithSurvey(const MappedRun& run, std::optional<double> time, const Survey& survey,

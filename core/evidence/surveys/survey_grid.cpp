@@ -14,28 +14,55 @@ constexpr double cellsMax = 2e7;
 constexpr int points = 4;  // along each side of a cell, at which heights are taken
 constexpr int lines = 16;  // across a cell, along which an outline is followed
 
-/// Height above the ground in a cell, mean over the points that were surveyed.
-double heightIn(const SurveyHeights& heights, const SiteSurface& ground, const Eigen::Vector2d& corner, double cell,
-                const Vec3& shift) {
+/// Bilinear between the nodes of a terrain, level beyond them.
+double terrainBetween(const TerrainGrid& terrain, double x, double y) {
+    const auto along = [](double place, std::size_t nodes) { return std::clamp(place, 0.0, static_cast<double>(nodes - 1)); };
+    const double u = along((x - terrain.x0()) / terrain.cell(), terrain.nx());
+    const double v = along((y - terrain.y0()) / terrain.cell(), terrain.ny());
+    const std::size_t i = std::min(static_cast<std::size_t>(u), terrain.nx() - 2);
+    const std::size_t j = std::min(static_cast<std::size_t>(v), terrain.ny() - 2);
+    const double s = u - static_cast<double>(i);
+    const double t = v - static_cast<double>(j);
+    // Term by term as heights of a survey, so that equal heights give equal bits.
+    const auto part = [](double weight, double height) { return weight > 1e-9 ? weight * height : 0.0; };
+    return part((1.0 - t) * (1.0 - s), terrain.node(i, j)) + part((1.0 - t) * s, terrain.node(i + 1, j)) +
+           part(t * (1.0 - s), terrain.node(i, j + 1)) + part(t * s, terrain.node(i + 1, j + 1));
+}
+
+/// Mean height above the ground in a cell, over the points that were surveyed. @param above  as heightsAboveGround() gives them
+double heightIn(const SurveyHeights& above, const Eigen::Vector2d& corner, double cell, const Vec3& shift) {
     double sum = 0.0;
     int known = 0;
     for (int j = 0; j < points; ++j) {
         for (int i = 0; i < points; ++i) {
             const double x = corner.x() + cell * (i + 0.5) / points;
             const double y = corner.y() + cell * (j + 0.5) / points;
-            double height = heights.at(x - shift.x(), y - shift.y()) + shift.z();
-            if (!heights.aboveGround) {
-                height -= ground.height(x, y);
-            } else if (heights.everywhere && std::isnan(height)) {
-                height = 0.0;
-            }
-            if (std::isfinite(height)) {
-                sum += height;
+            const double height = above.at(x - shift.x(), y - shift.y());
+            if (std::isfinite(height) || above.everywhere) {
+                sum += std::isfinite(height) ? height : 0.0;
                 ++known;
             }
         }
     }
     return 2 * known >= points * points ? sum / known : unknown;
+}
+
+/// The heights of a survey less the ground where each of them lies: nothing is interpolated over the edges of debris.
+SurveyHeights heightsAboveGround(const Survey& survey, const SiteSurface& ground, const Vec3& shift, const Execution& execution) {
+    SurveyHeights above = survey.heights;
+    above.aboveGround = true;
+    for (std::size_t row = 0; row < above.ny && !survey.heights.aboveGround; ++row) {
+        execution.check();
+        for (std::size_t column = 0; column < above.nx; ++column) {
+            double& height = above.heights[row * above.nx + column];
+            if (std::isfinite(height)) {
+                const Eigen::Vector2d place =
+                    above.placeOf(static_cast<double>(column), static_cast<double>(row)) + shift.head<2>();
+                height += place.allFinite() ? shift.z() - groundBelow(survey, ground, place.x(), place.y()) : unknown;
+            }
+        }
+    }
+    return above;
 }
 
 /// Adds the share of cells along one line between two places where it enters and leaves.
@@ -72,6 +99,10 @@ CellGrid gridAround(const Survey& survey, const PieceRaster& debris, double cell
                          {"survey.cell.remedy", "Choose cells of 0.05 m or more.", {}});
     }
     auto [low, high] = survey.bounds();
+    // A height stands for the cell around it.
+    const double half = survey.isFootprint ? 0.0 : 0.5 * survey.heights.spacing();
+    low.array() -= half;
+    high.array() += half;
     for (const MapCell& each : debris.cells) {
         low = low.cwiseMin(cell * Eigen::Vector2d(each.i, each.j));
         high = high.cwiseMax(cell * Eigen::Vector2d(each.i + 1.0, each.j + 1.0));
@@ -96,6 +127,32 @@ CellGrid gridAround(const Survey& survey, const PieceRaster& debris, double cell
     return grid;
 }
 
+double groundBelow(const Survey& survey, const SiteSurface& ground, double x, double y) {
+    if (!ground.terrain) {
+        return ground.levelHeight;
+    }
+    const double own = survey.ground ? survey.ground->at(x, y) : unknown;
+    return std::isfinite(own) ? own : terrainBetween(*ground.terrain, x, y);
+}
+
+std::vector<std::uint8_t> comparedOn(const CellGrid& grid, const SurveyScope& scope, const Execution& execution) {
+    std::vector<std::uint8_t> compared(grid.values.size(), 1);
+    const auto keep = [&](const Outline& outline, bool within) {
+        CellGrid shares = grid;
+        layFootprint(shares, outline, Vec3::Zero(), execution);
+        for (std::size_t k = 0; k < compared.size(); ++k) {
+            compared[k] &= static_cast<std::uint8_t>((shares.values[k] >= 0.5) == within);
+        }
+    };
+    if (!scope.area.empty()) {
+        keep(scope.area, true);
+    }
+    if (!scope.leftOut.empty()) {
+        keep(scope.leftOut, false);
+    }
+    return compared;
+}
+
 CellGrid laidOn(const CellGrid& grid, const PieceRaster& debris) {
     CellGrid laid = grid;
     laid.values.assign(grid.values.size(), 0.0);
@@ -114,12 +171,12 @@ CellGrid surveyedOn(const CellGrid& grid, const Survey& survey, const SiteSurfac
         layFootprint(laid, survey.footprint, shift, execution);
         return laid;
     }
+    const SurveyHeights above = heightsAboveGround(survey, ground, shift, execution);
     for (int row = 0; row < grid.rows; ++row) {
         execution.check();
         for (int column = 0; column < grid.columns; ++column) {
             const MapCell at = grid.at(column, row);
-            laid.values[grid.index(column, row)] =
-                heightIn(survey.heights, ground, grid.cell * Eigen::Vector2d(at.i, at.j), grid.cell, shift);
+            laid.values[grid.index(column, row)] = heightIn(above, grid.cell * Eigen::Vector2d(at.i, at.j), grid.cell, shift);
         }
     }
     return laid;

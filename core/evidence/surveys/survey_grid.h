@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/analysis/debris/cell_map.h"
@@ -7,6 +8,7 @@
 #include "core/evidence/maps/piece_raster.h"
 #include "core/evidence/surveys/survey.h"
 #include "core/fe/site_surface.h"
+#include "core/scenario/survey_scope.h"
 
 namespace rubble {
 
@@ -33,9 +35,16 @@ CellGrid gridAround(const Survey& survey, const PieceRaster& debris, double cell
 /// Debris laid on the grid: height above the ground where there is any, 0 elsewhere.
 CellGrid laidOn(const CellGrid& grid, const PieceRaster& debris);
 
-/// What the survey says of each cell when it is moved by a shift [m]: of heights their mean above the ground at four by four
-/// points, not a number where more than half of these were not surveyed; of a footprint the share of the cell within it, by lines
-/// at sixteen heights, exact along each.
+/// Height of the ground that a survey is held above, m: of its terrain by the rule that its own heights are read by, else bilinear
+/// between the nodes of the terrain, else that of the level ground.
+double groundBelow(const Survey& survey, const SiteSurface& ground, double x, double y);
+
+/// Which cells belong to a comparison [cells], 1 or 0: half of a cell or more lies within the area, and less than half is left out.
+std::vector<std::uint8_t> comparedOn(const CellGrid& grid, const SurveyScope& scope, const Execution& execution);
+
+/// What the survey says of each cell when it is moved by a shift [m]: of heights, each less the ground where it lies and standing
+/// for its pixel, their mean at four by four points, not a number where more than half of these were not surveyed; of a footprint
+/// the share of the cell within it, by lines at sixteen heights, exact along each.
 CellGrid surveyedOn(const CellGrid& grid, const Survey& survey, const SiteSurface& ground, const Vec3& shift,
                     const Execution& execution);
 

@@ -23,12 +23,27 @@ double counted(double value, bool covered, const SurveySettings& settings) {
     return covered ? (value >= settings.leastHeight ? 1.0 : 0.0) : value >= settings.leastHeight ? value : 0.0;
 }
 
-/// Squares are taken over all cells that were surveyed: a survey moved away from the debris finds no smaller sum.
-Misfit misfitMoved(const CellGrid& debris, const CellGrid& survey, bool footprint, int di, int dj, const SurveySettings& settings) {
+/// What the shift of a survey is found from.
+struct Fitted {
+    const CellGrid& debris;
+    const std::vector<std::uint8_t>& compared;  ///< [cells] that count
+    const Survey& survey;
+    const SiteSurface& ground;
+    const SurveySettings& settings;
+};
+
+/// Squares are taken over all cells that are compared: a survey moved away from the debris finds no smaller sum.
+Misfit misfitMoved(const Fitted& fitted, const CellGrid& survey, int di, int dj) {
+    const CellGrid& debris = fitted.debris;
+    const SurveySettings& settings = fitted.settings;
+    const bool footprint = fitted.survey.isFootprint;
     Misfit misfit;
     for (int row = 0; row < debris.rows; ++row) {
         const int fromRow = row - dj;
         for (int column = 0; column < debris.columns; ++column) {
+            if (fitted.compared[debris.index(column, row)] == 0) {
+                continue;
+            }
             const int from = column - di;
             const bool inside = fromRow >= 0 && from >= 0 && fromRow < survey.rows && from < survey.columns;
             const double there = inside ? survey.values[survey.index(from, fromRow)] : std::nan("");
@@ -49,10 +64,10 @@ double least(double before, double middle, double after) {
     return bend > 0.0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
 }
 
-SurveyShift toDebris(const CellGrid& debris, const Survey& survey, const SiteSurface& ground, const SurveySettings& settings,
-                     const Execution& execution) {
-    const CellGrid laid = surveyedOn(debris, survey, ground, Vec3::Zero(), execution);
-    const int reach = static_cast<int>(std::floor(settings.shiftMost / debris.cell + 1e-9));
+SurveyShift toDebris(const Fitted& fitted, const Execution& execution) {
+    const CellGrid& debris = fitted.debris;
+    const CellGrid laid = surveyedOn(debris, fitted.survey, fitted.ground, Vec3::Zero(), execution);
+    const int reach = static_cast<int>(std::floor(fitted.settings.shiftMost / debris.cell + 1e-9));
     const int side = 2 * reach + 1;
     std::vector<double> sums(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
     const auto at = [&](int i, int j) -> double& {
@@ -65,7 +80,7 @@ SurveyShift toDebris(const CellGrid& debris, const Survey& survey, const SiteSur
     for (int j = -reach; j <= reach; ++j) {
         execution.check();
         for (int i = -reach; i <= reach; ++i) {
-            const Misfit moved = misfitMoved(debris, laid, survey.isFootprint, i, j, settings);
+            const Misfit moved = misfitMoved(fitted, laid, i, j);
             at(i, j) = moved.sum;
             if (i == 0 && j == 0) {
                 still = moved;
@@ -91,9 +106,9 @@ SurveyShift toDebris(const CellGrid& debris, const Survey& survey, const SiteSur
     }
     shift.by = {x * debris.cell, y * debris.cell, 0.0};
     shift.cells = best.cells;
-    const CellGrid moved = surveyedOn(debris, survey, ground, shift.by, execution);
+    const CellGrid moved = surveyedOn(debris, fitted.survey, fitted.ground, shift.by, execution);
     shift.before = std::sqrt(still.mean());
-    shift.after = std::sqrt(misfitMoved(debris, moved, survey.isFootprint, 0, 0, settings).mean());
+    shift.after = std::sqrt(misfitMoved(fitted, moved, 0, 0).mean());
     return shift;
 }
 
@@ -104,12 +119,14 @@ struct GroundCell {
     Eigen::Vector3d row;    ///< change of the residual by a shift of the survey along x, y, z
 };
 
-std::vector<GroundCell> groundCells(const CellGrid& debris, const Survey& survey, const SiteSurface& ground, const Vec3& shift) {
+/// @param usable  [cells] that are not left out
+std::vector<GroundCell> groundCells(const Fitted& fitted, const std::vector<std::uint8_t>& usable, const Vec3& shift) {
     std::vector<GroundCell> cells;
-    const SurveyHeights& heights = survey.heights;
+    const CellGrid& debris = fitted.debris;
+    const SurveyHeights& heights = fitted.survey.heights;
     for (int row = 1; row + 1 < debris.rows; ++row) {
         for (int column = 1; column + 1 < debris.columns; ++column) {
-            bool beside = true;
+            bool beside = usable[debris.index(column, row)] != 0;
             for (int j = -1; j <= 1 && beside; ++j) {
                 for (int i = -1; i <= 1; ++i) {
                     beside = beside && debris.values[debris.index(column + i, row + j)] == 0.0;
@@ -119,7 +136,7 @@ std::vector<GroundCell> groundCells(const CellGrid& debris, const Survey& survey
             const double x = p.x() - shift.x();
             const double y = p.y() - shift.y();
             const double h = debris.cell;
-            const double residual = heights.at(x, y) + shift.z() - ground.height(p.x(), p.y());
+            const double residual = heights.at(x, y) + shift.z() - groundBelow(fitted.survey, fitted.ground, p.x(), p.y());
             const double alongX = (heights.at(x + h, y) - heights.at(x - h, y)) / (2.0 * h);
             const double alongY = (heights.at(x, y + h) - heights.at(x, y - h)) / (2.0 * h);
             if (beside && std::isfinite(residual + alongX + alongY)) {
@@ -188,15 +205,16 @@ bool planShows(const std::vector<GroundCell>& cells) {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(square).eigenvalues()(0) > 0.02 * 0.02;
 }
 
-SurveyShift toGround(const CellGrid& debris, const Survey& survey, const SiteSurface& ground, const SurveySettings& settings,
-                     const Execution& execution) {
-    constexpr std::size_t cellsLeast = 20;
+SurveyShift toGround(const Fitted& fitted, const Execution& execution) {
+    constexpr std::size_t groundCellsLeast = 20;
     constexpr int steps = 30;
+    // Ground beyond the area of interest is ground all the same.
+    const std::vector<std::uint8_t> usable = comparedOn(fitted.debris, {{}, fitted.settings.scope.leftOut}, execution);
     SurveyShift shift;
     for (int i = 0; i < steps; ++i) {
         execution.check();
-        const std::vector<GroundCell> all = groundCells(debris, survey, ground, shift.by);
-        if (all.size() < cellsLeast) {
+        const std::vector<GroundCell> all = groundCells(fitted, usable, shift.by);
+        if (all.size() < groundCellsLeast) {
             throw UsageError(
                 {"survey.no_ground", "The survey shows only {0} cells of ground beside the debris", {all.size()}},
                 {"survey.no_ground.remedy", "Take a survey with ground around the debris, or compare without registration.", {}});
@@ -211,22 +229,23 @@ SurveyShift toGround(const CellGrid& debris, const Survey& survey, const SiteSur
         const Vec3 by = step(cells, shift.planKnown);
         shift.by += by;
         const double far = shift.by.head<2>().norm();
-        shift.atLimit = far > settings.shiftMost;
+        shift.atLimit = far > fitted.settings.shiftMost;
         if (shift.atLimit) {
-            shift.by.head<2>() *= settings.shiftMost / far;
+            shift.by.head<2>() *= fitted.settings.shiftMost / far;
         }
         if (by.norm() < 1e-4) {
             break;
         }
     }
-    shift.after = rms(trimmed(groundCells(debris, survey, ground, shift.by)));
+    shift.after = rms(trimmed(groundCells(fitted, usable, shift.by)));
     return shift;
 }
 
 }  // namespace
 
-SurveyShift registered(const CellGrid& debris, const Survey& survey, const SiteSurface& ground, const SurveySettings& settings,
-                       const Execution& execution) {
+SurveyShift registered(const CellGrid& debris, const std::vector<std::uint8_t>& compared, const Survey& survey,
+                       const SiteSurface& ground, const SurveySettings& settings, const Execution& execution) {
+    const Fitted fitted{debris, compared, survey, ground, settings};
     switch (settings.fit) {
         case SurveyFit::None:
             return {};
@@ -240,9 +259,9 @@ SurveyShift registered(const CellGrid& debris, const Survey& survey, const SiteS
                     {"survey.above_ground", "Heights above the ground have no ground that could be laid on another", {}},
                     {"survey.above_ground.remedy", "Register the survey to the debris, or not at all.", {}});
             }
-            return toGround(debris, survey, ground, settings, execution);
+            return toGround(fitted, execution);
         case SurveyFit::Debris:
-            return toDebris(debris, survey, ground, settings, execution);
+            return toDebris(fitted, execution);
     }
     return {};
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "tests/support/command_run.h"
 #include "tests/support/small_collapse.h"
@@ -114,6 +116,45 @@ TEST_F(SurveyRun, SaysThatLooseStructureWasHeldInTheAir) {
     const nlohmann::json made = cli({"survey", m_out, "--survey", outline, "--survey-live", "on", "--json"}).json();
     EXPECT_GT(made["fallen"]["held_parts"], 0);
     EXPECT_EQ(saidOfFallen(made), "survey.held");
+}
+
+TEST_F(SurveyRun, ComparesOnlyAnAreaOfInterest) {
+    run({}, "2");
+    const std::string map = m_folder / "map.tif";
+    ASSERT_EQ(cli({"map", m_out, "--cell", "0.25", "--live", "off", "--out", map}).exitCode, 0);
+    const auto polygon = [&](const char* name, double from, double to) {
+        std::ostringstream text;
+        text
+            << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[)"
+            << '[' << from << ',' << from << "],[" << to << ',' << from << "],[" << to << ',' << to << "],[" << from << ',' << to
+            << "],[" << from << ',' << from << "]]]}}]}";
+        std::ofstream(m_folder / name) << text.str();
+        return m_folder / name;
+    };
+    const auto compared = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"survey", m_out, "--survey", map, "--cell", "0.25", "--live", "off", "--json"});
+        return cli(more);
+    };
+    const nlohmann::json all = compared({}).json();
+    EXPECT_EQ(all["compared"]["whole"], true);
+    EXPECT_EQ(all["noise"]["source"], "none");
+    EXPECT_GT(all["reachable"]["iou"], 0.9);
+    EXPECT_GT(all["like_for_like"]["iou"], 0.9);
+    EXPECT_GT(all["volumes"]["fill_m3"], 0.0);
+    const nlohmann::json wide = compared({"--area", polygon("wide.geojson", -500.0, 500.0)}).json();
+    EXPECT_EQ(wide["iou"], all["iou"]);
+    EXPECT_EQ(wide["compared"]["whole"], false);
+    EXPECT_EQ(wide["compared"]["left_out_simulated_m2"], 0.0);
+    const Outcome none = compared({"--leave-out", polygon("all.geojson", -500.0, 500.0)});
+    EXPECT_EQ(none.exitCode, 2);
+    EXPECT_THAT(none.err, HasSubstr("left out holds all"));
+    const Outcome missed = compared({"--area", polygon("away.geojson", 5000.0, 5010.0)});
+    EXPECT_EQ(missed.exitCode, 2);
+    EXPECT_THAT(missed.err, HasSubstr("area of interest reaches from x = 5"));
+    EXPECT_EQ(compared({"--area", map}).exitCode, 1) << "a raster is no area";
+    EXPECT_EQ(compared({"--noise", "-1"}).exitCode, 2);
+    const nlohmann::json noisy = compared({"--noise", "0.3", "--ground-noise", "0.4"}).json();
+    EXPECT_EQ(noisy["noise"]["source"], "none") << "a map of a run has none";
 }
 
 TEST_F(SurveyRun, RefusesASurveyThatIsNone) {

@@ -18,6 +18,7 @@
 #include "widgets/case/site_dialog.h"
 #include "widgets/evidence/evidence_panel.h"
 #include "widgets/evidence/survey_box.h"
+#include "widgets/evidence/survey_view.h"
 #include "widgets/views/view_widget.h"
 
 namespace rubble {
@@ -121,6 +122,51 @@ TEST_F(SiteAndSurvey, ASurveyIsAddedComparedSavedAndUndone) {
     EXPECT_FALSE(window->actions()[ActionId::CompareSurvey].isEnabled());
     window->actions()[ActionId::Redo].trigger();
     EXPECT_EQ(session->document().theCase().inputs.back().role, InputRole::Survey);
+}
+
+TEST_F(SiteAndSurvey, WhatIsComparedIsDrawnKeptAndUndone) {
+    simulated();
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    // Debris over the site and something that is none beside it.
+    window->rooms().survey->add(heights("after.asc", [](double x, double y) {
+        const bool lorry = x > 30.0 && x < 42.0 && y > 15.0 && y < 20.0;
+        return lorry ? 3.0 : std::abs(x) < 15.0 && std::abs(y) < 5.0 ? 1.0 : 0.0;
+    }));
+    compare();
+    const double all = window->rooms().survey->comparison()->survey.area;
+    EXPECT_NEAR(all, 360.0, 60.0);
+    auto& view = *window->findChild<widgets::SurveyView*>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.isVisible(); }, patience));
+    emit window->rooms().deck->evidence().survey().scopeDrawRequested(ScopePart::LeftOut);
+    ASSERT_TRUE(view.drawing());
+    view.grab();
+    for (const Eigen::Vector2d& corner :
+         {Eigen::Vector2d(28.0, 13.0), Eigen::Vector2d(44.0, 13.0), Eigen::Vector2d(44.0, 22.0), Eigen::Vector2d(28.0, 22.0)}) {
+        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, view.toWidget(corner).toPoint());
+    }
+    QTest::keyClick(&view, Qt::Key_Return);
+    const auto leftOut = [&] { return session->document().theCase().inputs.back().scope.leftOut.polygons.size(); };
+    ASSERT_EQ(leftOut(), 1u);
+    window->rooms().survey->saveTo(QString::fromStdString(m_folder / "stale.tif"));
+    EXPECT_FALSE(std::filesystem::exists(m_folder / "stale.tif")) << "it is of another scope";
+    compare();
+    EXPECT_NEAR(window->rooms().survey->comparison()->survey.area, all - 60.0, 25.0);
+    EXPECT_GT(window->rooms().survey->comparison()->leftOut.surveyedArea, 40.0);
+    // From a file, kept in the case, and undone.
+    const std::string path = m_folder / "area.geojson";
+    std::ofstream(path)
+        << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon",)"
+        << R"("coordinates":[[[-500,-500],[500,-500],[500,500],[-500,500],[-500,-500]]]}}]})";
+    window->rooms().survey->addScope(ScopePart::Area, QString::fromStdString(path));
+    EXPECT_EQ(session->document().theCase().inputs.back().scope.area.polygons.size(), 1u);
+    ASSERT_TRUE(window->rooms().files->saveTo(QString::fromStdString(m_folder / "case.rubble")));
+    EXPECT_EQ(io::loadCase(m_folder / "case.rubble").inputs.back().scope, session->document().theCase().inputs.back().scope);
+    window->actions()[ActionId::Undo].trigger();
+    EXPECT_TRUE(session->document().theCase().inputs.back().scope.area.empty());
+    window->actions()[ActionId::Undo].trigger();
+    EXPECT_EQ(leftOut(), 0u);
+    window->actions()[ActionId::Redo].trigger();
+    EXPECT_EQ(leftOut(), 1u);
 }
 
 TEST_F(SiteAndSurvey, ASurveyThatIsNoneIsToldInPlace) {

@@ -39,7 +39,7 @@ protected:
         SurfaceSettings settings;
         settings.cell = cell;
         settings.withFallen = withFallen;
-        return readEvidence({kind, path}, m_frame, Site(), settings, SiteSurface{}, m_said, Execution());
+        return readEvidence({kind, path}, {m_frame, Site(), SiteSurface{}}, {}, settings, m_said, Execution());
     }
     SurfaceEvidence readFootprint(const std::string& path, double cell = 0.5, bool withFallen = true) {
         return read(EvidenceFile::Kind::Footprint, path, cell, withFallen);

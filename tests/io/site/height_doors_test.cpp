@@ -108,7 +108,7 @@ protected:
     SurfaceEvidence asEvidence(EvidenceFile::Kind kind = EvidenceFile::Kind::Surface) {
         SurfaceSettings settings;
         settings.cell = 1.0;
-        return readEvidence({kind, m_path}, m_frame, Site(), settings, SiteSurface{}, m_said, Execution());
+        return readEvidence({kind, m_path}, {m_frame, Site(), SiteSurface{}}, {}, settings, m_said, Execution());
     }
     SurveyInput asSurvey() { return readSurvey(m_path, m_frame, Site(), m_around, Execution()); }
     TerrainInput asTerrain() { return openTerrain(m_path, m_frame, m_around, Execution()); }

@@ -190,7 +190,7 @@ TEST_P(WorldPlace, WhatIsWrittenComesBackWhereItWas) {
     settings.cell = m_map.cell;
     Findings said;
     const auto read = [&](EvidenceFile::Kind kind, const std::string& path) {
-        return readEvidence({kind, path}, m_lies.frame, m_lies.site, settings, SiteSurface{}, said, Execution());
+        return readEvidence({kind, path}, {m_lies.frame, m_lies.site, SiteSurface{}}, {}, settings, said, Execution());
     };
     const SurfaceEvidence heights = read(EvidenceFile::Kind::Heights, tiff);
     std::size_t high = 0;

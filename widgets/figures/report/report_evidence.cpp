@@ -137,7 +137,7 @@ void ReportSections::addSurveys() {
     heading(tr("Surveys"), 2);
     text(tr(
         "A survey is compared cell by cell where it was taken, without moving it; volumes lie between ground and top and hold the "
-        "voids."));
+        "voids. Steep edges make a surveyed area too large: measures of both sides surveyed alike are free of that."));
     ReportTable table;
     table.caption = tr("Surveys: surveyed debris against the simulated");
     table.columns = QStringList{tr("survey"), tr("measure"), tr("unit"), tr("surveyed"), tr("simulated"), tr("compared")};
@@ -176,6 +176,9 @@ void ReportSections::addSurveyRows(ReportTable& table, const QString& name, cons
         table.rows.push_back({QString(), measure, unit, dash, dash, reportNumber(value)});
     };
     both(tr("area"), QStringLiteral("m²"), made.survey.area, made.simulated.area);
+    if (made.seen) {
+        both(tr("area, both surveyed alike"), QStringLiteral("m²"), made.survey.area, made.seen->area);
+    }
     if (!made.isFootprint) {
         both(tr("volume with voids"), QStringLiteral("m³"), made.survey.volume, made.simulated.volume);
     }
@@ -187,10 +190,24 @@ void ReportSections::addSurveyRows(ReportTable& table, const QString& name, cons
     }
     both(tr("farthest run-out of 95 % of the area"), QStringLiteral("m"), surveyed, simulated);
     one(tr("overlap of the footprints (IoU)"), QString(), made.iou);
+    if (made.seen) {
+        one(tr("IoU that a perfect simulation reaches on this grid"), QString(), made.seen->reachableIou);
+        one(tr("IoU, both surveyed alike"), QString(), made.seen->alikeIou);
+    }
     one(tr("centroids apart"), QStringLiteral("m"), made.centroidDistance);
     if (!made.isFootprint) {
         one(tr("heights differ, RMS"), QStringLiteral("m"), made.heightRms);
         one(tr("heights differ, mean"), QStringLiteral("m"), made.heightMean);
+        one(tr("surveyed fill"), QStringLiteral("m³"), made.volumes.fill);
+        one(tr("surveyed cut"), QStringLiteral("m³"), made.volumes.cut);
+        one(tr("surveyed net volume"), QStringLiteral("m³"), made.volumes.net());
+        one(made.noise.source == SurveyNoise::Source::Stated ? tr("level of detection, stated")
+                                                             : tr("level of detection, estimated"),
+            QStringLiteral("m"), made.noise.source == SurveyNoise::Source::Unknown ? unknown : made.noise.detection());
+    }
+    if (!made.settings.scope.whole()) {
+        one(tr("surveyed debris that is not compared"), QStringLiteral("m²"), made.leftOut.surveyedArea);
+        one(tr("simulated debris that is not compared"), QStringLiteral("m²"), made.leftOut.simulatedArea);
     }
 }
 

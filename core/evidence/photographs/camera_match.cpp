@@ -80,7 +80,7 @@ void checkShape(const std::vector<PointPair>& pairs, const std::vector<bool>& us
 
 /// Pairs that a camera needs so that one of them being wrong shows.
 std::size_t pairsNeeded(const CameraKnowledge& known) {
-    return static_cast<std::size_t>((numbersToPay(known) + 1) / 2 + 1);
+    return static_cast<std::size_t>(numbersToPay(known) + 1) / 2 + 1;
 }
 
 /// Middle of the lengths of the residuals of the pairs marked, as a standard deviation of one coordinate.

@@ -5,8 +5,8 @@
 
 #include "core/clusters/rigid_motion.h"
 #include "core/engine/world/rigid_world.h"
-#include "core/fragments/corner_motion.h"
 #include "core/fe/live_islands.h"
+#include "core/fragments/corner_motion.h"
 #include "core/trajectory/trajectory.h"
 
 namespace rubble {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/fragments/birth_windows.h"
 #include "core/fe/live_islands.h"
+#include "core/fragments/birth_windows.h"
 
 namespace rubble {
 

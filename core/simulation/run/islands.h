@@ -7,8 +7,8 @@
 #include "core/fe/activity.h"
 #include "core/fe/site_surface.h"
 #include "core/simulation/bodies/island_bodies.h"
-#include "core/simulation/bodies/run_account.h"
 #include "core/simulation/bodies/pieces.h"
+#include "core/simulation/bodies/run_account.h"
 
 namespace rubble {
 

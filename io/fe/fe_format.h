@@ -40,7 +40,8 @@ struct FeFormat {
     /// Whether a file holds a piece of each state, by its name or an index near it; nothing for formats without pieces. Must not
     /// throw.
     bool (*holdsPiece)(const std::string& path) = nullptr;
-    /// The files that a file takes to be opened without the others of its series; nothing: itself. Must not throw.
+    /// The files that a file takes to be opened without the others of its series, its deck and list of deaths among them; nothing:
+    /// its members, where files with other numbers are none. Must not throw.
     std::vector<std::string> (*alone)(const std::string& path) = nullptr;
 };
 

@@ -64,9 +64,10 @@ bool recognisesMacro(const FileHead& head) {
 
 // A row a format. Files of HDF5 that nobody else claims are taken for Exodus II, whose reader says what they lack.
 constexpr std::array formats{
-    FeFormat{"OpenRadioss animation", "RUNA001, RUNA002, ..., also .gz", 1, recognisesAnim, animMembers, readAnim},
+    FeFormat{"OpenRadioss animation", "RUNA001, RUNA002, ..., also .gz", 1, recognisesAnim, animMembers, readAnim, nullptr,
+             animFilesAlone},
     FeFormat{"OpenRadioss animation converted to VTK", "RUN_001.vtk, ...", 1, recognisesConvertedAnim, convertedAnimMembers,
-             readConvertedAnim},
+             readConvertedAnim, nullptr, convertedAnimFilesAlone},
     FeFormat{"LS-DYNA d3plot", "d3plot, d3plot01, ...", 1, recognisesD3plot, d3plotFiles, readD3plot},
     FeFormat{"VTK XML", ".vtu, .pvtu, .vtm, .pvd, .vtu.series", 2, recognisesVtkXml, vtkMembers, readVtk, isVtkPiece,
              vtkFilesAlone},
@@ -74,14 +75,15 @@ constexpr std::array formats{
     FeFormat{"Abaqus results file", ".fil with its .inp", 2, recognisesFil, filMembers, readFil},
     FeFormat{"CalculiX results", ".frd with its .inp", 2, recognisesFrd, frdMembers, readFrd},
     FeFormat{"MSC Marc post file", ".t19", 1, recognisesMarc, aloneWithDeathList, readMarc},
-    FeFormat{"Ansys coded database", ".cdb, with its .mac", 2, recognisesCdb, cdbMembers, readCdbs},
-    FeFormat{"Ansys results", ".rst with a list of deaths", 1, recognisesRst, rstMembers, readRst, isRstPiece},
+    FeFormat{"Ansys coded database", ".cdb, with its .mac", 2, recognisesCdb, cdbMembers, readCdbs, nullptr, cdbFilesAlone},
+    FeFormat{"Ansys results", ".rst with a list of deaths", 1, recognisesRst, rstMembers, readRst, isRstPiece, aloneWithDeathList},
     FeFormat{"XDMF", ".xdmf, .xmf", 2, recognisesXdmf, xdmfMembers, readXdmf},
     FeFormat{"Rubble copy", ".h5, made by rubble-cli convert", 1, recognisesFeCopy, standsAlone, readFeCopy},
     FeFormat{"VTKHDF", ".vtkhdf, .hdf", 2, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},
     FeFormat{"MED", ".med, .rmed of Salome and code_aster", 1, recognisesMed, aloneWithDeathList, readMed},
     FeFormat{"OpenSees MPCO", ".mpco, .part-0.mpco, ...", 1, recognisesMpco, mpcoMembers, readMpco},
-    FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 2, recognisesExodus, exodusMembers, readExodus, isExodusPiece},
+    FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 2, recognisesExodus, exodusMembers, readExodus, isExodusPiece,
+             aloneWithDeathList},
 };
 
 constexpr std::array outOfScope{

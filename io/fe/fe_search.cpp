@@ -5,7 +5,6 @@
 
 #include "core/base/error.h"
 #include "core/base/nearest_names.h"
-#include "io/fe/series/series_result.h"
 
 namespace rubble::io {
 
@@ -189,7 +188,7 @@ FoundFe findFe(const std::string& path, bool alone) {
 
 FoundFe onlyFile(FoundFe found, const std::string& path) {
     const std::string file = found.format->recognises(readHead(path)) ? path : found.files.front();
-    found.files = found.format->alone != nullptr ? found.format->alone(file) : withDeathList({file});
+    found.files = found.format->alone != nullptr ? found.format->alone(file) : found.format->members(file);
     return found;
 }
 

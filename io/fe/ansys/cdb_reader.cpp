@@ -167,10 +167,13 @@ bool recognisesCdb(const FileHead& head) {
 
 std::vector<std::string> cdbMembers(const std::string& path) {
     std::vector<std::string> files = numberedSiblings(path);
-    if (files.size() == 1) {
-        if (std::string macro = macroBeside(path); !macro.empty()) {
-            files.push_back(std::move(macro));
-        }
+    return files.size() == 1 ? cdbFilesAlone(path) : withDeathList(std::move(files));
+}
+
+std::vector<std::string> cdbFilesAlone(const std::string& path) {
+    std::vector<std::string> files{path};
+    if (std::string macro = macroBeside(path); !macro.empty()) {
+        files.push_back(std::move(macro));
     }
     return withDeathList(std::move(files));
 }

@@ -56,6 +56,10 @@ std::vector<std::string> animMembers(const std::string& path) {
     return withDeck(animStates(path), deckOf(path, "A", ""));
 }
 
+std::vector<std::string> animFilesAlone(const std::string& path) {
+    return withDeck({path}, deckOf(path, "A", ""));
+}
+
 FeResult::Contents readAnim(const std::string& path, const ImportSettings& settings, const Execution& execution) {
     FeResult::Contents contents = readRadiossRun({settings.onlyThisFile ? std::vector<std::string>{path} : animStates(path),
                                                   readAnimFile, deckOf(path, "A", ""), "status byte, 0 is deleted"},
@@ -72,6 +76,10 @@ bool recognisesConvertedAnim(const FileHead& head) {
 
 std::vector<std::string> convertedAnimMembers(const std::string& path) {
     return withDeck(convertedStates(path), deckOf(path, "A_", afterNumber));
+}
+
+std::vector<std::string> convertedAnimFilesAlone(const std::string& path) {
+    return withDeck({path}, deckOf(path, "A_", afterNumber));
 }
 
 FeResult::Contents readConvertedAnim(const std::string& path, const ImportSettings& settings, const Execution& execution) {

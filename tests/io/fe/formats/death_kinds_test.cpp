@@ -36,16 +36,6 @@ protected:
         return counts;
     }
 
-    std::string errorOf(const std::string& name) {
-        try {
-            open(name);
-        } catch (const Error& error) {
-            return std::string(error.what()) + ' ' + englishText(error.remedy());
-        }
-        ADD_FAILURE() << name << " was read";
-        return {};
-    }
-
     TemporaryFolder m_folder;
 };
 
@@ -75,6 +65,20 @@ TEST_F(DeathKindsTest, OnlyRemovalsOfElementsOfADeckAreDeaths) {
     EXPECT_EQ(open("small.frd")->contents().findings.count("deck.change_unknown"), 1);
 }
 
+// The deck tells the deaths, so a change of it must be noticed.
+TEST_F(DeathKindsTest, AFileOpenedByItselfKeepsItsDeckAndItsList) {
+    writeContent(m_folder / "small.frd", smallFrd());
+    writeContent(m_folder / "small.inp", deckWith("*MODEL CHANGE,TYPE=ELEMENT,REMOVE\n2"));
+    ImportSettings alone;
+    alone.onlyThisFile = true;
+    const auto fe = open("small.frd", alone);
+    EXPECT_THAT(fe->contents().files, ElementsAre(m_folder / "small.frd", m_folder / "small.inp"));
+    EXPECT_THAT(dead(*fe), ElementsAre(0, 1, 1));
+    EXPECT_FALSE(hasGrown(*fe));
+    writeContent(m_folder / "small.inp", deckWith("*MODEL CHANGE,TYPE=ELEMENT,REMOVE\n1,2"));
+    EXPECT_NE(open("small.frd", alone)->contents().fingerprint, fe->contents().fingerprint);
+}
+
 TEST_F(DeathKindsTest, LayersOfACompositeShellMakeOneThicknessAndDensity) {
     writeContent(m_folder / "small.frd", smallFrd());
     writeContent(m_folder / "small.inp",
@@ -89,7 +93,14 @@ TEST_F(DeathKindsTest, AListCountsBesideAnExodusResultWithoutAFlag) {
     ExodusBuilder builder = ExodusBuilder::threeCubes();
     builder.element.emplace_back("stress_xx", [](std::size_t, std::size_t) { return 1.0; });
     builder.write(m_folder / "intact.e");
-    EXPECT_THAT(errorOf("intact.e"), HasSubstr("intact.e.deaths.csv"));
+    const auto without = open("intact.e");
+    EXPECT_THAT(dead(*without), ElementsAre(0, 0, 0, 0));
+    for (const Finding& finding : without->contents().findings.list()) {
+        if (finding.what.id == "fe.no_deaths") {
+            EXPECT_THAT(englishText(finding.remedy), HasSubstr("intact.e.deaths.csv"));
+        }
+    }
+    EXPECT_EQ(without->contents().findings.count("fe.no_deaths"), 3);
     writeContent(m_folder / "intact.e.deaths.csv", "element;time\n2;0,5\n3;1,0\n");
     const auto fe = open("intact.e");
     EXPECT_THAT(dead(*fe), ElementsAre(0, 1, 2, 2));

@@ -191,10 +191,10 @@ private:
         const std::size_t corners = face[3] < 0 ? 3 : 4;
         std::vector<Vec3> nodes;
         for (std::size_t c = 0; c < corners; ++c) {
-            nodes.push_back(m_corners[static_cast<std::size_t>(face[c])]);
+            nodes.push_back(m_corners[static_cast<std::uint8_t>(face[c])]);
         }
         for (std::size_t c = 0; c < corners; ++c) {
-            const auto a = static_cast<std::size_t>(face[c]), b = static_cast<std::size_t>(face[(c + 1) % corners]);
+            const std::size_t a = static_cast<std::uint8_t>(face[c]), b = static_cast<std::uint8_t>(face[(c + 1) % corners]);
             const auto edge = std::find_if(m_edges.begin(), m_edges.end(),
                                            [&](const Edge& other) { return other == Edge{a, b} || other == Edge{b, a}; });
             nodes.push_back(m_middles[static_cast<std::size_t>(edge - m_edges.begin())]);

@@ -153,8 +153,8 @@ private:
         if (selection.cells || selection.everything) {
             readCells(topology, grid);
         }
-        const pugi::xml_attribute cells = topology.attribute("NumberOfElements");
-        grid.storedCells = (cells ? cells : topology.attribute("Dimensions")).as_ullong(grid.types.size());
+        const pugi::xml_attribute stored = topology.attribute("NumberOfElements");
+        grid.storedCells = (stored ? stored : topology.attribute("Dimensions")).as_ullong(grid.types.size());
         for (const pugi::xml_node array : node.children("Attribute")) {
             readArray(array, selection, grid);
         }

@@ -273,8 +273,10 @@ void Reading::readUpright() {
     turn(raster);
     toMetres(raster.heights);
     takeOutSpikes(raster, [&](std::size_t node) {
-        return Eigen::Vector2d(raster.x0 + raster.dx * static_cast<double>(node % raster.nx),
-                               raster.y0 + raster.dy * static_cast<double>(node / raster.nx));
+        const std::size_t column = node % raster.nx;
+        const std::size_t row = node / raster.nx;
+        return Eigen::Vector2d(raster.x0 + raster.dx * static_cast<double>(column),
+                               raster.y0 + raster.dy * static_cast<double>(row));
     });
 }
 

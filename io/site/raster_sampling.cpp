@@ -181,7 +181,9 @@ std::vector<Eigen::Vector2d> RasterSampling::placesOf(const RasterWindow& window
     const double half = 0.5 * static_cast<double>(window.factor - 1);
     std::vector<Eigen::Vector2d> places;
     for (const std::size_t k : which) {
-        const Eigen::Vector2d read(static_cast<double>(k % window.width()), static_cast<double>(k / window.width()));
+        const std::size_t column = k % window.width();
+        const std::size_t row = k / window.width();
+        const Eigen::Vector2d read(static_cast<double>(column), static_cast<double>(row));
         const Eigen::Vector2d first(static_cast<double>(window.column) + half, static_cast<double>(window.row) + half);
         places.emplace_back(first + static_cast<double>(window.factor) * read);
     }

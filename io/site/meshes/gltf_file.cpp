@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "io/base/base64.h"
 #include "io/base/files.h"
@@ -160,7 +161,7 @@ void GltfFile::readBuffers(const std::string& path, std::string binary) {
     }
     for (const JsonCursor& buffer : top()["buffers"].elements()) {
         const bool own = m_buffers.empty() && !buffer.has("uri");
-        std::string bytes = own ? std::move(binary) : bytesOfBuffer(buffer, path);
+        std::string bytes = own ? std::exchange(binary, {}) : bytesOfBuffer(buffer, path);
         const std::size_t length = sizeAt(buffer, "byteLength", 0);
         if (length > bytes.size()) {
             refuseContent({"surroundings.buffer_cut",

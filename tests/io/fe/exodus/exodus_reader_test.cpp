@@ -115,11 +115,14 @@ TEST_F(ExodusReaderTest, TheUserMayNameTheFlagAndItsValue) {
     builder.element.emplace_back("STATUS", [](std::size_t, std::size_t) { return 1.0; });
     builder.element.emplace_back("gone", [](std::size_t k, std::size_t e) { return dead(k, e) ? 1.0 : 0.0; });
     EXPECT_THAT(activity(*open(builder))[3], "111");
-    EXPECT_THAT(activity(*open(builder, {.statusVariable = "gone", .activeValue = 0, .displacement = ""}))[3], "100");
-    EXPECT_THAT(activity(*open(builder, {.statusVariable = "GONE", .activeValue = {}, .displacement = ""}))[3], "100")
+    EXPECT_THAT(activity(*open(builder, {.statusVariable = "gone", .activeValue = 0, .displacement = "", .deadParts = ""}))[3],
+                "100");
+    EXPECT_THAT(activity(*open(builder, {.statusVariable = "GONE", .activeValue = {}, .displacement = "", .deadParts = ""}))[3],
+                "100")
         << "by majority";
-    EXPECT_THAT(activity(*open(builder, {.statusVariable = "gone", .activeValue = 1, .displacement = ""}))[3], "011");
-    EXPECT_THAT(errorOf<UsageError>(builder, {.statusVariable = "other", .activeValue = {}, .displacement = ""}),
+    EXPECT_THAT(activity(*open(builder, {.statusVariable = "gone", .activeValue = 1, .displacement = "", .deadParts = ""}))[3],
+                "011");
+    EXPECT_THAT(errorOf<UsageError>(builder, {.statusVariable = "other", .activeValue = {}, .displacement = "", .deadParts = ""}),
                 ::testing::AllOf(HasSubstr("\"other\""), HasSubstr("\"STATUS\", \"gone\"")));
 }
 
@@ -191,8 +194,9 @@ TEST_F(ExodusReaderTest, WithoutAFlagAllIsActiveAndTheVariablesThatExistAreOffer
     EXPECT_THAT(activity(*named), ::testing::Each(std::string("111")));
     EXPECT_THAT(englishText(named->contents().findings.list().back().remedy),
                 ::testing::AllOf(HasSubstr("--set status_variable=NAME"), HasSubstr("\"Damage\", \"EQPS\"")));
-    EXPECT_EQ(named->state(1)->positions,
-              open(builder, {.statusVariable = "Damage", .activeValue = 0, .displacement = ""})->state(1)->positions)
+    EXPECT_EQ(
+        named->state(1)->positions,
+        open(builder, {.statusVariable = "Damage", .activeValue = 0, .displacement = "", .deadParts = ""})->state(1)->positions)
         << "the way it is read makes no difference";
 }
 
@@ -204,9 +208,17 @@ TEST_F(ExodusReaderTest, WithoutDisplacementTheVariablesThatExistAreOffered) {
     }
     builder.nodal[0].second = [](std::size_t, std::size_t) { return 5.0; };
     EXPECT_THAT(errorOf<ParseError>(builder), ::testing::AllOf(HasSubstr("displacement=none"), HasSubstr("\"shift_x\"")));
-    EXPECT_EQ(open(builder, {.statusVariable = "", .activeValue = {}, .displacement = "shift"})->state(1)->positions[0].x(), 5.0);
-    EXPECT_EQ(open(builder, {.statusVariable = "", .activeValue = {}, .displacement = "none"})->state(1)->positions[0].x(), 0.0);
-    EXPECT_THAT(errorOf<UsageError>(builder, {.statusVariable = "", .activeValue = {}, .displacement = "move"}),
+    EXPECT_EQ(open(builder, {.statusVariable = "", .activeValue = {}, .displacement = "shift", .deadParts = ""})
+                  ->state(1)
+                  ->positions[0]
+                  .x(),
+              5.0);
+    EXPECT_EQ(open(builder, {.statusVariable = "", .activeValue = {}, .displacement = "none", .deadParts = ""})
+                  ->state(1)
+                  ->positions[0]
+                  .x(),
+              0.0);
+    EXPECT_THAT(errorOf<UsageError>(builder, {.statusVariable = "", .activeValue = {}, .displacement = "move", .deadParts = ""}),
                 HasSubstr("\"shift_x\""));
     builder.nodal.clear();
     EXPECT_THAT(errorOf<ParseError>(builder), HasSubstr("Nodal variables in the file: none"));
@@ -342,7 +354,8 @@ TEST_F(ExodusReaderTest, FingerprintsFollowContentAndSettings) {
     builder.element.emplace_back("STATUS", [](std::size_t k, std::size_t e) { return dead(k, e) ? 0.0 : 1.0; });
     const Digest first = open(builder)->contents().fingerprint;
     EXPECT_EQ(open(builder)->contents().fingerprint, first);
-    EXPECT_NE(open(builder, {.statusVariable = "", .activeValue = 0, .displacement = ""})->contents().fingerprint, first);
+    EXPECT_NE(open(builder, {.statusVariable = "", .activeValue = 0, .displacement = "", .deadParts = ""})->contents().fingerprint,
+              first);
     Frame frame;
     frame.origin = {1, 0, 0};
     EXPECT_NE(open(builder, {}, frame)->contents().fingerprint, first);

@@ -1758,10 +1758,6 @@
         <translation>请将缺少的文件复制到其他文件旁。</translation>
     </message>
     <message>
-        <source>Copy the missing files, or open the later mesh by itself.</source>
-        <translation>请复制缺少的文件，或单独打开后来的网格。</translation>
-    </message>
-    <message>
         <source>Copy the whole sequence.</source>
         <translation>请复制整个序列。</translation>
     </message>
@@ -1904,10 +1900,6 @@
     <message>
         <source>Files of the sequence are missing: states between them are not known</source>
         <translation>序列缺少文件：其间的状态未知</translation>
-    </message>
-    <message>
-        <source>Files that belong to the family stand behind a missing number, or hold a later mesh; they were not read</source>
-        <translation>属于该系列的文件位于缺号之后，或含后来的网格；未读取</translation>
     </message>
     <message>
         <source>Files that the input deck includes are not there</source>
@@ -2226,10 +2218,6 @@
         <translation>请让分析程序重新写出文件。</translation>
     </message>
     <message>
-        <source>Let the analysis write the status of its elements (STATUS, death_status, elem_status), or put a list of deaths (element,time) beside it as {0}.</source>
-        <translation>请让分析写出单元状态（STATUS、death_status、elem_status），或在旁边放置失效清单（单元，时刻）{0}。</translation>
-    </message>
-    <message>
         <source>Let the name end in .exo (Exodus II), .pvd (a series of VTU files) or .h5 (a copy that opens at once).</source>
         <translation>名称须以 .exo（Exodus II）、.pvd（VTU 文件序列）或 .h5（可立即打开的副本）结尾。</translation>
     </message>
@@ -2268,10 +2256,6 @@
     <message>
         <source>Lower minimum_thickness_ratio or minimum_half_extent if stability allows it.</source>
         <translation>若稳定性允许，请减小 minimum_thickness_ratio 或 minimum_half_extent。</translation>
-    </message>
-    <message>
-        <source>MED is out of scope: it has no status of elements. Convert the result to VTU with the dead cells left out or flagged.</source>
-        <translation>不支持 MED：其中没有单元状态。请转换为 VTU，略去失效单元或加以标记。</translation>
     </message>
     <message>
         <source>MODEL CHANGE names sets of elements that the deck does not have</source>
@@ -3248,10 +3232,6 @@
     <message>
         <source>Whole components may move as one body; lower the grid for accuracy</source>
         <translation>整个构件可能作为一个刚体运动；减小网格可提高精度</translation>
-    </message>
-    <message>
-        <source>Write a line /COM,TIME=T into each file.</source>
-        <translation>请在每个文件中写入一行 /COM,TIME=T。</translation>
     </message>
     <message>
         <source>Write all functions at the same times.</source>
@@ -5166,10 +5146,6 @@
         <translation>{0} 覆盖局部坐标框架的 x = {1} 至 {2}，y = {3} 至 {4}；结构位于 x = {5} 至 {6}，y = {7} 至 {8}</translation>
     </message>
     <message>
-        <source>{0} does not say by a known name which elements are active</source>
-        <translation>{0} 未以已知名称说明哪些单元激活</translation>
-    </message>
-    <message>
         <source>{0} does not say of which types its {1} elements are</source>
         <translation>{0} 未说明其 {1} 个单元的类型</translation>
     </message>
@@ -5652,10 +5628,6 @@
     <message>
         <source>{0}: numbers have commas and, in line {1}, points</source>
         <translation>{0}：数字使用逗号，而第 {1} 行使用小数点</translation>
-    </message>
-    <message>
-        <source>{0}: state {1} at {2} does not come after state {3} at {4}</source>
-        <translation>{0}：{2} 的状态 {1} 不在 {4} 的状态 {3} 之后</translation>
     </message>
     <message>
         <source>{0}: state {1} has the time {2}; times must be finite and grow</source>
@@ -8306,8 +8278,6 @@
         <translation>最后编号之后的文件</translation>
     </message>
     <message>
-        <source>the time of a state</source>
-        <translation>状态的时间</translation>
         <source>.med, .rmed of Salome and code_aster</source>
         <translation>Salome 和 code_aster 的 .med、.rmed</translation>
     </message>
@@ -8544,8 +8514,6 @@
         <translation>其网格的步</translation>
     </message>
     <message>
-        <source>the library complains of it</source>
-        <translation>库对其报错</translation>
         <source>Check the area of interest and what is left out, their coordinate systems and that of the case.</source>
         <translation>检查关注区域和略去的部分、它们的坐标系以及案例的坐标系。</translation>
     </message>
@@ -8632,6 +8600,38 @@
     <message>
         <source>{0} of what was surveyed lie apart from all simulated debris, {1} to {2} away, in {3} places; the largest is around x = {4}, y = {5}</source>
         <translation>测得的 {0} 远离所有模拟堆积物，相距 {1} 至 {2}，共 {3} 处；最大者在 x = {4}、y = {5} 附近</translation>
+    </message>
+    <message>
+        <source>Copy the later mesh into another folder to open it by itself.</source>
+        <translation>将后来的网格复制到另一个文件夹，单独打开。</translation>
+    </message>
+    <message>
+        <source>Copy the missing files.</source>
+        <translation>复制缺少的文件。</translation>
+    </message>
+    <message>
+        <source>Files that belong to the family stand behind a missing number; they were not read</source>
+        <translation>属于该系列的文件位于缺号之后；未读取</translation>
+    </message>
+    <message>
+        <source>Later meshes of a run with particles were not read</source>
+        <translation>含粒子的计算的后来网格未读取</translation>
+    </message>
+    <message>
+        <source>Meshes of an adaptive run were joined: what was refined keeps its first elements</source>
+        <translation>自适应计算的各网格已合并：被细分者保留其最初的单元</translation>
+    </message>
+    <message>
+        <source>Nothing to do; deaths of parts of a refined element show when all have died.</source>
+        <translation>无需处理；细分单元的各部分全部失效时，才显示其失效。</translation>
+    </message>
+    <message>
+        <source>the library complains of it</source>
+        <translation>库报告其有误</translation>
+    </message>
+    <message>
+        <source>the time of a state</source>
+        <translation>某状态的时刻</translation>
     </message>
 </context>
 <context>

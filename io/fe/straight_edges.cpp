@@ -263,11 +263,11 @@ void StraightEdges::note(Findings& findings) const {
 }
 
 std::vector<Vec3> placesOfNodes(std::span<const std::int64_t> numbers,
-                                const std::unordered_map<std::int64_t, std::uint32_t>& places, const std::vector<Vec3>& nodes) {
+                                const std::unordered_map<std::int64_t, std::uint32_t>& places, const std::vector<Vec3>& listed) {
     std::vector<Vec3> list;
     for (const std::int64_t number : numbers) {
         const auto found = places.find(number);
-        list.push_back(found != places.end() ? nodes[found->second] : Vec3(Vec3::Constant(unknown)));
+        list.push_back(found != places.end() ? listed[found->second] : Vec3(Vec3::Constant(unknown)));
     }
     return list;
 }

@@ -41,8 +41,9 @@ private:
 
 /// Places of the nodes of an element by their numbers; no number for one that is not there, which a number of zero stands for.
 /// @param places  of the numbers in the list of nodes
+/// @param listed  m, the list of nodes
 std::vector<Vec3> placesOfNodes(std::span<const std::int64_t> numbers,
-                                const std::unordered_map<std::int64_t, std::uint32_t>& places, const std::vector<Vec3>& nodes);
+                                const std::unordered_map<std::int64_t, std::uint32_t>& places, const std::vector<Vec3>& listed);
 
 /// Puts the node between the two ends of a beam last: of three nodes, the two that lie farthest apart are the ends.
 void putMiddleLast(std::array<std::int64_t, 3>& nodes, const std::array<Vec3, 3>& places);

@@ -142,7 +142,7 @@ TEST_F(Inspect, UnusableFilesAreToldWithFilePlaceAndRemedy) {
     const std::string whole = textOf(writeSmallCollapse(m_folder / "small.exo"));
     std::ofstream(m_folder / "empty.exo");
     std::ofstream(m_folder / "text.exo") << "this is no finite-element result\n";
-    std::ofstream(m_folder / "cut.exo", std::ios::binary) << whole.substr(0, whole.size() / 2);
+    std::ofstream(m_folder / "cut.exo", std::ios::binary) << whole.substr(0, whole.size() / 4);
     std::ofstream(m_folder / "stump.exo", std::ios::binary) << whole.substr(0, 100);
     io::ExodusBuilder still = smallCollapse();
     still.nodal.clear();
@@ -166,7 +166,7 @@ TEST_F(Inspect, NeverWritesOverWhatItReads) {
     const Outcome outcome = cli({"inspect", path, "--csv", path});
     EXPECT_EQ(outcome.exitCode, 2);
     EXPECT_EQ(textOf(path), before);
-    EXPECT_EQ(cli({"inspect", path, "--csv", m_folder / "no/such/folder.csv"}).exitCode, 1);
+    EXPECT_EQ(cli({"inspect", path, "--csv", m_folder / "no/such/folder.csv"}).exitCode, 0) << "folders are made";
     EXPECT_EQ(cli({"inspect", path, "--csv", m_folder.path()}).exitCode, 2);
 }
 

@@ -99,16 +99,24 @@ TEST(ExodusDamage, EveryTruncationIsAnErrorAndSaysSo) {
         soundBuilder(netcdf4).write(folder / "whole.exo");
         ASSERT_TRUE(readsWhole(folder / "whole.exo"));
         const std::string bytes = wholeFile(folder / "whole.exo");
+        const std::size_t whole = readExodus(folder / "whole.exo", {}, Execution{}).times.size();
         ::testing::internal::CaptureStderr();
         writeContent(folder / "cut.exo", bytes);
         for (std::size_t size = bytes.size(); --size > 0;) {
             std::filesystem::resize_file(folder / "cut.exo", size);
-            ASSERT_THROW(readExodus(folder / "cut.exo", {}, Execution{}), ParseError) << size << " of " << bytes.size();
-            // What openFe() does besides takes most of the time.
-            EXPECT_FALSE(size % 997 == 1 && readsWhole(folder / "cut.exo")) << size << " of " << bytes.size();
+            try {
+                // Of the classic format, states that are whole are read.
+                const FeResult::Contents left = readExodus(folder / "cut.exo", {}, Execution{});
+                ASSERT_FALSE(netcdf4) << size << " of " << bytes.size();
+                ASSERT_LT(left.times.size(), whole) << size << " of " << bytes.size();
+                ASSERT_GE(left.findings.count("fe.unfinished"), 1) << size << " of " << bytes.size();
+            } catch (const ParseError&) {
+                // What openFe() does besides takes most of the time.
+                EXPECT_FALSE(size % 997 == 1 && readsWhole(folder / "cut.exo")) << size << " of " << bytes.size();
+            }
         }
         EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "libraries do not speak to the user";
-        writeContent(folder / "cut.exo", bytes.substr(0, bytes.size() - 100));
+        writeContent(folder / "cut.exo", bytes.substr(0, bytes.size() / 2));
         EXPECT_THAT(errorOf(folder / "cut.exo"), AllOf(HasSubstr("is cut off: it ends after"), HasSubstr("Copy the file again")));
     }
 }

@@ -50,7 +50,8 @@ const std::set<QString>& sameEverywhere() {
             "NAVFAC DM ACI Wyllie Asteriou Tsiambaos Baltay Gjelsvik Rabbat Russell Avallone Baumeister STATUS "
             "accuracy calibrate csv pair inspect frame status none EPYC AMD Intel CPU GHz Core Xeon Processor Platinum x86 Mesa "
             "LLVM bits llvmpipe "
-            "NAME true false Left Right Up Down Pa exo tif tiff asc bil img hgt dt xyz grd zh CN xf px viridis cividis JPEG TIFF HEIC "
+            "NAME true false Left Right Up Down Pa exo tif tiff asc bil img hgt dt xyz grd zh CN xf px viridis cividis JPEG TIFF "
+            "HEIC "
             "PDF pdf HTML html MP glTF Blender SI ft lb report run ensemble compare GeoTIFF GeoPackage GeoJSON Shapefile ESRI OBJ "
             "PLY kPa dyn cm lbf kip psi ksi psf in dpi LS DYNA OpenRadioss");
         for (const QString& word : plain.split(u' ')) {

@@ -161,7 +161,8 @@ TEST_F(MedReader, EveryTypeOfCellIsKnownByItsCorners) {
                                         {S::Hexahedron, 3}}));
     EXPECT_EQ(fe->contents().findings.count("med.skipped_cell"), 1);
     for (const Finding& finding : fe->contents().findings.list()) {
-        EXPECT_THAT(finding.what.id, testing::AnyOf("med.skipped_cell", "fe.no_deaths", "pieces.doubled")) << "no solid is inside out";
+        EXPECT_THAT(finding.what.id, testing::AnyOf("med.skipped_cell", "fe.no_deaths", "pieces.doubled"))
+            << "no solid is inside out";
     }
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/execution.h"
 #include "core/evidence/ensembles/cause_comparison.h"
 #include "core/fe/site_surface.h"
+#include "core/scenario/survey_scope.h"
 #include "io/site/survey_file.h"
 
 namespace rubble::io {

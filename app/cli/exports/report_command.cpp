@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/scenario/case_lookup.h"
 #include "core/selftest/report_checks.h"
+#include "io/base/files.h"
 #include "io/base/machine.h"
 #include "io/case/case_file.h"
 #include "io/exports/provenance.h"
@@ -142,6 +143,7 @@ ExitCode report(const Arguments& arguments, Session& session) {
                          {"cli.no_report.remedy", "Name a folder: --out FOLDER; it gets report.html and report.pdf.", {}});
     }
     checkSelfTest(arguments);
+    io::makeFolderOf(*folder);
     const ReportSubject subject = openReportSubject(arguments, session);
     Findings site;
     const Inputs inputs = openInputsOfRun(subject.runPath, subject.run->origin(), arguments, session, &site);

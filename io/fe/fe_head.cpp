@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "io/base/native_lock.h"
-#include "io/fe/exodus/trial.h"
+#include "io/base/trial.h"
 #include "io/fe/fe_format.h"
 
 namespace rubble::io {

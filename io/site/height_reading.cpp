@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "io/base/native_lock.h"
-#include "io/fe/exodus/trial.h"
+#include "io/base/trial.h"
 #include "io/site/file_words.h"
 #include "io/site/raster_axis.h"
 #include "io/site/raster_file.h"

@@ -104,7 +104,7 @@ TEST(Room, NoFolderHoldsMoreThanAReaderOverlooks) {
 }
 
 TEST(Room, RoomsAreToldByTheirFolder) {
-    EXPECT_EQ(roomIn("io", "io/fe/exodus/trial.h"), "fe");
+    EXPECT_EQ(roomIn("io", "io/fe/exodus/exodus_layout.h"), "fe");
     EXPECT_EQ(roomIn("core/evidence", "core/evidence/report_facts.h"), ".");
     EXPECT_EQ(roomIn("io", "app/gui/session/document.h"), "");
     EXPECT_EQ(roomIn("app/gui", "app/guide/page.h"), "");

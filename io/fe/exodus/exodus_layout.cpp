@@ -15,7 +15,7 @@
 #include "io/fe/exodus/classic_header.h"
 #include "io/fe/exodus/exodus_names.h"
 #include "io/fe/exodus/library_lock.h"
-#include "io/fe/exodus/trial.h"
+#include "io/base/trial.h"
 
 namespace rubble::io {
 

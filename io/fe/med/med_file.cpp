@@ -13,7 +13,7 @@
 #include "io/base/hdf5_extent.h"
 #include "io/base/native_lock.h"
 #include "io/fe/exodus/exodus_names.h"
-#include "io/fe/exodus/trial.h"
+#include "io/base/trial.h"
 
 // libmed may be built for parallel HDF5 and then names MPI in functions that are not called here.
 struct ompi_communicator_t;

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "io/base/hdf5_extent.h"
-#include "io/fe/exodus/trial.h"
+#include "io/base/trial.h"
 
 namespace rubble::io {
 

@@ -230,7 +230,7 @@ SeriesStep AdaptiveSeries::step(std::size_t k) {
     const FeResult::Contents& contents = m_families[family];
     SeriesStep step;
     if (k == 0 || m_states[k - 1].family != family) {
-        const Level before = std::move(m_level);
+        const Level before = std::exchange(m_level, {});
         refine(family, k == 0 ? Level{emptied(*contents.mesh), {}} : before);
         step.mesh = m_level.mesh;
     }

@@ -139,6 +139,9 @@ std::vector<HeightSpike> removeSpikes(HeightGrid& raster) {
 
 std::vector<std::uint8_t> outerGaps(const HeightGrid& raster) {
     std::vector<std::uint8_t> outer;
+    if (raster.nx == 0 || raster.ny == 0) {
+        return outer;
+    }
     std::vector<std::size_t> open;
     const auto visit = [&](std::size_t k) {
         if (std::isnan(raster.heights[k]) && (outer.empty() || outer[k] == 0)) {

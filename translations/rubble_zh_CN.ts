@@ -8286,6 +8286,10 @@
         <translation>请将分析的所有部分复制到同一文件夹。</translation>
     </message>
     <message>
+        <source>Set only_this_file=false to open the whole result.</source>
+        <translation>设置 only_this_file=false 可打开整个结果。</translation>
+    </message>
+    <message>
         <source>Copy the file again, and all pieces of a parallel analysis with it.</source>
         <translation>请重新复制该文件，并一并复制并行分析的所有部分。</translation>
     </message>

@@ -81,7 +81,8 @@ constexpr std::array formats{
     FeFormat{"Rubble copy", ".h5, made by rubble-cli convert", 1, recognisesFeCopy, standsAlone, readFeCopy},
     FeFormat{"VTKHDF", ".vtkhdf, .hdf", 2, recognisesVtkHdf, aloneWithDeathList, readVtkHdf},
     FeFormat{"MED", ".med, .rmed of Salome and code_aster", 1, recognisesMed, aloneWithDeathList, readMed},
-    FeFormat{"OpenSees MPCO", ".mpco, .part-0.mpco, ...", 1, recognisesMpco, mpcoMembers, readMpco},
+    FeFormat{"OpenSees MPCO", ".mpco, .part-0.mpco, ...", 1, recognisesMpco, mpcoMembers, readMpco, isMpcoPiece,
+             aloneWithDeathList},
     FeFormat{"Exodus II", ".exo, .e, .e-s0002, .ex2", 2, recognisesExodus, exodusMembers, readExodus, isExodusPiece,
              aloneWithDeathList},
 };

@@ -173,10 +173,12 @@ private:
 class MpcoSeries : public MeshSeries {
 public:
     MpcoSeries(const std::string& path, const ImportSettings& settings) {
-        requireAllPieces(path);
+        if (!settings.onlyThisFile) {
+            requireAllPieces(path);
+        }
         const std::string displacement = settings.displacement.empty() ? "DISPLACEMENT" : settings.displacement;
         bool plane = false;
-        for (const std::string& file : piecesOf(path)) {
+        for (const std::string& file : settings.onlyThisFile ? std::vector<std::string>{path} : piecesOf(path)) {
             m_pieces.push_back(std::make_unique<const MpcoFile>(file, displacement));
             plane = plane || m_pieces.back()->plane();
         }
@@ -188,7 +190,7 @@ public:
             m_facts.times.push_back(timeOf(state));
         }
         m_layouts.resize(m_states.size());
-        noteWorkarounds(path, plane);
+        noteWorkarounds(path, plane, settings.onlyThisFile);
     }
 
     SeriesStep step(std::size_t k) override {
@@ -397,7 +399,7 @@ private:
         }
     }
 
-    void noteWorkarounds(const std::string& path, bool plane) {
+    void noteWorkarounds(const std::string& path, bool plane, bool alone) {
         if (plane) {
             m_facts.findings.add({"fe.plane", "The model is plane: the third coordinate of its nodes was taken as zero", {}},
                                  {"fe.plane.remedy", "Frames in a plane mostly have y up: --set up_axis=y.", {}}, path);
@@ -408,8 +410,10 @@ private:
                                  {"fe.unfinished.remedy", "Open the result again once the analysis has gone on.", {}}, path);
         }
         if (m_pieces.size() == 1 && pieceOf(path)) {
+            const Message copy{"mpco.one_piece.remedy", "Copy all pieces of the analysis into one folder.", {}};
+            const Message asked{"mpco.one_piece.asked", "Set only_this_file=false to open the whole result.", {}};
             m_facts.findings.add({"mpco.one_piece", "One piece of a parallel analysis was read as the whole", {}},
-                                 {"mpco.one_piece.remedy", "Copy all pieces of the analysis into one folder.", {}}, path);
+                                 alone ? asked : copy, path);
         }
     }
 
@@ -428,6 +432,10 @@ bool recognisesMpco(const FileHead& head) {
 
 std::vector<std::string> mpcoMembers(const std::string& path) {
     return withDeathList(piecesOf(path));
+}
+
+bool isMpcoPiece(const std::string& path) {
+    return pieceOf(path).has_value();
 }
 
 FeResult::Contents readMpco(const std::string& path, const ImportSettings& settings, const Execution& execution) {

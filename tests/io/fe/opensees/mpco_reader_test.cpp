@@ -129,7 +129,15 @@ TEST_F(MpcoReader, PiecesOfAParallelAnalysisAreOneStructure) {
         EXPECT_THAT(active(*fe), ElementsAre(2, 2, 1));
         EXPECT_EQ(fe->mesh().nodeCount(), 12u) << "nodes on the border are one";
         EXPECT_NEAR(fe->state(1)->positions[2].x(), 2.1, 1e-12);
+        EXPECT_EQ(fe->contents().findings.count("fe.piece"), 1);
     }
+    ImportSettings alone;
+    alone.onlyThisFile = true;
+    const auto only = open("wall.part-1.mpco", alone);
+    EXPECT_EQ(only->contents().files, std::vector<std::string>{m_folder / "wall.part-1.mpco"});
+    EXPECT_EQ(only->mesh().elementIds, std::vector<std::int64_t>{2});
+    EXPECT_THAT(active(*only), ElementsAre(1, 1, 0));
+    EXPECT_EQ(only->contents().findings.count("mpco.one_piece"), 1);
     std::filesystem::rename(m_folder / "wall.part-1.mpco", m_folder / "wall.part-2.mpco");
     try {
         open("wall.part-0.mpco");
@@ -137,6 +145,7 @@ TEST_F(MpcoReader, PiecesOfAParallelAnalysisAreOneStructure) {
     } catch (const WorldError& error) {
         EXPECT_THAT(error.what(), HasSubstr("wall.part-1.mpco"));
     }
+    EXPECT_EQ(open("wall.part-0.mpco", alone)->mesh().elementIds, std::vector<std::int64_t>{1});
     std::filesystem::remove(m_folder / "wall.part-2.mpco");
     EXPECT_EQ(open("wall.part-0.mpco")->contents().findings.count("mpco.one_piece"), 1);
 }

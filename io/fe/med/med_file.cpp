@@ -1,5 +1,6 @@
 #include "io/fe/med/med_file.h"
 
+#include <dlfcn.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -12,8 +13,8 @@
 #include "core/base/error.h"
 #include "io/base/hdf5_extent.h"
 #include "io/base/native_lock.h"
-#include "io/fe/exodus/exodus_names.h"
 #include "io/base/trial.h"
+#include "io/fe/exodus/exodus_names.h"
 
 // libmed may be built for parallel HDF5 and then names MPI in functions that are not called here.
 struct ompi_communicator_t;
@@ -32,6 +33,20 @@ constexpr std::uint64_t bestCompression = 1100;
 constexpr std::int64_t mostTried = std::int64_t{1} << 25;
 // Names in a damaged file may be longer than they should be.
 constexpr std::size_t spare = 4096;
+
+// libmed may bring an HDF5 of its own, which goes round in circles at the end of the program as ours would (see hdf5_handle.cpp).
+// What libmed itself calls is asked for, since both have functions of that name.
+bool endWithoutTheLibraryOfMed() {
+    Dl_info med{};
+    if (::dladdr(reinterpret_cast<const void*>(&MEDfileOpen), &med) == 0) {
+        return false;
+    }
+    void* const library = ::dlopen(med.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
+    const auto withoutExit = library == nullptr ? nullptr : reinterpret_cast<int (*)()>(::dlsym(library, "H5dont_atexit"));
+    return withoutExit != nullptr && withoutExit() >= 0;
+}
+
+const bool endsWithoutTheLibraryOfMed = endWithoutTheLibraryOfMed();
 
 constexpr std::array cellTypes{MED_POINT1,  MED_SEG2,  MED_SEG3,   MED_SEG4,    MED_TRIA3,  MED_TRIA6,   MED_TRIA7,     MED_QUAD4,
                                MED_QUAD8,   MED_QUAD9, MED_TETRA4, MED_TETRA10, MED_PYRA5,  MED_PYRA13,  MED_PENTA6,    MED_PENTA15,

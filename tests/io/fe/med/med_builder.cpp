@@ -101,6 +101,17 @@ void writeMed(const std::string& path, const MedRows& rows) {
     MEDfileClose(file);
 }
 
+void touchMed(const std::string& path) {
+    const med_idt file = MEDfileOpen(path.c_str(), MED_ACC_RDONLY);
+    if (file >= 0) {
+        med_bool changed = MED_FALSE, moved = MED_FALSE;
+        MEDmeshnEntity(file, meshName, MED_NO_DT, MED_NO_IT, MED_NODE, MED_NO_GEOTYPE, MED_COORDINATE, MED_NO_CMODE, &changed,
+                       &moved);
+        MEDnMesh(file);
+        MEDfileClose(file);
+    }
+}
+
 MedRows twoBricksMed() {
     MedRows rows;
     for (int n = 0; n < 12; ++n) {

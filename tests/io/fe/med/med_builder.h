@@ -35,6 +35,8 @@ struct MedRows {
     std::vector<MedFieldRows> fields;
 };
 
+/// Opens a file through libmed without our care and asks for what damage may lie in; what goes wrong is not looked at.
+void touchMed(const std::string& path);
 /// Writes it through libmed.
 void writeMed(const std::string& path, const MedRows& rows);
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -225,6 +226,21 @@ TEST_F(MedReader, CutOffItIsRefusedAndWrongBytesDoNoHarm) {
         wrong[(i * 7919 + 131) % wrong.size()] ^= static_cast<char>(1 << i % 8);
         reads(wrong);
     }
+}
+
+// The HDF5 that libmed brings keeps what a damaged file left open, and would complain of it when the program ends.
+TEST_F(MedReader, ADamagedFileLeavesNoWordAtTheEndOfTheProgram) {
+    writeMed(m_folder / "wall.rmed", twoBricksMed());
+    const std::string bytes = wholeFile(m_folder / "wall.rmed");
+    const auto touchDamaged = [&] {
+        for (std::size_t i = 0; i < 120; ++i) {
+            std::string wrong = bytes;
+            wrong[(i * 7919 + 131) % wrong.size()] ^= static_cast<char>(1 << i % 8);
+            writeContent(m_folder / "wrong.rmed", wrong);
+            touchMed(m_folder / "wrong.rmed");
+        }
+    };
+    EXPECT_EXIT((touchDamaged(), std::exit(0)), testing::ExitedWithCode(0), testing::Not(HasSubstr("infinite loop")));
 }
 
 }  // namespace

@@ -51,6 +51,11 @@ Option terrainOption() {
     return {"--terrain", "FILE", false, "raster of heights that the debris falls on; takes the place of the case's"};
 }
 
+Option meshOffsetOption() {
+    return {"--mesh-offset", "E,N,H", false,
+            "easting, northing and height that are added to the meshes of surroundings, m; in place of those of the case"};
+}
+
 Option runTerrainOption() {
     return {"--terrain", "FILE", false, "where the terrain of the run is now"};
 }

@@ -418,6 +418,7 @@ Command compareCommand() {
     options.push_back(setOption());
     options.push_back(cachedOption());
     options.push_back(terrainOption());
+    options.push_back(meshOffsetOption());
     options.push_back(csvOption("write the ranking, one row for each cause"));
     return {"compare",
             "FE|CASE...",

@@ -393,6 +393,7 @@ Command surveyCommand() {
              {"--size", "WxH", false, "pixels of a picture (default: 1600x1000)"},
              setOption(),
              scenarioOption(),
+             meshOffsetOption(),
              feOption(),
              {"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"},
              csvOption("write the table of directions")},

@@ -145,6 +145,7 @@ Command mapCommand() {
     options.push_back({"--size", "WxH", false, "pixels of a picture (default: 1600x1000)"});
     options.push_back(setOption());
     options.push_back(scenarioOption());
+    options.push_back(meshOffsetOption());
     options.push_back(feOption());
     options.push_back({"--terrain", "FILE", false, "of a run where its terrain is now; of a case the terrain to take"});
     options.push_back(csvOption("write the table of layers"));

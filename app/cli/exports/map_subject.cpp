@@ -28,7 +28,7 @@ std::shared_ptr<io::RunReader> runAt(const std::string& path) {
 }
 
 void refuseSettingsOfRun(const Arguments& arguments) {
-    for (const std::string_view option : {"--set", "--scenario"}) {
+    for (const std::string_view option : {"--set", "--scenario", "--mesh-offset"}) {
         if (arguments.has(option)) {
             throw UsageError({"cli.setting_of_run", "{0} cannot change a run that is recorded already.", {option}},
                              {"cli.setting_of_run.remedy", "Leave it out, or give the case instead of the run.", {}});

@@ -42,6 +42,7 @@ Option scenarioOption();
 Option feOption();
 Option cachedOption();
 Option terrainOption();
+Option meshOffsetOption();
 Option runTerrainOption();
 
 }  // namespace rubble::cli

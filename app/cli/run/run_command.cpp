@@ -137,16 +137,14 @@ ExitCode runScenario(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command runCommand() {
-    std::vector<Option> options{
-        setOption(),
-        scenarioOption(),
-        {"--mesh-offset", "E,N,H", false,
-         "easting, northing and height that are added to the meshes of surroundings, m; in place of those of the case"},
-        cachedOption(),
-        terrainOption(),
-        {"--out", "RUN.h5", false, "keep the run in this file"},
-        {"--anew", "", false, "begin at the start, although a checkpoint of --out is there"},
-        ExportRequest::option()};
+    std::vector<Option> options{setOption(),
+                                scenarioOption(),
+                                cachedOption(),
+                                terrainOption(),
+                                meshOffsetOption(),
+                                {"--out", "RUN.h5", false, "keep the run in this file"},
+                                {"--anew", "", false, "begin at the start, although a checkpoint of --out is there"},
+                                ExportRequest::option()};
     for (const Option& option : FigureRequest::options()) {
         options.push_back(option);
     }

@@ -166,9 +166,12 @@ TEST_F(Map, APlaceThatCannotBeRightIsToldByEveryDoor) {
     EXPECT_THAT(cli({"inspect", m_folder / "odd.rubble", "--json"}).out, HasSubstr("site.swapped"));
     const Outcome written = cli({"export", placed, "--export", "fragments=" + (m_folder / "odd.csv")});
     EXPECT_THAT(written.err, HasSubstr("changed for each other"));
-    const Outcome moved = cli({"run", m_folder / "odd.rubble", "--mesh-offset", "1,2,3"});
-    EXPECT_NE(moved.exitCode, 0);
-    EXPECT_THAT(moved.err, HasSubstr("no mesh of surroundings"));
+    for (const char* command : {"run", "effects", "influence", "accuracy", "ensemble", "map", "survey"}) {
+        const Outcome moved = cli({command, m_folder / "odd.rubble", "--mesh-offset", "1,2,3"});
+        EXPECT_NE(moved.exitCode, 0) << command;
+        EXPECT_THAT(moved.err, HasSubstr("no mesh of surroundings")) << command;
+    }
+    EXPECT_THAT(cli({"map", placed, "--mesh-offset", "1,2,3"}).err, HasSubstr("recorded already"));
     EXPECT_NE(cli({"run", m_folder / "odd.rubble", "--mesh-offset", "1,2"}).exitCode, 0);
 }
 

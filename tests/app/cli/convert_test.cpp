@@ -67,6 +67,26 @@ TEST_F(Convert, AFullDiskIsAClearErrorAndNothingElse) {
     }
 }
 
+// Nobody can make a file there, whatever his rights.
+TEST_F(Convert, WhereNothingCanBeMadeTheNameAskedForAndTheReasonAreSaid) {
+    const std::string file = m_folder / "file";
+    std::ofstream(file) << "no folder";
+    for (const std::string ending : {".exo", ".pvd", ".h5"}) {
+        const Outcome system = cli({"convert", m_fe, "/proc/rubble_out" + ending});
+        EXPECT_EQ(system.exitCode, 1) << ending;
+        EXPECT_THAT(system.err, HasSubstr(ending == ".pvd" ? "/proc/rubble_out: No such file"
+                                                           : "/proc/rubble_out" + ending + ": No such file"));
+        EXPECT_EQ(system.err.find(".part"), std::string::npos) << system.err;
+        const Outcome below = cli({"convert", m_fe, file + "/out" + ending});
+        EXPECT_EQ(below.exitCode, 1) << ending;
+        EXPECT_THAT(below.err, testing::AllOf(HasSubstr(file), HasSubstr("Not a directory"))) << ending;
+    }
+    fs::create_directory(m_folder / "folder.exo");
+    const Outcome folder = cli({"convert", m_fe, m_folder / "folder.exo", "--force"});
+    EXPECT_NE(folder.exitCode, 0);
+    EXPECT_THAT(folder.err, HasSubstr("folder.exo\" is not the name of a file"));
+}
+
 TEST_F(Convert, CachedResultsAreTheSameAndListed) {
     const std::string cache = m_folder / "cache";
     const auto run = [&](std::vector<std::string> words) { return CommandRun().with("RUBBLE_CACHE", cache).cli(std::move(words)); };

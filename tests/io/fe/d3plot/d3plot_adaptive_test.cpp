@@ -51,6 +51,29 @@ TEST(D3plotAdaptive, LaterMeshesOfARunAreOneResult) {
     }
 }
 
+// The table of deaths of each state counts, from the first state of a new mesh on.
+TEST(D3plotAdaptive, DeathsOfALaterMeshCountFromTheirState) {
+    for (const std::size_t firstDead : {std::size_t{0}, std::size_t{1}}) {
+        TemporaryFolder folder;
+        D3plotBuilder builder;
+        builder.cubes = 4;
+        builder.statesPerFile = 1;
+        builder.times = {0.0, 0.1};
+        builder.write(folder / "d3plot");
+        builder.cubes = 5;
+        builder.times = {0.2, 0.3};
+        builder.deaths = {{1, firstDead}};
+        builder.write(folder / "d3plotaa");
+        const auto fe = openFe(folder.path(), {}, {}, Execution{});
+        ASSERT_EQ(fe->stateCount(), 4u);
+        EXPECT_NEAR(fe->times()[2], 0.2, 1e-6);
+        EXPECT_EQ(fe->contents().files.size(), 6u);
+        for (std::size_t k = 0; k < 4; ++k) {
+            EXPECT_EQ(fe->activity().active(k, idAt<ElementIndex>(1)), k < 2 + firstDead) << k << " of " << firstDead;
+        }
+    }
+}
+
 /// Places that never move.
 class Still : public StateSource {
 public:

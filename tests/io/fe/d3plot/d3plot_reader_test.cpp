@@ -87,6 +87,19 @@ TEST_F(D3plotReader, EveryKindOfElementInEveryWordFormat) {
     }
 }
 
+// Word 54 counts the particles of airbags, or says above ten millions that there are discrete elements.
+TEST_F(D3plotReader, DiscreteElementsAreNamedAndTheRestIsRead) {
+    D3plotBuilder builder = everyKind();
+    const auto without = open(builder);
+    EXPECT_EQ(without->contents().findings.count("d3plot.spheres"), 0);
+    builder.words = {{54, 10'000'001}};
+    const auto fe = open(builder, "spheres");
+    EXPECT_EQ(fe->contents().findings.count("d3plot.spheres"), 1);
+    EXPECT_EQ(collapseDigest(*fe, {0, 1, 2, 3, 4}), collapseDigest(*without, {0, 1, 2, 3, 4}));
+    builder.words = {{54, 10'000'000}};
+    EXPECT_THAT(errorOf(builder), HasSubstr("the word on airbags"));
+}
+
 TEST_F(D3plotReader, PartsNumbersTitlesAndWhatElementsAreMadeOf) {
     const auto fe = open(everyKind());
     const Mesh& mesh = fe->mesh();

@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cstdarg>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
+#include <initializer_list>
 #include <vector>
 
 namespace rubble::io {
@@ -25,6 +28,36 @@ __attribute__((format(printf, 1, 2))) std::string print(const char* pattern, ...
     va_end(arguments);
     return buffer.data();
 }
+
+/// Words of a result file of Ansys.
+class RstText {
+public:
+    std::size_t words() const { return m_bytes.size() / 4; }
+    const std::string& get() const { return m_bytes; }
+
+    // A record: its length, flags, values and an end. @return where it begins, words
+    std::size_t integers(const std::vector<std::int32_t>& values) { return record(values.data(), values.size(), 0x80); }
+    std::size_t reals(const std::vector<double>& values) { return record(values.data(), 2 * values.size(), 0); }
+
+    void set(std::size_t begin, std::size_t at, std::initializer_list<std::size_t> values) {
+        for (const std::size_t value : values) {
+            const auto word = static_cast<std::int32_t>(value);
+            std::memcpy(m_bytes.data() + 4 * (begin + 2 + at++), &word, 4);
+        }
+    }
+
+private:
+    std::size_t record(const void* bytes, std::size_t count, std::uint32_t flags) {
+        const std::size_t begin = words();
+        const std::uint32_t head[2] = {static_cast<std::uint32_t>(count), flags << 24};
+        m_bytes.append(reinterpret_cast<const char*>(head), sizeof head);
+        m_bytes.append(static_cast<const char*>(bytes), 4 * count);
+        m_bytes.append(4, '\0');
+        return begin;
+    }
+
+    std::string m_bytes;
+};
 
 std::string item(int value) {
     const std::string digits = std::to_string(value);
@@ -178,6 +211,58 @@ std::string smallCdb(int state) {
         text += print("%9d%9d%9d%9d%9d%9d%9d%9d\n", b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7]);
     }
     return text + print("%9d\nFINISH\n", -1);
+}
+
+std::string smallRst(int states, const RstHeader& header) {
+    RstText text;
+    std::vector<std::int32_t> standard(100), results(header.words), geometry(header.words);
+    standard[0] = 12;
+    text.integers(standard);
+    const std::size_t resultsAt = text.integers(results);
+    const std::size_t geometryAt = text.integers(geometry);
+    std::vector<std::int32_t> numbers;
+    const std::size_t nodesAt = text.words();
+    for (int n = 1; n <= nodes; ++n) {
+        const auto x = place(n);
+        text.reals({static_cast<double>(n), x[0], x[1], x[2], 0.0, 0.0, 0.0});
+        numbers.push_back(n);
+    }
+    const std::size_t orderAt = text.integers(numbers);
+    const std::size_t typesAt = text.words();
+    text.integers({4});  // words from here to the type
+    text.integers({1, 185});
+    // Two words of places, three around them.
+    const std::size_t elementsAt = text.integers({5, 5 + 21});
+    for (int e = 0; e < 2; ++e) {
+        std::vector<std::int32_t> values{1, 1, 1, 1, 0, 0, 0, 0, e + 1, 0};
+        values.insert(values.end(), bricks[static_cast<std::size_t>(e)].begin(), bricks[static_cast<std::size_t>(e)].end());
+        text.integers(values);
+    }
+    std::vector<std::int32_t> sets(6);
+    for (int state = 0; state < states; ++state) {
+        std::vector<std::int32_t> set(header.setWords);
+        set[2] = nodes;
+        set[10] = static_cast<std::int32_t>(header.setWords) + 3;
+        set[19] = 3;
+        set[20] = 1, set[21] = 2, set[22] = 3;
+        sets[static_cast<std::size_t>(state)] = static_cast<std::int32_t>(text.integers(set));
+        std::vector<double> moved;
+        for (int n = 0; n < nodes; ++n) {
+            moved.insert(moved.end(), {0.1 * state, 0.0, 0.0});
+        }
+        text.reals(moved);
+    }
+    const std::size_t setsAt = text.integers(sets);
+    const std::size_t timesAt = text.reals({0.0, 1.0, 2.0});
+    text.set(resultsAt, 2, {std::size_t{nodes}, 3});
+    text.set(resultsAt, 7, {static_cast<std::size_t>(header.analysis), static_cast<std::size_t>(states)});
+    text.set(resultsAt, 10, {setsAt, timesAt});
+    text.set(resultsAt, 14, {orderAt, geometryAt});
+    text.set(geometryAt, 3, {std::size_t{nodes}, 2});
+    text.set(geometryAt, 6, {typesAt});
+    text.set(geometryAt, 8, {nodesAt});
+    text.set(geometryAt, 10, {elementsAt});
+    return text.get();
 }
 
 std::string smallDeck() {

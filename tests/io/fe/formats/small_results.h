@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace rubble::io {
@@ -11,6 +12,14 @@ std::string smallFrd();
 std::string smallMarc(bool removed);
 /// One state of three; the time stands in a comment.
 std::string smallCdb(int state);
+/// What a result file of Ansys says of itself.
+struct RstHeader {
+    int analysis = 4;            ///< code of ANTYPE: 0 static, 4 transient
+    std::size_t words = 80;      ///< of the headers of results and geometry; releases of long ago: 40
+    std::size_t setWords = 200;  ///< of the header of a set
+};
+/// It has no deaths: a list beside it tells them. @param states  that are written
+std::string smallRst(int states, const RstHeader& header = {});
 /// A deck with density 2400 and the removal in the third step.
 std::string smallDeck();
 

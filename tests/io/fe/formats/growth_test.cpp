@@ -1,0 +1,195 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include "io/fe/fe_reader.h"
+#include "tests/io/fe/d3plot/d3plot_builder.h"
+#include "tests/io/fe/formats/small_results.h"
+#include "tests/io/fe/med/med_builder.h"
+#include "tests/io/fe/opensees/mpco_builder.h"
+#include "tests/io/fe/pieces/brick_row.h"
+#include "tests/io/fe/radioss/anim_builder.h"
+#include "tests/support/exodus_builder.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/whole_file.h"
+
+namespace rubble::io {
+namespace {
+
+/// A result of three states at whose third an element dies, and how it is written up to its second or third.
+struct Growing {
+    std::string name;
+    std::string opened;                                                    ///< file
+    std::function<void(const TemporaryFolder& folder, int states)> write;  ///< replaces what is there
+    std::string last;                                                      ///< file of the third state alone; empty: there is none
+};
+
+void PrintTo(const Growing& growing, std::ostream* out) {
+    *out << growing.name;
+}
+
+// Replaced as a whole: what is open keeps reading what it has opened.
+void replace(const std::string& path, const std::function<void(const std::string& path)>& write) {
+    write(path + ".next");
+    std::filesystem::rename(path + ".next", path);
+}
+
+std::vector<double> timesUpTo(int states) {
+    std::vector<double> times{0.0, 1.0, 2.0};
+    times.resize(static_cast<std::size_t>(states));
+    return times;
+}
+
+void growAnim(const TemporaryFolder& folder, int states) {
+    AnimBuilder builder;
+    builder.brickDeaths = {{1, 2.0}};
+    builder.write(folder.path(), timesUpTo(states));
+}
+
+void growD3plot(const TemporaryFolder& folder, int states) {
+    D3plotBuilder builder;
+    builder.statesPerFile = 1;
+    builder.times = timesUpTo(states);
+    builder.deaths = {{1, 2}};
+    builder.write(folder / "d3plot");
+}
+
+void growGrids(const TemporaryFolder& folder, int states) {
+    for (int k = 0; k < states; ++k) {
+        const BrickRow row{.bricks = {0, 1}, .status = {1, k < 2 ? 1 : 0}, .time = static_cast<double>(k)};
+        writeContent(folder / ("wall_" + std::to_string(k) + ".vtu"), row.vtu());
+    }
+}
+
+void growPvd(const TemporaryFolder& folder, int states) {
+    growGrids(folder, states);
+    std::vector<std::vector<std::string>> lines;
+    for (int k = 0; k < states; ++k) {
+        lines.push_back({std::to_string(k), "0", "wall_" + std::to_string(k) + ".vtu"});
+    }
+    writeContent(folder / "wall.pvd", pvd(lines));
+}
+
+void growXdmf(const TemporaryFolder& folder, int states) {
+    std::string text = "<Xdmf><Domain><Grid GridType=\"Collection\" CollectionType=\"Temporal\">";
+    for (int k = 0; k < states; ++k) {
+        text +=
+            "<Grid><Time Value=\"" + std::to_string(k) +
+            "\"/><Topology TopologyType=\"Hexahedron\" NumberOfElements=\"2\"><DataItem Dimensions=\"2 8\" Format=\"XML\">"
+            "0 4 5 1 3 7 6 2 4 8 9 5 7 11 10 6</DataItem></Topology><Geometry GeometryType=\"XYZ\"><DataItem Dimensions=\"12 3\" "
+            "Format=\"XML\">0 0 0 0 1 0 0 1 1 0 0 1 1 0 0 1 1 0 1 1 1 1 0 1 2 0 0 2 1 0 2 1 1 2 0 1</DataItem></Geometry>"
+            "<Attribute Name=\"alive\" Center=\"Cell\"><DataItem Dimensions=\"2\" Format=\"XML\">1 " +
+            std::string(k < 2 ? "1" : "0") + "</DataItem></Attribute></Grid>";
+    }
+    writeContent(folder / "wall.xdmf", text + "</Grid></Domain></Xdmf>");
+}
+
+void growCdb(const TemporaryFolder& folder, int states) {
+    for (int k = 0; k < states; ++k) {
+        writeContent(folder / ("wall_" + std::to_string(k) + ".cdb"), smallCdb(k));
+    }
+}
+
+void growRst(const TemporaryFolder& folder, int states) {
+    writeContent(folder / "wall.rst", smallRst(states));
+    writeContent(folder / "wall.rst.deaths.csv", "element,time\n2,2\n");
+}
+
+void growMed(const TemporaryFolder& folder, int states) {
+    MedRows rows = twoBricksMed();
+    std::erase_if(rows.fields, [&](const MedFieldRows& field) { return field.step >= states; });
+    replace(folder / "wall.rmed", [&](const std::string& path) { writeMed(path, rows); });
+}
+
+void growMpco(const TemporaryFolder& folder, int states) {
+    std::vector<MpcoStageRows> stages = twoBricksMpco();
+    stages.resize(static_cast<std::size_t>(states) - 1);
+    replace(folder / "wall.mpco", [&](const std::string& path) { writeMpco(path, stages); });
+}
+
+void growExodus(const TemporaryFolder& folder, int states) {
+    ExodusBuilder builder = ExodusBuilder::threeCubes();
+    builder.times = timesUpTo(states);
+    builder.element.emplace_back("STATUS", [](std::size_t k, std::size_t e) { return e == 1 && k > 1 ? 0.0 : 1.0; });
+    replace(folder / "wall.e", [&](const std::string& path) { builder.write(path); });
+}
+
+// A text of one file that ends within its third state.
+std::function<void(const TemporaryFolder&, int)> cutAt(const std::string& name, const std::string& whole, std::size_t end) {
+    return
+        [=](const TemporaryFolder& folder, int states) { writeContent(folder / name, states < 3 ? whole.substr(0, end) : whole); };
+}
+
+std::vector<Growing> allGrowing() {
+    const std::string fil = smallFil(), frd = smallFrd(), marc = smallMarc(true);
+    return {{"Anim", "RUNA001", growAnim, "RUNA003"},
+            {"D3plot", "d3plot", growD3plot, "d3plot03"},
+            {"Grids", "wall_0.vtu", growGrids, "wall_2.vtu"},
+            {"Pvd", "wall.pvd", growPvd, ""},
+            {"Xdmf", "wall.xdmf", growXdmf, ""},
+            {"Cdb", "wall_0.cdb", growCdb, "wall_2.cdb"},
+            {"Rst", "wall.rst", growRst, ""},
+            {"Med", "wall.rmed", growMed, ""},
+            {"Mpco", "wall.mpco", growMpco, ""},
+            {"Exodus", "wall.e", growExodus, ""},
+            {"Fil", "wall.fil", cutAt("wall.fil", fil, fil.size() - 400), ""},
+            {"Frd", "wall.frd", cutAt("wall.frd", frd, frd.rfind("  100CL") + 200), ""},
+            {"Marc", "wall.t19", cutAt("wall.t19", marc, marc.rfind("=beg=52401")), ""}};
+}
+
+class Growth : public testing::TestWithParam<Growing> {
+protected:
+    std::shared_ptr<const FeResult> open() { return openFe(m_folder / GetParam().opened, {}, {}, Execution{}); }
+
+    TemporaryFolder m_folder;
+};
+
+TEST_P(Growth, AStateThatComesIsNoticedAndItsDeathCounted) {
+    GetParam().write(m_folder, 2);
+    const auto before = open();
+    EXPECT_EQ(before->stateCount(), 2u);
+    EXPECT_FALSE(hasGrown(*before));
+    GetParam().write(m_folder, 3);
+    EXPECT_TRUE(hasGrown(*before));
+    const auto after = open();
+    const FeGrowth growth = growthBetween(*before, *after);
+    EXPECT_EQ(growth.states, 1);
+    EXPECT_EQ(growth.deaths, 1);
+    EXPECT_GT(growth.bytes, 0);
+    EXPECT_EQ(after->stateCount(), 3u);
+    EXPECT_FALSE(hasGrown(*after));
+    EXPECT_NE(after->contents().fingerprint, before->contents().fingerprint);
+}
+
+/// Those with a file for each state.
+class GrowthByFiles : public Growth {};
+
+// The analysis has made the file of its next state and written nothing into it.
+TEST_P(GrowthByFiles, AnEmptyLastFileIsLeftOut) {
+    GetParam().write(m_folder, 2);
+    writeContent(m_folder / GetParam().last, "");
+    const auto before = open();
+    EXPECT_EQ(before->stateCount(), 2u);
+    GetParam().write(m_folder, 3);
+    EXPECT_TRUE(hasGrown(*before));
+    EXPECT_EQ(growthBetween(*before, *open()).deaths, 1);
+}
+
+std::vector<Growing> growingByFiles() {
+    std::vector<Growing> all = allGrowing();
+    std::erase_if(all, [](const Growing& growing) { return growing.last.empty(); });
+    return all;
+}
+
+std::string nameOf(const testing::TestParamInfo<Growing>& growing) {
+    return growing.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, Growth, testing::ValuesIn(allGrowing()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Formats, GrowthByFiles, testing::ValuesIn(growingByFiles()), nameOf);
+
+}  // namespace
+}  // namespace rubble::io

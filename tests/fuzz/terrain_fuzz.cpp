@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/case/terrain_reader.h"
 #include "io/base/trial.h"
+#include "io/case/terrain_reader.h"
 #include "io/site/raster_file.h"
 #include "tests/fuzz/fuzzed_file.h"
 

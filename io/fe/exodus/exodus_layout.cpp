@@ -12,10 +12,10 @@
 
 #include "core/base/error.h"
 #include "io/base/hdf5_extent.h"
+#include "io/base/trial.h"
 #include "io/fe/exodus/classic_header.h"
 #include "io/fe/exodus/exodus_names.h"
 #include "io/fe/exodus/library_lock.h"
-#include "io/base/trial.h"
 
 namespace rubble::io {
 

@@ -8637,6 +8637,446 @@
         <source>the time of a state</source>
         <translation>某状态的时刻</translation>
     </message>
+    <message>
+        <source>&quot;{0}&quot; is no column of a point cloud</source>
+        <translation>“{0}”不是点云的列</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; names no coordinate system</source>
+        <translation>“{0}”不是坐标系的名称</translation>
+    </message>
+    <message>
+        <source>Check that the file is what its name says.</source>
+        <translation>请检查文件是否与其名称相符。</translation>
+    </message>
+    <message>
+        <source>Check the disk that it lies on, or copy it to another.</source>
+        <translation>请检查它所在的磁盘，或把它复制到另一磁盘。</translation>
+    </message>
+    <message>
+        <source>Copy it again from where it came, or export the scans anew.</source>
+        <translation>请从来源重新复制，或重新导出测站。</translation>
+    </message>
+    <message>
+        <source>Export the points anew as PCD 0.7.</source>
+        <translation>请把点重新导出为 PCD 0.7。</translation>
+    </message>
+    <message>
+        <source>Export the points anew as PLY with x, y and z.</source>
+        <translation>请把点重新导出为含 x、y 和 z 的 PLY。</translation>
+    </message>
+    <message>
+        <source>Export the scans anew as PTX or E57.</source>
+        <translation>请把测站重新导出为 PTX 或 E57。</translation>
+    </message>
+    <message>
+        <source>GeoTIFF keys</source>
+        <translation>GeoTIFF 键</translation>
+    </message>
+    <message>
+        <source>Give a LAS, LAZ, E57, PLY, PCD, PTX or PTS, or a table of text with columns x, y and z.</source>
+        <translation>请给出 LAS、LAZ、E57、PLY、PCD、PTX 或 PTS，或含 x、y 和 z 列的文本表格。</translation>
+    </message>
+    <message>
+        <source>Give an EPSG code such as EPSG:25832, WKT or PROJ.</source>
+        <translation>请给出 EPSG 代码（如 EPSG:25832）、WKT 或 PROJ。</translation>
+    </message>
+    <message>
+        <source>Give x, y, z and what there is of intensity, red, green, blue, class, return, returns, time; skip for others.</source>
+        <translation>请给出 x、y、z 以及有的 intensity、red、green、blue、class、return、returns、time；其他列写 skip。</translation>
+    </message>
+    <message>
+        <source>Name each column in its order, such as x,y,z,intensity.</source>
+        <translation>请按次序写出每一列，如 x,y,z,intensity。</translation>
+    </message>
+    <message>
+        <source>Part it into several files.</source>
+        <translation>请把它分成几个文件。</translation>
+    </message>
+    <message>
+        <source>Reading the points</source>
+        <translation>正在读取点</translation>
+    </message>
+    <message>
+        <source>The columns do not name x, y and z</source>
+        <translation>各列未写明 x、y 和 z</translation>
+    </message>
+    <message>
+        <source>The file may be damaged: copy it again from where it came, or write it anew as LAS 1.4.</source>
+        <translation>文件可能已损坏：请从来源重新复制，或重新写成 LAS 1.4。</translation>
+    </message>
+    <message>
+        <source>There is no point cloud {0} that may be read</source>
+        <translation>没有可读取的点云 {0}</translation>
+    </message>
+    <message>
+        <source>Unpack it to LAS, or pack it anew with LASzip 2.0 or later.</source>
+        <translation>请解压为 LAS，或用 LASzip 2.0 或更高版本重新压缩。</translation>
+    </message>
+    <message>
+        <source>Write it anew as E57 1.0.</source>
+        <translation>请重新写成 E57 1.0。</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>按请求</translation>
+    </message>
+    <message>
+        <source>bring it to a projected system, such as the UTM zone of the place, before it is used with a case</source>
+        <translation>与案例一起使用前，请先转换到投影坐标系，如当地的 UTM 带</translation>
+    </message>
+    <message>
+        <source>bytes, big end first</source>
+        <translation>二进制，高位在前</translation>
+    </message>
+    <message>
+        <source>bytes, little end first</source>
+        <translation>二进制，低位在前</translation>
+    </message>
+    <message>
+        <source>check the coordinate system; it may have stood in one of them</source>
+        <translation>请检查坐标系；它可能就写在其中一条记录里</translation>
+    </message>
+    <message>
+        <source>colours reach {0} of 65,535: they are taken as colours of 8 bits</source>
+        <translation>颜色最大为 {0}（满值 65,535）：按 8 位颜色处理</translation>
+    </message>
+    <message>
+        <source>compare a length in the cloud with what is known, and export the scans anew</source>
+        <translation>请把点云中的一段长度与已知值比较，并重新导出测站</translation>
+    </message>
+    <message>
+        <source>compare the range of heights with what is known of the place; have the file written with a vertical system</source>
+        <translation>请把高程范围与当地已知的高程比较；请让文件写明高程系统</translation>
+    </message>
+    <message>
+        <source>compare the scans where they overlap, and export them anew</source>
+        <translation>请在重叠处比较各测站，并重新导出</translation>
+    </message>
+    <message>
+        <source>every point is of a class of vegetation: the cloud shows neither ground nor debris</source>
+        <translation>所有的点都属于植被类别：点云既未显示地面，也未显示堆积物</translation>
+    </message>
+    <message>
+        <source>extra bytes</source>
+        <translation>附加字节</translation>
+    </message>
+    <message>
+        <source>give a cloud that has points, and check what was left out and why</source>
+        <translation>请给出有点的点云，并检查略去了什么、为什么</translation>
+    </message>
+    <message>
+        <source>give the cloud with its ground, or without classes if they are wrong</source>
+        <translation>请给出带地面点的点云；类别有误时请去掉类别</translation>
+    </message>
+    <message>
+        <source>give them another class in a program for point clouds if they are to count</source>
+        <translation>如果它们应当计入，请在点云程序中给它们另一类别</translation>
+    </message>
+    <message>
+        <source>have it written in double precision, or about an origin near the site</source>
+        <translation>请按双精度写出，或以场地附近的点为原点写出</translation>
+    </message>
+    <message>
+        <source>if they count from the scanner, place the cloud by hand</source>
+        <translation>如果坐标从扫描仪算起，请手工放置点云</translation>
+    </message>
+    <message>
+        <source>it has no element vertex</source>
+        <translation>其中没有 vertex 元素</translation>
+    </message>
+    <message>
+        <source>its head says that the points are packed, and not how</source>
+        <translation>文件头说点已压缩，但未说明方式</translation>
+    </message>
+    <message>
+        <source>its packed bytes are damaged</source>
+        <translation>压缩的字节已损坏</translation>
+    </message>
+    <message>
+        <source>its parts are not those of its points</source>
+        <translation>压缩的各部分与其点格式不符</translation>
+    </message>
+    <message>
+        <source>its points are packed by a codec of another program</source>
+        <translation>点由另一程序的编码压缩</translation>
+    </message>
+    <message>
+        <source>its points have no x, y and z</source>
+        <translation>点没有 x、y 和 z</translation>
+    </message>
+    <message>
+        <source>laszip encoded</source>
+        <translation>laszip encoded</translation>
+    </message>
+    <message>
+        <source>leave the system away, or have the file written anew with the right one</source>
+        <translation>请不要指定坐标系，或让文件以正确的坐标系重新写出</translation>
+    </message>
+    <message>
+        <source>lines with too few numbers for a point were left out</source>
+        <translation>数字太少、不足一个点的行已略去</translation>
+    </message>
+    <message>
+        <source>lists stand in front of its points</source>
+        <translation>点之前有列表</translation>
+    </message>
+    <message>
+        <source>look at the file in an editor; export it anew if these are points</source>
+        <translation>请用编辑器查看文件；如果这些是点，请重新导出</translation>
+    </message>
+    <message>
+        <source>name the system, such as EPSG:25832</source>
+        <translation>请写明坐标系，如 EPSG:25832</translation>
+    </message>
+    <message>
+        <source>name the system, such as EPSG:25832, or check the bounds against something whose length is known</source>
+        <translation>请写明坐标系，如 EPSG:25832，或用长度已知的物体核对范围</translation>
+    </message>
+    <message>
+        <source>name the system, such as EPSG:4326, if they are degrees</source>
+        <translation>如果是度，请写明坐标系，如 EPSG:4326</translation>
+    </message>
+    <message>
+        <source>near infrared</source>
+        <translation>近红外</translation>
+    </message>
+    <message>
+        <source>no heading names the columns; the first three are taken as x, y and z</source>
+        <translation>没有表头写明各列；前三列按 x、y 和 z 处理</translation>
+    </message>
+    <message>
+        <source>no point is left of the cloud</source>
+        <translation>点云中没有剩下任何点</translation>
+    </message>
+    <message>
+        <source>none is needed if its corners are as dense as a scan; else give it as a mesh of the surroundings</source>
+        <translation>顶点与扫描一样密时无需处理；否则请作为周围环境的网格给出</translation>
+    </message>
+    <message>
+        <source>none is needed if the other scans are what is wanted</source>
+        <translation>如果需要的是其他测站，则无需处理</translation>
+    </message>
+    <message>
+        <source>none is needed if the picture is as bright as it should be</source>
+        <translation>如果图像亮度正常，则无需处理</translation>
+    </message>
+    <message>
+        <source>none is needed if the program that wrote the file marks gaps so</source>
+        <translation>如果写文件的程序这样标记空缺，则无需处理</translation>
+    </message>
+    <message>
+        <source>none is needed: their scanner saw nothing there</source>
+        <translation>无需处理：扫描仪在那里什么也没有看到</translation>
+    </message>
+    <message>
+        <source>none is needed; if they are places, shift the cloud by a whole number of metres</source>
+        <translation>无需处理；如果它们是真实位置，请把点云平移整数米</translation>
+    </message>
+    <message>
+        <source>number of returns</source>
+        <translation>回波总数</translation>
+    </message>
+    <message>
+        <source>parted by blanks</source>
+        <translation>以空格分隔</translation>
+    </message>
+    <message>
+        <source>places count from the centre of the Earth: z is not up</source>
+        <translation>坐标从地心算起：z 不朝上</translation>
+    </message>
+    <message>
+        <source>points at 0, 0, 0 were left out: scanners write there what gave no echo</source>
+        <translation>位于 0, 0, 0 的点已略去：扫描仪把没有回波的点写在那里</translation>
+    </message>
+    <message>
+        <source>points of the noise classes 7 and 18 were left out</source>
+        <translation>噪声类别 7 和 18 的点已略去</translation>
+    </message>
+    <message>
+        <source>points that the file marks as invalid were left out</source>
+        <translation>文件标为无效的点已略去</translation>
+    </message>
+    <message>
+        <source>points that the file marks as withheld were left out</source>
+        <translation>文件标为撤回的点已略去</translation>
+    </message>
+    <message>
+        <source>points with a coordinate that is no finite number were left out</source>
+        <translation>坐标不是有限数的点已略去</translation>
+    </message>
+    <message>
+        <source>records of the head that cannot be as long as they say were left out</source>
+        <translation>长度不可能如其所述的文件头记录已略去</translation>
+    </message>
+    <message>
+        <source>return number</source>
+        <translation>回波序号</translation>
+    </message>
+    <message>
+        <source>scans without places of their points were left out</source>
+        <translation>点没有位置的测站已略去</translation>
+    </message>
+    <message>
+        <source>state the columns, such as x,y,z,intensity</source>
+        <translation>请写明各列，如 x,y,z,intensity</translation>
+    </message>
+    <message>
+        <source>take the mark off in a program for point clouds if they are to count</source>
+        <translation>如果它们应当计入，请在点云程序中去掉标记</translation>
+    </message>
+    <message>
+        <source>the bounds in the head are up to {0} units off those of the points</source>
+        <translation>文件头中的范围与点的范围最多相差 {0} 个单位</translation>
+    </message>
+    <message>
+        <source>the coordinate system of the file cannot be read; its numbers are taken as metres</source>
+        <translation>文件的坐标系无法读取；其数值按米处理</translation>
+    </message>
+    <message>
+        <source>the file does not say the unit of its heights; one is taken as {0}</source>
+        <translation>文件未写明高程的单位；一个单位按 {0} 处理</translation>
+    </message>
+    <message>
+        <source>the file is a mesh; its corners are taken as points, its faces are left out</source>
+        <translation>文件是网格；其顶点作为点，其面已略去</translation>
+    </message>
+    <message>
+        <source>the file may be cut short: compare the number of points with that of the head</source>
+        <translation>文件可能被截短：请把点数与文件头中的比较</translation>
+    </message>
+    <message>
+        <source>the file may be cut short: copy it again from where it came</source>
+        <translation>文件可能被截短：请从来源重新复制</translation>
+    </message>
+    <message>
+        <source>the file names its coordinate system, so {0} was not taken</source>
+        <translation>文件写明了坐标系，因此未采用 {0}</translation>
+    </message>
+    <message>
+        <source>the file names no coordinate system; its numbers are taken as metres</source>
+        <translation>文件未写明坐标系；其数值按米处理</translation>
+    </message>
+    <message>
+        <source>the file names where its scanner stood; its points are taken as placed already</source>
+        <translation>文件写明了扫描仪的位置；其点按已就位处理</translation>
+    </message>
+    <message>
+        <source>the head says {0} points, the file has {1}</source>
+        <translation>文件头说有 {0} 个点，文件中有 {1} 个</translation>
+    </message>
+    <message>
+        <source>the matrix of a scan scales or shears; it was applied as it is</source>
+        <translation>测站的矩阵含缩放或剪切；已照原样应用</translation>
+    </message>
+    <message>
+        <source>the points are taken; do not part this cloud by time</source>
+        <translation>点已采用；请不要按时间拆分此点云</translation>
+    </message>
+    <message>
+        <source>the rotation of a pose is no rotation; it was brought to one, or left out</source>
+        <translation>位姿的旋转不是旋转；已化为旋转或略去</translation>
+    </message>
+    <message>
+        <source>the table of chunks is missing or does not fit the head; chunks were read one after another as far as they go</source>
+        <translation>块表缺失或与文件头不符；已逐块读到能读之处</translation>
+    </message>
+    <message>
+        <source>those of the points are used; have the head written anew if other programs need it</source>
+        <translation>采用点的范围；其他程序需要时请重新写出文件头</translation>
+    </message>
+    <message>
+        <source>times of points are no finite numbers</source>
+        <translation>点的时间不是有限数</translation>
+    </message>
+    <message>
+        <source>visual reference</source>
+        <translation>visual reference</translation>
+    </message>
+    <message>
+        <source>wave forms</source>
+        <translation>波形</translation>
+    </message>
+    <message>
+        <source>x and y are as small and as fine as degrees are, but are taken as metres</source>
+        <translation>x 和 y 像度一样小而细，但按米处理</translation>
+    </message>
+    <message>
+        <source>x and y are degrees of longitude and latitude, no lengths: the cloud has no size in metres</source>
+        <translation>x 和 y 是经纬度，不是长度：点云没有以米计的大小</translation>
+    </message>
+    <message>
+        <source>{0} has points of format {1}, which LAS 1.0 to 1.4 do not know</source>
+        <translation>{0} 的点格式为 {1}，LAS 1.0 至 1.4 没有这种格式</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} scans; 65,535 can be read</source>
+        <translation>{0} 有 {1} 个测站；可读取 65,535 个</translation>
+    </message>
+    <message>
+        <source>{0} is E57 {1} with pages of {2} bytes, which cannot be read</source>
+        <translation>{0} 是页长 {2} 字节的 E57 {1}，无法读取</translation>
+    </message>
+    <message>
+        <source>{0} is LAS {1}.{2}; 1.0 to 1.4 can be read</source>
+        <translation>{0} 是 LAS {1}.{2}；可读取 1.0 至 1.4</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: no packet of points can be read at byte {1} of its content</source>
+        <translation>{0} 已损坏：内容第 {1} 字节处读不出点的数据包</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: page {1} of {2} does not fit its checksum</source>
+        <translation>{0} 已损坏：第 {1} 页（共 {2} 页）与其校验和不符</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: the packed points behind point {1} cannot be unpacked</source>
+        <translation>{0} 已损坏：点 {1} 之后的压缩点无法解压</translation>
+    </message>
+    <message>
+        <source>{0} is no PCD that can be read: {1}</source>
+        <translation>{0} 不是可读取的 PCD：{1}</translation>
+    </message>
+    <message>
+        <source>{0} is no point cloud that can be read</source>
+        <translation>{0} 不是可读取的点云</translation>
+    </message>
+    <message>
+        <source>{0} is no point cloud that can be read: {1}</source>
+        <translation>{0} 不是可读取的点云：{1}</translation>
+    </message>
+    <message>
+        <source>{0} is packed in a way that cannot be read: {1}</source>
+        <translation>{0} 的压缩方式无法读取：{1}</translation>
+    </message>
+    <message>
+        <source>{0} promises more than it holds</source>
+        <translation>{0} 声明的内容多于实有</translation>
+    </message>
+    <message>
+        <source>{0}: a line is longer than any of a point cloud</source>
+        <translation>{0}：有一行比点云的任何行都长</translation>
+    </message>
+    <message>
+        <source>{0}: a point takes {1} bytes, less than the {2} of its format {3}</source>
+        <translation>{0}：一个点占 {1} 字节，少于其格式 {3} 的 {2} 字节</translation>
+    </message>
+    <message>
+        <source>{0}: scale or offset of the coordinates is no number that can be used</source>
+        <translation>{0}：坐标的比例或偏移不是可用的数</translation>
+    </message>
+    <message>
+        <source>{0}: scan {1} does not begin with columns, rows, a scanner and a matrix</source>
+        <translation>{0}：测站 {1} 不以列数、行数、扫描仪和矩阵开头</translation>
+    </message>
+    <message>
+        <source>{0}: the head says that its points begin inside it, at byte {1}</source>
+        <translation>{0}：文件头说点从它内部的第 {1} 字节开始</translation>
+    </message>
+    <message>
+        <source>{0}: the table of its chunks is missing or damaged, and nothing else tells them apart</source>
+        <translation>{0}：块表缺失或损坏，没有别的办法区分各块</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -102,7 +103,7 @@ std::optional<char> declaredSeparator(const std::vector<Line>& lines) {
     return declared ? std::optional(lines.front().text.back()) : std::nullopt;
 }
 
-std::vector<Line> linesOf(const std::string& path, std::uintmax_t mostBytes) {
+std::vector<Line> linesOf(const std::string& path, std::uintmax_t mostBytes, std::size_t mostLines) {
     std::error_code error;
     std::ifstream file;
     if (std::filesystem::is_regular_file(path, error)) {
@@ -118,7 +119,7 @@ std::vector<Line> linesOf(const std::string& path, std::uintmax_t mostBytes) {
     }
     std::vector<Line> lines;
     std::string text;
-    for (std::size_t number = 1; std::getline(file, text); ++number) {
+    for (std::size_t number = 1; number <= mostLines && std::getline(file, text); ++number) {
         if (number == 1 && text.starts_with("\xef\xbb\xbf")) {
             text.erase(0, 3);
         }
@@ -150,17 +151,7 @@ void decideDecimalSign(DelimitedTable& table, const std::string& path) {
     }
 }
 
-}  // namespace
-
-std::optional<double> DelimitedTable::numberIn(const std::string& field) const {
-    if (decimalComma && field.find(',') != std::string::npos) {
-        return numberWithComma(field);
-    }
-    return plainNumber(field);
-}
-
-DelimitedTable readDelimitedTable(const std::string& path, std::uintmax_t mostBytes) {
-    std::vector<Line> lines = linesOf(path, mostBytes);
+DelimitedTable tableOf(const std::string& path, std::vector<Line> lines) {
     const std::optional<char> declared = declaredSeparator(lines);
     if (declared) {
         lines.erase(lines.begin());
@@ -172,6 +163,23 @@ DelimitedTable readDelimitedTable(const std::string& path, std::uintmax_t mostBy
     }
     decideDecimalSign(table, path);
     return table;
+}
+
+}  // namespace
+
+std::optional<double> DelimitedTable::numberIn(const std::string& field) const {
+    if (decimalComma && field.find(',') != std::string::npos) {
+        return numberWithComma(field);
+    }
+    return plainNumber(field);
+}
+
+DelimitedTable readDelimitedTable(const std::string& path, std::uintmax_t mostBytes) {
+    return tableOf(path, linesOf(path, mostBytes, std::numeric_limits<std::size_t>::max()));
+}
+
+DelimitedTable readDelimitedStart(const std::string& path, std::size_t lines) {
+    return tableOf(path, linesOf(path, std::numeric_limits<std::uintmax_t>::max(), lines));
 }
 
 void requireNoMoreFields(const std::string& path, const DelimitedRow& heading, const DelimitedRow& row) {

@@ -30,6 +30,10 @@ struct DelimitedTable {
 /// @param mostBytes  a larger file is none
 DelimitedTable readDelimitedTable(const std::string& path, std::uintmax_t mostBytes);
 
+/// The same of the first lines of a file of any length, to see how it is written.
+/// @param lines  that are read at most
+DelimitedTable readDelimitedStart(const std::string& path, std::size_t lines);
+
 /// Throws ParseError for a row that has more fields than the heading names: decimal commas that part fields look so.
 void requireNoMoreFields(const std::string& path, const DelimitedRow& heading, const DelimitedRow& row);
 

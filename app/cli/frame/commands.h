@@ -21,6 +21,7 @@ Command exportCommand();
 Command figureCommand();
 Command mapCommand();
 Command surveyCommand();
+Command cloudCommand();
 Command movieCommand();
 Command cameraCommand();
 Command photoCommand();

@@ -100,6 +100,8 @@ TEST(Manual, NamesEveryKeyOfEveryJsonObject) {
         {"export", "--list"},
         {"map", run, "--cell", "1"},
         {"camera", writePairs(folder / "pairs.csv"), "--size", "4000x3000"},
+        {"cloud", sourcePath("tests/data/clouds/point-time-color.laz")},
+        {"cloud", sourcePath("tests/data/clouds/tiny_pc_and_images.e57")},
         {"self-test", "--only", "free-fall"},
         {"parameters"},
         {"accuracy", fe, "--check", "--no-fps", "--multiples", "2", "--set", "settle_time=0.5", "--cache", folder / "cache"},

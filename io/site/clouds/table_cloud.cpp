@@ -1,0 +1,153 @@
+#include "io/site/clouds/table_cloud.h"
+
+#include <algorithm>
+
+#include "io/base/delimited_table.h"
+#include "io/site/clouds/ptx_source.h"
+#include "io/site/clouds/text_source.h"
+#include "io/site/file_words.h"
+
+namespace rubble::io {
+
+namespace {
+
+/// Lines that tell how a table is written.
+constexpr std::size_t startLines = 1000;
+
+bool isWhole(const DelimitedRow& row) {
+    return row.fields.size() == 1 && wholeNumberIn(row.fields.front()).value_or(-1) >= 0;
+}
+
+bool isNumbers(const DelimitedTable& table, const DelimitedRow& row) {
+    return std::all_of(row.fields.begin(), row.fields.end(), [&](const std::string& field) {
+        return table.numberIn(field).has_value() || field == "nan" || field == "NaN";
+    });
+}
+
+[[noreturn]] void refuseTable(const std::string& path) {
+    refuseContent({"cloud.unknown", "{0} is no point cloud that can be read", {path}},
+                  "Give a LAS, LAZ, E57, PLY, PCD, PTX or PTS, or a table of text with columns x, y and z.");
+}
+
+/// Throws ParseError unless the start of a file is text.
+void requireText(const CloudFile& file) {
+    std::vector<unsigned char> start(std::size_t{1} << 16);
+    start.resize(file.readSome(0, start.data(), start.size()));
+    const bool control =
+        std::any_of(start.begin(), start.end(), [](unsigned char c) { return c < 32 && c != '\n' && c != '\r' && c != '\t'; });
+    const bool lines = start.size() < std::size_t{1} << 16 || std::find(start.begin(), start.end(), '\n') != start.end();
+    if (control || !lines) {
+        refuseTable(file.path());
+    }
+}
+
+/// A PTS: how many points follow, then the points with intensity and colour.
+std::unique_ptr<CloudSource> openPts(std::shared_ptr<const CloudFile> file, std::size_t columns) {
+    CloudHead head;
+    head.format = "PTS";
+    head.coding = "text";
+    TextPoints points;
+    const bool bright = columns == 4 || columns >= 7;
+    std::vector<std::string_view> names{"x", "y", "z"};
+    if (bright) {
+        names.emplace_back("intensity");
+    }
+    if (columns >= 6) {
+        names.insert(names.end(), {"red", "green", "blue"});
+    }
+    for (const std::string_view name : names) {
+        points.plan.add(columnRole(name), name);
+    }
+    points.countsBetween = true;
+    points.plan.describe(head);
+    return textCloud(std::move(file), 0, std::move(points), std::move(head), {});
+}
+
+ColumnPlan planAsked(const CloudRequest& request) {
+    ColumnPlan plan;
+    for (const std::string& name : request.columns) {
+        const ColumnRole role = columnRole(name);
+        if (role == ColumnRole::Unread && name != "skip") {
+            throw UsageError(
+                {"cloud.column_unknown", "\"{0}\" is no column of a point cloud", {name}},
+                {"cloud.column_unknown.remedy",
+                 "Give x, y, z and what there is of intensity, red, green, blue, class, return, returns, time; skip for others.",
+                 {}});
+        }
+        plan.add(role, name);
+    }
+    if (!plan.hasPlaces()) {
+        throw UsageError({"cloud.columns_without_place", "The columns do not name x, y and z", {}},
+                         {"cloud.columns_without_place.remedy", "Name each column in its order, such as x,y,z,intensity.", {}});
+    }
+    return plan;
+}
+
+/// The columns of a table by its heading, or the first three of one without.
+ColumnPlan planFound(const std::string& path, const DelimitedTable& table, bool heading, Findings& findings) {
+    ColumnPlan plan;
+    const DelimitedRow& first = table.rows.front();
+    for (std::size_t c = 0; c < first.fields.size(); ++c) {
+        if (heading) {
+            plan.add(columnRole(first.fields[c]), first.fields[c]);
+        } else {
+            constexpr std::array<ColumnRole, 3> places{ColumnRole::X, ColumnRole::Y, ColumnRole::Z};
+            plan.add(c < places.size() ? places[c] : ColumnRole::Unread, "column " + std::to_string(c + 1));
+        }
+    }
+    if (!plan.hasPlaces()) {
+        refuseTable(path);
+    }
+    if (!heading) {
+        addFinding(findings, path,
+                   {"cloud.columns_assumed", "no heading names the columns; the first three are taken as x, y and z", {}},
+                   "state the columns, such as x,y,z,intensity");
+    }
+    return plan;
+}
+
+double colourScaleOf(const DelimitedTable& table, const ColumnPlan& plan) {
+    bool fractions = false;
+    bool beyond = false;
+    for (const DelimitedRow& row : table.rows) {
+        for (std::size_t c = 0; c < std::min(plan.size(), row.fields.size()); ++c) {
+            if (plan.role(c) >= ColumnRole::Red && plan.role(c) <= ColumnRole::Blue) {
+                const double step = table.numberIn(row.fields[c]).value_or(0.0);
+                fractions = fractions || (step > 0.0 && step < 1.0);
+                beyond = beyond || step > 1.0;
+            }
+        }
+    }
+    return fractions && !beyond ? 255.0 : 1.0;
+}
+
+}  // namespace
+
+std::unique_ptr<CloudSource> openTextCloud(const std::string& path, const CloudRequest& request) {
+    auto file = std::make_shared<CloudFile>(path);
+    requireText(*file);
+    const DelimitedTable table = readDelimitedStart(path, startLines);
+    if (table.rows.empty()) {
+        refuseTable(path);
+    }
+    if (table.rows.size() > 1 && isWhole(table.rows[0])) {
+        if (isWhole(table.rows[1])) {
+            return openPtx(path);
+        }
+        return openPts(std::move(file), table.rows[1].fields.size());
+    }
+    CloudHead head;
+    Findings findings;
+    head.format = "table";
+    head.coding = table.separator == ' ' ? "parted by blanks" : std::string("parted by \"") + table.separator + "\"";
+    TextPoints points;
+    const bool heading = !isNumbers(table, table.rows.front());
+    points.plan = request.columns.empty() ? planFound(path, table, heading, findings) : planAsked(request);
+    points.plan.describe(head);
+    points.form = {table.separator, table.decimalComma};
+    points.colourScale = colourScaleOf(table, points.plan);
+    points.skipped = heading ? table.rows.front().line : 0;
+    return textCloud(std::move(file), 0, std::move(points), std::move(head), std::move(findings));
+}
+
+}  // namespace rubble::io

@@ -9077,6 +9077,14 @@
         <source>{0}: the table of its chunks is missing or damaged, and nothing else tells them apart</source>
         <translation>{0}：块表缺失或损坏，没有别的办法区分各块</translation>
     </message>
+    <message>
+        <source>look whether the scans fit together; export them anew with their registration</source>
+        <translation>请查看各测站是否吻合；请连同配准重新导出</translation>
+    </message>
+    <message>
+        <source>scans without a pose are taken as placed already</source>
+        <translation>没有位姿的测站按已就位处理</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

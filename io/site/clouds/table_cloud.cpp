@@ -1,6 +1,7 @@
 #include "io/site/clouds/table_cloud.h"
 
 #include <algorithm>
+#include <array>
 
 #include "io/base/delimited_table.h"
 #include "io/site/clouds/ptx_source.h"
@@ -29,8 +30,8 @@ bool isNumbers(const DelimitedTable& table, const DelimitedRow& row) {
                   "Give a LAS, LAZ, E57, PLY, PCD, PTX or PTS, or a table of text with columns x, y and z.");
 }
 
-/// Throws ParseError unless the start of a file is text.
-void requireText(const CloudFile& file) {
+/// Throws ParseError unless the start of a file is text. @return where its first line begins, behind the mark of UTF-8
+std::uint64_t requireText(const CloudFile& file) {
     std::vector<unsigned char> start(std::size_t{1} << 16);
     start.resize(file.readSome(0, start.data(), start.size()));
     const bool control =
@@ -39,6 +40,9 @@ void requireText(const CloudFile& file) {
     if (control || !lines) {
         refuseTable(file.path());
     }
+    constexpr std::array<unsigned char, 3> mark{0xef, 0xbb, 0xbf};
+    return std::equal(mark.begin(), mark.end(), start.begin(), start.begin() + std::min<std::ptrdiff_t>(3, std::ssize(start))) ? 3
+                                                                                                                               : 0;
 }
 
 /// A PTS: how many points follow, then the points with intensity and colour.
@@ -125,7 +129,7 @@ double colourScaleOf(const DelimitedTable& table, const ColumnPlan& plan) {
 
 std::unique_ptr<CloudSource> openTextCloud(const std::string& path, const CloudRequest& request) {
     auto file = std::make_shared<CloudFile>(path);
-    requireText(*file);
+    const std::uint64_t start = requireText(*file);
     const DelimitedTable table = readDelimitedStart(path, startLines);
     if (table.rows.empty()) {
         refuseTable(path);
@@ -147,7 +151,7 @@ std::unique_ptr<CloudSource> openTextCloud(const std::string& path, const CloudR
     points.form = {table.separator, table.decimalComma};
     points.colourScale = colourScaleOf(table, points.plan);
     points.skipped = heading ? table.rows.front().line : 0;
-    return textCloud(std::move(file), 0, std::move(points), std::move(head), std::move(findings));
+    return textCloud(std::move(file), start, std::move(points), std::move(head), std::move(findings));
 }
 
 }  // namespace rubble::io

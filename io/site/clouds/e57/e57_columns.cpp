@@ -24,6 +24,10 @@ constexpr std::size_t paddingBytes = 9;
 }  // namespace
 
 void E57Column::add(const unsigned char* bytes, std::size_t count) {
+    if (!m_kept) {
+        m_counted += count;
+        return;
+    }
     if (const auto whole = static_cast<std::size_t>(m_bit / 8); whole > 0) {
         m_bytes.erase(m_bytes.begin(), m_bytes.begin() + static_cast<std::ptrdiff_t>(std::min(whole, m_bytes.size())));
         m_bit %= 8;
@@ -32,7 +36,10 @@ void E57Column::add(const unsigned char* bytes, std::size_t count) {
 }
 
 std::uint64_t E57Column::ready() const {
-    return m_field.bits == 0 ? std::numeric_limits<std::uint64_t>::max() : (8 * m_bytes.size() - m_bit) / m_field.bits;
+    if (m_field.bits == 0) {
+        return std::numeric_limits<std::uint64_t>::max();
+    }
+    return (8 * (m_bytes.size() + m_counted) - m_bit) / m_field.bits;
 }
 
 std::uint64_t E57Column::bitsAt(std::uint64_t bit) const {
@@ -52,7 +59,8 @@ std::uint64_t E57Column::bitsAt(std::uint64_t bit) const {
 }
 
 void E57Column::take(std::size_t count, std::vector<double>& values) {
-    values.resize(count);
+    values.resize(m_kept ? count : 0);
+    m_bit += m_kept ? 0 : count * std::uint64_t{m_field.bits};
     for (double& value : values) {
         const std::uint64_t raw = m_field.bits > 0 ? bitsAt(m_bit) : 0;
         m_bit += m_field.bits;
@@ -67,9 +75,9 @@ void E57Column::take(std::size_t count, std::vector<double>& values) {
     }
 }
 
-E57Columns::E57Columns(E57Pages& pages, const E57Points& points) : m_pages(pages) {
-    for (const E57Field& field : points.fields) {
-        m_columns.emplace_back(field);
+E57Columns::E57Columns(E57Pages& pages, const E57Points& points, const std::vector<bool>& kept) : m_pages(pages) {
+    for (std::size_t f = 0; f < points.fields.size(); ++f) {
+        m_columns.emplace_back(points.fields[f], kept[f]);
     }
     std::array<unsigned char, 32> head{};
     m_pages.read(points.start, head.data(), head.size());

@@ -122,6 +122,11 @@ private:
             field.bits = single ? 32 : 64;
             return field;
         }
+        if (type == "String") {
+            field.kind = E57Field::Kind::Text;
+            field.bits = 0;
+            return field;
+        }
         if (type != "Integer" && type != "ScaledInteger") {
             refuse("its column " + field.name + " is of the kind \"" + std::string(type) + "\"");
         }

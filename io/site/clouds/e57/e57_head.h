@@ -12,7 +12,7 @@ namespace rubble::io {
 
 /// How the values of one column lie in an E57.
 struct E57Field {
-    enum class Kind : std::uint8_t { Single, Double, Whole };
+    enum class Kind : std::uint8_t { Single, Double, Whole, Text };
     std::string name;
     Kind kind = Kind::Double;
     std::int64_t least = 0;  ///< of whole numbers, which lie as differences from it

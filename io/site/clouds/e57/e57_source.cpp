@@ -76,6 +76,7 @@ public:
         m_head.fullColour = mostColour > 255.0 ? 65535.0 : 255.0;
         m_head.scans = m_e57.scans;
         requireScans();
+        notePoses();
     }
 
     bool next(CloudBlock& block, const Execution& execution) override {
@@ -92,12 +93,7 @@ public:
                 return true;
             }
             if (wanted > 0) {
-                addFinding(m_findings, m_pages.path(),
-                           {"cloud.fewer_points",
-                            "the head says {0} points, the file has {1}",
-                            {static_cast<std::int64_t>(m_e57.points[m_scan].records),
-                             static_cast<std::int64_t>(m_e57.points[m_scan].records - m_left)}},
-                           "the file may be cut short: copy it again from where it came");
+                tellFewer(m_e57.points[m_scan].records, m_e57.points[m_scan].records - m_left);
             }
         }
         block.clear();
@@ -105,6 +101,24 @@ public:
     }
 
 private:
+    void tellFewer(std::uint64_t promised, std::uint64_t there) {
+        addFinding(m_findings, m_pages.path(),
+                   {"cloud.fewer_points",
+                    "the head says {0} points, the file has {1}",
+                    {static_cast<std::int64_t>(promised), static_cast<std::int64_t>(there)}},
+                   "the file may be cut short: copy it again from where it came");
+    }
+
+    /// Several scans are brought together by their poses alone.
+    void notePoses() {
+        const auto missing =
+            std::count_if(m_e57.scans.begin(), m_e57.scans.end(), [](const CloudScan& scan) { return !scan.pose.stated; });
+        if (m_e57.scans.size() > 1 && missing > 0) {
+            addFinding(m_findings, m_pages.path(), {"cloud.pose_missing", "scans without a pose are taken as placed already", {}},
+                       "look whether the scans fit together; export them anew with their registration", missing);
+        }
+    }
+
     void requireScans() const {
         constexpr std::size_t scansMost = 65'535;
         if (m_e57.scans.size() > scansMost) {
@@ -150,9 +164,12 @@ private:
         }
         m_columnOf.fill(noColumn);
         std::uint64_t bits = 0;
+        std::vector<bool> kept(points.fields.size());
         for (std::size_t f = 0; f < points.fields.size(); ++f) {
             bits += points.fields[f].bits;
-            if (const std::size_t role = roleOf(points.fields[f].name); role < roleCount) {
+            const std::size_t role = roleOf(points.fields[f].name);
+            kept[f] = role < roleCount && points.fields[f].kind != E57Field::Kind::Text;
+            if (kept[f]) {
                 m_columnOf[role] = f;
             }
         }
@@ -164,10 +181,11 @@ private:
             return false;
         }
         // Points that take no bits would have no end.
-        if (bits == 0) {
-            m_left = std::min<std::uint64_t>(m_left, cloudBlockPoints);
+        if (bits == 0 && m_left > cloudBlockPoints) {
+            m_left = cloudBlockPoints;
+            tellFewer(points.records, m_left);
         }
-        m_columns.emplace(m_pages, points);
+        m_columns.emplace(m_pages, points, kept);
         m_values.resize(points.fields.size());
         std::tie(m_colourLeast, m_colourMost) = colourLimits(points);
         return true;

@@ -1,6 +1,7 @@
 #include "io/site/clouds/las/arithmetic_decoder.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace rubble::io {
 
@@ -34,18 +35,13 @@ void BitModel::learn() {
 }
 
 void SymbolModel::start(std::uint32_t symbols) {
+    // Finer tables find a symbol sooner and take longer to renew.
+    const std::uint32_t tableBits = symbols > 64 ? 9 : symbols > 16 ? 8 : 6;
+    m_tableShift = symbolShares - tableBits;
     m_symbols = symbols;
-    m_from.assign(symbols, 0);
-    m_count.assign(symbols, 1);
-    m_tableShift = 0;
-    if (symbols > 16) {
-        std::uint32_t tableBits = 3;
-        while (symbols > std::uint32_t{1} << (tableBits + 2)) {
-            ++tableBits;
-        }
-        m_tableShift = symbolShares - tableBits;
-        m_table.assign((std::size_t{1} << tableBits) + 2, 0);
-    }
+    m_numbers.assign(2 * std::size_t{symbols} + 1 + (std::size_t{1} << tableBits) + 2, 0);
+    std::fill_n(counts(), symbols, std::uint16_t{1});
+    shares()[symbols] = std::numeric_limits<std::uint16_t>::max();
     m_total = 0;
     m_cycle = symbols;
     learn();
@@ -53,30 +49,30 @@ void SymbolModel::start(std::uint32_t symbols) {
 }
 
 void SymbolModel::learn() {
+    std::uint16_t* from = shares();
+    std::uint16_t* count = counts();
     m_total += m_cycle;
     if (m_total > std::uint32_t{1} << symbolShares) {
         m_total = 0;
-        for (std::uint32_t& count : m_count) {
-            count = (count + 1) / 2;
-            m_total += count;
+        for (std::uint32_t s = 0; s < m_symbols; ++s) {
+            count[s] = static_cast<std::uint16_t>((count[s] + 1) / 2);
+            m_total += count[s];
         }
     }
     const std::uint32_t scale = (std::uint32_t{1} << wholeShift) / m_total;
     std::uint32_t sum = 0;
-    std::size_t parts = 0;
+    std::uint16_t* parts = table();
+    std::uint16_t* const end = m_numbers.data() + m_numbers.size();
     for (std::uint32_t s = 0; s < m_symbols; ++s) {
-        m_from[s] = (scale * sum) >> (wholeShift - symbolShares);
-        sum += m_count[s];
-        if (m_tableShift > 0) {
-            for (const std::size_t part = m_from[s] >> m_tableShift; parts < part;) {
-                m_table[++parts] = s - 1;
-            }
+        from[s] = static_cast<std::uint16_t>((scale * sum) >> (wholeShift - symbolShares));
+        sum += count[s];
+        // Parts that begin before this symbol does are of the one before it.
+        std::uint16_t* const begin = table() + ((from[s] + (std::uint32_t{1} << m_tableShift) - 1) >> m_tableShift);
+        for (; parts < begin; ++parts) {
+            *parts = static_cast<std::uint16_t>(s - 1);
         }
     }
-    if (m_tableShift > 0) {
-        m_table[0] = 0;
-        std::fill(m_table.begin() + static_cast<std::ptrdiff_t>(parts) + 1, m_table.end(), m_symbols - 1);
-    }
+    std::fill(parts, end, static_cast<std::uint16_t>(m_symbols - 1));
     m_cycle = std::min(5 * m_cycle / 4, (m_symbols + 6) * 8);
     m_left = m_cycle;
 }
@@ -85,7 +81,7 @@ void ArithmeticDecoder::start() {
     m_length = 0xffffffff;
     m_value = 0;
     for (int i = 0; i < 4; ++i) {
-        m_value = m_value << 8 | m_bytes.next();
+        m_value = m_value << 8 | m_bytes->next();
     }
     // No coder writes a value outside its range; the models rely on it.
     m_value = std::min(m_value, m_length - 1);

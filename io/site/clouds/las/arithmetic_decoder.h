@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -36,21 +37,25 @@ private:
     friend class ArithmeticDecoder;
     void learn();
 
+    std::uint16_t* shares() { return m_numbers.data(); }
+    std::uint16_t* counts() { return m_numbers.data() + m_symbols + 1; }
+    std::uint16_t* table() { return m_numbers.data() + 2 * std::size_t{m_symbols} + 1; }
+
     std::uint32_t m_symbols = 0;
     std::uint32_t m_total = 0;
     std::uint32_t m_cycle = 0;
-    std::uint32_t m_left = 0;            ///< symbols until the shares are renewed
-    std::uint32_t m_tableShift = 0;      ///< 0: too few symbols for a table
-    std::vector<std::uint32_t> m_from;   ///< [symbols] sum of the shares before each, of 32,768
-    std::vector<std::uint32_t> m_count;  ///< [symbols]
-    std::vector<std::uint32_t> m_table;  ///< the last symbol that begins at or before each part of the shares
+    std::uint32_t m_left = 0;  ///< symbols until the shares are renewed
+    std::uint32_t m_tableShift = 0;
+    /// Sums of the shares before each symbol, of 32,768, and one beyond all [symbols + 1]; how often each came [symbols]; the
+    /// last symbol that begins at or before each part of the shares.
+    std::vector<std::uint16_t> m_numbers;
 };
 
 /// The arithmetic decoder of LASzip: an adaptive range coder of 32 bits that takes whole bytes, as Said described it (2004).
 /// Any bytes give symbols of their models, so damage shows in the points and at the end of the bytes only.
 class ArithmeticDecoder {
 public:
-    explicit ArithmeticDecoder(PackedBytes& bytes) : m_bytes(bytes) {}
+    explicit ArithmeticDecoder(PackedBytes& bytes) : m_bytes(&bytes) {}
 
     /// Takes the first four bytes.
     void start();
@@ -73,31 +78,19 @@ public:
     }
 
     std::uint32_t symbol(SymbolModel& model) {
-        const std::uint32_t* from = model.m_from.data();
+        const std::uint16_t* from = model.shares();
         const std::uint32_t unit = m_length >> 15;
-        std::uint32_t found = 0;
-        std::uint32_t beyond = model.m_symbols;
-        if (model.m_tableShift > 0) {
-            const std::uint32_t share = m_value / unit;
-            const std::uint32_t part = share >> model.m_tableShift;
-            found = model.m_table[part];
-            beyond = model.m_table[part + 1] + 1;
-            while (beyond > found + 1) {
-                const std::uint32_t middle = (found + beyond) >> 1;
-                (from[middle] > share ? beyond : found) = middle;
-            }
-        } else {
-            while (beyond > found + 1) {
-                const std::uint32_t middle = (found + beyond) >> 1;
-                (unit * from[middle] > m_value ? beyond : found) = middle;
-            }
+        const std::uint32_t share = m_value / unit;
+        std::uint32_t found = model.table()[share >> model.m_tableShift];
+        while (from[found + 1] <= share) {
+            ++found;
         }
         const std::uint32_t low = from[found] * unit;
         const std::uint32_t high = found + 1 == model.m_symbols ? m_length : from[found + 1] * unit;
         m_value -= low;
         m_length = high - low;
         widen();
-        ++model.m_count[found];
+        ++model.counts()[found];
         if (--model.m_left == 0) {
             model.learn();
         }
@@ -106,11 +99,11 @@ public:
 
     /// A number of so many bits that no model knows, at most 32.
     std::uint32_t bits(std::uint32_t count) {
-        if (count > 19) {
-            const std::uint32_t low = few(16);
-            return low | bits(count - 16) << 16;
+        if (count <= 19) {
+            return few(count);
         }
-        return few(count);
+        const std::uint32_t low = few(16);
+        return low | few(count - 16) << 16;
     }
     std::uint64_t longBits() {
         const std::uint64_t low = bits(32);
@@ -125,14 +118,23 @@ private:
         widen();
         return number;
     }
+    /// Takes bytes until the range is wider than 24 bits.
     void widen() {
-        while (m_length < (std::uint32_t{1} << 24)) {
-            m_value = m_value << 8 | m_bytes.next();
+        const auto bytes = static_cast<std::uint32_t>(std::countl_zero(m_length)) / 8;
+        if (m_bytes->holdsFour()) [[likely]] {
+            const std::uint64_t next = std::uint64_t{m_bytes->ahead()} << 8 * bytes;
+            m_value = m_value << 8 * bytes | static_cast<std::uint32_t>(next >> 32);
+            m_length <<= 8 * bytes;
+            m_bytes->skip(bytes);
+            return;
+        }
+        for (std::uint32_t b = 0; b < bytes; ++b) {
+            m_value = m_value << 8 | m_bytes->next();
             m_length <<= 8;
         }
     }
 
-    PackedBytes& m_bytes;
+    PackedBytes* m_bytes;
     std::uint32_t m_value = 0;
     std::uint32_t m_length = 0;
 };

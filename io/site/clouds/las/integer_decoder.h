@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -26,11 +27,44 @@ public:
 private:
     std::uint32_t difference(ArithmeticDecoder& decoder);
 
+    /// Bits of a difference that have a model.
+    static constexpr std::uint32_t modelledBits = 8;
     std::uint32_t m_bits;
     std::uint32_t m_length = 0;
     std::vector<SymbolModel> m_lengths;
     std::array<SymbolModel, 33> m_differences;  ///< by length, from 1
     BitModel m_unit;                            ///< of differences of 0 and 1
 };
+
+inline std::int32_t IntegerDecoder::decode(ArithmeticDecoder& decoder, std::int32_t expected, std::uint32_t context) {
+    SymbolModel& lengths = m_lengths[context];
+    if (!lengths.started()) {
+        lengths.start(m_bits + 1);
+    }
+    m_length = decoder.symbol(lengths);
+    const std::uint32_t number = static_cast<std::uint32_t>(expected) + difference(decoder);
+    return static_cast<std::int32_t>(m_bits < 32 ? number & ((std::uint32_t{1} << m_bits) - 1) : number);
+}
+
+inline std::uint32_t IntegerDecoder::difference(ArithmeticDecoder& decoder) {
+    if (m_length == 0) {
+        return decoder.bit(m_unit);
+    }
+    if (m_length == 32) {
+        return std::uint32_t{1} << 31;
+    }
+    SymbolModel& model = m_differences[m_length];
+    if (!model.started()) {
+        model.start(std::uint32_t{1} << std::min(m_length, modelledBits));
+    }
+    std::uint32_t code = decoder.symbol(model);
+    if (m_length > modelledBits) {
+        const std::uint32_t rest = m_length - modelledBits;
+        code = code << rest | decoder.bits(rest);
+    }
+    // Upper half: positive differences; lower half: negative ones.
+    const std::uint32_t half = std::uint32_t{1} << (m_length - 1);
+    return code >= half ? code + 1 : code - (2 * half - 1);
+}
 
 }  // namespace rubble::io

@@ -110,9 +110,6 @@ void LazLayers::start(const CloudFile& file, std::uint64_t at, unsigned char* re
         at += bytes;
     }
     m_end = at;
-    if (m_points > 1 && !m_layers[Place].there()) {
-        file.failCut();  // no program packs several points into nothing
-    }
     for (std::unique_ptr<Channel>& channel : m_channels) {
         channel.reset();
     }
@@ -169,10 +166,6 @@ LazLayers::Channel& LazLayers::channelOf(std::uint32_t changed) {
 }
 
 void LazLayers::decode(unsigned char* record) {
-    if (!m_layers[Place].there()) {
-        write(*m_channels[m_now], record);
-        return;
-    }
     const Channel& last = *m_channels[m_now];
     const std::size_t context = (last.echo == 1 ? 1U : 0U) + (last.echo >= last.echoes ? 2U : 0U) + (last.timeChanged ? 4U : 0U);
     const std::uint32_t changed = symbolOf(*m_layers[Place].decoder, m_channels[m_now]->changes[context], 128);

@@ -28,11 +28,13 @@ public:
     /// @param record  gets the first point
     /// Throws ParseError if the layers do not fit into what is left of the file.
     void start(const CloudFile& file, std::uint64_t at, unsigned char* record);
-    /// Points that the chunk says it has, the first among them.
+    /// Points that the chunk says it has, the first among them; with another number a table of chunks is right.
     std::uint32_t points() const { return m_points; }
     /// Behind the chunk.
     std::uint64_t end() const { return m_end; }
-    /// Writes the record of the next point; what is passed over is 0.
+    /// There are points behind the first one: no program packs them into nothing.
+    bool holdsMore() const { return m_layers[Place].there(); }
+    /// Writes the record of the next point, if there is one; what is passed over is 0.
     void decode(unsigned char* record);
     /// A layer ended before its points did.
     bool overrun() const;

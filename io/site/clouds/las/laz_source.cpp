@@ -71,7 +71,7 @@ private:
             m_layers.start(*m_file, chunk.start, record);
             m_at = m_layers.end();
             chunk.points = !m_chunks.empty() ? chunk.points : m_layers.points();
-            if (chunk.points == 0 || m_layers.points() != chunk.points) {
+            if (chunk.points == 0 || (chunk.points > 1 && !m_layers.holdsMore())) {
                 failChunk();
             }
         } else {

@@ -21,6 +21,12 @@ public:
         }
         return *m_at++;
     }
+    /// Four bytes can be looked at without a refill.
+    bool holdsFour() const { return m_filled - m_at >= 4; }
+    /// The next four as a number, big end first, without taking them.
+    std::uint32_t ahead() const { return __builtin_bswap32(littleAt<std::uint32_t>(m_at)); }
+    /// Passes over bytes that were looked at.
+    void skip(std::uint32_t count) { m_at += count; }
     /// The next ones, as next() gives them.
     void take(unsigned char* target, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {

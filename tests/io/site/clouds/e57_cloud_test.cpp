@@ -117,6 +117,23 @@ TEST_F(E57Cloud, ScansStandWhereTheirPosesSay) {
     EXPECT_EQ(cloud.head.scans[1].name, "East & up");
     EXPECT_EQ(cloud.head.scans[1].pose.position, Vec3(100.0, 200.0, 30.0));
     EXPECT_EQ(cloud.summary.findings.count("cloud.system_unknown"), 0) << "an E57 is in metres";
+    EXPECT_EQ(cloud.summary.findings.count("cloud.pose_missing"), 1);
+}
+
+TEST_F(E57Cloud, ColumnsThatAreNotReadArePassedOver) {
+    MadeE57 made;
+    const std::uint64_t place =
+        made.addPoints({{8, {1, 2, 3}}, {7, {5, 5, 5}}, {8, {4, 5, 6}}, {24, {9, 9, 9}}, {8, {7, 8, 9}}}, 2);
+    const std::string fields =
+        "<cartesianX type=\"Integer\" minimum=\"0\" maximum=\"255\"/>"
+        "<own:quality type=\"Integer\" minimum=\"0\" maximum=\"100\"/>"
+        "<cartesianY type=\"Integer\" minimum=\"0\" maximum=\"255\"/><own:label type=\"String\"/>"
+        "<cartesianZ type=\"Integer\" minimum=\"0\" maximum=\"255\"/>";
+    const WholeCloud cloud =
+        read(made.bytes(wrapped("<vectorChild type=\"Structure\">" + pointsXml(place, 3, fields) + "</vectorChild>")));
+    ASSERT_EQ(cloud.points.size(), 3u);
+    EXPECT_EQ(cloud.points.places[2], Vec3(3.0, 6.0, 9.0));
+    EXPECT_THAT(cloud.head.unread, testing::ElementsAre("own:quality", "own:label"));
 }
 
 TEST_F(E57Cloud, PublicFilesHoldWhatTheyAreKnownToHold) {
@@ -183,6 +200,7 @@ TEST_F(E57Cloud, DamageIsNamed) {
     const WholeCloud endless = read(still.bytes(wrapped(
         "<vectorChild type=\"Structure\">" + pointsXml(none, std::size_t{1} << 60, scaledFields(3, 3)) + "</vectorChild>")));
     EXPECT_LE(endless.points.size(), cloudBlockPoints);
+    EXPECT_EQ(endless.summary.findings.count("cloud.fewer_points"), 1);
 }
 
 }  // namespace

@@ -222,6 +222,10 @@ TEST_F(OtherCloud, TablesNameTheirColumnsOrAreAskedTo) {
     EXPECT_EQ(bare.summary.findings.count("cloud.columns_assumed"), 1);
     EXPECT_EQ(bare.summary.findings.count("cloud.not_finite"), 1);
     EXPECT_EQ(bare.summary.findings.count("cloud.lines_unread"), 1);
+    const WholeCloud marked =
+        read(std::string("\xef\xbb\xbf"
+                         "1,2,3\r\n4,5,6\r\n"));
+    EXPECT_EQ(marked.points.size(), 2u) << "behind the mark of UTF-8";
     CloudRequest request;
     request.columns = {"skip", "z", "y", "x", "intensity"};
     const WholeCloud asked = read(std::string("0,1,2,3,4\n0,5,6,7,8\n"), request);

@@ -9085,6 +9085,22 @@
         <source>scans without a pose are taken as placed already</source>
         <translation>没有位姿的测站按已就位处理</translation>
     </message>
+    <message>
+        <source>have it written anew as LAS 1.4 or LAZ without the compatibility mode</source>
+        <translation>请不用兼容模式、重新写成 LAS 1.4 或 LAZ</translation>
+    </message>
+    <message>
+        <source>points of LAS 1.4 were written as older ones: classes above 31 and echoes beyond the seventh are not read</source>
+        <translation>LAS 1.4 的点按旧格式写出：大于 31 的类别和第七次之后的回波未读取</translation>
+    </message>
+    <message>
+        <source>place the cloud by points that are known in it and in the case</source>
+        <translation>请用在点云和案例中都已知的点来放置点云</translation>
+    </message>
+    <message>
+        <source>the coordinate system of the file is no place on Earth; a unit of it is {0}</source>
+        <translation>文件的坐标系不对应地球上的位置；其一个单位为 {0}</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

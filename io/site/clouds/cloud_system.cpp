@@ -82,8 +82,19 @@ void describeUnits(const std::string& path, const std::string& asked, CloudHead&
     CloudUnits& units = head.units;
     units.metresStated = units.heightStated = head.metresByFormat;
     OGRSpatialReference system;
-    if (!setSystem(system, head.crs) || system.IsLocal() != 0) {
+    if (!setSystem(system, head.crs)) {
         tellUnknownSystem(path, head, findings);
+        return;
+    }
+    if (system.IsLocal() != 0) {
+        units.metres = system.GetLinearUnits();
+        units.metresStated = true;
+        addFinding(findings, path,
+                   {"cloud.system_local",
+                    "the coordinate system of the file is no place on Earth; a unit of it is {0}",
+                    {Argument(units.metres, "m")}},
+                   "place the cloud by points that are known in it and in the case");
+        takeHeightUnit(path, system, units, findings);
         return;
     }
     units.name = system.GetName() != nullptr ? system.GetName() : "unnamed";

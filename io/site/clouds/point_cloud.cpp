@@ -162,11 +162,23 @@ Findings PointCloud::findings() const {
     return all;
 }
 
+namespace {
+
+/// A PCD begins with its version or its fields, behind lines of comment.
+bool beginsAsPcd(std::string_view begin) {
+    while (begin.starts_with('#')) {
+        begin.remove_prefix(std::min(begin.find('\n'), begin.size() - 1) + 1);
+    }
+    return begin.starts_with("VERSION ") || begin.starts_with("FIELDS ");
+}
+
+}  // namespace
+
 std::unique_ptr<PointCloud> openCloud(const std::string& path, const CloudRequest& request) {
-    std::array<unsigned char, 16> start{};
+    std::array<unsigned char, 4096> start{};
     const CloudFile file(path);
-    file.readSome(0, start.data(), start.size());
-    const std::string_view begin(reinterpret_cast<const char*>(start.data()), start.size());
+    const std::size_t got = file.readSome(0, start.data(), start.size());
+    const std::string_view begin(reinterpret_cast<const char*>(start.data()), got);
     const auto made = [&]() -> std::unique_ptr<CloudSource> {
         if (begin.starts_with("LASF")) {
             return openLas(path);
@@ -177,7 +189,7 @@ std::unique_ptr<PointCloud> openCloud(const std::string& path, const CloudReques
         if (begin.starts_with("ply")) {
             return openPlyCloud(path);
         }
-        if (begin.starts_with("# .PCD") || begin.starts_with("VERSION") || begin.starts_with("FIELDS")) {
+        if (beginsAsPcd(begin)) {
             return openPcd(path);
         }
         return openTextCloud(path, request);

@@ -49,8 +49,8 @@ private:
 
     struct Scan {
         Eigen::Affine3d toSite = Eigen::Affine3d::Identity();
-        std::uint64_t points = 0;
-        std::uint64_t start = 0;  ///< of its first point in the file
+        std::uint64_t points = 0;  ///< lines that are there
+        std::uint64_t start = 0;   ///< of its first point in the file
     };
 
     [[noreturn]] void refuse(std::size_t scan) const {
@@ -65,15 +65,20 @@ private:
         constexpr std::size_t scansMost = 65'535;
         std::uint64_t promised = 0;
         bool colour = false;
-        while (m_scans.size() < scansMost && firstLine(lines, line)) {
+        bool more = firstLine(lines, line);
+        while (more && m_scans.size() < scansMost) {
             Scan scan;
             CloudScan told;
-            scan.points = readHead(lines, line, scan, told);
+            told.promised = readHead(lines, line, scan, told);
             scan.start = lines.position();
-            promised += scan.points;
-            told.promised = scan.points;
-            for (std::uint64_t p = 0; p < scan.points && lines.next(line); ++p) {
-                colour = colour || (p == 0 && fieldsIn(line, {}, m_fields, 7) >= 7);
+            promised += told.promised;
+            for (more = firstLine(lines, line); more && scan.points < told.promised; more = firstLine(lines, line)) {
+                // A number alone is the head of the next scan, which comes too soon.
+                if (line.find_first_of(" \t") == std::string_view::npos) {
+                    break;
+                }
+                colour = colour || (scan.points == 0 && fieldsIn(line, {}, m_fields, 7) >= 7);
+                ++scan.points;
             }
             m_scans.push_back(scan);
             m_head.scans.push_back(std::move(told));

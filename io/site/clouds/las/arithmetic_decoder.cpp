@@ -36,7 +36,7 @@ void BitModel::learn() {
 
 void SymbolModel::start(std::uint32_t symbols) {
     // Finer tables find a symbol sooner and take longer to renew.
-    const std::uint32_t tableBits = symbols > 64 ? 9 : symbols > 16 ? 8 : 6;
+    const std::uint32_t tableBits = symbols > 64 ? 8 : symbols > 16 ? 7 : 5;
     m_tableShift = symbolShares - tableBits;
     m_symbols = symbols;
     m_numbers.assign(2 * std::size_t{symbols} + 1 + (std::size_t{1} << tableBits) + 2, 0);

@@ -57,6 +57,13 @@ std::unique_ptr<CloudSource> openLas(const std::string& path) {
     auto file = std::make_unique<CloudFile>(path);
     Findings found;
     LasHead head = readLasHead(*file, found);
+    if (head.record("lascompatible", 22204) != nullptr) {
+        addFinding(found, path,
+                   {"cloud.las_compatible",
+                    "points of LAS 1.4 were written as older ones: classes above 31 and echoes beyond the seventh are not read",
+                    {}},
+                   "have it written anew as LAS 1.4 or LAZ without the compatibility mode");
+    }
     if (head.packed) {
         return openLaz(std::move(file), std::move(head), std::move(found));
     }

@@ -148,6 +148,11 @@ TEST_F(LasCloud, TheSystemOfTheFileStandsBeforeTheOneAskedFor) {
     las.minor = 4;
     las.format = 6;
     las.points = threePoints();
+    las.wkt = "LOCAL_CS[\"building\",UNIT[\"foot\",0.3048]]";
+    const WholeCloud local = read(las);
+    EXPECT_EQ(local.summary.findings.count("cloud.system_local"), 1);
+    EXPECT_EQ(local.summary.findings.count("cloud.height_unit_assumed"), 1);
+    EXPECT_NEAR(local.summary.metres.max().x(), 0.3048, 1e-12);
     las.wkt = "LOCAL";
     EXPECT_EQ(read(las).summary.findings.count("cloud.system_unread"), 1);
     const WholeCloud keys = readCloud(publicCloud("1.0_1.las"), {"EPSG:25832", {}});

@@ -195,6 +195,10 @@ TEST_F(OtherCloud, PtxScansAreBroughtToTheirPlaces) {
     EXPECT_EQ(cloud.head.scans[0].pose.position, Vec3(10.0, 20.0, 30.0));
     EXPECT_NEAR((cloud.head.scans[0].pose * Vec3(1.0, 0.0, 0.0) - Vec3(10.0, 21.0, 30.0)).norm(), 0.0, 1e-12);
     EXPECT_EQ(read(scan + "1 0 0 0.5 1 2 3\n").summary.findings.count("cloud.fewer_points"), 1);
+    // The first scan ends a line too soon: what follows is the head of the second, and no point.
+    const WholeCloud early = read(scan + "1 0 0 0.5 1 2 3\n" + scan + "0 2 1 0.25 9 8 7\n1 1 1 0.5 1 1 1\n");
+    EXPECT_EQ(early.points.places, cloud.points.places);
+    EXPECT_EQ(early.summary.findings.count("cloud.fewer_points"), 1);
     EXPECT_EQ(refusal("2\n1\n10 20 30\n0 1\n"), "cloud.ptx");
     EXPECT_EQ(refusal("100000000000\n100000000000\n" + scan.substr(4)), "cloud.ptx");
 }

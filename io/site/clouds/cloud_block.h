@@ -10,7 +10,7 @@
 namespace rubble::io {
 
 /// Points that a block holds at most, so that a cloud of any size takes the same memory.
-inline constexpr std::size_t cloudBlockPoints = 65'536;
+inline constexpr std::size_t cloudBlockPoints = 16'384;
 
 /// What becomes of a point.
 enum class PointFate : std::uint8_t {

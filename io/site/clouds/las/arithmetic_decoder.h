@@ -136,7 +136,7 @@ private:
 
     PackedBytes* m_bytes;
     std::uint32_t m_value = 0;
-    std::uint32_t m_length = 0;
+    std::uint32_t m_length = 0xffffffff;
 };
 
 }  // namespace rubble::io

@@ -81,13 +81,14 @@ std::optional<std::vector<LazChunk>> chunksOfTable(const CloudFile& file, std::u
     if (count > file.size() / 20) {
         return std::nullopt;
     }
+    if (count == 0) {
+        return std::vector<LazChunk>();
+    }
     PackedBytes bytes(file, at + head.size(), file.size());
     ArithmeticDecoder decoder(bytes);
     IntegerDecoder number(32, 2);
     std::vector<LazChunk> chunks(static_cast<std::size_t>(count));
-    if (count > 0) {
-        decoder.start();
-    }
+    decoder.start();
     std::int32_t points = 0;
     std::int32_t length = 0;
     for (LazChunk& chunk : chunks) {

@@ -84,20 +84,21 @@ bool LazLayers::kept(std::size_t layer) const {
     return layer <= Intensity || layer == Time || (layer == Colour && m_layout.colour >= 0);
 }
 
-void LazLayers::start(const CloudFile& file, std::uint64_t at, unsigned char* record) {
-    file.read(at, record, m_recordBytes);
-    at += m_recordBytes;
+bool LazLayers::openLayers(const CloudFile& file, std::uint64_t at) {
     // Lengths of all layers, those of colour, near infrared, wave forms and extra bytes behind the nine of the point.
     const bool near = m_layout.format == 8 || m_layout.format == 10;
     const std::size_t others =
         (near ? 1U : 0U) + (m_layout.waves >= 0 ? 1U : 0U) + (m_recordBytes - m_layout.bytes) + (m_layout.colour >= 0 ? 1U : 0U);
-    const std::vector<unsigned char> lengths = file.bytes(at, 4 * (1 + std::uint64_t{Colour} + others));
+    std::vector<unsigned char> lengths(4 * (1 + std::size_t{Colour} + others));
+    if (file.readSome(at, lengths.data(), lengths.size()) != lengths.size()) {
+        return false;
+    }
     m_points = littleAt<std::uint32_t>(lengths.data());
     at += lengths.size();
     for (std::size_t layer = 0; layer < Colour + others; ++layer) {
         const std::uint64_t bytes = littleAt<std::uint32_t>(&lengths[4 * (layer + 1)]);
         if (bytes > file.size() - at) {
-            file.failCut();
+            return false;
         }
         if (layer < m_layers.size()) {
             m_layers[layer].decoder.reset();
@@ -110,6 +111,13 @@ void LazLayers::start(const CloudFile& file, std::uint64_t at, unsigned char* re
         at += bytes;
     }
     m_end = at;
+    return true;
+}
+
+bool LazLayers::start(const CloudFile& file, std::uint64_t at, unsigned char* record) {
+    if (file.readSome(at, record, m_recordBytes) != m_recordBytes || !openLayers(file, at + m_recordBytes)) {
+        return false;
+    }
     for (std::unique_ptr<Channel>& channel : m_channels) {
         channel.reset();
     }
@@ -133,6 +141,7 @@ void LazLayers::start(const CloudFile& file, std::uint64_t at, unsigned char* re
         m_colour = littleAt<LazColours::Colour>(record + m_layout.colour);
         startPalette(m_now);
     }
+    return true;
 }
 
 /// Every channel begins with the last point of that before it.

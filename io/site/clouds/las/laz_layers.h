@@ -26,8 +26,8 @@ public:
 
     /// Begins a chunk: reads its first point and the lengths of its layers.
     /// @param record  gets the first point
-    /// Throws ParseError if the layers do not fit into what is left of the file.
-    void start(const CloudFile& file, std::uint64_t at, unsigned char* record);
+    /// @return false: the chunk does not fit into what is left of the file
+    bool start(const CloudFile& file, std::uint64_t at, unsigned char* record);
     /// Points that the chunk says it has, the first among them; with another number a table of chunks is right.
     std::uint32_t points() const { return m_points; }
     /// Behind the chunk.
@@ -52,6 +52,7 @@ private:
     enum LayerName : std::uint8_t { Place, Height, Class, Flags, Intensity, Angle, User, PointSource, Time, Colour, layerCount };
 
     bool kept(std::size_t layer) const;
+    bool openLayers(const CloudFile& file, std::uint64_t at);
     Channel& startChannel(std::size_t number, const Channel& from);
     void startPalette(std::size_t channel);
     Channel& channelOf(std::uint32_t changed);

@@ -25,22 +25,16 @@ std::uint32_t foretold(std::uint32_t last, std::int32_t change) {
 }  // namespace
 
 void RunningMedian::add(std::int32_t number) {
-    std::array<std::int32_t, 5>& v = m_sorted;
-    if (m_dropGreatest) {
-        m_dropGreatest = number < v[2];
-        std::size_t i = 4;
-        for (; i > 0 && v[i - 1] > number; --i) {
-            v[i] = v[i - 1];
-        }
-        v[i] = number;
-    } else {
-        m_dropGreatest = number <= v[2];
-        std::size_t i = 0;
-        for (; i < 4 && v[i + 1] < number; ++i) {
-            v[i] = v[i + 1];
-        }
-        v[i] = number;
+    // Without branches, since none could foretell them: the four that stay, and the new one carried up to its place.
+    const bool greatest = m_dropGreatest;
+    m_dropGreatest = greatest ? number < m_sorted[2] : number <= m_sorted[2];
+    std::int32_t carried = number;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::int32_t stays = greatest ? m_sorted[i] : m_sorted[i + 1];
+        m_sorted[i] = std::min(stays, carried);
+        carried = std::max(stays, carried);
     }
+    m_sorted[4] = carried;
 }
 
 void LazTimes::start(std::uint64_t time) {

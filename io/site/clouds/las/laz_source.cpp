@@ -35,13 +35,19 @@ public:
         const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(m_left, cloudBlockPoints));
         m_records.resize(most * m_las.recordBytes);
         std::size_t count = 0;
-        while (count < most && (m_leftInChunk > 0 || startChunk(m_records.data() + count * m_las.recordBytes, count))) {
-            for (const std::size_t end = count + static_cast<std::size_t>(std::min<std::uint64_t>(m_leftInChunk, most - count));
-                 count < end; ++count, --m_leftInChunk) {
+        while (count < most && !m_ended) {
+            const std::size_t before = count;
+            if (m_leftInChunk == 0 && !startChunk(m_records.data() + count * m_las.recordBytes, count)) {
+                break;
+            }
+            for (; count < most && m_leftInChunk > 0; ++count, --m_leftInChunk) {
                 decode(m_records.data() + count * m_las.recordBytes);
             }
+            if (overrun()) {
+                count = before;
+                endAt(count);
+            }
         }
-        checkOverrun();
         m_left -= count;
         decodeLasRecords(m_las, m_records.data(), count, block);
         return count > 0;
@@ -52,7 +58,6 @@ private:
 
     /// Begins the next chunk and takes its first point. @return false: there is none
     bool startChunk(unsigned char* record, std::size_t& count) {
-        checkOverrun();
         if (m_bytes) {
             m_at = m_bytes->position();
         }
@@ -65,48 +70,56 @@ private:
                 chunk = m_chunks[m_nextChunk++];
             } while (chunk.points == 0);
         } else if (m_at >= m_file->size() || m_file->size() - m_at < m_las.recordBytes) {
-            return endEarly();
+            endAt(count);
+            return false;
         }
-        if (m_packing.layered) {
-            m_layers.start(*m_file, chunk.start, record);
-            m_at = m_layers.end();
-            chunk.points = !m_chunks.empty() ? chunk.points : m_layers.points();
-            if (chunk.points == 0 || (chunk.points > 1 && !m_layers.holdsMore())) {
-                failChunk();
-            }
-        } else {
-            m_bytes.emplace(*m_file, chunk.start, chunk.end);
-            m_bytes->take(record, m_las.recordBytes);
-            m_points.start(record);
-            m_decoder.emplace(*m_bytes);
-            if (chunk.points > 1 && m_left > count + 1) {
-                m_decoder->start();
-            }
+        if (!(m_packing.layered ? startLayers(chunk, record) : startPoints(chunk, record, m_left > count + 1))) {
+            endAt(count);
+            return false;
         }
         ++count;
         m_leftInChunk = chunk.points - 1;
         return true;
     }
 
-    bool endEarly() {
+    bool startLayers(LazChunk& chunk, unsigned char* record) {
+        if (!m_layers.start(*m_file, chunk.start, record)) {
+            return false;
+        }
+        m_at = m_layers.end();
+        chunk.points = !m_chunks.empty() ? chunk.points : m_layers.points();
+        return chunk.points > 0 && (chunk.points == 1 || m_layers.holdsMore());
+    }
+
+    bool startPoints(const LazChunk& chunk, unsigned char* record, bool more) {
+        m_bytes.emplace(*m_file, chunk.start, chunk.end);
+        m_bytes->take(record, m_las.recordBytes);
+        m_points.start(record);
+        m_decoder.emplace(*m_bytes);
+        if (chunk.points > 1 && more) {
+            m_decoder->start();
+        }
+        return true;
+    }
+
+    bool overrun() const { return m_packing.layered ? m_layers.overrun() : m_bytes && m_bytes->overrun(); }
+
+    /// Without a table the file was cut, and what is there is told; with one it is damaged.
+    /// @param count  points of this block that are sound
+    void endAt(std::size_t count) {
+        const std::uint64_t sound = m_las.points - m_left + count;
+        if (!m_chunks.empty()) {
+            refuseContent({"cloud.laz_chunk",
+                           "{0} is damaged: the packed points behind point {1} cannot be unpacked",
+                           {m_file->path(), static_cast<std::int64_t>(sound)}},
+                          "Copy it again from where it came.");
+        }
         addFinding(m_findings, m_file->path(),
                    {"cloud.fewer_points",
                     "the head says {0} points, the file has {1}",
-                    {static_cast<std::int64_t>(m_las.points), static_cast<std::int64_t>(m_las.points - m_left)}},
+                    {static_cast<std::int64_t>(m_las.points), static_cast<std::int64_t>(sound)}},
                    "the file may be cut short: copy it again from where it came");
-        return false;
-    }
-
-    void checkOverrun() const {
-        if (m_packing.layered ? m_layers.overrun() : m_bytes && m_bytes->overrun()) {
-            failChunk();
-        }
-    }
-    [[noreturn]] void failChunk() const {
-        refuseContent({"cloud.laz_chunk",
-                       "{0} is damaged: the packed points behind point {1} cannot be unpacked",
-                       {m_file->path(), static_cast<std::int64_t>(m_las.points - m_left)}},
-                      "Copy it again from where it came.");
+        m_ended = true;
     }
 
     std::unique_ptr<CloudFile> m_file;
@@ -117,6 +130,7 @@ private:
     std::uint64_t m_at = 0;  ///< of the next chunk, where no table says it
     std::uint64_t m_left = 0;
     std::uint64_t m_leftInChunk = 0;
+    bool m_ended = false;  ///< before all points were read
     std::vector<unsigned char> m_records;
     std::optional<PackedBytes> m_bytes;
     std::optional<ArithmeticDecoder> m_decoder;

@@ -285,6 +285,18 @@ TEST_F(LasCloud, ATableOfChunksThatIsGoneCostsNoPoint) {
     }
 }
 
+TEST_F(LasCloud, APackedFileThatIsCutGivesThePointsInFrontOfTheCut) {
+    const WholeCloud whole = readCloud(publicCloud("1.2-with-color.copc.laz"));
+    CloudBytes bytes = contentOfCloud(publicCloud("1.2-with-color.copc.laz"));
+    bytes.resize(bytes.size() * 6 / 10);
+    const WholeCloud cut = readCloud(layCloud(m_folder / "cut.laz", bytes));
+    ASSERT_GT(cut.points.size(), 500u);
+    ASSERT_LT(cut.points.size(), 1000u);
+    EXPECT_EQ(cut.summary.findings.count("cloud.fewer_points"), 1);
+    EXPECT_TRUE(std::equal(cut.points.places.begin(), cut.points.places.end(), whole.points.places.begin()));
+    EXPECT_TRUE(std::equal(cut.points.colours.begin(), cut.points.colours.end(), whole.points.colours.begin()));
+}
+
 TEST_F(LasCloud, PackedFilesThatAreCutOrChangedEndInWords) {
     for (const char* name : {"point-time-color.laz", "1.2-with-color.copc.laz", "point-time-color.las"}) {
         const CloudBytes whole = contentOfCloud(publicCloud(name));

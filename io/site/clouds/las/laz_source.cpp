@@ -1,12 +1,14 @@
 #include "io/site/clouds/las/laz_source.h"
 
 #include <algorithm>
+#include <exception>
 #include <optional>
+#include <thread>
 
 #include "core/base/message.h"
 #include "io/site/clouds/las/las_records.h"
 #include "io/site/clouds/las/laz_chunks.h"
-#include "io/site/clouds/las/laz_points.h"
+#include "io/site/clouds/las/laz_unpacker.h"
 #include "io/site/file_words.h"
 
 namespace rubble::io {
@@ -19,6 +21,9 @@ public:
         : m_file(std::move(file)), m_las(std::move(head)), m_packing(readLazPacking(*m_file, m_las)), m_left(m_las.points) {
         m_findings = std::move(found);
         m_chunks = readLazChunks(*m_file, m_las, m_packing, m_findings);
+        for (const LazChunk& chunk : m_chunks) {
+            m_largest = std::max(m_largest, chunk.points);
+        }
         m_at = m_las.pointsStart + (m_packing.chunked ? sizeof(std::uint64_t) : 0);
         describeLas(*m_file, m_las, m_head);
         m_head.format = "LAZ";
@@ -33,6 +38,77 @@ public:
     bool next(CloudBlock& block, const Execution& execution) override {
         execution.check();
         const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(m_left, cloudBlockPoints));
+        const std::size_t count = fitsThreads(execution) ? takeUnpacked(block, most, execution.threads()) : unpack(block, most);
+        m_left -= count;
+        return count > 0;
+    }
+
+private:
+    /// Chunks that a table names are unpacked by all threads; larger ones than usual would take too much memory.
+    bool fitsThreads(const Execution& execution) const {
+        constexpr std::uint64_t bytesMost = std::uint64_t{16} << 20;
+        return !m_chunks.empty() && execution.threads() > 1 && m_largest * m_las.recordBytes <= bytesMost;
+    }
+
+    /// Points of the chunks that were unpacked together; unpacks the next ones if there are none left.
+    std::size_t takeUnpacked(CloudBlock& block, std::size_t most, int threads) {
+        while (m_together.empty() && m_nextChunk < m_chunks.size()) {
+            unpackTogether(static_cast<std::size_t>(std::min(threads, 16)));
+        }
+        if (m_together.empty()) {
+            decodeLasRecords(m_las, nullptr, 0, block);
+            return 0;
+        }
+        const std::vector<unsigned char>& records = m_together.front();
+        const std::size_t count = std::min(most, records.size() / m_las.recordBytes - m_taken);
+        decodeLasRecords(m_las, records.data() + m_taken * m_las.recordBytes, count, block);
+        m_taken += count;
+        if (m_taken * m_las.recordBytes == records.size()) {
+            m_together.erase(m_together.begin());
+            m_taken = 0;
+        }
+        return count;
+    }
+
+    void unpackTogether(std::size_t threads) {
+        std::vector<LazChunk> chunks;
+        for (; chunks.size() < threads && m_nextChunk < m_chunks.size(); ++m_nextChunk) {
+            if (m_chunks[m_nextChunk].points > 0) {
+                chunks.push_back(m_chunks[m_nextChunk]);
+            }
+        }
+        while (m_unpackers.size() < chunks.size()) {
+            m_unpackers.push_back(std::make_unique<LazUnpacker>(*m_file, m_las, m_packing));
+        }
+        std::vector<std::optional<std::vector<unsigned char>>> made(chunks.size());
+        std::vector<std::exception_ptr> failures(chunks.size());
+        {
+            std::vector<std::jthread> workers;
+            for (std::size_t c = 0; c < chunks.size(); ++c) {
+                workers.emplace_back([&, c] {
+                    try {
+                        made[c] = m_unpackers[c]->unpack(chunks[c]);
+                    } catch (...) {
+                        failures[c] = std::current_exception();
+                    }
+                });
+            }
+        }
+        std::size_t sound = 0;
+        for (std::size_t c = 0; c < chunks.size(); ++c) {
+            if (failures[c]) {
+                std::rethrow_exception(failures[c]);
+            }
+            if (!made[c]) {
+                endAt(sound);
+            }
+            sound += static_cast<std::size_t>(chunks[c].points);
+            m_together.push_back(std::move(*made[c]));
+        }
+    }
+
+    /// Unpacks the next points by this thread alone.
+    std::size_t unpack(CloudBlock& block, std::size_t most) {
         m_records.resize(most * m_las.recordBytes);
         std::size_t count = 0;
         while (count < most && !m_ended) {
@@ -41,25 +117,21 @@ public:
                 break;
             }
             for (; count < most && m_leftInChunk > 0; ++count, --m_leftInChunk) {
-                decode(m_records.data() + count * m_las.recordBytes);
+                m_unpacker.decode(m_records.data() + count * m_las.recordBytes);
             }
-            if (overrun()) {
+            if (m_unpacker.overrun()) {
                 count = before;
                 endAt(count);
             }
         }
-        m_left -= count;
         decodeLasRecords(m_las, m_records.data(), count, block);
-        return count > 0;
+        return count;
     }
-
-private:
-    void decode(unsigned char* record) { m_packing.layered ? m_layers.decode(record) : m_points.decode(*m_decoder, record); }
 
     /// Begins the next chunk and takes its first point. @return false: there is none
     bool startChunk(unsigned char* record, std::size_t& count) {
-        if (m_bytes) {
-            m_at = m_bytes->position();
+        if (m_started) {
+            m_at = m_unpacker.end();
         }
         LazChunk chunk{m_at, m_file->size(), m_packing.chunkPoints};
         if (!m_chunks.empty()) {
@@ -73,36 +145,17 @@ private:
             endAt(count);
             return false;
         }
-        if (!(m_packing.layered ? startLayers(chunk, record) : startPoints(chunk, record, m_left > count + 1))) {
+        // The last chunk may be shorter than the others.
+        chunk.points = m_packing.layered ? chunk.points : std::min(chunk.points, m_left - count);
+        if (!m_unpacker.start(chunk, !m_chunks.empty(), record)) {
             endAt(count);
             return false;
         }
+        m_started = true;
         ++count;
         m_leftInChunk = chunk.points - 1;
         return true;
     }
-
-    bool startLayers(LazChunk& chunk, unsigned char* record) {
-        if (!m_layers.start(*m_file, chunk.start, record)) {
-            return false;
-        }
-        m_at = m_layers.end();
-        chunk.points = !m_chunks.empty() ? chunk.points : m_layers.points();
-        return chunk.points > 0 && (chunk.points == 1 || m_layers.holdsMore());
-    }
-
-    bool startPoints(const LazChunk& chunk, unsigned char* record, bool more) {
-        m_bytes.emplace(*m_file, chunk.start, chunk.end);
-        m_bytes->take(record, m_las.recordBytes);
-        m_points.start(record);
-        m_decoder.emplace(*m_bytes);
-        if (chunk.points > 1 && more) {
-            m_decoder->start();
-        }
-        return true;
-    }
-
-    bool overrun() const { return m_packing.layered ? m_layers.overrun() : m_bytes && m_bytes->overrun(); }
 
     /// Without a table the file was cut, and what is there is told; with one it is damaged.
     /// @param count  points of this block that are sound
@@ -131,11 +184,14 @@ private:
     std::uint64_t m_left = 0;
     std::uint64_t m_leftInChunk = 0;
     bool m_ended = false;  ///< before all points were read
+    bool m_started = false;
     std::vector<unsigned char> m_records;
-    std::optional<PackedBytes> m_bytes;
-    std::optional<ArithmeticDecoder> m_decoder;
-    LazPoints m_points{m_las};
-    LazLayers m_layers{m_las, m_packing.turns};
+    LazUnpacker m_unpacker{*m_file, m_las, m_packing};
+
+    std::uint64_t m_largest = 0;  ///< points of the largest chunk
+    std::vector<std::unique_ptr<LazUnpacker>> m_unpackers;
+    std::vector<std::vector<unsigned char>> m_together;  ///< chunks that were unpacked at once
+    std::size_t m_taken = 0;                             ///< points of the first of them
 };
 
 }  // namespace

@@ -273,6 +273,24 @@ CloudBytes contentOfCloud(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+TEST_F(LasCloud, ThreadsUnpackWhatOneDoes) {
+    for (const char* name : {"point-time-color.laz", "1.2-with-color.copc.laz"}) {
+        const WholeCloud all = readCloud(publicCloud(name));
+        for (const int threads : {1, 3, 16}) {
+            const std::unique_ptr<PointCloud> cloud = openCloud(publicCloud(name));
+            CloudBlock block;
+            std::size_t at = 0;
+            while (cloud->next(block, Execution().withThreads(threads))) {
+                for (std::size_t i = 0; i < block.size(); ++i, ++at) {
+                    ASSERT_EQ(block.places[i], all.points.places.at(at)) << name << threads;
+                    ASSERT_EQ(block.colours[i], all.points.colours.at(at)) << name << threads;
+                }
+            }
+            EXPECT_EQ(at, 1065u) << name << threads;
+        }
+    }
+}
+
 TEST_F(LasCloud, ATableOfChunksThatIsGoneCostsNoPoint) {
     for (const char* name : {"point-time-color.laz", "1.2-with-color.copc.laz"}) {
         CloudBytes bytes = contentOfCloud(publicCloud(name));

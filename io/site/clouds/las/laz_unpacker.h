@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "io/site/clouds/las/laz_chunks.h"
+#include "io/site/clouds/las/laz_points.h"
+
+namespace rubble::io {
+
+/// Unpacks the points of one chunk after another, whichever way they are packed.
+class LazUnpacker {
+public:
+    /// @param file, head  must outlive this object
+    LazUnpacker(const CloudFile& file, const LasHead& head, const LazPacking& packing)
+        : m_file(file), m_head(head), m_layered(packing.layered), m_points(head), m_layers(head, packing.turns) {}
+
+    /// Begins a chunk.
+    /// @param record  gets its first point
+    /// @param counted  a table says how many points it has; else it is asked, where it knows
+    /// @return false: it cannot be
+    bool start(LazChunk& chunk, bool counted, unsigned char* record);
+    /// Writes the record of the next point, if there is one.
+    void decode(unsigned char* record) { m_layered ? m_layers.decode(record) : m_points.decode(*m_decoder, record); }
+    /// The bytes ended before the points did: some of the last ones are none.
+    bool overrun() const { return m_layered ? m_layers.overrun() : m_bytes && m_bytes->overrun(); }
+    /// Behind the chunk, once all its points are unpacked.
+    std::uint64_t end() const { return m_layered ? m_layers.end() : m_bytes->position(); }
+
+    /// All records of a chunk that a table names; nothing: it is damaged.
+    std::optional<std::vector<unsigned char>> unpack(LazChunk chunk);
+
+private:
+    const CloudFile& m_file;
+    const LasHead& m_head;
+    bool m_layered;
+    LazPoints m_points;
+    LazLayers m_layers;
+    std::optional<PackedBytes> m_bytes;
+    std::optional<ArithmeticDecoder> m_decoder;
+};
+
+}  // namespace rubble::io

@@ -110,19 +110,24 @@ ColumnPlan planFound(const std::string& path, const DelimitedTable& table, bool 
     return plan;
 }
 
-double colourScaleOf(const DelimitedTable& table, const ColumnPlan& plan) {
+/// Greatest step of any colour in the first rows, and whether there are steps between whole ones.
+struct ColourSteps {
+    double most = 0.0;
     bool fractions = false;
-    bool beyond = false;
+};
+
+ColourSteps colourStepsOf(const DelimitedTable& table, const ColumnPlan& plan) {
+    ColourSteps steps;
     for (const DelimitedRow& row : table.rows) {
         for (std::size_t c = 0; c < std::min(plan.size(), row.fields.size()); ++c) {
             if (plan.role(c) >= ColumnRole::Red && plan.role(c) <= ColumnRole::Blue) {
                 const double step = table.numberIn(row.fields[c]).value_or(0.0);
-                fractions = fractions || (step > 0.0 && step < 1.0);
-                beyond = beyond || step > 1.0;
+                steps.fractions = steps.fractions || (step > 0.0 && step < 1.0);
+                steps.most = std::max(steps.most, step);
             }
         }
     }
-    return fractions && !beyond ? 255.0 : 1.0;
+    return steps;
 }
 
 }  // namespace
@@ -149,7 +154,9 @@ std::unique_ptr<CloudSource> openTextCloud(const std::string& path, const CloudR
     points.plan = request.columns.empty() ? planFound(path, table, heading, findings) : planAsked(request);
     points.plan.describe(head);
     points.form = {table.separator, table.decimalComma};
-    points.colourScale = colourScaleOf(table, points.plan);
+    const ColourSteps steps = colourStepsOf(table, points.plan);
+    points.colourScale = steps.fractions && steps.most <= 1.0 ? 255.0 : 1.0;
+    head.fullColour = steps.most > 255.0 ? 65535.0 : 255.0;
     points.skipped = heading ? table.rows.front().line : 0;
     return textCloud(std::move(file), start, std::move(points), std::move(head), std::move(findings));
 }

@@ -221,6 +221,12 @@ TEST_F(OtherCloud, TablesNameTheirColumnsOrAreAskedTo) {
     EXPECT_EQ(named.summary.findings.count("cloud.noise"), 1);
     const WholeCloud cloudCompare = read(std::string("//X Y Z R G B\n1 2 3 255 0 9\n"));
     EXPECT_THAT(cloudCompare.points.colours[0], ElementsAre(255, 0, 9));
+    EXPECT_EQ(cloudCompare.head.fullColour, 255.0);
+    const WholeCloud wide = read(std::string("X,Y,Z,Red,Green,Blue\n1,2,3,40960,0,9\n"));
+    EXPECT_THAT(wide.points.colours[0], ElementsAre(40960, 0, 9));
+    EXPECT_EQ(wide.head.fullColour, 65535.0);
+    const WholeCloud shares = read(std::string("X,Y,Z,Red,Green,Blue\n1,2,3,0.5,0,1\n"));
+    EXPECT_THAT(shares.points.colours[0], ElementsAre(128, 0, 255));
     const WholeCloud bare = read(std::string("1 2 3 4\n5 6 7 8\n\n# words\n9 10 11\nnan 1 1\n1 2\n"));
     EXPECT_EQ(bare.points.size(), 3u);
     EXPECT_EQ(bare.summary.findings.count("cloud.columns_assumed"), 1);

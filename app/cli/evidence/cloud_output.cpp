@@ -1,6 +1,7 @@
 #include "app/cli/evidence/cloud_output.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "app/cli/frame/text_output.h"
@@ -95,9 +96,16 @@ Json photographsJson(const io::CloudHead& head, const std::vector<std::string>& 
     return rows;
 }
 
+/// Twelve digits: a hundredth of a millimetre at ten thousand kilometres, without the noise of doubles.
+std::string coordinateText(double value) {
+    std::array<char, 32> text{};
+    const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 12);
+    return std::string(text.data(), end.ptr);
+}
+
 std::string boxText(const Aabb& box, const std::string& unit) {
     const auto range = [&](const char* axis, int k) {
-        return std::string(axis) + " " + exactNumber(box.min()[k]) + " to " + exactNumber(box.max()[k]);
+        return std::string(axis) + " " + coordinateText(box.min()[k]) + " to " + coordinateText(box.max()[k]);
     };
     return range("x", 0) + ", " + range("y", 1) + ", " + range("z", 2) + unit;
 }
@@ -117,8 +125,9 @@ std::string poseText(const io::CloudPose& pose) {
         return "no pose";
     }
     const Eigen::AngleAxisd turn(pose.orientation);
-    return "at " + exactNumber(pose.position.x()) + ", " + exactNumber(pose.position.y()) + ", " + exactNumber(pose.position.z()) +
-           ", turned by " + englishNumber(turn.angle() * 180.0 / M_PI) + " degrees" + (pose.applied ? "" : ", not applied");
+    return "at " + coordinateText(pose.position.x()) + ", " + coordinateText(pose.position.y()) + ", " +
+           coordinateText(pose.position.z()) + ", turned by " + englishNumber(turn.angle() * 180.0 / M_PI) + " degrees" +
+           (pose.applied ? "" : ", not applied");
 }
 
 template <class Key>

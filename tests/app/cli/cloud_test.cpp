@@ -43,6 +43,7 @@ TEST_F(CloudCommand, TellsWhatIsInAScan) {
     EXPECT_EQ(read.exitCode, 0) << read.err;
     EXPECT_THAT(read.out, HasSubstr("ETRS89 / UTM zone 32N (asked for)"));
     EXPECT_THAT(read.out, HasSubstr("1: 789, 2: 276"));
+    EXPECT_THAT(read.out, HasSubstr("bounds            x 493994.87 to "));
 }
 
 TEST_F(CloudCommand, PointsThatItWritesAreReadBackTheSame) {

@@ -6,6 +6,7 @@ include(CMakePackageConfigHelpers)
 install(TARGETS rubble rubble-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
 install(DIRECTORY resources/samples DESTINATION ${CMAKE_INSTALL_DATADIR}/rubble COMPONENT runtime
     FILES_MATCHING PATTERN "*.exo" PATTERN "*.rubble" PATTERN "*.png" PATTERN "*.asc" PATTERN "*.md")
+install(DIRECTORY resources/validation DESTINATION ${CMAKE_INSTALL_DATADIR}/rubble COMPONENT runtime)
 install(FILES resources/abaqus/odb_to_fil.py DESTINATION ${CMAKE_INSTALL_DATADIR}/rubble COMPONENT runtime)
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 

@@ -9101,6 +9101,266 @@
         <source>the coordinate system of the file is no place on Earth; a unit of it is {0}</source>
         <translation>文件的坐标系不对应地球上的位置；其一个单位为 {0}</translation>
     </message>
+    <message>
+        <source>A set is a folder with README.md, LICENSE, a table, and set.json that says what its columns mean; the manual has an example.</source>
+        <translation>数据组是一个文件夹，含 README.md、LICENSE、一张表和说明各列含义的 set.json；手册中有示例。</translation>
+    </message>
+    <message>
+        <source>A table of bodies has the columns mass_kg, side_x_m, side_y_m, side_z_m, x_m, y_m and z_m at least.</source>
+        <translation>物体表至少有 mass_kg、side_x_m、side_y_m、side_z_m、x_m、y_m 和 z_m 各列。</translation>
+    </message>
+    <message>
+        <source>Add the line there, or take the body out of the table.</source>
+        <translation>请在那里补上这一行，或从表中去掉该物体。</translation>
+    </message>
+    <message>
+        <source>Correct the heading, or what set.json says of it.</source>
+        <translation>请更正表头，或 set.json 对它的说明。</translation>
+    </message>
+    <message>
+        <source>Correct the line, or take the body out of the table.</source>
+        <translation>请更正这一行，或从表中去掉该物体。</translation>
+    </message>
+    <message>
+        <source>Correct z, or the datum of one of the two, or write &quot;lifted&quot;: true into set.json.</source>
+        <translation>请更正 z 或两者之一的基准面，或在 set.json 中写 &quot;lifted&quot;: true。</translation>
+    </message>
+    <message>
+        <source>Give a heading and one line for each body.</source>
+        <translation>请给出表头，并为每个物体写一行。</translation>
+    </message>
+    <message>
+        <source>Give a terrain that covers them, in the same coordinates, or correct their x and y.</source>
+        <translation>请给出以同样坐标覆盖它们的地形，或更正它们的 x 和 y。</translation>
+    </message>
+    <message>
+        <source>Give each body an id of its own.</source>
+        <translation>请给每个物体各自的标识。</translation>
+    </message>
+    <message>
+        <source>Keep one line for each.</source>
+        <translation>请各保留一行。</translation>
+    </message>
+    <message>
+        <source>Keep one of the two.</source>
+        <translation>请保留两者之一。</translation>
+    </message>
+    <message>
+        <source>Keep the columns of one of the two.</source>
+        <translation>请保留两者之一的各列。</translation>
+    </message>
+    <message>
+        <source>Name it {0}_world_rad_s or {0}_body_rad_s: about the axes of the table or the body&apos;s.</source>
+        <translation>请命名为 {0}_world_rad_s 或 {0}_body_rad_s：绕表的坐标轴或绕物体自身的轴。</translation>
+    </message>
+    <message>
+        <source>Name one of {0}, or leave the field empty.</source>
+        <translation>请写 {0} 之一，或让该格为空。</translation>
+    </message>
+    <message>
+        <source>Name the columns of the measured places under columns.</source>
+        <translation>请在 columns 下写明实测位置的各列。</translation>
+    </message>
+    <message>
+        <source>Name the folder of a set, or one that holds such folders.</source>
+        <translation>请给出数据组的文件夹，或含有这类文件夹的文件夹。</translation>
+    </message>
+    <message>
+        <source>Put the licence of the data beside it, as a file LICENSE.</source>
+        <translation>请将数据的许可作为文件 LICENSE 放在旁边。</translation>
+    </message>
+    <message>
+        <source>Table of bodies</source>
+        <translation>物体表</translation>
+    </message>
+    <message>
+        <source>The set {0} has no licence: nobody knows whether it may be used</source>
+        <translation>数据组 {0} 没有许可：无法知道是否可以使用</translation>
+    </message>
+    <message>
+        <source>There is no folder {0}</source>
+        <translation>没有文件夹 {0}</translation>
+    </message>
+    <message>
+        <source>Write unit quaternions, {0}qw first.</source>
+        <translation>请写单位四元数，{0}qw 在前。</translation>
+    </message>
+    <message>
+        <source>Write {0} and one of these behind it, with a line between: {1}.</source>
+        <translation>请写 {0}，其后以下划线接以下之一：{1}。</translation>
+    </message>
+    <message>
+        <source>add the column material: stone, concrete, steel or masonry</source>
+        <translation>添加 material 列：stone、concrete、steel 或 masonry</translation>
+    </message>
+    <message>
+        <source>add the columns qw, qx, qy and qz, or turn them at random</source>
+        <translation>添加 qw、qx、qy 和 qz 列，或随机转动它们</translation>
+    </message>
+    <message>
+        <source>add the columns vx_m_s, vy_m_s and vz_m_s if they move</source>
+        <translation>如果它们在运动，请添加 vx_m_s、vy_m_s 和 vz_m_s 列</translation>
+    </message>
+    <message>
+        <source>add the columns wx_world_rad_s and so on, or wx_body_rad_s and so on, if they turn</source>
+        <translation>如果它们在转动，请添加 wx_world_rad_s 等列，或 wx_body_rad_s 等列</translation>
+    </message>
+    <message>
+        <source>bodies have a mass and sides that make {0}, which nothing weighs</source>
+        <translation>物体的质量和边长合成 {0}，没有物质有此密度</translation>
+    </message>
+    <message>
+        <source>by the units in the heading</source>
+        <translation>按表头中的单位</translation>
+    </message>
+    <message>
+        <source>columns of the table are not known and were not read</source>
+        <translation>表中有不认识的列，未读取</translation>
+    </message>
+    <message>
+        <source>each body is let go at its time</source>
+        <translation>每个物体在其时刻放开</translation>
+    </message>
+    <message>
+        <source>fitted on one half, judged on the other</source>
+        <translation>用一半拟合，用另一半评判</translation>
+    </message>
+    <message>
+        <source>look at heights and datum of the table and the terrain; falls hold that difference too</source>
+        <translation>请查看表和地形的高程与基准面；下落高度也含有该差别</translation>
+    </message>
+    <message>
+        <source>look at the units in the heading</source>
+        <translation>请查看表头中的单位</translation>
+    </message>
+    <message>
+        <source>net rotation</source>
+        <translation>净转角</translation>
+    </message>
+    <message>
+        <source>none is needed where that is less than a side; else look at heights and terrain</source>
+        <translation>小于一条边长时无需处理；否则请查看高程和地形</translation>
+    </message>
+    <message>
+        <source>none is needed, unless a name was meant to be one of the manual&apos;s</source>
+        <translation>无需处理，除非某名称本应是手册中的名称</translation>
+    </message>
+    <message>
+        <source>none is needed; more repeats narrow what comes of it</source>
+        <translation>无需处理；更多的重复可缩小由此产生的区间</translation>
+    </message>
+    <message>
+        <source>orientations of {0} bodies were not measured: they are drawn at random, anew in every repeat</source>
+        <translation>{0} 个物体的方位没有测量：随机抽取，每次重复重新抽取</translation>
+    </message>
+    <message>
+        <source>the set has no README.md that says where it comes from</source>
+        <translation>数据组没有说明来源的 README.md</translation>
+    </message>
+    <message>
+        <source>the table has no orientations: {0} bodies lie along its axes</source>
+        <translation>表中没有方位：{0} 个物体沿其坐标轴放置</translation>
+    </message>
+    <message>
+        <source>the table has no spins: {0} bodies are let go without</source>
+        <translation>表中没有自转：{0} 个物体放开时不转动</translation>
+    </message>
+    <message>
+        <source>the table has no velocities: {0} bodies are let go at rest</source>
+        <translation>表中没有速度：{0} 个物体从静止放开</translation>
+    </message>
+    <message>
+        <source>there is no column measured_x_m, so nothing can be compared</source>
+        <translation>没有 measured_x_m 列，因此无法比较</translation>
+    </message>
+    <message>
+        <source>write one: source, how it was measured, what a row is</source>
+        <translation>请写一份：来源、如何测量、一行是什么</translation>
+    </message>
+    <message>
+        <source>{0} bodies do not say what they are made of: their density decides</source>
+        <translation>{0} 个物体没有说明材料：由其密度决定</translation>
+    </message>
+    <message>
+        <source>{0} falls began in the surface and were lifted out of it, at most by {1}</source>
+        <translation>{0} 次下落起始位于表面之内，已抬出，最多 {1}</translation>
+    </message>
+    <message>
+        <source>{0} has no column {1}</source>
+        <translation>{0} 没有 {1} 列</translation>
+    </message>
+    <message>
+        <source>{0} holds no bodies</source>
+        <translation>{0} 中没有物体</translation>
+    </message>
+    <message>
+        <source>{0} holds no set of measured falls</source>
+        <translation>{0} 中没有实测下落的数据组</translation>
+    </message>
+    <message>
+        <source>{0} measured places lie more than a metre from the surface, the farthest {1} above it</source>
+        <translation>{0} 个实测位置离表面超过一米，最远的在其上方 {1}</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} has &quot;{2}&quot; in the column {3}, which is no number</source>
+        <translation>{0}：第 {1} 行的 {3} 列为“{2}”，不是数</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} has an orientation of length {2}, which is no rotation</source>
+        <translation>{0}：第 {1} 行的方位长度为 {2}，不是旋转</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} has the id {2}, as line {3} has</source>
+        <translation>{0}：第 {1} 行的标识为 {2}，与第 {3} 行相同</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} has {2} in the column {3}, as a line before</source>
+        <translation>{0}：第 {1} 行的 {3} 列为 {2}，与前面某行相同</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} has {2} in the column {3}, which must be above zero</source>
+        <translation>{0}：第 {1} 行的 {3} 列为 {2}，必须大于零</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} has {2} in the column {3}, which {4} does not have</source>
+        <translation>{0}：第 {1} 行的 {3} 列为 {2}，而 {4} 中没有</translation>
+    </message>
+    <message>
+        <source>{0}: line {1} names the material &quot;{2}&quot;, of which no body is made</source>
+        <translation>{0}：第 {1} 行的材料“{2}”不能构成物体</translation>
+    </message>
+    <message>
+        <source>{0}: orientations stand as quaternions and as angles</source>
+        <translation>{0}：方位同时以四元数和角度给出</translation>
+    </message>
+    <message>
+        <source>{0}: spins stand about the axes of the table and about those of the body</source>
+        <translation>{0}：自转同时绕表的坐标轴和绕物体自身的轴给出</translation>
+    </message>
+    <message>
+        <source>{0}: the column {1} does not say of which axes the spin is</source>
+        <translation>{0}：列 {1} 没有说明自转绕哪组轴</translation>
+    </message>
+    <message>
+        <source>{0}: the column {1} has no unit that is known</source>
+        <translation>{0}：列 {1} 没有可识别的单位</translation>
+    </message>
+    <message>
+        <source>{0}: the column {1} stands twice</source>
+        <translation>{0}：列 {1} 出现两次</translation>
+    </message>
+    <message>
+        <source>{0}: there is no column {1}</source>
+        <translation>{0}：没有 {1} 列</translation>
+    </message>
+    <message>
+        <source>{0}: {1} bodies begin where the terrain {2} has no heights; one is {3}</source>
+        <translation>{0}：{1} 个物体起始于地形 {2} 没有高程之处；其一为 {3}</translation>
+    </message>
+    <message>
+        <source>{0}: {1} bodies begin with their centre below the surface, {2} by {3}</source>
+        <translation>{0}：{1} 个物体的中心起始于表面之下，{2} 低 {3}</translation>
+    </message>
 </context>
 <context>
     <name>options</name>

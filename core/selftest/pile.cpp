@@ -3,33 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace rubble::selftest {
-
-std::uint64_t Sequence::next() {
-    m_state += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = m_state;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-double Sequence::between(double low, double high) {
-    return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53;
-}
-
-Quat Sequence::turn() {
-    const double u = between(0, 1), a = between(0, 2 * std::numbers::pi), b = between(0, 2 * std::numbers::pi);
-    const double r = std::sqrt(1 - u), s = std::sqrt(u);
-    return Quat(s * std::cos(b), r * std::sin(a), r * std::cos(a), s * std::sin(b)).normalized();
-}
-
-Vec3 Sequence::direction() {
-    const double z = between(-1, 1), a = between(0, 2 * std::numbers::pi);
-    const double r = std::sqrt(1 - z * z);
-    return {r * std::cos(a), r * std::sin(a), z};
-}
 
 BodyId Pile::add(const Vec3& centre, const Vec3& size, const Quat& turn, const Vec3& velocity) {
     m_sizes.push_back(size);

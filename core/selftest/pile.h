@@ -4,25 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/sequence.h"
 #include "core/selftest/box_overlap.h"
 #include "core/selftest/world_scene.h"
 
 namespace rubble::selftest {
-
-/// Numbers that look random and are the same on every machine (SplitMix64; Steele, Lea & Flood 2014).
-class Sequence {
-public:
-    explicit Sequence(std::uint64_t seed) : m_state(seed) {}
-    double between(double low, double high);
-    /// Evenly over all rotations (Shoemake 1992).
-    Quat turn();
-    /// Evenly over all directions.
-    Vec3 direction();
-
-private:
-    std::uint64_t next();
-    std::uint64_t m_state;
-};
 
 /// A heap of boxes in the making.
 class Pile {

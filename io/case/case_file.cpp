@@ -10,8 +10,11 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/validation/drop.h"
 #include "io/base/files.h"
 #include "io/case/journal.h"
+#include "io/fe/bodies/bodies_reader.h"
+#include "io/fe/bodies/body_table.h"
 #include "io/fe/fe_reader.h"
 #include "io/json/case_migrations.h"
 #include "io/json/ensemble_json.h"
@@ -343,6 +346,21 @@ Case saveCase(const std::string& path, const Case& theCase) {
     return complete;
 }
 
+namespace {
+
+/// A table of bodies says itself how it is to be simulated. One that cannot be read is refused where it is opened.
+void prepareForTable(Scenario& scenario, const std::string& fePath) {
+    try {
+        if (recognisesBodies(readHead(fePath))) {
+            prepareForBodies(scenario, readBodyTable(fePath).bodies);
+        }
+    } catch (const Error&) {
+        return;
+    }
+}
+
+}  // namespace
+
 Case caseForFe(const std::string& fePath, const std::string& casePath) {
     const fs::path folder = fs::absolute(casePath.empty() ? fs::path("case") : fs::path(casePath)).parent_path();
     const fs::path relative = fs::absolute(fePath).lexically_normal().lexically_relative(folder.lexically_normal());
@@ -350,6 +368,7 @@ Case caseForFe(const std::string& fePath, const std::string& casePath) {
     theCase.title = fs::path(fePath).stem().string();
     theCase.inputs.push_back({"fe-1", InputRole::Fe, relative.generic_string(), {}});
     theCase.scenarios.push_back({"scenario-1", "As computed", {}, "fe-1", Scenario{}});
+    prepareForTable(theCase.scenarios.front().scenario, fePath);
     theCase.activeScenario = "scenario-1";
     return theCase;
 }

@@ -11,6 +11,7 @@ Command inspectCommand();
 Command sizeCommand();
 Command effectsCommand();
 Command runCommand();
+Command dropCommand();
 Command influenceCommand();
 Command accuracyCommand();
 Command calibrateCommand();
@@ -29,6 +30,7 @@ Command verifyCommand();
 Command reportCommand();
 Command acknowledgeCommand();
 Command selfTestCommand();
+Command validateCommand();
 Command parametersCommand();
 
 /// Every command, in the order in which the help lists them.

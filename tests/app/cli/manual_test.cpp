@@ -58,6 +58,11 @@ std::string writePairs(const std::string& path) {
     return path;
 }
 
+std::string bodyTable(const std::string& path) {
+    std::ofstream(path) << "mass_kg,side_x_m,side_y_m,side_z_m,x_m,y_m,z_m\n2400,1,1,1,0,0,2\n";
+    return path;
+}
+
 TEST(Manual, HasASectionForEveryCommandAndNoOther) {
     const std::set<std::string> documented = matches(manual(), "\n## rubble-cli ([a-z-]+)");
     EXPECT_EQ(documented, commands());
@@ -103,6 +108,8 @@ TEST(Manual, NamesEveryKeyOfEveryJsonObject) {
         {"cloud", sourcePath("tests/data/clouds/point-time-color.laz")},
         {"cloud", sourcePath("tests/data/clouds/tiny_pc_and_images.e57")},
         {"self-test", "--only", "free-fall"},
+        {"drop", bodyTable(folder / "bodies.csv")},
+        {"validate", "--only", "tschamut", "--repeats", "1"},
         {"parameters"},
         {"accuracy", fe, "--check", "--no-fps", "--multiples", "2", "--set", "settle_time=0.5", "--cache", folder / "cache"},
         {"calibrate", "--bodies", "8,12,27", "--no-drawing", "--cache", folder / "cache"},

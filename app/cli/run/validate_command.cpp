@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <chrono>
+
+#include "app/cli/frame/commands.h"
+#include "app/cli/frame/option_value.h"
+#include "app/cli/frame/output_file.h"
+#include "app/cli/frame/text_output.h"
+#include "app/cli/run/validation_tables.h"
+#include "core/base/elapsed.h"
+#include "core/base/error.h"
+#include "core/base/nearest_names.h"
+#include "io/validation/set_folder.h"
+
+namespace rubble::cli {
+
+namespace {
+
+constexpr int validationRepeatsMax = 1000;
+
+std::vector<io::SetPlace> chosenSets(const Arguments& arguments) {
+    const std::vector<io::SetPlace> all = io::setsIn(arguments.value("--data").value_or(io::shippedSets()));
+    const std::vector<std::string> wanted = arguments.values("--only");
+    if (wanted.empty()) {
+        return all;
+    }
+    std::vector<std::string> names;
+    for (const io::SetPlace& place : all) {
+        names.push_back(place.id);
+    }
+    std::vector<io::SetPlace> chosen;
+    for (const std::string& id : wanted) {
+        const auto found = std::find(names.begin(), names.end(), id);
+        if (found == names.end()) {
+            throw UsageError({"validation.no_such_set", "There is no set \"{0}\".", {id}},
+                             {"validation.no_such_set.remedy", "There are {0}.", {quotedList(names)}});
+        }
+        chosen.push_back(all[static_cast<std::size_t>(found - names.begin())]);
+    }
+    return chosen;
+}
+
+ExitCode validateSets(const Arguments& arguments, Session& session) {
+    checkCsvPath(arguments, {});
+    const auto start = std::chrono::steady_clock::now();
+    ValidationOptions options;
+    if (arguments.has("--repeats")) {
+        options.repeats = parseCount(arguments, "--repeats", 1, validationRepeatsMax, 1);
+    }
+    options.seed = parseCount(arguments, "--seed", 0, 2147483647, 1);
+    std::vector<ValidationSet> sets;
+    for (const io::SetPlace& place : chosenSets(arguments)) {
+        sets.push_back(io::readSet(place, session.execution()));
+    }
+    std::vector<SetResult> results;
+    for (const ValidationSet& set : sets) {
+        session.err() << set.id << ", " << set.bodies.size() << " bodies\n";
+        results.push_back(validate(set, options, session.execution()));
+    }
+    writeCsv(arguments, validationTable(results));
+    if (arguments.json()) {
+        Json object;
+        object["sets"] = Json::array();
+        for (const SetResult& result : results) {
+            object["sets"].push_back(validationJson(result));
+        }
+        object["wall_s"] = secondsSince(start);
+        printJson(session, object);
+        return ExitCode::Ok;
+    }
+    for (const SetResult& result : results) {
+        printValidation(session.out(), result);
+        session.out() << '\n';
+    }
+    return ExitCode::Ok;
+}
+
+}  // namespace
+
+Command validateCommand() {
+    return {
+        "validate",
+        "",
+        "simulated falls held against measured ones",
+        "Simulates bodies whose falls were measured, and says how far the result is from what was measured: the difference of the "
+        "means with its interval, the scatter of both, the area between their cumulative curves, how many were lost, and which "
+        "parameters were used. Nothing is fitted unless the line says so.",
+        {{"--only", "ID", true, "only this set"},
+         {"--data", "DIR", false, "folder of a set, or of several, in place of those that come with the program"},
+         {"--repeats", "N", false, "how often each body is let go (default: what the set says)"},
+         {"--seed", "N", false, "of what is drawn (default: 1)"},
+         csvOption("write one row for each figure")},
+        validateSets};
+}
+
+}  // namespace rubble::cli

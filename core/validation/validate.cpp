@@ -1,0 +1,407 @@
+#include "core/validation/validate.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "core/base/csv_text.h"
+#include "core/base/elapsed.h"
+#include "core/base/unknown.h"
+#include "core/scenario/parameters.h"
+#include "core/validation/drop_series.h"
+
+namespace rubble {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+/// s. Simulated beyond the last measurement.
+constexpr double timeBeyond = 0.5;
+/// Values of a fitted setting that are tried from end to end, and again around the best.
+constexpr int fitSteps = 7;
+constexpr int fitRounds = 3;
+
+/// Where a body was compared: in the axes of its table.
+struct ComparedEnd {
+    Pose start;
+    Pose end;
+    bool known = false;
+};
+
+double angleBetween(const Quat& a, const Quat& b) {
+    return a.angularDistance(b) / degree;
+}
+
+/// Axis of a body that points up, with its sign: 0 to 5.
+int faceUp(const Quat& turn) {
+    const Vec3 up = turn.conjugate() * Vec3::UnitZ();
+    Eigen::Index axis = 0;
+    up.cwiseAbs().maxCoeff(&axis);
+    return 2 * static_cast<int>(axis) + (up[axis] < 0.0);
+}
+
+/// Simulates one variant on some of the bodies.
+class VariantRun {
+public:
+    VariantRun(const ValidationSet& set, const std::vector<std::size_t>& chosen, const ValidationOptions& options,
+               const Execution& execution)
+        : m_execution(execution) {
+        for (const std::size_t i : chosen) {
+            m_series.bodies.push_back(set.bodies[i]);
+            m_measured.push_back(set.measured[i]);
+        }
+        m_series.terrain = set.terrain;
+        m_series.turned = set.turned;
+        m_series.lifted = set.lifted;
+        m_series.apart = true;
+        m_series.repeats = options.repeats.value_or(set.repeats);
+        m_series.seed = options.seed;
+        double latest = 0.0;
+        for (std::size_t i = 0; i < m_series.bodies.size(); ++i) {
+            const double after = m_measured[i].after.value_or(unknown);
+            m_series.watch.asked.push_back(after);
+            latest = std::isfinite(after) ? std::max(latest, m_series.bodies[i].time + after + timeBeyond) : latest;
+        }
+        m_series.until = latest;
+    }
+
+    /// Lets all go in every repeat. @param parameters  key and value
+    void simulate(const std::vector<SetParameter>& parameters) {
+        m_series.scenario = Scenario();
+        prepareForBodies(m_series.scenario, m_series.bodies);
+        for (const SetParameter& parameter : parameters) {
+            setParameterText(m_series.scenario, parameter.key, parameter.value);
+        }
+        m_ends.assign(m_series.bodies.size(), {});
+        moving = left = lost = 0;
+        for (std::int64_t r = 0; r < m_series.repeats; ++r) {
+            take(dropOnce(m_series, r, m_execution));
+        }
+    }
+
+    const std::vector<MeasuredEnd>& measured() const { return m_measured; }
+    const std::vector<std::vector<ComparedEnd>>& ends() const { return m_ends; }  ///< [bodies][repeats]
+    const std::vector<LooseBody>& bodies() const { return m_series.bodies; }
+
+    std::int64_t moving = 0;
+    std::int64_t left = 0;
+    std::int64_t lost = 0;
+    ReleaseCount lifted;
+
+private:
+    void take(const DropRepeat& repeat) {
+        moving += repeat.result.count(Ending::Moving);
+        left += repeat.result.count(Ending::Left);
+        lost += repeat.result.count(Ending::Lost) + repeat.result.count(Ending::Refused);
+        lifted.count += repeat.lifted.count;
+        lifted.measure = std::max(lifted.measure, repeat.lifted.measure);
+        for (std::size_t i = 0; i < repeat.bodies.size(); ++i) {
+            const DropOutcome& body = repeat.result.bodies[i];
+            ComparedEnd end{repeat.bodies[i].pose, {}, body.ending == Ending::AtRest};
+            if (m_measured[i].after) {
+                end.known = body.ending == Ending::AtRest || (body.ending == Ending::Moving && body.trace.asked);
+            }
+            end.end = placed(repeat.bodies[i], body, body.trace.asked.value_or(body.trace.latest));
+            m_ends[i].push_back(end);
+        }
+    }
+
+    const Execution& m_execution;
+    DropSeries m_series;
+    std::vector<MeasuredEnd> m_measured;
+    std::vector<std::vector<ComparedEnd>> m_ends;
+};
+
+bool placesMeasured(const std::vector<MeasuredEnd>& ends) {
+    return std::all_of(ends.begin(), ends.end(), [](const MeasuredEnd& end) { return end.place.has_value(); });
+}
+
+bool turnsMeasured(const std::vector<MeasuredEnd>& ends) {
+    return std::all_of(ends.begin(), ends.end(), [](const MeasuredEnd& end) { return end.turn.has_value(); });
+}
+
+double runOut(const Vec3& from, const Vec3& to) {
+    return (to - from).head<2>().norm();
+}
+
+/// Each simulated end through a function of body and end; what is not known is no number.
+template <class Of>
+std::vector<std::vector<double>> valuesOf(const VariantRun& run, Of of) {
+    std::vector<std::vector<double>> values;
+    for (std::size_t i = 0; i < run.ends().size(); ++i) {
+        values.emplace_back();
+        for (const ComparedEnd& end : run.ends()[i]) {
+            values.back().push_back(end.known ? of(i, end) : unknown);
+        }
+    }
+    return values;
+}
+
+template <class Of>
+std::vector<double> measuredOf(const VariantRun& run, Of of) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < run.measured().size(); ++i) {
+        values.push_back(of(i));
+    }
+    return values;
+}
+
+double medianOf(const std::vector<std::vector<double>>& values) {
+    std::vector<double> all;
+    for (const std::vector<double>& repeats : values) {
+        all.insert(all.end(), repeats.begin(), repeats.end());
+    }
+    return quantileOf(std::move(all), 0.5);
+}
+
+std::vector<std::vector<double>> placeErrors(const VariantRun& run) {
+    return valuesOf(run,
+                    [&](std::size_t i, const ComparedEnd& end) { return (end.end.position - *run.measured()[i].place).norm(); });
+}
+
+std::vector<std::vector<double>> turnErrors(const VariantRun& run) {
+    return valuesOf(
+        run, [&](std::size_t i, const ComparedEnd& end) { return angleBetween(end.end.orientation, *run.measured()[i].turn); });
+}
+
+std::vector<std::vector<double>> rightFaces(const VariantRun& run) {
+    return valuesOf(run, [&](std::size_t i, const ComparedEnd& end) {
+        return faceUp(end.end.orientation) == faceUp(*run.measured()[i].turn) ? 1.0 : 0.0;
+    });
+}
+
+/// What a fit makes small: median errors of place and rotation over what was measured of them, and the share of wrong faces.
+double misfit(const VariantRun& run) {
+    std::vector<double> travelled, turned;
+    for (std::size_t i = 0; i < run.measured().size(); ++i) {
+        travelled.push_back(runOut(run.bodies()[i].pose.position, *run.measured()[i].place));
+        if (run.measured()[i].turn) {
+            turned.push_back(angleBetween(run.bodies()[i].pose.orientation, *run.measured()[i].turn));
+        }
+    }
+    double sum = medianOf(placeErrors(run)) / meanAndScatter(travelled).mean;
+    if (turnsMeasured(run.measured())) {
+        sum += medianOf(turnErrors(run)) / meanAndScatter(turned).mean;
+        sum += 1.0 - intervalOf(rightFaces(run), Statistic::Mean, 0).value;
+    }
+    return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+}
+
+/// Four decimals: what is fitted is not known better.
+std::string shortNumber(double number) {
+    return exactNumber(std::round(number * 1e4) / 1e4);
+}
+
+/// Finds the fitted settings one after the other, each over its range, then around the best.
+std::vector<SetParameter> fit(VariantRun& run, const SetVariant& variant) {
+    std::vector<SetParameter> all = variant.parameters;
+    const std::size_t first = all.size();
+    std::vector<double> best, width;
+    for (const FittedParameter& fitted : variant.fitted) {
+        best.push_back(0.5 * (fitted.low + fitted.high));
+        width.push_back(fitted.high - fitted.low);
+        all.push_back({fitted.key, shortNumber(best.back()), "fitted on one half, judged on the other"});
+    }
+    std::map<std::vector<double>, double> tried;
+    const auto misfitAt = [&](const std::vector<double>& at) {
+        const auto [known, isNew] = tried.emplace(at, 0.0);
+        if (isNew) {
+            std::vector<SetParameter> trial = all;
+            for (std::size_t p = 0; p < at.size(); ++p) {
+                trial[first + p].value = shortNumber(at[p]);
+            }
+            run.simulate(trial);
+            known->second = misfit(run);
+        }
+        return known->second;
+    };
+    for (int round = 0; round < fitRounds; ++round) {
+        for (std::size_t p = 0; p < best.size(); ++p) {
+            const double middle = best[p];
+            for (int step = 0; step < fitSteps; ++step) {
+                std::vector<double> at = best;
+                at[p] = std::clamp(middle + width[p] * (static_cast<double>(step) / (fitSteps - 1) - 0.5), variant.fitted[p].low,
+                                   variant.fitted[p].high);
+                if (misfitAt(at) < misfitAt(best)) {
+                    best = at;
+                }
+            }
+            width[p] *= 0.4;
+        }
+    }
+    for (std::size_t p = 0; p < best.size(); ++p) {
+        all[first + p].value = shortNumber(best[p]);
+    }
+    return all;
+}
+
+/// Turns the ends of a variant into comparisons and figures.
+class VariantReport {
+public:
+    VariantReport(VariantResult& result, const VariantRun& run, const ValidationOptions& options)
+        : m_result(result), m_run(run), m_options(options) {}
+
+    void fill() {
+        if (!placesMeasured(m_run.measured())) {
+            return;
+        }
+        const auto& measured = m_run.measured();
+        const auto& bodies = m_run.bodies();
+        addQuantity(
+            "run_out_m", "run-out", "m", [&](std::size_t i) { return runOut(bodies[i].pose.position, *measured[i].place); },
+            [](std::size_t, const ComparedEnd& end) { return runOut(end.start.position, end.end.position); });
+        addQuantity(
+            "fall_m", "fall", "m", [&](std::size_t i) { return bodies[i].pose.position.z() - measured[i].place->z(); },
+            [](std::size_t, const ComparedEnd& end) { return end.start.position.z() - end.end.position.z(); });
+        addCentroid();
+        if (turnsMeasured(measured)) {
+            addQuantity(
+                "rotation_deg", "net rotation", "deg",
+                [&](std::size_t i) { return angleBetween(bodies[i].pose.orientation, *measured[i].turn); },
+                [](std::size_t, const ComparedEnd& end) { return angleBetween(end.start.orientation, end.end.orientation); });
+            addErrors("rotation_error_deg", "deg", turnErrors(m_run));
+            addFigure("right_face_share", "", intervalOf(rightFaces(m_run), Statistic::Mean, m_options.resamplings));
+            addErrors("position_error_m", "m", placeErrors(m_run));
+        }
+    }
+
+private:
+    void addFigure(const std::string& key, const std::string& unit, const ConfidenceInterval& value) {
+        m_result.figures.push_back({key, unit, value});
+    }
+
+    void addErrors(const std::string& key, const std::string& unit, const std::vector<std::vector<double>>& errors) {
+        addFigure(key + ".median", unit, intervalOf(errors, Statistic::Median, m_options.resamplings));
+        addFigure(key + ".ninetieth", unit, intervalOf(errors, Statistic::Ninetieth, m_options.resamplings));
+    }
+
+    void addOne(QuantityComparison quantity) {
+        quantity.comparison = compareSamples(quantity.values, m_options.resamplings);
+        const SampleComparison& c = quantity.comparison;
+        addFigure(quantity.key + ".measured", quantity.unit, {c.measured.mean, unknown, unknown});
+        addFigure(quantity.key + ".simulated", quantity.unit, {c.simulated.mean, unknown, unknown});
+        addFigure(quantity.key + ".error", quantity.unit, c.error);
+        addFigure(quantity.key + ".scatter_ratio", "", c.scatterRatio);
+        addFigure(quantity.key + ".area", quantity.unit, {c.area, unknown, unknown});
+        m_result.quantities.push_back(std::move(quantity));
+    }
+
+    template <class OfMeasured, class OfEnd>
+    void addQuantity(const std::string& key, const std::string& title, const std::string& unit, OfMeasured ofMeasured,
+                     OfEnd ofEnd) {
+        const PairedValues all{measuredOf(m_run, ofMeasured), valuesOf(m_run, ofEnd)};
+        addOne({key, title, unit, all, {}});
+        std::set<std::string> groups;
+        for (const MeasuredEnd& end : m_run.measured()) {
+            groups.insert(end.group);
+        }
+        groups.erase("");
+        for (const std::string& group : groups) {
+            PairedValues some;
+            for (std::size_t i = 0; i < all.measured.size(); ++i) {
+                if (m_run.measured()[i].group == group) {
+                    some.measured.push_back(all.measured[i]);
+                    some.simulated.push_back(all.simulated[i]);
+                }
+            }
+            addOne({key + "[" + group + "]", title + ", " + group, unit, std::move(some), {}});
+        }
+    }
+
+    void addCentroid() {
+        Vec3 off = Vec3::Zero();
+        for (Eigen::Index axis = 0; axis < 2; ++axis) {
+            const auto place = measuredOf(m_run, [&](std::size_t i) { return (*m_run.measured()[i].place)[axis]; });
+            const auto ends = valuesOf(m_run, [axis](std::size_t, const ComparedEnd& end) { return end.end.position[axis]; });
+            off[axis] = intervalOf(ends, Statistic::Mean, 0).value - meanAndScatter(place).mean;
+        }
+        addFigure("centroid_offset_m", "m", {off.norm(), unknown, unknown});
+    }
+
+    VariantResult& m_result;
+    const VariantRun& m_run;
+    const ValidationOptions& m_options;
+};
+
+void judge(VariantResult& result, const ValidationSet& set) {
+    for (const SetCriterion& criterion : set.criteria) {
+        if (criterion.variant != result.variant.name) {
+            continue;
+        }
+        SetVerdict verdict{criterion, result.figure(criterion.figure), unknown, false};
+        verdict.within = verdict.value >= criterion.low && verdict.value <= criterion.high;
+        if (!criterion.below.empty()) {
+            verdict.limit = result.figure(criterion.below);
+            verdict.within = verdict.within && verdict.value < verdict.limit;
+        }
+        result.verdicts.push_back(std::move(verdict));
+    }
+}
+
+/// Every second body, from the first or the second on; all where nothing is fitted.
+std::vector<std::size_t> half(const ValidationSet& set, bool fitted, std::size_t first) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = fitted ? first : 0; i < set.bodies.size(); i += fitted ? 2 : 1) {
+        chosen.push_back(i);
+    }
+    return chosen;
+}
+
+VariantResult runVariant(const ValidationSet& set, const SetVariant& variant, const ValidationOptions& options,
+                         const Execution& execution, ReleaseCount& lifted) {
+    const auto begun = std::chrono::steady_clock::now();
+    VariantResult result;
+    result.variant = variant;
+    result.used = variant.parameters;
+    const bool fitted = !variant.fitted.empty();
+    if (fitted) {
+        VariantRun fitting(set, half(set, true, 0), options, execution);
+        result.used = fit(fitting, variant);
+    }
+    VariantRun run(set, half(set, fitted, 1), options, execution);
+    run.simulate(result.used);
+    result.bodies = static_cast<std::int64_t>(run.bodies().size());
+    for (const auto& repeats : run.ends()) {
+        result.simulated += static_cast<std::int64_t>(repeats.size());
+    }
+    result.moving = run.moving;
+    result.left = run.left;
+    result.lost = run.lost;
+    lifted.count += run.lifted.count;
+    lifted.measure = std::max(lifted.measure, run.lifted.measure);
+    VariantReport(result, run, options).fill();
+    judge(result, set);
+    result.seconds = secondsSince(begun);
+    return result;
+}
+
+}  // namespace
+
+double VariantResult::figure(const std::string& key) const {
+    const auto found = std::find_if(figures.begin(), figures.end(), [&](const SetFigure& figure) { return figure.key == key; });
+    return found != figures.end() ? found->value.value : unknown;
+}
+
+SetResult validate(const ValidationSet& set, const ValidationOptions& options, const Execution& execution) {
+    SetResult result;
+    result.set = &set;
+    result.findings = set.findings;
+    ReleaseCount lifted;
+    for (const SetVariant& variant : set.variants) {
+        result.variants.push_back(runVariant(set, variant, options, execution, lifted));
+    }
+    if (lifted.count > 0) {
+        result.findings.add(
+            {"validation.lifted",
+             "{0} falls began in the surface and were lifted out of it, at most by {1}",
+             {lifted.count, {lifted.measure, "m"}}},
+            {"validation.lifted.remedy", "none is needed where that is less than a side; else look at heights and terrain", {}},
+            set.id, lifted.count);
+    }
+    return result;
+}
+
+}  // namespace rubble

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/engine/world/rigid_world.h"
+
+namespace rubble {
+
+/// Where a body was at an instant.
+struct TracePoint {
+    double time = 0.0;  ///< s
+    Pose pose;
+    double speed = 0.0;  ///< m/s
+};
+
+/// What a body did from its entry on.
+struct BodyTrace {
+    double from = 0.0;  ///< s
+    Pose start;
+    Pose latest;
+    double path = 0.0;          ///< m, way of its centre
+    std::int64_t contacts = 0;  ///< times that it came to touch something
+    double topSpeed = 0.0;      ///< m/s
+    double movedLast = 0.0;     ///< s, end of the last step in which it was awake
+    bool touching = false;
+    std::optional<Pose> asked;  ///< at the time that was asked for
+    std::vector<TracePoint> points;
+};
+
+/// What is wanted of the way of each body.
+struct TraceRequest {
+    double samplesPerSecond = 0.0;  ///< 0: none
+    /// s after its entry, at which the place of a body is wanted; not a number: none. By the order of entry; empty: of none.
+    std::vector<double> asked;
+};
+
+/// A world as the run makes it, whose bodies are followed from step to step. It changes nothing: a run in it gives the same bits.
+class WatchedWorld : public RigidWorld {
+public:
+    /// @param begin    s, at which the first step begins
+    /// @param traces   [bodies that ever entered]; must outlive the world
+    WatchedWorld(std::unique_ptr<RigidWorld> world, double begin, TraceRequest request, std::vector<BodyTrace>& traces);
+
+    BodyId addBody(const NewBody& body) override;
+    void step(double dt) override;
+
+    void removeBody(BodyId body) override { m_world->removeBody(body); }
+    PieceId addPiece(const CollisionShape& shape, const Pose& pose, Material material) override {
+        return m_world->addPiece(shape, pose, material);
+    }
+    void removePiece(PieceId piece) override { m_world->removePiece(piece); }
+    void movePiece(PieceId piece, const Pose& atStepEnd) override { m_world->movePiece(piece, atStepEnd); }
+    void onSubstep(SubstepHook hook) override { m_world->onSubstep(std::move(hook)); }
+    void wake(BodyId body) override { m_world->wake(body); }
+    void onThreads(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& work) const override {
+        m_world->onThreads(count, grain, work);
+    }
+    std::size_t bodyCount() const override { return m_world->bodyCount(); }
+    BodyState state(BodyId body) const override { return m_world->state(body); }
+    BodyMotion motion(BodyId body) const override { return m_world->motion(body); }
+    double mass(BodyId body) const override { return m_world->mass(body); }
+    double kineticEnergy(BodyId body) const override { return m_world->kineticEnergy(body); }
+    Momenta momenta(BodyId body) const override { return m_world->momenta(body); }
+    double smallestSide(BodyId body) const override { return m_world->smallestSide(body); }
+    double penetration(BodyId body) const override { return m_world->penetration(body); }
+    double birthDepth(BodyId body) const override { return m_world->birthDepth(body); }
+    double overlapLeft(BodyId body) const override { return m_world->overlapLeft(body); }
+    double lifted(BodyId body) const override { return m_world->lifted(body); }
+    bool pushedByPiece(BodyId body) const override { return m_world->pushedByPiece(body); }
+    const ContactReport& contacts() const override { return m_world->contacts(); }
+    const StepCosts& costs() const override { return m_world->costs(); }
+
+private:
+    void follow(std::size_t i, double before);
+    void sample(BodyTrace& trace, std::size_t i, double before, const Pose& now, double speed) const;
+
+    std::unique_ptr<RigidWorld> m_world;
+    double m_time;
+    TraceRequest m_request;
+    std::vector<BodyTrace>& m_traces;
+};
+
+}  // namespace rubble

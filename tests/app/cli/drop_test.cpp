@@ -1,0 +1,108 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/command_run.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rubble::cli {
+
+namespace {
+
+using testing::HasSubstr;
+
+class DropRun : public testing::Test {
+protected:
+    std::string table(const std::string& rows) {
+        std::ofstream(m_folder / "bodies.csv")
+            << "id,mass_kg,side_x_m,side_y_m,side_z_m,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,material\n"
+            << rows;
+        return m_folder / "bodies.csv";
+    }
+    std::string slope() {
+        std::ofstream out(m_folder / "slope.asc");
+        out << "ncols 30\nnrows 30\nxllcorner -10\nyllcorner -15\ncellsize 1\n";
+        for (int j = 0; j < 30; ++j) {
+            for (int i = 0; i < 30; ++i) {
+                out << (i < 15 ? 15 - i : 0) << ' ';
+            }
+            out << '\n';
+        }
+        return m_folder / "slope.asc";
+    }
+
+    io::TemporaryFolder m_folder;
+};
+
+TEST_F(DropRun, TellsWhereEachWent) {
+    const std::string bodies = table("a,480,1,1,0.2,0,0,0.1,3,0,0,stone\nb,480,1,1,0.2,0,9,5.1,0,0,0,stone\n");
+    const Outcome outcome = cli({"drop", bodies, "--csv", m_folder / "ends.csv", "--path", m_folder / "path.csv", "--samples", "20",
+                                 "--set", "friction=0.5", "--out", m_folder / "drop.run.h5", "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const nlohmann::json made = outcome.json();
+    EXPECT_EQ(made["bodies"], 2);
+    EXPECT_EQ(made["endings"]["rest"], 2);
+    EXPECT_NEAR(made["figures"]["fall_m"]["mean"].get<double>(), 2.5, 0.01);
+    const std::string ends = textOf(m_folder / "ends.csv");
+    EXPECT_THAT(ends, HasSubstr("id,repeat,ending,from_x_m"));
+    EXPECT_THAT(ends, HasSubstr("\na,0,rest,0,0,0.1,1,0,0,0,"));
+    EXPECT_THAT(textOf(m_folder / "path.csv"), HasSubstr("\nb,0,0.05,"));
+    // The run file is one as of any collapse, and the table opens as any result.
+    EXPECT_EQ(cli({"verify", m_folder / "drop.run.h5"}).exitCode, 0);
+    const Outcome inspected = cli({"inspect", bodies, "--json"});
+    EXPECT_EQ(inspected.exitCode, 0) << inspected.err;
+    const Outcome again = cli({"run", bodies, "--set", "friction=0.5", "--json"});
+    ASSERT_EQ(again.exitCode, 0) << again.err;
+    EXPECT_EQ(again.json()["trajectory_hash"], made["trajectory_hash"]);
+}
+
+TEST_F(DropRun, RepeatsAreTurnedAndDrawnAnew) {
+    const std::string bodies = table("a,480,1,1,0.2,0,0,9,3,0,0,stone\n");
+    const std::vector<std::string> words{"drop",
+                                         bodies,
+                                         "--terrain",
+                                         slope(),
+                                         "--turn",
+                                         "--lift",
+                                         "--apart",
+                                         "--repeats",
+                                         "3",
+                                         "--vary",
+                                         "restitution=uniform:0:0.3",
+                                         "--json"};
+    const Outcome first = cli(words);
+    ASSERT_EQ(first.exitCode, 0) << first.err;
+    const nlohmann::json made = first.json();
+    EXPECT_EQ(made["repeats"], 3);
+    EXPECT_GT(made["figures"]["run_out_m"]["deviation"].get<double>(), 0.0);
+    EXPECT_EQ(cli(words).json()["figures"], made["figures"]);
+}
+
+TEST_F(DropRun, RefusesWhatCannotBeMeant) {
+    const auto refusal = [](std::vector<std::string> words) {
+        words.insert(words.begin(), "drop");
+        const Outcome outcome = cli(words);
+        EXPECT_NE(outcome.exitCode, 0);
+        return outcome.err;
+    };
+    const std::string terrain = slope();
+    EXPECT_THAT(refusal({table("a,480,1,1,0.2,0,0,2,0,0,0,stone\n"), "--terrain", terrain}),
+                testing::AllOf(HasSubstr("below the surface"), HasSubstr("a (line 2)"), HasSubstr("--lift")));
+    EXPECT_THAT(refusal({table("a,480,1,1,0.2,0,0,9,0,0,0,stone\nb,480,1,1,0.2,500,0,9,0,0,0,stone\n"), "--terrain", terrain}),
+                testing::AllOf(HasSubstr("no heights"), HasSubstr("b (line 3)")));
+    EXPECT_THAT(refusal({table("a,0,1,1,0.2,0,0,2,0,0,0,stone\n")}), HasSubstr("line 2"));
+    const std::string one = table("a,480,1,1,0.2,0,0,2,0,0,0,stone\n");
+    EXPECT_THAT(refusal({one, "--out", m_folder / "x.h5", "--turn"}), HasSubstr("one run"));
+    EXPECT_THAT(refusal({one, "--samples", "5"}), HasSubstr("--path"));
+    EXPECT_THAT(refusal({one, "--vary", "gravty=uniform:1:2"}), HasSubstr("gravity"));
+    std::string many;
+    for (int i = 0; i < 10000; ++i) {
+        many += std::to_string(i) + ",480,1,1,0.2,0,0,2,0,0,0,stone\n";
+    }
+    EXPECT_THAT(refusal({table(many)}), testing::AllOf(HasSubstr("more than 100 others"), HasSubstr("--apart")));
+}
+
+}  // namespace
+
+}  // namespace rubble::cli
